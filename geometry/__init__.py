@@ -1,0 +1,1 @@
+"""Exact plane geometry and the drafting board; it knows nothing of mechanisms."""

@@ -1,0 +1,265 @@
+"""The drafting board: an append-only record of drafting acts, for one position and for a million at once.
+
+A point or a vector is a complex number x + iy, or an array of them, one for each position. The vocabulary is closed:
+given, lay_off, join, parallel, square, arc, meet, tangent, turn, transfer, similar, divide, close. Readers of the
+record (replay, precision, explain, the sheets) know the verbs; no construction knows its readers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+
+from geometry import meet as loci
+from geometry.meet import Meeting, Sizes, Vectors
+
+GIVEN, CONSTRUCTION, RESULT = "given", "construction", "result"
+
+
+class Line(NamedTuple):
+    """A line: a point of it and a direction of any size but zero (прямая)."""
+
+    through: Vectors
+    direction: Vectors
+
+
+class Arc(NamedTuple):
+    """An arc: its centre and radius (дуга засечки)."""
+
+    centre: Vectors
+    radius: Sizes
+
+
+Value: TypeAlias = Vectors | Line | Arc
+
+
+class Step(NamedTuple):
+    """One drafting act: the verb, the marks it used, its numbers, the side it chose, and why."""
+
+    op: str
+    inputs: tuple[Mark, ...]
+    size: Vectors
+    side: Sizes
+    why: str
+
+
+class Mark(NamedTuple):
+    """A thing on a board with the step that drew it.
+
+    `rays` are the vectors to a point from the marks it was drawn from, kept as they were constructed, not as
+    differences of absolute points. `sharpness` is the sine of the crossing angle of the meeting, `miss` by how much the
+    loci miss each other.
+    """
+
+    subject: str
+    number: int
+    name: str
+    value: Value
+    step: Step
+    rays: tuple[tuple[Mark, Vectors], ...] = ()
+    sharpness: Sizes | None = None
+    miss: Sizes | None = None
+
+    # A mark is itself: two marks that happen to lie on one place stay two.
+    def __eq__(self, other: object) -> bool:
+        return self is other
+
+    def __ne__(self, other: object) -> bool:
+        return self is not other
+
+    def __hash__(self) -> int:
+        return id(self)
+
+    @property
+    def point(self) -> Vectors:
+        """The complex value of a point or a vector; a line or an arc has none."""
+        if isinstance(self.value, tuple):
+            raise TypeError(f"{self.name} is a {type(self.value).__name__.lower()}, not a point or a vector")
+        return self.value
+
+    @property
+    def role(self) -> str:
+        """What the line weight says of it: given, construction or result."""
+        if self.step.op == "given":
+            return GIVEN
+        return CONSTRUCTION if isinstance(self.value, tuple) else RESULT
+
+
+class Board:
+    """A record of drafting acts with one subject, such as "positions" or "velocities" (чертёжная доска).
+
+    >>> board = Board("positions")
+    >>> a, c = board.given("A", 0j), board.given("C", 5 + 0j)
+    >>> b = board.meet("B", board.arc("AB", a, 3.0), board.arc("CB", c, 4.0), side=+1, why="3 m from A, 4 m from C")
+    >>> complex(b.point)
+    (1.8+2.4j)
+    """
+
+    def __init__(self, subject: str) -> None:
+        self.subject = subject
+        self.marks: list[Mark] = []
+        self._named: dict[str, Mark] = {}
+
+    def __getitem__(self, name: str) -> Mark:
+        return self._named[name]
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._named
+
+    def __iter__(self) -> Iterator[Mark]:
+        return iter(self.marks)
+
+    def __len__(self) -> int:
+        return len(self.marks)
+
+    def _draw(
+        self,
+        name: str,
+        value: Value,
+        op: str,
+        inputs: tuple[Mark, ...],
+        why: str,
+        size: Vectors = 0j,
+        side: Sizes = 0.0,
+    ) -> Mark:
+        return self._record(Mark(self.subject, len(self.marks), name, value, Step(op, inputs, size, side, why)))
+
+    def _record(self, mark: Mark) -> Mark:
+        self.marks.append(mark)
+        self._named.setdefault(mark.name, mark)  # the first mark of a name keeps it
+        return mark
+
+    def given(self, name: str, value: Value, why: str = "") -> Mark:
+        """Put a known point, vector, line or arc on the board."""
+        return self._draw(name, value, "given", (), why)
+
+    def lay_off(self, name: str, start: Mark, vector: Mark, why: str = "") -> Mark:
+        """Lay a vector off from a point; the mark is its end (отложить вектор)."""
+        step = Step("lay_off", (start, vector), 0j, 0.0, why)
+        value = start.point + vector.point
+        return self._record(Mark(self.subject, len(self.marks), name, value, step, ((start, vector.point),)))
+
+    def join(self, name: str, start: Mark, end: Mark, why: str = "") -> Mark:
+        """Join two points by a vector, taken from the construction that drew one from the other where there is one."""
+        return self._draw(name, between(start, end), "join", (start, end), why)
+
+    def parallel(self, name: str, through: Mark, to: Mark, why: str = "") -> Mark:
+        """Draw through a point the line parallel to a vector."""
+        return self._draw(name, Line(through.point, to.point), "parallel", (through, to), why)
+
+    def square(self, name: str, through: Mark, to: Mark, why: str = "") -> Mark:
+        """Draw through a point the line square to a vector, directed 90 degrees counter-clockwise from it."""
+        return self._draw(name, Line(through.point, 1j * to.point), "square", (through, to), why)
+
+    def arc(self, name: str, centre: Mark, radius: float, why: str = "") -> Mark:
+        """Strike an arc of a given radius about a point (засечка)."""
+        return self._draw(name, Arc(centre.point, radius), "arc", (centre,), why, size=radius)
+
+    def meet(self, name: str, first: Mark, second: Mark, side: Sizes = 0.0, why: str = "") -> Mark:
+        """Find the meeting of two lines or arcs; `side` chooses one of two.
+
+        Two arcs: +1 left of the ray from the first centre to the second. A line and an arc: +1 ahead of the foot of the
+        perpendicular from the centre, along the line. Two lines meet once.
+        """
+        if isinstance(first.value, Arc) and isinstance(second.value, Line):
+            first, second = second, first
+        centres = first.step.inputs[0], second.step.inputs[0]
+        found = _meeting(first, second, between(*centres), side)
+        step = Step("meet", (first, second), 0j, side, why)
+        rays = ((centres[0], found.first), (centres[1], found.second))
+        value = centres[0].point + found.first
+        mark = Mark(self.subject, len(self.marks), name, value, step, rays, found.sharpness, found.miss)
+        return self._record(mark)
+
+    def tangent(self, name: str, pivot: Mark, pin: Mark, offset: float, side: Sizes, why: str = "") -> Mark:
+        """Direct the slot through a pin at a given offset from a pivot: a unit vector (касательная из точки).
+
+        The pin lies `offset` to the left of the pivot's line; `side` is +1 where it lies ahead of the pivot.
+        """
+        found = loci.tangent_direction(between(pivot, pin), offset, side)
+        step = Step("tangent", (pivot, pin), offset, side, why)
+        mark = Mark(self.subject, len(self.marks), name, found.first, step, (), found.sharpness, found.miss)
+        return self._record(mark)
+
+    def turn(self, name: str, vector: Mark, by: Vectors, why: str = "") -> Mark:
+        """Turn and stretch a vector by a known complex number: 1j is a quarter turn counter-clockwise."""
+        return self._draw(name, vector.point * by, "turn", (vector,), why, size=by)
+
+    def transfer(self, name: str, mark: Mark, why: str = "") -> Mark:
+        """Carry a vector unchanged from another board with the set square (параллельный перенос)."""
+        return self._draw(name, mark.point, "transfer", (mark,), why)
+
+    def similar(self, name: str, image: Mark, of: Mark, shape: Mark, times: float = 1.0, why: str = "") -> Mark:
+        """Find the vector that is to `shape` as `image` is to `of`: similar triangles, taken `times` (подобие).
+
+        With `shape` = `image` it is the third proportional: the normal acceleration ab2/AB. The similarity theorem
+        (теорема подобия) gives the image of any vector of a link.
+        """
+        value = shape.point * (image.point / of.point)
+        if times != 1.0:
+            value = value * times
+        return self._draw(name, value, "similar", (image, of, shape), why, size=times)
+
+    def divide(self, name: str, circle: Mark, directions: Mark, why: str = "") -> Mark:
+        """Divide a circle at given unit directions from its centre; the mark is the points on it."""
+        if not isinstance(circle.value, Arc):
+            raise TypeError(f"{circle.name} is not a circle")
+        centre = circle.step.inputs[0]
+        ray = circle.value.radius * directions.point
+        step = Step("divide", (circle, directions), 0j, 0.0, why)
+        mark = Mark(self.subject, len(self.marks), name, centre.point + ray, step, ((centre, ray),))
+        return self._record(mark)
+
+    def close(self, name: str, *vectors: Mark, why: str = "") -> Mark:
+        """Close a chain of vectors: the vector from its end back to its start (замкнуть многоугольник)."""
+        return self._draw(name, -sum((v.point for v in vectors), 0j), "close", vectors, why)
+
+
+def _meeting(first: Mark, second: Mark, base: Vectors, side: Sizes) -> Meeting:
+    match first.value, second.value:
+        case Arc(), Arc():
+            return loci.arc_arc(base, first.value.radius, second.value.radius, side)
+        case Line(), Arc():
+            return loci.line_arc(base, first.value.direction, second.value.radius, side)
+        case Line(), Line():
+            return loci.line_line(base, first.value.direction, second.value.direction)
+    raise TypeError(f"{first.name} and {second.name} are not two lines or arcs")
+
+
+def between(start: Mark, end: Mark) -> Vectors:
+    """Give the vector from one point to another as it was constructed, or else as their difference."""
+    for origin, ray in end.rays:
+        if origin is start:
+            return ray
+    for origin, ray in start.rays:
+        if origin is end:
+            return -ray
+    return end.point - start.point
+
+
+def behind(*marks: Mark) -> list[Mark]:
+    """Give the marks that the given ones rest on, themselves last, in drafting order across boards.
+
+    >>> board = Board("positions")
+    >>> a, c, d = board.given("A", 0j), board.given("C", 5 + 0j), board.given("D", 9j)
+    >>> [mark.name for mark in behind(board.join("AC", a, c))]
+    ['A', 'C', 'AC']
+    """
+    order: dict[Mark, None] = {}
+    waiting = [(mark, False) for mark in reversed(marks)]
+    while waiting:
+        mark, ready = waiting.pop()
+        if ready:
+            order.setdefault(mark)
+        elif mark not in order:
+            waiting.append((mark, True))
+            waiting.extend((source, False) for source in reversed(mark.step.inputs))
+    return list(order)
+
+
+def at(value: Vectors | Sizes, position: int) -> complex:
+    """Give the value at one position, whether or not it changes with the position."""
+    array = np.asarray(value)
+    return complex(array[position] if array.ndim else array)
