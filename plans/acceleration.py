@@ -1,0 +1,29 @@
+"""The acceleration plan: every end of a vector from the pole π is a point's acceleration (план ускорений)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from plans.groups import lead
+from plans.groups.kinds import KINDS
+from plans.plan import Image, Plan, Reading
+from plans.structure import Dyad
+
+
+def accelerations(velocities: Plan, groups: Sequence[Dyad]) -> Plan:
+    """Draw the acceleration plan over the velocity plan, group after group (section 6.4.2, M3.1)."""
+    positions = velocities.positions
+    plan = Plan("accelerations", positions.mechanism, (positions, velocities))
+    drive = plan.mechanism.drive
+    base = positions.images[drive.link]
+    normal = lead.normal(plan, drive.link, plan.pole, drive.end)
+    arm = lead.arm(plan, drive.link)
+    why = "epsilon l, square to the crank" if drive.epsilon else "the crank turns evenly"
+    part = plan.board.turn(f"a^t_{drive.end}", arm, 1j * drive.epsilon, why)
+    end = plan.name(drive.end, plan.board.lay_off(drive.end.lower(), normal, part, "acceleration of the crank's end"))
+    whole = plan.board.join(f"{plan.pole.name}{end.name}", plan.pole, end)
+    plan.images[drive.link] = Image(plan.pole, whole, base.at, base.span)
+    plan.readings[drive.link] = Reading(arm, part)
+    for group in groups:
+        KINDS[group.kind].accelerations(plan, group)
+    return plan

@@ -1,0 +1,121 @@
+"""Closing the loops: Newton's method for all joints at once, and the transfer functions of the closed poses.
+
+Every function works on N positions together; poses are those of `constraints`.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+from plans.analytic.constraints import Constraints
+from plans.motion import Floats
+
+Flags = npt.NDArray[np.bool_]
+
+EPS = float(np.finfo(np.float64).eps)
+# Newton squares the error: a correction of sqrt(eps) leaves eps. And at a Jacobian whose smallest singular value is
+# sqrt(eps), a pose is known to eps / sqrt(eps), so that the velocity found from it has no true digit left.
+SQRT_EPS = EPS**0.5
+NEWTON_ROUNDS = 12  # from one true digit four rounds make sixteen; the rest is for slow beginnings
+DAMPED_ROUNDS = 60
+HALVINGS = 8
+
+
+def solutions(matrices: Floats, right: Floats) -> Floats:
+    """Solve N linear systems (N, k, k), (N, k); NaN where a matrix is exactly singular."""
+    try:
+        return np.asarray(np.linalg.solve(matrices, right[..., None])[..., 0])
+    except np.linalg.LinAlgError:
+        det = np.linalg.det(matrices)
+        regular = np.isfinite(det) & (det != 0.0)
+        found = np.full_like(right, np.nan)
+        found[regular] = np.linalg.solve(matrices[regular], right[regular][..., None])[..., 0]
+        return found
+
+
+def as_poses(columns: Floats) -> Floats:
+    """Give rows of unknowns (N, 3 n) the shape of poses, (N, links, 3), with the frame at rest."""
+    still = np.zeros((len(columns), 1, 3))
+    return np.concatenate((still, columns.reshape(len(columns), -1, 3)), axis=1)
+
+
+def close(constraints: Constraints, poses: Floats, phi: Floats) -> tuple[Floats, Flags]:
+    """Close near-closed poses to rounding level; tell for each position whether Newton's method got there."""
+    poses, last, reached = poses.copy(), np.zeros(len(poses)), np.zeros(len(poses), dtype=bool)
+    busy = np.arange(len(poses))
+    with np.errstate(over="ignore", invalid="ignore"):
+        for rounds in range(NEWTON_ROUNDS):
+            at = constraints.place(poses[busy])
+            step = solutions(constraints.jacobian(at), constraints.residual(at, phi[busy]))
+            poses[busy] -= as_poses(step)
+            size = np.abs(step).max(axis=1)
+            # What Newton's law leaves after two corrections; before the second, nothing is known of it.
+            left = size * (size / last[busy]) ** 2 if rounds else size
+            # The law holds near a solution only; far from any, two corrections may happen to look like it.
+            reached[busy] = (size <= SQRT_EPS) | ((left <= EPS) & (last[busy] <= 1.0))
+            more = (left > EPS) & ((size < last[busy]) | (rounds == 0))
+            last[busy] = size
+            busy = busy[more]
+            if not busy.size:
+                break
+    return poses, reached
+
+
+def close_singular(constraints: Constraints, poses: Floats, phi: Floats) -> Floats:
+    """Close poses at singular positions, leaving alone the direction in which the links are free to move."""
+    at = constraints.place(poses)
+    jacobian, miss = constraints.jacobian(at), constraints.residual(at, phi)
+    return poses - as_poses((np.linalg.pinv(jacobian, rcond=SQRT_EPS) @ miss[..., None])[..., 0])
+
+
+def settle(constraints: Constraints, poses: Floats, phi: Floats) -> tuple[Floats, Flags]:
+    """Bring rough poses together by damped Gauss-Newton (Levenberg), then close them; tell where that succeeded."""
+    poses = poses.copy()
+    miss = constraints.residual(constraints.place(poses), phi)
+    for _ in range(DAMPED_ROUNDS):
+        size = np.linalg.norm(miss, axis=1)
+        busy = np.flatnonzero(size > SQRT_EPS)
+        if not busy.size:
+            break
+        step = _damped_step(constraints.jacobian(constraints.place(poses[busy])), miss[busy], size[busy])
+        moved, left = _descend(constraints, poses[busy], phi[busy], step, size[busy])
+        poses[busy], miss[busy] = moved, left
+        if np.all(np.linalg.norm(left, axis=1) >= size[busy] * (1.0 - SQRT_EPS)):
+            break
+    return close(constraints, poses, phi)
+
+
+def transfer(constraints: Constraints, poses: Floats, order: int) -> tuple[Floats, ...]:
+    """Differentiate closed poses by the crank angle `order` times: first and second transfer functions."""
+    at = constraints.place(poses)
+    if not order:
+        return ()
+    jacobian = constraints.jacobian(at)
+    unit = np.zeros(jacobian.shape[:2])
+    unit[:, -1] = 1.0  # the drive is the last equation
+    first = as_poses(solutions(jacobian, unit))
+    if order == 1:
+        return (first,)
+    return first, as_poses(solutions(jacobian, -constraints.convective(at, first)))
+
+
+def _damped_step(jacobian: Floats, miss: Floats, size: Floats) -> Floats:
+    across = jacobian.transpose(0, 2, 1)
+    # Damping by the square of the miss keeps the step finite at singular poses and fades as Newton's law takes over.
+    damping = (size**2)[:, None, None] * np.eye(jacobian.shape[1])
+    return solutions(across @ jacobian + damping, -(across @ miss[..., None])[..., 0])
+
+
+def _descend(constraints: Constraints, poses: Floats, phi: Floats, step: Floats, size: Floats) -> tuple[Floats, Floats]:
+    """Go along the step by the first of 1, 1/2, 1/4, ... of it that lessens the miss."""
+    whole, share = as_poses(np.nan_to_num(step)), np.ones(len(poses))
+    moved = poses + whole
+    for _ in range(HALVINGS):
+        miss = constraints.residual(constraints.place(moved), phi)
+        worse = np.linalg.norm(miss, axis=1) >= size
+        if not worse.any():
+            break
+        share[worse] *= 0.5
+        moved = poses + share[:, None, None] * whole
+    return moved, miss

@@ -1,0 +1,29 @@
+"""Positions without a result, and why: what ended the march decides (разрывы)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from plans.analytic.turn import CHANGE_POINT, DEAD_CENTRE, NOT_REACHABLE, End
+from plans.motion import Gap
+
+OUT_OF_REACH, BEYOND = "out of reach", "beyond a change point"
+
+ADVICE = {
+    OUT_OF_REACH: "Lengthen the links that are too short here, or keep the crank within its dead centres.",
+    DEAD_CENTRE: "Keep the crank clear of this dead centre, or drive another link.",
+    CHANGE_POINT: "Leave this crank angle out, or change a length so that the links never fall into one line.",
+    BEYOND: "Start the crank on this side of the change point, so that the sketch tells which assembly is meant.",
+    NOT_REACHABLE: "Sketch the assembly meant at this position and start there: the first position does not lead here.",
+}
+UNASSEMBLED = "no assembly fits the sketch at any crank angle tried"
+
+
+def gap(position: int, phi: float, plan: str, reason: str, end: End | None) -> Gap:
+    """Word the gap of one position, phi in rad."""
+    where = UNASSEMBLED
+    if end:
+        angle = round(np.degrees(end.singular), 4) % 360.0
+        what = "the way round ends" if end.reason == NOT_REACHABLE else "the Jacobian loses rank"
+        where = f"{what} near phi = {angle:g} deg"
+    return Gap(position, phi, plan, reason, where, 0.0, ADVICE[reason])

@@ -1,0 +1,83 @@
+"""Positions, velocities and accelerations by analysis: the independent road beside the plans."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from plans.analytic.closure import transfer
+from plans.analytic.constraints import TURN, Constraints, X, Y
+from plans.analytic.positions import blocks, find, wrapped
+from plans.mechanism import FRAME, Mechanism
+from plans.motion import Floats, Gap, LinkMotion, Motion, PointMotion
+
+
+def solve(mechanism: Mechanism, phi: Floats, order: int = 2) -> Motion:
+    """Solve all positions phi rad: order 0 positions, 1 and velocities, 2 and accelerations; from the datum, SI."""
+    phi = np.asarray(phi, dtype=np.float64)
+    constraints = Constraints.of(mechanism)
+    found = find(mechanism, constraints, phi)
+    rates = [np.full_like(found.poses, np.nan) for _ in range(order)]
+    moving = np.flatnonzero(found.regular)
+    for block in blocks(len(moving)):
+        here = moving[block]
+        for rate, values in zip(rates, transfer(constraints, found.poses[here], order), strict=True):
+            rate[here] = values
+    gaps = tuple(missing for missing in found.gaps if order or missing.plan == "positions")
+    return _motion(mechanism, constraints, phi, wrapped(found.poses), rates, gaps)
+
+
+def conditions(mechanism: Mechanism, motion: Motion) -> Floats:
+    """Give the 2-norm condition of the scaled Jacobian at every position of either road's motion, (N,); NaN at gaps."""
+    constraints = Constraints.of(mechanism)
+    poses = np.zeros((len(motion.phi), len(constraints.numbers), 3))
+    for place, number in enumerate(constraints.numbers):
+        if number != FRAME:
+            point, own = next(iter(mechanism.links[number].points.items()))
+            turn = motion.links[number].angle
+            origin = (motion.points[point].r - own * np.exp(1j * turn)) / constraints.size
+            poses[:, place] = np.stack((origin.real, origin.imag, turn), axis=1)
+    found = np.full(len(poses), np.nan)
+    whole = np.flatnonzero(np.isfinite(poses).all(axis=(1, 2)))
+    for block in blocks(len(whole)):
+        here = whole[block]
+        found[here] = np.linalg.cond(constraints.jacobian(constraints.place(poses[here])))
+    return found
+
+
+def _motion(
+    mechanism: Mechanism,
+    constraints: Constraints,
+    phi: Floats,
+    poses: Floats,
+    rates: list[Floats],
+    gaps: tuple[Gap, ...],
+) -> Motion:
+    """Read points and links off the poses; the drive's omega and epsilon turn transfer functions into rates."""
+    omega, epsilon = mechanism.drive.omega, mechanism.drive.epsilon
+    speeds = omega * rates[0] if rates else None
+    growths = omega**2 * rates[1] + epsilon * rates[0] if len(rates) > 1 else None
+    points: dict[str, PointMotion] = {}
+    links: dict[int, LinkMotion] = {}
+    for place, number in enumerate(constraints.numbers):
+        speed = None if speeds is None else speeds[:, place]
+        growth = None if growths is None else growths[:, place]
+        for point, own in mechanism.links[number].points.items():
+            if point not in points:
+                points[point] = _point(constraints.size, own, poses[:, place], speed, growth)
+        if number != FRAME:
+            spin, gain = (None if rate is None else rate[:, TURN] for rate in (speed, growth))
+            links[number] = LinkMotion(poses[:, place, TURN], spin, gain)
+    return Motion("analysis", phi, points, links, gaps)
+
+
+def _point(size: float, own: complex, pose: Floats, speed: Floats | None, growth: Floats | None) -> PointMotion:
+    arm = own / size * np.exp(1j * pose[:, TURN])
+    r = size * (pose[:, X] + 1j * pose[:, Y] + arm)
+    if speed is None:
+        return PointMotion(r)
+    spin = speed[:, TURN]
+    v = size * (speed[:, X] + 1j * speed[:, Y] + 1j * spin * arm)
+    if growth is None:
+        return PointMotion(r, v)
+    a = size * (growth[:, X] + 1j * growth[:, Y] + (1j * growth[:, TURN] - spin**2) * arm)
+    return PointMotion(r, v, a)

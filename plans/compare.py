@@ -1,0 +1,148 @@
+"""Comparison of the two roads: every quantity by construction and by analysis, and the difference allowed (сравнение).
+
+A difference is judged against the largest vector of its plan, for a true zero has no per cent. The allowed one is
+derived: the construction's own error carried from step to step (geometry.precision), and the analytic solver's, whose
+linear systems magnify a rounding by the condition of the Jacobian once for every order of derivative.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from geometry.meet import EPS
+from geometry.precision import errors
+from plans.analytic.kinematics import conditions, solve
+from plans.mechanism import FRAME
+from plans.motion import Complexes, Floats, Motion
+from plans.study import Drafts, Study
+
+# A Newton step or a linear solution at rest leaves a few roundings of the largest term in each of its rows.
+ANALYSIS = 8.0
+
+UNITS = ("m", "m/s", "m/s2")
+RATE_UNITS = ("rad", "rad/s", "rad/s2")
+SYMBOLS = ("r", "v", "a")
+RATE_SYMBOLS = ("φ", "ω", "ε")
+PLANS = ("positions", "velocities", "accelerations")
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One quantity over all positions by both roads, with the allowed difference; NaN at gaps."""
+
+    plan: str
+    name: str  # "v_B", "ω_3"
+    unit: str
+    construction: Complexes | Floats
+    analysis: Complexes | Floats
+    difference: Floats
+    allowed: Floats
+    largest: float  # the largest of its kind on the plan, over all positions
+
+    @property
+    def excess(self) -> Floats:
+        """The difference in units of the allowed one; an undetermined comparison counts as infinite."""
+        with np.errstate(divide="ignore", invalid="ignore"):
+            share = np.where(self.difference == 0, 0.0, self.difference / self.allowed)
+        gap = np.isnan(np.abs(self.construction)) & np.isnan(np.abs(self.analysis))
+        return np.where(gap, 0.0, np.where(np.isnan(share), np.inf, share))
+
+    @property
+    def per_cent(self) -> float:
+        """The worst difference in per cent of the plan's largest."""
+        if not np.isfinite(self.difference).any() or self.largest == 0:
+            return 0.0
+        return float(100 * np.nanmax(self.difference) / self.largest)
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """All findings of a study."""
+
+    construction: Motion
+    analysis: Motion
+    findings: tuple[Finding, ...]
+    kappa: Floats  # condition of the scaled Jacobian at every position
+
+    def of(self, plan: str) -> tuple[Finding, ...]:
+        """Give the findings of one plan."""
+        return tuple(finding for finding in self.findings if finding.plan == plan)
+
+    @property
+    def worst(self) -> float:
+        """The largest difference in units of its allowed one."""
+        return max((float(np.max(finding.excess)) for finding in self.findings), default=0.0)
+
+    @property
+    def agrees(self) -> bool:
+        """Whether every difference is within its allowed one."""
+        return self.worst <= 1.0
+
+
+def compare(study: Study, order: int = 2) -> Comparison:
+    """Compare construction and analysis over all positions of a study, up to an order of derivative."""
+    drawn = study.motion(order)
+    solved = solve(study.mechanism, study.turn.phi, order)
+    kappa = conditions(study.mechanism, solved)
+    drafts = study.drafts()
+    findings: list[Finding] = []
+    for k in range(order + 1):
+        findings += _points(study, drafts, k, drawn, solved, kappa)
+        findings += _links(drafts, k, drawn, solved, kappa)
+    return Comparison(drawn, solved, tuple(findings), kappa)
+
+
+def _points(
+    study: Study, drafts: Drafts, order: int, drawn: Motion, solved: Motion, kappa: Floats
+) -> Iterator[Finding]:
+    names = [name for name in drawn.points if name not in study.mechanism.links[FRAME].points]
+    pairs = [(getattr(drawn.points[n], SYMBOLS[order]), getattr(solved.points[n], SYMBOLS[order])) for n in names]
+    largest = _largest([np.abs(ours) for ours, _ in pairs])
+    plan = drafts.plan(order)
+    marks = [plan.point(name) for name in names]
+    bounds = errors(*marks)
+    for name, mark, (ours, theirs) in zip(names, marks, pairs, strict=True):
+        allowed = _allowed(bounds[mark].place, order, kappa, largest)
+        label = f"{SYMBOLS[order]}_{name}"
+        yield Finding(PLANS[order], label, UNITS[order], ours, theirs, np.abs(ours - theirs), allowed, largest)
+
+
+def _links(drafts: Drafts, order: int, drawn: Motion, solved: Motion, kappa: Floats) -> Iterator[Finding]:
+    key = ("angle", "omega", "epsilon")[order]
+    pairs = {n: (getattr(drawn.links[n], key), getattr(solved.links[n], key)) for n in drawn.links}
+    largest = np.pi if order == 0 else _largest([np.abs(ours) for ours, _ in pairs.values()])
+    plan = drafts.plan(order)
+    for number, (ours, theirs) in pairs.items():
+        apart = np.abs(np.angle(np.exp(1j * (ours - theirs)))) if order == 0 else np.abs(ours - theirs)
+        bound = _turn_bound(drafts, order, number)
+        allowed = _allowed(bound, order, kappa, largest)
+        label = f"{RATE_SYMBOLS[order]}_{number}"
+        yield Finding(plan.board.subject, label, RATE_UNITS[order], ours, theirs, apart, allowed, largest)
+
+
+def _turn_bound(drafts: Drafts, order: int, number: int) -> Floats:
+    """Bound the error of an angle or a rate read from a vector: the vector's own error over the arm's length."""
+    plan = drafts.plan(order)
+    if order == 0:
+        arm = plan.images[number].arm
+        assert arm is not None  # every link has an arm on the plan of positions
+        return np.asarray(errors(arm)[arm].place / np.abs(np.asarray(arm.point)) + 2 * EPS)
+    if number not in plan.readings:
+        return np.zeros(1)
+    arm, turning = plan.readings[number]
+    bounds = errors(arm, turning)
+    size, part = np.abs(np.asarray(arm.point)), np.abs(np.asarray(turning.point))
+    return np.asarray((bounds[turning].place + part / size * bounds[arm].place) / size + 4 * EPS * part / size)
+
+
+def _allowed(own: Floats, order: int, kappa: Floats, largest: float) -> Floats:
+    """Add the analytic road's share: kappa once for the position and once more for every derivative."""
+    return np.asarray(own + ANALYSIS * EPS * kappa ** (order + 1) * largest)
+
+
+def _largest(sizes: list[Floats]) -> float:
+    finite = [float(np.nanmax(size)) for size in sizes if np.isfinite(size).any()]
+    return max(finite, default=0.0)

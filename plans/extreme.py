@@ -1,0 +1,231 @@
+"""Extreme positions of the output link, its stroke and time ratio (крайние положения, ход, угол перекрытия).
+
+Where the group on the crank is a rocker, a slider or a slotted link, its extremes are notched (M1.2, M1.6, M1.7);
+elsewhere, and as a check, they are the positions in which the velocity plan gives the output no velocity.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from geometry.board import Mark, at
+from geometry.meet import dot
+from plans.angles import angle, rate
+from plans.groups import guide, lead
+from plans.mechanism import FRAME, Mechanism, Output, Slide
+from plans.motion import Extremes, Floats
+from plans.passage import FAN, LOOKS, NODES, Sweep
+from plans.plan import Plan
+from plans.position import crank
+from plans.structure import Dyad
+from plans.turn import Turn
+from plans.velocity import velocities
+
+# A notched extreme and a velocity of zero are one position when their crank angles agree to half the digits: the
+# coordinate of an extreme is stationary, so half its digits is all that a root found by its value could tell.
+SAME = 1e-7
+# Strokes whose crank arcs differ by less than this (rad) are equal: rounding of two notches, each with a root.
+EQUAL = 1e-7
+
+
+class Found(NamedTuple):
+    """Extremes with the crank's directions there, for a turn that starts exactly at one of them."""
+
+    extremes: Extremes
+    directions: tuple[complex, complex]
+    notched: Plan | None  # the construction that found them, None where the velocity plan did
+
+
+def output(mechanism: Mechanism, groups: Sequence[Dyad]) -> Output:
+    """Give the output link: the scene's own, or the last link of the last group."""
+    if mechanism.output is not None:
+        return mechanism.output
+    link = max(groups[-1].links) if groups else mechanism.drive.link
+    slide = frame_slide(mechanism, link)
+    return Output(link, slide.point if slide else None)
+
+
+def frame_slide(mechanism: Mechanism, link: int) -> Slide | None:
+    """Give the slide of a link on the frame, if it has one."""
+    return next((s for s in mechanism.slides if {s.slider, s.owner} == {link, FRAME}), None)
+
+
+def notches(mechanism: Mechanism, groups: Sequence[Dyad], sides: Sequence[float]) -> tuple[Plan, list[Mark]] | None:
+    """Construct the crank's two extreme directions for the first group that joins crank and frame; None for others.
+
+    The marks are the crank's end in both extremes.
+    """
+    drive = mechanism.drive
+    for group, side in zip(groups, sides, strict=True):
+        if set(group.hosts) == {drive.link, FRAME} and group.kind in ("RRR", "RRP", "RPR"):
+            plan = crank(mechanism, Turn(np.zeros(1), np.ones(1, dtype=complex)))
+            draw = _slot_tangents if group.kind == "RPR" else _stretched_and_folded
+            return plan, draw(plan, group, side)
+    return None
+
+
+def _stretched_and_folded(plan: Plan, group: Dyad, side: float) -> list[Mark]:
+    """Notch the crank and the coupler in one line: |l2 + l1| and |l2 - l1| from O (M1.2, M1.6)."""
+    board, drive = plan.board, plan.mechanism.drive
+    end = group.hosts.index(drive.link)
+    pivot, name = plan.point(drive.pivot), group.pin
+    near, far = _crank_length(plan), abs(lead.vector(plan, group, end))
+    found = []
+    for number, radius in ((1, far + near), (2, abs(far - near))):
+        arc = board.arc(f"{pivot.name}{name}_{number}", pivot, radius, "crank and coupler in one line")
+        # Of the folded pair the coupler points away from O where it is the longer: then B sees A as before.
+        flip = -1.0 if number == 2 and far < near else 1.0
+        b = _notch(plan, group, end, arc, side * flip, f"{name}_{number}")
+        ray = board.join(f"{pivot.name}{b.name}", pivot, b)
+        sense = flip if number == 2 else -1.0
+        arm = board.turn(f"{pivot.name}{drive.end}_{number}", ray, -sense * near / radius, "crank on that line")
+        found.append(board.lay_off(f"{drive.end}_{number}", pivot, arm, f"extreme position {number}"))
+    return found
+
+
+def _notch(plan: Plan, group: Dyad, end: int, arc: Mark, side: float, name: str) -> Mark:
+    """Meet an arc about the crank's pivot with what guides the inner pin: an arc about C, or a guide."""
+    board = plan.board
+    if group.kind == "RRP":
+        left = guide.offset(plan, group.slide(1), group.links[1], group.pin).left
+        return board.meet(name, guide.line(plan, group.slide(1), FRAME, left), arc, side, "the arc notches the guide")
+    fixed = plan.point(group.hinge(1 - end))
+    other = board.arc(f"{fixed.name}{name}", fixed, abs(lead.vector(plan, group, 1 - end)), "the rocker's end")
+    return board.meet(name, arc, other, side if end == 0 else -side, "the arcs notch each other")
+
+
+def _slot_tangents(plan: Plan, group: Dyad, side: float) -> list[Mark]:
+    """Draw from the slotted link's pivot the tangents to the crank circle: the crank is square to the slot (M1.7)."""
+    board, drive = plan.board, plan.mechanism.drive
+    end = group.hosts.index(drive.link)
+    sense = 1.0 if end == 0 else -1.0
+    left = [guide.offset(plan, group.slide(), group.links[e], group.hinge(e)).left for e in (0, 1)]
+    pivot, fixed = plan.point(drive.pivot), plan.point(group.hinge(1 - end))
+    near, found = _crank_length(plan), []
+    for number, off in ((1, near), (2, -near)):
+        slot = board.tangent(f"u_{number}", fixed, pivot, sense * (left[0] - left[1]) + off, sense * side, "tangent")
+        arm = board.turn(f"{pivot.name}{drive.end}_{number}", slot, -1j * off, "crank square to the slot")
+        found.append(board.lay_off(f"{drive.end}_{number}", pivot, arm, f"extreme position {number}"))
+    return found
+
+
+def _crank_length(plan: Plan) -> float:
+    points, drive = plan.mechanism.links[plan.mechanism.drive.link].points, plan.mechanism.drive
+    return abs(points[drive.end] - points[drive.pivot])
+
+
+class Travel:
+    """The output's coordinate and velocity over the crank angle: along the frame's guide, or the output link's turn."""
+
+    def __init__(self, sweep: Sweep, out: Output) -> None:
+        self.sweep, self.out = sweep, out
+        self.slide = frame_slide(sweep.mechanism, out.link)
+
+    @property
+    def sliding(self) -> bool:
+        """Whether the output slides on the frame."""
+        return self.slide is not None
+
+    def coordinate(self, plan: Plan) -> Floats:
+        """Read off the plan of positions: metres along the guide from its own point, or radians."""
+        if self.slide is None:
+            return angle(plan, self.out.link)
+        way = self.slide.way(FRAME)
+        pin = plan.point(self.out.point or self.slide.point)
+        return np.asarray(dot(way.direction, pin.point - way.through))
+
+    def speed(self, plan: Plan) -> Floats:
+        """Read off the velocity plan the output's velocity, or its omega."""
+        plan = velocities(plan, self.sweep.groups)
+        if self.slide is None:
+            return rate(plan, self.out.link)
+        pin = plan.point(self.out.point or self.slide.point)
+        return np.asarray(dot(self.slide.way(FRAME).direction, pin.point))
+
+    def rests(self) -> list[float]:
+        """Find the crank angles, rad in [0, 2 pi), in which the output stands: its velocity changes sign."""
+        nodes = 2 * np.pi * np.arange(NODES + 1) / NODES
+        speeds = self.speed(self.sweep.plan(nodes))
+        turns = np.flatnonzero((speeds[:-1] >= 0) != (speeds[1:] >= 0))
+        return [self._rest(nodes[node], nodes[node + 1]) % (2 * np.pi) for node in turns]
+
+    def _rest(self, low: float, high: float) -> float:
+        for _ in range(LOOKS):
+            fan = np.linspace(low, high, FAN)
+            rising = self.speed(self.sweep.plan(fan)) >= 0
+            change = int(np.argmax(rising != rising[0])) if (rising != rising[0]).any() else FAN - 1
+            low, high = float(fan[change - 1]), float(fan[change])
+        return (low + high) / 2
+
+
+def extremes(sweep: Sweep, out: Output) -> Found | None:
+    """Find the output's two extreme positions over a free turn; None where it has none, as a link that turns fully.
+
+    The working stroke, to which the crank gives the larger angle, comes first (рабочий ход).
+    """
+    if out.link == sweep.mechanism.drive.link or sweep.barriers():
+        return None
+    travel = Travel(_resting(sweep), out)
+    rests = travel.rests()
+    if len(rests) < 2:
+        return None
+    drawn = notches(sweep.mechanism, sweep.groups, sweep.sides)
+    directions = [_notched(drawn, rest) for rest in rests]
+    exact = Turn(np.array(rests), np.array([d for d, _ in directions]))
+    reach = _reaches(travel, exact)
+    low, high = int(np.argmin(reach)), int(np.argmax(reach))
+    if not reach[low] < reach[high]:
+        return None
+    first, second = _working(rests, low, high, sweep.mechanism.drive.omega)
+    phi = [float(np.angle(exact.directions[k]) % (2 * np.pi)) for k in (first, second)]
+    sense = -1.0 if sweep.mechanism.drive.omega < 0 else 1.0
+    work = (sense * (phi[1] - phi[0])) % (2 * np.pi)
+    found = Extremes(
+        (phi[0], phi[1]), (float(reach[first]), float(reach[second])), travel.sliding, max(work - np.pi, 0.0)
+    )
+    by_notch = drawn[0] if drawn and all(directions[k][1] for k in (first, second)) else None
+    return Found(found, (complex(exact.directions[first]), complex(exact.directions[second])), by_notch)
+
+
+def _resting(sweep: Sweep) -> Sweep:
+    """Give the crank a unit speed: extremes are the same at any speed, and must be found at rest too."""
+    mechanism = sweep.mechanism
+    return Sweep(replace(mechanism, drive=replace(mechanism.drive, omega=1.0, epsilon=0.0)), sweep.groups, sweep.sides)
+
+
+def _notched(drawn: tuple[Plan, list[Mark]] | None, rest: float) -> tuple[complex, bool]:
+    """Give the crank's direction at a rest: the notched one where it is the same position."""
+    if drawn is not None:
+        plan, marks = drawn
+        pivot = plan.point(plan.mechanism.drive.pivot)
+        for mark in marks:
+            ray = at(mark.point, 0) - at(pivot.point, 0)
+            direction = ray / abs(ray)
+            if abs(np.angle(direction * np.exp(-1j * rest))) < SAME:
+                return direction, True
+    return complex(np.exp(1j * rest)), False
+
+
+def _reaches(travel: Travel, turn: Turn) -> Floats:
+    """Give the output's coordinate at some crank positions, angles unwrapped along the turn."""
+    sweep = travel.sweep
+    plan = sweep.drawn(turn)
+    if travel.sliding:
+        return travel.coordinate(plan)
+    nodes = 2 * np.pi * np.arange(NODES + 1) / NODES
+    path = np.unwrap(travel.coordinate(sweep.plan(nodes)))
+    near = np.interp(np.mod(turn.phi, 2 * np.pi), nodes, path)
+    return np.asarray(near + np.angle(np.exp(1j * (travel.coordinate(plan) - near))))
+
+
+def _working(rests: list[float], low: int, high: int, omega: float) -> tuple[int, int]:
+    """Order two rests so that the crank turns through the larger angle from the first to the second."""
+    sense = -1.0 if omega < 0 else 1.0
+    there = (sense * (rests[high] - rests[low])) % (2 * np.pi)
+    if abs(there - np.pi) < EQUAL:  # equal strokes: begin where the crank angle is the smaller
+        return (low, high) if rests[low] < rests[high] else (high, low)
+    return (low, high) if there > np.pi else (high, low)

@@ -1,0 +1,1 @@
+"""The Assur groups of class II, one kind a file (структурные группы)."""

@@ -1,0 +1,43 @@
+"""Dyad of kind 4, PRP (ПВП): two sliders hinged to each other; the tangent mechanism (book figure 6.12)."""
+
+from __future__ import annotations
+
+from geometry.board import Mark
+from geometry.meet import Sizes
+from plans.groups import guide, lead
+from plans.plan import Plan
+from plans.structure import Dyad
+
+
+def positions(plan: Plan, dyad: Dyad, side: Sizes) -> None:
+    """Meet the two guides, each shifted by the pin's offset from it, in the pin B (M3.7, kind 4)."""
+    name = dyad.pin
+    lines = [
+        guide.line(plan, dyad.slide(end), dyad.hosts[end], guide.offset(plan, dyad.slide(end), link, name).left)
+        for end, link in enumerate(dyad.links)
+    ]
+    b = plan.name(name, plan.board.meet(name, lines[0], lines[1], why=f"{name} lies on both guides"))
+    for end, link in enumerate(dyad.links):
+        guide.ride(plan, dyad, end, b, plan.mechanism.links[link].points[name])
+
+
+def velocities(plan: Plan, dyad: Dyad) -> None:
+    """Meet the two velocities of the pin along its guides (M3.6)."""
+    over = plan.positions.point(dyad.pin)
+    lines = [guide.sliding_line(plan, dyad.slide(end), dyad.hosts[end], over) for end in (0, 1)]
+    b = _met(plan, dyad, lines)
+    for end in (0, 1):
+        guide.slip(plan, dyad.slide(end), lines[end], b)
+
+
+def accelerations(plan: Plan, dyad: Dyad) -> None:
+    """Meet the two accelerations of the pin along its guides, each laid on its Coriolis part (M3.6)."""
+    over = plan.positions.point(dyad.pin)
+    _met(plan, dyad, [guide.coriolis_line(plan, dyad.slide(end), dyad.hosts[end], over) for end in (0, 1)])
+
+
+def _met(plan: Plan, dyad: Dyad, lines: list[Mark]) -> Mark:
+    b = lead.met(plan, dyad.pin, lines[0], lines[1])
+    for end, link in enumerate(dyad.links):
+        guide.ride(plan, dyad, end, b, plan.positions.images[link].at)
+    return b

@@ -1,0 +1,82 @@
+"""Dyad of kind 5, RPP (ВПП): a stone in a slot whose link slides; the sine mechanism's yoke (book figure 6.12)."""
+
+from __future__ import annotations
+
+from geometry.board import Mark
+from geometry.meet import Sizes
+from plans.groups import guide
+from plans.mechanism import Way
+from plans.plan import Image, Plan
+from plans.structure import Dyad
+
+
+def positions(plan: Plan, dyad: Dyad, side: Sizes) -> None:
+    """Meet the slot through the pin A, at its fixed angle to the guide, with the guide in N (M3.7, kind 5)."""
+    board, a, (stone, yoke) = plan.board, plan.point(dyad.hinge(0)), dyad.links
+    inner, outer = dyad.slide(), dyad.slide(1)
+    guided = guide.direction(plan, outer, dyad.hosts[1])
+    angle = inner.way(yoke).direction / outer.way(yoke).direction
+    slot = board.turn(f"u{yoke}", guided, angle, "the slot keeps its angle to the guide")
+    plan.units[guide.key(inner)] = slot
+    left = guide.offset(plan, inner, stone, dyad.hinge(0)).left
+    through = guide.shifted(plan, a, slot, -left, f"slot of {dyad.hinge(0)}")
+    n = board.meet(f"N{yoke}", through, guide.line(plan, outer, dyad.hosts[1], 0.0), why="the slot crosses the guide")
+    local = _crossing(inner.way(yoke), outer.way(yoke))
+    plan.images[stone] = Image(a, slot, plan.mechanism.links[stone].points[dyad.hinge(0)], inner.way(stone).direction)
+    plan.images[yoke] = Image(n, guided, local, outer.way(yoke).direction)
+    _read(plan, dyad)
+
+
+def velocities(plan: Plan, dyad: Dyad) -> None:
+    """Meet the slip along the slot from a with the sliding along the guide in a3 (M3.5)."""
+    board, a, slot = plan.board, plan.point(dyad.hinge(0)), guide.direction(plan, dyad.slide(), dyad.links[1])
+    along = board.parallel(f"∥{slot.name}", a, plan.carry(slot), "slip along the slot")
+    guided = guide.sliding_line(plan, dyad.slide(1), dyad.hosts[1], plan.positions.point(dyad.hinge(0)))
+    under = _met(plan, dyad, along, guided)
+    guide.slip(plan, dyad.slide(), along, under)
+    guide.slip(plan, dyad.slide(1), guided, under)
+
+
+def accelerations(plan: Plan, dyad: Dyad) -> None:
+    """Meet the slot's line and the guide's, each laid on its Coriolis part, in a3 (M3.5)."""
+    board, a, inner = plan.board, plan.point(dyad.hinge(0)), dyad.slide()
+    slot = guide.direction(plan, inner, dyad.links[1])
+    spun = plan.velocities.units.get(guide.key(inner))
+    k = guide.coriolis(plan, inner, a, slot, spun, f"k_{dyad.hinge(0)}")
+    along = board.parallel(f"∥{slot.name}", k, plan.carry(slot), "slip along the slot")
+    guided = guide.coriolis_line(plan, dyad.slide(1), dyad.hosts[1], plan.positions.point(dyad.hinge(0)))
+    _met(plan, dyad, along, guided)
+
+
+def _met(plan: Plan, dyad: Dyad, along: Mark, guided: Mark) -> Mark:
+    """Meet in the image of the yoke's point under the pin, and carry it to the yoke's own point N."""
+    board, base, (stone, yoke) = plan.board, plan.positions, dyad.links
+    a, inner, outer = plan.point(dyad.hinge(0)), dyad.slide(), dyad.slide(1)
+    under = board.meet(f"{a.name}{yoke}", along, guided, why=f"the point of link {yoke} under the pin")
+    turned = guide.unit(plan, outer, dyad.hosts[1])
+    n, slot = under, None
+    if turned is not None:
+        still = guide.direction(plan, outer, dyad.hosts[1])
+        back = base.board.join(f"{a.name}N", base.point(dyad.hinge(0)), base.images[yoke].origin)
+        carried = board.similar(f"{under.name}n", turned, plan.carry(still), plan.carry(back), why=f"link {yoke} turns")
+        n = board.lay_off(f"n{yoke}", under, carried, f"N by similarity on link {yoke}")
+        slot = board.turn(f"u{yoke}", turned, inner.way(yoke).direction / outer.way(yoke).direction, "the slot turns")
+    plan.units[guide.key(inner)] = slot
+    plan.images[stone] = Image(a, slot, base.images[stone].at, base.images[stone].span)
+    plan.images[yoke] = Image(n, turned, base.images[yoke].at, base.images[yoke].span)
+    _read(plan, dyad)
+    return under
+
+
+def _read(plan: Plan, dyad: Dyad) -> None:
+    """Both links turn as the guide's host does."""
+    if dyad.hosts[1] in plan.readings:
+        for link in dyad.links:
+            plan.readings[link] = plan.readings[dyad.hosts[1]]
+
+
+def _crossing(slot: Way, guided: Way) -> complex:
+    """Give in the yoke's own frame the point where its slot crosses its sliding line."""
+    base = guided.through - slot.through
+    turn = (slot.direction.conjugate() * guided.direction).imag
+    return slot.through + slot.direction * ((base.conjugate() * guided.direction).imag / turn)

@@ -1,0 +1,116 @@
+"""The mechanism: links with their points, hinges, slides, the drive, and mobility (подвижность).
+
+Lengths are metres, angles radians, vectors complex numbers x + iy. Every coordinate of the frame is measured from the
+datum, the drive's fixed hinge, so that a mechanism far from the origin of the scene loses nothing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from decimal import Decimal
+from functools import cached_property
+
+from geometry.errors import DraftError
+
+FRAME = 0
+
+
+class StructureError(DraftError, ValueError):
+    """Links that form no crank with dyads; `found` and `needed` name the mobility where that is the fault."""
+
+    def __init__(self, message: str, links: tuple[int, ...] = (), found: int | None = None, needed: int = 1) -> None:
+        super().__init__(message)
+        self.links, self.found, self.needed = links, found, needed
+
+
+@dataclass(frozen=True, slots=True)
+class Link:
+    """A link (звено) and its points in its own frame: first point at 0, second on +x; link 0 is the frame (стойка)."""
+
+    number: int
+    points: Mapping[str, complex]
+
+
+@dataclass(frozen=True, slots=True)
+class Way:
+    """A directed line fixed in a link: a point of it and its unit direction, both in the link's own frame."""
+
+    through: complex
+    direction: complex
+
+
+@dataclass(frozen=True, slots=True)
+class Slide:
+    """A sliding pair (поступательная пара): a line of the slider and a line of the owner that stay the same line."""
+
+    slider: int
+    owner: int
+    on_slider: Way
+    on_owner: Way
+    point: str  # the slider's point that the scene names; it lies `offset` to the left of `on_owner` as drawn
+    label: str  # the line as the scene names it: "CB", or "" for a line of the frame given by a point and an angle
+
+    def way(self, link: int) -> Way:
+        """Give the common line as a line of one of its two links."""
+        return self.on_slider if link == self.slider else self.on_owner
+
+
+@dataclass(frozen=True, slots=True)
+class Drive:
+    """The drive (привод): the crank's number, fixed hinge, far end, angular velocity rad/s and acceleration rad/s2."""
+
+    link: int
+    pivot: str
+    end: str
+    omega: float
+    epsilon: float
+
+
+@dataclass(frozen=True, slots=True)
+class Output:
+    """The output link (выходное звено) and, where it slides or was asked for, the point that shows its motion."""
+
+    link: int
+    point: str | None
+
+
+@dataclass(frozen=True)
+class Mechanism:
+    """A planar linkage as the scene describes it; `links` holds the frame as link 0."""
+
+    title: str
+    datum: tuple[Decimal, Decimal]  # m: the scene's coordinates of the drive's fixed hinge
+    links: Mapping[int, Link]
+    slides: tuple[Slide, ...]
+    drive: Drive
+    sketch: Mapping[str, complex]  # rough places, measured from the datum
+    output: Output | None  # None: the last link of the last group
+
+    @cached_property
+    def hinges(self) -> dict[str, tuple[int, ...]]:
+        """Points named by two or more links, with those links in order of number: hinges (вращательные пары)."""
+        owners: dict[str, list[int]] = {}
+        for number in sorted(self.links):
+            for point in self.links[number].points:
+                owners.setdefault(point, []).append(number)
+        return {point: tuple(links) for point, links in owners.items() if len(links) > 1}
+
+    @cached_property
+    def lower_pairs(self) -> int:
+        """Number p1 of lower pairs; a hinge of k links counts k - 1 times."""
+        return sum(len(links) - 1 for links in self.hinges.values()) + len(self.slides)
+
+    @property
+    def moving_links(self) -> int:
+        """Number n of moving links."""
+        return len(self.links) - 1
+
+    @property
+    def mobility(self) -> int:
+        """Degree of mobility by Chebyshev's formula W = 3n - 2 p1 (степень подвижности; book section 6.4.4)."""
+        return 3 * self.moving_links - 2 * self.lower_pairs
+
+    def link_of(self, point: str) -> int:
+        """Give the lowest-numbered link that owns a point."""
+        return min(number for number, link in self.links.items() if point in link.points)

@@ -1,0 +1,74 @@
+"""The motion of a mechanism over its positions, whichever road found it: construction or analysis."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+Complexes = npt.NDArray[np.complex128]
+Floats = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Gap:
+    """A position that cannot be assembled or has no result (разрыв); never interpolated across."""
+
+    position: int
+    phi: float  # rad
+    plan: str  # "positions", "velocities" or "accelerations": the first plan that has no result here
+    reason: str  # "out of reach", "dead centre", "change point", "beyond a change point", "not reachable", ...
+    where: str  # the meeting or link it failed at: "B", "group 2-3"
+    miss: float  # m, by how much the loci miss each other; 0 where that is not the reason
+    advice: str  # one sentence: what would mend it
+
+
+@dataclass(frozen=True)
+class PointMotion:
+    """A point over the positions: r from the datum m, v m/s, a m/s2; NaN at gaps, None where not asked for."""
+
+    r: Complexes
+    v: Complexes | None = None
+    a: Complexes | None = None
+
+
+@dataclass(frozen=True)
+class LinkMotion:
+    """A link over the positions: direction of its own +x axis rad in (-pi, pi], omega rad/s, epsilon rad/s2."""
+
+    angle: Floats
+    omega: Floats | None = None
+    epsilon: Floats | None = None
+
+
+@dataclass(frozen=True)
+class Motion:
+    """All points and moving links of a mechanism over its positions."""
+
+    by: str  # "construction" or "analysis"
+    phi: Floats  # rad, not reduced: position k of a turn continues position k - 1
+    points: Mapping[str, PointMotion]
+    links: Mapping[int, LinkMotion]
+    gaps: tuple[Gap, ...]
+
+
+@dataclass(frozen=True)
+class Extremes:
+    """The two extreme positions of the output link (крайние положения), the slower (working) stroke first."""
+
+    phi: tuple[float, float]  # rad in [0, 2 pi): crank where the working stroke begins, and where it ends
+    reach: tuple[float, float]  # output coordinate there: m along the guide, or rad of the output link's +x axis
+    sliding: bool  # True: reach and stroke are metres; False: radians
+    overlap: float  # rad, theta: working angle of the crank less pi (угол перекрытия)
+
+    @property
+    def stroke(self) -> float:
+        """Stroke H of a slider m, or swing of a rocker rad (ход, размах)."""
+        return abs(self.reach[1] - self.reach[0])
+
+    @property
+    def ratio(self) -> float:
+        """Coefficient of mean speeds K = (pi + theta)/(pi - theta) (коэффициент изменения средней скорости)."""
+        return float((np.pi + self.overlap) / (np.pi - self.overlap))

@@ -1,0 +1,101 @@
+"""Pressure angles of groups and their interval over the turn (угол давления, угол передачи; M1.3)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from plans.motion import Floats
+from plans.passage import FAN, LOOKS, NODES, Sweep
+from plans.plan import Plan
+from plans.structure import Dyad
+
+
+class Interval(NamedTuple):
+    """The interval of a group's pressure angle over the turn, rad, and the crank angles of its ends."""
+
+    low: float
+    high: float
+    at_low: float
+    at_high: float
+
+
+def pressure(plan: Plan, group: Dyad) -> Floats:
+    """Read off the plan of positions a group's signed pressure angle, rad, at every position (угол давления, M1.3).
+
+    It stands between the force on the driven link and the velocity of its point over what guides it: RRR: 90 degrees
+    less the transmission angle ABC; RRP: the rod's inclination to the guide; RPR: the pivot's arm to the slot; PRP and
+    RPP: one line to the square of the other.
+    """
+    match group.kind:
+        case "RRR":
+            arms = [plan.images[link].arm for link in group.links]
+        case "RRP":
+            return _inclination(plan, group)
+        case "RPR":
+            return _lag(plan, group)
+        case _:
+            return _crossing(plan, group)
+    ab, cb = (np.asarray(arm.point) for arm in arms if arm is not None)
+    return np.asarray(np.pi / 2 - np.abs(np.angle(ab / cb)))
+
+
+def _inclination(plan: Plan, group: Dyad) -> Floats:
+    """A rod's inclination to its guide: the acute angle, signed by the sense from the guide to the rod."""
+    rod, slide = plan.images[group.links[0]].arm, group.slide(1)
+    unit = plan.units[slide.slider, slide.owner]
+    assert rod is not None and unit is not None  # every link has an arm on the plan of positions
+    turned = np.asarray(rod.point) / np.asarray(unit.point)
+    return np.asarray(np.arctan2(turned.imag, np.abs(turned.real)))
+
+
+def _lag(plan: Plan, group: Dyad) -> Floats:
+    """The angle between a slot and the arm from its link's pivot to the pin."""
+    slide = group.slide()
+    unit = plan.units[slide.slider, slide.owner]
+    a, c = (plan.point(group.hinge(end)) for end in (0, 1))
+    assert unit is not None  # a slot has a direction on the plan of positions
+    turned = (np.asarray(a.point) - np.asarray(c.point)) / np.asarray(unit.point)
+    return np.asarray(np.arctan2(turned.imag, np.abs(turned.real)))
+
+
+def _crossing(plan: Plan, group: Dyad) -> Floats:
+    """90 degrees less the angle between the two lines of a group with two sliding pairs."""
+    slides = [joint for joint in (*group.outer, group.inner) if not isinstance(joint, str)]
+    units = [plan.units[slide.slider, slide.owner] for slide in slides]
+    first, second = (np.asarray(unit.point) for unit in units if unit is not None)
+    turned = first / second
+    return np.asarray(np.arctan2(turned.real, np.abs(turned.imag)))
+
+
+def interval(sweep: Sweep, group: Dyad) -> Interval:
+    """Find the interval of a group's pressure angle over the reachable turn (M1.3): nodes, then a closer look."""
+    nodes = 2 * np.pi * np.arange(NODES) / NODES
+
+    def seen(phi: Floats) -> Floats:
+        return np.broadcast_to(pressure(sweep.plan(phi), group), phi.shape)
+
+    low, at_low = _least(seen, nodes)
+    high, at_high = _least(lambda phi: -seen(phi), nodes)
+    return Interval(low, -high, at_low, at_high)
+
+
+def _least(seen: Callable[[Floats], Floats], nodes: Floats) -> tuple[float, float]:
+    values = seen(nodes)
+    if np.isnan(values).all():
+        return float("nan"), float("nan")
+    best = int(np.nanargmin(values))
+    low, high = nodes[best] - nodes[1], nodes[best] + nodes[1]
+    least, where = float(values[best]), float(nodes[best])
+    for _ in range(LOOKS):
+        fan = np.linspace(low, high, FAN)
+        values = seen(fan)
+        if np.isnan(values).all():
+            break
+        best = int(np.nanargmin(values))
+        if values[best] < least:
+            least, where = float(values[best]), float(fan[best])
+        low, high = float(fan[max(best - 1, 0)]), float(fan[min(best + 1, FAN - 1)])
+    return least, where

@@ -1,0 +1,107 @@
+"""The sketch chooses the assembly: the side of every group's meeting, found once and kept (выбор сборки)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from geometry.errors import DraftError
+from plans.groups.kinds import KINDS
+from plans.mechanism import Mechanism
+from plans.motion import Complexes, Floats
+from plans.plan import Plan
+from plans.position import crank
+from plans.structure import Dyad
+from plans.turn import Turn
+
+# A hand sketch is trusted to 2 % of the distance between the two assemblies: what hands reach on textbook drawings.
+CLARITY = 0.02
+
+
+class SketchError(DraftError, ValueError):
+    """A sketch that does not tell one assembly of a group from the other."""
+
+    def __init__(self, message: str, points: tuple[str, ...]) -> None:
+        super().__init__(message)
+        self.points = points
+
+
+class Choice(NamedTuple):
+    """For one group, over some crank angles: the side nearer to the sketch, how clearly, and the misfit in m2."""
+
+    side: Floats
+    clarity: Floats
+    misfit: Floats
+
+
+def sides(mechanism: Mechanism, groups: Sequence[Dyad], first: Turn | None, whole: Turn) -> tuple[float, ...]:
+    """Choose each group's side by the sketch at the first position, or where the first is not known, over a whole turn.
+
+    Where the first position cannot be assembled, or the start is an extreme still to be found, the crank angle at which
+    the mechanism fits the sketch best decides. Raises SketchError where the sketch leaves a group undecided.
+    """
+    for turn in (first, whole):
+        if turn is None:
+            continue
+        choices = _choices(mechanism, groups, turn)
+        misfit = sum((choice.misfit for choice in choices), np.zeros(len(turn)))
+        if np.isfinite(misfit).any():
+            best = int(np.nanargmin(misfit))
+            return tuple(_decided(mechanism, group, c, best) for group, c in zip(groups, choices, strict=True))
+    return tuple(1.0 for _ in groups)  # no angle can be assembled: every position will be a gap
+
+
+def _choices(mechanism: Mechanism, groups: Sequence[Dyad], turn: Turn) -> list[Choice]:
+    plan, choices = crank(mechanism, turn), []
+    for group in groups:
+        kind, shown = KINDS[group.kind], _shown(mechanism, group)
+        trials = [plan.trial(), plan.trial()]
+        for trial, side in zip(trials, (1.0, -1.0), strict=True):
+            kind.positions(trial, group, side)
+        places = [_places(trial, shown, len(turn)) for trial in trials]
+        choice = _choose(mechanism, shown, places, len(turn))
+        choices.append(choice)
+        kind.positions(plan, group, choice.side)
+    return choices
+
+
+def _shown(mechanism: Mechanism, group: Dyad) -> list[str]:
+    """Give the sketched points of a group's links."""
+    points = {point for link in group.links for point in mechanism.links[link].points}
+    return sorted(points & set(mechanism.sketch))
+
+
+def _places(plan: Plan, shown: list[str], count: int) -> Complexes:
+    if not shown:  # a group that the sketch leaves out still tells whether it can be assembled
+        image = next(reversed(plan.images.values()))
+        arm = image.origin if image.arm is None else image.arm
+        return np.broadcast_to(np.asarray(arm.point), (1, count))
+    return np.array([np.broadcast_to(np.asarray(plan.point(point).point), count) for point in shown])
+
+
+def _choose(mechanism: Mechanism, shown: list[str], places: list[Complexes], count: int) -> Choice:
+    if not shown:
+        finite = np.where(np.isfinite(places[0][0]), 0.0, np.nan)
+        return Choice(np.ones(count), np.zeros(count), finite)
+    rough = np.array([[mechanism.sketch[point]] for point in shown])
+    misfits = [np.sum(np.abs(place - rough) ** 2, axis=0) for place in places]
+    apart = np.sum(np.abs(places[0] - places[1]) ** 2, axis=0)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        clarity = np.where(apart > 0, np.abs(misfits[0] - misfits[1]) / apart, 0.0)
+    return Choice(np.where(misfits[1] < misfits[0], -1.0, 1.0), clarity, np.minimum(*misfits))
+
+
+def _decided(mechanism: Mechanism, group: Dyad, choice: Choice, position: int) -> float:
+    if KINDS[group.kind].assemblies > 1 and not choice.clarity[position] >= CLARITY:
+        points = sorted({point for link in group.links for point in mechanism.links[link].points})
+        free = tuple(p for p in points if p not in mechanism.links[0].points and p != mechanism.drive.end)
+        names = " or ".join(free) or " or ".join(points)
+        raise SketchError(
+            f"group {group.label} can be assembled in two ways and the sketch does not tell which: show {names} "
+            "roughly where it is at the first position, well off the line on which both ways meet; "
+            "at a dead centre start from another crank angle",
+            free,
+        )
+    return float(choice.side[position])

@@ -1,0 +1,27 @@
+"""The velocity plan: every end of a vector from the pole p is a point's velocity (план скоростей)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from plans.groups.kinds import KINDS
+from plans.plan import Image, Plan, Reading
+from plans.structure import Dyad
+
+
+def velocities(positions: Plan, groups: Sequence[Dyad]) -> Plan:
+    """Draw the velocity plan over a plan of positions, group after group (section 6.4.2, M3.1)."""
+    plan = Plan("velocities", positions.mechanism, (positions,))
+    drive = plan.mechanism.drive
+    base = positions.images[drive.link]
+    assert base.arm is not None  # the crank has an arm on the plan of positions
+    arm = plan.carry(base.arm)
+    omega = 1j * drive.omega
+    part = plan.board.turn(f"v_{drive.end}", arm, omega, "omega l, square to the crank in the sense of rotation")
+    end = plan.name(drive.end, plan.board.lay_off(drive.end.lower(), plan.pole, part, "velocity of the crank's end"))
+    relative = plan.board.join(f"{plan.pole.name}{end.name}", plan.pole, end)
+    plan.images[drive.link] = Image(plan.pole, relative, base.at, base.span)
+    plan.readings[drive.link] = Reading(arm, relative)
+    for group in groups:
+        KINDS[group.kind].velocities(plan, group)
+    return plan

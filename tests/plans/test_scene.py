@@ -1,0 +1,409 @@
+"""Scenes: the example mechanisms with their exact numbers, and all faults of a file at once, each on its line."""
+
+from __future__ import annotations
+
+import math
+import time
+from decimal import Decimal
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from geometry.errors import LimitError
+from plans.faults import SHOWN, WORDS, Fault, SceneError
+from plans.linkage import mechanism_of
+from plans.mechanism import Drive, Mechanism, Output, StructureError
+from plans.scene import FrameLine, parse_scene
+from plans.shapes import triangle
+
+SHAPER = """title = "Crank shaper"
+sheets = ["kinematics"]
+
+[mechanism.frame]
+O = [0, 0]
+C = [0, -0.350]
+
+[mechanism.links]
+1 = "OA"                  # crank
+2 = "A"                   # stone, slides on link 3
+3 = "CB"                  # slotted link
+4 = "BD"                  # connecting rod
+5 = "D"                   # ram
+
+[mechanism.lengths]
+OA = 0.120
+CB = "700 mm"
+BD = 0.200
+
+[[mechanism.slides]]
+link = 2
+along = "CB"
+[[mechanism.slides]]
+link = 5
+along = { through = [0, 0.3287856445], angle = 0 }
+
+[mechanism.sketch]
+B = [0.20, 0.32]
+D = [0.40, 0.33]
+
+[drive]
+link = 1
+speed = "60 rpm"
+acceleration = 5
+start = "extreme"
+positions = 12
+"""
+ENGINE = """[mechanism.frame]
+O = [0, 0]
+[mechanism.links]
+1 = "OA"
+2 = "AB"
+3 = "B"
+[mechanism.lengths]
+OA = "60 mm"
+AB = "200 mm"
+[mechanism.points]
+S2 = { on = 2, at = [0.070, 0] }
+[[mechanism.slides]]
+link = 3
+along = { through = [0, 0.020], angle = 0 }
+[mechanism.sketch]
+B = [0.23, 0.02]
+[drive]
+link = 1
+speed = "10 rad/s"
+"""
+FOUR_BAR = """[mechanism.frame]
+O = [0, 0]
+C = [0.350, 0]
+[mechanism.links]
+1 = "OA"
+2 = "ABE"
+3 = "CB"
+[mechanism.lengths]
+OA = 0.100
+AB = 0.5
+AE = 0.3
+EB = 0.4
+CB = 0.300
+[mechanism.sketch]
+B = [0.39, 0.30]
+E = [0.1, 0.4]
+[drive]
+link = 1
+speed = 10
+start = 30
+"""
+
+
+def build(text: str, *changes: tuple[str, str]) -> Mechanism:
+    for old, new in changes:
+        assert old in text
+        text = text.replace(old, new, 1)
+    return mechanism_of(parse_scene(text))
+
+
+def faults(text: str, *changes: tuple[str, str]) -> tuple[Fault, ...]:
+    with pytest.raises(SceneError) as refused:
+        build(text, *changes)
+    return refused.value.faults
+
+
+def test_the_shaper() -> None:
+    scene = parse_scene(SHAPER, "shaper.toml")
+    assert scene.mechanism.lengths["CB"] == Decimal("0.7")
+    assert scene.drive.start == "extreme"
+    assert scene.drive.count == 12
+    assert scene.mechanism.slides[1].along == FrameLine(through=[0, Decimal("0.3287856445")], angle=0)
+    mechanism = mechanism_of(scene)
+    assert mechanism.links[3].points == {"C": 0, "B": 0.7}
+    assert mechanism.links[0].points == {"C": -0.35j, "O": 0}
+    assert mechanism.drive == Drive(1, "O", "A", 2 * math.pi, 5.0)
+    stone, ram = mechanism.slides
+    assert (stone.slider, stone.owner, stone.label, stone.point) == (2, 3, "CB", "A")
+    assert (stone.on_owner.through, stone.on_owner.direction) == (0, 1)
+    assert (ram.slider, ram.owner, ram.label, ram.point) == (5, 0, "", "D")
+    assert (ram.on_owner.through, ram.on_owner.direction) == (0.3287856445j, 1)
+    assert mechanism.hinges == {"A": (1, 2), "B": (3, 4), "C": (0, 3), "D": (4, 5), "O": (0, 1)}
+    assert mechanism.mobility == 1
+
+
+def test_the_engine_has_a_mass_centre_on_its_rod() -> None:
+    mechanism = build(ENGINE)
+    assert mechanism.links[2].points == {"A": 0, "B": 0.2, "S2": 0.07}
+    assert mechanism.title == "Mechanism"
+    assert mechanism.output is None
+
+
+def test_a_third_point_lies_where_the_sketch_shows_it() -> None:
+    assert build(FOUR_BAR).links[2].points["E"] == 0.18 + 0.24j
+    below = ("E = [0.1, 0.4]", "E = [0.3, -0.4]")
+    assert build(FOUR_BAR, below).links[2].points["E"] == 0.18 - 0.24j
+
+
+def test_the_crank_angle_places_the_cranks_end_for_the_sketch() -> None:
+    (fault,) = faults(FOUR_BAR, ("start = 30", 'start = "extreme"'))
+    assert (fault.kind, fault.line) == ("side", 6)
+    assert "no place of A" in fault.expected
+    assert "give A in [mechanism.sketch], or place it by [mechanism.points] E" in fault.advice
+    build(FOUR_BAR, ("start = 30", 'start = "extreme"'), ("E = [0.1", "A = [0.05, 0.05]\nE = [0.1"))
+    build(FOUR_BAR, ("start = 30", "positions = [30, 60]"))
+
+
+@pytest.mark.parametrize(
+    ("near", "far", "foot"), [("0.3", "0.2", "0.3"), ("0.7", "0.2", "0.7"), ("0.2", "0.7", "-0.2")]
+)
+def test_a_flat_triangle_needs_no_side(near: str, far: str, foot: str) -> None:
+    assert triangle(Decimal("0.5"), Decimal(near), Decimal(far)) == (Decimal(foot), 0)
+    flat = ("AE = 0.3\nEB = 0.4", f"AE = {near}\nEB = {far}")
+    assert build(FOUR_BAR, flat, ("E = [0.1, 0.4]", "")).links[2].points["E"] == float(foot)
+
+
+def test_a_mechanism_far_from_the_origin_loses_nothing() -> None:
+    far = build(FOUR_BAR, ("O = [0, 0]", "O = [123456789.1, 0.1]"), ("C = [0.350, 0]", "C = [123456789.45, 0.1]"))
+    assert far.datum == (Decimal("123456789.1"), Decimal("0.1"))
+    assert far.links[0].points == build(FOUR_BAR).links[0].points == {"C": 0.35, "O": 0}
+
+
+def test_directions_of_right_angles_are_exact() -> None:
+    for angle, direction in (("90", 1j), ('"-90 deg"', -1j), ("180", -1), ("450", 1j), ("-720", 1)):
+        assert build(ENGINE, ("angle = 0 }", f"angle = {angle} }}")).slides[0].on_owner.direction == direction
+
+
+def test_an_offset_slider_turned_to_its_guide() -> None:
+    table = 'link = 3\npoint = "B"\noffset = 0.01\nangle = 90\n'
+    slide = build(ENGINE, ("link = 3\n", table)).slides[0]
+    # The link's +x axis is square to the guide, so the guide runs along -y of the link; left of it is +x.
+    assert slide.on_slider.direction == -1j
+    assert slide.on_slider.through == -0.01
+
+
+def test_a_guide_may_be_a_line_of_the_frame_by_two_points() -> None:
+    line = ("along = { through = [0, 0.020], angle = 0 }", 'along = "OG"')
+    slide = build(ENGINE, line, ("O = [0, 0]", "O = [0, 0]\nG = [0, -2]")).slides[0]
+    assert (slide.owner, slide.label) == (0, "OG")
+    assert (slide.on_owner.through, slide.on_owner.direction) == (0, -1j)
+
+
+NAMED = """[mechanism.frame]
+shaft = [0, 0]
+"C'" = [0.350, 0]
+[mechanism.links]
+1 = ["shaft", "pin"]
+2 = ["pin", "B12"]
+3 = "C'B12"
+[mechanism.lengths]
+pin-shaft = 0.1
+pin-B12 = 0.4
+"B12C'" = 0.3
+[mechanism.sketch]
+B12 = [0.39, 0.30]
+[drive]
+link = 1
+speed = 10
+"""
+
+
+def test_longer_names_and_primes() -> None:
+    mechanism = build(NAMED)
+    assert (mechanism.drive.pivot, mechanism.drive.end) == ("shaft", "pin")
+    assert mechanism.links[3].points == {"C'": 0, "B12": 0.3}
+
+
+def test_the_output_is_a_link_or_the_slider_at_a_point() -> None:
+    assert build(SHAPER + "[output]\nlink = 5\n").output == Output(5, "D")
+    assert build(SHAPER + '[output]\npoint = "D"\n').output == Output(5, "D")
+    assert build(SHAPER + "[output]\nlink = 3\n").output == Output(3, None)
+    assert build(ENGINE + '[output]\npoint = "S2"\n').output == Output(2, "S2")
+
+
+def test_the_order_of_the_tables_means_nothing() -> None:
+    tables = FOUR_BAR.replace("\n[", "\n\f[").split("\f")
+    turned = "".join(reversed(tables))
+    shuffled = turned.replace("B = [0.39, 0.30]\nE = [0.1, 0.4]", "E = [0.1, 0.4]\nB = [0.39, 0.30]")
+    shuffled = shuffled.replace("O = [0, 0]\nC = [0.350, 0]", "C = [0.350, 0]\nO = [0, 0]")
+    assert shuffled != turned != FOUR_BAR
+    assert repr(build(shuffled)) == repr(build(FOUR_BAR))
+
+
+def test_loads_and_masses_are_read_though_no_sheet_asks() -> None:
+    scene = parse_scene(
+        SHAPER
+        + """
+[masses]
+3 = { mass = "15 kg", inertia = 0.6, centre = "middle" }
+4 = { mass = 3, centre = [0.1, 0] }
+5 = { mass = 25 }
+[loads]
+gravity = 9.81
+[[loads.forces]]
+on = 5
+point = "D"
+value = ["1.5 kN", 0]
+during = "working stroke"
+[[loads.forces]]
+on = 5
+point = "D"
+against = "motion"
+diagram = { travel = [0, 0.05, 0.95, 1], force = [0, 1500, 1500, 0] }
+[[loads.moments]]
+on = 3
+value = -12
+[drive.gear]
+radius = 0.18
+at = 210
+[sheet]
+language = "ru"
+format = "A2"
+plans = [1, 7]
+position = 1
+drawn = "Иванов"
+"""
+    )
+    mechanism_of(scene)
+    assert scene.loads is not None
+    assert scene.loads.forces[0].value == (1500, 0)
+    assert scene.masses[5].centre == (0, 0)
+    assert scene.drive.gear is not None
+    assert scene.drive.gear.pressure_angle == 20
+    assert scene.sheet.language == "ru"
+
+
+def test_all_faults_come_at_once_with_their_lines() -> None:
+    found = faults(
+        FOUR_BAR,
+        ("[mechanism.frame]", 'titel = "X"\n[mechanism.frame]'),  # line 1
+        ("C = [0.350, 0]", 'C = [0.350, "3 kg"]'),  # line 4
+        ("OA = 0.100", "OA = 0"),  # line 10
+        ("B = [0.39, 0.30]", "G = [0.39, 0.30]"),  # line 16: of the meaning, not of the form
+        ("speed = 10", "sped = 10"),  # line 20
+        ("start = 30", "start = 30\n[masses]\n9 = { mass = 1 }"),  # line 23
+    )
+    assert [(fault.line, fault.kind) for fault in found] == [
+        (1, "unknown_key"),
+        (4, "wrong_unit"),
+        (10, "not_positive"),
+        (16, "unknown_point"),
+        (20, "unknown_key"),
+        (23, "unknown_link"),
+    ]
+
+
+def test_what_follows_from_a_fault_is_not_said() -> None:
+    assert [fault.kind for fault in faults(SHAPER, ("[mechanism.lengths]", "[mechanism.lenghts]"))] == ["unknown_key"]
+    assert [fault.kind for fault in faults(SHAPER, ("[mechanism.links]", "[mechanism.linkz]"))] == ["unknown_key"]
+    assert [fault.kind for fault in faults(SHAPER, ('4 = "BD"', '4 = "bd"'))] == ["letters"]
+    assert [fault.kind for fault in faults(SHAPER, ("link = 1\n", ""))] == ["missing"]
+    assert [fault.kind for fault in faults(SHAPER, ("O = [0, 0]", "O = [0]"))] == ["pair"]
+
+
+def test_a_message_shows_twenty_faults_and_counts_the_others() -> None:
+    many = FOUR_BAR + "[sheet]\n" + "".join(f"key{number} = 1\n" for number in range(30))
+    with pytest.raises(SceneError) as refused:
+        parse_scene(many)
+    lines = str(refused.value).splitlines()
+    assert len(lines) == SHOWN + 1
+    assert lines[-1] == "and 10 more"
+
+
+def test_a_fault_is_one_line_that_names_everything() -> None:
+    (fault,) = faults(ENGINE, ('OA = "60 mm"', 'OA = "60 kg"'))
+    assert str(fault) == (
+        'scene.toml:8:1: mechanism.lengths.OA = "60 kg": expected a unit of length (m, dm, cm, mm), but found kg. '
+        'Fix: write it as "1 m", or a bare number in SI units.'
+    )
+
+
+def test_mobility_shows_its_count() -> None:
+    with pytest.raises(StructureError) as refused:
+        build(
+            SHAPER,
+            ('5 = "D"', ""),
+            ("[[mechanism.slides]]\nlink = 5\nalong = { through = [0, 0.3287856445], angle = 0 }", ""),
+        )
+    assert (refused.value.found, refused.value.needed) == (2, 1)
+    assert refused.value.links == (1, 2, 3, 4)
+    assert "W = 3n - 2p = 3*4 - 2*5 = 2 (4 hinges, 1 slides" in str(refused.value)
+
+
+FIELD_VALUES = (
+    "true",
+    "[]",
+    "{}",
+    '""',
+    '"x"',
+    "nan",
+    "-1",
+    "0.5",
+    "1979-05-27",
+    "[1, 2, 3]",
+    "{ a = 1 }",
+    "[[1]]",
+    "7",
+)
+LINES = [line for line in SHAPER.splitlines() if "=" in line and not line.startswith("title")]
+
+
+@pytest.mark.parametrize("line", LINES)
+def test_a_wrong_value_is_one_fault_whatever_it_is(line: str) -> None:
+    key = line.partition("=")[0]
+    for value in FIELD_VALUES:
+        try:
+            build(SHAPER, (line, f"{key}= {value}"))
+        except StructureError:
+            continue
+        except SceneError as error:
+            number = SHAPER.splitlines().index(line) + 1
+            about = [fault for fault in error.faults if fault.line == number]
+            assert len(about) <= 1 or value in ("[1, 2, 3]", "{}", "{ a = 1 }"), str(error)
+
+
+@settings(deadline=None)
+@given(st.data())
+def test_any_scene_is_read_or_refused_in_words(data: st.DataObject) -> None:
+    lines = SHAPER.splitlines()
+    for _ in range(data.draw(st.integers(1, 4))):
+        number = data.draw(st.integers(0, len(lines) - 1))
+        key = lines[number].partition("=")[0]
+        other = data.draw(st.sampled_from(lines))
+        lines[number] = data.draw(
+            st.sampled_from(["", other, *(f"{key} = {value}" for value in FIELD_VALUES if "=" in lines[number])])
+        )
+    try:
+        build("\n".join(lines))
+    except (SceneError, StructureError, LimitError) as error:
+        assert str(error).startswith("scene.toml")
+
+
+HOSTILE = {
+    "unknown keys": FOUR_BAR + "[sheet]\n" + "".join(f"language{number} = 1\n" for number in range(60_000)),
+    "unknown points": FOUR_BAR.replace("OA = 0.1", "".join(f"OX{number} = 1\n" for number in range(900)) + "OA = 0.1"),
+    "wrong angles": FOUR_BAR.replace("start = 30", "positions = [" + "'x'," * 99_000 + "]"),
+    "wrong sheets": "sheets = [" + "'x'," * 990 + "]\n" + FOUR_BAR,
+    "long letters": FOUR_BAR.replace('"OA"', '"' + "A" * 900_000 + '"'),
+    "long name": FOUR_BAR.replace("OA = 0.100", "OA = 0.1\n" + "A" * 900_000 + " = 1"),
+    "long unit": FOUR_BAR.replace("OA = 0.100", 'OA = "1 ' + "m" * 900_000 + '"'),
+    "long title": 'title = "' + "x" * 900_000 + '"\n' + FOUR_BAR,
+    "many links": FOUR_BAR.replace('3 = "CB"', "\n".join(f'{number} = "B{number}"' for number in range(3, 30_000))),
+    "many lengths": FOUR_BAR.replace("OA = 0.100", "\n".join(f"O{number}A = 1" for number in range(30_000))),
+    "many digits": FOUR_BAR.replace("speed = 10", "speed = 1." + "3" * 900_000 + "e999"),
+}
+
+
+@pytest.mark.parametrize("text", HOSTILE.values(), ids=HOSTILE.keys())
+def test_a_hostile_scene_is_refused_at_once(text: str) -> None:
+    began = time.perf_counter()
+    with pytest.raises((SceneError, LimitError)) as refused:
+        build(text)
+    assert time.perf_counter() - began < 3
+    assert all(len(line) < 2_000 for line in str(refused.value).splitlines())
+
+
+def test_a_hundred_thousand_positions_are_no_trouble() -> None:
+    listed = ", ".join(str(number / 400) for number in range(100_000))
+    assert parse_scene(FOUR_BAR.replace("start = 30", f"positions = [{listed}]")).drive.count == 100_000
+
+
+def test_every_fault_has_its_words() -> None:
+    assert all(len(words) == 2 and not words[0].endswith(".") for words in WORDS.values())

@@ -1,0 +1,116 @@
+"""Quantities: exact decimals in SI, and one clear refusal for each way of writing them wrongly."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from pydantic_core import PydanticCustomError
+
+from plans import units
+from plans.units import Kind
+
+
+@pytest.mark.parametrize(
+    ("written", "kind", "exact"),
+    [
+        ("110 mm", units.LENGTH, "0.11"),
+        ("11cm", units.LENGTH, "0.11"),
+        ("110 мм", units.LENGTH, "0.11"),
+        ("1.1e-1 m", units.LENGTH, "0.11"),
+        ("+0.11 m", units.LENGTH, "0.11"),
+        ("-30 deg", units.ANGLE, "-30"),
+        ("30°", units.ANGLE, "30"),
+        ("5 rad/s2", units.ANGULAR_ACCELERATION, "5"),
+        ("5 rad/s^2", units.ANGULAR_ACCELERATION, "5"),
+        ("5 rad / s²", units.ANGULAR_ACCELERATION, "5"),
+        ("2 kg", units.MASS, "2"),
+        ("250 g", units.MASS, "0.25"),
+        ("0.6 kg·m²", units.INERTIA, "0.6"),
+        ("0.6 kg m2", units.INERTIA, "0.6"),
+        ("1.5 kN", units.FORCE, "1500"),
+        ("-12 N*m", units.MOMENT, "-12"),
+        (Decimal("0.1"), units.LENGTH, "0.1"),
+        (7, units.LENGTH, "7"),
+        (Decimal("-0.0"), units.LENGTH, "0"),
+    ],
+)
+def test_a_quantity_is_exact(written: object, kind: Kind, exact: str) -> None:
+    assert units.quantity(written, kind) == Decimal(exact)
+
+
+def test_pi_is_good_for_every_conversion() -> None:
+    sixty = units.quantity("60 rpm", units.SPEED)
+    assert abs(sixty - 2 * units.PI) < Decimal("1e-27")  # the comparison itself is in 28 digits
+    assert str(sixty).startswith("6.28318530717958647692528676655900576839"[:38])
+    half_turn = units.quantity("3.141592653589793238462643383279502884197 rad", units.ANGLE)
+    assert abs(half_turn - 180) < Decimal("1e-26")
+    assert float(units.quantity("60 об/мин", units.SPEED)) == float(sixty)
+
+
+@pytest.mark.parametrize(
+    ("written", "kind", "fault"),
+    [
+        ("nan m", units.LENGTH, "not_a_quantity"),
+        ("inf m", units.LENGTH, "not_a_quantity"),
+        ("1_000 mm", units.LENGTH, "not_a_quantity"),
+        ("١٢ mm", units.LENGTH, "not_a_quantity"),
+        ("１２ mm", units.LENGTH, "not_a_quantity"),
+        (".5 m", units.LENGTH, "not_a_quantity"),
+        ("", units.LENGTH, "not_a_quantity"),
+        ("mm", units.LENGTH, "not_a_quantity"),
+        ("5. m", units.LENGTH, "not_a_quantity"),
+        ("0x10 m", units.LENGTH, "wrong_unit"),
+        ("5", units.LENGTH, "text_number"),
+        ("40,5 mm", units.LENGTH, "decimal_comma"),
+        ("3 kg", units.LENGTH, "wrong_unit"),
+        ("3 MM", units.LENGTH, "wrong_unit"),
+        ("60 deg", units.SPEED, "wrong_unit"),
+        ("1e400 m", units.LENGTH, "out_of_range"),
+        ("1e-400 m", units.LENGTH, "out_of_range"),
+        ("1e99999999999999999999 m", units.LENGTH, "not_finite"),
+        (Decimal("NaN"), units.LENGTH, "not_finite"),
+        (Decimal("-Infinity"), units.LENGTH, "not_finite"),
+        (True, units.LENGTH, "not_a_number"),
+        ([1], units.LENGTH, "not_a_number"),
+        ({}, units.LENGTH, "not_a_number"),
+        ("3 m", units.NUMBER, "wrong_unit"),
+    ],
+)
+def test_a_refusal_is_of_one_kind(written: object, kind: Kind, fault: str) -> None:
+    with pytest.raises(PydanticCustomError) as refused:
+        units.quantity(written, kind)
+    assert refused.value.context is not None
+    assert refused.value.context["kind"] == fault
+
+
+@pytest.mark.parametrize("written", [0, -1, Decimal("9e-10"), Decimal("1.1e9"), "0 mm"])
+def test_a_length_is_positive_and_within_reason(written: object) -> None:
+    with pytest.raises(PydanticCustomError):
+        units.length(written)
+
+
+def test_the_limits_themselves_are_lengths() -> None:
+    assert units.length(Decimal("1e-9")) == Decimal("1e-9")
+    assert units.length("1e9 m") == Decimal("1e9")
+    assert units.coordinate("-1e9 m") == Decimal("-1e9")
+
+
+def test_a_number_of_five_thousand_digits_is_rounded_to_a_hundred() -> None:
+    number = units.quantity(Decimal("0." + "3" * 5000), units.LENGTH)
+    assert len(number.as_tuple().digits) == units.DIGITS
+
+
+@given(st.decimals(min_value="-1e9", max_value="1e9", allow_nan=False, places=12))
+def test_millimetres_and_metres_agree_exactly(metres: Decimal) -> None:
+    assert units.quantity(f"{metres * 1000:f} mm", units.LENGTH) == units.quantity(f"{metres:f} m", units.LENGTH)
+
+
+@given(st.text(max_size=30))
+def test_any_text_is_a_decimal_or_a_refusal(text: str) -> None:
+    try:
+        assert units.quantity(text, units.LENGTH).is_finite()
+    except PydanticCustomError as refused:
+        assert refused.type == "fault"
