@@ -1,0 +1,1 @@
+"""Paper: figures, sheets, pens, and the command."""

@@ -1,0 +1,123 @@
+"""The command plandraft: arguments, messages and exit codes; each command imports only what it needs."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+import tempfile
+import traceback
+from collections.abc import Sequence
+from importlib import import_module, metadata
+from pathlib import Path
+
+from geometry.errors import DraftError, LimitError
+
+BUG, USAGE, SCENE, SELF_CHECK, FILES, LIMIT, STOPPED = 1, 2, 3, 5, 7, 8, 130
+
+EPILOG = """\
+exit codes: 0 written and verified; 1 a bug of plandraft; 2 wrong command line; 3 the scene is wrong;
+4 drawn, but with gaps or marks too near a dead centre; 5 a self-check failed, sheet withheld;
+7 cannot read or write; 8 a named limit was exceeded.
+
+a scene is one TOML file: [mechanism] with frame, links, lengths, slides and a rough sketch, and [drive].
+start from an example of the README and change it; every mistake is told with its line and what to write.
+"""
+
+
+def parser() -> argparse.ArgumentParser:
+    """Make the parser of the command line."""
+    top = argparse.ArgumentParser(
+        prog="plandraft",
+        description="Draw a mechanism's plans as exact constructions on a scaled sheet, and check every number.",
+        epilog=EPILOG,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    top.add_argument("--version", action="version", version=f"plandraft {_version()}")
+    commands = top.add_subparsers(dest="command", metavar="COMMAND", required=True)
+    draw = _command(commands, "draw", "draw the scene's sheets, compare, and write the report beside them")
+    draw.add_argument(
+        "-o", "--output", type=Path, default=Path("out"), metavar="DIR", help="folder for the sheets (default: out)"
+    )
+    solve = _command(commands, "solve", "print all numbers as JSON: SI units and radians, null at gaps")
+    solve.add_argument(
+        "--by", choices=("construction", "analysis"), default="construction", help="which road (default: construction)"
+    )
+    solve.add_argument("--json", action="store_true", help="JSON, which is the only form and the default")
+    solve.add_argument(
+        "--only", type=_orders, metavar="PLANS", help="some of positions,velocities,accelerations, joined by commas"
+    )
+    compare = _command(commands, "compare", "compare construction and analysis, quantity by quantity")
+    compare.add_argument("--json", action="store_true", help="as JSON")
+    explain = _command(commands, "explain", "print the drafting steps behind a mark")
+    explain.add_argument("mark", metavar="MARK", help="B, v_B, a_B, omega_3, epsilon_3, or a plan's letter such as a3")
+    explain.add_argument("--position", type=int, default=0, metavar="K", help="number of the position (default: 0)")
+    explain.add_argument("--json", action="store_true", help="as JSON")
+    measure = commands.add_parser("measure", help="read the vectors of an SVG sheet back in true units")
+    measure.add_argument("sheet", type=Path, metavar="SHEET.svg", help="a sheet of plandraft, edited or not")
+    measure.add_argument("--json", action="store_true", help="as JSON")
+    return top
+
+
+def _command(
+    commands: argparse._SubParsersAction[argparse.ArgumentParser], name: str, text: str
+) -> argparse.ArgumentParser:
+    command = commands.add_parser(name, help=text, description=text[0].upper() + text[1:] + ".")
+    command.add_argument("scene", type=Path, metavar="SCENE", help="the scene, a TOML file")
+    return command
+
+
+def _orders(text: str) -> list[str]:
+    names = [name.strip() for name in text.split(",")]
+    wrong = [name for name in names if name not in ("positions", "velocities", "accelerations")]
+    if wrong or not names:
+        raise argparse.ArgumentTypeError(f"{', '.join(wrong)} is none of positions, velocities, accelerations")
+    return names
+
+
+def _version() -> str:
+    try:
+        return metadata.version("plandraft")
+    except metadata.PackageNotFoundError:
+        return "(not installed)"
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command; give its exit code."""
+    options = parser().parse_args(arguments)
+    try:
+        code: int = import_module(f"drawings.commands.{options.command}").run(options)
+        sys.stdout.flush()
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return FILES
+    except KeyboardInterrupt:
+        return STOPPED
+    except (DraftError, OSError) as error:
+        print(error, file=sys.stderr)
+        return _code(error)
+    except Exception:  # whatever else happens is a bug of ours, and is said to be one
+        print(f"plandraft: internal error, a bug of plandraft; please report {_bug_report()}", file=sys.stderr)
+        return BUG
+    return code
+
+
+def _code(error: Exception) -> int:
+    names = {kind.__name__ for kind in type(error).__mro__}
+    if "SelfCheckFailed" in names:
+        return SELF_CHECK
+    if isinstance(error, LimitError):
+        return LIMIT
+    return FILES if isinstance(error, OSError) else SCENE
+
+
+def _bug_report() -> str:
+    """Keep the traceback in a file of its own, so that the user's screen stays readable."""
+    handle, name = tempfile.mkstemp(prefix="plandraft-bug-", suffix=".txt")
+    with os.fdopen(handle, "w", encoding="utf-8") as file:
+        file.write(f"plandraft {_version()}, Python {sys.version}\n\n{traceback.format_exc()}")
+    return name
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,57 @@
+"""plandraft compare: construction against analysis, quantity by quantity."""
+
+from __future__ import annotations
+
+import argparse
+import json
+
+import numpy as np
+
+from plans.compare import Comparison, Finding, compare
+from plans.scene import read_scene
+from plans.study import Study
+
+GAPS, FAILED = 4, 5
+
+
+def run(options: argparse.Namespace) -> int:
+    """Print the comparison; give the exit code."""
+    study = Study(read_scene(options.scene))
+    comparison = compare(study)
+    if options.json:
+        print(json.dumps({"scene": study.scene.title, "findings": [_plain(f) for f in comparison.findings]}))
+    else:
+        print(_table(comparison))
+    if not comparison.agrees:
+        return FAILED
+    return GAPS if comparison.construction.gaps else 0
+
+
+def _table(comparison: Comparison) -> str:
+    lines = [f"{'plan':<14} {'quantity':<10} {'largest':>14} {'worst difference':>17} {'%':>10} {'of allowed':>11}"]
+    for finding in comparison.findings:
+        worst = _worst(finding)
+        lines.append(
+            f"{finding.plan:<14} {finding.name:<10} {finding.largest:>14.6g} {worst:>12.2e} {finding.unit:<6}"
+            f"{finding.per_cent:>8.1e} {float(finding.excess.max()):>11.3f}"
+        )
+    verdict = "agree" if comparison.agrees else "DIFFER"
+    lines.append(f"construction and analysis {verdict}: worst {comparison.worst:.3f} of the allowed difference")
+    return "\n".join(lines)
+
+
+def _plain(finding: Finding) -> dict[str, object]:
+    excess = float(finding.excess.max())
+    return {
+        "plan": finding.plan,
+        "name": finding.name,
+        "unit": finding.unit,
+        "largest": finding.largest,
+        "difference": _worst(finding),
+        "per_cent": finding.per_cent,
+        "of_allowed": excess if np.isfinite(excess) else None,
+    }
+
+
+def _worst(finding: Finding) -> float:
+    return float(np.nanmax(finding.difference)) if np.isfinite(finding.difference).any() else 0.0

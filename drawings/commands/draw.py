@@ -1,0 +1,76 @@
+"""plandraft draw: the sheets of a scene, the comparison, and the report beside them."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from pathlib import Path
+
+from drawings.report import report, shallow, summary
+from geometry.errors import LimitError
+from plans.compare import Comparison, compare
+from plans.scene import read_scene
+from plans.study import Study
+
+GAPS = 4
+POSITIONS_DRAWN = 360  # more positions than degrees cannot be told apart on any sheet
+
+
+def run(options: argparse.Namespace) -> int:
+    """Draw a scene's sheets into a folder; give the exit code."""
+    study = Study(read_scene(options.scene))
+    if len(study.turn) > POSITIONS_DRAWN:
+        raise LimitError(
+            f"{study.scene.file}: drive.positions = {len(study.turn)}: a sheet shows at most {POSITIONS_DRAWN}. "
+            "Fix: fewer positions, or plandraft solve for the numbers alone"
+        )
+    comparison = compare(study)
+    _agree(comparison)
+    written = _sheet(study, comparison, options.output)
+    print(summary(comparison))
+    for path in written:
+        print(path)
+    return _verdict(study, comparison)
+
+
+def _agree(comparison: Comparison) -> None:
+    from drawings.verify import SelfCheckFailed
+
+    if not comparison.agrees:
+        worst = max(comparison.findings, key=lambda finding: float(finding.excess.max()))
+        raise SelfCheckFailed(
+            f"construction and analysis differ in {worst.name}: {float(worst.excess.max()):.3g} times the allowed "
+            "difference; the sheet is withheld"
+        )
+
+
+def _sheet(study: Study, comparison: Comparison, folder: Path) -> list[Path]:
+    """Lay out, write beside, measure back, and only then give the sheet its name."""
+    from drawings import press
+    from drawings.pens.svg import svg
+    from drawings.sheets import kinematics
+    from drawings.verify import verify
+
+    leaf = kinematics.sheet(study, comparison)
+    content = svg(leaf)
+    press.prepare(folder)
+    stem = Path(os.fspath(study.scene.file)).stem
+    path, beside = folder / f"{stem}-kinematics.svg", folder / f"{stem}-report.md"
+    with press.fresh(path, content) as temporary:
+        verify(temporary, leaf, study, comparison)
+    text = report(study, comparison, tuple(leaf.metadata["plans"]), leaf.metadata["shown"])
+    press.write(beside, text.encode("utf-8"))
+    return [path, beside]
+
+
+def _verdict(study: Study, comparison: Comparison) -> int:
+    gaps = comparison.construction.gaps
+    for gap in gaps:
+        print(f"position {gap.position}: {gap.plan}: {gap.reason} at {gap.where}: {gap.advice}", file=sys.stderr)
+    for barrier in study.barriers if not gaps else ():
+        print(f"{barrier.kind} at {barrier.where} between two positions: see the report", file=sys.stderr)
+    near = shallow(study)
+    for k in near:
+        print(f"position {k}: too near a dead centre to be graded: see Conditions in the report", file=sys.stderr)
+    return GAPS if gaps or near or study.barriers else 0

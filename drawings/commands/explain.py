@@ -1,0 +1,114 @@
+"""plandraft explain: the drafting steps behind a mark, in order, each with its reason."""
+
+from __future__ import annotations
+
+import argparse
+import difflib
+import json
+
+import numpy as np
+
+from geometry.board import Arc, Line, Mark, at, behind
+from geometry.errors import DraftError
+from geometry.precision import condition
+from plans.mechanism import FRAME
+from plans.plan import Plan
+from plans.scene import read_scene
+from plans.study import Drafts, Study
+
+UNITS = {"positions": "m", "velocities": "m/s", "accelerations": "m/s2"}
+
+
+class UnknownMark(DraftError, ValueError):  # noqa: N818  (the message's own word)
+    """A name that no plan of the scene has."""
+
+
+def run(options: argparse.Namespace) -> int:
+    """Print the steps behind a mark at one position; give the exit code."""
+    study = Study(read_scene(options.scene))
+    position = _position(study, options.position)
+    drafts = study.drafts((position,))
+    targets = find(study, drafts, options.mark)
+    steps = behind(*targets)
+    if options.json:
+        print(json.dumps([_plain(mark) for mark in steps], ensure_ascii=False, allow_nan=False))
+        return 0
+    print(
+        f"{options.mark} in position {position} (φ = {np.degrees(study.turn.phi[position]):.4f}°), {len(steps)} steps"
+    )
+    for number, mark in enumerate(steps, 1):
+        print(f"{number:>3}. {told(mark, steps)}")
+    return 0
+
+
+def _position(study: Study, wanted: int) -> int:
+    if not 0 <= wanted < len(study.turn):
+        raise UnknownMark(f"position {wanted} is none of 0 to {len(study.turn) - 1}")
+    if study.lost[wanted]:
+        gap = next(gap for gap in study.motion(0).gaps if gap.position == wanted)
+        raise UnknownMark(f"position {wanted} is a gap: {gap.reason} at {gap.where}; {gap.advice}")
+    return wanted
+
+
+def find(study: Study, drafts: Drafts, name: str) -> list[Mark]:
+    """Find a mark: B, v_B, a_B for points; omega_3, epsilon_3 for links; any letter of a plan such as a3 or n_BA."""
+    head, _, tail = name.partition("_")
+    points = {point for link in study.mechanism.links.values() for point in link.points}
+    if name in points:
+        return [drafts.positions.point(name)]
+    if head in ("v", "a") and tail in points:
+        return [_plan(drafts, head).point(tail)]
+    if head in ("omega", "epsilon", "ω", "ε") and tail.isdigit() and int(tail) in study.mechanism.links:
+        plan = drafts.velocities if head in ("omega", "ω") else drafts.accelerations
+        if int(tail) == FRAME or int(tail) not in plan.readings:
+            raise UnknownMark(f"link {tail} does not turn: {name} is 0 and rests on no step")
+        return [*plan.readings[int(tail)]]
+    for plan in (drafts.positions, drafts.velocities, drafts.accelerations):
+        if name in plan.board:
+            return [plan.board[name]]
+    known = [*points, *(f"v_{p}" for p in points), *(f"a_{p}" for p in points)]
+    near = difflib.get_close_matches(name, known, 1)
+    hint = f"did you mean {near[0]}? " if near else ""
+    raise UnknownMark(f"no mark is named {name}: {hint}points are {', '.join(sorted(points))}; also v_B, a_B, omega_3")
+
+
+def _plan(drafts: Drafts, symbol: str) -> Plan:
+    return drafts.velocities if symbol == "v" else drafts.accelerations
+
+
+def told(mark: Mark, steps: list[Mark]) -> str:
+    """Say one step: what is drawn, from which marks, where it is, how sharply it meets, and why."""
+    sources = ", ".join(_named(source) for source in mark.step.inputs)
+    text = f"{_named(mark)}: {mark.step.op}" + (f" ({sources})" if sources else "") + f" = {_value(mark)}"
+    if mark.sharpness is not None:
+        text += f", crossing at {np.degrees(np.arcsin(min(at(mark.sharpness, 0).real, 1.0))):.2f}°"
+        text += f" (kappa {float(condition(mark).flat[0]):.3g})"
+    return f"{text}. {mark.step.why}" if mark.step.why else text
+
+
+def _named(mark: Mark) -> str:
+    return f"{mark.name} [{mark.subject}]" if mark.subject != "positions" else mark.name
+
+
+def _value(mark: Mark) -> str:
+    unit = UNITS.get(mark.subject, "")
+    if isinstance(mark.value, Line):
+        return f"line through {_pair(at(mark.value.through, 0))}, direction {_pair(at(mark.value.direction, 0))}"
+    if isinstance(mark.value, Arc):
+        return f"arc about {_pair(at(mark.value.centre, 0))}, radius {at(mark.value.radius, 0).real:.10g} {unit}"
+    return f"{_pair(at(mark.value, 0))} {unit}"
+
+
+def _pair(value: complex) -> str:
+    return f"({value.real + 0.0:.10g}, {value.imag + 0.0:.10g})"
+
+
+def _plain(mark: Mark) -> dict[str, object]:
+    return {
+        "plan": mark.subject,
+        "name": mark.name,
+        "op": mark.step.op,
+        "from": [source.name for source in mark.step.inputs],
+        "value": _value(mark),
+        "why": mark.step.why,
+    }

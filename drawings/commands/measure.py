@@ -1,0 +1,40 @@
+"""plandraft measure: the vectors and points of an SVG sheet, read back in true units."""
+
+from __future__ import annotations
+
+import argparse
+import json
+
+from drawings.measure import Measured, check, measure_file
+
+FAILED = 5
+
+
+def run(options: argparse.Namespace) -> int:
+    """Print what a sheet shows; give the exit code."""
+    measured = measure_file(options.sheet)
+    wrong = check(measured)
+    off = {miss.key for miss in wrong}
+    if options.json:
+        print(
+            json.dumps({"vectors": _plain(measured, "vectors"), "points": _plain(measured, "points")}, allow_nan=False)
+        )
+    else:
+        for mark in measured.marks:
+            sign = "DIFFERS from the stated" if mark.key in off else ""
+            value = f"({mark.value.real:.6g}, {mark.value.imag:.6g})"
+            print(f"{mark.plan:<14} {mark.position!s:>4}  {mark.name:<10} {value:<26} {mark.unit:<6} {sign}".rstrip())
+        for note in measured.notes:
+            print(f"left aside: {note}")
+    return FAILED if wrong else 0
+
+
+def _plain(measured: Measured, kind: str) -> list[dict[str, object]]:
+    return [
+        {
+            "plan": mark.plan, "quantity": mark.quantity, "name": mark.name, "position": mark.position,
+            "value": [mark.value.real, mark.value.imag], "size": abs(mark.value),
+            "stated": [mark.stated.real, mark.stated.imag], "unit": mark.unit, "scale": mark.scale,
+        }
+        for mark in getattr(measured, kind)
+    ]  # fmt: skip

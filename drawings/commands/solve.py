@@ -1,0 +1,93 @@
+"""plandraft solve: all numbers of a scene as JSON, by construction or by analysis."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+import sys
+from typing import Any
+
+import numpy as np
+
+from plans.motion import Extremes, Gap, Motion
+from plans.scene import read_scene
+from plans.study import ORDERS, Study
+
+GAPS = 4
+POINT_KEYS = ("r", "v", "a")
+LINK_KEYS = ("angle", "omega", "epsilon")
+
+
+def run(options: argparse.Namespace) -> int:
+    """Print the numbers; give the exit code."""
+    study = Study(read_scene(options.scene))
+    orders = [ORDERS.index(name) for name in options.only] if options.only else [0, 1, 2]
+    if options.by == "analysis":
+        motion, extremes = _analysis(study, max(orders))
+    else:
+        motion = study.motion(max(orders))
+        extremes = study.found.extremes if study.scene.drive.first is None and study.found else None
+    json.dump(described(study, motion, orders, extremes), sys.stdout, ensure_ascii=False, allow_nan=False)
+    sys.stdout.write("\n")
+    return GAPS if motion.gaps else 0
+
+
+def _analysis(study: Study, order: int) -> tuple[Motion, Extremes | None]:
+    """Solve by analysis alone: a start at an extreme is found by analysis too."""
+    from plans.analytic.extremes import extremes
+    from plans.analytic.kinematics import solve
+
+    if study.scene.drive.first is not None:
+        return solve(study.mechanism, study.turn.phi, order), None
+    found = extremes(study.mechanism, study.output)
+    if found is None:
+        return solve(study.mechanism, study.turn.phi, order), None  # the turn says why there is no extreme
+    count = study.scene.drive.count
+    phi = found.phi[0] + study.sense * 2 * np.pi * np.arange(count) / count
+    return solve(study.mechanism, phi, order), found
+
+
+def described(study: Study, motion: Motion, orders: list[int], extremes: Extremes | None) -> dict[str, Any]:
+    """Give the numbers as plain data: SI units and radians, null at gaps, coordinates of the scene."""
+    datum = complex(*(float(x) for x in study.mechanism.datum))
+    result: dict[str, Any] = {
+        "scene": study.scene.title,
+        "by": motion.by,
+        "phi": _plain(motion.phi),
+        "gaps": [_gap(gap) for gap in motion.gaps],
+        "points": {
+            name: {POINT_KEYS[k]: _pairs(getattr(found, POINT_KEYS[k]) + (datum if k == 0 else 0)) for k in orders}
+            for name, found in motion.points.items()
+        },
+        "links": {
+            str(number): {LINK_KEYS[k]: _plain(getattr(found, LINK_KEYS[k])) for k in orders}
+            for number, found in motion.links.items()
+        },
+    }
+    if extremes is not None:
+        result["extremes"] = {
+            "phi": list(extremes.phi),
+            "reach": list(extremes.reach),
+            "stroke": extremes.stroke,
+            "overlap": extremes.overlap,
+            "ratio": extremes.ratio,
+        }
+    return result
+
+
+def _gap(gap: Gap) -> dict[str, Any]:
+    return {
+        "position": gap.position, "phi": gap.phi, "plan": gap.plan, "reason": gap.reason, "where": gap.where,
+        "miss": gap.miss, "advice": gap.advice,
+    }  # fmt: skip
+
+
+def _plain(values: Any) -> list[float | None]:
+    """Give numbers, null for NaN, and no -0."""
+    return [None if math.isnan(value) else value for value in (values + 0.0).tolist()]
+
+
+def _pairs(values: Any) -> list[list[float] | None]:
+    both = zip((values.real + 0.0).tolist(), (values.imag + 0.0).tolist(), strict=True)
+    return [None if math.isnan(x) or math.isnan(y) else [x, y] for x, y in both]

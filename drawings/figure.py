@@ -1,0 +1,76 @@
+"""A figure: a plan placed on paper, its strokes measurable (фигура листа)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
+
+from drawings.page import Field
+from drawings.scale import Scale
+from drawings.strokes import Circle, Group, Line, LineStyle, numeral, stated
+from drawings.symbols import arrowhead
+
+
+class Place(NamedTuple):
+    """Where a plan's true values lie on paper: `zero` in true units lies at `origin`, mm."""
+
+    origin: complex
+    zero: complex
+    scale: Scale
+
+    def on(self, value: complex) -> complex:
+        """Give the place on paper of a true value."""
+        return self.origin + (value - self.zero) / self.scale.mu
+
+    def length(self, size: float) -> float:
+        """Give a true length in mm."""
+        return size / self.scale.mu
+
+
+def centred(values: Iterable[complex], room: Field, scale: Scale) -> Place:
+    """Place true values so that their box is centred in a room."""
+    points = list(values)
+    left, right = min(p.real for p in points), max(p.real for p in points)
+    bottom, top = min(p.imag for p in points), max(p.imag for p in points)
+    return Place(room.centre, complex(left + right, bottom + top) / 2, scale)
+
+
+def extent(values: Sequence[complex], room: Field) -> tuple[float, float]:
+    """Give the extent of true values and the room, mm, in the direction that binds the scale."""
+    wide = max(p.real for p in values) - min(p.real for p in values)
+    high = max(p.imag for p in values) - min(p.imag for p in values)
+    return (wide, room.width) if wide * room.height >= high * room.width else (high, room.height)
+
+
+class Subject(NamedTuple):
+    """What a figure's marks belong to: the plan's name, its quantity, its position, its unit."""
+
+    plan: str
+    quantity: str
+    position: int
+
+    def data(self, kind: str, name: str, value: complex, scale: Scale) -> dict[str, str]:
+        """Give the data of a mark that can be measured."""
+        return {
+            "kind": kind,
+            "plan": self.plan,
+            "quantity": self.quantity,
+            "name": name,
+            "position": str(self.position),
+            "value": stated(value),
+            "unit": scale.unit,
+            "scale": numeral(scale.mu),
+        }
+
+
+def vector(subject: Subject, name: str, ends: tuple[complex, complex], place: Place, style: LineStyle) -> Group:
+    """Draw a vector between two true ends, full length to the arrow's tip, and say what it is."""
+    start, end = place.on(ends[0]), place.on(ends[1])
+    head = arrowhead(start, end)
+    strokes = (Line(start, end, style),) if head is None else (Line(start, end, style), head)
+    return Group(strokes, "", subject.data("vector", name, ends[1] - ends[0], place.scale), name)
+
+
+def point(subject: Subject, name: str, value: complex, place: Place, circle: Circle, kind: str = "point") -> Group:
+    """Draw a point or a pole by its circle, and say what it is."""
+    return Group((circle,), "", subject.data(kind, name, value, place.scale), name)

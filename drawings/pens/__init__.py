@@ -1,0 +1,1 @@
+"""Pens: one file a format."""

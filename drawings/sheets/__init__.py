@@ -1,0 +1,1 @@
+"""Sheets: one file a sheet, saying which plans stand where."""

@@ -1,0 +1,284 @@
+"""Sheet 1, kinematics: plan of positions, velocity and acceleration plans, table of values (кинематика, лист 1)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from drawings import position_plan, value_table, vector_plan
+from drawings.figure import centred, extent
+from drawings.layout import Ink
+from drawings.page import Field, Page
+from drawings.scale import Scale, fitting
+from drawings.strokes import Group, Leaf, SheetError, Stroke, Text
+from drawings.value_table import ROW
+from drawings.vector_plan import SYMBOL, UNIT, Diagram, diagram
+from drawings.words import fixed, number, word
+from plans.compare import Comparison
+from plans.extreme import frame_slide
+from plans.pressure import interval
+from plans.structure import formula, mechanism_class
+from plans.study import Study
+
+FORMAT_VERSION = 1
+LEFT_SHARE = 0.49  # of the field's width: the plan of positions takes about half the sheet
+HEADING = 18.0  # mm above a figure for its title and scale
+TEXT, LINE = 3.5, 6.5
+GAPS_NAMED = 4  # gaps written on the sheet; the report names all
+
+
+def sheet(study: Study, comparison: Comparison) -> Leaf:
+    """Lay out the kinematics sheet; nothing is drawn that the scene's sheet does not need."""
+    scene, page = study.scene.sheet, Page(study.scene.sheet.format)
+    language, ink = scene.language, Ink(*page.size)
+    shown = position(study, comparison)
+    drawn = plans(study, comparison, shown)
+    given = {f"{symbol}_{study.mechanism.drive.link}" for symbol in ("ω", "ε")}
+    lines = value_table.rows(comparison, drawn, given, language)
+    main, side, low = _fields(page, len(lines))
+    bones = position_plan.skeletons(study, comparison.construction, shown)
+    scale, groups = _positions(bones, main, page, ink, language)
+    groups += _vector_plans(study, comparison, drawn, side, page, ink, language)
+    if lines and drawn:
+        groups.append(value_table.table(lines, drawn, low, page.weights, language))
+    notes = _notes(study, comparison, language)
+    left = Field(side.left, page.field.bottom, page.block.left, page.block.top)
+    groups.append(_written(notes, left, language))
+    block = page.title_block(_entries(study, scale, language), language)
+    return Leaf(
+        *page.size,
+        (page.frame(), page.corners(), block, *groups),
+        title=f"{study.scene.title}: {word(language, 'sheet title')}",
+        description=" ".join(notes),
+        metadata=_metadata(study, drawn, shown),
+    )
+
+
+def position(study: Study, comparison: Comparison) -> int:
+    """Give the position drawn in full lines: the scene's own, or the output's fastest one."""
+    wanted = study.scene.sheet.position
+    free = ~study.lost
+    if wanted is not None:
+        if study.lost[wanted]:
+            raise SheetError(
+                f"{study.scene.file}: sheet.position = {wanted}: the mechanism cannot be assembled there. "
+                f"Fix: choose one of {', '.join(str(k) for k in np.flatnonzero(free)[:12])}"
+            )
+        return int(wanted)
+    if not free.any():
+        raise SheetError(
+            f"{study.scene.file}: the mechanism cannot be assembled in any position: "
+            f"{comparison.construction.gaps[0].advice}"
+        )
+    return _best(np.abs(_output_rate(study, comparison, 1)), free & _working(study), free)
+
+
+def plans(study: Study, comparison: Comparison, shown: int) -> tuple[int, ...]:
+    """Give the positions whose plans are drawn: the scene's own, or the shown one and one of a large acceleration."""
+    if study.scene.sheet.plans:
+        return tuple(study.scene.sheet.plans)
+    speed = np.abs(_output_rate(study, comparison, 1))
+    growth = np.abs(_output_rate(study, comparison, 2))
+    free = ~study.lost
+    free[shown] = False
+    if not free.any():
+        return (shown,)
+    with np.errstate(invalid="ignore"):
+        telling = free & (speed > 0.2 * np.nanmax(speed))  # at an extreme most of a plan's vectors are zero
+    other = _best(growth, telling & ~_working(study), telling if telling.any() else free)
+    return tuple(sorted((shown, other)))
+
+
+def _working(study: Study) -> Any:
+    """Tell the positions within the working stroke; all of them where the output has no extremes."""
+    if study.found is None:
+        return np.ones(len(study.turn), dtype=bool)
+    start, end = study.found.extremes.phi
+    ahead = np.mod(study.sense * (study.turn.phi - start), 2 * np.pi)
+    return ahead < np.mod(study.sense * (end - start), 2 * np.pi)
+
+
+def _best(sizes: Any, preferred: Any, allowed: Any) -> int:
+    """Give the position of the largest size among the preferred, or else among the allowed."""
+    chosen = preferred if (preferred & ~np.isnan(sizes)).any() else allowed
+    return int(np.argmax(np.where(chosen & ~np.isnan(sizes), sizes, -1.0)))
+
+
+def _output_rate(study: Study, comparison: Comparison, order: int) -> Any:
+    """Give the output's velocity or acceleration over the positions, of its pin or of its turning."""
+    out, motion = study.output, comparison.construction
+    slide = frame_slide(study.mechanism, out.link)
+    if slide is not None:
+        found = motion.points[out.point or slide.point]
+        return found.v if order == 1 else found.a
+    turning = motion.links[out.link]
+    return turning.omega if order == 1 else turning.epsilon
+
+
+def _fields(page: Page, rows: int) -> tuple[Field, Field, Field]:
+    """Divide the sheet: the plan of positions left, the other plans right, the table under the plan of positions."""
+    field = page.field
+    middle = field.left + LEFT_SHARE * field.width
+    table_top = field.bottom + 6 + ROW * (min(rows, 20) + 2)
+    main = Field(field.left + 10, table_top + 8, middle - 6, field.top - 4)
+    side = Field(middle, page.block.top + 4, field.right - 4, field.top - 4)
+    low = Field(field.left + 6, field.bottom + 4, middle - 6, table_top)
+    return main, side, low
+
+
+def _positions(
+    bones: position_plan.Skeletons, field: Field, page: Page, ink: Ink, language: str
+) -> tuple[Scale, list[Group]]:
+    room = Field(field.left + 16, field.bottom + 16, field.right - 16, field.top - HEADING - 30)
+    scale = fitting(*extent(bones.points, room), "l", "m")
+    place = centred(bones.points, room, scale)
+    title = _heading(field, word(language, "positions"), scale.written(language))
+    ink.draw([title])
+    return scale, [title, Group(tuple(position_plan.figure(bones, place, page.weights, ink, language)), "positions")]
+
+
+def _vector_plans(
+    study: Study, comparison: Comparison, drawn: Sequence[int], field: Field, page: Page, ink: Ink, language: str
+) -> list[Group]:
+    """Draw the velocity plans in a row and the acceleration plans under them, each row at one scale."""
+    groups: list[Group] = []
+    drafts = study.drafts()
+    half = field.height / 2
+    for row, (subject, plan) in enumerate((("velocities", drafts.velocities), ("accelerations", drafts.accelerations))):
+        top = field.top - row * half
+        rooms = _cells(Field(field.left, top - half, field.right, top), len(drawn))
+        shown = [diagram(plan, k) for k in drawn]
+        whole = [(d, room) for d, room in zip(shown, rooms, strict=True) if np.isfinite(d.points).all()]
+        missing = [(k, cell) for k, cell, d in zip(drawn, rooms, shown, strict=True) if not np.isfinite(d.points).all()]
+        groups += [_missing(study, comparison, subject, k, cell, language) for k, cell in missing]
+        if whole:
+            groups += _row(whole, subject, page, ink, language)
+    return groups
+
+
+def _cells(field: Field, count: int) -> list[Field]:
+    width = field.width / count
+    return [
+        Field(
+            field.left + k * width + 14, field.bottom + 12, field.left + (k + 1) * width - 14, field.top - HEADING - 8
+        )
+        for k in range(count)
+    ]
+
+
+def _row(whole: list[tuple[Diagram, Field]], subject: str, page: Page, ink: Ink, language: str) -> list[Group]:
+    groups: list[Group] = []
+    rooms = [room for _, room in whole]
+    scale = vector_plan.scale_for([d for d, _ in whole], rooms, SYMBOL[subject], UNIT[subject])
+    for shown, room in whole:
+        groups += vector_plan.figure(shown, room, scale, shown.column, page.weights, ink, language)
+    return groups
+
+
+def _missing(study: Study, comparison: Comparison, subject: str, k: int, cell: Field, language: str) -> Group:
+    """Say in words why a plan is not drawn."""
+    gap = next((g for g in comparison.construction.gaps if g.position == k), None)
+    reason = word(language, gap.reason) if gap else ""
+    text = word(language, "no plan", plan=word(language, f"{subject} plan"), position=k, reason=reason)
+    return Group((Text(cell.centre, text, TEXT, "middle", True),))
+
+
+def _heading(field: Field, title: str, scale: str) -> Group:
+    at = complex((field.left + field.right) / 2, field.top)
+    return Group((Text(at - 7j, title, 7.0, "middle", True), Text(at - 14j, scale, 5.0, "middle", True)))
+
+
+def _notes(study: Study, comparison: Comparison, language: str) -> list[str]:
+    """Write what the sheet says in words: structure, drive, stroke, time ratio, pressure angles, gaps, agreement."""
+    mechanism, drive = study.mechanism, study.mechanism.drive
+    notes = [
+        word(
+            language, "structure", n=mechanism.moving_links, p=mechanism.lower_pairs, w=mechanism.mobility,
+            formula=formula(mechanism, study.groups).replace("->", "→"), klass=mechanism_class(study.groups),
+        ),
+        word(
+            language, "crank", link=drive.link, omega=number(drive.omega, language),
+            epsilon=number(drive.epsilon, language),
+        ),
+    ]  # fmt: skip
+    if study.found is not None:
+        notes.append(_travel(study, language))
+    for group in study.groups:
+        found = interval(study.sweep, group)
+        low, high = (fixed(float(np.degrees(angle)), language) for angle in (found.low, found.high))
+        if low != high:
+            notes.append(word(language, "pressure", group=group.label, low=low, high=high))
+    gaps = comparison.construction.gaps
+    notes += [
+        word(language, "gap", position=gap.position, reason=word(language, gap.reason), where=gap.where)
+        for gap in gaps[:GAPS_NAMED]
+    ]
+    if len(gaps) > GAPS_NAMED:
+        notes.append(word(language, "gaps", count=len(gaps) - GAPS_NAMED))
+    return notes
+
+
+def _travel(study: Study, language: str) -> str:
+    found = study.found
+    assert found is not None  # asked only where there are extremes
+    extremes = found.extremes
+    overlap = word(
+        language, "overlap", overlap=fixed(float(np.degrees(extremes.overlap)), language),
+        ratio=fixed(extremes.ratio, language, 3),
+    )  # fmt: skip
+    if extremes.sliding:
+        return f"{word(language, 'stroke', stroke=number(extremes.stroke, language))};  {overlap}"
+    swing = fixed(float(np.degrees(extremes.stroke)), language)
+    return f"{word(language, 'swing', link=study.output.link, stroke=swing)};  {overlap}"
+
+
+def _written(notes: Sequence[str], field: Field, language: str) -> Group:
+    """Write the notes from the top of their field downwards."""
+    strokes: list[Stroke] = [
+        Text(complex(field.left + 2, field.top - 5 - k * LINE), _marked(note), TEXT, "start", True)
+        for k, note in enumerate(notes)
+    ]
+    return Group(tuple(strokes), "notes")
+
+
+def _marked(note: str) -> str:
+    """Lower the kind's number in II2(4,5); the rest of a note stays as it is."""
+    out, k = [], 0
+    while k < len(note):
+        if note.startswith("II", k) and k + 2 < len(note) and note[k + 2].isdigit():
+            out.append(f"II_{{{note[k + 2]}}}")
+            k += 3
+        else:
+            out.append(note[k])
+            k += 1
+    return "".join(out)
+
+
+def _entries(study: Study, scale: Scale, language: str) -> dict[str, str]:
+    table = study.scene.sheet
+    return {
+        "title": study.scene.title,
+        "subtitle": word(language, "sheet title"),
+        "designation": table.designation,
+        "drawn": table.drawn,
+        "checked": table.checked,
+        "group": table.group,
+        "organisation": table.organisation,
+        "scale": scale.ratio(language),
+        "sheet": "1",
+        "sheets": str(len(study.scene.sheets)),
+    }
+
+
+def _metadata(study: Study, drawn: Sequence[int], shown: int) -> dict[str, Any]:
+    return {
+        "format": FORMAT_VERSION,
+        "sheet": "kinematics",
+        "title": study.scene.title,
+        "structure": formula(study.mechanism, study.groups),
+        "positions": len(study.turn),
+        "shown": shown,
+        "plans": list(drawn),
+    }

@@ -1,0 +1,172 @@
+"""The figure of a velocity or an acceleration plan in one position, read from the record of its construction."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from dataclasses import dataclass
+
+from drawings.figure import Place, Subject, centred, extent, point, vector
+from drawings.layout import Ink, Labels
+from drawings.page import Field
+from drawings.scale import Scale, fitting
+from drawings.strokes import Group, Line, LineStyle, Stroke, Text
+from drawings.symbols import Weights, pole
+from drawings.words import word
+from geometry.board import Line as Direction
+from geometry.board import Mark, at, behind
+from plans.plan import Plan
+
+BEYOND = 9.0  # mm a line of known direction is drawn past the meeting
+ABOVE = 15.0  # mm from a plan's highest point to its scale
+LEAST = 0.05  # mm: a shorter vector is a point; the finest line is five times as wide
+SYMBOL = {"velocities": "v", "accelerations": "a"}
+UNIT = {"velocities": "m/s", "accelerations": "m/s2"}
+
+
+@dataclass(frozen=True)
+class Arrow:
+    """A vector of a plan between two marks, in true units."""
+
+    start: Mark
+    end: Mark
+    ends: tuple[complex, complex]
+    absolute: bool
+
+    @property
+    def name(self) -> str:
+        """The vector by the letters of its ends, such as pb or ab."""
+        return f"{self.start.name} {self.end.name}"
+
+
+@dataclass(frozen=True)
+class Diagram:
+    """What one position of a plan shows: vectors, lines of known direction, and the letters at its points."""
+
+    plan: Plan
+    column: int  # place of the position among the constructed ones
+    arrows: tuple[Arrow, ...]
+    rays: tuple[tuple[complex, complex], ...]  # true ends of lines of known direction: from its start to the meeting
+    letters: tuple[Mark, ...]
+
+    @property
+    def points(self) -> list[complex]:
+        """All true points that the figure must hold."""
+        ends = [end for arrow in self.arrows for end in arrow.ends]
+        return [0j, *ends, *(end for ray in self.rays for end in ray)]
+
+
+def diagram(plan: Plan, column: int) -> Diagram:
+    """Read a figure from a plan's record: what the named points rest on is drawn, the rest is left out."""
+    needed = [mark for mark in behind(*plan.letters.values()) if mark.subject == plan.board.subject]
+    images = [mark for mark in needed if mark.rays and mark is not plan.pole]
+    arrows: dict[tuple[str, str], Arrow] = {}
+    for mark in images:
+        for start, _ in mark.rays:
+            if start.rays or start is plan.pole:
+                arrows.setdefault((start.name, mark.name), _arrow(plan, start, mark, column))
+    for mark in images:
+        if mark.step.op == "meet" or mark in plan.letters.values():
+            arrows.setdefault((plan.pole.name, mark.name), _arrow(plan, plan.pole, mark, column))
+    rays = tuple(ray for mark in needed if mark.step.op == "meet" for ray in _rays(mark, column))
+    return Diagram(plan, column, tuple(arrows.values()), rays, tuple(images))
+
+
+def _arrow(plan: Plan, start: Mark, end: Mark, column: int) -> Arrow:
+    return Arrow(start, end, (at(start.point, column), at(end.point, column)), start is plan.pole)
+
+
+def _rays(mark: Mark, column: int) -> list[tuple[complex, complex]]:
+    found = []
+    for line in mark.step.inputs:
+        if isinstance(line.value, Direction):
+            found.append((at(line.value.through, column), at(mark.point, column)))
+    return found
+
+
+def scale_for(diagrams: list[Diagram], rooms: list[Field], letter: str, unit: str) -> Scale:
+    """Choose one standard scale for some plans so that the largest fits its room."""
+    worst = max((extent(d.points, room) for d, room in zip(diagrams, rooms, strict=True)), key=lambda e: e[0] / e[1])
+    return fitting(worst[0], worst[1], letter, unit)
+
+
+def figure(
+    shown: Diagram, room: Field, scale: Scale, position: int, weights: Weights, ink: Ink, language: str
+) -> list[Group]:
+    """Draw the plan centred in its room: construction lines, vectors with arrowheads, letters, title and scale."""
+    subject = Subject(shown.plan.board.subject, SYMBOL[shown.plan.board.subject], position)
+    place = centred(shown.points, room, scale)
+    title = _heading(shown, place, scale, position, language)
+    lines = Group(tuple(_directions(shown, place, weights)))
+    arrows = [_drawn(subject, arrow, place, weights) for arrow in shown.arrows if _visible(arrow, place)]
+    dot = point(subject, shown.plan.pole.name, 0j, place, pole(place.on(0j)), "pole")
+    ink.draw([title, lines, *arrows, dot])
+    letters = Group(tuple(_letters(shown, place, ink)))
+    return [Group((title, lines, *arrows, dot, letters), f"{shown.plan.board.subject}-{position}")]
+
+
+def _heading(shown: Diagram, place: Place, scale: Scale, position: int, language: str) -> Group:
+    """Write a plan's title and its scale above it."""
+    points = [place.on(value) for value in shown.points]
+    top = max(value.imag for value in points) + ABOVE
+    middle = complex((min(v.real for v in points) + max(v.real for v in points)) / 2, top)
+    title = word(language, shown.plan.board.subject, position=position)
+    return Group(
+        (
+            Text(middle + 7j, title, 5.0, "middle", True),
+            Text(middle, scale.written(language), 3.5, "middle", True),
+        )
+    )
+
+
+def _visible(arrow: Arrow, place: Place) -> bool:
+    return place.length(abs(arrow.ends[1] - arrow.ends[0])) >= LEAST
+
+
+def _drawn(subject: Subject, arrow: Arrow, place: Place, weights: Weights) -> Group:
+    result = arrow.absolute or arrow.end.step.op == "meet"
+    style = weights.result if arrow.absolute else weights.relative if result else LineStyle(weights.thin)
+    return vector(subject, arrow.name, arrow.ends, place, style)
+
+
+def _directions(shown: Diagram, place: Place, weights: Weights) -> list[Stroke]:
+    """Draw each line of known direction from a little before its start to a little past the meeting."""
+    drawn: list[Stroke] = []
+    for start, end in shown.rays:
+        first, last = place.on(start), place.on(end)
+        length = abs(last - first)
+        if length < LEAST:
+            continue
+        along = (last - first) / length * BEYOND
+        drawn.append(Line(first - along / 2, last + along, weights.drafted))
+    return drawn
+
+
+def _letters(shown: Diagram, place: Place, ink: Ink) -> list[Stroke]:
+    """Letter the pole and every image once; images that fall on one place share it."""
+    labels = Labels(ink)
+    names: dict[complex, list[str]] = {place.on(0j): [shown.plan.pole.name]}
+    for mark in shown.letters:
+        spot = place.on(at(mark.point, shown.column))
+        same = next((known for known in names if abs(known - spot) < 0.5), spot)
+        if mark.name not in names.setdefault(same, []):
+            names[same].append(mark.name)
+    middle = sum(names, 0j) / len(names)
+    drawn: list[Stroke] = []
+    for spot, letters in names.items():
+        prefer = cmath.phase(spot - middle) if abs(spot - middle) > 1e-9 else math.pi / 4
+        drawn.append(labels.beside(spot, ", ".join(written(letter) for letter in letters), 5.0, 1.6, prefer))
+    return drawn
+
+
+def written(letter: str) -> str:
+    """Write a mark's letter with its index lowered: b, a_3, n_BA.
+
+    >>> written("a3"), written("n_BA"), written("s12'")
+    ('a_{3}', 'n_{BA}', "s_{12}'")
+    """
+    if "_" in letter:
+        head, index = letter.split("_", 1)
+        return f"{head}_{{{index}}}"
+    digits = "".join(sign for sign in letter if sign.isdigit())
+    return letter.replace(digits, f"_{{{digits}}}", 1) if digits else letter
