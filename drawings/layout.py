@@ -5,7 +5,6 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable
-from itertools import pairwise
 
 import numpy as np
 
@@ -56,12 +55,16 @@ class Ink:
         self._map[rows, columns] += weight
 
     def _track(self, points: list[complex]) -> None:
-        for start, end in pairwise(points):
-            count = max(int(abs(end - start) / CELL), 1)
-            along = start + (end - start) * np.linspace(0.0, 1.0, count + 1)
-            rows = np.clip((along.imag / CELL).astype(int), 0, self._map.shape[0] - 1)
-            columns = np.clip((along.real / CELL).astype(int), 0, self._map.shape[1] - 1)
-            self._map[rows, columns] += 1
+        """Mark the cells along a chain of points, each segment sampled at the map's grain."""
+        chain = np.asarray(points)
+        steps = np.diff(chain)
+        counts = np.maximum((np.abs(steps) / CELL).astype(int), 1)
+        which = np.repeat(np.arange(len(steps)), counts)
+        share = (np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)) / counts[which]
+        along = chain[which] + steps[which] * share
+        rows = np.clip((along.imag / CELL).astype(int), 0, self._map.shape[0] - 1)
+        columns = np.clip((along.real / CELL).astype(int), 0, self._map.shape[1] - 1)
+        self._map[rows, columns] += 1
 
 
 def _round(centre: complex, radius: float, start: float, sweep: float) -> list[complex]:
@@ -77,28 +80,29 @@ class Labels:
 
     def beside(self, point: complex, content: str, size: float, gap: float, prefer: float = math.pi / 4) -> Text:
         """Place a label `gap` mm beside a point, as near as it can to the preferred direction, rad."""
-        best: tuple[float, Text] | None = None
+        box = bounds(Text(0j, content, size, "start", self._slanted))
+        best, cheapest = point, math.inf
         for reach in REACHES:
             for turn in range(DIRECTIONS):
                 off = (turn + 1) // 2 * (1 if turn % 2 else -1)
-                text = self._at(point, content, size, gap + reach, prefer + off * 2 * math.pi / DIRECTIONS)
-                cost = self._ink.under(_padded(bounds(text))) + 0.12 * abs(off) + 0.8 * reach
-                if best is None or cost < best[0]:
-                    best = (cost, text)
-        assert best is not None  # there is always a first candidate
-        self._ink.draw([best[1]])
-        return best[1]
-
-    def _at(self, point: complex, content: str, size: float, gap: float, angle: float) -> Text:
-        """Put the centre of a label so that its box touches the circle of radius `gap` about the point."""
-        trial = Text(0j, content, size, "start", self._slanted)
-        left, bottom, right, top = bounds(trial)
-        half = complex(right - left, top - bottom) / 2
-        direction = cmath.rect(1.0, angle)
-        reach = gap + abs(half.real * direction.real) + abs(half.imag * direction.imag)
-        corner = point + direction * reach - half
-        return Text(corner - complex(left, bottom), content, size, "start", self._slanted)
+                corner = _touching(point, box, gap + reach, prefer + off * 2 * math.pi / DIRECTIONS)
+                cost = self._ink.under(_padded(box, corner)) + 0.12 * abs(off) + 0.8 * reach
+                if cost < cheapest:
+                    best, cheapest = corner, cost
+        text = Text(best, content, size, "start", self._slanted)
+        self._ink.draw([text])
+        return text
 
 
-def _padded(box: Box, by: float = 0.4) -> Box:
-    return box[0] - by, box[1] - by, box[2] + by, box[3] + by
+def _touching(point: complex, box: Box, gap: float, angle: float) -> complex:
+    """Shift a box so that it touches from outside the circle of radius `gap` about a point, in some direction."""
+    left, bottom, right, top = box
+    half = complex(right - left, top - bottom) / 2
+    direction = cmath.rect(1.0, angle)
+    reach = gap + abs(half.real * direction.real) + abs(half.imag * direction.imag)
+    return point + direction * reach - half - complex(left, bottom)
+
+
+def _padded(box: Box, shift: complex, by: float = 0.4) -> Box:
+    x, y = shift.real, shift.imag
+    return box[0] + x - by, box[1] + y - by, box[2] + x + by, box[3] + y + by

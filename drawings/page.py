@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from drawings.strokes import INK, Circle, Group, Line, LineStyle, Polyline, Stroke, Text, stated
+from drawings.strokes import INK, Anchor, Circle, Group, Line, LineStyle, Polyline, Stroke, Text, stated, text_width
 from drawings.symbols import Weights
 from drawings.words import word
 
@@ -28,6 +28,12 @@ THIN = (
     ((145, 20), (145, 35)),
 )
 CAPTION, VALUE, NAME, DESIGNATION = 2.5, 3.5, 5.0, 7.0
+SIZES = (7.0, 5.0, 3.5, 2.5)  # standard letter sizes of GOST 2.304-81
+# Width of each graph of the block that is filled from the scene, mm.
+WIDTHS = {
+    "designation": 118.0, "title": 68.0, "subtitle": 68.0, "group": 68.0, "organisation": 48.0, "scale": 17.0,
+    "sheet": 8.0, "sheets": 12.0, "drawn": 22.0, "checked": 22.0,
+}  # fmt: skip
 
 
 class Field(NamedTuple):
@@ -148,10 +154,19 @@ def _entries(at: complex, fields: Mapping[str, str]) -> list[Stroke]:
         "checked": (17.6, 21.2, CAPTION, "start"),
     }
     return [
-        Text(at + complex(x, y), escaped(fields[key]), size, "middle" if anchor == "middle" else "start", True)
+        _fitted(
+            at + complex(x, y), escaped(fields[key]), size, "middle" if anchor == "middle" else "start", WIDTHS[key]
+        )
         for key, (x, y, size, anchor) in places.items()
         if fields.get(key)
     ]
+
+
+def _fitted(at: complex, text: str, size: float, anchor: Anchor, width: float) -> Text:
+    """Letter a graph of the title block in the largest standard size that its width takes, down to 2.5 mm."""
+    sizes = [s for s in SIZES if s <= size]
+    trials = [Text(at, text, s, anchor, True) for s in sizes]
+    return next((trial for trial in trials if text_width(trial) <= width), trials[-1])
 
 
 def escaped(text: str) -> str:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import cmath
 import math
-from dataclasses import dataclass
 
 import numpy as np
 
 from drawings.figure import Place, Subject
 from drawings.layout import Ink, Labels
+from drawings.skeleton import Skeletons
 from drawings.strokes import INK, Arc, Circle, Group, Line, LineStyle, Polyline, Stroke, Text
 from drawings.symbols import (
     Weights,
@@ -26,61 +26,15 @@ from geometry.board import Arc as Notch
 from geometry.board import at
 from plans.extreme import frame_slide
 from plans.mechanism import FRAME, Slide
-from plans.motion import Complexes, Motion
-from plans.passage import NODES
-from plans.plan import Plan
-from plans.study import Study
-from plans.turn import Turn
+from plans.motion import Complexes
+from plans.passage import CHANGE
 
 NOTCH = 9.0  # mm of a notch arc kept on each side of its meeting
 ARROW_RADIUS = 13.0  # mm, of the crank's sense of rotation
 NUMBER, LETTER = 3.5, 5.0
+CROSS = 1.8  # mm, half an arm of the cross at a crank position that is a gap
 TICK = 1.2  # mm of a position's tick on each side of a guide's axis
 DIMENSION_STEP = 22.0  # mm from a guide to the dimension of its stroke: clear of the numbers and the guide's ground
-
-
-@dataclass(frozen=True)
-class Skeletons:
-    """What the figure is drawn from: the places of all points in the scene's positions, on the way, and at extremes."""
-
-    study: Study
-    motion: Motion
-    path: dict[str, Complexes]
-    extremes: dict[str, Complexes]  # at the two extremes, empty where there are none
-    shown: int
-
-    def ends(self, link: int) -> list[str]:
-        """Give a link's points that its line runs through."""
-        return list(self.study.mechanism.links[link].points)
-
-    @property
-    def links(self) -> list[int]:
-        """The moving links."""
-        return [number for number in sorted(self.study.mechanism.links) if number != FRAME]
-
-    @property
-    def points(self) -> list[complex]:
-        """All true points that the figure must hold."""
-        known = [value for values in self.path.values() for value in values]
-        known += [value for motion in self.motion.points.values() for value in motion.r]
-        return [complex(value) for value in known if not math.isnan(value.real)]
-
-
-def skeletons(study: Study, motion: Motion, shown: int) -> Skeletons:
-    """Gather the places that the figure needs: the paths are computed densely, not splined."""
-    nodes = study.turn.phi[0] + 2 * np.pi * np.arange(NODES + 1) / NODES
-    dense = study.sweep.plan(nodes)
-    path = {name: _column(dense, name, len(nodes)) for name in motion.points}
-    extremes: dict[str, Complexes] = {}
-    if study.found is not None:
-        turn = Turn(np.array(study.found.extremes.phi), np.array(study.found.directions))
-        drawn = study.sweep.drawn(turn)
-        extremes = {name: _column(drawn, name, 2) for name in motion.points}
-    return Skeletons(study, motion, path, extremes, shown)
-
-
-def _column(plan: Plan, name: str, count: int) -> Complexes:
-    return np.array(np.broadcast_to(np.asarray(plan.point(name).point, dtype=np.complex128), count))
 
 
 def figure(bones: Skeletons, place: Place, weights: Weights, ink: Ink, language: str) -> list[Group]:
@@ -123,10 +77,10 @@ def _runs(values: Complexes, place: Place) -> list[list[complex]]:
 
 
 def _circle_and_positions(bones: Skeletons, place: Place, weights: Weights) -> list[Stroke]:
-    drive, points = bones.study.mechanism.drive, bones.motion.points
-    pivot, shown = place.on(complex(points[drive.pivot].r[bones.shown])), bones.shown
-    radius = abs(place.on(complex(points[drive.end].r[shown])) - pivot)
-    drawn: list[Stroke] = [Circle(pivot, radius, weights.drafted)]
+    points = bones.motion.points
+    pivot, shown = bones.pivot(place), bones.shown
+    radius = abs(place.on(bones.crank_end(shown)) - pivot)
+    drawn: list[Stroke] = [Circle(pivot, radius, weights.drafted), *_barred(bones, pivot, radius, weights)]
     extremes = {_numbered(bones, k) for k in range(2 if bones.extremes else 0)}
     for k in range(len(bones.motion.phi)):
         if k != shown and k not in extremes:
@@ -134,10 +88,31 @@ def _circle_and_positions(bones: Skeletons, place: Place, weights: Weights) -> l
     return drawn
 
 
-def _links(bones: Skeletons, places: dict[str, complex], place: Place, style: LineStyle) -> list[Stroke]:
+def _barred(bones: Skeletons, pivot: complex, radius: float, weights: Weights) -> list[Stroke]:
+    """Hatch the crank circle where the crank cannot go, and mark its gap positions and change points by a cross."""
+    drawn: list[Stroke] = []
+    for barrier in bones.study.barriers:
+        count = max(int((barrier.end - barrier.start) * radius / 2.5), 1)
+        for k in range(count + 1):
+            ray = cmath.rect(1.0, barrier.start + (barrier.end - barrier.start) * k / count)
+            drawn.append(
+                Line(pivot + radius * ray, pivot + (radius + 2.5) * ray * cmath.rect(1.0, 0.02), weights.drafted)
+            )
+    crosses = [complex(d) for d in bones.study.turn.directions[bones.study.lost]]
+    crosses += [cmath.rect(1.0, barrier.start) for barrier in bones.study.barriers if barrier.kind == CHANGE]
+    for direction in crosses:
+        spot = pivot + radius * direction
+        for arm in (CROSS * cmath.rect(1.0, math.pi / 4), CROSS * cmath.rect(1.0, -math.pi / 4)):
+            drawn.append(Line(spot - arm, spot + arm, weights.other))
+    return drawn
+
+
+def _links(
+    bones: Skeletons, places: dict[str, complex], place: Place, style: LineStyle, whole: bool = False
+) -> list[Stroke]:
     drawn: list[Stroke] = []
     for link in bones.links:
-        ends = [place.on(places[name]) for name in bones.ends(link)]
+        ends = [place.on(places[name]) for name in bones.ends(link, whole)]
         if len(ends) > 1 and not any(math.isnan(end.real) for end in ends):
             drawn.append(Polyline(tuple(ends), len(ends) > 2, style))
     return drawn
@@ -169,8 +144,8 @@ def _guides(bones: Skeletons, place: Place, weights: Weights) -> list[Stroke]:
         if FRAME in (slide.slider, slide.owner) and slide.point in bones.path:
             start, end = _travel(bones, slide, place)
             places = [place.on(complex(r)) for r in bones.motion.points[slide.point].r if not math.isnan(r.real)]
-            shown = place.on(complex(bones.motion.points[slide.point].r[bones.shown]))
-            drawn += guide(start, end, shown, weights)
+            block = place.on(bones.spot(slide.point, bones.shown))
+            drawn += guide(start, end, (start + end) / 2 if math.isnan(block.real) else block, weights)
             across = 1j * (end - start) / abs(end - start) * TICK
             drawn += [Line(at_k - across, at_k + across, weights.drafted) for at_k in places]
     return drawn
@@ -181,6 +156,8 @@ def _travel(bones: Skeletons, slide: Slide, place: Place) -> tuple[complex, comp
     values = bones.path[slide.point]
     direction = slide.way(FRAME).direction
     known = values[~np.isnan(values.real)]
+    if not known.size:  # nothing is assembled: the guide is where the scene puts it
+        known = np.array([slide.way(FRAME).through])
     along = (known * np.conj(direction)).real
     base = complex(known[0]) - direction * along[0]
     more = 16.0 * direction
@@ -188,14 +165,16 @@ def _travel(bones: Skeletons, slide: Slide, place: Place) -> tuple[complex, comp
 
 
 def _notches(bones: Skeletons, place: Place, weights: Weights) -> list[Stroke]:
-    """Keep the notch arcs of the shown position, trimmed to their use."""
+    """Keep the notch arcs of the shown position, trimmed to their use; arcs that miss each other are drawn whole."""
     plan = bones.study.drafts().positions
     drawn: list[Stroke] = []
     for mark in plan.board:
         for (source, ray), locus in zip(mark.rays, mark.step.inputs, strict=False):
             if mark.step.op == "meet" and isinstance(locus.value, Notch):
                 centre, arm = place.on(at(source.point, bones.shown)), at(ray, bones.shown)
-                if not math.isnan(arm.real):
+                if math.isnan(arm.real) and not math.isnan(centre.real):
+                    drawn.append(Circle(centre, place.length(abs(at(locus.value.radius, 0))), weights.drafted))
+                elif not math.isnan(arm.real):
                     drawn.append(_trimmed(centre, place.length(abs(arm)), cmath.phase(arm), weights))
     return drawn
 
@@ -207,7 +186,7 @@ def _trimmed(centre: complex, radius: float, angle: float, weights: Weights) -> 
 
 def _body(bones: Skeletons, place: Place, weights: Weights) -> list[Stroke]:
     places = {name: complex(motion.r[bones.shown]) for name, motion in bones.motion.points.items()}
-    return _links(bones, places, place, weights.result)
+    return _links(bones, places, place, weights.result, whole=True)
 
 
 def _pairs(bones: Skeletons, place: Place, weights: Weights) -> list[Stroke]:
@@ -216,14 +195,14 @@ def _pairs(bones: Skeletons, place: Place, weights: Weights) -> list[Stroke]:
     scale, subject = place.scale, Subject("positions", "r", shown)
     drawn: list[Stroke] = []
     for slide in mechanism.slides:
-        pin = complex(bones.motion.points[slide.point].r[shown])
+        pin = bones.spot(slide.point, shown)
         if not math.isnan(pin.real):
             drawn.append(slider(place.on(pin), _line_direction(bones, slide), weights))
     for name in sorted(mechanism.links[FRAME].points):
         if name in mechanism.hinges:
             drawn += fixed_hinge(place.on(mechanism.links[FRAME].points[name]), weights)
     for name in sorted(bones.motion.points):
-        value = complex(bones.motion.points[name].r[shown])
+        value = bones.spot(name, shown)
         if math.isnan(value.real):
             continue
         spot = place.on(value)
@@ -265,8 +244,7 @@ def _stroke(bones: Skeletons, place: Place, weights: Weights, language: str) -> 
 
 def _sense(bones: Skeletons, place: Place, weights: Weights) -> list[Stroke]:
     """Show the sense of the crank's rotation by an arc with an arrowhead."""
-    drive = bones.study.mechanism.drive
-    pivot = place.on(complex(bones.motion.points[drive.pivot].r[bones.shown]))
+    pivot = bones.pivot(place)
     angle = float(bones.study.turn.phi[bones.shown])
     sweep = 1.2 * bones.study.sense
     return list(turning_arrow(pivot, ARROW_RADIUS, angle + 0.25 * bones.study.sense, sweep, weights))
@@ -274,10 +252,10 @@ def _sense(bones: Skeletons, place: Place, weights: Weights) -> list[Stroke]:
 
 def _letters(bones: Skeletons, place: Place, ink: Ink) -> list[Stroke]:
     labels, drive = Labels(ink), bones.study.mechanism.drive
-    pivot = place.on(complex(bones.motion.points[drive.pivot].r[bones.shown]))
+    pivot = bones.pivot(place)
     drawn: list[Stroke] = []
-    for name, motion in sorted(bones.motion.points.items()):
-        value = complex(motion.r[bones.shown])
+    for name in sorted(bones.motion.points):
+        value = bones.spot(name, bones.shown)
         if not math.isnan(value.real):
             spot = place.on(value)
             drawn.append(labels.beside(spot, written(name), LETTER, 3.0, math.pi / 4))
@@ -289,17 +267,16 @@ def _letters(bones: Skeletons, place: Place, ink: Ink) -> list[Stroke]:
 def _numbers(bones: Skeletons, place: Place, labels: Labels) -> list[Stroke]:
     """Number the crank's positions outside its circle, and the output's; an extreme between two has a prime."""
     drive, points = bones.study.mechanism.drive, bones.motion.points
-    pivot = place.on(complex(points[drive.pivot].r[bones.shown]))
+    pivot = bones.pivot(place)
     drawn: list[Stroke] = []
     tip = _tip(bones)
     for k, name in _numbered_places(bones):
-        places = bones.extremes if isinstance(k, tuple) else {n: m.r for n, m in points.items()}
+        extreme = isinstance(k, tuple)
+        places = bones.extremes if extreme else {n: m.r for n, m in points.items()}
         column = k[0] if isinstance(k, tuple) else k
-        crank = place.on(complex(places[drive.end][column]))
-        if math.isnan(crank.real):
-            continue
+        crank = place.on(complex(places[drive.end][column]) if extreme else bones.crank_end(column))
         drawn.append(labels.beside(crank, name, NUMBER, 1.2, cmath.phase(crank - pivot)))
-        if tip is not None:
+        if tip is not None and not math.isnan(places[tip][column].real):
             end = place.on(complex(places[tip][column]))
             drawn.append(labels.beside(end, name, NUMBER, 1.8, _outward(bones, end, place, column)))
     return drawn

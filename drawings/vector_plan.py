@@ -84,17 +84,11 @@ def _rays(mark: Mark, column: int) -> list[tuple[complex, complex]]:
     return found
 
 
-def scale_for(diagrams: list[Diagram], rooms: list[Field], letter: str, unit: str) -> Scale:
-    """Choose one standard scale for some plans so that the largest fits its room."""
-    worst = max((extent(d.points, room) for d, room in zip(diagrams, rooms, strict=True)), key=lambda e: e[0] / e[1])
-    return fitting(worst[0], worst[1], letter, unit)
-
-
-def figure(
-    shown: Diagram, room: Field, scale: Scale, position: int, weights: Weights, ink: Ink, language: str
-) -> list[Group]:
-    """Draw the plan centred in its room: construction lines, vectors with arrowheads, letters, title and scale."""
-    subject = Subject(shown.plan.board.subject, SYMBOL[shown.plan.board.subject], position)
+def figure(shown: Diagram, room: Field, position: int, weights: Weights, ink: Ink, language: str) -> list[Group]:
+    """Draw the plan centred in its room at the largest standard scale that fits, with its title and scale above it."""
+    kind = shown.plan.board.subject
+    subject = Subject(kind, SYMBOL[kind], position)
+    scale = fitting(*extent(shown.points, room), SYMBOL[kind], UNIT[kind])
     place = centred(shown.points, room, scale)
     title = _heading(shown, place, scale, position, language)
     lines = Group(tuple(_directions(shown, place, weights)))
@@ -111,12 +105,8 @@ def _heading(shown: Diagram, place: Place, scale: Scale, position: int, language
     top = max(value.imag for value in points) + ABOVE
     middle = complex((min(v.real for v in points) + max(v.real for v in points)) / 2, top)
     title = word(language, shown.plan.board.subject, position=position)
-    return Group(
-        (
-            Text(middle + 7j, title, 5.0, "middle", True),
-            Text(middle, scale.written(language), 3.5, "middle", True),
-        )
-    )
+    under = scale.written(language) if any(shown.points) else word(language, "at rest")
+    return Group((Text(middle + 7j, title, 5.0, "middle", True), Text(middle, under, 3.5, "middle", True)))
 
 
 def _visible(arrow: Arrow, place: Place) -> bool:

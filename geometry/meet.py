@@ -47,6 +47,7 @@ def dot(a: Vectors, b: Vectors) -> Sizes:
     return a.real * b.real + a.imag * b.imag
 
 
+@np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN, and told by its miss
 def arc_arc(base: Vectors, first: Sizes, second: Sizes, side: Sizes) -> Meeting:
     """Meet two arcs of radii `first` and `second`; `base` is the vector between their centres (засечка двух дуг).
 
@@ -80,6 +81,7 @@ def arc_arc(base: Vectors, first: Sizes, second: Sizes, side: Sizes) -> Meeting:
     )
 
 
+@np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN, and told by its miss
 def line_arc(base: Vectors, direction: Vectors, radius: Sizes, side: Sizes) -> Meeting:
     """Meet a directed line with an arc; `base` leads from the line's point to the centre, `direction` is of size 1.
 
@@ -105,6 +107,7 @@ def line_arc(base: Vectors, direction: Vectors, radius: Sizes, side: Sizes) -> M
     )
 
 
+@np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN, and told by its miss
 def line_line(base: Vectors, first: Vectors, second: Vectors) -> Meeting:
     """Meet two lines of directions `first` and `second` (any sizes); `base` leads from the first's point to the other.
 
@@ -126,6 +129,7 @@ def line_line(base: Vectors, first: Vectors, second: Vectors) -> Meeting:
     )
 
 
+@np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN, and told by its miss
 def tangent_direction(base: Vectors, offset: Sizes, side: Sizes) -> Meeting:
     """Direct a slot that passes a pivot at `offset` and holds a pin; `base` leads from the pivot to the pin.
 

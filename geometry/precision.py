@@ -26,6 +26,7 @@ class Error(NamedTuple):
     turn: Bound
 
 
+@np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, a dead centre infinite
 def errors(*marks: Mark) -> dict[Mark, Error]:
     """Bound the error of each mark behind some marks, at every position, in the unit of its board.
 
@@ -67,8 +68,7 @@ def _same(_: Mark, inputs: list[Error]) -> Error:
 
 def _line(mark: Mark, inputs: list[Error]) -> Error:
     along = mark.step.inputs[1]
-    with np.errstate(divide="ignore", invalid="ignore"):
-        turn = np.where(_size(along) > 0, inputs[1].place / _size(along), 0.0)
+    turn = np.where(_size(along) > 0, inputs[1].place / _size(along), 0.0)
     return Error(inputs[0].place, turn + EPS)
 
 
@@ -103,8 +103,7 @@ def _meet(mark: Mark, inputs: list[Error]) -> Error:
 def _tangent(mark: Mark, inputs: list[Error]) -> Error:
     pivot, pin = mark.step.inputs
     base = np.abs(np.asarray(between(pivot, pin)))
-    with np.errstate(divide="ignore", invalid="ignore"):
-        moved = (inputs[0].place + inputs[1].place) / base
+    moved = (inputs[0].place + inputs[1].place) / base
     return Error(condition(mark) * (moved + OWN * EPS), np.zeros(1))
 
 

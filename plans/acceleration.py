@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
+
 from plans.groups import lead
 from plans.groups.kinds import KINDS
 from plans.plan import Image, Plan, Reading
 from plans.structure import Dyad
 
 
+@np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, and is named outside
 def accelerations(velocities: Plan, groups: Sequence[Dyad]) -> Plan:
     """Draw the acceleration plan over the velocity plan, group after group (section 6.4.2, M3.1)."""
     positions = velocities.positions

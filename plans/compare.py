@@ -82,6 +82,7 @@ class Comparison:
         return self.worst <= 1.0
 
 
+@np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN on both roads
 def compare(study: Study, order: int = 2) -> Comparison:
     """Compare construction and analysis over all positions of a study, up to an order of derivative."""
     drawn = study.motion(order)
@@ -113,7 +114,9 @@ def _points(
 def _links(drafts: Drafts, order: int, drawn: Motion, solved: Motion, kappa: Floats) -> Iterator[Finding]:
     key = ("angle", "omega", "epsilon")[order]
     pairs = {n: (getattr(drawn.links[n], key), getattr(solved.links[n], key)) for n in drawn.links}
-    largest = np.pi if order == 0 else _largest([np.abs(ours) for ours, _ in pairs.values()])
+    largest = (
+        np.pi if order == 0 else max(_largest([np.abs(ours) for ours, _ in pairs.values()]), _slowest(drawn, order))
+    )
     plan = drafts.plan(order)
     for number, (ours, theirs) in pairs.items():
         apart = np.abs(np.angle(np.exp(1j * (ours - theirs)))) if order == 0 else np.abs(ours - theirs)
@@ -121,6 +124,17 @@ def _links(drafts: Drafts, order: int, drawn: Motion, solved: Motion, kappa: Flo
         allowed = _allowed(bound, order, kappa, largest)
         label = f"{RATE_SYMBOLS[order]}_{number}"
         yield Finding(plan.board.subject, label, RATE_UNITS[order], ours, theirs, apart, allowed, largest)
+
+
+def _slowest(drawn: Motion, order: int) -> float:
+    """Give the rate at which the plan's largest vector turns the mechanism's whole size: less is no large rate.
+
+    Links that only translate have rates that are truly zero, and no per cent of themselves.
+    """
+    places = np.array([motion.r for motion in drawn.points.values()])
+    size = _largest([np.abs(places - places[0])])
+    vector = _largest([np.abs(getattr(motion, SYMBOLS[order])) for motion in drawn.points.values()])
+    return vector / size if size > 0 else 0.0
 
 
 def _turn_bound(drafts: Drafts, order: int, number: int) -> Floats:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
+
 from geometry.meet import Sizes
 from plans.groups.kinds import KINDS
 from plans.mechanism import Mechanism
@@ -26,6 +28,7 @@ def crank(mechanism: Mechanism, turn: Turn) -> Plan:
     return plan
 
 
+@np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, and is named outside
 def positions(mechanism: Mechanism, groups: Sequence[Dyad], sides: Sequence[Sizes], turn: Turn) -> Plan:
     """Draw the plan of positions; `sides` gives each group's side of its meeting, NaN where it must stay undrawn."""
     plan = crank(mechanism, turn)

@@ -22,6 +22,7 @@ class Interval(NamedTuple):
     at_high: float
 
 
+@np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside
 def pressure(plan: Plan, group: Dyad) -> Floats:
     """Read off the plan of positions a group's signed pressure angle, rad, at every position (угол давления, M1.3).
 

@@ -208,7 +208,7 @@ class SheetTable(Table):
     """What stands on the sheet: language, format, the positions drawn in full, and the title block."""
 
     language: Annotated[Literal["en", "ru"], f.one_fault(f.choice, choices=("en", "ru"))] = "en"
-    format: Annotated[Literal["A1", "A2", "A3", "A4"], f.one_fault(f.choice, choices=("A1", "A2", "A3", "A4"))] = "A1"
+    format: Annotated[Literal["A1", "A2"], f.one_fault(f.choice, choices=("A1", "A2"))] = "A1"
     # Positions whose velocity and acceleration plans are drawn.
     plans: Annotated[tuple[f.PositionNumber, ...], AfterValidator(f.no_repeats), f.FEW] = ()
     position: f.PositionNumber | None = None  # the position drawn in full lines

@@ -28,6 +28,13 @@ class SketchError(DraftError, ValueError):
         self.points = points
 
 
+class Assembly(NamedTuple):
+    """The sides chosen, and the crank angle, rad, at which the sketch shows the mechanism; None: it has no position."""
+
+    sides: tuple[float, ...]
+    phi: float | None
+
+
 class Choice(NamedTuple):
     """For one group, over some crank angles: the side nearer to the sketch, how clearly, and the misfit in m2."""
 
@@ -36,7 +43,7 @@ class Choice(NamedTuple):
     misfit: Floats
 
 
-def sides(mechanism: Mechanism, groups: Sequence[Dyad], first: Turn | None, whole: Turn) -> tuple[float, ...]:
+def assembly(mechanism: Mechanism, groups: Sequence[Dyad], first: Turn | None, whole: Turn) -> Assembly:
     """Choose each group's side by the sketch at the first position, or where the first is not known, over a whole turn.
 
     Where the first position cannot be assembled, or the start is an extreme still to be found, the crank angle at which
@@ -49,8 +56,9 @@ def sides(mechanism: Mechanism, groups: Sequence[Dyad], first: Turn | None, whol
         misfit = sum((choice.misfit for choice in choices), np.zeros(len(turn)))
         if np.isfinite(misfit).any():
             best = int(np.nanargmin(misfit))
-            return tuple(_decided(mechanism, group, c, best) for group, c in zip(groups, choices, strict=True))
-    return tuple(1.0 for _ in groups)  # no angle can be assembled: every position will be a gap
+            sides = tuple(_decided(mechanism, group, c, best) for group, c in zip(groups, choices, strict=True))
+            return Assembly(sides, float(turn.phi[best]))
+    return Assembly(tuple(1.0 for _ in groups), None)  # no angle can be assembled: every position is a gap
 
 
 def _choices(mechanism: Mechanism, groups: Sequence[Dyad], turn: Turn) -> list[Choice]:

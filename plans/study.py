@@ -22,7 +22,7 @@ from plans.motion import Complexes, Floats, Gap, LinkMotion, Motion, PointMotion
 from plans.passage import Barrier, Sweep, reached
 from plans.plan import Plan
 from plans.scene import Scene
-from plans.sketch import sides
+from plans.sketch import Assembly, assembly
 from plans.structure import Dyad, decompose
 from plans.turn import Turn, even, from_direction, listed
 from plans.velocity import velocities
@@ -88,12 +88,16 @@ class Study:
         return -1 if self.mechanism.drive.omega < 0 else 1
 
     @cached_property
-    def sweep(self) -> Sweep:
-        """The mechanism with the assembly that the sketch chose."""
+    def assembly(self) -> Assembly:
+        """The assembly that the sketch chooses."""
         first = self.scene.drive.first
         start = None if first is None else listed([Fraction(first)])
-        chosen = sides(self.mechanism, self.groups, start, even(Fraction(0), 360, 1))
-        return Sweep(self.mechanism, self.groups, chosen)
+        return assembly(self.mechanism, self.groups, start, even(Fraction(0), 360, 1))
+
+    @cached_property
+    def sweep(self) -> Sweep:
+        """The mechanism with its chosen assembly, ready to be drawn at any crank angle."""
+        return Sweep(self.mechanism, self.groups, self.assembly.sides)
 
     @cached_property
     def barriers(self) -> tuple[Barrier, ...]:
@@ -129,7 +133,13 @@ class Study:
     @cached_property
     def lost(self) -> npt.NDArray[np.bool_]:
         """Positions that the mechanism does not reach, or in which it cannot be assembled."""
-        return ~reached(self.turn.phi, float(self.turn.phi[0]), self.barriers)
+        return ~self.reached(self.turn.phi)
+
+    def reached(self, phi: Floats) -> npt.NDArray[np.bool_]:
+        """Tell which crank angles the mechanism reaches from the position that the sketch shows."""
+        if self.assembly.phi is None:
+            return np.zeros(len(phi), dtype=bool)
+        return reached(phi, self.assembly.phi, self.barriers)
 
     def drafts(self, chosen: slice | Sequence[int] = slice(None)) -> Drafts:
         """Give the plans over some positions; the plans of the same positions are the same."""
@@ -158,13 +168,10 @@ class Study:
         """Make the positions that are not reached, and what has no value in the rest, named gaps."""
         gaps = [self._gap(start + int(k), float(drawn.phi[k])) for k in np.flatnonzero(lost)]
         for points in drawn.points.values():
-            for values in (points.r, points.v, points.a):
-                if values is not None:
-                    values[lost] = np.nan
+            points.r[lost] = np.nan
         for links in drawn.links.values():
-            for numbers in (links.angle, links.omega, links.epsilon):
-                if numbers is not None:
-                    numbers[lost] = np.nan
+            links.angle[lost] = np.nan
+        _forget(drawn, lost)
         gaps += self._without_velocity(drawn, lost, start)
         return Motion("construction", drawn.phi, drawn.points, drawn.links, tuple(sorted(gaps, key=_number)))
 
@@ -193,13 +200,29 @@ class Study:
         gaps = []
         moving = [motion.v for motion in drawn.points.values() if motion.v is not None]
         if moving:
-            dead = np.isnan(np.array(moving)).any(axis=0) & ~lost
+            none = np.isnan(np.array(moving))
+            dead = none.any(axis=0) & ~lost
+            letters = [name for name, motion in drawn.points.items() if motion.v is not None]
+            names = {int(k): letters[int(np.argmax(none[:, k]))] for k in np.flatnonzero(dead)}
+            _forget(drawn, dead)
             for k in np.flatnonzero(dead):
-                name = next(n for n, m in drawn.points.items() if m.v is not None and np.isnan(m.v[k]))
+                name = names[int(k)]
                 advice = "a group is at its dead centre: its velocities have no one value; take a position beside it"
                 phi = float(drawn.phi[k])
                 gaps.append(Gap(start + int(k), phi, "velocities", "dead centre", name, 0.0, advice))
         return gaps
+
+
+def _forget(drawn: Motion, positions: npt.NDArray[np.bool_]) -> None:
+    """Leave no velocity and no acceleration where the mechanism as a whole has none."""
+    for points in drawn.points.values():
+        for values in (points.v, points.a):
+            if values is not None:
+                values[positions] = np.nan
+    for links in drawn.links.values():
+        for numbers in (links.omega, links.epsilon):
+            if numbers is not None:
+                numbers[positions] = np.nan
 
 
 def _number(gap: Gap) -> int:

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
+
 from plans.groups.kinds import KINDS
 from plans.plan import Image, Plan, Reading
 from plans.structure import Dyad
 
 
+@np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, and is named outside
 def velocities(positions: Plan, groups: Sequence[Dyad]) -> Plan:
     """Draw the velocity plan over a plan of positions, group after group (section 6.4.2, M3.1)."""
     plan = Plan("velocities", positions.mechanism, (positions,))

@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import json
 import math
-import sys
 from typing import Any
 
 import numpy as np
@@ -28,8 +27,7 @@ def run(options: argparse.Namespace) -> int:
     else:
         motion = study.motion(max(orders))
         extremes = study.found.extremes if study.scene.drive.first is None and study.found else None
-    json.dump(described(study, motion, orders, extremes), sys.stdout, ensure_ascii=False, allow_nan=False)
-    sys.stdout.write("\n")
+    print(json.dumps(described(study, motion, orders, extremes), ensure_ascii=False, allow_nan=False))
     return GAPS if motion.gaps else 0
 
 

@@ -12,9 +12,10 @@ from drawings.figure import centred, extent
 from drawings.layout import Ink
 from drawings.page import Field, Page
 from drawings.scale import Scale, fitting
+from drawings.skeleton import Skeletons, skeletons
 from drawings.strokes import Group, Leaf, SheetError, Stroke, Text
 from drawings.value_table import ROW
-from drawings.vector_plan import SYMBOL, UNIT, Diagram, diagram
+from drawings.vector_plan import diagram
 from drawings.words import fixed, number, word
 from plans.compare import Comparison
 from plans.extreme import frame_slide
@@ -26,7 +27,6 @@ FORMAT_VERSION = 1
 LEFT_SHARE = 0.49  # of the field's width: the plan of positions takes about half the sheet
 HEADING = 18.0  # mm above a figure for its title and scale
 TEXT, LINE = 3.5, 6.5
-GAPS_NAMED = 4  # gaps written on the sheet; the report names all
 
 
 def sheet(study: Study, comparison: Comparison) -> Leaf:
@@ -38,12 +38,13 @@ def sheet(study: Study, comparison: Comparison) -> Leaf:
     given = {f"{symbol}_{study.mechanism.drive.link}" for symbol in ("ω", "ε")}
     lines = value_table.rows(comparison, drawn, given, language)
     main, side, low = _fields(page, len(lines))
-    bones = position_plan.skeletons(study, comparison.construction, shown)
+    bones = skeletons(study, comparison.construction, shown)
     scale, groups = _positions(bones, main, page, ink, language)
-    groups += _vector_plans(study, comparison, drawn, side, page, ink, language)
+    if drawn:
+        groups += _vector_plans(study, comparison, drawn, side, page, ink, language)
     if lines and drawn:
         groups.append(value_table.table(lines, drawn, low, page.weights, language))
-    notes = _notes(study, comparison, language)
+    notes = _notes(study, comparison, language) + _why(study, comparison)
     left = Field(side.left, page.field.bottom, page.block.left, page.block.top)
     groups.append(_written(notes, left, language))
     block = page.title_block(_entries(study, scale, language), language)
@@ -68,27 +69,32 @@ def position(study: Study, comparison: Comparison) -> int:
             )
         return int(wanted)
     if not free.any():
-        raise SheetError(
-            f"{study.scene.file}: the mechanism cannot be assembled in any position: "
-            f"{comparison.construction.gaps[0].advice}"
-        )
-    return _best(np.abs(_output_rate(study, comparison, 1)), free & _working(study), free)
+        return 0  # nothing can be assembled: the sheet explains why, in the first position
+    return _best(_telling(study, comparison, 1), free & _working(study), free)
 
 
 def plans(study: Study, comparison: Comparison, shown: int) -> tuple[int, ...]:
     """Give the positions whose plans are drawn: the scene's own, or the shown one and one of a large acceleration."""
+    if study.lost.all():
+        return ()
     if study.scene.sheet.plans:
         return tuple(study.scene.sheet.plans)
-    speed = np.abs(_output_rate(study, comparison, 1))
-    growth = np.abs(_output_rate(study, comparison, 2))
     free = ~study.lost
     free[shown] = False
     if not free.any():
         return (shown,)
-    with np.errstate(invalid="ignore"):
-        telling = free & (speed > 0.2 * np.nanmax(speed))  # at an extreme most of a plan's vectors are zero
-    other = _best(growth, telling & ~_working(study), telling if telling.any() else free)
+    other = _best(_telling(study, comparison, 2), free & ~_working(study), free)
     return tuple(sorted((shown, other)))
+
+
+def _telling(study: Study, comparison: Comparison, order: int) -> Any:
+    """Rate the positions by what their plan shows: the output moves, and the plan is an open figure, not one line."""
+    motions = comparison.construction.points.values()
+    ends = np.array([np.zeros(len(study.turn)), *(m.v if order == 1 else m.a for m in motions)])
+    spread = ends - ends.mean(axis=0)
+    across = (np.abs(spread) ** 2).mean(axis=0), (spread**2).mean(axis=0)
+    area = np.sqrt(np.maximum(across[0] ** 2 - np.abs(across[1]) ** 2, 0.0))  # of the ends' ellipse, times a constant
+    return np.sqrt(area) * np.abs(_output_rate(study, comparison, 1))
 
 
 def _working(study: Study) -> Any:
@@ -128,9 +134,7 @@ def _fields(page: Page, rows: int) -> tuple[Field, Field, Field]:
     return main, side, low
 
 
-def _positions(
-    bones: position_plan.Skeletons, field: Field, page: Page, ink: Ink, language: str
-) -> tuple[Scale, list[Group]]:
+def _positions(bones: Skeletons, field: Field, page: Page, ink: Ink, language: str) -> tuple[Scale, list[Group]]:
     room = Field(field.left + 16, field.bottom + 16, field.right - 16, field.top - HEADING - 30)
     scale = fitting(*extent(bones.points, room), "l", "m")
     place = centred(bones.points, room, scale)
@@ -150,11 +154,11 @@ def _vector_plans(
         top = field.top - row * half
         rooms = _cells(Field(field.left, top - half, field.right, top), len(drawn))
         shown = [diagram(plan, k) for k in drawn]
-        whole = [(d, room) for d, room in zip(shown, rooms, strict=True) if np.isfinite(d.points).all()]
-        missing = [(k, cell) for k, cell, d in zip(drawn, rooms, shown, strict=True) if not np.isfinite(d.points).all()]
-        groups += [_missing(study, comparison, subject, k, cell, language) for k, cell in missing]
-        if whole:
-            groups += _row(whole, subject, page, ink, language)
+        for k, room, figure in zip(drawn, rooms, shown, strict=True):
+            if study.lost[k] or not np.isfinite(figure.points).all():
+                groups.append(_missing(study, comparison, subject, k, room, language))
+            else:
+                groups += vector_plan.figure(figure, room, k, page.weights, ink, language)
     return groups
 
 
@@ -166,15 +170,6 @@ def _cells(field: Field, count: int) -> list[Field]:
         )
         for k in range(count)
     ]
-
-
-def _row(whole: list[tuple[Diagram, Field]], subject: str, page: Page, ink: Ink, language: str) -> list[Group]:
-    groups: list[Group] = []
-    rooms = [room for _, room in whole]
-    scale = vector_plan.scale_for([d for d, _ in whole], rooms, SYMBOL[subject], UNIT[subject])
-    for shown, room in whole:
-        groups += vector_plan.figure(shown, room, scale, shown.column, page.weights, ink, language)
-    return groups
 
 
 def _missing(study: Study, comparison: Comparison, subject: str, k: int, cell: Field, language: str) -> Group:
@@ -210,14 +205,38 @@ def _notes(study: Study, comparison: Comparison, language: str) -> list[str]:
         low, high = (fixed(float(np.degrees(angle)), language) for angle in (found.low, found.high))
         if low != high:
             notes.append(word(language, "pressure", group=group.label, low=low, high=high))
-    gaps = comparison.construction.gaps
-    notes += [
-        word(language, "gap", position=gap.position, reason=word(language, gap.reason), where=gap.where)
-        for gap in gaps[:GAPS_NAMED]
+    return notes + _gaps(comparison, language)
+
+
+def _gaps(comparison: Comparison, language: str) -> list[str]:
+    """Name the gaps, those of one reason together, runs of positions as first-last."""
+    reasons: dict[tuple[str, str], list[int]] = {}
+    for gap in comparison.construction.gaps:
+        reasons.setdefault((gap.reason, gap.where), []).append(gap.position)
+    return [
+        word(language, "gap", positions=_runs(positions), reason=word(language, reason), where=where)
+        for (reason, where), positions in reasons.items()
     ]
-    if len(gaps) > GAPS_NAMED:
-        notes.append(word(language, "gaps", count=len(gaps) - GAPS_NAMED))
-    return notes
+
+
+def _why(study: Study, comparison: Comparison) -> list[str]:
+    """Say on a sheet without any position what would mend the mechanism."""
+    return [comparison.construction.gaps[0].advice] if study.lost.all() else []
+
+
+def _runs(positions: list[int]) -> str:
+    """Write numbers with runs joined.
+
+    >>> _runs([1, 2, 3, 7, 9, 10])
+    '1–3, 7, 9–10'
+    """
+    runs: list[list[int]] = []
+    for k in positions:
+        if runs and k == runs[-1][-1] + 1:
+            runs[-1].append(k)
+        else:
+            runs.append([k])
+    return ", ".join(str(run[0]) if len(run) == 1 else f"{run[0]}–{run[-1]}" for run in runs)
 
 
 def _travel(study: Study, language: str) -> str:
