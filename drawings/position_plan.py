@@ -50,6 +50,7 @@ def figure(bones: Skeletons, place: Place, weights: Weights, ink: Ink, language:
         Group(tuple(_stroke(bones, place, weights, language)), "stroke"),
         Group(tuple(_sense(bones, place, weights)), "rotation"),
     ]
+    layers = [layer for layer in layers if layer.strokes]
     ink.draw(layers)
     return [*layers, Group(tuple(_letters(bones, place, ink)))]
 

@@ -47,12 +47,11 @@ def fitting(extent: float, room: float, letter: str, unit: str) -> Scale:
     if extent <= 0 or not math.isfinite(extent):
         return Scale(1.0 if letter != "l" else 0.001, letter, unit)
     least = extent / room * (1 - 1e-12)  # a picture that fits exactly is not lost to a rounding
-    if letter == "l":
-        lengths = [0.001 / a for a in reversed(ENLARGEMENTS)] + [b / 1000 for b in REDUCTIONS]
-        fits = [mu for mu in lengths if mu >= least]
-        if fits and least >= lengths[0] / 10:
-            return Scale(fits[0], letter, unit)
+    lengths = [0.001 / a for a in reversed(ENLARGEMENTS)] + [b / 1000 for b in REDUCTIONS]
+    if letter == "l" and lengths[0] / 2 < least <= lengths[-1]:
+        return Scale(next(mu for mu in lengths if mu >= least), letter, unit)
+    # Beyond the table lengths are enlarged (100 n):1, as the standard allows: no 250:1, so no mantissa 4.
+    mantissas = [m for m in MANTISSAS if letter != "l" or m != 4.0]
     power = math.floor(math.log10(least))
-    candidates = [m * 10.0**p for p in (power, power + 1) for m in MANTISSAS]
-    mu = next(mu for mu in candidates if mu >= least)
+    mu = next(m * 10.0**p for p in (power, power + 1) for m in mantissas if m * 10.0**p >= least)
     return Scale(float(f"{mu:.12g}"), letter, unit)
