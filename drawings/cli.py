@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import io
 import os
 import sys
 import tempfile
@@ -86,6 +87,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command; give its exit code."""
     options = parser().parse_args(arguments)
     try:
+        _open_stdout()
         code: int = import_module(f"drawings.commands.{options.command}").run(options)
         sys.stdout.flush()
     except BrokenPipeError:
@@ -100,6 +102,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(f"plandraft: internal error, a bug of plandraft; please report {_bug_report()}", file=sys.stderr)
         return BUG
     return code
+
+
+def _open_stdout() -> None:
+    """Let every sign through a stdout that lacks it; where there is no stdout, data has nowhere to go."""
+    if sys.stdout is None:
+        raise OSError("standard output is closed: there is nowhere to print")
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        sys.stdout.reconfigure(errors="backslashreplace")
 
 
 def _code(error: Exception) -> int:

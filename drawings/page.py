@@ -92,9 +92,9 @@ class Page(NamedTuple):
         return Field(field.right - BLOCK[0], field.bottom, field.right, field.bottom + BLOCK[1])
 
     def frame(self) -> Group:
-        """Draw the edge of the format and the frame."""
+        """Draw the paper, its edge, and the frame; white, so that a dark screen shows it as it prints."""
         width, height = self.size
-        edge = _rectangle(Field(0, 0, width, height), LineStyle(self.weights.construction))
+        edge = _rectangle(Field(0, 0, width, height), LineStyle(self.weights.construction, fill="#ffffff"))
         return Group((edge, _rectangle(self.field, LineStyle(self.weights.main))), "frame")
 
     def corners(self) -> Group:

@@ -81,7 +81,8 @@ def _circle_and_positions(bones: Skeletons, place: Place, weights: Weights) -> l
     points = bones.motion.points
     pivot, shown = bones.pivot(place), bones.shown
     radius = abs(place.on(bones.crank_end(shown)) - pivot)
-    drawn: list[Stroke] = [Circle(pivot, radius, weights.drafted), *_barred(bones, pivot, radius, weights)]
+    low, high = bones.swept
+    drawn: list[Stroke] = [Arc(pivot, radius, low, high, weights.drafted), *_barred(bones, pivot, radius, weights)]
     extremes = {_numbered(bones, k) for k in range(2 if bones.extremes else 0)}
     for k in range(len(bones.motion.phi)):
         if k != shown and k not in extremes:
@@ -92,7 +93,7 @@ def _circle_and_positions(bones: Skeletons, place: Place, weights: Weights) -> l
 def _barred(bones: Skeletons, pivot: complex, radius: float, weights: Weights) -> list[Stroke]:
     """Hatch the crank circle where the crank cannot go, and mark its gap positions and change points by a cross."""
     drawn: list[Stroke] = []
-    for barrier in bones.study.barriers:
+    for barrier in bones.study.met:
         count = max(int((barrier.end - barrier.start) * radius / 2.5), 1)
         for k in range(count + 1):
             ray = cmath.rect(1.0, barrier.start + (barrier.end - barrier.start) * k / count)
@@ -100,7 +101,7 @@ def _barred(bones: Skeletons, pivot: complex, radius: float, weights: Weights) -
                 Line(pivot + radius * ray, pivot + (radius + 2.5) * ray * cmath.rect(1.0, 0.02), weights.drafted)
             )
     crosses = [complex(d) for d in bones.study.turn.directions[bones.study.lost]]
-    crosses += [cmath.rect(1.0, barrier.start) for barrier in bones.study.barriers if barrier.kind == CHANGE]
+    crosses += [cmath.rect(1.0, barrier.start) for barrier in bones.study.met if barrier.kind == CHANGE]
     for direction in crosses:
         spot = pivot + radius * direction
         for arm in (CROSS * cmath.rect(1.0, math.pi / 4), CROSS * cmath.rect(1.0, -math.pi / 4)):

@@ -8,21 +8,19 @@ from collections.abc import Iterator
 import numpy as np
 
 from drawings.words import number
-from geometry.precision import condition
-from plans.compare import PLANS, Comparison, Finding
+from plans.compare import NOT_GRADED, PLANS, Comparison, Finding, notches
 from plans.mechanism import FRAME
-from plans.passage import margins
 from plans.pressure import interval
 from plans.structure import RUSSIAN, formula, mechanism_class
 from plans.study import ORDERS, Study
 
-NOTE, WARNING, NOT_GRADED = 10.0, 60.0, 600.0  # kappa = 1/sin of a notch: 6 degrees, 1 degree, 6 minutes
+NOTE, WARNING = 10.0, 60.0  # kappa = 1/sin of a notch: 6 degrees, 1 degree
 
 
 def summary(comparison: Comparison) -> str:
     """Give the short comparison: the worst difference of each plan in per cent of its largest, and of the allowed."""
     lines = [f"{'plan':<14} {'worst difference':>18} {'% of the largest':>18} {'of the allowed':>15}   in"]
-    for plan in PLANS:
+    for plan in (*PLANS, "extremes"):
         findings = comparison.of(plan)
         if findings:
             worst = max(findings, key=lambda finding: (_peak(finding.excess), _peak(finding.difference)))
@@ -34,17 +32,11 @@ def summary(comparison: Comparison) -> str:
     return "\n".join(lines)
 
 
-def kappas(study: Study) -> np.ndarray[tuple[int, int], np.dtype[np.float64]]:
-    """Give the condition of every group's meeting over the positions, (groups, positions)."""
-    _, marks = margins(study.drafts().positions, study.groups)
-    return np.array([np.broadcast_to(condition(mark), len(study.turn)) for mark in marks]).reshape(len(marks), -1)
-
-
 def shallow(study: Study) -> list[int]:
     """Give the assembled positions in which some group is too near a dead centre to be graded."""
     if not study.groups:
         return []
-    worst = kappas(study).max(axis=0)
+    worst = notches(study).max(axis=0)
     return [int(k) for k in np.flatnonzero(~study.lost & ~(worst < NOT_GRADED))]
 
 
@@ -91,17 +83,17 @@ def _extremes(study: Study) -> Iterator[str]:
         )
         yield f"- Time-ratio angle θ = {np.degrees(found.overlap):.8f}°, K = {number(found.ratio, digits=10)}"
     for group in study.groups:
-        seen = interval(study.sweep, group)
+        seen = interval(study.sweep, group, study.nodes)
         low, high = np.degrees(seen.low), np.degrees(seen.high)
         yield f"- Pressure angle of group {group.label}: {low:.6f}° to {high:.6f}°"
 
 
 def _passage(study: Study, comparison: Comparison) -> Iterator[str]:
     gaps = comparison.construction.gaps
-    if not study.barriers and not gaps:
+    if not study.met and not gaps:
         return
     yield "\n## Gaps and dead centres\n"
-    for barrier in study.barriers:
+    for barrier in study.met:
         low, high = np.degrees(barrier.start), np.degrees(barrier.end)
         miss = f", the loci miss by up to {barrier.miss:.6g} m" if barrier.miss else ""
         yield f"- {barrier.kind} at {barrier.where}: crank angles {low:.6f}° to {high:.6f}°{miss}"
@@ -158,7 +150,7 @@ def _conditions(study: Study) -> Iterator[str]:
     if not study.groups:
         yield "The crank alone has no meeting."
         return
-    table = kappas(study)
+    table = notches(study)
     yield "kappa = 1/sin of the crossing angle magnifies every error of a meeting: from 10 a note, from 60 a warning"
     yield "(0.01 mm in a length moves the point by more than half a millimetre), from 600 not for grading.\n"
     yield "| group | largest kappa | in position | |"

@@ -60,14 +60,14 @@ def diagram(plan: Plan, column: int) -> Diagram:
     """Read a figure from a plan's record: what the named points rest on is drawn, the rest is left out."""
     needed = [mark for mark in behind(*plan.letters.values()) if mark.subject == plan.board.subject]
     images = [mark for mark in needed if mark.rays and mark is not plan.pole]
-    arrows: dict[tuple[str, str], Arrow] = {}
+    arrows: dict[tuple[Mark, Mark], Arrow] = {}
     for mark in images:
         for start, _ in mark.rays:
             if start.rays or start is plan.pole:
-                arrows.setdefault((start.name, mark.name), _arrow(plan, start, mark, column))
+                arrows.setdefault((start, mark), _arrow(plan, start, mark, column))
     for mark in images:
         if mark.step.op == "meet" or mark in plan.letters.values():
-            arrows.setdefault((plan.pole.name, mark.name), _arrow(plan, plan.pole, mark, column))
+            arrows.setdefault((plan.pole, mark), _arrow(plan, plan.pole, mark, column))
     rays = tuple(ray for mark in needed if mark.step.op == "meet" for ray in _rays(mark, column))
     return Diagram(plan, column, tuple(arrows.values()), rays, tuple(images))
 
@@ -139,8 +139,8 @@ def _letters(shown: Diagram, place: Place, ink: Ink) -> list[Stroke]:
     for mark in shown.letters:
         spot = place.on(at(mark.point, shown.column))
         same = next((known for known in names if abs(known - spot) < 0.5), spot)
-        if mark.name not in names.setdefault(same, []):
-            names[same].append(mark.name)
+        own = [shown.plan.letter(point) for point, image in shown.plan.letters.items() if image is mark]
+        names.setdefault(same, []).extend(name for name in (mark.name, *own) if name not in names[same])
     middle = sum(names, 0j) / len(names)
     drawn: list[Stroke] = []
     for spot, letters in names.items():

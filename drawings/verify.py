@@ -1,17 +1,23 @@
-"""The self-check of a written sheet: every vector and point measured back and held against both roads."""
+"""The self-check of a written sheet: everything on it that can be measured or read is held against the analysis."""
 
 from __future__ import annotations
 
+import math
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
-from drawings.measure import Key, Measured, check, measure_file
-from drawings.strokes import Group, Leaf, Stroke
+from drawings.limits import Refused
+from drawings.measure import Measured, MeasuredVector, check, measure_file
+from drawings.strokes import Group, Leaf, Stroke, Text
+from drawings.vector_plan import LEAST
 from geometry.errors import DraftError
 from plans.compare import SYMBOLS, Comparison
+from plans.expected import Expected
 from plans.study import ORDERS, Study
 
 TOLD = 5  # mismatches told one by one
+_NUMBER = re.compile(r"[-−]?\d+(?:[.,]\d+)?")
 
 
 class SelfCheckFailed(DraftError):  # noqa: N818  (the exit code's own word)
@@ -19,45 +25,120 @@ class SelfCheckFailed(DraftError):  # noqa: N818  (the exit code's own word)
 
 
 def verify(path: Path, leaf: Leaf, study: Study, comparison: Comparison) -> Measured:
-    """Measure a written sheet: all that was drawn is there, is what it states, and is what the analysis gives."""
-    measured = measure_file(path)
-    wrong = [f"{miss.key.name} on {miss.key.plan}" for miss in check(measured, expected=_keys(leaf.groups))]
-    wrong += list(_against_analysis(measured, study, comparison))
+    """Measure a written sheet: all that it must show is there, states what it shows, and is what the analysis gives."""
+    try:
+        measured = measure_file(path)
+    except Refused as refused:
+        raise SelfCheckFailed(f"the written sheet cannot be measured: {refused}") from refused
+    wrong = [f"{miss.key.name} on {miss.key.plan}" for miss in check(measured)]
+    for k in leaf.metadata["plans"]:
+        if not any(gap.position == k for gap in comparison.construction.gaps):
+            wrong += _plans(measured, study, comparison, k)
+    wrong += _points(measured, study, comparison, leaf.metadata["shown"])
+    wrong += _table(leaf, comparison, tuple(leaf.metadata["plans"]))
+    wrong += _scales(leaf)
     if wrong:
         more = f" and {len(wrong) - TOLD} more" if len(wrong) > TOLD else ""
         raise SelfCheckFailed(f"the written sheet does not measure back: {', '.join(wrong[:TOLD])}{more}")
     return measured
 
 
-def _keys(strokes: tuple[Stroke, ...]) -> Iterator[Key]:
-    for stroke in strokes:
+def _plans(measured: Measured, study: Study, comparison: Comparison, k: int) -> Iterator[str]:
+    """Hold the arrows of one position's plans against the analysis: each that must be there, each that is."""
+    drafts = study.drafts()
+    letters = {name: drafts.velocities.point(name).name for name in comparison.analysis.points}
+    expected = Expected(study.mechanism, comparison.analysis, k, letters)
+    arrows = expected.arrows(study.groups)
+    seen = {(v.plan, *v.name.split(" ")): v for v in measured.vectors if v.position == k}
+    scales = {v.plan: v.scale for v in measured.vectors if v.position == k}
+    for (plan, start, end), value in arrows.items():
+        found = seen.get((plan, start, end))
+        must = start in ("p", "π") and end in letters.values()
+        if found is not None:
+            if not abs(found.value - value) <= _allowed(comparison, found, measured):
+                yield f"{start} {end} on {plan} in position {k} (against the analysis)"
+        elif must and not abs(value) <= 2 * LEAST * scales.get(plan, 0.0):
+            yield f"{start} {end} on {plan} in position {k} is missing"
+
+
+def _allowed(comparison: Comparison, vector: MeasuredVector, measured: Measured) -> float:
+    """Allow the paper's resolution, and twice the largest difference that the plan's own points are allowed."""
+    position = vector.position or 0
+    own = max((float(finding.allowed[position]) for finding in comparison.of(vector.plan)), default=0.0)
+    return 2 * own + 2 * measured.quantum * vector.scale
+
+
+def _points(measured: Measured, study: Study, comparison: Comparison, shown: int) -> Iterator[str]:
+    """Hold the points of the shown position against the analysis; none may be missing."""
+    seen = {mark.name: mark for mark in measured.points if mark.position == shown}
+    for finding in comparison.of(ORDERS[0]):
+        symbol, _, name = finding.name.partition("_")
+        true = complex(finding.analysis[shown])
+        if symbol != SYMBOLS[0] or math.isnan(true.real):
+            continue
+        mark = seen.get(name)
+        if mark is None:
+            yield f"{name} on the plan of positions is missing"
+        elif not abs(mark.value - true) <= float(finding.allowed[shown]) + 2 * measured.quantum * mark.scale:
+            yield f"{name} on the plan of positions (against the analysis)"
+
+
+def _table(leaf: Leaf, comparison: Comparison, positions: tuple[int, ...]) -> Iterator[str]:
+    """Read the table's numbers back: each value is the analysis's, to the half of its last digit."""
+    rows: dict[float, list[Text]] = {}
+    for text in _texts(leaf, "values"):
+        rows.setdefault(round(text.at.imag, 3), []).append(text)
+    named = {finding.name.replace("_", ""): finding for finding in comparison.findings}
+    for row in rows.values():
+        finding, j = None, 0
+        for text in sorted(row, key=lambda text: text.at.real):
+            begins = named.get(text.plain.split(",")[0])
+            if begins is not None:  # a table of several blocks has several names in a line
+                finding, j = begins, 0
+                continue
+            if finding is not None and j < 3 * len(positions):
+                true = finding.analysis[positions[j // 3]]
+                if j % 3 < 2 and not _reads(text.plain, abs(true) if isinstance(true, complex) else float(true)):
+                    yield f"{text.plain} for {finding.name} of position {positions[j // 3]} in the table"
+                j += 1
+
+
+def _reads(text: str, true: float) -> bool:
+    if text == "—":
+        return math.isnan(true)
+    if not _NUMBER.fullmatch(text):
+        return False
+    plain = text.replace("−", "-").replace(",", ".")
+    places = len(plain.partition(".")[2])
+    return abs(float(plain) - true) <= 0.5000001 * 10.0**-places + 1e-9 * abs(true)
+
+
+def _scales(leaf: Leaf) -> Iterator[str]:
+    """Read each plan's written scale: it is the one that its vectors are drawn to."""
+    for group in leaf.groups:
+        stated = {float(s.data["scale"]) for s in _groups(group) if s.data.get("kind") in ("vector", "point")}
+        written = [text.plain for text in _texts(leaf, group.name) if text.plain.startswith("μ")]
+        for text in written:
+            value = _NUMBER.search(text)
+            mu = float(value.group().replace(",", ".")) if value else float("nan")
+            if stated and not all(abs(mu - true) <= 1e-9 * true for true in stated):
+                yield f"the scale {text}"
+
+
+def _texts(leaf: Leaf, name: str) -> list[Text]:
+    return [s for group in leaf.groups if group.name == name for s in _strokes(group) if isinstance(s, Text)]
+
+
+def _groups(group: Group) -> Iterator[Group]:
+    yield group
+    for stroke in group.strokes:
         if isinstance(stroke, Group):
-            data = stroke.data
-            if data.get("kind") in ("vector", "point"):
-                yield Key(data["plan"], data["quantity"], data["name"], int(data["position"]))
-            yield from _keys(stroke.strokes)
+            yield from _groups(stroke)
 
 
-def _against_analysis(measured: Measured, study: Study, comparison: Comparison) -> Iterator[str]:
-    """Hold the measured points, and the vectors from a pole to a named point, against the analytic values."""
-    for mark in measured.points:
-        yield from _off(mark.key, mark.value, mark.scale, measured, comparison, mark.name)
-    for vector in measured.vectors:
-        plan = study.drafts().plan(ORDERS.index(vector.plan))
-        start, _, end = vector.name.partition(" ")
-        letters = {plan.letter(point): point for point in comparison.analysis.points}
-        if start == plan.pole.name and end in letters:
-            yield from _off(vector.key, vector.value, vector.scale, measured, comparison, letters[end])
-
-
-def _off(
-    key: Key, value: complex, scale: float, measured: Measured, comparison: Comparison, point: str
-) -> Iterator[str]:
-    order = ORDERS.index(key.plan)
-    name = f"{SYMBOLS[order]}_{point}"
-    finding = next((found for found in comparison.of(key.plan) if found.name == name), None)
-    if finding is None or key.position is None:  # a fixed point: the scene gives it, analysis has nothing to add
-        return
-    allowed = float(finding.allowed[key.position]) + 2 * measured.quantum * scale
-    if not abs(value - complex(finding.analysis[key.position])) <= allowed:
-        yield f"{key.name} on {key.plan} (against the analysis)"
+def _strokes(group: Group) -> Iterator[Stroke]:
+    for stroke in group.strokes:
+        if isinstance(stroke, Group):
+            yield from _strokes(stroke)
+        else:
+            yield stroke

@@ -91,10 +91,10 @@ class Board:
     """A record of drafting acts with one subject, such as "positions" or "velocities" (чертёжная доска).
 
     >>> board = Board("positions")
-    >>> a, c = board.given("A", 0j), board.given("C", 5 + 0j)
-    >>> b = board.meet("B", board.arc("AB", a, 3.0), board.arc("CB", c, 4.0), side=+1, why="3 m from A, 4 m from C")
+    >>> a, c = board.given("A", 0j), board.given("C", 6 + 0j)
+    >>> b = board.meet("B", board.arc("AB", a, 5.0), board.arc("CB", c, 5.0), side=+1, why="5 m from A and from C")
     >>> complex(b.point)
-    (1.8+2.4j)
+    (3+4j)
     """
 
     def __init__(self, subject: str) -> None:

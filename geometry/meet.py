@@ -55,28 +55,26 @@ def arc_arc(base: Vectors, first: Sizes, second: Sizes, side: Sizes) -> Meeting:
     height is twice Kahan's area of the triangle over its base, so that a needle triangle keeps every digit
     (W. Kahan, Miscalculating Area and Angles of a Needle-like Triangle).
 
-    >>> complex(arc_arc(5 + 0j, 3.0, 4.0, +1).first)
-    (1.8+2.4j)
+    >>> complex(arc_arc(6 + 0j, 5.0, 5.0, +1).first)
+    (3+4j)
     """
     distance = np.abs(base)
     long, short = np.maximum(first, second), np.minimum(first, second)
     a, c = np.maximum(long, distance), np.minimum(short, distance)
     b = np.maximum(short, np.minimum(long, distance))
-    margin = c - (a - b)  # >= 0 where the three sides close a triangle
-    touching = TANGENCY * EPS * (a + b + c)
-    dead = np.abs(margin) <= touching
-    closes = np.where(dead, 0.0, np.maximum(margin, 0.0))
-    area4 = np.sqrt((a + (b + c)) * closes * (c + (a - b)) * (a + (b - c)))
-    height = 0.5 * area4 / distance
-    skew = (first - second) * (first + second) / distance
-    rise = 1j * (side * height)
-    toward = base / distance
+    spare = a - b
+    margin = c - spare  # >= 0 where the three sides close a triangle
+    perimeter = a + (b + c)
+    touching = TANGENCY * EPS * perimeter
     gap = margin < -touching
-    lost = np.where(gap, np.nan, 1.0)
+    closes = np.where(gap, np.nan, np.where(margin <= touching, 0.0, margin))
+    half = 0.5 * np.sqrt(perimeter * closes * (c + spare) * (a + (b - c)))  # twice the area
+    skew = (first - second) * (first + second) / distance
+    rise = 1j * (side * (half / distance / distance))
     return Meeting(
-        toward * (0.5 * (distance + skew) + rise) * lost,
-        toward * (rise - 0.5 * (distance - skew)) * lost,
-        0.5 * area4 / (first * second),
+        base * (0.5 * (distance + skew) / distance + rise),
+        base * (rise - 0.5 * (distance - skew) / distance),
+        np.where(gap, 0.0, half / (first * second)),
         np.where(gap, -margin, 0.0),
     )
 

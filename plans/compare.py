@@ -8,24 +8,34 @@ linear systems magnify a rounding by the condition of the Jacobian once for ever
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from geometry.meet import EPS
-from geometry.precision import errors
+from geometry.precision import condition, errors
+from plans.analytic.extremes import extremes
 from plans.analytic.kinematics import conditions, solve
 from plans.mechanism import FRAME
-from plans.motion import Complexes, Floats, Motion
+from plans.motion import Complexes, Extremes, Floats, Motion
+from plans.passage import margins
 from plans.study import Drafts, Study
 
 # A Newton step or a linear solution at rest leaves a few roundings of the largest term in each of its rows.
 ANALYSIS = 8.0
 
+# A difference allowed beyond this share of the plan's largest would let a drawn error through: except in positions that
+# are named as too near a dead centre it is not, however bad the conditions.
+MOST_ALLOWED = 1e-6
+NOT_GRADED = 600.0  # kappa of a notch of 6 minutes of arc: 0.01 mm in a length moves such a point by 6 mm
+
 UNITS = ("m", "m/s", "m/s2")
 RATE_UNITS = ("rad", "rad/s", "rad/s2")
 SYMBOLS = ("r", "v", "a")
 RATE_SYMBOLS = ("φ", "ω", "ε")
+EXTREMES = ("φ_start", "φ_end", "H", "θ")
+LINK_KEYS = ("angle", "omega", "epsilon")
+SINGULAR = ("dead centre", "change point")
 PLANS = ("positions", "velocities", "accelerations")
 
 
@@ -87,13 +97,69 @@ def compare(study: Study, order: int = 2) -> Comparison:
     """Compare construction and analysis over all positions of a study, up to an order of derivative."""
     drawn = study.motion(order)
     solved = solve(study.mechanism, study.turn.phi, order)
+    _leave_out(drawn, solved)
     kappa = conditions(study.mechanism, solved)
     drafts = study.drafts()
     findings: list[Finding] = []
     for k in range(order + 1):
         findings += _points(study, drafts, k, drawn, solved, kappa)
         findings += _links(drafts, k, drawn, solved, kappa)
-    return Comparison(drawn, solved, tuple(findings), kappa)
+    sharp = ~(notches(study).max(axis=0, initial=1.0) >= NOT_GRADED)
+    return Comparison(drawn, solved, tuple(_capped(finding, sharp) for finding in findings), kappa)
+
+
+def notches(study: Study) -> Floats:
+    """Give kappa of every group's meeting over the positions, (groups, positions)."""
+    _, marks = margins(study.drafts().positions, study.groups, study.sweep.sides)
+    count = len(study.turn)
+    return np.array([np.broadcast_to(condition(mark), count) for mark in marks]).reshape(len(marks), count)
+
+
+def _capped(finding: Finding, sharp: Floats) -> Finding:
+    """Allow no more than MOST_ALLOWED of the largest where the construction is sharp."""
+    most = np.where(sharp, MOST_ALLOWED * finding.largest, np.inf)
+    return replace(finding, allowed=np.minimum(finding.allowed, most))
+
+
+def compare_extremes(study: Study, comparison: Comparison) -> Comparison:
+    """Add the output's extreme positions, their crank angles, stroke and overlap, found by both roads."""
+    if study.found is None:
+        return comparison
+    ours, theirs = study.found.extremes, extremes(study.mechanism, study.output)
+    values = [_told(ours), _told(theirs) if theirs is not None else np.full(4, np.nan)]
+    size = max(abs(reach) for reach in ours.reach) if ours.sliding else np.pi
+    largest = np.array([2 * np.pi, 2 * np.pi, max(size, ours.stroke), 2 * np.pi])
+    # An extreme's crank angle is where a velocity is zero: its rounding is the velocity's over the acceleration's.
+    allowed = np.minimum(ANALYSIS * EPS * float(np.nanmax(comparison.kappa, initial=1.0)) ** 2, MOST_ALLOWED) * largest
+    apart = np.abs(values[0] - values[1])
+    apart[:2] = np.abs(np.angle(np.exp(1j * apart[:2])))
+    units = ("rad", "rad", "m" if ours.sliding else "rad", "rad")
+    added = tuple(
+        Finding("extremes", *named, values[0][k], values[1][k], apart[k], allowed[k], float(largest[k.start]))
+        for k, named in zip(map(slice, range(4), range(1, 5)), zip(EXTREMES, units, strict=True), strict=True)
+    )
+    return replace(comparison, findings=comparison.findings + added)
+
+
+def _told(found: Extremes) -> Floats:
+    return np.array([*found.phi, found.stroke, found.overlap])
+
+
+def _leave_out(drawn: Motion, solved: Motion) -> None:
+    """Leave out what one road gives at a dead centre or change point, a single place, that the other names there."""
+    named = {gap.position for road in (drawn, solved) for gap in road.gaps if gap.reason in SINGULAR}
+    places = sorted(named)
+    for name, ours in drawn.points.items():
+        _both(places, *((getattr(ours, key), getattr(solved.points[name], key)) for key in SYMBOLS))
+    for number, turned in drawn.links.items():
+        _both(places, *((getattr(turned, key), getattr(solved.links[number], key)) for key in LINK_KEYS))
+
+
+def _both(places: list[int], *pairs: tuple[Floats | Complexes | None, Floats | Complexes | None]) -> None:
+    for ours, theirs in pairs:
+        if ours is not None and theirs is not None:
+            none = [k for k in places if np.isnan(ours[k]) or np.isnan(theirs[k])]
+            ours[none] = theirs[none] = np.nan
 
 
 def _points(
@@ -112,7 +178,7 @@ def _points(
 
 
 def _links(drafts: Drafts, order: int, drawn: Motion, solved: Motion, kappa: Floats) -> Iterator[Finding]:
-    key = ("angle", "omega", "epsilon")[order]
+    key = LINK_KEYS[order]
     pairs = {n: (getattr(drawn.links[n], key), getattr(solved.links[n], key)) for n in drawn.links}
     largest = (
         np.pi if order == 0 else max(_largest([np.abs(ours) for ours, _ in pairs.values()]), _slowest(drawn, order))

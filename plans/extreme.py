@@ -28,6 +28,8 @@ from plans.velocity import velocities
 # A notched extreme and a velocity of zero are one position when their crank angles agree to half the digits: the
 # coordinate of an extreme is stationary, so half its digits is all that a root found by its value could tell.
 SAME = 1e-7
+# An output slower than this, m/s or rad/s with the crank at 1 rad/s, stands: what is left are roundings of a true zero.
+STILL = 1e-12
 # Strokes whose crank arcs differ by less than this (rad) are equal: rounding of two notches, each with a root.
 EQUAL = 1e-7
 
@@ -61,7 +63,8 @@ def notches(mechanism: Mechanism, groups: Sequence[Dyad], sides: Sequence[float]
     """
     drive = mechanism.drive
     for group, side in zip(groups, sides, strict=True):
-        if set(group.hosts) == {drive.link, FRAME} and group.kind in ("RRR", "RRP", "RPR"):
+        on_crank = set(group.hosts) == {drive.link, FRAME}
+        if on_crank and (group.kind in ("RRR", "RPR") or (group.kind == "RRP" and group.hosts[0] == drive.link)):
             plan = crank(mechanism, Turn(np.zeros(1), np.ones(1, dtype=complex)))
             draw = _slot_tangents if group.kind == "RPR" else _stretched_and_folded
             return plan, draw(plan, group, side)
@@ -73,7 +76,8 @@ def _stretched_and_folded(plan: Plan, group: Dyad, side: float) -> list[Mark]:
     board, drive = plan.board, plan.mechanism.drive
     end = group.hosts.index(drive.link)
     pivot, name = plan.point(drive.pivot), group.pin
-    near, far = _crank_length(plan), abs(lead.vector(plan, group, end))
+    radius_of_pin = _pin(plan, group, end)
+    near, far = abs(radius_of_pin), abs(lead.vector(plan, group, end))
     found = []
     for number, radius in ((1, far + near), (2, abs(far - near))):
         arc = board.arc(f"{pivot.name}{name}_{number}", pivot, radius, "crank and coupler in one line")
@@ -82,7 +86,8 @@ def _stretched_and_folded(plan: Plan, group: Dyad, side: float) -> list[Mark]:
         b = _notch(plan, group, end, arc, side * flip, f"{name}_{number}")
         ray = board.join(f"{pivot.name}{b.name}", pivot, b)
         sense = flip if number == 2 else -1.0
-        arm = board.turn(f"{pivot.name}{drive.end}_{number}", ray, -sense * near / radius, "crank on that line")
+        by = -sense * near / radius * (_end(plan) / radius_of_pin)
+        arm = board.turn(f"{pivot.name}{drive.end}_{number}", ray, by, "crank on that line")
         found.append(board.lay_off(f"{drive.end}_{number}", pivot, arm, f"extreme position {number}"))
     return found
 
@@ -105,17 +110,26 @@ def _slot_tangents(plan: Plan, group: Dyad, side: float) -> list[Mark]:
     sense = 1.0 if end == 0 else -1.0
     left = [guide.offset(plan, group.slide(), group.links[e], group.hinge(e)).left for e in (0, 1)]
     pivot, fixed = plan.point(drive.pivot), plan.point(group.hinge(1 - end))
-    near, found = _crank_length(plan), []
+    radius_of_pin = _pin(plan, group, end)
+    near, found = abs(radius_of_pin), []
     for number, off in ((1, near), (2, -near)):
         slot = board.tangent(f"u_{number}", fixed, pivot, sense * (left[0] - left[1]) + off, sense * side, "tangent")
-        arm = board.turn(f"{pivot.name}{drive.end}_{number}", slot, -1j * off, "crank square to the slot")
+        by = -1j * off * (_end(plan) / radius_of_pin)
+        arm = board.turn(f"{pivot.name}{drive.end}_{number}", slot, by, "crank square to the slot")
         found.append(board.lay_off(f"{drive.end}_{number}", pivot, arm, f"extreme position {number}"))
     return found
 
 
-def _crank_length(plan: Plan) -> float:
+def _pin(plan: Plan, group: Dyad, end: int) -> complex:
+    """Give the vector from the crank's pivot to the pin that a group hangs on, in the crank's own frame."""
     points, drive = plan.mechanism.links[plan.mechanism.drive.link].points, plan.mechanism.drive
-    return abs(points[drive.end] - points[drive.pivot])
+    return points[group.hinge(end)] - points[drive.pivot]
+
+
+def _end(plan: Plan) -> complex:
+    """Give the vector from the crank's pivot to its end, in the crank's own frame."""
+    points, drive = plan.mechanism.links[plan.mechanism.drive.link].points, plan.mechanism.drive
+    return points[drive.end] - points[drive.pivot]
 
 
 class Travel:
@@ -148,15 +162,18 @@ class Travel:
 
     def rests(self) -> list[float]:
         """Find the crank angles, rad in [0, 2 pi), in which the output stands: its velocity changes sign."""
-        nodes = 2 * np.pi * np.arange(NODES + 1) / NODES
-        speeds = self.speed(self.sweep.plan(nodes))
-        turns = np.flatnonzero((speeds[:-1] >= 0) != (speeds[1:] >= 0))
-        return [self._rest(nodes[node], nodes[node + 1]) % (2 * np.pi) for node in turns]
+        step = 2 * np.pi / NODES
+        nodes: Floats = step * np.arange(NODES, dtype=np.float64)
+        speeds = np.broadcast_to(self.speed(self.sweep.plan(nodes)), nodes.shape)
+        if not np.abs(speeds).max() > STILL:
+            return []
+        turns = np.flatnonzero((speeds >= 0) != (np.roll(speeds, -1) >= 0))  # the last node is followed by the first
+        return [self._rest(float(nodes[node]), float(nodes[node]) + step) % (2 * np.pi) for node in turns]
 
     def _rest(self, low: float, high: float) -> float:
         for _ in range(LOOKS):
             fan = np.linspace(low, high, FAN)
-            rising = self.speed(self.sweep.plan(fan)) >= 0
+            rising = np.broadcast_to(self.speed(self.sweep.plan(fan)), fan.shape) >= 0
             change = int(np.argmax(rising != rising[0])) if (rising != rising[0]).any() else FAN - 1
             low, high = float(fan[change - 1]), float(fan[change])
         return (low + high) / 2
@@ -227,5 +244,10 @@ def _working(rests: list[float], low: int, high: int, omega: float) -> tuple[int
     sense = -1.0 if omega < 0 else 1.0
     there = (sense * (rests[high] - rests[low])) % (2 * np.pi)
     if abs(there - np.pi) < EQUAL:  # equal strokes: begin where the crank angle is the smaller
-        return (low, high) if rests[low] < rests[high] else (high, low)
+        return (low, high) if _within(rests[low]) < _within(rests[high]) else (high, low)
     return (low, high) if there > np.pi else (high, low)
+
+
+def _within(angle: float) -> float:
+    """Count an angle that a rounding leaves short of a whole turn as zero."""
+    return 0.0 if 2 * np.pi - angle < EQUAL else angle

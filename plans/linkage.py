@@ -194,8 +194,10 @@ class Guides:
     def _line(self, path: Path, table: SlideTable) -> tuple[int, Way, str] | None:
         along = table.along
         if isinstance(along, FrameLine):
+            course = direction(along.angle)
             through = as_complex(_from_datum(along.through, self.datum))
-            return FRAME, Way(through, direction(along.angle)), ""
+            # The point nearest to the datum: a guide may be named by one that is far away.
+            return FRAME, Way(1j * course * (course.conjugate() * through).imag, course), ""
         if not self.survey.know(path, along):
             return None
         owner = self._owner(path, along, table.link)

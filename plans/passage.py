@@ -12,7 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from geometry.board import Mark
+from geometry.board import Line, Mark
+from geometry.meet import cross
 from plans.mechanism import Mechanism
 from plans.motion import Floats
 from plans.plan import Plan
@@ -25,7 +26,7 @@ FAN = 17  # angles of one closer look between two nodes
 LOOKS = 14  # 8**14 of half a degree is below the rounding of an angle
 # A lowest margin is looked at more closely where it may hide a touch: below the sine squared of a 6 degree notch.
 SHALLOW = 0.01
-CHANGE, GAP = "change point", "out of reach"
+CHANGE, GAP, PARALLEL = "change point", "out of reach", "parallel guides"
 
 
 @dataclass(frozen=True)
@@ -34,25 +35,48 @@ class Barrier:
 
     start: float
     end: float
-    kind: str  # "change point" or "out of reach"
+    kind: str  # "change point", "out of reach" or "parallel guides"
     group: int
     where: str  # the mark whose loci miss or touch
     miss: float  # m, the largest miss seen
 
 
-def margins(plan: Plan, groups: Sequence[Dyad]) -> tuple[Floats, list[Mark]]:
+def margins(plan: Plan, groups: Sequence[Dyad], sides: Sequence[float]) -> tuple[Floats, list[Mark]]:
     """Give every group's margin over the positions, (groups, positions): above 0 assembled, 0 dead, below 0 missing.
 
-    A miss counts as -1: only its sign is meant. NaN: a group before fails.
+    A miss counts as -1: only its sign is meant. Two guides cross with the sine of their angle, signed as the group's
+    side: it changes sign where they are parallel and their pin runs to infinity. NaN: a group before fails.
     """
     marks = [_deciding(plan, group) for group in groups]
     count = max(np.size(mark.point) for mark in plan.letters.values())
     rows = []
-    for mark in marks:
-        sharpness = np.broadcast_to(np.asarray(mark.sharpness, dtype=float), count)
+    for mark, side in zip(marks, sides, strict=True):
         miss = np.broadcast_to(np.asarray(mark.miss, dtype=float), count)
-        rows.append(np.where(miss > 0, -1.0, sharpness**2))
+        sharpness = np.broadcast_to(np.asarray(mark.sharpness, dtype=float), count)
+        turned = crossing(mark)
+        if turned is None:
+            rows.append(np.where(miss > 0, -1.0, sharpness**2))
+        else:
+            rows.append(np.broadcast_to(side * turned, count))
     return np.array(rows).reshape(len(marks), count), marks
+
+
+def crossing(mark: Mark) -> Floats | None:
+    """Give the sine of the angle from the first of two lines to the second where they meet; None for other meetings."""
+    first, second = (locus.value for locus in mark.step.inputs[:2])
+    if not (mark.step.op == "meet" and isinstance(first, Line) and isinstance(second, Line)):
+        return None
+    turned = cross(first.direction, second.direction)
+    return np.asarray(turned / (np.abs(first.direction) * np.abs(second.direction)))
+
+
+def undefined(plan: Plan, groups: Sequence[Dyad]) -> npt.NDArray[np.bool_]:
+    """Tell at which positions a group has no one place: its loci miss each other, fall into one, or run parallel."""
+    count = max(np.size(mark.point) for mark in plan.letters.values())
+    none = np.zeros(count, dtype=bool)
+    for group in groups:
+        none |= np.isnan(np.asarray(_deciding(plan, group).point))
+    return none
 
 
 def _deciding(plan: Plan, group: Dyad) -> Mark:
@@ -83,7 +107,7 @@ class Sweep:
 
     def margins(self, phi: Floats) -> Floats:
         """Give every group's margin at some crank angles."""
-        return margins(self.plan(phi), self.groups)[0]
+        return margins(self.plan(phi), self.groups, self.sides)[0]
 
     def barriers(self) -> tuple[Barrier, ...]:
         """Find all that bars a full turn of the crank."""
@@ -131,8 +155,9 @@ class Sweep:
         """Close in on the lowest margin between two free angles; a barrier where it is not above zero."""
         for _ in range(LOOKS):
             fan = np.linspace(low, high, FAN)
-            lowest = self.margins(fan).min(axis=0)
-            at = int(np.nanargmin(lowest)) if not np.isnan(lowest).all() else FAN // 2
+            field = self.margins(fan)
+            lowest = np.where(np.isnan(field), -1.0, field).min(axis=0)  # NaN: a group before misses there
+            at = int(np.argmin(lowest))
             if not lowest[at] > 0:
                 left, right = self._edge(low, fan[at]), self._edge(high, fan[at])
                 return self._barrier(left, right, np.linspace(left, right, FAN))
@@ -150,28 +175,21 @@ class Sweep:
         return free
 
     def _barrier(self, start: float, end: float, seen: Floats) -> Barrier:
+        """Name a barrier by the first group that fails in it."""
         plan = self.plan(seen)
-        field, marks = margins(plan, self.groups)
+        field, marks = margins(plan, self.groups, self.sides)
         with np.errstate(invalid="ignore"):
             missing = (field < 0).any(axis=1)
         group = int(np.argmax(missing)) if missing.any() else int(np.nanargmin(np.nanmin(field, axis=1)))
-        kind = GAP if missing.any() else CHANGE
-        miss = float(np.nanmax(np.asarray(marks[group].miss, dtype=float))) if missing.any() else 0.0
-        return Barrier(start, end, kind, group, marks[group].name, miss)
+        mark = marks[group]
+        kind = CHANGE if not missing.any() else GAP if crossing(mark) is None else PARALLEL
+        miss = float(np.nanmax(np.asarray(mark.miss, dtype=float))) if kind == GAP else 0.0
+        return Barrier(start, end, kind, group, mark.name, miss)
 
 
-def reached(phi: Floats, first: float, barriers: Sequence[Barrier]) -> npt.NDArray[np.bool_]:
-    """Tell which crank angles are reached from the first one, in either sense, without passing a barrier.
-
-    An angle within a change point's own rounding is reached: the mechanism gets there, but no further.
-    """
+def bounding(phi: float, first: float, barriers: Sequence[Barrier]) -> Barrier | None:
+    """Give the barrier next to an angle that is not reached, on the way to it from the first one."""
     turn = 2 * np.pi
-    ahead = np.mod(phi - first, turn)
-    on = min((_far_edge(b.start - first, b.end - b.start, b.kind) for b in barriers), default=turn)
-    back = min((_far_edge(first - b.end, b.end - b.start, b.kind) for b in barriers), default=turn)
-    return np.asarray((ahead <= on) | (np.mod(turn - ahead, turn) <= back))
-
-
-def _far_edge(near: float, width: float, kind: str) -> float:
-    near = float(np.mod(near, 2 * np.pi))
-    return near + width if kind == CHANGE else near
+    ways = [(float(np.mod(phi - b.start, turn)), b) for b in barriers]
+    ways += [(float(np.mod(b.end - phi, turn)), b) for b in barriers]
+    return min(ways, key=lambda way: way[0])[1] if ways else None

@@ -40,6 +40,7 @@ class Plan:
         self.readings: dict[int, Reading] = {}
         self.units: dict[tuple[int, int], Mark | None] = {}  # sliding line of (slider, owner): image of its direction
         self.slips: dict[tuple[int, int], Mark] = {}  # velocity of the pin along that line
+        self.reaches: dict[tuple[int, int], Mark] = {}  # vector from the pivot of a slotted group to its pin
         self.pole = self.board.given(_POLES[subject], 0j, _POLE_WHY[subject])
 
     @property
@@ -61,7 +62,17 @@ class Plan:
 
     def letter(self, point: str) -> str:
         """Write a point as this plan does: B on the plan of positions, b on the others."""
-        return point.lower() if self.below else point
+        return _small(point, self._points) if self.below else point
+
+    def coincident(self, point: str, link: int) -> str:
+        """Name the point of a link that lies under another's, such as a3; a_(3) where a point A3 has that letter."""
+        name = f"{_small(point, self._points)}{link}"
+        taken = {_small(other, self._points) for other in self._points}
+        return f"{_small(point, self._points)}_({link})" if name in taken else name
+
+    @property
+    def _points(self) -> set[str]:
+        return {point for link in self.mechanism.links.values() for point in link.points}
 
     def name(self, point: str, mark: Mark) -> Mark:
         """Keep a mark as the image of a named point."""
@@ -125,6 +136,12 @@ class Plan:
         if mark.name in self.board and self.board[mark.name].step.inputs == (mark,):
             return self.board[mark.name]
         return self.board.transfer(mark.name, mark, f"parallel transfer from the plan of {mark.subject}")
+
+
+def _small(point: str, points: set[str]) -> str:
+    """Write a point's letter small, with a prime where another point has that letter."""
+    small = point.lower()
+    return f"{small}'" if small != point and small in points else small
 
 
 _POLES = {"positions": "datum", "velocities": "p", "accelerations": "π"}

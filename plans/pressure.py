@@ -71,24 +71,25 @@ def _crossing(plan: Plan, group: Dyad) -> Floats:
     return np.asarray(np.arctan2(turned.real, np.abs(turned.imag)))
 
 
-def interval(sweep: Sweep, group: Dyad) -> Interval:
-    """Find the interval of a group's pressure angle over the reachable turn (M1.3): nodes, then a closer look."""
-    nodes = 2 * np.pi * np.arange(NODES) / NODES
+def interval(sweep: Sweep, group: Dyad, nodes: Floats | None = None) -> Interval:
+    """Find the interval of a group's pressure angle (M1.3) over crank angles close to each other, or over a turn."""
+    phi = np.linspace(0.0, 2 * np.pi, NODES + 1) if nodes is None else nodes
 
-    def seen(phi: Floats) -> Floats:
-        return np.broadcast_to(pressure(sweep.plan(phi), group), phi.shape)
+    def seen(angles: Floats) -> Floats:
+        return np.broadcast_to(pressure(sweep.plan(angles), group), angles.shape)
 
-    low, at_low = _least(seen, nodes)
-    high, at_high = _least(lambda phi: -seen(phi), nodes)
+    low, at_low = _least(seen, phi)
+    high, at_high = _least(lambda angles: -seen(angles), phi)
     return Interval(low, -high, at_low, at_high)
 
 
 def _least(seen: Callable[[Floats], Floats], nodes: Floats) -> tuple[float, float]:
+    """Find the least value at the nodes, then between the neighbours of the least node, closer and closer."""
     values = seen(nodes)
     if np.isnan(values).all():
         return float("nan"), float("nan")
     best = int(np.nanargmin(values))
-    low, high = nodes[best] - nodes[1], nodes[best] + nodes[1]
+    low, high = float(nodes[max(best - 1, 0)]), float(nodes[min(best + 1, len(nodes) - 1)])
     least, where = float(values[best]), float(nodes[best])
     for _ in range(LOOKS):
         fan = np.linspace(low, high, FAN)

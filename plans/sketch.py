@@ -11,8 +11,9 @@ from geometry.errors import DraftError
 from plans.groups.kinds import KINDS
 from plans.mechanism import Mechanism
 from plans.motion import Complexes, Floats
+from plans.passage import crossing, margins
 from plans.plan import Plan
-from plans.position import crank
+from plans.position import crank, positions
 from plans.structure import Dyad
 from plans.turn import Turn
 
@@ -47,7 +48,8 @@ def assembly(mechanism: Mechanism, groups: Sequence[Dyad], first: Turn | None, w
     """Choose each group's side by the sketch at the first position, or where the first is not known, over a whole turn.
 
     Where the first position cannot be assembled, or the start is an extreme still to be found, the crank angle at which
-    the mechanism fits the sketch best decides. Raises SketchError where the sketch leaves a group undecided.
+    the mechanism fits the sketch best decides. Raises SketchError where the sketch leaves a group undecided, or where
+    a group has no one place at the first position, as no sketch could tell.
     """
     for turn in (first, whole):
         if turn is None:
@@ -56,9 +58,35 @@ def assembly(mechanism: Mechanism, groups: Sequence[Dyad], first: Turn | None, w
         misfit = sum((choice.misfit for choice in choices), np.zeros(len(turn)))
         if np.isfinite(misfit).any():
             best = int(np.nanargmin(misfit))
-            sides = tuple(_decided(mechanism, group, c, best) for group, c in zip(groups, choices, strict=True))
-            return Assembly(sides, float(turn.phi[best]))
+            sides = [_decided(mechanism, group, c, best) for group, c in zip(groups, choices, strict=True)]
+            return Assembly(_crossed(mechanism, groups, sides, turn.part([best])), float(turn.phi[best]))
+        if turn is first:
+            _out_of_reach(mechanism, groups, choices, turn)
     return Assembly(tuple(1.0 for _ in groups), None)  # no angle can be assembled: every position is a gap
+
+
+def _crossed(mechanism: Mechanism, groups: Sequence[Dyad], sides: Sequence[float], turn: Turn) -> tuple[float, ...]:
+    """Give a group with one assembly the sign with which its two lines cross: they must not become parallel."""
+    plan = positions(mechanism, groups, sides, turn)
+    turned = [crossing(mark) for mark in margins(plan, groups, sides)[1]]
+    return tuple(
+        side if sine is None else float(np.sign(sine.flat[0])) for side, sine in zip(sides, turned, strict=True)
+    )
+
+
+def _out_of_reach(mechanism: Mechanism, groups: Sequence[Dyad], choices: Sequence[Choice], first: Turn) -> None:
+    """See that a first position without places is out of reach, and not one at which a group has no one place."""
+    plan = positions(mechanism, groups, [choice.side for choice in choices], first)
+    field, marks = margins(plan, groups, [1.0] * len(groups))
+    for group, margin, mark in zip(groups, field[:, 0], marks, strict=True):
+        if margin < 0 and crossing(mark) is None:
+            return
+        if np.isnan(mark.point).any():
+            raise SketchError(
+                f"group {group.label} has no one place at the first position: the lines that meet in {mark.name} fall "
+                "into one there, or are parallel; start from another crank angle",
+                (),
+            )
 
 
 def _choices(mechanism: Mechanism, groups: Sequence[Dyad], turn: Turn) -> list[Choice]:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from itertools import combinations
 from typing import TypeAlias
 
+from geometry.meet import EPS, TANGENCY
 from plans.mechanism import FRAME, Mechanism, Slide, StructureError
 
 Joint: TypeAlias = str | Slide  # a hinge by its point, or a sliding pair
@@ -115,7 +116,16 @@ def _named(links: tuple[int, int], hosts: tuple[int, int], outer: tuple[Joint, J
             f"links {links[0]} and {links[1]} are joined by three sliding pairs: such a group has no fixed position",
             links,
         )
-    return Dyad(kind, links, hosts, outer, inner)
+    dyad = Dyad(kind, links, hosts, outer, inner)
+    if kind == "RPP":
+        slot, guided = (dyad.slide(end).way(links[1]).direction for end in (None, 1))
+        if abs((slot.conjugate() * guided).imag) <= TANGENCY * EPS:
+            raise StructureError(
+                f"link {links[1]} has its slot parallel to the line it slides along: links {links[0]} and {links[1]} "
+                "have no fixed position; turn the slot by the slide's angle",
+                links,
+            )
+    return dyad
 
 
 def _no_dyad(mechanism: Mechanism, left: list[int]) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -10,16 +10,15 @@ from functools import cached_property
 import numpy as np
 import numpy.typing as npt
 
-from geometry.board import Mark, at
 from geometry.errors import ConstructionError
-from plans import passage
+from plans import gaps, passage
 from plans.acceleration import accelerations
 from plans.angles import angle, rate
 from plans.extreme import Found, extremes, output
 from plans.linkage import mechanism_of
 from plans.mechanism import FRAME, Mechanism, Output
 from plans.motion import Complexes, Floats, Gap, LinkMotion, Motion, PointMotion
-from plans.passage import Barrier, Sweep, reached
+from plans.passage import Barrier, Sweep
 from plans.plan import Plan
 from plans.scene import Scene
 from plans.sketch import Assembly, assembly
@@ -62,7 +61,12 @@ class Drafts:
 
     def plan(self, order: int) -> Plan:
         """The plan of an order: 0 positions, 1 velocities, 2 accelerations."""
-        return (self.positions, self.velocities, self.accelerations)[order] if order else self.positions
+        match order:
+            case 0:
+                return self.positions
+            case 1:
+                return self.velocities
+        return self.accelerations
 
 
 class Study:
@@ -132,14 +136,48 @@ class Study:
 
     @cached_property
     def lost(self) -> npt.NDArray[np.bool_]:
-        """Positions that the mechanism does not reach, or in which it cannot be assembled."""
-        return ~self.reached(self.turn.phi)
+        """Positions that the mechanism does not reach, or in which it has no one place."""
+        return np.concatenate([self._lost(drafts) for drafts in self._blocks()])
+
+    def _lost(self, drafts: Drafts) -> npt.NDArray[np.bool_]:
+        if self.assembly.phi is None:
+            return np.ones(len(drafts.turn), dtype=bool)
+        return gaps.lost(self.sweep, drafts.positions, drafts.turn, self.assembly.phi, self.barriers)
+
+    def _blocks(self) -> Iterator[Drafts]:
+        """Give the plans block by block: those of a sheet are one block, and are kept."""
+        count = len(self.turn)
+        if count <= BLOCK:
+            yield self.drafts()
+        else:
+            yield from (Drafts(self, self.turn.part(slice(k, k + BLOCK))) for k in range(0, count, BLOCK))
 
     def reached(self, phi: Floats) -> npt.NDArray[np.bool_]:
         """Tell which crank angles the mechanism reaches from the position that the sketch shows."""
         if self.assembly.phi is None:
             return np.zeros(len(phi), dtype=bool)
-        return reached(phi, self.assembly.phi, self.barriers)
+        return gaps.reached(phi, self.assembly.phi, self.barriers)
+
+    @cached_property
+    def span(self) -> tuple[float, float]:
+        """Crank angles, rad, between which the drive turns: a whole turn, or what listed angles span."""
+        if isinstance(self.scene.drive.positions, int):
+            return 0.0, 2 * np.pi
+        return float(self.turn.phi.min()), float(self.turn.phi.max())
+
+    @cached_property
+    def met(self) -> tuple[Barrier, ...]:
+        """The barriers within the span of the drive."""
+        low, high = self.span
+        edges = ((b, (b.start - low) % (2 * np.pi), (b.end - low) % (2 * np.pi)) for b in self.barriers)
+        return tuple(b for b, start, end in edges if min(start, end) <= high - low)
+
+    @cached_property
+    def nodes(self) -> Floats:
+        """Crank angles, rad, close to each other, over the part of the drive's span that the mechanism reaches."""
+        low, high = self.span
+        phi = np.linspace(low, high, passage.NODES + 1)
+        return phi[self.reached(phi)]
 
     def drafts(self, chosen: slice | Sequence[int] = slice(None)) -> Drafts:
         """Give the plans over some positions; the plans of the same positions are the same."""
@@ -154,85 +192,30 @@ class Study:
 
     def motion(self, order: int = 2) -> Motion:
         """Give the motion by construction: order 0 positions, 1 and velocities, 2 and accelerations."""
-        count = len(self.turn)
-        if count <= BLOCK:
-            return self._gapped(_read(self.drafts(), order), self.lost, 0)
-        blocks = [slice(start, start + BLOCK) for start in range(0, count, BLOCK)]
-        parts = [
-            self._gapped(_read(Drafts(self, self.turn.part(part)), order), self.lost[part], part.start)
-            for part in blocks
-        ]
-        return _whole(parts)
+        parts, start = [], 0
+        for drafts in self._blocks():
+            parts.append(self._gapped(_read(drafts, order), self._lost(drafts), start))
+            start += len(drafts.turn)
+        return parts[0] if len(parts) == 1 else _whole(parts)
 
     def _gapped(self, drawn: Motion, lost: npt.NDArray[np.bool_], start: int) -> Motion:
         """Make the positions that are not reached, and what has no value in the rest, named gaps."""
-        gaps = [self._gap(start + int(k), float(drawn.phi[k])) for k in np.flatnonzero(lost)]
+        named = [self._gap(start + int(k)) for k in np.flatnonzero(lost)]
         for points in drawn.points.values():
             points.r[lost] = np.nan
         for links in drawn.links.values():
             links.angle[lost] = np.nan
-        _forget(drawn, lost)
-        gaps += self._without_velocity(drawn, lost, start)
-        return Motion("construction", drawn.phi, drawn.points, drawn.links, tuple(sorted(gaps, key=_number)))
+        gaps.forget(drawn, lost)
+        named += gaps.without_velocity(drawn, lost, self.barriers, start)
+        return Motion("construction", drawn.phi, drawn.points, drawn.links, tuple(sorted(named, key=_number)))
 
-    def _gap(self, position: int, phi: float) -> Gap:
-        """Say why a position is not reached, and what would mend it."""
-        plan = self.sweep.plan(np.array([phi]))
-        field, marks = passage.margins(plan, self.groups)
-        failing = np.flatnonzero(field[:, 0] < 0)
-        if failing.size:
-            mark = marks[int(failing[0])]
-            miss = at(mark.miss if mark.miss is not None else 0.0, 0).real
-            return Gap(position, phi, "positions", passage.GAP, mark.name, miss, _reach_advice(mark, miss))
-        change = any(barrier.kind == passage.CHANGE for barrier in self.barriers)
-        reason = "beyond a change point" if change else "not reachable"
-        advice = (
-            "the mechanism may go on in two ways there: start the drive beyond the change point, or change a length"
-            if change
-            else "the crank cannot turn there from the first position: start the drive in that part of the turn"
-        )
-        return Gap(position, phi, "positions", reason, self._nearest_barrier(), 0.0, advice)
-
-    def _nearest_barrier(self) -> str:
-        return self.barriers[0].where if self.barriers else ""
-
-    def _without_velocity(self, drawn: Motion, lost: npt.NDArray[np.bool_], start: int) -> list[Gap]:
-        gaps = []
-        moving = [motion.v for motion in drawn.points.values() if motion.v is not None]
-        if moving:
-            none = np.isnan(np.array(moving))
-            dead = none.any(axis=0) & ~lost
-            letters = [name for name, motion in drawn.points.items() if motion.v is not None]
-            names = {int(k): letters[int(np.argmax(none[:, k]))] for k in np.flatnonzero(dead)}
-            _forget(drawn, dead)
-            for k in np.flatnonzero(dead):
-                name = names[int(k)]
-                advice = "a group is at its dead centre: its velocities have no one value; take a position beside it"
-                phi = float(drawn.phi[k])
-                gaps.append(Gap(start + int(k), phi, "velocities", "dead centre", name, 0.0, advice))
-        return gaps
-
-
-def _forget(drawn: Motion, positions: npt.NDArray[np.bool_]) -> None:
-    """Leave no velocity and no acceleration where the mechanism as a whole has none."""
-    for points in drawn.points.values():
-        for values in (points.v, points.a):
-            if values is not None:
-                values[positions] = np.nan
-    for links in drawn.links.values():
-        for numbers in (links.omega, links.epsilon):
-            if numbers is not None:
-                numbers[positions] = np.nan
+    def _gap(self, position: int) -> Gap:
+        turn = self.turn.part([position])
+        return gaps.of_position(self.sweep, turn, position, self.assembly.phi, self.barriers)
 
 
 def _number(gap: Gap) -> int:
     return gap.position
-
-
-def _reach_advice(mark: Mark, miss: float) -> str:
-    """Say by how much the loci of a meeting miss each other and which lengths they are."""
-    names = " and ".join(locus.name for locus in mark.step.inputs)
-    return f"{names} miss each other by {miss:.6g} m: lengthen one of them, or turn the crank less"
 
 
 def _read(drafts: Drafts, order: int) -> Motion:

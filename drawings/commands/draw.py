@@ -9,7 +9,7 @@ from pathlib import Path
 
 from drawings.report import report, shallow, summary
 from geometry.errors import LimitError
-from plans.compare import Comparison, compare
+from plans.compare import Comparison, compare, compare_extremes
 from plans.scene import read_scene
 from plans.study import Study
 
@@ -25,7 +25,7 @@ def run(options: argparse.Namespace) -> int:
             f"{study.scene.file}: drive.positions = {len(study.turn)}: a sheet shows at most {POSITIONS_DRAWN}. "
             "Fix: fewer positions, or plandraft solve for the numbers alone"
         )
-    comparison = compare(study)
+    comparison = compare_extremes(study, compare(study))
     _agree(comparison)
     written = _sheet(study, comparison, options.output)
     print(summary(comparison))
@@ -57,10 +57,9 @@ def _sheet(study: Study, comparison: Comparison, folder: Path) -> list[Path]:
     press.prepare(folder)
     stem = Path(os.fspath(study.scene.file)).stem
     path, beside = folder / f"{stem}-kinematics.svg", folder / f"{stem}-report.md"
-    with press.fresh(path, content) as temporary:
-        verify(temporary, leaf, study, comparison)
     text = report(study, comparison, tuple(leaf.metadata["plans"]), leaf.metadata["shown"])
-    press.write(beside, text.encode("utf-8"))
+    with press.fresh(beside, text.encode("utf-8")), press.fresh(path, content) as temporary:
+        verify(temporary, leaf, study, comparison)
     return [path, beside]
 
 
@@ -68,9 +67,9 @@ def _verdict(study: Study, comparison: Comparison) -> int:
     gaps = comparison.construction.gaps
     for gap in gaps:
         print(f"position {gap.position}: {gap.plan}: {gap.reason} at {gap.where}: {gap.advice}", file=sys.stderr)
-    for barrier in study.barriers if not gaps else ():
+    for barrier in study.met if not gaps else ():
         print(f"{barrier.kind} at {barrier.where} between two positions: see the report", file=sys.stderr)
     near = shallow(study)
     for k in near:
         print(f"position {k}: too near a dead centre to be graded: see Conditions in the report", file=sys.stderr)
-    return GAPS if gaps or near or study.barriers else 0
+    return GAPS if gaps or near or study.met else 0

@@ -31,7 +31,7 @@ def run(options: argparse.Namespace) -> int:
     targets = find(study, drafts, options.mark)
     steps = behind(*targets)
     if options.json:
-        print(json.dumps([_plain(mark) for mark in steps], ensure_ascii=False, allow_nan=False))
+        print(json.dumps([_plain(mark) for mark in steps], allow_nan=False))
         return 0
     print(
         f"{options.mark} in position {position} (φ = {np.degrees(study.turn.phi[position]):.4f}°), {len(steps)} steps"

@@ -12,6 +12,7 @@ FAILED = 5
 
 def run(options: argparse.Namespace) -> int:
     """Print what a sheet shows; give the exit code."""
+    options.sheet.open("rb").close()  # a file that cannot be read is told so, and is no fault of the sheet
     measured = measure_file(options.sheet)
     wrong = check(measured)
     off = {miss.key for miss in wrong}

@@ -27,7 +27,7 @@ def run(options: argparse.Namespace) -> int:
     else:
         motion = study.motion(max(orders))
         extremes = study.found.extremes if study.scene.drive.first is None and study.found else None
-    print(json.dumps(described(study, motion, orders, extremes), ensure_ascii=False, allow_nan=False))
+    print(json.dumps(described(study, motion, orders, extremes), allow_nan=False))
     return GAPS if motion.gaps else 0
 
 
@@ -56,11 +56,11 @@ def described(study: Study, motion: Motion, orders: list[int], extremes: Extreme
         "gaps": [_gap(gap) for gap in motion.gaps],
         "points": {
             name: {POINT_KEYS[k]: _pairs(getattr(found, POINT_KEYS[k]) + (datum if k == 0 else 0)) for k in orders}
-            for name, found in motion.points.items()
+            for name, found in sorted(motion.points.items())
         },
         "links": {
             str(number): {LINK_KEYS[k]: _plain(getattr(found, LINK_KEYS[k])) for k in orders}
-            for number, found in motion.links.items()
+            for number, found in sorted(motion.links.items())
         },
     }
     if extremes is not None:

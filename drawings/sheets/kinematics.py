@@ -13,7 +13,7 @@ from drawings.layout import Ink
 from drawings.page import Field, Page
 from drawings.scale import Scale, fitting
 from drawings.skeleton import Skeletons, skeletons
-from drawings.strokes import Group, Leaf, SheetError, Stroke, Text
+from drawings.strokes import Group, Leaf, SheetError, Stroke, Text, text_width
 from drawings.value_table import ROW
 from drawings.vector_plan import diagram
 from drawings.words import fixed, number, word
@@ -46,7 +46,7 @@ def sheet(study: Study, comparison: Comparison) -> Leaf:
         groups.append(value_table.table(lines, drawn, low, page.weights, language))
     notes = _notes(study, comparison, language) + _why(study, comparison)
     left = Field(side.left, page.field.bottom, page.block.left, page.block.top)
-    groups.append(_written(notes, left, language))
+    groups.append(_written(notes, left))
     block = page.title_block(_entries(study, scale, language), language)
     return Leaf(
         *page.size,
@@ -61,6 +61,8 @@ def position(study: Study, comparison: Comparison) -> int:
     """Give the position drawn in full lines: the scene's own, or the output's fastest one."""
     wanted = study.scene.sheet.position
     free = ~study.lost
+    if not free.any():
+        return 0  # nothing can be assembled: the sheet explains why, in the first position
     if wanted is not None:
         if study.lost[wanted]:
             raise SheetError(
@@ -68,8 +70,6 @@ def position(study: Study, comparison: Comparison) -> int:
                 f"Fix: choose one of {', '.join(str(k) for k in np.flatnonzero(free)[:12])}"
             )
         return int(wanted)
-    if not free.any():
-        return 0  # nothing can be assembled: the sheet explains why, in the first position
     return _best(_telling(study, comparison, 1), free & _working(study), free)
 
 
@@ -201,7 +201,7 @@ def _notes(study: Study, comparison: Comparison, language: str) -> list[str]:
     if study.found is not None:
         notes.append(_travel(study, language))
     for group in study.groups:
-        found = interval(study.sweep, group)
+        found = interval(study.sweep, group, study.nodes)
         low, high = (fixed(float(np.degrees(angle)), language) for angle in (found.low, found.high))
         if low != high:
             notes.append(word(language, "pressure", group=group.label, low=low, high=high))
@@ -253,13 +253,27 @@ def _travel(study: Study, language: str) -> str:
     return f"{word(language, 'swing', link=study.output.link, stroke=swing)};  {overlap}"
 
 
-def _written(notes: Sequence[str], field: Field, language: str) -> Group:
-    """Write the notes from the top of their field downwards."""
+def _written(notes: Sequence[str], field: Field) -> Group:
+    """Write the notes from the top of their field downwards, a long one broken between its parts."""
+    lines = [line for note in notes for line in _broken(_marked(note), field.width - 6)]
+    step = min(LINE, (field.height - 4) / max(len(lines), 1))
     strokes: list[Stroke] = [
-        Text(complex(field.left + 2, field.top - 5 - k * LINE), _marked(note), TEXT, "start", True)
-        for k, note in enumerate(notes)
+        Text(complex(field.left + 2, field.top - 5 - k * step), line, TEXT, "start", True)
+        for k, line in enumerate(lines)
     ]
     return Group(tuple(strokes), "notes")
+
+
+def _broken(note: str, width: float) -> list[str]:
+    """Break a note at its spaces where it is wider than its field."""
+    lines = [""]
+    for part in note.split(" "):
+        trial = f"{lines[-1]} {part}".strip()
+        if lines[-1] and text_width(Text(0j, trial, TEXT)) > width:
+            lines.append(part)
+        else:
+            lines[-1] = trial
+    return lines
 
 
 def _marked(note: str) -> str:

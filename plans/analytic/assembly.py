@@ -18,6 +18,7 @@ from plans.mechanism import FRAME, Mechanism, Slide
 from plans.motion import Floats
 
 GRID = 24  # crank angles tried where the first one is not given: every 15 degrees
+SCATTERED, SCATTER = 24, 0.5  # scattered starts; share of the mechanism's size by which links are thrown about
 Pose = tuple[complex, float]  # origin m and turn rad of a link's own frame
 
 
@@ -37,7 +38,9 @@ def assemble(mechanism: Mechanism, constraints: Constraints, phi: float) -> Asse
         # A link of one point (a block) takes its direction from its guide; others may be sketched badly or not at all.
         if number not in (FRAME, mechanism.drive.link) and len(mechanism.links[number].points) > 1:
             starts += [_turned(base, place, quarter * np.pi / 2) for quarter in (1, -1, 2)]
+    starts += _scattered(base)
     poses, misfits = _settled(mechanism, constraints, np.array(starts), np.full(len(starts), phi))
+    misfits = _regular(constraints, poses, misfits)
     # Assemblies that differ only where the sketch is silent fit it equally: then the first start decides.
     near = np.flatnonzero(misfits <= np.min(misfits) + SQRT_EPS)
     return Assembly(phi, poses[near[0]]) if np.isfinite(misfits[near[0]]) else None
@@ -53,6 +56,30 @@ def assemble_anywhere(mechanism: Mechanism, constraints: Constraints) -> Assembl
         if assembly:
             return assembly
     return None
+
+
+def _regular(constraints: Constraints, poses: Floats, misfits: Floats) -> Floats:
+    """Pass over singular assemblies, such as two rods of a rhombus on each other, where there are regular ones."""
+    known = np.flatnonzero(np.isfinite(misfits))
+    kappa = np.linalg.cond(constraints.jacobian(constraints.place(poses[known])))
+    regular = kappa * SQRT_EPS < 1.0
+    if not regular.any():
+        return misfits
+    passed = np.full_like(misfits, np.inf)
+    passed[known[regular]] = misfits[known[regular]]
+    return passed
+
+
+def _scattered(base: Floats) -> list[Floats]:
+    """Scatter the rough poses: a rough sketch alone may lie in the basin of an assembly that is not the nearest one."""
+    chance = np.random.default_rng(0)  # the same scatter each time
+    spread = np.array((SCATTER, SCATTER, np.pi / 2))
+    found = []
+    for _ in range(SCATTERED):
+        poses = base + spread * chance.uniform(-1.0, 1.0, base.shape)
+        poses[0] = base[0]  # the frame stays
+        found.append(poses)
+    return found
 
 
 def _settled(mechanism: Mechanism, constraints: Constraints, starts: Floats, phi: Floats) -> tuple[Floats, Floats]:

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from plans.mechanism import Mechanism, StructureError
+from plans.mechanism import Mechanism, StructureError, Way
 from plans.motion import Complexes, Floats
 
 Indices = npt.NDArray[np.intp]
@@ -67,7 +67,7 @@ class Constraints:
             hinge_links=hinge_links,
             hinge_points=_places((own[a][p], own[b][p]) for a, b, p in pairs) / size,
             slide_links=slide_links,
-            slide_points=_places((s.on_slider.through, s.on_owner.through) for s in slides) / size,
+            slide_points=_places((_foot(s.on_slider), _foot(s.on_owner)) for s in slides) / size,
             slide_ways=ways / np.abs(ways),
             crank=crank,
             crank_way=arm / abs(arm),
@@ -144,10 +144,16 @@ def _places(pairs: Iterable[tuple[complex, complex]]) -> Complexes:
     return np.array(list(pairs), dtype=np.complex128).reshape(-1, 2).T
 
 
+def _foot(way: Way) -> complex:
+    """Give a line by its point nearest to its link's origin: the scene may name it by one that is far away."""
+    direction = way.direction / abs(way.direction)
+    return 1j * direction * (direction.conjugate() * way.through).imag
+
+
 def _size(mechanism: Mechanism) -> float:
     """Take the power of two nearest to the largest distance of a point or line from the origin of its link."""
     points = [abs(place) for link in mechanism.links.values() for place in link.points.values()]
-    lines = [abs(way.through) for slide in mechanism.slides for way in (slide.on_slider, slide.on_owner)]
+    lines = [abs(_foot(way)) for slide in mechanism.slides for way in (slide.on_slider, slide.on_owner)]
     return float(2.0 ** round(np.log2(max(points + lines))))
 
 

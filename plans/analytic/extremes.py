@@ -56,6 +56,7 @@ def extremes(mechanism: Mechanism, output: Output) -> Extremes | None:
     if full_turn or np.abs(speed).max() <= SQRT_EPS:
         return None
     signs = np.where(speed >= 0.0, 1.0, -1.0)
+    signs[-1] = signs[0]  # one position: a rounding of a rest there is no second rest
     found = []
     for k in np.flatnonzero(signs[1:] != signs[:-1]):
         found.append(_refined(constraints, coordinate, turn.stations[k], turn.stations[k + 1]))

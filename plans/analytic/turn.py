@@ -113,7 +113,7 @@ def _march(constraints: Constraints, way: list[Station], target: float) -> End |
     stride = FIRST_STRIDE
     for _ in range(STEPS):
         left = sense * (goal - way[-1].phi)
-        if left <= 0.0:
+        if left <= SHORTEST:  # one rounding short of the goal is there
             return None
         if stride < SHORTEST or way[-1].sharpness <= SQRT_EPS:
             break

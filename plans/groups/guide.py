@@ -33,7 +33,7 @@ def unit(plan: Plan, slide: Slide, host: int) -> Mark | None:
     """Give a guide's unit direction, or its image on a plan above; there None means that the guide does not turn."""
     name = key(slide)
     if name not in plan.units:
-        plan.units[name] = plan.vector(host, slide.way(host).direction, f"u{slide.owner}")
+        plan.units[name] = plan.vector(host, slide.way(host).direction, f"u{host}")
     return plan.units[name]
 
 
@@ -61,7 +61,7 @@ def line(plan: Plan, slide: Slide, host: int, left: float) -> Mark:
 
 def sliding_line(plan: Plan, slide: Slide, host: int, over: Mark) -> Mark:
     """Draw on a velocity plan the line of a pin's velocity over a guide: from the guide's own point, along it."""
-    start = plan.transport(host, over, f"{over.name.lower()}{host}")
+    start = plan.transport(host, over, plan.coincident(over.name, host))
     along = plan.carry(direction(plan, slide, host))
     return plan.board.parallel(f"∥{along.name}", start, along, "along the guide")
 
@@ -76,7 +76,7 @@ def slip(plan: Plan, slide: Slide, along: Mark, pin: Mark) -> Mark:
 
 def coriolis_line(plan: Plan, slide: Slide, host: int, over: Mark) -> Mark:
     """Draw on an acceleration plan the line of a pin's acceleration over a guide: its point, Coriolis, along it."""
-    start = plan.transport(host, over, f"{over.name.lower()}{host}")
+    start = plan.transport(host, over, plan.coincident(over.name, host))
     along = direction(plan, slide, host)
     start = coriolis(plan, slide, start, along, unit(plan.velocities, slide, host), f"k_{over.name}")
     return plan.board.parallel(f"∥{along.name}", start, plan.carry(along), "along the guide")

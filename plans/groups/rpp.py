@@ -52,7 +52,9 @@ def _met(plan: Plan, dyad: Dyad, along: Mark, guided: Mark) -> Mark:
     """Meet in the image of the yoke's point under the pin, and carry it to the yoke's own point N."""
     board, base, (stone, yoke) = plan.board, plan.positions, dyad.links
     a, inner, outer = plan.point(dyad.hinge(0)), dyad.slide(), dyad.slide(1)
-    under = board.meet(f"{a.name}{yoke}", along, guided, why=f"the point of link {yoke} under the pin")
+    under = board.meet(
+        plan.coincident(dyad.hinge(0), yoke), along, guided, why=f"the point of link {yoke} under the pin"
+    )
     turned = guide.unit(plan, outer, dyad.hosts[1])
     n, slot = under, None
     if turned is not None:

@@ -29,7 +29,7 @@ def velocities(plan: Plan, dyad: Dyad) -> None:
     reach, slot = _reach(plan, dyad), plan.carry(guide.direction(plan, slide, slide.owner))
     along = board.parallel(f"∥{slot.name}", a, slot, "slip along the slot")
     around = board.square(f"⊥{reach.name}", c, reach, f"turning about {dyad.hinge(1)}")
-    under = board.meet(_under(dyad), along, around, why=f"the point of link {dyad.links[1]} under the pin")
+    under = board.meet(_under(plan, dyad), along, around, why=f"the point of link {dyad.links[1]} under the pin")
     guide.slip(plan, slide, along, under)
     turning = board.join(f"{c.name}{under.name}", c, under)
     _keep(plan, dyad, (a, c), board.similar(f"{slot.name}'", turning, reach, slot, why="the slot turns with link"))
@@ -44,12 +44,12 @@ def accelerations(plan: Plan, dyad: Dyad) -> None:
     spun = guide.unit(plan.velocities, slide, slide.owner)
     k = guide.coriolis(plan, slide, a, slot, spun, f"k_{dyad.hinge(0)}")
     turning = plan.carry(plan.velocities.readings[dyad.links[1]].turning)
-    name = f"n_{_under(dyad).upper()}"
+    name = f"n_{_under(plan, dyad).upper()}"
     part = board.similar(f"a^{name}", turning, reach, turning, why=f"normal part: v squared over {reach.name}")
     n = board.lay_off(name, c, part, "directed to the centre of rotation")
     along = board.parallel(f"∥{slot.name}", k, plan.carry(slot), "slip along the slot")
     around = board.square(f"⊥{reach.name}", n, reach, "tangential part")
-    under = board.meet(_under(dyad), along, around, why=f"the point of link {dyad.links[1]} under the pin")
+    under = board.meet(_under(plan, dyad), along, around, why=f"the point of link {dyad.links[1]} under the pin")
     whole = board.join(f"{c.name}{under.name}", c, under)
     _keep(plan, dyad, (a, c), board.similar(f"{slot.name}''", whole, reach, plan.carry(slot), why="similarity"))
     tangential = board.join(f"{n.name}{under.name}", n, under, "tangential part")
@@ -61,18 +61,18 @@ def _outer(plan: Plan, dyad: Dyad) -> tuple[Mark, Mark]:
     return plan.point(dyad.hinge(0)), plan.point(dyad.hinge(1))
 
 
-def _under(dyad: Dyad) -> str:
+def _under(plan: Plan, dyad: Dyad) -> str:
     """Name the point of the pivoted link that lies under the pin, such as a3."""
-    return f"{dyad.hinge(0).lower()}{dyad.links[1]}"
+    return plan.coincident(dyad.hinge(0), dyad.links[1])
 
 
 def _reach(plan: Plan, dyad: Dyad) -> Mark:
-    """Carry the vector from the pivot C to the pin A."""
+    """Carry the vector from the pivot C to the pin A, drawn once on the plan of positions."""
     base = plan.positions
-    a, c = _outer(base, dyad)
-    name = f"{c.name}{a.name}"
-    drawn = base.board[name] if name in base.board else base.board.join(name, c, a, "from the pivot to the pin")
-    return plan.carry(drawn)
+    if dyad.links not in base.reaches:
+        a, c = _outer(base, dyad)
+        base.reaches[dyad.links] = base.board.join(f"{c.name}{a.name}", c, a, "from the pivot to the pin")
+    return plan.carry(base.reaches[dyad.links])
 
 
 def _keep(plan: Plan, dyad: Dyad, pins: tuple[Mark, Mark], slot: Mark) -> None:

@@ -31,7 +31,7 @@ def test_a_scene_of_the_catalogue_ends_as_its_header_says(path: Path) -> None:
     expected = [match for line in path.read_text().splitlines() if (match := EXPECTED.fullmatch(line))]
     began = time.perf_counter()
     code, message = outcome(path)
-    assert time.perf_counter() - began < 1
+    assert time.perf_counter() - began < 30  # a hang, not a speed: under a second on a quiet machine
     assert expected
     for match in expected:
         assert code == int(match[1]), message

@@ -146,7 +146,7 @@ def test_every_letter_of_the_mechanism_is_measurable_in_the_shown_position() -> 
 def test_a_mechanism_that_reaches_no_position_gets_a_sheet_that_explains_why() -> None:
     _, leaf = drawn(four_bar(rod=0.05, rocker=0.05))
     said = " ".join(text.plain for text in texts(leaf))
-    assert "Gaps: 0–11: out of reach at B" in said and "miss each other" in said
+    assert "Gaps: 0–11: out of reach at B" in said and "reach from" in said
     assert "Velocity plan" not in said
 
 

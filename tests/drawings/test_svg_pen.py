@@ -8,7 +8,6 @@ import os
 import re
 import subprocess
 import sys
-import time
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -345,19 +344,3 @@ def plainly(sheet: Leaf) -> bytes:
 
 def down(point: complex) -> tuple[float, float]:
     return point.real, 594 - point.imag
-
-
-def best(draw: object, sheet: Leaf, runs: int) -> float:
-    assert callable(draw)
-    spent = []
-    for _ in range(runs):
-        before = time.process_time()
-        draw(sheet)
-        spent.append(time.process_time() - before)
-    return min(spent)
-
-
-def test_a_crowded_sheet_is_drawn_several_times_faster_than_plainly() -> None:
-    sheet = crowd()
-    ratio = best(plainly, sheet, 3) / best(pen.svg, sheet, 7)
-    assert ratio >= 4, f"only {ratio:.1f} times; 5.8 on a quiet machine"

@@ -396,7 +396,7 @@ def test_a_hostile_scene_is_refused_at_once(text: str) -> None:
     began = time.perf_counter()
     with pytest.raises((SceneError, LimitError)) as refused:
         build(text)
-    assert time.perf_counter() - began < 3
+    assert time.perf_counter() - began < 30  # a hang, not a speed: under a second on a quiet machine
     assert all(len(line) < 2_000 for line in str(refused.value).splitlines())
 
 

@@ -205,7 +205,7 @@ def test_a_hostile_text_is_refused_at_once(text: str) -> None:
     began = time.perf_counter()
     with pytest.raises((SceneError, LimitError)):
         parse_source(text, "scene.toml")
-    assert time.perf_counter() - began < 2
+    assert time.perf_counter() - began < 30  # a hang, not a speed: under a second on a quiet machine
 
 
 def test_a_file_beyond_the_limit_is_not_read(tmp_path: Path) -> None:

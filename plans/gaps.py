@@ -1,0 +1,147 @@
+"""Gaps: why a position cannot be assembled, is not reached or has no velocity, and what would mend it (разрывы)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+from geometry.board import Arc, Mark, at, between
+from plans.motion import Floats, Gap, Motion
+from plans.passage import CHANGE, GAP, PARALLEL, Barrier, Sweep, bounding, crossing, margins, undefined
+from plans.plan import Plan
+from plans.turn import Turn
+
+# A position this near to a barrier's edge, rad, whose group is exactly at its dead centre, is the limit itself: half
+# the digits of an angle, for near a dead centre a margin is known to all digits but its angle to half of them.
+LIMIT = 1e-7
+
+
+def lost(sweep: Sweep, plan: Plan, turn: Turn, home: float, barriers: Sequence[Barrier]) -> npt.NDArray[np.bool_]:
+    """Tell the positions that are not reached from `home`, or in which a group has no one place; limits are reached."""
+    gone = ~reached(turn.phi, home, barriers)
+    if not sweep.groups:
+        return gone
+    field, _ = margins(plan, sweep.groups, sweep.sides)
+    nowhere = np.broadcast_to(undefined(plan, sweep.groups), gone.shape)
+    with np.errstate(invalid="ignore"):
+        limit = (field == 0).any(axis=0) & (field >= 0).all(axis=0) & near_edge(turn.phi, barriers)
+    return np.asarray((gone & ~limit) | nowhere)
+
+
+def reached(phi: Floats, first: float, barriers: Sequence[Barrier]) -> npt.NDArray[np.bool_]:
+    """Tell which crank angles are reached from the first one, in either sense, without passing a barrier.
+
+    An angle within a change point's own rounding is reached: the mechanism gets there, but no further.
+    """
+    turn = 2 * np.pi
+    ahead = np.mod(phi - first, turn)
+    on = min((_far_edge(b.start - first, b) for b in barriers), default=turn)
+    back = min((_far_edge(first - b.end, b) for b in barriers), default=turn)
+    return np.asarray((ahead <= on) | (np.mod(turn - ahead, turn) <= back))
+
+
+def _far_edge(near: float, barrier: Barrier) -> float:
+    near = float(np.mod(near, 2 * np.pi))
+    return near + (barrier.end - barrier.start if barrier.kind == CHANGE else 0.0)
+
+
+def near_edge(phi: Floats, barriers: Sequence[Barrier]) -> npt.NDArray[np.bool_]:
+    """Tell which crank angles lie at a barrier's edge, or within a change point's own rounding."""
+    near = np.zeros(len(phi), dtype=bool)
+    for barrier in barriers:
+        edges = (barrier.start, barrier.end, (barrier.start + barrier.end) / 2)
+        wide = LIMIT + (barrier.end - barrier.start if barrier.kind == CHANGE else 0.0)
+        for edge in edges if barrier.kind == CHANGE else edges[:2]:
+            near |= np.abs(np.angle(np.exp(1j * (phi - edge)))) < wide
+    return near
+
+
+def of_position(sweep: Sweep, turn: Turn, position: int, home: float | None, barriers: Sequence[Barrier]) -> Gap:
+    """Say why one position is lost, and what would mend it; `turn` holds that position alone."""
+    phi = float(turn.phi[0])
+    field, marks = margins(sweep.drawn(turn), sweep.groups, sweep.sides)
+    for margin, mark in zip(field[:, 0], marks, strict=True):
+        if margin < 0 and crossing(mark) is None:
+            miss = at(mark.miss if mark.miss is not None else 0.0, 0).real
+            return Gap(position, phi, "positions", GAP, mark.name, miss, _reach(mark, miss))
+        if np.isnan(mark.point).any():
+            advice = (
+                f"the lines that meet in {mark.name} fall into one there, or are parallel: take a position beside it"
+            )
+            return Gap(position, phi, "positions", "dead centre", mark.name, 0.0, advice)
+    return _beyond(position, phi, None if home is None else bounding(phi, home, barriers))
+
+
+def _beyond(position: int, phi: float, barrier: Barrier | None) -> Gap:
+    """Name a position that could be assembled, but not without passing a barrier."""
+    where = barrier.where if barrier else ""
+    if barrier is not None and barrier.kind == CHANGE:
+        advice = (
+            "the mechanism may go on in two ways there: start the drive beyond the change point, or change a length"
+        )
+        return Gap(position, phi, "positions", "beyond a change point", where, 0.0, advice)
+    if barrier is not None and barrier.kind == PARALLEL:
+        advice = (
+            f"the guides of {where} are parallel on the way and their pin runs to infinity: keep the crank this side"
+        )
+        return Gap(position, phi, "positions", "not reachable", where, 0.0, advice)
+    advice = "the crank cannot turn there from the first position: start the drive in that part of the turn"
+    return Gap(position, phi, "positions", "not reachable", where, 0.0, advice)
+
+
+def _reach(mark: Mark, miss: float) -> str:
+    """Say how far apart two loci are, and how far they reach."""
+    first, second = mark.step.inputs
+    if mark.step.op == "tangent":
+        apart = abs(at(between(first, second), 0))
+        return (
+            f"{first.name} and {second.name} are {apart:.6g} m apart, {miss:.6g} m less than the slot's offset: "
+            "make the offset smaller or the fixed distance larger"
+        )
+    ends = tuple(locus.step.inputs[0].name for locus in (first, second))
+    radii = [at(locus.value.radius, 0).real for locus in (first, second) if isinstance(locus.value, Arc)]
+    apart = abs(at(between(first.step.inputs[0], second.step.inputs[0]), 0))
+    if len(radii) == 1:
+        return (
+            f"{second.name} = {radii[0]:.6g} m misses the {first.name} by {miss:.6g} m: it must be "
+            f"{radii[0] + miss:.6g} m at least, or the guide nearer"
+        )
+    low, high = abs(radii[0] - radii[1]), sum(radii)
+    return (
+        f"{ends[0]} and {ends[1]} are {apart:.6g} m apart, but {first.name} = {radii[0]:.6g} m and {second.name} = "
+        f"{radii[1]:.6g} m reach from {low:.6g} m to {high:.6g} m: "
+        + ("lengthen one of them" if apart > high else "make their lengths more alike")
+    )
+
+
+def without_velocity(drawn: Motion, gone: npt.NDArray[np.bool_], barriers: Sequence[Barrier], start: int) -> list[Gap]:
+    """Name the positions that are assembled but have no velocities, and leave none there for any point or link."""
+    letters = [name for name, motion in drawn.points.items() if motion.v is not None]
+    if not letters:
+        return []
+    none = np.isnan(np.array([drawn.points[name].v for name in letters]))
+    dead = none.any(axis=0) & ~gone
+    forget(drawn, dead)
+    change = near_edge(drawn.phi, [b for b in barriers if b.kind == CHANGE])
+    advice = "a group is at its dead centre: its velocities have no one value; take a position beside it"
+    return [
+        Gap(
+            start + int(k), float(drawn.phi[k]), "velocities", CHANGE if change[k] else "dead centre",
+            letters[int(np.argmax(none[:, k]))], 0.0, advice,
+        )
+        for k in np.flatnonzero(dead)
+    ]  # fmt: skip
+
+
+def forget(drawn: Motion, positions: npt.NDArray[np.bool_]) -> None:
+    """Leave no velocity and no acceleration where the mechanism as a whole has none."""
+    for points in drawn.points.values():
+        for values in (points.v, points.a):
+            if values is not None:
+                values[positions] = np.nan
+    for links in drawn.links.values():
+        for numbers in (links.omega, links.epsilon):
+            if numbers is not None:
+                numbers[positions] = np.nan

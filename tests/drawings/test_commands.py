@@ -1,0 +1,673 @@
+"""The command: what it prints, what it writes, and how it ends; its exit codes are a contract."""
+
+from __future__ import annotations
+
+import errno
+import json
+import math
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from drawings import cli, press
+from drawings.commands import draw as draw_command
+from drawings.commands import solve as solve_command
+from drawings.limits import QUANTUM
+from drawings.measure import check, measure_file
+from drawings.pens import svg as pen
+from drawings.seal import sealed
+from drawings.strokes import Group, Leaf, Line, Stroke
+from plans import compare as comparing
+from plans.motion import Motion
+
+ROOT = Path(__file__).parent.parent.parent
+GALLERY = sorted((ROOT / "drawings/gallery").glob("*.toml"))
+CATALOGUE = sorted((ROOT / "tests/catalogue").glob("*.toml"))
+SHAPER = ROOT / "drawings/gallery/shaper.toml"
+
+# A four-bar whose crank cannot turn fully: the far positions are gaps.
+GAPPED = """
+title = "Two rockers"
+[mechanism.frame]
+O = [0, 0]
+C = [0.3, 0]
+[mechanism.links]
+1 = "OA"
+2 = "AB"
+3 = "CB"
+[mechanism.lengths]
+OA = 0.2
+AB = 0.15
+CB = 0.15
+[mechanism.sketch]
+B = [0.25, 0.14]
+[drive]
+link = 1
+speed = 10
+start = 60
+positions = 12
+"""
+
+Run = Callable[..., tuple[int, str, str]]
+
+
+@pytest.fixture
+def run(capsys: pytest.CaptureFixture[str]) -> Run:
+    """Run the command in this process: exit code, stdout, stderr."""
+
+    def command(*arguments: object) -> tuple[int, str, str]:
+        try:
+            code = cli.main([str(argument) for argument in arguments])
+        except SystemExit as end:
+            code = int(end.code or 0)
+        out, err = capsys.readouterr()
+        assert "Traceback" not in out + err
+        return code, out, err
+
+    return command
+
+
+def process(
+    *arguments: object, cwd: Path = ROOT, options: tuple[str, ...] = (), **environment: str
+) -> subprocess.CompletedProcess[bytes]:
+    """Run the command in a process of its own."""
+    command = [sys.executable, *options, "-m", "drawings.cli", *map(str, arguments)]
+    known = {**os.environ, "PYTHONPATH": str(ROOT), **environment}
+    return subprocess.run(command, cwd=cwd, env=known, capture_output=True, check=False, timeout=120)
+
+
+@pytest.fixture
+def gapped(tmp_path: Path) -> Path:
+    scene = tmp_path / "rockers.toml"
+    scene.write_text(GAPPED, "utf-8")
+    return scene
+
+
+def edited(tmp_path: Path, old: str, new: str) -> Path:
+    """Give the shaper's scene with one thing changed."""
+    text = SHAPER.read_text("utf-8")
+    assert old in text
+    scene = tmp_path / "shaper.toml"
+    scene.write_text(text.replace(old, new), "utf-8")
+    return scene
+
+
+# draw
+
+
+def test_draw_writes_the_sheet_and_the_report_and_prints_the_comparison(run: Run, tmp_path: Path) -> None:
+    code, out, err = run("draw", SHAPER, "-o", tmp_path / "out")
+    assert (code, err) == (0, "")
+    sheet, beside = tmp_path / "out/shaper-kinematics.svg", tmp_path / "out/shaper-report.md"
+    assert {file.name for file in (tmp_path / "out").iterdir()} == {sheet.name, beside.name}
+    lines = out.splitlines()
+    assert lines[-2:] == [str(sheet), str(beside)]
+    assert [line.split()[0] for line in lines[1:4]] == ["positions", "velocities", "accelerations"]
+    assert all(0 <= float(line.split()[4]) <= 1 for line in lines[1:4])
+    assert beside.read_text("utf-8").startswith("# Crank shaper: kinematics\n")
+
+
+def test_every_vector_and_point_of_the_drawn_sheet_measures_back(run: Run, tmp_path: Path) -> None:
+    run("draw", SHAPER, "-o", tmp_path)
+    sheet = tmp_path / "shaper-kinematics.svg"
+    assert sealed(sheet.read_bytes())
+    measured = measure_file(sheet)
+    assert check(measured) == []
+    assert {vector.plan for vector in measured.vectors} == {"velocities", "accelerations"}
+    assert {point.name for point in measured.points} >= {"A", "B", "D"}
+    assert len(measured.vectors) > 20
+
+
+def test_draw_replaces_an_older_sheet(run: Run, tmp_path: Path) -> None:
+    old = tmp_path / "shaper-kinematics.svg"
+    old.write_text("an older one")
+    assert run("draw", SHAPER, "-o", tmp_path)[0] == 0
+    assert sealed(old.read_bytes())
+
+
+def test_a_sheet_with_gaps_is_drawn_and_each_gap_is_told_with_its_reason(
+    run: Run, gapped: Path, tmp_path: Path
+) -> None:
+    code, out, err = run("draw", gapped, "-o", tmp_path / "out")
+    assert code == 4
+    assert (tmp_path / "out/rockers-kinematics.svg").exists()
+    told = [line for line in err.splitlines() if re.match(r"position \d+: positions: ", line)]
+    assert len(told) == len(json.loads(run("solve", gapped)[1])["gaps"]) > 0
+    assert "m apart" in err and "reach from" in err
+    assert "miss each other by" not in out
+
+
+# solve
+
+
+def test_solve_prints_every_number_of_the_scene(run: Run) -> None:
+    code, out, err = run("solve", SHAPER, "--by", "construction", "--json")
+    assert (code, err) == (0, "")
+    data = json.loads(out)
+    assert list(data)[:6] == ["scene", "by", "phi", "gaps", "points", "links"]
+    assert (data["scene"], data["by"], data["gaps"]) == ("Crank shaper", "construction", [])
+    assert len(data["phi"]) == 12
+    assert np.diff(data["phi"]) == pytest.approx([math.tau / 12] * 11)
+    assert set(data["points"]) == {"O", "C", "A", "B", "D"}
+    assert set(data["links"]) == {"1", "2", "3", "4", "5"}
+    for point in data["points"].values():
+        assert list(point) == ["r", "v", "a"]
+        assert all(np.shape(values) == (12, 2) for values in point.values())
+    for link in data["links"].values():
+        assert list(link) == ["angle", "omega", "epsilon"]
+        assert all(np.shape(values) == (12,) for values in link.values())
+    assert np.hypot(*np.transpose(data["points"]["A"]["v"])) == pytest.approx([1.2] * 12)
+    assert data["links"]["1"]["omega"] == pytest.approx([10] * 12)
+    assert data["links"]["1"]["epsilon"] == pytest.approx([5] * 12)
+
+
+@pytest.mark.parametrize(
+    ("only", "points", "links"),
+    [
+        ("positions", ["r"], ["angle"]),
+        ("velocities", ["v"], ["omega"]),
+        ("accelerations,positions", ["r", "a"], ["angle", "epsilon"]),
+    ],
+)
+@pytest.mark.parametrize("by", ["construction", "analysis"])
+def test_only_what_is_named_is_printed(run: Run, by: str, only: str, points: list[str], links: list[str]) -> None:
+    code, out, _ = run("solve", SHAPER, "--by", by, "--only", only)
+    data = json.loads(out)
+    assert code == 0
+    assert all(sorted(point) == sorted(points) for point in data["points"].values())
+    assert all(sorted(link) == sorted(links) for link in data["links"].values())
+
+
+def largest(data: dict[str, Any], key: str) -> float:
+    return max(math.hypot(*pair) for point in data["points"].values() for pair in point[key] if pair)
+
+
+@pytest.mark.parametrize("scene", GALLERY, ids=lambda scene: scene.stem)
+def test_both_roads_print_the_same_numbers(run: Run, scene: Path) -> None:
+    ours, theirs = (json.loads(run("solve", scene, "--by", by)[1]) for by in ("construction", "analysis"))
+    assert theirs["by"] == "analysis"
+    assert {key: list(ours[key]) for key in ("points", "links")} == {k: list(theirs[k]) for k in ("points", "links")}
+    assert ours["phi"] == pytest.approx(theirs["phi"], abs=1e-9)
+    assert [gap["position"] for gap in ours["gaps"]] == [gap["position"] for gap in theirs["gaps"]]
+    for name, point in ours["points"].items():
+        for key, values in point.items():
+            assert np.array(values) == pytest.approx(
+                np.array(theirs["points"][name][key]), abs=1e-9 * largest(ours, key), nan_ok=True
+            )
+    for number, link in ours["links"].items():
+        turn = np.subtract(link["angle"], theirs["links"][number]["angle"])
+        assert np.abs(np.angle(np.exp(1j * turn))).max() < 1e-9
+        for key in ("omega", "epsilon"):
+            assert link[key] == pytest.approx(theirs["links"][number][key], rel=1e-8, abs=1e-8)
+    assert ours.get("extremes", {}).keys() == theirs.get("extremes", {}).keys()
+    for key, value in ours.get("extremes", {}).items():
+        assert value == pytest.approx(theirs["extremes"][key], abs=1e-9), key
+
+
+@pytest.mark.parametrize("by", ["construction", "analysis"])
+def test_a_gap_is_null_in_every_number_and_named_with_its_reason(run: Run, gapped: Path, by: str) -> None:
+    code, out, _ = run("solve", gapped, "--by", by)
+    data = json.loads(out)
+    assert code == 4
+    lost = {gap["position"] for gap in data["gaps"]}
+    assert {2, 3, 4} <= lost < set(range(12))
+    for gap in data["gaps"]:
+        assert gap["phi"] == data["phi"][gap["position"]]
+        assert gap["reason"]
+        assert gap["advice"]
+    for values in (*data["points"]["B"].values(), *data["links"]["3"].values()):
+        assert {k for k, value in enumerate(values) if value is None} == lost
+    assert not {"NaN", "Infinity", "-0.0,"} & set(re.findall(r"NaN|Infinity|-0\.0,", out))
+
+
+def test_numbers_stand_in_the_coordinates_of_the_scene(run: Run, tmp_path: Path) -> None:
+    text = GAPPED.replace("O = [0, 0]", "O = [1, 2]").replace("C = [0.3, 0]", "C = [1.3, 2]")
+    (tmp_path / "moved.toml").write_text(text.replace("B = [0.25, 0.14]", "B = [1.25, 2.14]"), "utf-8")
+    (tmp_path / "here.toml").write_text(GAPPED, "utf-8")
+    here, moved = (json.loads(run("solve", tmp_path / f"{name}.toml")[1]) for name in ("here", "moved"))
+    for old, new in zip(here["points"]["B"]["r"], moved["points"]["B"]["r"], strict=True):
+        assert (new is None) == (old is None)
+        assert old is None or new == pytest.approx([old[0] + 1, old[1] + 2], abs=1e-12)
+    assert moved["points"]["B"]["v"] == here["points"]["B"]["v"]
+
+
+# compare
+
+
+def test_compare_prints_each_quantity_and_the_verdict(run: Run) -> None:
+    code, out, _ = run("compare", SHAPER)
+    assert code == 0
+    assert {"r_D", "v_D", "a_D", "φ_3", "ω_3", "ε_3"} <= {line.split()[1] for line in out.splitlines()}
+    assert out.splitlines()[-1].startswith("construction and analysis agree: worst 0.0")
+    code, out, _ = run("compare", SHAPER, "--json")
+    findings = json.loads(out)["findings"]
+    assert all(0 <= finding["of_allowed"] <= 1 for finding in findings)
+    assert {finding["unit"] for finding in findings} == {"m", "rad", "m/s", "rad/s", "m/s2", "rad/s2"}
+
+
+def test_compare_ends_with_4_where_there_are_gaps(run: Run, gapped: Path) -> None:
+    code, out, _ = run("compare", gapped)
+    assert code == 4
+    assert "agree" in out
+
+
+def mislead(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let the analytic solver be wrong by a millionth in the velocity of D."""
+    solve = comparing.solve
+
+    def wrong(*arguments: Any) -> Motion:
+        motion = solve(*arguments)
+        velocity = motion.points["D"].v
+        assert velocity is not None
+        return replace(motion, points={**motion.points, "D": replace(motion.points["D"], v=velocity * (1 + 1e-6))})
+
+    monkeypatch.setattr(comparing, "solve", wrong)
+
+
+def test_compare_ends_with_5_where_the_roads_differ_by_a_millionth(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    mislead(monkeypatch)
+    code, out, _ = run("compare", SHAPER)
+    assert code == 5
+    assert "construction and analysis DIFFER" in out
+
+
+# The self-check
+
+
+@pytest.fixture
+def before(run: Run, tmp_path: Path) -> Iterator[Path]:
+    """A folder with a good sheet, which must be left as it is; and nothing beside it."""
+    run("draw", SHAPER, "-o", tmp_path)
+    old = {file.name: file.read_bytes() for file in tmp_path.iterdir()}
+    assert len(old) == 2
+    yield tmp_path
+    assert {file.name: file.read_bytes() for file in tmp_path.iterdir()} == old
+
+
+def test_a_sheet_that_the_analysis_does_not_confirm_is_withheld(
+    run: Run, before: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    mislead(monkeypatch)
+    code, out, err = run("draw", SHAPER, "-o", before)
+    assert (code, out) == (5, "")
+    assert "construction and analysis differ in v_D" in err
+    assert "withheld" in err
+
+
+def shifted(line: Line, data: dict[str, str]) -> Group:
+    return Group((replace(line, end=line.end + 3 * QUANTUM),), data=data)
+
+
+def reversed_(line: Line, data: dict[str, str]) -> Group:
+    return Group((replace(line, end=2 * line.start - line.end),), data=data)
+
+
+def dropped(_: Line, __: dict[str, str]) -> Group:
+    return Group(())
+
+
+def misnamed(line: Line, data: dict[str, str]) -> Group:
+    return Group((line,), data={**data, "name": "p q"})
+
+
+def named_twice(line: Line, data: dict[str, str]) -> Group:
+    return Group((Group((line,), data=data), Group((line,), data={**data, "name": "b d"})))
+
+
+def stretched(line: Line, data: dict[str, str]) -> Group:
+    """Wrong on the paper and in its words alike: only the analysis can tell."""
+    x, y = (float(part) * 1.001 for part in data["value"].split())
+    return Group((replace(line, end=line.start + 1.001 * (line.end - line.start)),), data={**data, "value": f"{x} {y}"})
+
+
+def spoilt(stroke: Stroke, spoil: Callable[[Line, dict[str, str]], Group], done: list[str]) -> Stroke:
+    """Spoil the first vector p b of the strokes."""
+    if not isinstance(stroke, Group):
+        return stroke
+    if stroke.data.get("kind") == "vector" and stroke.data["name"] == "p b" and not done:
+        done.append("p b")
+        first = stroke.strokes[0]
+        assert isinstance(first, Line)
+        return spoil(first, dict(stroke.data))
+    return replace(stroke, strokes=tuple(spoilt(part, spoil, done) for part in stroke.strokes))
+
+
+@pytest.mark.parametrize("spoil", [shifted, reversed_, dropped, misnamed, stretched, named_twice])
+def test_a_sheet_with_one_wrong_vector_is_withheld(
+    run: Run, before: Path, monkeypatch: pytest.MonkeyPatch, spoil: Callable[[Line, dict[str, str]], Group]
+) -> None:
+    svg, done = pen.svg, list[str]()
+
+    def wrong(leaf: Leaf) -> bytes:
+        groups = tuple(spoilt(group, spoil, done) for group in leaf.groups)
+        return svg(replace(leaf, groups=groups))
+
+    monkeypatch.setattr(pen, "svg", wrong)
+    code, out, err = run("draw", SHAPER, "-o", before)
+    assert done == ["p b"]
+    assert (code, out) == (5, "")
+    assert len(err.splitlines()) == 1
+
+
+# explain
+
+
+@pytest.mark.parametrize("mark", ["B", "v_D", "a_D", "omega_3", "epsilon_4", "a3"])
+def test_explain_tells_every_step_behind_a_mark_in_order(run: Run, mark: str) -> None:
+    code, out, _ = run("explain", SHAPER, mark, "--position", 3)
+    lines = out.splitlines()
+    assert code == 0
+    assert re.fullmatch(rf"{mark} in position 3 \(φ = 429\.949\d°\), {len(lines) - 1} steps", lines[0])
+    assert [int(line.split(".")[0]) for line in lines[1:]] == list(range(1, len(lines)))
+    code, out, _ = run("explain", SHAPER, mark, "--position", 3, "--json")
+    steps = json.loads(out)
+    assert len(steps) == len(lines) - 1
+    seen: set[str] = set()
+    for step in steps:
+        assert set(step["from"]) <= seen
+        seen.add(step["name"])
+    assert any(step["why"] for step in steps)
+
+
+def test_explain_tells_where_the_mark_is(run: Run) -> None:
+    solved = json.loads(run("solve", SHAPER)[1])["points"]["B"]["r"][3]
+    last = run("explain", SHAPER, "B", "--position", 3)[1].splitlines()[-1]
+    found = re.search(r"B: \S+ .* = \((\S+), (\S+)\) m", last)
+    assert found
+    assert [float(found[1]), float(found[2])] == pytest.approx(solved, rel=1e-9)
+
+
+def test_a_velocity_rests_on_the_positions_that_it_needs_and_on_no_others(run: Run) -> None:
+    steps = json.loads(run("explain", SHAPER, "v_B", "--json")[1])
+    assert {step["plan"] for step in steps} == {"positions", "velocities"}
+    assert "D" not in {step["name"] for step in steps}
+
+
+def test_an_unknown_mark_is_answered_with_the_nearest_one(run: Run) -> None:
+    code, out, err = run("explain", SHAPER, "v_DD")
+    assert (code, out) == (3, "")
+    assert "did you mean v_D?" in err
+
+
+@pytest.mark.parametrize("position", [-1, 12, 999999999999])
+def test_a_position_out_of_range_is_answered_with_the_range(run: Run, position: int) -> None:
+    code, out, err = run("explain", SHAPER, "B", f"--position={position}")
+    assert (code, out) == (3, "")
+    assert "0 to 11" in err
+
+
+def test_a_gap_has_nothing_to_explain_but_its_reason(run: Run, gapped: Path) -> None:
+    code, out, err = run("explain", gapped, "B", "--position", 3)
+    assert (code, out) == (3, "")
+    assert "position 3 is a gap: " in err
+
+
+def test_a_link_that_does_not_turn_has_no_steps_behind_its_rate(run: Run) -> None:
+    code, _, err = run("explain", SHAPER, "omega_5")
+    assert code == 3
+    assert "does not turn" in err
+
+
+# measure
+
+
+def test_measure_prints_the_vectors_of_a_drawn_sheet_in_true_units(run: Run, tmp_path: Path) -> None:
+    run("draw", SHAPER, "-o", tmp_path)
+    sheet = tmp_path / "shaper-kinematics.svg"
+    code, out, err = run("measure", sheet)
+    assert (code, err) == (0, "")
+    assert "DIFFERS" not in out
+    data = json.loads(run("measure", sheet, "--json")[1])
+    solved = json.loads(run("solve", SHAPER)[1])
+    found = [vector for vector in data["vectors"] if vector["name"] == "p b"]
+    assert found
+    for vector in found:
+        true = solved["points"]["B"]["v"][vector["position"]]
+        assert vector["unit"] == "m/s"
+        assert math.dist(vector["value"], true) <= 2 * QUANTUM * vector["scale"]
+
+
+def test_measure_tells_which_vector_of_an_edited_sheet_differs(run: Run, tmp_path: Path) -> None:
+    run("draw", SHAPER, "-o", tmp_path)
+    sheet = tmp_path / "shaper-kinematics.svg"
+    text = sheet.read_text("utf-8")
+    line = re.search(r"<line[^>]*data-name=\"p b\"[^>]*>", text)
+    assert line
+    moved = re.sub(r'x2="([\d.]+)"', lambda found: f'x2="{float(found[1]) + 0.01:.4f}"', line[0])
+    sheet.write_text(text.replace(line[0], moved, 1), "utf-8")
+    code, out, _ = run("measure", sheet)
+    assert code == 5
+    assert [row.split()[2:4] for row in out.splitlines() if "DIFFERS" in row] == [["p", "b"]]
+
+
+def test_measure_is_not_led_astray_by_moving_the_whole_drawing(run: Run, tmp_path: Path) -> None:
+    run("draw", SHAPER, "-o", tmp_path)
+    sheet = tmp_path / "shaper-kinematics.svg"
+    text = sheet.read_text("utf-8")
+    start, end = text.index("</metadata>") + len("</metadata>"), text.index('<metadata id="seal"')
+    sheet.write_text(
+        f'{text[:start]}<g transform="translate(7 -3) scale(2)">{text[start:end]}</g>{text[end:]}', "utf-8"
+    )
+    code, out, _ = run("measure", sheet)
+    assert code == 0
+    assert "p b" in out
+
+
+# Exit codes
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        [],
+        ["paint", SHAPER],
+        ["draw"],
+        ["draw", SHAPER, "--fast"],
+        ["solve", SHAPER, "--by", "magic"],
+        ["solve", SHAPER, "--only", "forces"],
+        ["solve", SHAPER, "--only", ""],
+        ["explain", SHAPER],
+        ["explain", SHAPER, "B", "--position", "two"],
+        ["measure"],
+    ],
+    ids=lambda arguments: " ".join(str(getattr(part, "name", part)) for part in arguments) or "nothing",
+)
+def test_a_wrong_command_line_ends_with_2_and_the_usage(run: Run, arguments: list[object]) -> None:
+    code, out, err = run(*arguments)
+    assert (code, out) == (2, "")
+    assert err.startswith("usage: plandraft")
+
+
+def test_a_misspelt_key_ends_with_3_and_the_right_spelling(run: Run, tmp_path: Path) -> None:
+    scene = edited(tmp_path, "CB = 0.700", "CB = 0.700\n[mechanism.skecth]")
+    for command, *more in (["draw", "-o", tmp_path / "out"], ["solve"], ["compare"], ["explain", "B"]):
+        code, out, err = run(command, scene, *more)
+        assert (code, out) == (3, "")
+        assert f"{scene}:" in err
+        assert "sketch" in err
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_group_without_a_sketch_ends_with_3_and_what_to_add(run: Run, tmp_path: Path) -> None:
+    scene = edited(tmp_path, "B = [0.20, 0.32]\nD = [0.40, 0.33]\n", "")
+    code, out, err = run("solve", scene)
+    assert (code, out) == (3, "")
+    assert "sketch" in err
+
+
+@pytest.mark.parametrize("scene", CATALOGUE, ids=lambda scene: scene.stem)
+def test_a_scene_of_the_catalogue_ends_the_command_as_its_header_says(run: Run, scene: Path) -> None:
+    expected = re.search(r"# expect (\d+)", scene.read_text("utf-8", "replace"))
+    assert expected
+    code, out, err = run("solve", scene)
+    wanted = int(expected[1])
+    assert code == wanted or (wanted == 0 and code == 4)
+    assert bool(out) == (wanted == 0)
+    assert bool(err) == (wanted != 0)
+
+
+def test_more_positions_than_a_sheet_can_show_end_with_8_but_can_be_solved(run: Run, tmp_path: Path) -> None:
+    scene = edited(tmp_path, "positions = 12", "positions = 361")
+    code, out, err = run("draw", scene, "-o", tmp_path / "out")
+    assert (code, out) == (8, "")
+    assert "361" in err
+    assert "360" in err
+    assert not (tmp_path / "out").exists()
+    assert run("solve", scene, "--only", "positions")[0] == 0
+
+
+def test_a_scene_of_megabytes_ends_with_8(run: Run, tmp_path: Path) -> None:
+    scene = tmp_path / "huge.toml"
+    scene.write_bytes(b"#" * (1 << 20) + b"\n" + SHAPER.read_bytes())
+    assert run("solve", scene)[0] == 8
+
+
+@pytest.mark.parametrize(
+    "command", [["draw"], ["solve"], ["compare"], ["explain", "B"], ["measure"]], ids=lambda c: c[0]
+)
+def test_a_file_that_cannot_be_read_ends_with_7_and_its_name(run: Run, tmp_path: Path, command: list[str]) -> None:
+    for path in (tmp_path / "nowhere.toml", tmp_path):
+        code, out, err = run(command[0], path, *command[1:])
+        assert (code, out) == (7, "")
+        assert str(path) in err
+        assert len(err.splitlines()) == 1
+
+
+@pytest.mark.parametrize("folder", ["not/made/yet", "taken"])
+def test_a_folder_that_cannot_be_made_ends_with_7(run: Run, tmp_path: Path, folder: str) -> None:
+    (tmp_path / "taken").write_text("a file")
+    code, out, err = run("draw", SHAPER, "-o", tmp_path / folder)
+    assert (code, out) == (7, "")
+    assert str(tmp_path / folder) in err
+    assert (tmp_path / "taken").read_text() == "a file"
+
+
+def test_a_full_disk_ends_with_7_and_leaves_the_old_sheet(
+    run: Run, before: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(*_: object) -> int:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(press.os, "write", full)
+    code, _, err = run("draw", SHAPER, "-o", before)
+    monkeypatch.undo()
+    assert code == 7
+    assert "No space left on device" in err
+
+
+def test_a_bug_of_ours_is_called_one_and_its_traceback_is_kept(
+    run: Run, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    def broken(_: object) -> int:
+        raise ZeroDivisionError("a slip of the pen")
+
+    monkeypatch.setattr(solve_command, "run", broken)
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    code, out, err = run("solve", SHAPER)
+    assert (code, out) == (1, "")
+    assert len(err.splitlines()) == 1
+    assert "a bug of plandraft" in err
+    (kept,) = tmp_path.glob("plandraft-bug-*.txt")
+    assert str(kept) in err
+    assert "ZeroDivisionError: a slip of the pen" in kept.read_text("utf-8")
+
+
+def test_a_user_who_stops_it_gets_130(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    def stopped(_: object) -> int:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(draw_command, "run", stopped)
+    assert run("draw", SHAPER) == (130, "", "")
+
+
+@pytest.mark.parametrize("arguments", [["--help"], ["draw", "--help"], ["--version"]], ids=" ".join)
+def test_help_and_version_end_with_0(run: Run, arguments: list[str]) -> None:
+    code, out, err = run(*arguments)
+    assert (code, err) == (0, "")
+    assert "plandraft" in out
+
+
+def test_the_help_names_every_exit_code(run: Run) -> None:
+    told = run("--help")[1]
+    assert set(re.findall(r"\b(\d) [a-z]", told.partition("exit codes:")[2])) == set("01234578")
+
+
+# By a real process
+
+
+def test_data_goes_to_stdout_and_talk_to_stderr(gapped: Path) -> None:
+    done = process("draw", gapped, "-o", gapped.parent / "out")
+    assert done.returncode == 4
+    assert b"position 3" not in done.stdout
+    assert b"position 3: positions: " in done.stderr
+    done = process("solve", gapped.parent / "nowhere.toml")
+    assert (done.returncode, done.stdout) == (7, b"")
+    assert b"nowhere.toml" in done.stderr
+
+
+def test_a_reader_that_leaves_early_ends_the_command_quietly(tmp_path: Path) -> None:
+    scene = edited(tmp_path, "positions = 12", "positions = 3000")
+    command = [sys.executable, "-m", "drawings.cli", "solve", str(scene)]
+    with subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as running:
+        assert running.stdout is not None
+        assert running.stderr is not None
+        assert running.stdout.read(8) == b'{"scene"'
+        running.stdout.close()
+        err = running.stderr.read()
+        assert running.wait(60) == 7
+    assert err == b""
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="this system has no full device")
+def test_a_full_stdout_ends_with_7_and_one_line() -> None:
+    with Path("/dev/full").open("wb") as full:
+        command = [sys.executable, "-m", "drawings.cli", "solve", str(SHAPER)]
+        done = subprocess.run(command, cwd=ROOT, stdout=full, stderr=subprocess.PIPE, check=False)
+    assert done.returncode == 7
+    assert len(done.stderr.splitlines()) == 1
+
+
+@pytest.mark.skipif(os.name != "posix", reason="closes a stream by the shell")
+def test_a_closed_stdout_ends_with_7_and_one_line() -> None:
+    command = f"'{sys.executable}' -m drawings.cli compare '{SHAPER}' >&-"
+    done = subprocess.run(["sh", "-c", command], cwd=ROOT, stderr=subprocess.PIPE, check=False)
+    assert done.returncode == 7
+    assert len(done.stderr.splitlines()) == 1
+
+
+def test_a_terminal_without_greek_letters_ends_no_command(tmp_path: Path) -> None:
+    done = process("draw", SHAPER, "-o", tmp_path, PYTHONIOENCODING="ascii")
+    assert done.returncode == 0, done.stderr
+    done = process("explain", SHAPER, "a_D", "--json", PYTHONIOENCODING="ascii")
+    assert "π" in {step["name"] for step in json.loads(done.stdout)}
+
+
+WAYS: dict[str, dict[str, Any]] = {
+    "hash seed 0": {"PYTHONHASHSEED": "0"},
+    "hash seed 1": {"PYTHONHASHSEED": "1"},
+    "C locale": {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"},
+    "another zone": {"TZ": "Asia/Tokyo"},
+    "without asserts": {"options": ("-O",)},
+    "another folder": {},
+}
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_the_same_scene_gives_the_same_bytes(run: Run, tmp_path: Path, way: str) -> None:
+    run("draw", SHAPER, "-o", tmp_path / "here")
+    cwd = tmp_path if way == "another folder" else ROOT
+    done = process("draw", SHAPER, "-o", tmp_path / "there", cwd=cwd, **WAYS[way])
+    assert done.returncode == 0, done.stderr
+    for file in (tmp_path / "here").iterdir():
+        assert (tmp_path / "there" / file.name).read_bytes() == file.read_bytes()
+    solved = process("solve", SHAPER, cwd=cwd, **WAYS[way])
+    assert solved.stdout.decode() == run("solve", SHAPER)[1]

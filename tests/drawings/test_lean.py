@@ -1,0 +1,105 @@
+"""Lean: what a command does not need is neither made nor imported; each is asked in a process of its own."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parent.parent.parent
+SHAPER = str(ROOT / "drawings/gallery/shaper.toml")
+HEAVY = ("mpmath", "scipy", "shapely", "matplotlib")
+
+# Runs the command, then tells which modules it has imported and which plans each study has made.
+WATCHED = """
+import contextlib, io, json, sys
+from drawings import cli
+made = []
+with contextlib.redirect_stdout(io.StringIO()):
+    from plans.study import Study
+    begin = Study.__init__
+    def watched(study, scene):
+        begin(study, scene)
+        made.append(study.made)
+    Study.__init__ = watched
+    code = cli.main(sys.argv[1:])
+    assert code == 0, code
+modules = sorted({name.partition(".")[0] for name in sys.modules})
+print(json.dumps({"modules": modules, "made": [list(study) for study in made]}))
+"""
+
+
+def watched(*arguments: object) -> tuple[set[str], set[str]]:
+    """Run a command; give the libraries that it imported, and the plans that it made."""
+    command = [sys.executable, "-c", WATCHED, *map(str, arguments)]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False, timeout=120)
+    assert done.returncode == 0, done.stderr
+    told = json.loads(done.stdout)
+    return set(told["modules"]), {plan for study in told["made"] for plan in study}
+
+
+def test_positions_alone_need_no_velocities_and_no_paper(tmp_path: Path) -> None:
+    scene = tmp_path / "crank.toml"
+    scene.write_text(Path(SHAPER).read_text("utf-8").replace('start = "extreme"', "start = 20"), "utf-8")
+    modules, made = watched("solve", scene, "--only", "positions")
+    assert "positions" in made
+    assert not made & {"velocities", "accelerations"}
+    assert "numpy" in modules
+    assert not modules & {"svgwrite", *HEAVY}
+
+
+def test_a_start_at_an_extreme_position_makes_no_plan_of_all_positions_but_the_one_asked_for() -> None:
+    _, made = watched("solve", SHAPER, "--only", "positions")
+    assert made == {"extremes", "positions"}
+
+
+def test_velocities_need_no_accelerations() -> None:
+    _, made = watched("solve", SHAPER, "--only", "velocities")
+    assert {"positions", "velocities"} <= made
+    assert "accelerations" not in made
+
+
+def test_the_analysis_makes_no_construction(tmp_path: Path) -> None:
+    scene = tmp_path / "crank.toml"
+    scene.write_text(Path(SHAPER).read_text("utf-8").replace('start = "extreme"', "start = 20"), "utf-8")
+    modules, made = watched("solve", scene, "--by", "analysis")
+    assert made == set()
+    assert not modules & {"svgwrite", *HEAVY}
+
+
+def test_the_steps_behind_a_velocity_make_no_accelerations() -> None:
+    modules, made = watched("explain", SHAPER, "v_D")
+    assert "velocities" in made
+    assert "accelerations" not in made
+    assert not modules & {"svgwrite", *HEAVY}
+
+
+@pytest.mark.parametrize("arguments", [["--help"], ["draw", "--help"]], ids=" ".join)
+def test_help_needs_no_library(arguments: list[str]) -> None:
+    lines = "import sys; from drawings import cli\ntry: cli.main(sys.argv[1:])\nfinally: print(*sys.modules)"
+    command = [sys.executable, "-c", lines, *arguments]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False, timeout=60)
+    assert done.returncode == 0, done.stderr
+    modules = {name.partition(".")[0] for name in done.stdout.splitlines()[-1].split()}
+    assert "drawings" in modules
+    assert not modules & {"numpy", "pydantic", "pydantic_core", "svgwrite", "tomllib", *HEAVY}
+
+
+def test_drawing_needs_one_pen_and_no_other_library(tmp_path: Path) -> None:
+    modules, made = watched("draw", SHAPER, "-o", tmp_path)
+    assert made >= {"positions", "velocities", "accelerations"}
+    assert {"numpy", "pydantic", "svgwrite"} <= modules
+    assert not modules & set(HEAVY)
+
+
+def test_measuring_a_sheet_needs_no_mechanism(tmp_path: Path) -> None:
+    watched("draw", SHAPER, "-o", tmp_path)
+    lines = "import sys; from drawings import cli; cli.main(sys.argv[1:]); print(*sys.modules)"
+    command = [sys.executable, "-c", lines, "measure", str(tmp_path / "shaper-kinematics.svg")]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False, timeout=60)
+    assert done.returncode == 0, done.stderr
+    modules = set(done.stdout.splitlines()[-1].split())
+    assert not modules & {"numpy", "pydantic", "svgwrite", "plans", *HEAVY}

@@ -1,0 +1,99 @@
+"""Precision: the bounds carried from step to step hold the true errors, and are not idle."""
+
+from __future__ import annotations
+
+import cmath
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+
+from geometry.board import Arc, Board, Line, Mark
+from geometry.meet import EPS
+from geometry.precision import condition, errors
+from geometry.replay import exact
+from tests.geometry.constructions import Construction, constructions
+
+
+def notch(gap: float) -> Mark:
+    """Two arcs about A and C that touch but for a share of the base."""
+    board = Board("positions")
+    a, c = board.given("A", 0j), board.given("C", 3.0 * (1 - gap) + 0j)
+    return board.meet("B", board.arc("AB", a, 1.0), board.arc("CB", c, 2.0), side=+1)
+
+
+@settings(max_examples=300)
+@given(constructions())
+def test_every_mark_lies_within_its_bound_of_the_exact_construction(drawn: Construction) -> None:
+    marks = drawn.marks
+    bounds, truth = errors(*marks), exact(marks)
+    for mark in marks:
+        place, turn = (float(np.max(bound)) for bound in bounds[mark])
+        exactly = truth[mark]
+        if isinstance(mark.value, Line):
+            through, direction = complex(mark.value.through), complex(mark.value.direction)
+            assert abs(through - exactly.point) <= place
+            sine = (exactly.measure.conjugate() * direction).imag / abs(exactly.measure) / abs(direction)
+            assert abs(sine) <= turn * (1 + EPS)
+        elif isinstance(mark.value, Arc):
+            assert abs(complex(mark.value.centre) - exactly.point) <= place
+        elif drawn.sure(mark):
+            assert abs(complex(mark.value) - exactly) <= place, mark.name
+
+
+@pytest.mark.parametrize("gap", [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12])
+def test_near_a_dead_centre_the_bound_holds_and_grows_as_kappa_does(gap: float) -> None:
+    b = notch(gap)
+    bound, kappa = float(errors(b)[b].place.item()), float(condition(b))
+    assert abs(complex(b.point) - exact([b])[b]) <= bound
+    assert kappa == pytest.approx(1 / math.sin(math.acos((9 * (1 - gap) ** 2 - 5) / 4)), rel=1e-3, abs=0)
+    assert 0.98 <= bound / (kappa * 4 * EPS * 3) <= 1.05
+
+
+def test_a_dead_centre_has_no_bound() -> None:
+    b = notch(0.0)
+    assert float(condition(b)) == math.inf
+    assert float(errors(b)[b].place.item()) == math.inf
+
+
+def test_an_error_a_thousand_roundings_large_is_beyond_the_bound() -> None:
+    b = notch(0.1)
+    wrong = complex(b.point) + 1000 * EPS
+    assert abs(wrong - exact([b])[b]) > float(errors(b)[b].place.item())
+
+
+def test_each_position_has_a_bound_of_its_own() -> None:
+    board = Board("positions")
+    a, c = board.given("A", 0j), board.given("C", np.array([5, 6.9999, 70]) + 0j)
+    b = board.meet("B", board.arc("AB", a, 3.0), board.arc("CB", c, 4.0), side=+1)
+    square, shallow, gap = errors(b)[b].place
+    assert 0 < 50 * square < shallow
+    assert not gap < math.inf
+
+
+def test_what_is_given_is_exact_and_what_is_carried_keeps_its_error() -> None:
+    b = notch(0.1)
+    here, there = Board("positions"), Board("velocities")
+    far = there.transfer("b", b)
+    bounds = errors(far, here.arc("BD", b, 2.0), *(mark for locus in b.step.inputs for mark in locus.step.inputs))
+    assert [float(bounds[source.step.inputs[0]].place.item()) for source in b.step.inputs] == [0, 0]
+    assert bounds[far].place == bounds[b].place
+
+
+def test_a_turned_vector_has_its_error_stretched() -> None:
+    board = Board("positions")
+    vector = board.join("AB", board.given("A", 0j), notch(0.1))
+    before = float(errors(vector)[vector].place.item())
+    turned = board.turn("t", vector, cmath.rect(100, 1))
+    assert float(errors(turned)[turned].place.item()) == pytest.approx(100 * before, rel=0.2, abs=0)
+
+
+def test_a_line_square_to_a_short_vector_is_turned_by_its_error_over_its_length() -> None:
+    board = Board("positions")
+    b = notch(0.1)
+    end = board.given("E", complex(b.point) + 1e-6)
+    short = board.join("BE", b, end)
+    line = board.square("n", end, short)
+    bounds = errors(line)
+    assert float(bounds[line].turn.item()) == pytest.approx(float(bounds[short].place.item()) / 1e-6, rel=1e-3, abs=0)
