@@ -6,15 +6,13 @@ import argparse
 import io
 import os
 import sys
-import tempfile
-import traceback
 from collections.abc import Sequence
-from importlib import import_module, metadata
+from importlib import import_module
 from pathlib import Path
 
-from geometry.errors import DraftError, LimitError
+from geometry.errors import DraftError
 
-BUG, USAGE, SCENE, SELF_CHECK, FILES, LIMIT, STOPPED = 1, 2, 3, 5, 7, 8, 130
+BUG, SCENE, FILES, STOPPED = 1, 3, 7, 130
 
 EPILOG = """\
 exit codes: 0 written and verified; 1 a bug of plandraft; 2 wrong command line; 3 the scene is wrong;
@@ -34,7 +32,7 @@ def parser() -> argparse.ArgumentParser:
         epilog=EPILOG,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    top.add_argument("--version", action="version", version=f"plandraft {_version()}")
+    top.add_argument("--version", action=_Version, nargs=0, help="show the version and stop")
     commands = top.add_subparsers(dest="command", metavar="COMMAND", required=True)
     draw = _command(commands, "draw", "draw the scene's sheets, compare, and write the report beside them")
     draw.add_argument(
@@ -76,7 +74,17 @@ def _orders(text: str) -> list[str]:
     return names
 
 
+class _Version(argparse.Action):
+    """Looks the version up only when it is asked for: reading the package's metadata costs more than most commands."""
+
+    def __call__(self, parser: argparse.ArgumentParser, *_: object) -> None:
+        print(f"plandraft {_version()}")
+        parser.exit()
+
+
 def _version() -> str:
+    from importlib import metadata  # noqa: PLC0415  (see _Version)
+
     try:
         return metadata.version("plandraft")
     except metadata.PackageNotFoundError:
@@ -113,16 +121,16 @@ def _open_stdout() -> None:
 
 
 def _code(error: Exception) -> int:
-    names = {kind.__name__ for kind in type(error).__mro__}
-    if "SelfCheckFailed" in names:
-        return SELF_CHECK
-    if isinstance(error, LimitError):
-        return LIMIT
+    if isinstance(error, DraftError) and error.exit_code:
+        return error.exit_code
     return FILES if isinstance(error, OSError) else SCENE
 
 
 def _bug_report() -> str:
     """Keep the traceback in a file of its own, so that the user's screen stays readable."""
+    import tempfile  # noqa: PLC0415  (only a bug pays for it)
+    import traceback  # noqa: PLC0415
+
     handle, name = tempfile.mkstemp(prefix="plandraft-bug-", suffix=".txt")
     with os.fdopen(handle, "w", encoding="utf-8") as file:
         file.write(f"plandraft {_version()}, Python {sys.version}\n\n{traceback.format_exc()}")

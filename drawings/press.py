@@ -27,6 +27,8 @@ _PATIENCE = (0.1, 0.2, 0.4, 0.8, 1.0) if os.name == "nt" else ()
 class PressError(DraftError, OSError):
     """A file that could not be written; the old file of that name is whole unless the reason says otherwise."""
 
+    exit_code = 7
+
     def __init__(self, path: Path, reason: str) -> None:
         super().__init__(f"{path}: {reason}")
         self.path = path

@@ -23,6 +23,8 @@ _NUMBER = re.compile(r"[-−]?\d+(?:[.,]\d+)?")
 class SelfCheckFailed(DraftError):  # noqa: N818  (the exit code's own word)
     """A sheet or a comparison that failed plandraft's own check; the sheet is withheld."""
 
+    exit_code = 5
+
 
 def verify(path: Path, leaf: Leaf, study: Study, comparison: Comparison) -> Measured:
     """Measure a written sheet: all that it must show is there, states what it shows, and is what the analysis gives."""

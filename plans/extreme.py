@@ -194,7 +194,7 @@ def extremes(sweep: Sweep, out: Output) -> Found | None:
     directions = [_notched(drawn, rest) for rest in rests]
     exact = Turn(np.array(rests), np.array([d for d, _ in directions]))
     reach = _reaches(travel, exact)
-    low, high = int(np.argmin(reach)), int(np.argmax(reach))
+    low, high = _farthest(rests, -reach), _farthest(rests, reach)
     if not reach[low] < reach[high]:
         return None
     first, second = _working(rests, low, high, sweep.mechanism.drive.omega)
@@ -246,6 +246,12 @@ def _working(rests: list[float], low: int, high: int, omega: float) -> tuple[int
     if abs(there - np.pi) < EQUAL:  # equal strokes: begin where the crank angle is the smaller
         return (low, high) if _within(rests[low]) < _within(rests[high]) else (high, low)
     return (low, high) if there > np.pi else (high, low)
+
+
+def _farthest(rests: list[float], reach: Floats) -> int:
+    """Give the rest of the greatest reach; of several within their rounding, the first of the turn."""
+    most = float(reach.max()) - EQUAL * float(np.ptp(reach))
+    return min((k for k in range(len(rests)) if reach[k] >= most), key=lambda k: _within(rests[k]))
 
 
 def _within(angle: float) -> float:

@@ -16,12 +16,12 @@ from plans.acceleration import accelerations
 from plans.angles import angle, rate
 from plans.extreme import Found, extremes, output
 from plans.linkage import mechanism_of
-from plans.mechanism import FRAME, Mechanism, Output
+from plans.mechanism import FRAME, Mechanism, Output, StructureError
 from plans.motion import Complexes, Floats, Gap, LinkMotion, Motion, PointMotion
 from plans.passage import Barrier, Sweep
 from plans.plan import Plan
 from plans.scene import Scene
-from plans.sketch import Assembly, assembly
+from plans.sketch import Assembly, SketchError, assembly
 from plans.structure import Dyad, decompose
 from plans.turn import Turn, even, from_direction, listed
 from plans.velocity import velocities
@@ -84,7 +84,16 @@ class Study:
     @cached_property
     def groups(self) -> tuple[Dyad, ...]:
         """The Assur groups in solving order."""
-        return decompose(self.mechanism)
+        try:
+            return decompose(self.mechanism)
+        except StructureError as error:
+            raise StructureError(f"{self._at('links')}: {error}", error.links, error.found, error.needed) from None
+
+    def _at(self, table: str) -> str:
+        """Say where a table of the mechanism stands in the scene's file."""
+        there = table == "links" or bool(self.scene.mechanism.sketch)
+        line, column = self.scene.place(("mechanism", table) if there else ("mechanism",))
+        return f"{self.scene.file}:{line}:{column}: mechanism.{table}"
 
     @property
     def sense(self) -> int:
@@ -96,7 +105,10 @@ class Study:
         """The assembly that the sketch chooses."""
         first = self.scene.drive.first
         start = None if first is None else listed([Fraction(first)])
-        return assembly(self.mechanism, self.groups, start, even(Fraction(0), 360, 1))
+        try:
+            return assembly(self.mechanism, self.groups, start, even(Fraction(0), 360, 1))
+        except SketchError as error:
+            raise SketchError(f"{self._at('sketch')}: {error}", error.points) from None
 
     @cached_property
     def sweep(self) -> Sweep:
@@ -128,11 +140,19 @@ class Study:
         if drive.first is not None:
             return even(Fraction(drive.first), drive.positions, self.sense)
         if self.found is None:
-            raise NoExtreme(
-                f'{self.scene.file}: drive.start = "extreme", but link {self.output.link} has no extreme position: '
-                "it turns fully, or the crank does not. Fix: give the first crank angle in degrees"
-            )
+            raise NoExtreme(f"{self.scene.file}:{self.scene.place(('drive', 'start'))[0]}: {self._no_extreme()}")
         return from_direction(self.found.directions[0], self.found.extremes.phi[0], drive.positions, self.sense)
+
+    def _no_extreme(self) -> str:
+        why = "it turns fully or stands still"
+        if self.barriers:
+            barrier = self.barriers[0]
+            edges = f"{np.degrees(barrier.start):.2f} to {np.degrees(barrier.end):.2f} degrees"
+            why = f"the crank does not turn fully ({barrier.kind} at {barrier.where}, {edges})"
+        return (
+            f'drive.start = "extreme", but output link {self.output.link} has no extreme position: {why}. '
+            "Fix: give the first crank angle in degrees, or name another [output]"
+        )
 
     @cached_property
     def lost(self) -> npt.NDArray[np.bool_]:

@@ -96,7 +96,10 @@ def _strokes(found: list[tuple[float, float]], sense: float, coordinate: _Coordi
     """Order the farthest two of the extremes so that the slower stroke comes first."""
     if len(found) < 2:
         return None
-    most, least = max(found, key=lambda e: e[1]), min(found, key=lambda e: e[1])
+    reach = [e[1] for e in found]
+    blur = EQUAL * (max(reach) - min(reach))  # an output that stands equally far twice in a turn: its first time counts
+    most = min((e for e in found if e[1] >= max(reach) - blur), key=lambda e: (e[0] + EQUAL) % FULL)
+    least = min((e for e in found if e[1] <= min(reach) + blur), key=lambda e: (e[0] + EQUAL) % FULL)
     arc = float(sense * (least[0] - most[0]) % FULL)
     begin, end = (most, least) if arc > np.pi else (least, most)
     if abs(arc - np.pi) < EQUAL:  # an angle a rounding short of a full turn counts as 0

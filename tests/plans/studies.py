@@ -25,7 +25,9 @@ def study_of(mechanism: Mechanism, first: Angle | None = 0, positions: int | Seq
     if isinstance(wanted, tuple):
         start = wanted[0]
     drive = SimpleNamespace(first=start, positions=wanted)
-    study = Study(cast(Scene, SimpleNamespace(file="by hand", drive=drive)))
+    table = SimpleNamespace(sketch=mechanism.sketch)
+    scene = SimpleNamespace(file="by hand", drive=drive, mechanism=table, place=lambda path: (1, 1))
+    study = Study(cast(Scene, scene))
     study.__dict__["mechanism"] = mechanism
     return study
 
