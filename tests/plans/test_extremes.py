@@ -118,7 +118,7 @@ def test_a_turn_that_starts_at_an_extreme_stands_there(name, omega):
     [
         (linkages.slotted_link(0.30, 0.10, 0.50), "turns fully"),  # Whitworth's slotted link
         (linkages.four_bar(0.3, 0.2, 0.25, 0.4, sketch={"B": 0.45 + 0.25j}), "the crank does not"),  # it rocks
-        (linkages.parallelogram(0.1, 0.3), "turns fully"),
+        (linkages.parallelogram(0.1, 0.3), "change point at B"),  # not past it without a choice
     ],
     ids=["Whitworth", "double rocker", "parallelogram"],
 )
