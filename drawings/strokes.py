@@ -19,8 +19,8 @@ from geometry.errors import DraftError
 
 # Share of the size: a small letter of a subscript, and how far its line of writing is lowered or raised.
 SMALL, LOWERED, RAISED = 0.7, 0.25, 0.4
-# Share of the size: the mean width of a letter, until the letters are strokes of known width.
-LETTER = 0.6
+# Slanted letters stand at 75 degrees to their line (GOST 2.304-81).
+LEAN = math.tan(math.radians(15))
 TURN = 2 * math.pi
 
 Box: TypeAlias = tuple[float, float, float, float]
@@ -33,12 +33,13 @@ class SheetError(DraftError, ValueError):
 
 @dataclass(frozen=True, slots=True)
 class LineStyle:
-    """How a stroke is drawn: width and dash in mm, colour and fill as "#rrggbb" or "none"."""
+    """How a stroke is drawn: width and dash in mm, colour and fill as "#rrggbb" or "none", its ends butt or round."""
 
     width: float = 0.5
     dash: tuple[float, ...] = ()
     colour: str = "#000000"
     fill: str = "none"
+    cap: Literal["butt", "round"] = "butt"
 
 
 PLAIN = LineStyle()
@@ -217,9 +218,10 @@ def stated(value: complex) -> str:
 
 
 def text_width(text: Text) -> float:
-    """Estimate the length of lettering along its line of writing."""
-    letters = sum(len(run.text) * (SMALL if run.level else 1) for run in text.runs)
-    return LETTER * text.size * letters
+    """Give the length of lettering along its line of writing, in the letters of our own alphabet."""
+    from drawings.lettering import width  # noqa: PLC0415  (lettering is written in strokes)
+
+    return width(text)
 
 
 def bounds(stroke: Stroke) -> Box:
@@ -261,10 +263,12 @@ def _extremes(arc: Arc) -> list[complex]:
 
 
 def _corners(text: Text) -> tuple[complex, ...]:
+    """Give the corners of a text's box; slanted letters lean past its end."""
     width = text_width(text)
     left = {"start": 0.0, "middle": -width / 2, "end": -width}[text.anchor]
     levels = {run.level for run in text.runs}
     bottom = -text.size * LOWERED if -1 in levels else 0.0
     top = text.size * (RAISED + SMALL if 1 in levels else 1)
+    lean = LEAN * top if text.slanted else 0.0
     turn = cmath.rect(1, math.radians(text.rotation))
-    return tuple(text.at + complex(x, y) * turn for x in (left, left + width) for y in (bottom, top))
+    return tuple(text.at + complex(x, y) * turn for x in (left, left + width + lean) for y in (bottom, top))

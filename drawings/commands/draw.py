@@ -48,12 +48,13 @@ def _agree(comparison: Comparison) -> None:
 def _sheet(study: Study, comparison: Comparison, folder: Path) -> list[Path]:
     """Lay out, write beside, measure back, and only then give the sheet its name."""
     from drawings import press
+    from drawings.lettering import lettered
     from drawings.pens.svg import svg
     from drawings.sheets import kinematics
     from drawings.verify import verify
 
     leaf = kinematics.sheet(study, comparison)
-    content = svg(leaf)
+    content = svg(lettered(leaf))
     press.prepare(folder)
     stem = Path(os.fspath(study.scene.file)).stem
     path, beside = folder / f"{stem}-kinematics.svg", folder / f"{stem}-report.md"

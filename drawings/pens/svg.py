@@ -287,6 +287,8 @@ def _style(style: LineStyle) -> Attributes:
     own = {"fill": legal(style.fill), "stroke": legal(style.colour)}
     if style.colour != "none":
         own |= {"stroke-width": number(style.width), "stroke-linejoin": "round"}
+    if style.cap != "butt":
+        own["stroke-linecap"] = legal(style.cap)
     if style.dash:
         own["stroke-dasharray"] = numbers(",".join(["%s"] * len(style.dash)), style.dash)
     return own

@@ -182,7 +182,7 @@ def _missing(study: Study, comparison: Comparison, subject: str, k: int, cell: F
 
 def _heading(field: Field, title: str, scale: str) -> Group:
     at = complex((field.left + field.right) / 2, field.top)
-    return Group((Text(at - 7j, title, 7.0, "middle", True), Text(at - 14j, scale, 5.0, "middle", True)))
+    return Group((Text(at - 7j, title, 7.0, "middle", True), Text(at - 16j, scale, 5.0, "middle", True)))
 
 
 def _notes(study: Study, comparison: Comparison, language: str) -> list[str]:

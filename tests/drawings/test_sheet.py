@@ -10,11 +10,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from drawings.lettering import UnknownLetter, lettered
 from drawings.limits import QUANTUM
 from drawings.measure import measure
 from drawings.page import Page
 from drawings.pens.svg import svg
 from drawings.sheets.kinematics import position, sheet
+from drawings.specimen import specimen
 from drawings.strokes import Group, Leaf, Stroke, Text, bounds
 from plans.compare import compare
 from plans.scene import parse_scene, read_scene
@@ -71,7 +73,7 @@ def texts(leaf: Leaf) -> list[Text]:
 @pytest.mark.parametrize("scene", SCENES, ids=lambda path: path.stem)
 def test_a_gallery_sheet_is_drawn_again_as_it_was(scene: Path) -> None:
     study = Study(read_scene(scene))
-    fresh = svg(sheet(study, compare(study))).split(b'<metadata id="seal">')[0]
+    fresh = svg(lettered(sheet(study, compare(study)))).split(b'<metadata id="seal">')[0]
     kept = scene.with_name(f"{scene.stem}-kinematics.svg").read_bytes().split(b'<metadata id="seal">')[0]
     assert NUMBER.sub(b"#", fresh) == NUMBER.sub(b"#", kept)
     values = [np.array([float(n) for n in NUMBER.findall(text)]) for text in (fresh, kept)]
@@ -185,3 +187,12 @@ def test_a_mechanism_of_any_size_fits_its_sheet(size: float) -> None:
     left, bottom, right, top = bounds(next(group for group in leaf.groups if group.name == "positions"))
     assert field.left <= left and right <= field.right and field.bottom <= bottom and top <= field.top
     assert right - left > 150  # it takes the place that it deserves
+
+
+def test_the_alphabet_s_specimen_is_drawn_again_as_it_was() -> None:
+    assert svg(lettered(specimen())) == (GALLERY / "alphabet.svg").read_bytes()
+
+
+def test_a_title_in_letters_that_the_alphabet_lacks_is_refused_before_drawing() -> None:
+    with pytest.raises(UnknownLetter, match="机"):
+        drawn(four_bar() + '[sheet]\ngroup = "机构"\n')

@@ -305,7 +305,7 @@ def test_the_box_of_an_arc_is_tight(centre: complex, radius: float, start: float
 def test_the_box_of_lettering_follows_anchor_and_rotation() -> None:
     left, bottom, right, top = bounds(Text(10 + 10j, "abc", size=10, anchor="end", rotation=90))
     assert (left, right) == pytest.approx((0, 10))
-    assert (bottom, top) == pytest.approx((10 - 18, 10))
+    assert (bottom, top) == pytest.approx((10 - 19, 10))  # three letters of 5d, two gaps of 2d
     with pytest.raises(SheetError):
         bounds(Group(()))
 

@@ -11,7 +11,7 @@ from plans.mechanism import FRAME, Slide
 from plans.structure import NUMBERS, Dyad, decompose
 from tests.plans.chains import Chain, chains
 
-EXAMPLES = 300
+EXAMPLES = 200
 
 
 def features(chain: Chain) -> Iterator[tuple[object, ...]]:

@@ -1,0 +1,250 @@
+"""Lettering: widths and heights of the standard, slant and levels exact, lacking letters told before drawing."""
+
+import cmath
+import json
+import math
+import time
+import unicodedata
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from drawings import alphabet
+from drawings.alphabet import FLATNESS, SLANT, gap, glyph
+from drawings.lettering import SIZES, UnknownLetter, demand, index_size, lacking, outline, width
+from drawings.specimen import LARGE, LETTERS, PHRASES, SIGNS, specimen
+from drawings.strokes import LineStyle, Polyline, Run, SheetError, Text, bounds, runs
+from drawings.words import WORDS
+
+FILE = Path(alphabet.__file__).with_name("alphabet.json")
+RUSSIAN, DIGITS = "АБВГДЕЁЖЗИЙКЛМНОПРСТУФХЦЧШЩЪЫЬЭЮЯ", "0123456789"
+LATIN, GREEK = "ABCDEFGHIJKLMNOPQRSTUVWXYZ", "ΑΒΓΔΕΖΗΘΙΚΛΜΝΞΟΠΡΣΤΥΦΧΨΩ"
+ALL = RUSSIAN + RUSSIAN.lower() + LATIN + LATIN.lower() + GREEK + GREEK.lower() + "ς"
+ON_SHEETS = ".,:;!?'\"()[]/\\|+−-–—=≈≠<>≤≥±×·÷%°№…~*_&@#′″⊥∥∠√∞→←↑↓²³⁻⁰¹⁴⁵⁶⁷⁸⁹Ø{}«»$§€ µ\u00a0\u202f"
+# Widths in d, type B.
+TABLE = {
+    5: "ГЕСгбвдеийклнопрухчьэя" + "023567" + "9" + "βγδεζνορυ",
+    6: "БВИЙКЛНОПРТУЧЬЭЯ" + "амцъыю" + "4" + "ημσΣ",
+    7: "АДМХЦЫЮ" + "жтфш" + "πφψΔΩ",
+    8: "ЖФШЪ" + "щ" + "ω",
+    9: "Щ",
+    4: "с",
+    4.5: "з",
+    6.5: "ακτ",
+    5.3: "З",
+    5.6: "8",
+    3: "1",
+}
+FALLING, RISING, HANGING = "gjpqyруф", "bdfhklбвд", "ДЦЩцщ"
+
+
+def every_letter() -> list[str]:
+    return [letter for letter in json.loads(FILE.read_text("utf-8")) if letter]
+
+
+def points(letter: str) -> list[complex]:
+    return [point for chain in glyph(letter).strokes for point in chain.points]
+
+
+def dense(letter: str) -> np.ndarray:
+    """Points along the strokes, a fifth of d apart at most."""
+    along = []
+    for line, closed in glyph(letter).strokes:
+        for a, b in pairwise((*line, line[0]) if closed else line):
+            along.append(a + (b - a) * np.linspace(0, 1, 2 + int(abs(b - a) / 0.2)))
+    return np.concatenate(along)
+
+
+def drawn(*texts: Text) -> list[complex]:
+    return [point for text in texts for stroke in outline(text) for point in stroke.points]
+
+
+@pytest.mark.parametrize("language", WORDS)
+def test_every_phrase_of_the_words_can_be_written(language: str) -> None:
+    for phrase in WORDS[language].values():
+        assert lacking(phrase) == (), phrase
+
+
+def test_the_letters_and_signs_of_the_trade_are_there() -> None:
+    assert lacking(ALL + DIGITS + ON_SHEETS) == ()
+
+
+def test_the_data_name_each_letter_once_and_as_texts_will_ask_for_it() -> None:
+    named = json.loads(FILE.read_text("utf-8"), object_pairs_hook=lambda pairs: [name for name, _ in pairs])
+    assert len(named) == len(set(named))
+    assert all(unicodedata.normalize("NFC", name) == name and len(name) <= 1 for name in named)
+
+
+@pytest.mark.parametrize(("cell", "letters"), TABLE.items())
+def test_widths_are_those_of_the_standard(cell: float, letters: str) -> None:
+    for letter in letters:
+        assert glyph(letter).width == cell, letter
+
+
+@pytest.mark.parametrize("letter", RUSSIAN + LATIN + GREEK + DIGITS)
+def test_capitals_and_digits_are_ten_d_high(letter: str) -> None:
+    body = unicodedata.normalize("NFD", letter)[0]
+    heights = [point.imag for point in points(body)]
+    assert max(heights) == pytest.approx(9.5, abs=0.01)
+    assert min(heights) == pytest.approx(-1 if letter in HANGING else 0.5, abs=0.01)
+
+
+@pytest.mark.parametrize("letter", RUSSIAN.lower() + LATIN.lower())
+def test_small_letters_are_seven_d_high_with_tails_of_three(letter: str) -> None:
+    body = unicodedata.normalize("NFD", letter)[0]
+    heights = [point.imag for point in points(body)]
+    if letter in RISING:
+        assert max(heights) == pytest.approx(9.5, abs=0.01)
+    elif letter not in "tijф":
+        assert max(heights) == pytest.approx(6.5, abs=0.01)
+    lowest = -2.5 if letter in FALLING else -1 if letter in HANGING else 0.5
+    assert min(heights) == pytest.approx(lowest, abs=0.01)
+
+
+@pytest.mark.parametrize("letter", every_letter() + list("ЁЙёйїўéŻ") + ["φ̇"])
+def test_no_stroke_leaves_its_cell(letter: str) -> None:
+    across, up = [point.real for point in points(letter)], [point.imag for point in points(letter)]
+    assert min(across, default=0.5) > 0.4
+    assert max(across, default=-1) < glyph(letter).width - 0.4
+    assert min(up, default=0) >= -2.51
+    assert max(up, default=0) < 13
+
+
+@pytest.mark.parametrize("letter", ALL)
+def test_a_letter_fills_its_cell(letter: str) -> None:
+    across = [point.real for point in points(letter)]
+    assert min(across) == pytest.approx(0.5, abs=0.2)
+    assert max(across) == pytest.approx(glyph(letter).width - 0.5, abs=0.2)
+
+
+def test_a_round_letter_is_round_to_a_hundredth_of_a_millimetre_at_five() -> None:
+    [circle] = [chain.points for chain in glyph("ф").strokes if chain.closed]
+    centre, radius = 3.5 + 3.5j, 3.0
+    middles = [(a + b) / 2 for a, b in zip(circle, (*circle[1:], circle[0]), strict=True)]
+    assert all(abs(abs(point - centre) - radius) < 1e-9 for point in circle)
+    assert all(radius - abs(middle - centre) <= FLATNESS + 1e-9 for middle in middles)
+    assert FLATNESS * 0.5 <= 0.02
+    assert len(circle) < 60
+
+
+@pytest.mark.parametrize("size", [2.5, 3.5, 5, 7, 10])
+def test_the_pen_is_a_tenth_of_the_size_and_takes_the_colour_of_the_ink(size: float) -> None:
+    ink = LineStyle(width=0, colour="none", fill="#123456")
+    for stroke in outline(Text(0j, "Жя", size, style=ink)):
+        assert (stroke.style.width, stroke.style.colour, stroke.style.fill) == (size / 10, "#123456", "none")
+
+
+def test_slanted_letters_lean_by_fifteen_degrees_about_the_line_of_writing() -> None:
+    at, text = 20 + 30j, "Щуp_2^3"
+    upright, slanted = drawn(Text(at, text, 7.0)), drawn(Text(at, text, 7.0, slanted=True))
+    assert math.degrees(math.atan(SLANT)) == pytest.approx(15)
+    for plain, leaning in zip(upright, slanted, strict=True):
+        assert leaning == pytest.approx(plain + math.tan(math.radians(15)) * (plain.imag - at.imag))
+
+
+@pytest.mark.parametrize("size", SIZES[1:8])
+def test_indices_are_one_size_smaller(size: float) -> None:
+    smaller = SIZES[SIZES.index(size) - 1]
+    assert index_size(size) == smaller
+    for level in "_^":
+        stroke = outline(Text(0j, "v" + level + "Н", size))[1]
+        assert stroke.style.width == smaller / 10
+        left, bottom, right, top = bounds(stroke)
+        assert (right - left, top - bottom) == pytest.approx((0, smaller * 0.9))
+
+
+def test_raised_signs_are_raised_letters() -> None:
+    assert drawn(Text(0j, "с⁻¹₂", 5.0)) == drawn(Text(0j, "с^{−1}_2", 5.0))
+    assert drawn(Text(0j, (Run("a"), Run("²", -1)))) == drawn(Text(0j, (Run("a"), Run("2", -1))))
+
+
+@pytest.mark.parametrize("anchor", ["start", "middle", "end"])
+def test_anchor_and_rotation_move_the_whole_text(anchor: str) -> None:
+    text = "План H_2"
+    share = {"start": 0, "middle": 0.5, "end": 1}[anchor]
+    length = width(Text(0j, text, 5.0))
+    turn = cmath.rect(1, math.radians(30))
+    moved = drawn(Text(10 + 20j, text, 5.0, anchor, rotation=30))  # type: ignore[arg-type]
+    for plain, there in zip(drawn(Text(0j, text, 5.0)), moved, strict=True):
+        assert there == pytest.approx(10 + 20j + turn * (plain - share * length))
+
+
+@pytest.mark.parametrize("phrase", [phrase for table in WORDS.values() for phrase in table.values()])
+@pytest.mark.parametrize("size", [3.5, 10.0])
+def test_the_width_is_what_is_drawn(phrase: str, size: float) -> None:
+    text = Text(0j, (Run(phrase),), size)
+    reach = [point.real for point in drawn(text)]
+    assert min(reach) - size / 20 == pytest.approx(0, abs=size / 10)
+    assert max(reach) + size / 20 == pytest.approx(width(text), abs=size / 10)
+
+
+def test_words_stand_six_d_apart_and_letters_two() -> None:
+    assert width(Text(0j, "НН", 10.0)) == pytest.approx(6 + 2 + 6)
+    assert width(Text(0j, "Н Н", 10.0)) == pytest.approx(6 + 6 + 6)
+    assert width(Text(0j, "", 10.0)) == 0
+
+
+@pytest.mark.parametrize("pair", ["ГА", "АТ", "ТА", "LT", "AV", "VA", "РА", "АУ", "Го", "To"])
+def test_letters_whose_lines_are_not_parallel_stand_nearer(pair: str) -> None:
+    assert gap(*pair) == 1
+
+
+@pytest.mark.parametrize("pair", ["НН", "ОО", "АА", "ИН", "oo", "nn", "ЛЛ", "74", "47", "1,", "−1", "L="])
+def test_all_other_neighbours_keep_their_gap(pair: str) -> None:
+    assert gap(*pair) == 2
+
+
+@pytest.mark.parametrize("left", "АГДЛРТУЧЪгтАLTVпрЖ")
+def test_neighbours_stay_a_gap_apart_wherever_they_face_each_other(left: str) -> None:
+    for right in RUSSIAN + RUSSIAN.lower():
+        shift = glyph(left).width + gap(left, right)
+        nearest = abs(dense(left)[:, None] - dense(right)[None, :] - shift).min()
+        assert nearest > 2.2 if gap(left, right) == 1 else nearest >= 2.9, right
+
+
+def test_lacking_letters_are_told_before_drawing() -> None:
+    text = Text(0j, "снег 雪 и 雨, 雪", 5.0)
+    assert lacking(text) == ("雪", "雨")
+    with pytest.raises(UnknownLetter, match=r"lacks '雪' \(U\+96EA\), '雨' \(U\+96E8\)") as told:
+        demand([Text(0j, "лёд"), text])
+    assert (told.value.text, told.value.lacks) == (text.plain, ("雪", "雨"))
+    assert isinstance(told.value, SheetError)
+    for use in (width, outline):
+        with pytest.raises(UnknownLetter):
+            use(text)
+
+
+def test_accents_are_written_over_letters_in_either_coding() -> None:
+    assert lacking("Müller Łódź Škoda čŻőñÅç φ̇ ẍ") == ()
+    assert drawn(Text(0j, "й")) == drawn(Text(0j, "и\u0306"))
+    assert glyph("é").strokes[: len(glyph("e").strokes)] == glyph("e").strokes
+    assert max(point.imag for point in points("É")) > max(point.imag for point in points("é")) + 2.5
+    assert max(point.imag for point in glyph("ї").strokes[0].points) == 6.5  # the dots replace the dot
+    assert width(Text(0j, "oE" + 9 * "\u0301" + "o", 10.0)) == 5 + 2 + 5 + 2 + 5  # a tower of accents
+    assert lacking("x\u0332") == ("x\u0332",)
+
+
+def test_a_sheet_of_two_thousand_letters_is_written_quickly() -> None:
+    texts = [Text(complex(k, k), f"план v_{{B{k % 9}}}", 3.5, "middle", True) for k in range(250)]
+    times: list[float] = []
+    for _ in range(7):
+        start = time.perf_counter()
+        strokes = [outline(text) for text in texts]
+        times.append(time.perf_counter() - start)
+    assert all(isinstance(stroke, Polyline) for stroke in strokes[0])
+    assert min(times) < 0.06
+
+
+def test_the_specimen_shows_the_whole_alphabet_on_a_sheet() -> None:
+    leaf = specimen()
+    assert (leaf.width, leaf.height) == (420, 297)
+    left, bottom, right, top = map(min, zip(*[bounds(group) for group in leaf.groups], strict=True))
+    assert min(left, bottom) > 5
+    left, bottom, right, top = map(max, zip(*[bounds(group) for group in leaf.groups], strict=True))
+    assert max(right - 415, top - 292) < 0
+    shown = "".join(
+        (*LETTERS, SIGNS, LARGE.plain, *(run.text for _, *pair in PHRASES for p in pair for run in runs(p)))
+    )
+    assert set(ALL + DIGITS + ON_SHEETS) - set(shown) <= set("⁰³⁴⁵⁶⁷⁸⁹µ\u00a0\u202f")

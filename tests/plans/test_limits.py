@@ -1,0 +1,98 @@
+"""Where links do not reach: by how much they miss, between which crank angles, and how the notch tells it is near."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import acos, hypot, sin, sqrt
+
+import numpy as np
+import pytest
+
+from geometry.meet import EPS, TANGENCY
+from plans.mechanism import Mechanism, Way
+from plans.motion import Gap
+from tests.plans import linkages
+from tests.plans.studies import study_of, value
+
+OUT = "out of reach"
+ALMOST = 1e-12  # m: far above the rounding of a distance, far below any length
+
+
+@pytest.mark.parametrize("miss", [ALMOST, 1e-6])
+def test_a_hair_too_short_is_a_gap_and_a_hair_too_long_is_drawn(miss):
+    slot = linkages.slotted_link(0.12, 0.35, 0.70)  # its pivot passes the slot at no less than |OC| - |OA|
+    for shift, found in ((-miss, {0: ("positions", OUT)}), (miss, {})):
+        for mechanism, first in (
+            (linkages.four_bar(0.1, 0.3, 0.15 + shift, 0.35, sketch={"B": 0.3 + 0.14j}), 180),
+            (linkages.slider_crank(0.06, 0.20, 0.14 - shift), 270),
+            (replace(slot, slides=(replace(slot.slides[0], on_owner=Way((0.23 - shift) * 1j, 1 + 0j)),)), 270),
+        ):
+            study = study_of(mechanism, first)
+            motion = study.motion(0)
+            assert {gap.position: (gap.plan, gap.reason) for gap in motion.gaps} == found, mechanism.title
+            for gap in motion.gaps:
+                assert gap.miss == pytest.approx(miss, abs=8 * EPS)
+
+
+def of(mechanism: Mechanism, first: int = 0) -> dict[int, Gap]:
+    return {gap.position: gap for gap in study_of(mechanism, first).motion().gaps}
+
+
+def test_limits_of_a_double_rocker():
+    mechanism = linkages.four_bar(0.3, 0.2, 0.25, 0.4, sketch={"B": 0.45 + 0.25j})
+    limit = acos((0.3**2 + 0.4**2 - 0.45**2) / (2 * 0.3 * 0.4))  # coupler and rocker in one line
+    (barrier,) = study_of(mechanism).barriers
+    blind = 2 * TANGENCY * EPS * (0.45 + 0.45) / (0.3 * 0.4 * sin(limit) / 0.45)  # arcs that touch, over d|AC|/dφ
+    assert (barrier.start, barrier.end) == pytest.approx((limit, 2 * np.pi - limit), abs=blind)
+    assert barrier.miss == pytest.approx(0.7 - 0.45)
+    found = of(mechanism)
+    assert list(found) == list(range(3, 10))
+    for k, gap in found.items():
+        apart = abs(0.4 - 0.3 * np.exp(1j * np.radians(30 * k)))
+        assert (gap.plan, gap.reason, gap.where) == ("positions", OUT, "B")
+        assert gap.miss == pytest.approx(apart - 0.45)
+        assert f"{apart:.6g} m apart" in gap.advice and "0.45 m: lengthen one of them" in gap.advice
+
+
+def test_a_dead_centre_between_two_drawn_positions():
+    """The links are too short round 180 degrees only: one position of twelve is lost, and the assembly is kept."""
+    mechanism = linkages.four_bar(0.1, 0.3, 0.145, 0.35, sketch={"B": 0.3 + 0.14j})
+    found = of(mechanism)
+    assert list(found) == [6] and found[6].miss == pytest.approx(0.45 - 0.445)
+    (barrier,) = study_of(mechanism).barriers
+    limit = acos((0.1**2 + 0.35**2 - 0.445**2) / (2 * 0.1 * 0.35))
+    blind = 2 * TANGENCY * EPS * (0.445 + 0.445) / (0.1 * 0.35 * sin(limit) / 0.445)
+    assert (barrier.start, barrier.end) == pytest.approx((limit, 2 * np.pi - limit), abs=blind)
+    motion = study_of(mechanism).motion(0)
+    side = ((motion.points["B"].r - motion.points["A"].r) * (0.35 - motion.points["A"].r).conj()).imag
+    assert (np.delete(side, 6) > 0).all()
+
+
+def test_a_first_position_out_of_reach():
+    mechanism = linkages.four_bar(0.1, 0.3, 0.145, 0.35, sketch={"B": 0.3 + 0.14j})
+    assert [(k, gap.reason) for k, gap in of(mechanism, 180).items()] == [(0, OUT)]
+
+
+def test_a_link_too_short_everywhere():
+    found = of(linkages.four_bar(0.1, 0.1, 0.1, 1.0, sketch={"B": 0.5 + 0.1j}))
+    assert list(found) == list(range(12)) and {gap.reason for gap in found.values()} == {OUT}
+    assert found[0].miss == pytest.approx(0.9 - 0.2)
+
+
+def test_an_arc_that_no_motion_leads_to():
+    found = of(linkages.four_bar(0.3, 0.4, 0.2, 0.4, sketch={"B": 0.5 + 0.2j}), 60)  # assembled for 0.2 < |AC| < 0.6
+    assert {k: gap.reason for k, gap in found.items()} == {
+        **dict.fromkeys((2, 3, 4, 5, 6, 10), OUT),
+        **dict.fromkeys((7, 8, 9), "not reachable"),
+    }
+
+
+@pytest.mark.parametrize("margin", [1e-2, 1e-4, 1e-6, 1e-10])
+def test_a_notch_beside_a_dead_centre_carries_its_condition(margin):
+    """Coupler and rocker nearly in one line: kappa is 1/sin of their angle, by the cosine rule from the exact miss."""
+    mechanism = linkages.four_bar(0.1, 0.3, 0.15 + margin, 0.35, sketch={"B": 0.3 + 0.14j})
+    sharpness = value(study_of(mechanism, 180, 1).drafts().positions.point("B").sharpness).real
+    b, c, base = 0.3, 0.15 + margin, 0.45
+    perimeter = (b + c + base) * margin * (base + b - c) * (base + c - b)
+    assert sharpness == pytest.approx(sqrt(perimeter) / (2 * b * c), rel=1e-5)
+    assert hypot(sharpness, (b**2 + c**2 - base**2) / (2 * b * c)) == pytest.approx(1)
