@@ -83,6 +83,8 @@ class Labels:
         box = bounds(Text(0j, content, size, "start", self._slanted))
         best, cheapest = point, math.inf
         for reach in REACHES:
+            if cheapest <= 0.8 * reach:
+                break  # no place further off can be better
             for turn in range(DIRECTIONS):
                 off = (turn + 1) // 2 * (1 if turn % 2 else -1)
                 corner = _touching(point, box, gap + reach, prefer + off * 2 * math.pi / DIRECTIONS)

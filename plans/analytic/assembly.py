@@ -18,7 +18,7 @@ from plans.mechanism import FRAME, Mechanism, Slide
 from plans.motion import Floats
 
 GRID = 24  # crank angles tried where the first one is not given: every 15 degrees
-SCATTERED, SCATTER = 24, 0.5  # scattered starts; share of the mechanism's size by which links are thrown about
+SCATTERED, SCATTER = 8, 0.5  # scattered starts; share of the mechanism's size by which links are thrown about
 Pose = tuple[complex, float]  # origin m and turn rad of a link's own frame
 
 
