@@ -8,11 +8,12 @@ from collections.abc import Iterator
 import numpy as np
 
 from drawings.words import number
-from plans.compare import NOT_GRADED, PLANS, Comparison, Finding, notches
+from plans.compare import NOT_GRADED, Comparison, Finding, notches
 from plans.mechanism import FRAME
+from plans.motion import ORDERS
 from plans.pressure import interval
 from plans.structure import RUSSIAN, formula, mechanism_class
-from plans.study import ORDERS, Study
+from plans.study import Study
 
 NOTE, WARNING = 10.0, 60.0  # kappa = 1/sin of a notch: 6 degrees, 1 degree
 
@@ -20,7 +21,7 @@ NOTE, WARNING = 10.0, 60.0  # kappa = 1/sin of a notch: 6 degrees, 1 degree
 def summary(comparison: Comparison) -> str:
     """Give the short comparison: the worst difference of each plan in per cent of its largest, and of the allowed."""
     lines = [f"{'plan':<14} {'worst difference':>18} {'% of the largest':>18} {'of the allowed':>15}   in"]
-    for plan in (*PLANS, "extremes"):
+    for plan in (*ORDERS, "extremes"):
         findings = comparison.of(plan)
         if findings:
             worst = max(findings, key=lambda finding: (_peak(finding.excess), _peak(finding.difference)))
@@ -120,7 +121,7 @@ def _comparison(comparison: Comparison) -> Iterator[str]:
 def _values(study: Study, comparison: Comparison) -> Iterator[str]:
     yield "\n## Values\n"
     yield "Every value by construction; under it by analysis where their ten digits differ. Vectors are x; y.\n"
-    for plan in PLANS:
+    for plan in ORDERS:
         findings = [finding for finding in comparison.of(plan) if np.any(finding.construction != 0)]
         if findings:
             yield f"### {plan.capitalize()}\n"

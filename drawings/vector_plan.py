@@ -15,13 +15,13 @@ from drawings.symbols import Weights, pole
 from drawings.words import word
 from geometry.board import Line as Direction
 from geometry.board import Mark, at, behind
+from plans.motion import ORDERS, POINT_KEYS, POINT_UNITS
 from plans.plan import Plan
 
 BEYOND = 9.0  # mm a line of known direction is drawn past the meeting
 ABOVE = 15.0  # mm from a plan's highest point to its scale
 LEAST = 0.05  # mm: a shorter vector is a point; the finest line is five times as wide
-SYMBOL = {"velocities": "v", "accelerations": "a"}
-UNIT = {"velocities": "m/s", "accelerations": "m/s2"}
+SYMBOL, UNIT = dict(zip(ORDERS, POINT_KEYS, strict=True)), dict(zip(ORDERS, POINT_UNITS, strict=True))
 
 
 @dataclass(frozen=True)

@@ -12,9 +12,10 @@ from drawings.measure import Measured, MeasuredVector, check, measure_file
 from drawings.strokes import Group, Leaf, Stroke, Text
 from drawings.vector_plan import LEAST
 from geometry.errors import DraftError
-from plans.compare import SYMBOLS, Comparison
+from plans.compare import Comparison
 from plans.expected import Expected
-from plans.study import ORDERS, Study
+from plans.motion import ORDERS, POINT_KEYS
+from plans.study import Study
 
 TOLD = 5  # mismatches told one by one
 _NUMBER = re.compile(r"[-−]?\d+(?:[.,]\d+)?")
@@ -76,7 +77,7 @@ def _points(measured: Measured, study: Study, comparison: Comparison, shown: int
     for finding in comparison.of(ORDERS[0]):
         symbol, _, name = finding.name.partition("_")
         true = complex(finding.analysis[shown])
-        if symbol != SYMBOLS[0] or math.isnan(true.real):
+        if symbol != POINT_KEYS[0] or math.isnan(true.real):
             continue
         mark = seen.get(name)
         if mark is None:

@@ -17,7 +17,18 @@ from geometry.precision import condition, errors
 from plans.analytic.extremes import extremes
 from plans.analytic.kinematics import conditions, solve
 from plans.mechanism import FRAME
-from plans.motion import Complexes, Extremes, Floats, Motion
+from plans.motion import (
+    LINK_KEYS,
+    LINK_SYMBOLS,
+    LINK_UNITS,
+    ORDERS,
+    POINT_KEYS,
+    POINT_UNITS,
+    Complexes,
+    Extremes,
+    Floats,
+    Motion,
+)
 from plans.passage import margins
 from plans.study import Drafts, Study
 
@@ -29,14 +40,8 @@ ANALYSIS = 8.0
 MOST_ALLOWED = 1e-6
 NOT_GRADED = 600.0  # kappa of a notch of 6 minutes of arc: 0.01 mm in a length moves such a point by 6 mm
 
-UNITS = ("m", "m/s", "m/s2")
-RATE_UNITS = ("rad", "rad/s", "rad/s2")
-SYMBOLS = ("r", "v", "a")
-RATE_SYMBOLS = ("φ", "ω", "ε")
 EXTREMES = ("φ_start", "φ_end", "H", "θ")
-LINK_KEYS = ("angle", "omega", "epsilon")
 SINGULAR = ("dead centre", "change point")
-PLANS = ("positions", "velocities", "accelerations")
 
 
 @dataclass(frozen=True)
@@ -150,7 +155,7 @@ def _leave_out(drawn: Motion, solved: Motion) -> None:
     named = {gap.position for road in (drawn, solved) for gap in road.gaps if gap.reason in SINGULAR}
     places = sorted(named)
     for name, ours in drawn.points.items():
-        _both(places, *((getattr(ours, key), getattr(solved.points[name], key)) for key in SYMBOLS))
+        _both(places, *((getattr(ours, key), getattr(solved.points[name], key)) for key in POINT_KEYS))
     for number, turned in drawn.links.items():
         _both(places, *((getattr(turned, key), getattr(solved.links[number], key)) for key in LINK_KEYS))
 
@@ -166,15 +171,15 @@ def _points(
     study: Study, drafts: Drafts, order: int, drawn: Motion, solved: Motion, kappa: Floats
 ) -> Iterator[Finding]:
     names = [name for name in drawn.points if name not in study.mechanism.links[FRAME].points]
-    pairs = [(getattr(drawn.points[n], SYMBOLS[order]), getattr(solved.points[n], SYMBOLS[order])) for n in names]
+    pairs = [(getattr(drawn.points[n], POINT_KEYS[order]), getattr(solved.points[n], POINT_KEYS[order])) for n in names]
     largest = _largest([np.abs(ours) for ours, _ in pairs])
     plan = drafts.plan(order)
     marks = [plan.point(name) for name in names]
     bounds = errors(*marks)
     for name, mark, (ours, theirs) in zip(names, marks, pairs, strict=True):
         allowed = _allowed(bounds[mark].place, order, kappa, largest)
-        label = f"{SYMBOLS[order]}_{name}"
-        yield Finding(PLANS[order], label, UNITS[order], ours, theirs, np.abs(ours - theirs), allowed, largest)
+        label = f"{POINT_KEYS[order]}_{name}"
+        yield Finding(ORDERS[order], label, POINT_UNITS[order], ours, theirs, np.abs(ours - theirs), allowed, largest)
 
 
 def _links(drafts: Drafts, order: int, drawn: Motion, solved: Motion, kappa: Floats) -> Iterator[Finding]:
@@ -188,8 +193,8 @@ def _links(drafts: Drafts, order: int, drawn: Motion, solved: Motion, kappa: Flo
         apart = np.abs(np.angle(np.exp(1j * (ours - theirs)))) if order == 0 else np.abs(ours - theirs)
         bound = _turn_bound(drafts, order, number)
         allowed = _allowed(bound, order, kappa, largest)
-        label = f"{RATE_SYMBOLS[order]}_{number}"
-        yield Finding(plan.board.subject, label, RATE_UNITS[order], ours, theirs, apart, allowed, largest)
+        label = f"{LINK_SYMBOLS[order]}_{number}"
+        yield Finding(plan.board.subject, label, LINK_UNITS[order], ours, theirs, apart, allowed, largest)
 
 
 def _slowest(drawn: Motion, order: int) -> float:
@@ -199,7 +204,7 @@ def _slowest(drawn: Motion, order: int) -> float:
     """
     places = np.array([motion.r for motion in drawn.points.values()])
     size = _largest([np.abs(places - places[0])])
-    vector = _largest([np.abs(getattr(motion, SYMBOLS[order])) for motion in drawn.points.values()])
+    vector = _largest([np.abs(getattr(motion, POINT_KEYS[order])) for motion in drawn.points.values()])
     return vector / size if size > 0 else 0.0
 
 

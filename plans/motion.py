@@ -8,6 +8,14 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+# The three orders of a motion: its plan, the keys, symbols and units of a point's and of a link's values on it.
+ORDERS = ("positions", "velocities", "accelerations")
+POINT_KEYS = ("r", "v", "a")
+POINT_UNITS = ("m", "m/s", "m/s2")
+LINK_KEYS = ("angle", "omega", "epsilon")
+LINK_SYMBOLS = ("φ", "ω", "ε")
+LINK_UNITS = ("rad", "rad/s", "rad/s2")
+
 Complexes = npt.NDArray[np.complex128]
 Floats = npt.NDArray[np.float64]
 

@@ -113,12 +113,6 @@ class Plan:
             return image.arm
         return self.board.turn(name, image.arm, local / image.span, f"similar figure on link {link}")
 
-    def direction(self, link: int, local: complex, name: str) -> Mark:
-        """Give the unit direction of a line of a link on the plan of positions."""
-        unit = self.vector(link, local, name)
-        assert unit is not None  # every link has an arm on the plan of positions
-        return unit
-
     def transport(self, link: int, point: Mark, name: str) -> Mark:
         """Give the image of the point of a link that lies under a point of the plan of positions (переносное)."""
         image = self.images.get(link)

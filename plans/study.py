@@ -27,7 +27,6 @@ from plans.turn import Turn, even, from_direction, listed
 from plans.velocity import velocities
 
 BLOCK = 2048  # positions constructed together: arrays of this size stay in the processor's cache
-ORDERS = ("positions", "velocities", "accelerations")
 
 
 class NoExtreme(ConstructionError):  # noqa: N818  (the exception tree's own word)

@@ -12,11 +12,12 @@ from geometry.board import Arc, Line, Mark, at, behind
 from geometry.errors import DraftError
 from geometry.precision import condition
 from plans.mechanism import FRAME
+from plans.motion import ORDERS, POINT_UNITS
 from plans.plan import Plan
 from plans.scene import read_scene
 from plans.study import Drafts, Study
 
-UNITS = {"positions": "m", "velocities": "m/s", "accelerations": "m/s2"}
+UNITS = dict(zip(ORDERS, POINT_UNITS, strict=True))
 
 
 class UnknownMark(DraftError, ValueError):  # noqa: N818  (the message's own word)

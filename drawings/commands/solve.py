@@ -9,13 +9,11 @@ from typing import Any
 
 import numpy as np
 
-from plans.motion import Extremes, Gap, Motion
+from plans.motion import LINK_KEYS, ORDERS, POINT_KEYS, Extremes, Gap, Motion
 from plans.scene import read_scene
-from plans.study import ORDERS, Study
+from plans.study import Study
 
 GAPS = 4
-POINT_KEYS = ("r", "v", "a")
-LINK_KEYS = ("angle", "omega", "epsilon")
 
 
 def run(options: argparse.Namespace) -> int:

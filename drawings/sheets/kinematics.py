@@ -23,7 +23,6 @@ from plans.pressure import interval
 from plans.structure import formula, mechanism_class
 from plans.study import Study
 
-FORMAT_VERSION = 1
 LEFT_SHARE = 0.49  # of the field's width: the plan of positions takes about half the sheet
 HEADING = 18.0  # mm above a figure for its title and scale
 TEXT, LINE = 3.5, 6.5
@@ -307,7 +306,6 @@ def _entries(study: Study, scale: Scale, language: str) -> dict[str, str]:
 
 def _metadata(study: Study, drawn: Sequence[int], shown: int) -> dict[str, Any]:
     return {
-        "format": FORMAT_VERSION,
         "sheet": "kinematics",
         "title": study.scene.title,
         "structure": formula(study.mechanism, study.groups),

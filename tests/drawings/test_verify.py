@@ -1,0 +1,126 @@
+"""The self-check of a written sheet sees what a careless draughtsman would do: each fault withholds the sheet."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from drawings.lettering import lettered
+from drawings.pens.svg import svg
+from drawings.sheets.kinematics import sheet
+from drawings.strokes import Circle, Group, Leaf, Line, Stroke, Text, stated
+from drawings.verify import SelfCheckFailed, verify
+from plans.compare import Comparison, compare
+from plans.scene import read_scene
+from plans.study import Study
+
+SHAPER = Path(__file__).parents[2] / "drawings" / "gallery" / "shaper.toml"
+
+
+@pytest.fixture(scope="module")
+def checked() -> tuple[Study, Comparison, Leaf]:
+    study = Study(read_scene(SHAPER))
+    comparison = compare(study)
+    return study, comparison, sheet(study, comparison)
+
+
+Change = Callable[[Stroke], Stroke | None]
+
+
+def changed(leaf: Leaf, change: Change) -> Leaf:
+    return replace(leaf, groups=tuple(group for g in leaf.groups if isinstance(group := walked(g, change), Group)))
+
+
+def walked(stroke: Stroke, change: Change) -> Stroke | None:
+    found = change(stroke)
+    if isinstance(found, Group):
+        kept = tuple(inner for s in found.strokes if (inner := walked(s, change)) is not None)
+        return replace(found, strokes=kept) if kept else None
+    return found
+
+
+def named(name: str, plan: str = "velocities") -> Callable[[Stroke], bool]:
+    def is_it(stroke: Stroke) -> bool:
+        return isinstance(stroke, Group) and stroke.data.get("name") == name and stroke.data.get("plan") == plan
+
+    return is_it
+
+
+def dropped(name: str, plan: str = "velocities") -> Change:
+    is_it = named(name, plan)
+    return lambda stroke: None if is_it(stroke) else stroke
+
+
+def stretched(name: str, plan: str) -> Change:
+    """Draw a vector 1 % too long, and state it so: measuring alone cannot see it."""
+    is_it = named(name, plan)
+
+    def change(stroke: Stroke) -> Stroke:
+        if isinstance(stroke, Group) and is_it(stroke):
+            line = stroke.strokes[0]
+            assert isinstance(line, Line)
+            x, y = (1.01 * float(part) for part in stroke.data["value"].split())
+            longer = replace(line, end=line.start + 1.01 * (line.end - line.start))
+            return replace(stroke, strokes=(longer,), data={**stroke.data, "value": stated(complex(x, y))})
+        return stroke
+
+    return change
+
+
+def rewritten(old: str, new: str) -> Change:
+    return lambda stroke: replace(stroke, content=new) if isinstance(stroke, Text) and stroke.content == old else stroke
+
+
+def without_arrows(stroke: Stroke) -> Stroke | None:
+    return None if isinstance(stroke, Group) and stroke.data.get("kind") == "vector" else stroke
+
+
+def moved_point(stroke: Stroke) -> Stroke:
+    if isinstance(stroke, Group) and stroke.data.get("kind") == "point" and stroke.data.get("name") == "B":
+        circle = stroke.strokes[0]
+        assert isinstance(circle, Circle)
+        return replace(stroke, strokes=(replace(circle, centre=circle.centre + 0.01), *stroke.strokes[1:]))
+    return stroke
+
+
+FAULTS: dict[str, Change] = {
+    "an absolute velocity is dropped": dropped("p b"),
+    "every vector is dropped": without_arrows,
+    "an absolute velocity is too long": stretched("p d", "velocities"),
+    "a relative velocity is too long": stretched("b d", "velocities"),
+    "the slip along the slot is too long": stretched("a a3", "velocities"),
+    "the Coriolis part is too long": stretched("a k_A", "accelerations"),
+    "a normal part is too long": stretched("π n_A3", "accelerations"),
+    "a tangential part is too long": stretched("n_DB d", "accelerations"),
+    "a point is a hundredth of a millimetre off": moved_point,
+    "a value of the table is wrong in its last digit": rewritten("1.5174", "1.5175"),
+    "a plan's scale is written wrong": rewritten("μ_v = 0.01 (m/s)/mm", "μ_v = 0.02 (m/s)/mm"),
+}
+
+
+def test_the_sheet_as_drawn_passes(checked: tuple[Study, Comparison, Leaf], tmp_path: Path) -> None:
+    study, comparison, leaf = checked
+    (tmp_path / "sheet.svg").write_bytes(svg(lettered(leaf)))
+    assert verify(tmp_path / "sheet.svg", leaf, study, comparison).vectors
+
+
+@pytest.mark.parametrize("fault", FAULTS.values(), ids=FAULTS.keys())
+def test_a_fault_withholds_the_sheet(checked: tuple[Study, Comparison, Leaf], tmp_path: Path, fault: Change) -> None:
+    study, comparison, leaf = checked
+    wrong = changed(leaf, fault)
+    assert wrong != leaf, "the fault must be there to be seen"
+    (tmp_path / "sheet.svg").write_bytes(svg(lettered(wrong)))
+    with pytest.raises(SelfCheckFailed):
+        verify(tmp_path / "sheet.svg", wrong, study, comparison)
+
+
+def test_a_sheet_that_cannot_be_read_is_our_failure_not_the_user_s(
+    checked: tuple[Study, Comparison, Leaf], tmp_path: Path
+) -> None:
+    study, comparison, leaf = checked
+    (tmp_path / "sheet.svg").write_bytes(svg(lettered(leaf))[:-500])
+    with pytest.raises(SelfCheckFailed, match="cannot be measured"):
+        verify(tmp_path / "sheet.svg", leaf, study, comparison)
