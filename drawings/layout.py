@@ -22,6 +22,13 @@ class Ink:
     def __init__(self, width: float, height: float) -> None:
         self._map = np.zeros((int(height / CELL) + 2, int(width / CELL) + 2), dtype=np.int32)
 
+    def bar(self, field: Box) -> None:
+        """Keep labels inside a field: what lies outside counts as lettered over."""
+        inside = np.zeros_like(self._map, dtype=bool)
+        rows, columns = self._cells(field)
+        inside[rows, columns] = True
+        self._map[~inside] += TEXT_INK
+
     def draw(self, strokes: Iterable[Stroke]) -> None:
         """Ink strokes in."""
         for stroke in strokes:

@@ -3,9 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import NamedTuple
 
-from drawings.strokes import INK, Anchor, Circle, Group, Line, LineStyle, Polyline, Stroke, Text, stated, text_width
+from drawings.strokes import (
+    INK,
+    Anchor,
+    Circle,
+    Group,
+    Line,
+    LineStyle,
+    Polyline,
+    Run,
+    Stroke,
+    Text,
+    stated,
+    text_width,
+)
 from drawings.symbols import Weights
 from drawings.words import word
 
@@ -154,21 +168,19 @@ def _entries(at: complex, fields: Mapping[str, str]) -> list[Stroke]:
         "checked": (17.6, 21.2, CAPTION, "start"),
     }
     return [
-        _fitted(
-            at + complex(x, y), escaped(fields[key]), size, "middle" if anchor == "middle" else "start", WIDTHS[key]
-        )
+        _fitted(at + complex(x, y), fields[key], size, "middle" if anchor == "middle" else "start", WIDTHS[key])
         for key, (x, y, size, anchor) in places.items()
         if fields.get(key)
     ]
 
 
-def _fitted(at: complex, text: str, size: float, anchor: Anchor, width: float) -> Text:
-    """Letter a graph of the title block in the largest standard size that its width takes, down to 2.5 mm."""
-    sizes = [s for s in SIZES if s <= size]
-    trials = [Text(at, text, s, anchor, True) for s in sizes]
-    return next((trial for trial in trials if text_width(trial) <= width), trials[-1])
-
-
-def escaped(text: str) -> str:
-    """Write a user's text so that its signs stay themselves on the sheet."""
-    return "".join(f"\\{sign}" if sign in "_^\\{}" else sign for sign in text)
+def _fitted(at: complex, plain: str, size: float, anchor: Anchor, width: float) -> Text:
+    """Letter a graph of the title block in the largest standard size that its width takes; a longer text is cut."""
+    for smaller in (s for s in SIZES if s <= size):
+        trial = Text(at, (Run(plain),), smaller, anchor, True)
+        if text_width(trial) <= width:
+            return trial
+    while text_width(trial) > width:
+        plain = plain.removesuffix("…")[:-1] + "…"
+        trial = replace(trial, content=(Run(plain),))
+    return trial

@@ -94,9 +94,10 @@ def figure(shown: Diagram, room: Field, position: int, weights: Weights, ink: In
     lines = Group(tuple(_directions(shown, place, weights)))
     arrows = [_drawn(subject, arrow, place, weights) for arrow in shown.arrows if _visible(arrow, place)]
     dot = point(subject, shown.plan.pole.name, 0j, place, pole(place.on(0j)), "pole")
-    ink.draw([title, lines, *arrows, dot])
+    figure = [title, *([lines] if lines.strokes else []), *arrows, dot]
+    ink.draw(figure)
     letters = Group(tuple(_letters(shown, place, ink)))
-    return [Group((title, lines, *arrows, dot, letters), f"{shown.plan.board.subject}-{position}")]
+    return [Group((*figure, letters), f"{shown.plan.board.subject}-{position}")]
 
 
 def _heading(shown: Diagram, place: Place, scale: Scale, position: int, language: str) -> Group:

@@ -32,6 +32,7 @@ def sheet(study: Study, comparison: Comparison) -> Leaf:
     """Lay out the kinematics sheet; nothing is drawn that the scene's sheet does not need."""
     scene, page = study.scene.sheet, Page(study.scene.sheet.format)
     language, ink = scene.language, Ink(*page.size)
+    ink.bar(page.field.inset(1.0))
     shown = position(study, comparison)
     drawn = plans(study, comparison, shown)
     given = {f"{symbol}_{study.mechanism.drive.link}" for symbol in ("ω", "ε")}
