@@ -61,9 +61,27 @@ def _paths(bones: Skeletons, place: Place, weights: Weights) -> list[Stroke]:
     still = set(mechanism.links[FRAME].points) | set(mechanism.links[mechanism.drive.link].points)
     guided = {slide.point for slide in mechanism.slides if FRAME in (slide.slider, slide.owner)}
     drawn: list[Stroke] = []
-    for name in bones.path.keys() - still - guided:
-        drawn += [Polyline(tuple(run), False, weights.path) for run in _runs(bones.path[name], place)]
-    return sorted(drawn, key=repr)
+    for name in sorted(bones.path.keys() - still - guided):
+        arc = _swing(bones, name, place, weights)
+        drawn += [arc] if arc else [Polyline(tuple(run), False, weights.path) for run in _runs(bones.path[name], place)]
+    return drawn
+
+
+def _swing(bones: Skeletons, name: str, place: Place, weights: Weights) -> Arc | None:
+    """Draw the path of a rocker's point as one arc: drawn there and back, its dashes would close up."""
+    mechanism = bones.study.mechanism
+    fixed_points = mechanism.links[FRAME].points
+    rockers = [link for link in bones.links if name in mechanism.links[link].points]
+    pivots = [point for link in rockers for point in mechanism.links[link].points if point in fixed_points]
+    values = bones.path[name]
+    if not pivots or np.isnan(values.real).any():
+        return None
+    pivot = fixed_points[pivots[0]]
+    angles = np.unwrap(np.angle(values - pivot))
+    low, high = float(angles.min()), float(angles.max())
+    if high - low >= math.pi:  # a full turn is no swing
+        return None
+    return Arc(place.on(pivot), place.length(abs(complex(values[0]) - pivot)), low, high, weights.path)
 
 
 def _runs(values: Complexes, place: Place) -> list[list[complex]]:
