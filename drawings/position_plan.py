@@ -310,7 +310,8 @@ def _numbered_places(bones: Skeletons) -> list[tuple[int | tuple[int], str]]:
         extremes = bones.study.found
         if extremes is not None and _numbered(bones, k) is None:
             ahead = np.mod(bones.study.sense * (extremes.extremes.phi[k] - turn.phi), step)
-            found.append(((k,), f"{int(np.argmin(ahead))}'"))
+            name = f"{int(np.argmin(ahead))}'"
+            found.append(((k,), f"{name}'" if any(name == other for _, other in found) else name))
     return found
 
 

@@ -82,7 +82,11 @@ def _extremes(study: Study) -> Iterator[str]:
         yield f"- {'Stroke H' if found.sliding else 'Swing'} = {number(found.stroke, digits=10)} {unit}" + (
             "" if found.sliding else f" = {np.degrees(found.stroke):.8f}°"
         )
-        yield f"- Time-ratio angle θ = {np.degrees(found.overlap):.8f}°, K = {number(found.ratio, digits=10)}"
+        if len(study.found.rests) > 2:
+            rests = ", ".join(f"{np.degrees(phi):.6f}°" for phi in study.found.rests)
+            yield f"- The output reverses {len(study.found.rests)} times in a turn, at {rests}: no one time ratio"
+        else:
+            yield f"- Time-ratio angle θ = {np.degrees(found.overlap):.8f}°, K = {number(found.ratio, digits=10)}"
     for group in study.groups:
         seen = interval(study.sweep, group, study.nodes)
         low, high = np.degrees(seen.low), np.degrees(seen.high)

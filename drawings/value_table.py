@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.page import Field
-from drawings.strokes import Group, Line, LineStyle, Stroke, Text
+from drawings.strokes import Group, Line, LineStyle, SheetError, Stroke, Text, text_width
 from drawings.symbols import Weights
 from drawings.words import fixed, number, word
 from plans.compare import Comparison, Finding
@@ -63,11 +63,22 @@ def table(lines: list[Row], positions: tuple[int, ...], field: Field, weights: W
     per_column = max(int(field.height // ROW) - 2, 1)
     blocks = [lines[k : k + per_column] for k in range(0, len(lines), per_column)]
     width = field.width / max(len(blocks), 1)
+    _fits(lines, positions, (width - NAME_WIDTH) / (3 * len(positions)))
     strokes: list[Stroke] = []
     for k, block in enumerate(blocks):
         left = field.left + k * width
         strokes += _block(block, positions, Field(left, field.bottom, left + width, field.top), weights, language)
     return Group(tuple(strokes), "values")
+
+
+def _fits(lines: list[Row], positions: tuple[int, ...], cell: float) -> None:
+    """Refuse a table whose numbers would run over each other."""
+    widest = max(text_width(Text(0j, text, LETTERING)) for line in lines for text in line.cells)
+    if widest > cell - 1:
+        raise SheetError(
+            f"the table of values for {len(positions)} positions needs cells of {widest + 1:.0f} mm and the sheet "
+            f"has room for {cell:.0f} mm. Fix: name fewer positions in [sheet] plans, or take a larger format"
+        )
 
 
 def _block(lines: list[Row], positions: tuple[int, ...], field: Field, weights: Weights, language: str) -> list[Stroke]:

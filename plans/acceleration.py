@@ -19,7 +19,7 @@ def accelerations(velocities: Plan, groups: Sequence[Dyad]) -> Plan:
     plan = Plan("accelerations", positions.mechanism, (positions, velocities))
     drive = plan.mechanism.drive
     base = positions.images[drive.link]
-    normal = lead.normal(plan, drive.link, plan.pole, drive.end)
+    normal = lead.normal(plan, drive.link, plan.pole, (drive.pivot, drive.end))
     arm = lead.arm(plan, drive.link)
     why = "epsilon l, square to the crank" if drive.epsilon else "the crank turns evenly"
     part = plan.board.turn(f"a^t_{drive.end}", arm, 1j * drive.epsilon, why)

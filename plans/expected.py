@@ -70,7 +70,7 @@ class Expected:
     def _normal(self, link: int, start: str, tip: str) -> Iterator[tuple[Arrow, complex]]:
         """The normal part of a tip's acceleration about a start, and the tangential one from its end."""
         image = self.image(start, "π")
-        end = f"n_{tip}" if image == "π" else f"n_{tip}{image.upper()}"
+        end = f"n_{tip}" if image == "π" else f"n_{tip}{start}"
         normal = -(self.omega(link) ** 2) * (self.r(tip) - self.r(start))
         yield ("accelerations", image, end), normal
         yield ("accelerations", end, self.letters[tip]), self.a(tip) - self.a(start) - normal

@@ -40,6 +40,7 @@ class Found(NamedTuple):
     extremes: Extremes
     directions: tuple[complex, complex]
     notched: Plan | None  # the construction that found them, None where the velocity plan did
+    rests: tuple[float, ...]  # all crank angles, rad, in which the output reverses: more than two have no time ratio
 
 
 def output(mechanism: Mechanism, groups: Sequence[Dyad]) -> Output:
@@ -205,7 +206,7 @@ def extremes(sweep: Sweep, out: Output) -> Found | None:
         (phi[0], phi[1]), (float(reach[first]), float(reach[second])), travel.sliding, max(work - np.pi, 0.0)
     )
     by_notch = drawn[0] if drawn and all(directions[k][1] for k in (first, second)) else None
-    return Found(found, (complex(exact.directions[first]), complex(exact.directions[second])), by_notch)
+    return Found(found, (complex(exact.directions[first]), complex(exact.directions[second])), by_notch, tuple(rests))
 
 
 def _resting(sweep: Sweep) -> Sweep:

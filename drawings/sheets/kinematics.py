@@ -70,7 +70,8 @@ def position(study: Study, comparison: Comparison) -> int:
                 f"Fix: choose one of {', '.join(str(k) for k in np.flatnonzero(free)[:12])}"
             )
         return int(wanted)
-    return _best(_telling(study, comparison, 1), free & _working(study), free)
+    named = [k for k in study.scene.sheet.plans if free[k]]
+    return named[0] if named else _best(_telling(study, comparison, 1), free & _working(study), free)
 
 
 def plans(study: Study, comparison: Comparison, shown: int) -> tuple[int, ...]:
@@ -81,9 +82,11 @@ def plans(study: Study, comparison: Comparison, shown: int) -> tuple[int, ...]:
         return tuple(study.scene.sheet.plans)
     free = ~study.lost
     free[shown] = False
+    telling = _telling(study, comparison, 2)
+    free &= ~np.isnan(telling)
     if not free.any():
         return (shown,)
-    other = _best(_telling(study, comparison, 2), free & ~_working(study), free)
+    other = _best(telling, free & ~_working(study), free)
     return tuple(sorted((shown, other)))
 
 
@@ -247,6 +250,8 @@ def _travel(study: Study, language: str) -> str:
         language, "overlap", overlap=fixed(float(np.degrees(extremes.overlap)), language),
         ratio=fixed(extremes.ratio, language, 3),
     )  # fmt: skip
+    if len(found.rests) > 2:  # a stroke between two reversals of several has no time ratio
+        overlap = word(language, "reversals", count=len(found.rests))
     if extremes.sliding:
         return f"{word(language, 'stroke', stroke=number(extremes.stroke, language))};  {overlap}"
     swing = fixed(float(np.degrees(extremes.stroke)), language)

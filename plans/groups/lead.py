@@ -33,10 +33,13 @@ def about(plan: Plan, link: int, start: Mark) -> Mark:
     return plan.board.square(f"⊥{along.name}", start, along, f"the turning part is square to {along.name}")
 
 
-def normal(plan: Plan, link: int, start: Mark, tip: str) -> Mark:
-    """Lay off from an image a lead's normal acceleration, the third proportional v2/l, towards the start (M3.2)."""
+def normal(plan: Plan, link: int, start: Mark, ends: tuple[str, str]) -> Mark:
+    """Lay off from an image a lead's normal acceleration, the third proportional v2/l, towards its start (M3.2).
+
+    `ends` are the letters of the lead's start and tip: on the plan a start that translates may share another's image.
+    """
     along, turning = arm(plan, link), plan.carry(plan.velocities.readings[link].turning)
-    name = f"n_{tip}" if start is plan.pole else f"n_{tip}{start.name.upper()}"
+    name = f"n_{ends[1]}" if start is plan.pole else f"n_{ends[1]}{ends[0]}"
     part = plan.board.similar(f"a^{name}", turning, along, turning, why=f"normal part: v squared over {along.name}")
     return plan.board.lay_off(name, start, part, "directed to the centre of rotation")
 

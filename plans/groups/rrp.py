@@ -32,7 +32,7 @@ def velocities(plan: Plan, dyad: Dyad) -> None:
 def accelerations(plan: Plan, dyad: Dyad) -> None:
     """Meet the tangential part, square to AB on the normal one, with the guide's line on Coriolis (M3.3)."""
     a = plan.point(dyad.hinge(0))
-    n = lead.normal(plan, dyad.links[0], a, dyad.pin)
+    n = lead.normal(plan, dyad.links[0], a, (dyad.hinge(0), dyad.pin))
     along = guide.coriolis_line(plan, dyad.slide(1), dyad.hosts[1], plan.positions.point(dyad.pin))
     b = lead.met(plan, dyad.pin, along, lead.about(plan, dyad.links[0], n))
     lead.turned(plan, dyad.links[0], a, n, b)

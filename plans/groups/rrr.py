@@ -33,7 +33,10 @@ def velocities(plan: Plan, dyad: Dyad) -> None:
 def accelerations(plan: Plan, dyad: Dyad) -> None:
     """Lay off the normal parts towards A and C, then meet the tangential ones, square to AB and CB (M3.2)."""
     starts = _outer(plan, dyad)
-    ends = [lead.normal(plan, link, start, dyad.pin) for link, start in zip(dyad.links, starts, strict=True)]
+    ends = [
+        lead.normal(plan, link, start, (dyad.hinge(end), dyad.pin))
+        for end, (link, start) in enumerate(zip(dyad.links, starts, strict=True))
+    ]
     b = lead.met(plan, dyad.pin, lead.about(plan, dyad.links[0], ends[0]), lead.about(plan, dyad.links[1], ends[1]))
     for link, start, end in zip(dyad.links, starts, ends, strict=True):
         lead.turned(plan, link, start, end, b)
