@@ -82,7 +82,7 @@ def plans(study: Study, comparison: Comparison, shown: int) -> tuple[int, ...]:
         return tuple(study.scene.sheet.plans)
     free = ~study.lost
     free[shown] = False
-    telling = _telling(study, comparison, 2)
+    telling = _telling(study, comparison, 1) * _telling(study, comparison, 2)  # both of its plans are open figures
     free &= ~np.isnan(telling)
     if not free.any():
         return (shown,)

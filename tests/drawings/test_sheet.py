@@ -17,7 +17,7 @@ from drawings.page import Page
 from drawings.pens.svg import svg
 from drawings.sheets.kinematics import position, sheet
 from drawings.specimen import specimen
-from drawings.strokes import Group, Leaf, Stroke, Text, bounds
+from drawings.strokes import Group, Leaf, SheetError, Stroke, Text, bounds
 from plans.compare import compare
 from plans.scene import parse_scene, read_scene
 from plans.study import Study
@@ -196,3 +196,51 @@ def test_the_alphabet_s_specimen_is_drawn_again_as_it_was() -> None:
 def test_a_title_in_letters_that_the_alphabet_lacks_is_refused_before_drawing() -> None:
     with pytest.raises(UnknownLetter, match="机"):
         drawn(four_bar() + '[sheet]\ngroup = "机构"\n')
+
+
+def test_a_table_that_does_not_fit_is_refused_with_advice() -> None:
+    with pytest.raises(SheetError, match=r"fewer positions in \[sheet\] plans, or take a larger format"):
+        drawn(four_bar() + '[sheet]\nformat = "A2"\nplans = [0, 1, 2, 3, 5, 7]\n')
+
+
+def test_the_first_named_plan_is_the_position_in_full_lines() -> None:
+    _, leaf = drawn(four_bar() + "[sheet]\nplans = [7, 2]\n")
+    assert leaf.metadata["shown"] == 7
+
+
+TOGGLE = """
+title = "Toggle press"
+[mechanism.frame]
+O = [0, 0]
+C = [0.5, 0.25]
+[mechanism.links]
+1 = "OA"
+2 = "AB"
+3 = "CB"
+4 = "BD"
+5 = "D"
+[mechanism.lengths]
+OA = 0.07
+AB = 0.5
+CB = 0.25
+BD = 0.25
+[[mechanism.slides]]
+link = 5
+along = { through = [0.5, 0], angle = -90 }
+[mechanism.sketch]
+B = [0.45, 0.0]
+D = [0.5, -0.25]
+[drive]
+link = 1
+speed = -20
+start = "extreme"
+"""
+
+
+def test_an_output_that_reverses_four_times_in_a_turn_has_no_time_ratio() -> None:
+    """The toggle of a press passes its straight line twice: the ram comes to its lowest place two times in a turn."""
+    study, leaf = drawn(TOGGLE)
+    assert study.found is not None
+    assert np.degrees(study.found.rests) == pytest.approx([1.0, 86.0, 181.3, 274.0], abs=0.1)
+    said = " ".join(text.plain for text in texts(leaf))
+    assert "reverses 4 times in a turn" in said and "K =" not in said
