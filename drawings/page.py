@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import NamedTuple
 
+from drawings.hand import Hand
 from drawings.strokes import (
     INK,
     Anchor,
@@ -20,12 +21,11 @@ from drawings.strokes import (
     stated,
     text_width,
 )
-from drawings.symbols import Weights
 from drawings.words import word
 
 # Width and height in mm with the long side across, and the line widths for it; GOST 2.301-68 and 2.303-68.
 FORMATS = {"A1": (841.0, 594.0), "A2": (594.0, 420.0)}
-WEIGHTS = {"A1": Weights(0.7, 0.35, 0.25), "A2": Weights(0.7, 0.35, 0.25)}
+HANDS = {"A1": Hand(0.7, 0.35, 0.25), "A2": Hand(0.7, 0.35, 0.25)}
 LEFT, OTHER = 20.0, 5.0  # mm of the frame from the edges
 BLOCK = (185.0, 55.0)
 
@@ -89,9 +89,9 @@ class Page(NamedTuple):
         return FORMATS[self.name]
 
     @property
-    def weights(self) -> Weights:
+    def hand(self) -> Hand:
         """Line widths."""
-        return WEIGHTS[self.name]
+        return HANDS[self.name]
 
     @property
     def field(self) -> Field:
@@ -108,8 +108,8 @@ class Page(NamedTuple):
     def frame(self) -> Group:
         """Draw the paper, its edge, and the frame; white, so that a dark screen shows it as it prints."""
         width, height = self.size
-        edge = _rectangle(Field(0, 0, width, height), LineStyle(self.weights.construction, fill="#ffffff"))
-        return Group((edge, _rectangle(self.field, LineStyle(self.weights.main))), "frame")
+        edge = _rectangle(Field(0, 0, width, height), LineStyle(self.hand.construction, fill="#ffffff"))
+        return Group((edge, _rectangle(self.field, LineStyle(self.hand.main))), "frame")
 
     def corners(self) -> Group:
         """Mark three corners of the frame, by which a reader finds the sheet's own millimetres again."""
@@ -128,7 +128,7 @@ class Page(NamedTuple):
         at = complex(self.block.left, self.block.bottom)
         lines: list[Stroke] = [
             Line(at + complex(*start), at + complex(*end), LineStyle(width))
-            for segments, width in ((THICK, self.weights.main), (THIN, self.weights.construction))
+            for segments, width in ((THICK, self.hand.main), (THIN, self.hand.construction))
             for start, end in segments
         ]
         return Group((*lines, *_captions(at, language), *_entries(at, fields)), "title-block")

@@ -8,18 +8,11 @@ import math
 import numpy as np
 
 from drawings.figure import Place, Subject
-from drawings.layout import Ink, Labels
+from drawings.hand import Hand
+from drawings.layout import Labels
 from drawings.skeleton import Skeletons
 from drawings.strokes import INK, Arc, Circle, Group, Line, LineStyle, Polyline, Stroke, Text
-from drawings.symbols import (
-    Weights,
-    arrowhead,
-    fixed_hinge,
-    guide,
-    hinge,
-    slider,
-    turning_arrow,
-)
+from drawings.symbols import arrowhead, fixed_hinge, guide, hinge, slider, turning_arrow
 from drawings.vector_plan import written
 from drawings.words import fixed
 from geometry.board import Arc as Notch
@@ -37,37 +30,35 @@ TICK = 1.2  # mm of a position's tick on each side of a guide's axis
 DIMENSION_STEP = 22.0  # mm from a guide to the dimension of its stroke: clear of the numbers and the guide's ground
 
 
-def figure(bones: Skeletons, place: Place, weights: Weights, ink: Ink, language: str) -> list[Group]:
-    """Draw the plan of positions at its place, from the thinnest lines to the letters."""
+def figure(bones: Skeletons, place: Place, hand: Hand, language: str) -> list[Group]:
+    """Draw the plan of positions at its place, from the thinnest lines to the pairs; its letters come last of all."""
     layers = [
-        Group(tuple(_paths(bones, place, weights)), "paths"),
-        Group(tuple(_circle_and_positions(bones, place, weights)), "all-positions"),
-        Group(tuple(_extreme(bones, place, weights)), "extremes"),
-        Group(tuple(_guides(bones, place, weights)), "guides"),
-        Group(tuple(_notches(bones, place, weights)), "notches"),
-        Group(tuple(_body(bones, place, weights)), "shown-position"),
-        Group(tuple(_pairs(bones, place, weights)), "pairs"),
-        Group(tuple(_stroke(bones, place, weights, language)), "stroke"),
-        Group(tuple(_sense(bones, place, weights)), "rotation"),
+        Group(tuple(_paths(bones, place, hand)), "paths"),
+        Group(tuple(_circle_and_positions(bones, place, hand)), "all-positions"),
+        Group(tuple(_extreme(bones, place, hand)), "extremes"),
+        Group(tuple(_guides(bones, place, hand)), "guides"),
+        Group(tuple(_notches(bones, place, hand)), "notches"),
+        Group(tuple(_body(bones, place, hand)), "shown-position"),
+        Group(tuple(_pairs(bones, place, hand)), "pairs"),
+        Group(tuple(_stroke(bones, place, hand, language)), "stroke"),
+        Group(tuple(_sense(bones, place, hand)), "rotation"),
     ]
-    layers = [layer for layer in layers if layer.strokes]
-    ink.draw(layers)
-    return [*layers, Group(tuple(_letters(bones, place, ink)))]
+    return [layer for layer in layers if layer.strokes]
 
 
-def _paths(bones: Skeletons, place: Place, weights: Weights) -> list[Stroke]:
+def _paths(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
     """Draw the trajectories of the points that go neither on the crank's circle nor along a guide."""
     mechanism = bones.study.mechanism
     still = set(mechanism.links[FRAME].points) | set(mechanism.links[mechanism.drive.link].points)
     guided = {slide.point for slide in mechanism.slides if FRAME in (slide.slider, slide.owner)}
     drawn: list[Stroke] = []
     for name in sorted(bones.path.keys() - still - guided):
-        arc = _swing(bones, name, place, weights)
-        drawn += [arc] if arc else [Polyline(tuple(run), False, weights.path) for run in _runs(bones.path[name], place)]
+        arc = _swing(bones, name, place, hand)
+        drawn += [arc] if arc else [Polyline(tuple(run), False, hand.path) for run in _runs(bones.path[name], place)]
     return drawn
 
 
-def _swing(bones: Skeletons, name: str, place: Place, weights: Weights) -> Arc | None:
+def _swing(bones: Skeletons, name: str, place: Place, hand: Hand) -> Arc | None:
     """Draw the path of a rocker's point as one arc: drawn there and back, its dashes would close up."""
     mechanism = bones.study.mechanism
     fixed_points = mechanism.links[FRAME].points
@@ -81,7 +72,7 @@ def _swing(bones: Skeletons, name: str, place: Place, weights: Weights) -> Arc |
     low, high = float(angles.min()), float(angles.max())
     if high - low >= math.pi:  # a full turn is no swing
         return None
-    return Arc(place.on(pivot), place.length(abs(complex(values[0]) - pivot)), low, high, weights.path)
+    return Arc(place.on(pivot), place.length(abs(complex(values[0]) - pivot)), low, high, hand.path)
 
 
 def _runs(values: Complexes, place: Place) -> list[list[complex]]:
@@ -95,35 +86,33 @@ def _runs(values: Complexes, place: Place) -> list[list[complex]]:
     return [run for run in runs if len(run) > 1]
 
 
-def _circle_and_positions(bones: Skeletons, place: Place, weights: Weights) -> list[Stroke]:
+def _circle_and_positions(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
     points = bones.motion.points
     pivot, shown = bones.pivot(place), bones.shown
     radius = abs(place.on(bones.crank_end(shown)) - pivot)
     low, high = bones.swept
-    drawn: list[Stroke] = [Arc(pivot, radius, low, high, weights.drafted), *_barred(bones, pivot, radius, weights)]
+    drawn: list[Stroke] = [Arc(pivot, radius, low, high, hand.drafted), *_barred(bones, pivot, radius, hand)]
     extremes = {_numbered(bones, k) for k in range(2 if bones.extremes else 0)}
     for k in range(len(bones.motion.phi)):
         if k != shown and k not in extremes:
-            drawn += _links(bones, {n: complex(m.r[k]) for n, m in points.items()}, place, weights.drafted)
+            drawn += _links(bones, {n: complex(m.r[k]) for n, m in points.items()}, place, hand.drafted)
     return drawn
 
 
-def _barred(bones: Skeletons, pivot: complex, radius: float, weights: Weights) -> list[Stroke]:
+def _barred(bones: Skeletons, pivot: complex, radius: float, hand: Hand) -> list[Stroke]:
     """Hatch the crank circle where the crank cannot go, and mark its gap positions and change points by a cross."""
     drawn: list[Stroke] = []
     for barrier in bones.study.met:
         count = max(int((barrier.end - barrier.start) * radius / 2.5), 1)
         for k in range(count + 1):
             ray = cmath.rect(1.0, barrier.start + (barrier.end - barrier.start) * k / count)
-            drawn.append(
-                Line(pivot + radius * ray, pivot + (radius + 2.5) * ray * cmath.rect(1.0, 0.02), weights.drafted)
-            )
+            drawn.append(Line(pivot + radius * ray, pivot + (radius + 2.5) * ray * cmath.rect(1.0, 0.02), hand.drafted))
     crosses = [complex(d) for d in bones.study.turn.directions[bones.study.lost]]
     crosses += [cmath.rect(1.0, barrier.start) for barrier in bones.study.met if barrier.kind == CHANGE]
     for direction in crosses:
         spot = pivot + radius * direction
         for arm in (CROSS * cmath.rect(1.0, math.pi / 4), CROSS * cmath.rect(1.0, -math.pi / 4)):
-            drawn.append(Line(spot - arm, spot + arm, weights.other))
+            drawn.append(Line(spot - arm, spot + arm, hand.other))
     return drawn
 
 
@@ -138,13 +127,13 @@ def _links(
     return drawn
 
 
-def _extreme(bones: Skeletons, place: Place, weights: Weights) -> list[Stroke]:
+def _extreme(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
     """Draw the extreme positions in dash-two-dots lines."""
     drawn: list[Stroke] = []
     for k in range(2 if bones.extremes else 0):
         if _numbered(bones, k) != bones.shown:
             places = {name: complex(values[k]) for name, values in bones.extremes.items()}
-            drawn += _links(bones, places, place, weights.extreme)
+            drawn += _links(bones, places, place, hand.extreme)
     return drawn
 
 
@@ -157,7 +146,7 @@ def _numbered(bones: Skeletons, extreme: int) -> int | None:
     return best if apart[best] < 1e-9 else None  # a nanoradian is no distance on any sheet
 
 
-def _guides(bones: Skeletons, place: Place, weights: Weights) -> list[Stroke]:
+def _guides(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
     """Draw each frame's guide: its axis over the travel, ground beside the shown block, a tick at each position."""
     drawn: list[Stroke] = []
     for slide in bones.study.mechanism.slides:
@@ -165,9 +154,9 @@ def _guides(bones: Skeletons, place: Place, weights: Weights) -> list[Stroke]:
             start, end = _travel(bones, slide, place)
             places = [place.on(complex(r)) for r in bones.motion.points[slide.point].r if not math.isnan(r.real)]
             block = place.on(bones.spot(slide.point, bones.shown))
-            drawn += guide(start, end, (start + end) / 2 if math.isnan(block.real) else block, weights)
+            drawn += guide(start, end, (start + end) / 2 if math.isnan(block.real) else block, hand)
             across = 1j * (end - start) / abs(end - start) * TICK
-            drawn += [Line(at_k - across, at_k + across, weights.drafted) for at_k in places]
+            drawn += [Line(at_k - across, at_k + across, hand.drafted) for at_k in places]
     return drawn
 
 
@@ -184,7 +173,7 @@ def _travel(bones: Skeletons, slide: Slide, place: Place) -> tuple[complex, comp
     return place.on(base + direction * along.min()) - more, place.on(base + direction * along.max()) + more
 
 
-def _notches(bones: Skeletons, place: Place, weights: Weights) -> list[Stroke]:
+def _notches(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
     """Keep the notch arcs of the shown position, trimmed to their use; arcs that miss each other are drawn whole."""
     plan = bones.study.drafts().positions
     drawn: list[Stroke] = []
@@ -193,23 +182,23 @@ def _notches(bones: Skeletons, place: Place, weights: Weights) -> list[Stroke]:
             if mark.step.op == "meet" and isinstance(locus.value, Notch):
                 centre, arm = place.on(at(source.point, bones.shown)), at(ray, bones.shown)
                 if math.isnan(arm.real) and not math.isnan(centre.real):
-                    drawn.append(Circle(centre, place.length(abs(at(locus.value.radius, 0))), weights.drafted))
+                    drawn.append(Circle(centre, place.length(abs(at(locus.value.radius, 0))), hand.drafted))
                 elif not math.isnan(arm.real):
-                    drawn.append(_trimmed(centre, place.length(abs(arm)), cmath.phase(arm), weights))
+                    drawn.append(_trimmed(centre, place.length(abs(arm)), cmath.phase(arm), hand))
     return drawn
 
 
-def _trimmed(centre: complex, radius: float, angle: float, weights: Weights) -> Arc:
+def _trimmed(centre: complex, radius: float, angle: float, hand: Hand) -> Arc:
     half = min(NOTCH / radius, math.pi)
-    return Arc(centre, radius, angle - half, angle + half, weights.drafted)
+    return Arc(centre, radius, angle - half, angle + half, hand.drafted)
 
 
-def _body(bones: Skeletons, place: Place, weights: Weights) -> list[Stroke]:
+def _body(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
     places = {name: complex(motion.r[bones.shown]) for name, motion in bones.motion.points.items()}
-    return _links(bones, places, place, weights.result, whole=True)
+    return _links(bones, places, place, hand.result, whole=True)
 
 
-def _pairs(bones: Skeletons, place: Place, weights: Weights) -> list[Stroke]:
+def _pairs(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
     """Draw stones and sliders, fixed hinges, hinges and other named points; all points can be measured."""
     mechanism, shown = bones.study.mechanism, bones.shown
     scale, subject = place.scale, Subject("positions", "r", shown)
@@ -217,17 +206,17 @@ def _pairs(bones: Skeletons, place: Place, weights: Weights) -> list[Stroke]:
     for slide in mechanism.slides:
         pin = bones.spot(slide.point, shown)
         if not math.isnan(pin.real):
-            drawn.append(slider(place.on(pin), _line_direction(bones, slide), weights))
+            drawn.append(slider(place.on(pin), _line_direction(bones, slide), hand))
     for name in sorted(mechanism.links[FRAME].points):
         if name in mechanism.hinges:
-            drawn += fixed_hinge(place.on(mechanism.links[FRAME].points[name]), weights)
+            drawn += fixed_hinge(place.on(mechanism.links[FRAME].points[name]), hand)
     for name in sorted(bones.motion.points):
         value = bones.spot(name, shown)
         if math.isnan(value.real):
             continue
         spot = place.on(value)
         jointed = name in mechanism.hinges
-        circle = hinge(spot, weights) if jointed else Circle(spot, 0.9, INK)
+        circle = hinge(spot, hand) if jointed else Circle(spot, 0.9, INK)
         kind = "pole" if name == mechanism.drive.pivot else "point"
         drawn.append(Group((circle,), "", subject.data(kind, name, value, scale), name))
     return drawn
@@ -240,7 +229,7 @@ def _line_direction(bones: Skeletons, slide: Slide) -> complex:
     return slide.on_owner.direction * cmath.rect(1.0, turn)
 
 
-def _stroke(bones: Skeletons, place: Place, weights: Weights, language: str) -> list[Stroke]:
+def _stroke(bones: Skeletons, place: Place, hand: Hand, language: str) -> list[Stroke]:
     """Dimension the stroke H of a sliding output, in millimetres of the machine."""
     found, out = bones.study.found, bones.study.output
     slide = frame_slide(bones.study.mechanism, out.link)
@@ -254,24 +243,25 @@ def _stroke(bones: Skeletons, place: Place, weights: Weights, language: str) -> 
     text = f"H = {fixed(1000 * found.extremes.stroke, language)}".rstrip("0").rstrip(".,")
     heads = [head for head in (arrowhead(end, start), arrowhead(start, end)) if head is not None]
     return [
-        Line(first + 4 * up, start + 2 * up, weights.drafted),
-        Line(last + 4 * up, end + 2 * up, weights.drafted),
-        Line(start, end, weights.drafted),
+        Line(first + 4 * up, start + 2 * up, hand.drafted),
+        Line(last + 4 * up, end + 2 * up, hand.drafted),
+        Line(start, end, hand.drafted),
         *heads,
         Text((start + end) / 2 + 1.2 * up, text, LETTER, "middle", True, math.degrees(cmath.phase(along))),
     ]
 
 
-def _sense(bones: Skeletons, place: Place, weights: Weights) -> list[Stroke]:
+def _sense(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
     """Show the sense of the crank's rotation by an arc with an arrowhead."""
     pivot = bones.pivot(place)
     angle = float(bones.study.turn.phi[bones.shown])
     sweep = 1.2 * bones.study.sense
-    return list(turning_arrow(pivot, ARROW_RADIUS, angle + 0.25 * bones.study.sense, sweep, weights))
+    return list(turning_arrow(pivot, ARROW_RADIUS, angle + 0.25 * bones.study.sense, sweep, hand))
 
 
-def _letters(bones: Skeletons, place: Place, ink: Ink) -> list[Stroke]:
-    labels, drive = Labels(ink), bones.study.mechanism.drive
+def letters(bones: Skeletons, place: Place, labels: Labels) -> Group:
+    """Letter the points and number the positions, where the lines of all figures leave room."""
+    drive = bones.study.mechanism.drive
     pivot = bones.pivot(place)
     drawn: list[Stroke] = []
     for name in sorted(bones.motion.points):
@@ -281,7 +271,7 @@ def _letters(bones: Skeletons, place: Place, ink: Ink) -> list[Stroke]:
             drawn.append(labels.beside(spot, written(name), LETTER, 3.0, math.pi / 4))
     turn = float(bones.study.turn.phi[bones.shown]) + 0.85 * bones.study.sense
     drawn.append(labels.beside(pivot + cmath.rect(ARROW_RADIUS, turn), f"ω_{drive.link}", LETTER, 1.5, turn))
-    return [*drawn, *_numbers(bones, place, labels)]
+    return Group((*drawn, *_numbers(bones, place, labels)))
 
 
 def _numbers(bones: Skeletons, place: Place, labels: Labels) -> list[Stroke]:

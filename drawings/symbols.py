@@ -4,60 +4,12 @@ from __future__ import annotations
 
 import cmath
 import math
-from typing import NamedTuple
 
+from drawings.hand import Hand
 from drawings.strokes import INK, Arc, Circle, Fill, Line, LineStyle, Polyline, Stroke
 
 ARROW_LENGTH = 5.0
 ARROW_HALF = ARROW_LENGTH * math.tan(math.radians(10))  # an arrowhead of 20 degrees
-
-
-class Weights(NamedTuple):
-    """Line widths of a sheet, mm: main line s, thin lines, and the thinnest construction lines."""
-
-    main: float
-    thin: float
-    construction: float
-
-    @property
-    def result(self) -> LineStyle:
-        """Solid main line."""
-        return LineStyle(self.main)
-
-    @property
-    def relative(self) -> LineStyle:
-        """Solid line between main and thin: relative vectors."""
-        return LineStyle((self.main + self.thin) / 2)
-
-    @property
-    def other(self) -> LineStyle:
-        """Solid thin line: other positions, dimensions, leaders."""
-        return LineStyle(self.thin)
-
-    @property
-    def drafted(self) -> LineStyle:
-        """Construction line."""
-        return LineStyle(self.construction)
-
-    @property
-    def axis(self) -> LineStyle:
-        """Thin dash-dot line: axes of guides."""
-        return LineStyle(self.construction, (15, 1.5, 0.5, 1.5))
-
-    @property
-    def path(self) -> LineStyle:
-        """Dashed thin line: trajectories."""
-        return LineStyle(self.thin, (4, 1.5))
-
-    @property
-    def extreme(self) -> LineStyle:
-        """Thin dash-two-dots line: the other extreme position."""
-        return LineStyle(self.thin, (15, 1.5, 0.5, 1.5, 0.5, 1.5))
-
-    @property
-    def body(self) -> LineStyle:
-        """Main line of a symbol, filled with paper."""
-        return LineStyle(self.main, fill="#ffffff")
 
 
 def arrowhead(start: complex, tip: complex) -> Fill | None:
@@ -71,33 +23,33 @@ def arrowhead(start: complex, tip: complex) -> Fill | None:
     return Fill((tip, base + 1j * along * ARROW_HALF, base - 1j * along * ARROW_HALF))
 
 
-def hinge(at: complex, weights: Weights, radius: float = 2.0) -> Circle:
+def hinge(at: complex, hand: Hand, radius: float = 2.0) -> Circle:
     """Draw a hinge (вращательная пара): a circle of paper over the links' lines."""
-    return Circle(at, radius, weights.body)
+    return Circle(at, radius, hand.body)
 
 
-def fixed_hinge(at: complex, weights: Weights, downward: complex = -1j) -> tuple[Stroke, ...]:
+def fixed_hinge(at: complex, hand: Hand, downward: complex = -1j) -> tuple[Stroke, ...]:
     """Draw a fixed hinge (стойка): two legs, a base, and hatching on the side of the ground."""
     side = 1j * downward
     left, right = at + 8 * downward + 4.5 * side, at + 8 * downward - 4.5 * side
-    legs = Polyline((left, at, right), False, LineStyle(weights.main))
-    return legs, *ground(left + 1.5 * side, right - 1.5 * side, downward, weights)
+    legs = Polyline((left, at, right), False, LineStyle(hand.main))
+    return legs, *ground(left + 1.5 * side, right - 1.5 * side, downward, hand)
 
 
-def ground(start: complex, end: complex, into: complex, weights: Weights) -> tuple[Stroke, ...]:
+def ground(start: complex, end: complex, into: complex, hand: Hand) -> tuple[Stroke, ...]:
     """Draw a fixed line with hatching at 45 degrees on the side `into`."""
     length = abs(end - start)
     along = (end - start) / length
     count = max(int(length / 2), 1)
     hatch = 3 * (into - along) / abs(into - along)
     lines = [
-        Line(start + along * length * k / count, start + along * length * k / count + hatch, weights.drafted)
+        Line(start + along * length * k / count, start + along * length * k / count + hatch, hand.drafted)
         for k in range(1, count + 1)
     ]
-    return Line(start, end, LineStyle(weights.main)), *lines
+    return Line(start, end, LineStyle(hand.main)), *lines
 
 
-def slider(at: complex, direction: complex, weights: Weights, size: tuple[float, float] = (12.0, 7.0)) -> Polyline:
+def slider(at: complex, direction: complex, hand: Hand, size: tuple[float, float] = (12.0, 7.0)) -> Polyline:
     """Draw a sliding block (ползун, камень) turned along its line."""
     half_length, half_width = direction * size[0] / 2, 1j * direction * size[1] / 2
     corners = (
@@ -106,20 +58,20 @@ def slider(at: complex, direction: complex, weights: Weights, size: tuple[float,
         at - half_length - half_width,
         at + half_length - half_width,
     )
-    return Polyline(corners, True, weights.body)
+    return Polyline(corners, True, hand.body)
 
 
-def guide(start: complex, end: complex, block: complex, weights: Weights) -> tuple[Stroke, ...]:
+def guide(start: complex, end: complex, block: complex, hand: Hand) -> tuple[Stroke, ...]:
     """Draw a guide of the frame (направляющая): its axis, and ground beside the block on the right of its direction."""
     along = (end - start) / abs(end - start)
     bar = block - 1j * along * 3.5
     return (
-        Line(start, end, weights.axis),
-        *ground(bar - 14.0 * along, bar + 14.0 * along, -1j * along, weights),
+        Line(start, end, hand.axis),
+        *ground(bar - 14.0 * along, bar + 14.0 * along, -1j * along, hand),
     )
 
 
-def turning_arrow(centre: complex, radius: float, start: float, sweep: float, weights: Weights) -> tuple[Stroke, ...]:
+def turning_arrow(centre: complex, radius: float, start: float, sweep: float, hand: Hand) -> tuple[Stroke, ...]:
     """Draw an arc with an arrowhead at its end: the sense of rotation; a negative sweep is clockwise."""
     low, high = (start, start + sweep) if sweep > 0 else (start + sweep, start)
     tip = centre + cmath.rect(radius, start + sweep)
@@ -127,7 +79,7 @@ def turning_arrow(centre: complex, radius: float, start: float, sweep: float, we
     back = centre + cmath.rect(radius, start + sweep - head)
     along = (tip - back) / abs(tip - back)
     wings = (tip, back + 1j * along * 0.9, back - 1j * along * 0.9)
-    return Arc(centre, radius, low, high, weights.other), Fill(wings, INK)
+    return Arc(centre, radius, low, high, hand.other), Fill(wings, INK)
 
 
 def pole(at: complex) -> Circle:

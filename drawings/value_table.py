@@ -6,9 +6,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from drawings.hand import Hand
 from drawings.page import Field
 from drawings.strokes import Group, Line, LineStyle, SheetError, Stroke, Text, text_width
-from drawings.symbols import Weights
 from drawings.words import fixed, number, word
 from plans.compare import Comparison, Finding
 
@@ -58,7 +58,7 @@ def _per_cent(value: float, language: str) -> str:
     return f"<10^{{−{NOISE}}}" if value < 10.0**-NOISE else number(value, language, 2)
 
 
-def table(lines: list[Row], positions: tuple[int, ...], field: Field, weights: Weights, language: str) -> Group:
+def table(lines: list[Row], positions: tuple[int, ...], field: Field, hand: Hand, language: str) -> Group:
     """Draw the table at the top of a field: two rows of headings, then the quantities, in as many columns as fit."""
     per_column = max(int(field.height // ROW) - 2, 1)
     blocks = [lines[k : k + per_column] for k in range(0, len(lines), per_column)]
@@ -67,7 +67,7 @@ def table(lines: list[Row], positions: tuple[int, ...], field: Field, weights: W
     strokes: list[Stroke] = []
     for k, block in enumerate(blocks):
         left = field.left + k * width
-        strokes += _block(block, positions, Field(left, field.bottom, left + width, field.top), weights, language)
+        strokes += _block(block, positions, Field(left, field.bottom, left + width, field.top), hand, language)
     return Group(tuple(strokes), "values")
 
 
@@ -81,8 +81,8 @@ def _fits(lines: list[Row], positions: tuple[int, ...], cell: float) -> None:
         )
 
 
-def _block(lines: list[Row], positions: tuple[int, ...], field: Field, weights: Weights, language: str) -> list[Stroke]:
-    main, thin = LineStyle(weights.main), LineStyle(weights.construction)
+def _block(lines: list[Row], positions: tuple[int, ...], field: Field, hand: Hand, language: str) -> list[Stroke]:
+    main, thin = LineStyle(hand.main), LineStyle(hand.construction)
     cell = (field.width - NAME_WIDTH) / (3 * len(positions))
     columns = [field.left, *(field.left + NAME_WIDTH + cell * k for k in range(3 * len(positions) + 1))]
     bottom = field.top - ROW * (len(lines) + 2)

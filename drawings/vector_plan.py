@@ -7,11 +7,12 @@ import math
 from dataclasses import dataclass
 
 from drawings.figure import Place, Subject, centred, extent, point, vector
-from drawings.layout import Ink, Labels
+from drawings.hand import Hand
+from drawings.layout import Labels
 from drawings.page import Field
 from drawings.scale import Scale, fitting
 from drawings.strokes import Group, Line, LineStyle, Stroke, Text
-from drawings.symbols import Weights, pole
+from drawings.symbols import pole
 from drawings.words import word
 from geometry.board import Line as Direction
 from geometry.board import Mark, at, behind
@@ -84,20 +85,32 @@ def _rays(mark: Mark, column: int) -> list[tuple[complex, complex]]:
     return found
 
 
-def figure(shown: Diagram, room: Field, position: int, weights: Weights, ink: Ink, language: str) -> list[Group]:
+@dataclass(frozen=True)
+class Figure:
+    """A diagram placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
+
+    shown: Diagram
+    place: Place
+    lines: tuple[Stroke, ...]
+    position: int
+
+    def lettered(self, labels: Labels) -> Group:
+        """Give the whole figure, its letters placed."""
+        name = f"{self.shown.plan.board.subject}-{self.position}"
+        return Group((*self.lines, Group(tuple(_letters(self.shown, self.place, labels)))), name)
+
+
+def figure(shown: Diagram, room: Field, position: int, hand: Hand, language: str) -> Figure:
     """Draw the plan centred in its room at the largest standard scale that fits, with its title and scale above it."""
     kind = shown.plan.board.subject
     subject = Subject(kind, SYMBOL[kind], position)
     scale = fitting(*extent(shown.points, room), SYMBOL[kind], UNIT[kind])
     place = centred(shown.points, room, scale)
     title = _heading(shown, place, scale, position, language)
-    lines = Group(tuple(_directions(shown, place, weights)))
-    arrows = [_drawn(subject, arrow, place, weights) for arrow in shown.arrows if _visible(arrow, place)]
+    lines = Group(tuple(_directions(shown, place, hand)))
+    arrows = [_drawn(subject, arrow, place, hand) for arrow in shown.arrows if _visible(arrow, place)]
     dot = point(subject, shown.plan.pole.name, 0j, place, pole(place.on(0j)), "pole")
-    figure = [title, *([lines] if lines.strokes else []), *arrows, dot]
-    ink.draw(figure)
-    letters = Group(tuple(_letters(shown, place, ink)))
-    return [Group((*figure, letters), f"{shown.plan.board.subject}-{position}")]
+    return Figure(shown, place, (title, *([lines] if lines.strokes else []), *arrows, dot), position)
 
 
 def _heading(shown: Diagram, place: Place, scale: Scale, position: int, language: str) -> Group:
@@ -114,13 +127,13 @@ def _visible(arrow: Arrow, place: Place) -> bool:
     return place.length(abs(arrow.ends[1] - arrow.ends[0])) >= LEAST
 
 
-def _drawn(subject: Subject, arrow: Arrow, place: Place, weights: Weights) -> Group:
+def _drawn(subject: Subject, arrow: Arrow, place: Place, hand: Hand) -> Group:
     result = arrow.absolute or arrow.end.step.op == "meet"
-    style = weights.result if arrow.absolute else weights.relative if result else LineStyle(weights.thin)
+    style = hand.result if arrow.absolute else hand.relative if result else LineStyle(hand.thin)
     return vector(subject, arrow.name, arrow.ends, place, style)
 
 
-def _directions(shown: Diagram, place: Place, weights: Weights) -> list[Stroke]:
+def _directions(shown: Diagram, place: Place, hand: Hand) -> list[Stroke]:
     """Draw each line of known direction from a little before its start to a little past the meeting."""
     drawn: list[Stroke] = []
     for start, end in shown.rays:
@@ -129,13 +142,12 @@ def _directions(shown: Diagram, place: Place, weights: Weights) -> list[Stroke]:
         if length < LEAST:
             continue
         along = (last - first) / length * BEYOND
-        drawn.append(Line(first - along / 2, last + along, weights.drafted))
+        drawn.append(Line(first - along / 2, last + along, hand.drafted))
     return drawn
 
 
-def _letters(shown: Diagram, place: Place, ink: Ink) -> list[Stroke]:
+def _letters(shown: Diagram, place: Place, labels: Labels) -> list[Stroke]:
     """Letter the pole and every image once; images that fall on one place share it."""
-    labels = Labels(ink)
     names: dict[complex, list[str]] = {place.on(0j): [shown.plan.pole.name]}
     for mark in shown.letters:
         spot = place.on(at(mark.point, shown.column))

@@ -204,17 +204,30 @@ class LoadsTable(Table):
     moments: Annotated[tuple[MomentTable, ...], f.FEW] = ()
 
 
-class SheetTable(Table):
-    """What stands on the sheet: language, format, the positions drawn in full, and the title block."""
+LANGUAGES, STANDARDS = ("en", "ru"), ("GOST", "ISO")
+FORMATS, ORIENTATIONS = ("A1", "A2", "A3", "A4"), ("landscape", "portrait")
+LETTERINGS, NOTATIONS = ("strokes", "text"), ("mu", "K")
 
-    language: Annotated[Literal["en", "ru"], f.one_fault(f.choice, choices=("en", "ru"))] = "en"
-    format: Annotated[Literal["A1", "A2"], f.one_fault(f.choice, choices=("A1", "A2"))] = "A1"
+
+class SheetTable(Table):
+    """What stands on the sheet: language, standard, format, the positions drawn in full, and the title block."""
+
+    language: Annotated[Literal["en", "ru"], f.one_fault(f.choice, choices=LANGUAGES)] = "en"
+    standard: Annotated[Literal["GOST", "ISO"], f.one_fault(f.choice, choices=STANDARDS)] = "GOST"
+    format: Annotated[Literal["A1", "A2", "A3", "A4"], f.one_fault(f.choice, choices=FORMATS)] = "A1"
+    # Default: landscape, and portrait for A4.
+    orientation: Annotated[Literal["landscape", "portrait"], f.one_fault(f.choice, choices=ORIENTATIONS)] | None = None
+    lettering: Annotated[Literal["strokes", "text"], f.one_fault(f.choice, choices=LETTERINGS)] = "strokes"
+    # Scale factors mu in true units a millimetre, or K = 1/mu in millimetres a true unit.
+    notation: Annotated[Literal["mu", "K"], f.one_fault(f.choice, choices=NOTATIONS)] = "mu"
     # Positions whose velocity and acceleration plans are drawn.
     plans: Annotated[tuple[f.PositionNumber, ...], AfterValidator(f.no_repeats), f.FEW] = ()
     position: f.PositionNumber | None = None  # the position drawn in full lines
     designation: f.Text = ""
     drawn: f.Text = ""
     checked: f.Text = ""
+    approved: f.Text = ""
+    date: f.Text = ""
     group: f.Text = ""
     organisation: f.Text = ""
 

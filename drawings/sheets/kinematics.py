@@ -7,15 +7,15 @@ from typing import Any
 
 import numpy as np
 
-from drawings import position_plan, value_table, vector_plan
-from drawings.figure import centred, extent
-from drawings.layout import Ink
-from drawings.page import Field, Page
+from drawings import position_plan, value_table
+from drawings.figure import Place, centred, extent
+from drawings.layout import Ink, Labels
+from drawings.page import FORMATS, Field, Page
 from drawings.scale import Scale, fitting
 from drawings.skeleton import Skeletons, skeletons
 from drawings.strokes import Group, Leaf, SheetError, Stroke, Text, text_width
 from drawings.value_table import ROW
-from drawings.vector_plan import diagram
+from drawings.vector_plan import Figure, diagram, figure
 from drawings.words import fixed, number, word
 from plans.compare import Comparison
 from plans.extreme import frame_slide
@@ -31,6 +31,8 @@ TEXT, LINE = 3.5, 6.5
 def sheet(study: Study, comparison: Comparison) -> Leaf:
     """Lay out the kinematics sheet; nothing is drawn that the scene's sheet does not need."""
     scene, page = study.scene.sheet, Page(study.scene.sheet.format)
+    if page.name not in FORMATS:
+        raise SheetError(f"{study.scene.file}: sheet.format = {page.name}: not drawn yet. Fix: A1 or A2")
     language, ink = scene.language, Ink(*page.size)
     ink.bar(page.field.inset(1.0))
     shown = position(study, comparison)
@@ -39,11 +41,14 @@ def sheet(study: Study, comparison: Comparison) -> Leaf:
     lines = value_table.rows(comparison, drawn, given, language)
     main, side, low = _fields(page, len(lines))
     bones = skeletons(study, comparison.construction, shown)
-    scale, groups = _positions(bones, main, page, ink, language)
-    if drawn:
-        groups += _vector_plans(study, comparison, drawn, side, page, ink, language)
+    scale, place, groups = _positions(bones, main, page, language)
+    figures, missing = _vector_plans(study, comparison, drawn, side, page, language) if drawn else ([], [])
+    ink.draw([*groups, *missing, *(stroke for figure in figures for stroke in figure.lines)])
+    labels = Labels(ink)
+    groups.append(position_plan.letters(bones, place, labels))
+    groups += [*(figure.lettered(labels) for figure in figures), *missing]
     if lines and drawn:
-        groups.append(value_table.table(lines, drawn, low, page.weights, language))
+        groups.append(value_table.table(lines, drawn, low, page.hand, language))
     notes = _notes(study, comparison, language) + _why(study, comparison)
     left = Field(side.left, page.field.bottom, page.block.left, page.block.top)
     groups.append(_written(notes, left))
@@ -137,32 +142,32 @@ def _fields(page: Page, rows: int) -> tuple[Field, Field, Field]:
     return main, side, low
 
 
-def _positions(bones: Skeletons, field: Field, page: Page, ink: Ink, language: str) -> tuple[Scale, list[Group]]:
+def _positions(bones: Skeletons, field: Field, page: Page, language: str) -> tuple[Scale, Place, list[Group]]:
     room = Field(field.left + 16, field.bottom + 16, field.right - 16, field.top - HEADING - 30)
     scale = fitting(*extent(bones.points, room), "l", "m")
     place = centred(bones.points, room, scale)
     title = _heading(field, word(language, "positions"), scale.written(language))
-    ink.draw([title])
-    return scale, [title, Group(tuple(position_plan.figure(bones, place, page.weights, ink, language)), "positions")]
+    return scale, place, [title, Group(tuple(position_plan.figure(bones, place, page.hand, language)), "positions")]
 
 
 def _vector_plans(
-    study: Study, comparison: Comparison, drawn: Sequence[int], field: Field, page: Page, ink: Ink, language: str
-) -> list[Group]:
-    """Draw the velocity plans in a row and the acceleration plans under them, each row at one scale."""
-    groups: list[Group] = []
+    study: Study, comparison: Comparison, drawn: Sequence[int], field: Field, page: Page, language: str
+) -> tuple[list[Figure], list[Group]]:
+    """Draw the velocity plans in a row and the acceleration plans under them; say which have no place."""
+    figures: list[Figure] = []
+    missing: list[Group] = []
     drafts = study.drafts()
     half = field.height / 2
     for row, (subject, plan) in enumerate((("velocities", drafts.velocities), ("accelerations", drafts.accelerations))):
         top = field.top - row * half
         rooms = _cells(Field(field.left, top - half, field.right, top), len(drawn))
         shown = [diagram(plan, k) for k in drawn]
-        for k, room, figure in zip(drawn, rooms, shown, strict=True):
-            if study.lost[k] or not np.isfinite(figure.points).all():
-                groups.append(_missing(study, comparison, subject, k, room, language))
+        for k, room, found in zip(drawn, rooms, shown, strict=True):
+            if study.lost[k] or not np.isfinite(found.points).all():
+                missing.append(_missing(study, comparison, subject, k, room, language))
             else:
-                groups += vector_plan.figure(figure, room, k, page.weights, ink, language)
-    return groups
+                figures.append(figure(found, room, k, page.hand, language))
+    return figures, missing
 
 
 def _cells(field: Field, count: int) -> list[Field]:
