@@ -1,106 +1,168 @@
-"""Layout of paper: what is already inked, and labels that find a free place near what they name."""
+"""Layout of paper: what is already inked, and labels that find a free place near what they name, or lead to one."""
 
 from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from typing import TypeAlias
 
 import numpy as np
+import numpy.typing as npt
 
-from drawings.strokes import Arc, Box, Circle, Fill, Group, Line, Polyline, Stroke, Text, bounds
+from drawings.strokes import Arc, Box, Circle, Fill, Group, Line, LineStyle, Polyline, Stroke, Text, bounds
 
 CELL = 0.5  # mm, the grain of the ink map: finer than a thin line's least distance
-TEXT_INK = 40  # a letter under another is as bad as this many crossed cells of line
+LETTERED = 1000  # of a cell under letters; a line adds 1, and no cell is crossed by so many
+CLEAR = 0.4  # mm kept free around a label
 DIRECTIONS = 16
-REACHES = (0.0, 1.5, 3.5, 6.0, 9.0)  # mm a label may stand further off than its nearest place
+NEAR = (0.0, 1.0, 2.5, 4.5)  # mm a label may stand further off than its nearest place, without a leader
+LED = tuple(float(reach) for reach in range(7, 80, 3))  # mm from a point to a label that a leader leads to
+LEAD_DIRECTIONS = 24
+TURNED = 0.12  # cost of a direction, in mm of distance a step away from the preferred one
+CROSSED = 0.05  # cost of a line that a leader crosses, in mm of its length a cell
+
+Chain: TypeAlias = list[complex]
 
 
 class Ink:
-    """A map of what is drawn on a sheet, in cells; counts of lines and of letters under a box."""
+    """A map of what is drawn on a sheet, in cells: how many lines run through each, and where letters stand."""
 
     def __init__(self, width: float, height: float) -> None:
         self._map = np.zeros((int(height / CELL) + 2, int(width / CELL) + 2), dtype=np.int32)
 
     def bar(self, field: Box) -> None:
         """Keep labels inside a field: what lies outside counts as lettered over."""
-        inside = np.zeros_like(self._map, dtype=bool)
         rows, columns = self._cells(field)
-        inside[rows, columns] = True
-        self._map[~inside] += TEXT_INK
+        for outside in (np.s_[: rows.start], np.s_[rows.stop :]):
+            self._map[outside] += LETTERED
+        for outside in (np.s_[: columns.start], np.s_[columns.stop :]):
+            self._map[:, outside] += LETTERED
 
     def draw(self, strokes: Iterable[Stroke]) -> None:
         """Ink strokes in."""
-        for stroke in strokes:
-            match stroke:
-                case Group():
-                    self.draw(stroke.strokes)
-                case Text():
-                    self._stamp(bounds(stroke), TEXT_INK)
-                case Line():
-                    self._track([stroke.start, stroke.end])
-                case Polyline() | Fill():
-                    points = list(stroke.points)
-                    closed = isinstance(stroke, Fill) or stroke.closed
-                    self._track(points + points[:1] if closed else points)
-                case Circle():
-                    self._track(_round(stroke.centre, stroke.radius, 0.0, 2 * math.pi))
-                case Arc():
-                    self._track(_round(stroke.centre, stroke.radius, stroke.start_angle, stroke.sweep))
+        chains = list(self._chains(strokes))
+        if chains:
+            self._track(chains)
 
     def under(self, box: Box) -> int:
         """Count what a box would cover."""
         rows, columns = self._cells(box)
         return int(self._map[rows, columns].sum())
 
+    def along(self, start: complex, end: complex) -> int:
+        """Count what a straight line would cross."""
+        rows, columns = self._sampled([[start, end]])
+        return int(self._map[rows, columns].sum())
+
+    def _chains(self, strokes: Iterable[Stroke]) -> Iterator[Chain]:
+        """Give the lines of strokes as chains of points; letters are inked in as boxes on the way."""
+        for stroke in strokes:
+            match stroke:
+                case Group():
+                    yield from self._chains(stroke.strokes)
+                case Text():
+                    rows, columns = self._cells(bounds(stroke))
+                    self._map[rows, columns] += LETTERED
+                case Line():
+                    yield [stroke.start, stroke.end]
+                case Polyline() | Fill():
+                    points = list(stroke.points)
+                    closed = isinstance(stroke, Fill) or stroke.closed
+                    yield points + points[:1] if closed else points
+                case Circle():
+                    yield _round(stroke.centre, stroke.radius, 0.0, 2 * math.pi)
+                case Arc():
+                    yield _round(stroke.centre, stroke.radius, stroke.start_angle, stroke.sweep)
+
     def _cells(self, box: Box) -> tuple[slice, slice]:
         left, bottom, right, top = (max(int(side / CELL), 0) for side in box)
         return slice(bottom, top + 1), slice(left, right + 1)
 
-    def _stamp(self, box: Box, weight: int) -> None:
-        rows, columns = self._cells(box)
-        self._map[rows, columns] += weight
+    def _track(self, chains: list[Chain]) -> None:
+        np.add.at(self._map, self._sampled(chains), 1)
 
-    def _track(self, points: list[complex]) -> None:
-        """Mark the cells along a chain of points, each segment sampled at the map's grain."""
-        chain = np.asarray(points)
-        steps = np.diff(chain)
-        counts = np.maximum((np.abs(steps) / CELL).astype(int), 1)
+    def _sampled(self, chains: list[Chain]) -> tuple[npt.NDArray[np.intp], npt.NDArray[np.intp]]:
+        """Give the cells along chains of points, each segment sampled at the map's grain."""
+        points = np.concatenate([np.asarray(chain) for chain in chains])
+        steps = np.diff(points)
+        breaks = np.cumsum([len(chain) for chain in chains])[:-1] - 1
+        counts = np.maximum((np.abs(steps) / CELL).astype(int) + 1, 1)
+        counts[breaks] = 0  # from the end of a chain to the next one's start nothing is drawn
         which = np.repeat(np.arange(len(steps)), counts)
-        share = (np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)) / counts[which]
-        along = chain[which] + steps[which] * share
+        share = (np.arange(len(which)) - np.repeat(np.cumsum(counts) - counts, counts)) / np.maximum(counts[which], 1)
+        along = points[which] + steps[which] * share
         rows = np.clip((along.imag / CELL).astype(int), 0, self._map.shape[0] - 1)
         columns = np.clip((along.real / CELL).astype(int), 0, self._map.shape[1] - 1)
-        self._map[rows, columns] += 1
+        return rows, columns
 
 
-def _round(centre: complex, radius: float, start: float, sweep: float) -> list[complex]:
+def _round(centre: complex, radius: float, start: float, sweep: float) -> Chain:
     count = max(int(abs(sweep) * radius / CELL), 8)
     return [centre + cmath.rect(radius, start + sweep * k / count) for k in range(count + 1)]
 
 
 class Labels:
-    """Labels of one sheet: each takes the freest place around its point and is inked in at once."""
+    """Labels of one sheet: each takes the freest place around its point and is inked in at once.
 
-    def __init__(self, ink: Ink, slanted: bool = True) -> None:
-        self._ink, self._slanted = ink, slanted
+    A label covers no line and no other label. Where there is no room beside its point, a thin leader leads to it
+    (линия-выноска); it may cross lines, but no label.
+    """
 
-    def beside(self, point: complex, content: str, size: float, gap: float, prefer: float = math.pi / 4) -> Text:
+    def __init__(self, ink: Ink, leader: LineStyle, slanted: bool = True) -> None:
+        self._ink, self._leader, self._slanted = ink, leader, slanted
+
+    def beside(self, point: complex, content: str, size: float, gap: float, prefer: float = math.pi / 4) -> Stroke:
         """Place a label `gap` mm beside a point, as near as it can to the preferred direction, rad."""
         box = bounds(Text(0j, content, size, "start", self._slanted))
+        near = self._near(point, box, gap, prefer)
+        label: Stroke = Text(near, content, size, "start", self._slanted)
+        if self._ink.under(_padded(box, near)):
+            led = self._led(point, box, gap, prefer)
+            if led is not None:
+                start, end, corner = led
+                text = Text(corner, content, size, "start", self._slanted)
+                label = Group((Line(start, end, self._leader), text))
+        self._ink.draw([label])
+        return label
+
+    def _near(self, point: complex, box: Box, gap: float, prefer: float) -> complex:
+        """Find the freest place beside a point; one that covers nothing is taken before any other."""
         best, cheapest = point, math.inf
-        for reach in REACHES:
+        for reach in NEAR:
             if cheapest <= 0.8 * reach:
                 break  # no place further off can be better
-            for turn in range(DIRECTIONS):
-                off = (turn + 1) // 2 * (1 if turn % 2 else -1)
-                corner = _touching(point, box, gap + reach, prefer + off * 2 * math.pi / DIRECTIONS)
-                cost = self._ink.under(_padded(box, corner)) + 0.12 * abs(off) + 0.8 * reach
+            for off, angle in _fan(prefer, DIRECTIONS):
+                corner = _touching(point, box, gap + reach, angle)
+                cost = self._ink.under(_padded(box, corner)) + TURNED * off + 0.8 * reach
                 if cost < cheapest:
                     best, cheapest = corner, cost
-        text = Text(best, content, size, "start", self._slanted)
-        self._ink.draw([text])
-        return text
+        return best
+
+    def _led(self, point: complex, box: Box, gap: float, prefer: float) -> tuple[complex, complex, complex] | None:
+        """Find a free place further off, and the leader to it: from beside the point to the label's nearer edge."""
+        found, cheapest = None, math.inf
+        for reach in LED:
+            if cheapest <= reach:
+                break
+            for off, angle in _fan(prefer, LEAD_DIRECTIONS):
+                corner = _touching(point, box, reach, angle)
+                if self._ink.under(_padded(box, corner)):
+                    continue
+                start, end = point + cmath.rect(0.7 * gap, angle), point + cmath.rect(reach - CLEAR, angle)
+                end = _nearest(box, corner, end)
+                crossed = self._ink.along(start, end)
+                cost = reach + 3 * TURNED * off + CROSSED * crossed
+                if crossed < LETTERED and cost < cheapest:
+                    found, cheapest = (start, end, corner), cost
+        return found
+
+
+def _fan(prefer: float, count: int) -> Iterator[tuple[int, float]]:
+    """Give directions to all sides, the preferred one first, with how many steps each is off it."""
+    for turn in range(count):
+        off = (turn + 1) // 2
+        yield off, prefer + (off if turn % 2 else -off) * 2 * math.pi / count
 
 
 def _touching(point: complex, box: Box, gap: float, angle: float) -> complex:
@@ -112,6 +174,12 @@ def _touching(point: complex, box: Box, gap: float, angle: float) -> complex:
     return point + direction * reach - half - complex(left, bottom)
 
 
-def _padded(box: Box, shift: complex, by: float = 0.4) -> Box:
+def _nearest(box: Box, shift: complex, point: complex) -> complex:
+    """Give the point of a shifted box, a little widened, that is nearest to some point."""
+    left, bottom, right, top = _padded(box, shift)
+    return complex(min(max(point.real, left), right), min(max(point.imag, bottom), top))
+
+
+def _padded(box: Box, shift: complex, by: float = CLEAR) -> Box:
     x, y = shift.real, shift.imag
     return box[0] + x - by, box[1] + y - by, box[2] + x + by, box[3] + y + by

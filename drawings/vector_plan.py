@@ -6,12 +6,11 @@ import cmath
 import math
 from dataclasses import dataclass
 
-from drawings.figure import Place, Subject, centred, extent, point, vector
+from drawings.figure import Place, Subject, point, vector
 from drawings.hand import Hand
 from drawings.layout import Labels
-from drawings.page import Field
-from drawings.scale import Scale, fitting
-from drawings.strokes import Group, Line, LineStyle, Stroke, Text
+from drawings.picture import Margins, Picture, Spot, picture
+from drawings.strokes import Group, Line, LineStyle, Stroke, Text, text_width
 from drawings.symbols import pole
 from drawings.words import word
 from geometry.board import Line as Direction
@@ -20,7 +19,7 @@ from plans.motion import ORDERS, POINT_KEYS, POINT_UNITS
 from plans.plan import Plan
 
 BEYOND = 9.0  # mm a line of known direction is drawn past the meeting
-ABOVE = 15.0  # mm from a plan's highest point to its scale
+MARGINS = Margins(2.6, 2.0, 2.0)  # paper around a plan for its letters, in their sizes
 LEAST = 0.05  # mm: a shorter vector is a point; the finest line is five times as wide
 SYMBOL, UNIT = dict(zip(ORDERS, POINT_KEYS, strict=True)), dict(zip(ORDERS, POINT_UNITS, strict=True))
 
@@ -93,34 +92,52 @@ class Figure:
     place: Place
     lines: tuple[Stroke, ...]
     position: int
+    hand: Hand
 
     def lettered(self, labels: Labels) -> Group:
         """Give the whole figure, its letters placed."""
         name = f"{self.shown.plan.board.subject}-{self.position}"
-        return Group((*self.lines, Group(tuple(_letters(self.shown, self.place, labels)))), name)
+        return Group((*self.lines, Group(tuple(_letters(self.shown, self.place, self.hand, labels)))), name)
 
 
-def figure(shown: Diagram, room: Field, position: int, hand: Hand, language: str) -> Figure:
-    """Draw the plan centred in its room at the largest standard scale that fits, with its title and scale above it."""
+def measured(shown: Diagram, name: str, hand: Hand, language: str) -> Picture:
+    """Measure the room that a plan needs: its points, letters around them, its heading above."""
+    kind = shown.plan.board.subject
+    title = text_width(Text(0j, word(language, kind, position=shown.column), hand.title))
+    side, below, above = (size * hand.letter for size in MARGINS)
+    margins = Margins(side, below, above + 2 * hand.title + hand.text)
+    return picture(name, shown.points, (SYMBOL[kind], UNIT[kind]), margins, title)
+
+
+def nothing(name: str, why: str, hand: Hand) -> Picture:
+    """Measure the room of a sentence that stands for a plan."""
+    margins = Margins(hand.text, hand.text, hand.text)
+    return picture(name, [0j], ("v", "m/s"), margins, text_width(Text(0j, why, hand.text)))
+
+
+def figure(shown: Diagram, measure: Picture, spot: Spot, position: int, hand: Hand, language: str) -> Figure:
+    """Draw the plan in its spot, with its title and scale above it."""
     kind = shown.plan.board.subject
     subject = Subject(kind, SYMBOL[kind], position)
-    scale = fitting(*extent(shown.points, room), SYMBOL[kind], UNIT[kind])
-    place = centred(shown.points, room, scale)
-    title = _heading(shown, place, scale, position, language)
+    place = measure.placed(*spot)
+    title = _heading(shown, spot, position, hand, language)
     lines = Group(tuple(_directions(shown, place, hand)))
     arrows = [_drawn(subject, arrow, place, hand) for arrow in shown.arrows if _visible(arrow, place)]
     dot = point(subject, shown.plan.pole.name, 0j, place, pole(place.on(0j)), "pole")
-    return Figure(shown, place, (title, *([lines] if lines.strokes else []), *arrows, dot), position)
+    return Figure(shown, place, (title, *([lines] if lines.strokes else []), *arrows, dot), position, hand)
 
 
-def _heading(shown: Diagram, place: Place, scale: Scale, position: int, language: str) -> Group:
+def _heading(shown: Diagram, spot: Spot, position: int, hand: Hand, language: str) -> Group:
     """Write a plan's title and its scale above it."""
-    points = [place.on(value) for value in shown.points]
-    top = max(value.imag for value in points) + ABOVE
-    middle = complex((min(v.real for v in points) + max(v.real for v in points)) / 2, top)
+    at = complex(spot.box.centre.real, spot.box.top - hand.title)
     title = word(language, shown.plan.board.subject, position=position)
-    under = scale.written(language) if any(shown.points) else word(language, "at rest")
-    return Group((Text(middle + 7j, title, 5.0, "middle", True), Text(middle, under, 3.5, "middle", True)))
+    under = spot.scale.written(language) if any(shown.points) else word(language, "at rest")
+    return Group(
+        (
+            Text(at, title, hand.title, "middle", True),
+            Text(at - 1j * (0.6 * hand.title + hand.text), under, hand.text, "middle", True),
+        )
+    )
 
 
 def _visible(arrow: Arrow, place: Place) -> bool:
@@ -146,7 +163,7 @@ def _directions(shown: Diagram, place: Place, hand: Hand) -> list[Stroke]:
     return drawn
 
 
-def _letters(shown: Diagram, place: Place, labels: Labels) -> list[Stroke]:
+def _letters(shown: Diagram, place: Place, hand: Hand, labels: Labels) -> list[Stroke]:
     """Letter the pole and every image once; images that fall on one place share it."""
     names: dict[complex, list[str]] = {place.on(0j): [shown.plan.pole.name]}
     for mark in shown.letters:
@@ -158,7 +175,7 @@ def _letters(shown: Diagram, place: Place, labels: Labels) -> list[Stroke]:
     drawn: list[Stroke] = []
     for spot, letters in names.items():
         prefer = cmath.phase(spot - middle) if abs(spot - middle) > 1e-9 else math.pi / 4
-        drawn.append(labels.beside(spot, ", ".join(written(letter) for letter in letters), 5.0, 1.6, prefer))
+        drawn.append(labels.beside(spot, ", ".join(written(letter) for letter in letters), hand.letter, 1.6, prefer))
     return drawn
 
 

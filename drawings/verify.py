@@ -37,8 +37,11 @@ def verify(path: Path, leaf: Leaf, study: Study, comparison: Comparison) -> Meas
     for k in leaf.metadata["plans"]:
         if not any(gap.position == k for gap in comparison.construction.gaps):
             wrong += _plans(measured, study, comparison, k)
-    wrong += _points(measured, study, comparison, leaf.metadata["shown"])
-    wrong += _table(leaf, comparison, tuple(leaf.metadata["plans"]))
+    if leaf.metadata["shown"] is not None:
+        wrong += _points(measured, study, comparison, leaf.metadata["shown"])
+    for group in leaf.groups:
+        if group.name.startswith("values"):
+            wrong += _table(group, comparison, tuple(int(k) for k in group.data["positions"].split()))
     wrong += _scales(leaf)
     if wrong:
         more = f" and {len(wrong) - TOLD} more" if len(wrong) > TOLD else ""
@@ -86,10 +89,10 @@ def _points(measured: Measured, study: Study, comparison: Comparison, shown: int
             yield f"{name} on the plan of positions (against the analysis)"
 
 
-def _table(leaf: Leaf, comparison: Comparison, positions: tuple[int, ...]) -> Iterator[str]:
-    """Read the table's numbers back: each value is the analysis's, to the half of its last digit."""
+def _table(table: Group, comparison: Comparison, positions: tuple[int, ...]) -> Iterator[str]:
+    """Read a table's numbers back: each value is the analysis's, to the half of its last digit."""
     rows: dict[float, list[Text]] = {}
-    for text in _texts(leaf, "values"):
+    for text in (stroke for stroke in _strokes(table) if isinstance(stroke, Text)):
         rows.setdefault(round(text.at.imag, 3), []).append(text)
     named = {finding.name.replace("_", ""): finding for finding in comparison.findings}
     for row in rows.values():

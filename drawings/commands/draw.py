@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import contextlib
 import os
 import sys
 from pathlib import Path
@@ -27,7 +28,7 @@ def run(options: argparse.Namespace) -> int:
         )
     comparison = compare_extremes(study, compare(study))
     _agree(comparison)
-    written = _sheet(study, comparison, options.output)
+    written = _sheets(study, comparison, options.output)
     print(summary(comparison))
     for path in written:
         print(path)
@@ -45,23 +46,28 @@ def _agree(comparison: Comparison) -> None:
         )
 
 
-def _sheet(study: Study, comparison: Comparison, folder: Path) -> list[Path]:
-    """Lay out, write beside, measure back, and only then give the sheet its name."""
+def _sheets(study: Study, comparison: Comparison, folder: Path) -> list[Path]:
+    """Lay out, write beside, measure back, and only then give the sheets their names: all of them or none."""
     from drawings import press
     from drawings.lettering import lettered
     from drawings.pens.svg import svg
     from drawings.sheets import kinematics
     from drawings.verify import verify
 
-    leaf = kinematics.sheet(study, comparison)
-    content = svg(lettered(leaf))
+    leaves = kinematics.sheets(study, comparison)
+    contents = [svg(lettered(leaf)) for leaf in leaves]
     press.prepare(folder)
-    stem = Path(os.fspath(study.scene.file)).stem
-    path, beside = folder / f"{stem}-kinematics.svg", folder / f"{stem}-report.md"
-    text = report(study, comparison, tuple(leaf.metadata["plans"]), leaf.metadata["shown"])
-    with press.fresh(beside, text.encode("utf-8")), press.fresh(path, content) as temporary:
-        verify(temporary, leaf, study, comparison)
-    return [path, beside]
+    stem = f"{Path(os.fspath(study.scene.file)).stem}-kinematics"
+    paths = [folder / (f"{stem}-{k + 1}.svg" if k else f"{stem}.svg") for k in range(len(leaves))]
+    beside = folder / f"{Path(os.fspath(study.scene.file)).stem}-report.md"
+    drawn = tuple(k for leaf in leaves for k in leaf.metadata["plans"])
+    text = report(study, comparison, drawn, leaves[0].metadata["shown"])
+    with contextlib.ExitStack() as stack:
+        stack.enter_context(press.fresh(beside, text.encode("utf-8")))
+        written = [stack.enter_context(press.fresh(*one)) for one in zip(paths, contents, strict=True)]
+        for path, leaf in zip(written, leaves, strict=True):
+            verify(path, leaf, study, comparison)
+    return [*paths, beside]
 
 
 def _verdict(study: Study, comparison: Comparison) -> int:

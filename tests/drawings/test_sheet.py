@@ -15,9 +15,10 @@ from drawings.limits import QUANTUM
 from drawings.measure import measure
 from drawings.page import Page
 from drawings.pens.svg import svg
-from drawings.sheets.kinematics import position, sheet
+from drawings.sheets.choice import position
+from drawings.sheets.kinematics import sheet, sheets
 from drawings.specimen import specimen
-from drawings.strokes import Group, Leaf, SheetError, Stroke, Text, bounds
+from drawings.strokes import Group, Leaf, Stroke, Text, bounds
 from plans.compare import compare
 from plans.scene import parse_scene, read_scene
 from plans.study import Study
@@ -104,7 +105,7 @@ def test_no_lettering_of_a_gallery_sheet_lies_on_other_lettering(scene: Path) ->
 def test_the_sheet_names_its_scales_as_the_textbook_does() -> None:
     _, leaf = drawn(four_bar())
     said = [text.plain for text in texts(leaf)]
-    assert "μl = 0.002 m/mm (1:2)" in said
+    assert "μl = 0.001 m/mm (1:1)" in said
     assert any(re.fullmatch(r"μv = [\d.]+ \(m/s\)/mm", text) for text in said)
     assert any(re.fullmatch(r"μa = [\d.]+ \(m/s²\)/mm", text) for text in said)
 
@@ -120,7 +121,7 @@ def test_a_russian_sheet_has_russian_words_and_decimal_commas() -> None:
     _, leaf = drawn(four_bar() + '[sheet]\nlanguage = "ru"\n')
     said = [text.plain for text in texts(leaf)]
     assert "План положений механизма" in said and "по плану" in said
-    assert "μl = 0,002 м/мм (1:2)" in said
+    assert "μl = 0,001 м/мм (1:1)" in said
     assert not any(re.search(r"\d\.\d", text) for text in said)
 
 
@@ -198,9 +199,15 @@ def test_a_title_in_letters_that_the_alphabet_lacks_is_refused_before_drawing() 
         drawn(four_bar() + '[sheet]\ngroup = "机构"\n')
 
 
-def test_a_table_that_does_not_fit_is_refused_with_advice() -> None:
-    with pytest.raises(SheetError, match=r"fewer positions in \[sheet\] plans, or take a larger format"):
-        drawn(four_bar() + '[sheet]\nformat = "A2"\nplans = [0, 1, 2, 3, 5, 7]\n')
+def test_plans_that_one_sheet_cannot_show_legibly_go_on_following_sheets() -> None:
+    study = Study(parse_scene(four_bar() + '[sheet]\nformat = "A2"\nplans = [0, 1, 2, 3, 5, 7, 8, 9]\n'))
+    leaves = sheets(study, compare(study))
+    assert len(leaves) > 1
+    assert [k for leaf in leaves for k in leaf.metadata["plans"]] == [0, 1, 2, 3, 5, 7, 8, 9]
+    assert [leaf.metadata["number"] for leaf in leaves] == list(range(1, len(leaves) + 1))
+    assert [leaf.metadata["shown"] for leaf in leaves] == [0] + [None] * (len(leaves) - 1)
+    values = [group.data["positions"] for leaf in leaves for group in leaf.groups if "positions" in group.data]
+    assert {int(k) for text in values for k in text.split()} == {0, 1, 2, 3, 5, 7, 8, 9}
 
 
 def test_the_first_named_plan_is_the_position_in_full_lines() -> None:

@@ -1,0 +1,90 @@
+"""The composition of a set of sheets: which figure stands where, at which scale, on which sheet (компоновка листов)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from drawings.page import Field, Page
+from drawings.picture import Spot
+from drawings.strokes import SheetError
+from drawings.trials import Content, Sheet, Trial
+from drawings.value_table import Setting, Table
+
+LETTERS = 12.0  # a plan is drawn at least so many of its letters large: below, they hide it
+
+
+class Composed(NamedTuple):
+    """One sheet: what it shows, and where."""
+
+    content: Content
+    positions: slice  # of the drawn ones
+    main: Spot | None
+    plans: dict[str, Spot]  # by the names of their pictures
+    table: complex | None  # upper left corner
+    setting: Setting | None
+    notes: Field | None
+
+
+def compose(content: Content, page: Page) -> tuple[Composed, ...]:
+    """Compose the sheets: all on one if every figure stays readable there, or else the plans on following ones."""
+    least, count = LETTERS * page.hand.letter, len(content.velocities)
+    whole = Sheet(content, page).best(least)
+    if whole is not None:
+        return (_composed(whole, content, slice(0, count)),)
+    alone = Content(content.main, (), (), None, content.notes)
+    first = Sheet(alone, page).best(0.0)
+    if first is None:
+        raise SheetError(f"format {page.name} has no room for the plan of positions. Fix: take a larger format")
+    return _composed(first, alone, slice(0, 0)), *_following(content, page, least)
+
+
+def _following(content: Content, page: Page, least: float) -> Iterator[Composed]:
+    """Compose the sheets of the plans: as many positions on each as stay readable, their table with them or after."""
+    count, start = len(content.velocities), 0
+    while start < count:
+        found, part, chosen = _next(content, page, least, start)
+        yield _composed(found, part, chosen)
+        if part.table is None and content.table is not None:
+            yield from _tables(content.table.of(chosen), page)
+        start = chosen.stop
+
+
+def _next(content: Content, page: Page, least: float, start: int) -> tuple[Trial, Content, slice]:
+    """Compose the sheet of the plans from a position on; a single position's plans may be as small as they must."""
+    count = len(content.velocities)
+    for end in range(count, start, -1):
+        chosen = slice(start, end)
+        for rows in (slice(None), None):
+            part = content.part(chosen, rows)
+            found = Sheet(part, page).best(least if end - start > 1 else 0.0)
+            if found is not None:
+                return found, part, chosen
+    raise SheetError(f"format {page.name} has no room for a velocity plan. Fix: take a larger format")
+
+
+def _tables(table: Table, page: Page) -> Iterator[Composed]:
+    """Set a table on sheets of its own, as many rows on each as fit."""
+    start = 0
+    while start < len(table.lines):
+        for end in range(len(table.lines), start, -1):
+            part = Content(None, (), (), table.part(slice(start, end)), None)
+            found = Sheet(part, page).best(0.0)
+            if found is not None:
+                break
+        else:
+            raise SheetError(f"format {page.name} has no room for the table of values. Fix: take a larger format")
+        yield _composed(found, part, slice(0, 0))
+        start = end
+
+
+def _composed(trial: Trial, content: Content, positions: slice) -> Composed:
+    spots = trial.grid.spots(trial.plans) if trial.grid is not None and trial.plans is not None else {}
+    main = None if trial.spot is None else Spot(_centred(trial.spot, trial.room), trial.spot.scale)
+    return Composed(content, positions, main, spots, trial.table, trial.setting, trial.notes)
+
+
+def _centred(spot: Spot, room: Field) -> Field:
+    half = complex(spot.box.width, spot.box.height) / 2
+    low, high = room.centre - half, room.centre + half
+    return Field(low.real, low.imag, high.real, high.imag)

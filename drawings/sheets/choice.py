@@ -1,0 +1,81 @@
+"""Which positions a kinematics sheet shows: one in full lines, and those whose plans are drawn (выбор положений)."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from drawings.strokes import SheetError
+from plans.compare import Comparison
+from plans.extreme import frame_slide
+from plans.study import Study
+
+
+def position(study: Study, comparison: Comparison) -> int:
+    """Give the position drawn in full lines: the scene's own, or the output's fastest one."""
+    wanted = study.scene.sheet.position
+    free = ~study.lost
+    if not free.any():
+        return 0  # nothing can be assembled: the sheet explains why, in the first position
+    if wanted is not None:
+        if study.lost[wanted]:
+            raise SheetError(
+                f"{study.scene.file}: sheet.position = {wanted}: the mechanism cannot be assembled there. "
+                f"Fix: choose one of {', '.join(str(k) for k in np.flatnonzero(free)[:12])}"
+            )
+        return int(wanted)
+    named = [k for k in study.scene.sheet.plans if free[k]]
+    return named[0] if named else _best(_telling(study, comparison, 1), free & _working(study), free)
+
+
+def plans(study: Study, comparison: Comparison, shown: int) -> tuple[int, ...]:
+    """Give the positions whose plans are drawn: the scene's own, or the shown one and one of a large acceleration."""
+    if study.lost.all():
+        return ()
+    if study.scene.sheet.plans:
+        return tuple(study.scene.sheet.plans)
+    free = ~study.lost
+    free[shown] = False
+    telling = _telling(study, comparison, 1) * _telling(study, comparison, 2)  # both of its plans are open figures
+    free &= ~np.isnan(telling)
+    if not free.any():
+        return (shown,)
+    other = _best(telling, free & ~_working(study), free)
+    return tuple(sorted((shown, other)))
+
+
+def _telling(study: Study, comparison: Comparison, order: int) -> Any:
+    """Rate the positions by what their plan shows: the output moves, and the plan is an open figure, not one line."""
+    motions = comparison.construction.points.values()
+    ends = np.array([np.zeros(len(study.turn)), *(m.v if order == 1 else m.a for m in motions)])
+    spread = ends - ends.mean(axis=0)
+    across = (np.abs(spread) ** 2).mean(axis=0), (spread**2).mean(axis=0)
+    area = np.sqrt(np.maximum(across[0] ** 2 - np.abs(across[1]) ** 2, 0.0))  # of the ends' ellipse, times a constant
+    return np.sqrt(area) * np.abs(_output_rate(study, comparison, 1))
+
+
+def _working(study: Study) -> Any:
+    """Tell the positions within the working stroke; all of them where the output has no extremes."""
+    if study.found is None:
+        return np.ones(len(study.turn), dtype=bool)
+    start, end = study.found.extremes.phi
+    ahead = np.mod(study.sense * (study.turn.phi - start), 2 * np.pi)
+    return ahead < np.mod(study.sense * (end - start), 2 * np.pi)
+
+
+def _best(sizes: Any, preferred: Any, allowed: Any) -> int:
+    """Give the position of the largest size among the preferred, or else among the allowed."""
+    chosen = preferred if (preferred & ~np.isnan(sizes)).any() else allowed
+    return int(np.argmax(np.where(chosen & ~np.isnan(sizes), sizes, -1.0)))
+
+
+def _output_rate(study: Study, comparison: Comparison, order: int) -> Any:
+    """Give the output's velocity or acceleration over the positions, of its pin or of its turning."""
+    out, motion = study.output, comparison.construction
+    slide = frame_slide(study.mechanism, out.link)
+    if slide is not None:
+        found = motion.points[out.point or slide.point]
+        return found.v if order == 1 else found.a
+    turning = motion.links[out.link]
+    return turning.omega if order == 1 else turning.epsilon
