@@ -11,8 +11,6 @@ from drawings.strokes import SheetError
 from drawings.trials import Content, Sheet, Trial
 from drawings.value_table import Setting, Table
 
-LETTERS = 12.0  # a plan is drawn at least so many of its letters large: below, they hide it
-
 
 class Composed(NamedTuple):
     """One sheet: what it shows, and where."""
@@ -28,36 +26,35 @@ class Composed(NamedTuple):
 
 def compose(content: Content, page: Page) -> tuple[Composed, ...]:
     """Compose the sheets: all on one if every figure stays readable there, or else the plans on following ones."""
-    least, count = LETTERS * page.hand.letter, len(content.velocities)
-    whole = Sheet(content, page).best(least)
+    whole = Sheet(content, page).best()
     if whole is not None:
-        return (_composed(whole, content, slice(0, count)),)
+        return (_composed(whole, content, slice(0, len(content.velocities))),)
     alone = Content(content.main, (), (), None, content.notes)
-    first = Sheet(alone, page).best(0.0)
+    first = Sheet(alone, page).best()
     if first is None:
         raise SheetError(f"format {page.name} has no room for the plan of positions. Fix: take a larger format")
-    return _composed(first, alone, slice(0, 0)), *_following(content, page, least)
+    return _composed(first, alone, slice(0, 0)), *_following(content, page)
 
 
-def _following(content: Content, page: Page, least: float) -> Iterator[Composed]:
+def _following(content: Content, page: Page) -> Iterator[Composed]:
     """Compose the sheets of the plans: as many positions on each as stay readable, their table with them or after."""
     count, start = len(content.velocities), 0
     while start < count:
-        found, part, chosen = _next(content, page, least, start)
+        found, part, chosen = _next(content, page, start)
         yield _composed(found, part, chosen)
         if part.table is None and content.table is not None:
             yield from _tables(content.table.of(chosen), page)
         start = chosen.stop
 
 
-def _next(content: Content, page: Page, least: float, start: int) -> tuple[Trial, Content, slice]:
+def _next(content: Content, page: Page, start: int) -> tuple[Trial, Content, slice]:
     """Compose the sheet of the plans from a position on; a single position's plans may be as small as they must."""
     count = len(content.velocities)
     for end in range(count, start, -1):
         chosen = slice(start, end)
         for rows in (slice(None), None):
             part = content.part(chosen, rows)
-            found = Sheet(part, page).best(least if end - start > 1 else 0.0)
+            found = Sheet(part, page).best(legible=end - start > 1)
             if found is not None:
                 return found, part, chosen
     raise SheetError(f"format {page.name} has no room for a velocity plan. Fix: take a larger format")
@@ -69,7 +66,7 @@ def _tables(table: Table, page: Page) -> Iterator[Composed]:
     while start < len(table.lines):
         for end in range(len(table.lines), start, -1):
             part = Content(None, (), (), table.part(slice(start, end)), None)
-            found = Sheet(part, page).best(0.0)
+            found = Sheet(part, page).best()
             if found is not None:
                 break
         else:

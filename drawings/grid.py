@@ -32,6 +32,14 @@ class Grid(NamedTuple):
         """The larger side of the lines of every picture that is more than a point, mm."""
         return [rung.drawn for row in self.rungs for rung in row if rung.drawn > 0]
 
+    @property
+    def legible(self) -> bool:
+        """Whether every picture is drawn large enough for its letters."""
+        pairs = zip(self.rows, self.rungs, strict=True)
+        return all(
+            rung.drawn >= one.least for row, rungs in pairs for one, rung in zip(row, rungs, strict=True) if rung.drawn
+        )
+
     def spots(self, room: Field) -> dict[str, Spot]:
         """Stand the pictures in a room: columns and rows share what is left over, headings of a row are level."""
         widths, heights = _widths(self.rungs), _heights(self.rungs)

@@ -17,8 +17,8 @@ LETTERED = 1000  # of a cell under letters; a line adds 1, and no cell is crosse
 CLEAR = 0.4  # mm kept free around a label
 DIRECTIONS = 16
 NEAR = (0.0, 1.0, 2.5, 4.5)  # mm a label may stand further off than its nearest place, without a leader
-LED = tuple(float(reach) for reach in range(7, 80, 3))  # mm from a point to a label that a leader leads to
-LEAD_DIRECTIONS = 24
+LED = (*range(7, 40, 3), *range(40, 160, 6))  # mm from a point to a label that a leader leads to
+LEAD_DIRECTIONS = 32  # none of them but every eighth along a crank divided by 12, 24 or 36
 TURNED = 0.12  # cost of a direction, in mm of distance a step away from the preferred one
 CROSSED = 0.05  # cost of a line that a leader crosses, in mm of its length a cell
 

@@ -73,6 +73,26 @@ def width(text: Text) -> float:
     return _line(text.runs, text.size)[1]
 
 
+def reach(text: Text) -> tuple[float, float]:
+    """Give how far the ink of a text reaches below and above its line of writing, mm: tails hang, indices stand.
+
+    >>> reach(Text(0j, "НО", 10.0)), reach(Text(0j, "pq", 10.0))
+    ((0.0, 10.0), (-3.0, 7.0))
+    """
+    low, high = 0.0, 0.0
+    for letter, _, rise, unit in _line(text.runs, text.size)[0]:
+        bottom, top = _span(letter)
+        low, high = min(low, rise + unit * bottom), max(high, rise + unit * top)
+    return low, high
+
+
+@lru_cache(maxsize=1024)
+def _span(letter: str) -> tuple[float, float]:
+    """Give the lowest and the highest ink of a letter, in d."""
+    heights = [point.imag for points, _ in glyph(letter).strokes for point in points]
+    return (min(heights) - 0.5, max(heights) + 0.5) if heights else (0.0, 0.0)
+
+
 def outline(text: Text) -> tuple[Polyline, ...]:
     """Write a text on paper with a pen of a tenth of the size, to be drawn round at ends and corners.
 

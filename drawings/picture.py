@@ -32,6 +32,7 @@ class Picture(NamedTuple):
     unit: str
     margins: Margins
     heading: float  # mm, width of the heading
+    least: float  # mm: lines drawn smaller are hidden by their letters
 
     def size(self, scale: Scale) -> tuple[float, float]:
         """Give width and height on paper, mm, margins and heading included."""
@@ -47,14 +48,14 @@ class Picture(NamedTuple):
         """List the standard scales at which the picture and its margins fit a room, the largest picture first."""
         across, up = width - 2 * self.margins.side, height - self.margins.below - self.margins.above
         if across <= 0 or up <= 0 or self.heading > width:
-            return Ladder(self.name, ())
+            return Ladder(self.name, (), self.least)
         extent, room = (self.wide, across) if self.wide * up >= self.high * across else (self.high, up)
         rungs: list[Rung] = []
         while len(rungs) < RUNGS and room > 0:
             scale = fitting(extent, room, self.letter, self.unit)
             rungs.append(Rung(scale, *self.size(scale), self.drawn(scale)))
             room = extent / scale.mu * SMALLER
-        return Ladder(self.name, tuple(rungs))
+        return Ladder(self.name, tuple(rungs), self.least)
 
     def placed(self, box: Field, scale: Scale) -> Place:
         """Place the picture in a box of its size: its middle in the middle of what the margins leave."""
@@ -76,6 +77,7 @@ class Ladder(NamedTuple):
 
     name: str
     rungs: tuple[Rung, ...]
+    least: float
 
 
 class Spot(NamedTuple):
@@ -86,10 +88,15 @@ class Spot(NamedTuple):
 
 
 def picture(
-    name: str, values: Sequence[complex], subject: tuple[str, str], margins: Margins, heading: float
+    name: str,
+    values: Sequence[complex],
+    subject: tuple[str, str],
+    margins: Margins,
+    heading: float,
+    least: float = 0.0,
 ) -> Picture:
     """Measure what a figure of true values needs; `subject` is the letter and the unit of its scale."""
     left, right = min(v.real for v in values), max(v.real for v in values)
     bottom, top = min(v.imag for v in values), max(v.imag for v in values)
     middle = complex(left + right, bottom + top) / 2
-    return Picture(name, right - left, top - bottom, middle, *subject, margins, heading)
+    return Picture(name, right - left, top - bottom, middle, *subject, margins, heading, least)

@@ -224,6 +224,13 @@ def text_width(text: Text) -> float:
     return width(text)
 
 
+def text_reach(text: Text) -> tuple[float, float]:
+    """Give how far lettering reaches below and above its line of writing, mm."""
+    from drawings.lettering import reach  # noqa: PLC0415  (lettering is written in strokes)
+
+    return reach(text)
+
+
 def bounds(stroke: Stroke) -> Box:
     """Give the box (left, bottom, right, top) around a stroke's geometry, line width not counted.
 
@@ -263,12 +270,10 @@ def _extremes(arc: Arc) -> list[complex]:
 
 
 def _corners(text: Text) -> tuple[complex, ...]:
-    """Give the corners of a text's box; slanted letters lean past its end."""
+    """Give the corners of a text's box; slanted letters lean past its end, their tails before its start."""
     width = text_width(text)
     left = {"start": 0.0, "middle": -width / 2, "end": -width}[text.anchor]
-    levels = {run.level for run in text.runs}
-    bottom = -text.size * LOWERED if -1 in levels else 0.0
-    top = text.size * (RAISED + SMALL if 1 in levels else 1)
-    lean = LEAN * top if text.slanted else 0.0
+    bottom, top = text_reach(text)
+    back, lean = (LEAN * bottom, LEAN * top) if text.slanted else (0.0, 0.0)
     turn = cmath.rect(1, math.radians(text.rotation))
-    return tuple(text.at + complex(x, y) * turn for x in (left, left + width + lean) for y in (bottom, top))
+    return tuple(text.at + complex(x, y) * turn for x in (left + back, left + width + lean) for y in (bottom, top))

@@ -14,7 +14,7 @@ from drawings.page import Field, Page
 from drawings.picture import Picture, Spot
 from drawings.value_table import Setting, Table
 
-SPOTS = 4  # scales tried for the plan of positions: the fourth is a third of the largest, or less
+HALF = 0.45  # of the sheet's width or height that the plan of positions takes at least: about half, by custom
 
 
 @dataclass(frozen=True)
@@ -70,8 +70,8 @@ class Sheet:
         """The field that figures may fill."""
         return self.page.field.inset(PAD)
 
-    def best(self, least: float) -> Trial | None:
-        """Find the best composition whose plans are all drawn at least so large, mm."""
+    def best(self, legible: bool = True) -> Trial | None:
+        """Find the best composition, whose plans are all drawn large enough for their letters if that is asked."""
         content, room = self.content, self.field
         settings = content.table.settings() if content.table is not None else [None]
         ladders = [
@@ -84,17 +84,19 @@ class Sheet:
             if best is not None and self._bound(spot, way) <= best.score:
                 continue
             for trial in (one for setting in settings for one in self._trials(spot, setting, way)):
-                large = trial.grid is None or min(trial.grid.drawn, default=math.inf) >= least
+                large = not legible or trial.grid is None or trial.grid.legible
                 if large and (best is None or trial.score > best.score):
                     best = trial
         return best if best is None or best.halves is None else best.halves.evened(best)
 
     def _spots(self) -> list[Spot | None]:
-        """Give the plan of positions at the largest scales that fit."""
+        """Give the plan of positions at the largest scale that fits, and smaller ones that still fill half a sheet."""
         if self.content.main is None:
             return [None]
-        rungs = self.content.main.ladder(self.field.width, self.field.height).rungs[:SPOTS]
-        return [Spot(Field(0.0, 0.0, rung.wide, rung.high), rung.scale) for rung in rungs]
+        room = self.field
+        rungs = self.content.main.ladder(room.width, room.height).rungs
+        large = [rung for rung in rungs if max(rung.wide / room.width, rung.high / room.height) >= HALF]
+        return [Spot(Field(0.0, 0.0, rung.wide, rung.high), rung.scale) for rung in large or rungs[:1]]
 
     def _bound(self, spot: Spot | None, way: Rows | None) -> float:
         """Give what no trial can exceed: the plans in all the room that the plan of positions leaves."""

@@ -20,6 +20,7 @@ from plans.plan import Plan
 
 BEYOND = 9.0  # mm a line of known direction is drawn past the meeting
 MARGINS = Margins(2.6, 2.0, 2.0)  # paper around a plan for its letters, in their sizes
+LETTERS = 12.0  # a plan is drawn at least so many of its letters large, and as many as it has: below, they hide it
 LEAST = 0.05  # mm: a shorter vector is a point; the finest line is five times as wide
 SYMBOL, UNIT = dict(zip(ORDERS, POINT_KEYS, strict=True)), dict(zip(ORDERS, POINT_UNITS, strict=True))
 
@@ -106,7 +107,8 @@ def measured(shown: Diagram, name: str, hand: Hand, language: str) -> Picture:
     title = text_width(Text(0j, word(language, kind, position=shown.column), hand.title))
     side, below, above = (size * hand.letter for size in MARGINS)
     margins = Margins(side, below, above + 2 * hand.title + hand.text)
-    return picture(name, shown.points, (SYMBOL[kind], UNIT[kind]), margins, title)
+    least = hand.letter * max(LETTERS, len(shown.letters))
+    return picture(name, shown.points, (SYMBOL[kind], UNIT[kind]), margins, title, least)
 
 
 def nothing(name: str, why: str, hand: Hand) -> Picture:
