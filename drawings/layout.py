@@ -110,20 +110,20 @@ class Labels:
     """
 
     def __init__(self, ink: Ink, leader: LineStyle, slanted: bool = True) -> None:
-        self._ink, self._leader, self._slanted = ink, leader, slanted
+        self.ink, self._leader, self._slanted = ink, leader, slanted
 
     def beside(self, point: complex, content: str, size: float, gap: float, prefer: float = math.pi / 4) -> Stroke:
         """Place a label `gap` mm beside a point, as near as it can to the preferred direction, rad."""
         box = bounds(Text(0j, content, size, "start", self._slanted))
         near = self._near(point, box, gap, prefer)
         label: Stroke = Text(near, content, size, "start", self._slanted)
-        if self._ink.under(_padded(box, near)):
+        if self.ink.under(_padded(box, near)):
             led = self._led(point, box, gap, prefer)
             if led is not None:
                 start, end, corner = led
                 text = Text(corner, content, size, "start", self._slanted)
                 label = Group((Line(start, end, self._leader), text))
-        self._ink.draw([label])
+        self.ink.draw([label])
         return label
 
     def _near(self, point: complex, box: Box, gap: float, prefer: float) -> complex:
@@ -134,7 +134,7 @@ class Labels:
                 break  # no place further off can be better
             for off, angle in _fan(prefer, DIRECTIONS):
                 corner = _touching(point, box, gap + reach, angle)
-                cost = self._ink.under(_padded(box, corner)) + TURNED * off + 0.8 * reach
+                cost = self.ink.under(_padded(box, corner)) + TURNED * off + 0.8 * reach
                 if cost < cheapest:
                     best, cheapest = corner, cost
         return best
@@ -147,11 +147,11 @@ class Labels:
                 break
             for off, angle in _fan(prefer, LEAD_DIRECTIONS):
                 corner = _touching(point, box, reach, angle)
-                if self._ink.under(_padded(box, corner)):
+                if self.ink.under(_padded(box, corner)):
                     continue
                 start, end = point + cmath.rect(0.7 * gap, angle), point + cmath.rect(reach - CLEAR, angle)
                 end = _nearest(box, corner, end)
-                crossed = self._ink.along(start, end)
+                crossed = self.ink.along(start, end)
                 cost = reach + 3 * TURNED * off + CROSSED * crossed
                 if crossed < LETTERED and cost < cheapest:
                     found, cheapest = (start, end, corner), cost

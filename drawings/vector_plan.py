@@ -6,9 +6,11 @@ import cmath
 import math
 from dataclasses import dataclass
 
+from drawings.coriolis import Turned, placed, turned
 from drawings.figure import Place, Subject, point, vector
 from drawings.hand import Hand
 from drawings.layout import Labels
+from drawings.page import Field
 from drawings.picture import Margins, Picture, Spot, picture
 from drawings.strokes import Group, Line, LineStyle, Stroke, Text, text_width
 from drawings.symbols import pole
@@ -49,6 +51,7 @@ class Diagram:
     arrows: tuple[Arrow, ...]
     rays: tuple[tuple[complex, complex], ...]  # true ends of lines of known direction: from its start to the meeting
     letters: tuple[Mark, ...]
+    turned: tuple[Turned, ...]  # the Coriolis parts' directions
 
     @property
     def points(self) -> list[complex]:
@@ -70,7 +73,8 @@ def diagram(plan: Plan, column: int) -> Diagram:
         if mark.step.op == "meet" or mark in plan.letters.values():
             arrows.setdefault((plan.pole, mark), _arrow(plan, plan.pole, mark, column))
     rays = tuple(ray for mark in needed if mark.step.op == "meet" for ray in _rays(mark, column))
-    return Diagram(plan, column, tuple(arrows.values()), rays, tuple(images))
+    rules = tuple(rule for mark in needed if (rule := turned(mark, column)) is not None)
+    return Diagram(plan, column, tuple(arrows.values()), rays, tuple(images), rules)
 
 
 def _arrow(plan: Plan, start: Mark, end: Mark, column: int) -> Arrow:
@@ -94,11 +98,14 @@ class Figure:
     lines: tuple[Stroke, ...]
     position: int
     hand: Hand
+    box: Field
 
     def lettered(self, labels: Labels) -> Group:
-        """Give the whole figure, its letters placed."""
+        """Give the whole figure, its letters placed, and beside it how its Coriolis parts are directed."""
         name = f"{self.shown.plan.board.subject}-{self.position}"
-        return Group((*self.lines, Group(tuple(_letters(self.shown, self.place, self.hand, labels)))), name)
+        letters = Group(tuple(_letters(self.shown, self.place, self.hand, labels)))
+        rules = (placed(rule, self.box, labels.ink, self.hand) for rule in self.shown.turned)
+        return Group((*self.lines, letters, *(rule for rule in rules if rule is not None)), name)
 
 
 def measured(shown: Diagram, name: str, hand: Hand, language: str) -> Picture:
@@ -126,7 +133,7 @@ def figure(shown: Diagram, measure: Picture, spot: Spot, position: int, hand: Ha
     lines = Group(tuple(_directions(shown, place, hand)))
     arrows = [_drawn(subject, arrow, place, hand) for arrow in shown.arrows if _visible(arrow, place)]
     dot = point(subject, shown.plan.pole.name, 0j, place, pole(place.on(0j)), "pole")
-    return Figure(shown, place, (title, *([lines] if lines.strokes else []), *arrows, dot), position, hand)
+    return Figure(shown, place, (title, *([lines] if lines.strokes else []), *arrows, dot), position, hand, spot.box)
 
 
 def _heading(shown: Diagram, spot: Spot, position: int, hand: Hand, language: str) -> Group:
