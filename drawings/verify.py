@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
+from drawings.labelled import unlettered
 from drawings.limits import Refused
 from drawings.measure import Measured, MeasuredVector, check, measure_file
 from drawings.strokes import Group, Leaf, Stroke, Text
@@ -43,6 +44,7 @@ def verify(path: Path, leaf: Leaf, study: Study, comparison: Comparison) -> Meas
         if group.name.startswith("values"):
             wrong += _table(group, comparison, tuple(int(k) for k in group.data["positions"].split()))
     wrong += _scales(leaf)
+    wrong += unlettered(leaf)
     if wrong:
         more = f" and {len(wrong) - TOLD} more" if len(wrong) > TOLD else ""
         raise SelfCheckFailed(f"the written sheet does not measure back: {', '.join(wrong[:TOLD])}{more}")

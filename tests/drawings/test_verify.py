@@ -74,6 +74,13 @@ def rewritten(old: str, new: str) -> Change:
     return lambda stroke: replace(stroke, content=new) if isinstance(stroke, Text) and stroke.content == old else stroke
 
 
+def exchanged(stroke: Stroke, one: str, other: str) -> Stroke:
+    swap = {one: other, other: one}
+    if isinstance(stroke, Text) and isinstance(stroke.content, str):
+        return replace(stroke, content=swap.get(stroke.content, stroke.content))
+    return stroke
+
+
 def without_arrows(stroke: Stroke) -> Stroke | None:
     return None if isinstance(stroke, Group) and stroke.data.get("kind") == "vector" else stroke
 
@@ -97,6 +104,8 @@ FAULTS: dict[str, Change] = {
     "a tangential part is too long": stretched("n_DB d", "accelerations"),
     "a point is a hundredth of a millimetre off": moved_point,
     "a value of the table is wrong in its last digit": rewritten("1.5174", "1.5175"),
+    "the letters d and b are exchanged": lambda stroke: exchanged(stroke, "d", "b"),
+    "a letter of the plan of positions is missing": rewritten("B", "E"),
     "a plan's scale is written wrong": rewritten("μ_v = 0.01 (m/s)/mm", "μ_v = 0.02 (m/s)/mm"),
 }
 

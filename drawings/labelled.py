@@ -1,0 +1,63 @@
+"""Letters held to their marks: each point and each end of a vector bears its own letter, close by or by a leader."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from drawings.layout import CELL, CLEAR, NEAR
+from drawings.strokes import Box, Circle, Group, Leaf, Line, Stroke, Text, bounds
+from drawings.vector_plan import written
+
+GAP = 3.0  # mm, the widest gap at which a label is placed beside its point
+SLACK = 2.0  # mm: letters of images that fall on one place stand at the first of them
+NEAREST = GAP + NEAR[-1] + CLEAR + CELL + SLACK
+
+
+class Label(NamedTuple):
+    """A lettering and where it points to: its own box, or the start of its leader."""
+
+    text: Text
+    place: Box
+
+
+def unlettered(leaf: Leaf) -> Iterator[str]:
+    """Name each mark of a sheet that no letter of its own stands beside."""
+    labels: dict[str, list[Label]] = {}
+    for label in _labels(leaf.groups):
+        for letter in label.text.plain.split(", "):
+            labels.setdefault(letter, []).append(label)
+    for plan, letter, spot in _marks(leaf.groups):
+        plain = Text(0j, written(letter)).plain
+        if not any(_distance(spot, label.place) <= NEAREST for label in labels.get(plain, ())):
+            yield f"the letter {letter} on {plan}"
+
+
+def _labels(strokes: tuple[Stroke, ...]) -> Iterator[Label]:
+    for stroke in strokes:
+        match stroke:
+            case Group((Line() as leader, Text() as text)):
+                place = leader.start
+                yield Label(text, (place.real, place.imag, place.real, place.imag))
+            case Group():
+                yield from _labels(stroke.strokes)
+            case Text():
+                yield Label(stroke, bounds(stroke))
+
+
+def _marks(strokes: tuple[Stroke, ...]) -> Iterator[tuple[str, str, complex]]:
+    """Give plan, letter and place on paper of every point, and of the end of every vector from a pole."""
+    for stroke in strokes:
+        match stroke:
+            case Group((Line() as line, *_)) if stroke.data.get("kind") == "vector":
+                yield stroke.data["plan"], stroke.data["name"].split(" ")[1], line.end
+            case Group((Circle() as circle, *_)) if stroke.data.get("kind") in ("point", "pole"):
+                yield stroke.data["plan"], stroke.data["name"], circle.centre
+            case Group():
+                yield from _marks(stroke.strokes)
+
+
+def _distance(point: complex, box: Box) -> float:
+    left, bottom, right, top = box
+    nearest = complex(min(max(point.real, left), right), min(max(point.imag, bottom), top))
+    return abs(point - nearest)
