@@ -10,6 +10,7 @@ import numpy as np
 
 from geometry.board import Arc, Line, Mark, at, behind
 from geometry.errors import DraftError
+from geometry.meet import cross
 from geometry.precision import condition
 from plans.mechanism import FRAME
 from plans.motion import ORDERS, POINT_UNITS
@@ -39,7 +40,22 @@ def run(options: argparse.Namespace) -> int:
     )
     for number, mark in enumerate(steps, 1):
         print(f"{number:>3}. {told(mark, steps)}")
+    if len(targets) > 1:
+        print(_rate(options.mark, *targets))
     return 0
+
+
+def _rate(name: str, arm: Mark, turning: Mark) -> str:
+    """Say how an angular velocity or acceleration is read off: the size of the turning part over the arm."""
+    along, across = at(arm.point, 0), at(turning.point, 0)
+    moment = float(cross(along, across))
+    unit, rate = (UNITS[ORDERS[1]], "rad/s") if turning.subject == ORDERS[1] else (UNITS[ORDERS[2]], "rad/s2")
+    sense = "at rest" if moment == 0 else "counter-clockwise" if moment > 0 else "clockwise"
+    value = moment / abs(along) ** 2
+    return (
+        f"     {name} = {turning.name}/{arm.name} = {abs(across):.10g} {unit} / {abs(along):.10g} m = "
+        f"{value:.10g} {rate}, {sense}"
+    )
 
 
 def _position(study: Study, wanted: int) -> int:
@@ -92,12 +108,19 @@ def _named(mark: Mark) -> str:
 
 
 def _value(mark: Mark) -> str:
-    unit = UNITS.get(mark.subject, "")
+    unit = UNITS.get(_drawn_on(mark), "")
     if isinstance(mark.value, Line):
         return f"line through {_pair(at(mark.value.through, 0))}, direction {_pair(at(mark.value.direction, 0))}"
     if isinstance(mark.value, Arc):
         return f"arc about {_pair(at(mark.value.centre, 0))}, radius {at(mark.value.radius, 0).real:.10g} {unit}"
     return f"{_pair(at(mark.value, 0))} {unit}"
+
+
+def _drawn_on(mark: Mark) -> str:
+    """Give the plan on which a mark was drawn: what is carried over keeps its unit."""
+    while mark.step.op == "transfer":
+        (mark,) = mark.step.inputs
+    return mark.subject
 
 
 def _pair(value: complex) -> str:

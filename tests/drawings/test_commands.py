@@ -364,7 +364,7 @@ def test_a_sheet_with_one_wrong_vector_is_withheld(
 @pytest.mark.parametrize("mark", ["B", "v_D", "a_D", "omega_3", "epsilon_4", "a3"])
 def test_explain_tells_every_step_behind_a_mark_in_order(run: Run, mark: str) -> None:
     code, out, _ = run("explain", SHAPER, mark, "--position", 3)
-    lines = out.splitlines()
+    lines = [line for line in out.splitlines() if not line.startswith("     ")]  # the rate that is read off comes last
     assert code == 0
     assert re.fullmatch(rf"{mark} in position 3 \(φ = 429\.949\d°\), {len(lines) - 1} steps", lines[0])
     assert [int(line.split(".")[0]) for line in lines[1:]] == list(range(1, len(lines)))
@@ -376,6 +376,25 @@ def test_explain_tells_every_step_behind_a_mark_in_order(run: Run, mark: str) ->
         assert set(step["from"]) <= seen
         seen.add(step["name"])
     assert any(step["why"] for step in steps)
+
+
+@pytest.mark.parametrize(
+    ("name", "link", "key", "unit"), [("omega_3", "3", "omega", "rad/s"), ("epsilon_4", "4", "epsilon", "rad/s2")]
+)
+def test_explain_ends_with_the_rate_that_is_read_off(run: Run, name: str, link: str, key: str, unit: str) -> None:
+    _, out, _ = run("explain", SHAPER, name, "--position", "2")
+    _, solved, _ = run("solve", SHAPER, "--by", "analysis")
+    true = json.loads(solved)["links"][link][key][2]
+    last = out.splitlines()[-1]
+    found = re.search(rf"= (\S+) {unit}, (counter-clockwise|clockwise)$", last)
+    assert found and float(found[1]) == pytest.approx(true, rel=1e-9), last
+    assert (found[2] == "counter-clockwise") == (true > 0)
+
+
+def test_what_is_carried_to_another_plan_keeps_its_unit(run: Run) -> None:
+    _, out, _ = run("explain", SHAPER, "v_D")
+    carried = [line for line in out.splitlines() if ": transfer (" in line]
+    assert carried and all(line.split(" = ")[1].split(". ")[0].endswith(") m") for line in carried)
 
 
 def test_explain_tells_where_the_mark_is(run: Run) -> None:
