@@ -10,7 +10,7 @@ import numpy as np
 from drawings import position_plan, value_table
 from drawings.figure import Place, centred, extent
 from drawings.layout import Ink, Labels
-from drawings.page import FORMATS, Field, Page
+from drawings.page import Field, Page, page_of
 from drawings.scale import Scale, fitting
 from drawings.skeleton import Skeletons, skeletons
 from drawings.strokes import Group, Leaf, SheetError, Stroke, Text, text_width
@@ -30,9 +30,7 @@ TEXT, LINE = 3.5, 6.5
 
 def sheet(study: Study, comparison: Comparison) -> Leaf:
     """Lay out the kinematics sheet; nothing is drawn that the scene's sheet does not need."""
-    scene, page = study.scene.sheet, Page(study.scene.sheet.format)
-    if page.name not in FORMATS:
-        raise SheetError(f"{study.scene.file}: sheet.format = {page.name}: not drawn yet. Fix: A1 or A2")
+    scene, page = study.scene.sheet, page_of(study.scene)
     language, ink = scene.language, Ink(*page.size)
     ink.bar(page.field.inset(1.0))
     shown = position(study, comparison)
