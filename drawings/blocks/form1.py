@@ -120,7 +120,7 @@ def _strip(corner: complex, hand: Hand, language: str) -> Iterator[Stroke]:
     """Draw graphs 19 to 23, captions read from the right."""
     narrow, wide = STRIP_WIDTHS
     height = sum(high for _, high in STRIP)
-    main = LineStyle(hand.main)
+    main = LineStyle(hand.main, cap="round")
     for x in (0.0, narrow):
         yield Line(corner + x, corner + complex(x, height), main)
     at = corner

@@ -27,7 +27,7 @@ GIVEN = {
     "owner": "organisation", "number": "designation", "issued": "date",
 }  # fmt: skip
 CAPTION, PAD = 2.5, 1.2
-UNDER = 3.8  # mm from the top of a field to the room under its caption, tails included
+UNDER = 3.6  # mm from the top of a field to the room of its entry, which keeps clear of the caption's tails
 
 
 def block(corner: complex, entries: Mapping[str, str], hand: Hand, language: str) -> Iterator[Stroke]:
