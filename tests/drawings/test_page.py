@@ -1,123 +1,37 @@
-"""The page by both standards: their own numbers, every format, and lettering that keeps to its graphs."""
+"""The page: every format by both standards, its margins, folds and frames; lettering that keeps to its graphs."""
 
 from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from drawings.blocks.iso7200 import CELLS, MANDATORY
 from drawings.cli import main
 from drawings.frame import FOLDS
-from drawings.lettering import SIZES, lettered, outline
+from drawings.lettering import SIZES, lettered
 from drawings.page import Field, Page, page_of
 from drawings.pens.svg import svg
-from drawings.strokes import Arc, Box, Circle, Fill, Group, Leaf, Line, Polyline, SheetError, Stroke, Text, bounds
-from drawings.words import word
+from drawings.strokes import Arc, Circle, Fill, Group, Leaf, Line, Polyline, SheetError, bounds
 from plans.scene import parse_scene
-
-# Which way each standard lays a format: A4 upright only, and by ISO 5457 all others along the long side only.
-LAID = [
-    (name, orientation, standard)
-    for name, orientation, standard in itertools.product(
-        ("A1", "A2", "A3", "A4"), ("landscape", "portrait"), ("GOST", "ISO")
-    )
-    if (orientation == "portrait" if name == "A4" else standard == "GOST" or orientation == "landscape")
-]
-PAGES = [
-    Page(name, orientation, standard, language, "ТММ.07.03.000")
-    for (name, orientation, standard), language in itertools.product(LAID, ("en", "ru"))
-]
-ENTRIES = {
-    "en": {
-        "title": "Crank shaper", "subtitle": "Kinematics of the mechanism", "designation": "TMM.07.03.000",
-        "drawn": "Ivanov A. A.", "checked": "Preobrazhensky", "approved": "Smith", "date": "2026-11-21",
-        "group": "M-301", "organisation": "Technical University, Department of Mechanisms", "scale": "1:2.5",
-        "sheet": "2", "sheets": "14",
-    },
-    "ru": {
-        "title": "Поперечно-строгальный станок", "subtitle": "Кинематическое исследование механизма",
-        "designation": "ТММ.07.03.000", "drawn": "Щукин Й. Ё.", "checked": "Преображенский", "approved": "Утёсов",
-        "date": "21.11.2026", "group": "Группа РК5-51", "organisation": "МГТУ им. Н.Э. Баумана, кафедра ТММ",
-        "scale": "1:2,5", "sheet": "1", "sheets": "1",
-    },
-}  # fmt: skip
-every_page = pytest.mark.parametrize("page", PAGES, ids=lambda p: f"{p.name}-{p.orientation}-{p.standard}-{p.language}")
-
-
-def bare(page: Page, **entries: str) -> Group:
-    """Draw a page without figures."""
-    block = page.title_block(ENTRIES[page.language] | entries, page.language)
-    return Group((page.frame(), page.corners(), block))
-
-
-def flat(stroke: Stroke) -> Iterator[Stroke]:
-    if isinstance(stroke, Group):
-        for inner in stroke.strokes:
-            yield from flat(inner)
-    else:
-        yield stroke
-
-
-def texts(stroke: Stroke) -> list[Text]:
-    return [one for one in flat(stroke) if isinstance(one, Text)]
-
-
-def said(stroke: Stroke) -> list[str]:
-    return [text.plain for text in texts(stroke)]
-
-
-def named(stroke: Stroke, name: str) -> Group:
-    def find(group: Group) -> Iterator[Group]:
-        if group.name == name:
-            yield group
-        for inner in group.strokes:
-            if isinstance(inner, Group):
-                yield from find(inner)
-
-    assert isinstance(stroke, Group)
-    return next(find(stroke))
-
-
-def around(points: Iterable[complex], by: float) -> Box:
-    points = list(points)
-    across, up = [p.real for p in points], [p.imag for p in points]
-    return min(across) - by, min(up) - by, max(across) + by, max(up) + by
-
-
-def inked(text: Text) -> Box:
-    """The box of the letters themselves, with tails, accents and the pen."""
-    return around((point for chain in outline(text) for point in chain.points), text.size / 20)
-
-
-def lines(stroke: Stroke) -> Iterator[tuple[Box, float]]:
-    """Every straight piece of line with its width in its box; all of a page's lines are upright or level."""
-    for one in flat(stroke):
-        match one:
-            case Line():
-                ends = [(one.start, one.end)]
-            case Polyline():
-                ends = list(itertools.pairwise((*one.points, one.points[0])))
-            case _:
-                continue
-        for start, end in ends:
-            yield around((start, end), one.style.width / 2), one.style.width
-
-
-def apart(a: Box, b: Box) -> bool:
-    return a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]
-
-
-def inside(inner: Box, outer: Box) -> bool:
-    return inner[0] >= outer[0] and inner[1] >= outer[1] and inner[2] <= outer[2] and inner[3] <= outer[3]
-
-
-# ---- every page
+from tests.drawings.pages import (
+    ENTRIES,
+    apart,
+    around,
+    bare,
+    every_page,
+    flat,
+    inked,
+    inside,
+    lines,
+    named,
+    said,
+    texts,
+)
 
 
 @every_page
@@ -322,224 +236,3 @@ def test_folding_marks_stand_at_the_edges_where_the_folds_are(page: Page, across
     marks = [one for one in flat(named(page.frame(), "folding-marks")) if isinstance(one, Line)]
     assert {mark.start.real for mark in marks if mark.start.real == mark.end.real} == across
     assert {mark.start.imag for mark in marks if mark.start.imag == mark.end.imag} == up
-
-
-# ---- GOST 2.104, form 1
-
-
-def crossings(block: Group, page: Page, at: float, upright: bool) -> list[tuple[float, float]]:
-    """Where lines of the block cross a level (or an upright) through it, from its left (or its foot); their widths."""
-    found = set()
-    for one in flat(block):
-        if isinstance(one, Line):
-            start, end = (p - complex(page.block.left, page.block.bottom) for p in (one.start, one.end))
-            if not upright:
-                start, end = (complex(p.imag, p.real) for p in (start, end))
-            if start.real == end.real and min(start.imag, end.imag) < at < max(start.imag, end.imag):
-                found.add((start.real, one.style.width))
-    return sorted(found)
-
-
-def steps(places: list[tuple[float, float]], end: float) -> list[float]:
-    ends = [*(place for place, _ in places), end]
-    return [b - a for a, b in itertools.pairwise(ends)]
-
-
-@pytest.mark.parametrize(
-    ("level", "widths"),
-    [  # from the foot of the block: the widths of its graphs from the left, GOST 2.104 form 1
-        (52, [7, 10, 23, 15, 10, 120]),
-        (38, [7, 10, 23, 15, 10, 70, 15, 17, 18]),
-        (32, [7, 10, 23, 15, 10, 70, 5, 5, 5, 17, 18]),
-        (22, [17, 23, 15, 10, 70, 5, 5, 5, 17, 18]),
-        (17, [17, 23, 15, 10, 70, 20, 30]),
-        (7, [17, 23, 15, 10, 70, 50]),
-    ],
-)
-def test_the_graphs_of_form_1_are_as_wide_as_the_standard_has_them(level: float, widths: list[float]) -> None:
-    page = Page("A3")
-    block = page.title_block({}, "ru")
-    assert steps(crossings(block, page, level, True), 185) == widths
-    assert sum(widths) == 185
-
-
-@pytest.mark.parametrize(
-    ("across", "heights"),
-    [(30, [5] * 11), (100, [15, 25, 15]), (137, [15, 5, 15, 5, 15]), (160, [15, 5, 15, 5, 15])],
-)
-def test_the_graphs_of_form_1_are_as_high_as_the_standard_has_them(across: float, heights: list[float]) -> None:
-    page = Page("A3")
-    places = crossings(page.title_block({}, "ru"), page, across, False)
-    assert steps([(0.0, 0.5), *places], 55.0)[: len(heights)] == heights  # the foot is the frame's own line
-    assert sum(heights) == 55
-
-
-def test_thin_in_form_1_are_the_rows_and_the_cells_of_the_letter() -> None:
-    page = Page("A3")
-    block = page.title_block({}, "ru")
-    main_line = page.hand.main
-    rows = {place for place, width in crossings(block, page, 30, False) if width == main_line}
-    assert rows == {30, 35, 55}
-    letter = {place for place, width in crossings(block, page, 32, True) if width != main_line}
-    assert letter == {140, 145}
-
-
-def test_graph_7_is_empty_on_a_single_sheet_and_graph_8_on_the_following_ones() -> None:
-    page = Page("A1")
-
-    def numbers(sheet: str, sheets: str) -> list[str]:
-        block = page.title_block({"sheet": sheet, "sheets": sheets}, "ru")
-        return [plain for plain in said(block) if plain.isdigit()]
-
-    assert numbers("1", "1") == ["1"]
-    assert numbers("1", "4") == ["1", "4"]
-    assert numbers("3", "4") == ["3"]
-
-
-def place_of(group: Group, page: Page, plain: str) -> complex:
-    """Where a text's middle is, from the block's lower left corner."""
-    left, bottom, right, top = inked(next(text for text in texts(group) if text.plain == plain))
-    return complex(left + right, bottom + top) / 2 - complex(page.block.left, page.block.bottom)
-
-
-def test_names_stand_in_graph_11_beside_their_roles_in_graph_10() -> None:
-    page = Page("A1", language="ru")
-    block = page.title_block({"drawn": "Иванов", "checked": "Петров", "approved": "Сидоров", "date": "1.12"}, "ru")
-    for role, name, row in (("Разраб.", "Иванов", 25), ("Пров.", "Петров", 20), ("Утв.", "Сидоров", 0)):
-        assert 0 < place_of(block, page, role).real < 17 and 17 < place_of(block, page, name).real < 40
-        assert all(row < place_of(block, page, plain).imag < row + 5 for plain in (role, name))
-    assert {"Т.контр.", "Н.контр."} <= set(said(block))
-    date = place_of(block, page, "1.12")
-    assert 55 < date.real < 65 and 25 < date.imag < 30
-
-
-def test_a_date_is_written_as_gost_writes_it_and_by_iso_as_it_is_given() -> None:
-    assert "21.11.26" in said(Page("A1").title_block({"date": "2026-11-21"}, "ru"))
-    assert "2026-11-21" in said(Page("A1", standard="ISO").title_block({"date": "2026-11-21"}, "en"))
-
-
-@pytest.mark.parametrize(
-    ("page", "left", "top", "turn"),
-    [
-        (Page("A1", designation="X.1"), 20, 589, 180), (Page("A4", designation="X.1"), 20, 292, 180),
-        (Page("A3", "portrait", designation="X.1"), 297 - 5 - 14, 415, -90),
-    ],
-)  # fmt: skip
-def test_graph_26_repeats_the_designation_in_the_upper_corner_turned(
-    page: Page, left: float, top: float, turn: float
-) -> None:
-    place = page.taken[1]
-    assert {place.width, place.height} == {70, 14} and (place.left, place.top) == (left, top)
-    again = next(text for text in texts(page.frame()) if text.plain == "X.1")
-    assert again.rotation == turn and inside(inked(again), place)
-
-
-@every_page
-def test_the_extra_graphs_are_gost_s_and_say_format_and_copied(page: Page) -> None:
-    plain = set(said(page.frame()))
-    mine = {word(page.language, "copied"), word(page.language, "format", format=page.name)}
-    strip = {word(page.language, key) for key in ("original", "signed", "replaces", "duplicate")}
-    assert (mine | strip <= plain) if page.standard == "GOST" else not ((mine | strip) & plain)
-    if page.standard == "GOST":
-        words_of_strip = [text for text in texts(page.frame()) if text.plain in strip]
-        assert len(words_of_strip) == 5 and {text.rotation for text in words_of_strip} == {90}
-        assert all(inked(text)[0] > 8 and inked(text)[2] < 13 for text in words_of_strip)
-        assert all(inked(text)[3] < 5 + 145 for text in words_of_strip)
-
-
-# ---- ISO 7200 and ISO 5457
-
-
-@pytest.mark.parametrize("language", ["en", "ru"])
-def test_the_fields_of_iso_7200_fill_the_block_and_have_their_captions(language: str) -> None:
-    assert sum(cell.width * cell.height for cell in CELLS.values()) == 180 * 48
-    fields = [(c.left, c.bottom, c.left + c.width, c.bottom + c.height) for c in CELLS.values()]
-    assert all(apart(a, b) for a, b in itertools.combinations(fields, 2))
-    assert all(inside(field, (0, 0, 180, 48)) for field in fields)
-    page = Page("A3", standard="ISO", language=language)
-    block = page.title_block(ENTRIES[language], language)
-    corner = complex(page.block.left, page.block.bottom)
-    for key, (left, bottom, right, top) in zip(CELLS, fields, strict=True):
-        caption = word(language, f"{key} field")
-        assert caption != f"{key} field"
-        box = inked(next(text for text in texts(block) if text.plain == caption))
-        own = (left + corner.real, bottom + corner.imag, right + corner.real, top + corner.imag)
-        assert inside(box, own), caption
-
-
-def test_every_mandatory_field_of_iso_7200_is_filled() -> None:
-    page = Page("A3", standard="ISO")
-    given = {
-        "organisation": "Owner", "designation": "ID-7", "date": "2026-11-21", "sheet": "2", "sheets": "4",
-        "title": "Name", "approved": "Boss", "drawn": "Maker", "type": "Diagram",
-    }  # fmt: skip
-    block = page.title_block(given, "en")
-    shown = {
-        "owner": "Owner", "number": "ID-7", "issued": "2026-11-21", "sheet": "2/4", "title": "Name",
-        "approval": "Boss", "creator": "Maker", "type": "Diagram",
-    }  # fmt: skip
-    assert set(shown) == set(MANDATORY)
-    for key, plain in shown.items():
-        cell, at = CELLS[key], place_of(block, page, plain)
-        assert cell.left < at.real < cell.left + cell.width and cell.bottom < at.imag < cell.bottom + cell.height
-
-
-def test_a_single_sheet_is_sheet_1_of_1_by_iso_and_has_a_document_type() -> None:
-    plain = said(Page("A4", standard="ISO").title_block({}, "en"))
-    assert {"1/1", "Graphical analysis", "en"} <= set(plain)
-
-
-@pytest.mark.parametrize(("name", "long", "short"), [("A1", 16, 12), ("A2", 12, 8), ("A3", 8, 6), ("A4", 6, 4)])
-def test_the_grid_of_iso_5457_has_the_standard_s_number_of_fields_of_50_mm(name: str, long: int, short: int) -> None:
-    page = Page(name, standard="ISO")
-    columns, rows = (short, long) if name == "A4" else (long, short)
-    plain = said(named(page.frame(), "borders"))
-    sides = 1 if name == "A4" else 2  # A4 has letters on the right and numerals at the top only
-    numerals, letters = [p for p in plain if p.isdigit()], [p for p in plain if len(p) == 1 and p.isalpha()]
-    assert sorted(map(int, numerals)) == sorted(sides * list(range(1, columns + 1)))
-    assert sorted(letters) == sorted(sides * "ABCDEFGHJKLM"[:rows])
-    ticks = sorted(
-        {one.start.real for one in flat(named(page.frame(), "borders")) if isinstance(one, Line) and _top(one, page)}
-    )
-    assert len(ticks) == columns - 1
-    assert {b - a for a, b in itertools.pairwise(ticks)} == {50} and ticks[columns // 2 - 1] == page.size[0] / 2
-
-
-def _top(line: Line, page: Page) -> bool:
-    return line.style.width == 0.35 and line.start.real == line.end.real and line.start.imag == page.field.top
-
-
-def test_letters_of_the_grid_go_down_and_numerals_to_the_right() -> None:
-    page = Page("A2", standard="ISO")
-    signs = texts(named(page.frame(), "borders"))
-    places = {text.plain: inked(text) for text in signs}
-    assert places["A"][1] > places["B"][1] > places["H"][1] and places["1"][0] < places["2"][0] < places["12"][0]
-    assert {text.size for text in signs} == {3.5}
-
-
-@pytest.mark.parametrize("name", ["A1", "A2", "A3", "A4"])
-def test_centring_marks_are_four_on_the_axes_and_reach_5_mm_into_the_drawing_space(name: str) -> None:
-    page = Page(name, standard="ISO")
-    field, (width, height) = page.field, page.size
-    marks = [one for one in flat(named(page.frame(), "borders")) if isinstance(one, Line) and one.style.width == 0.7]
-    assert len(marks) == 4
-    upright = sorted((m for m in marks if m.start.real == m.end.real), key=lambda m: m.start.imag)
-    level = sorted((m for m in marks if m.start.imag == m.end.imag), key=lambda m: m.start.real)
-    assert {m.start.real for m in upright} == {width / 2} and {m.start.imag for m in level} == {height / 2}
-    assert [m.end.real for m in level] == [field.left + 5, field.right - 5]
-    foot = field.bottom + (0 if name == "A4" else 5)  # the block of an A4 stands there
-    assert [m.end.imag for m in upright] == [foot, field.top - 5]
-
-
-def test_trimming_marks_are_two_rectangles_of_10_by_5_in_each_corner() -> None:
-    page = Page("A3", standard="ISO")
-    fills = [bounds(one) for one in flat(page.frame()) if isinstance(one, Fill)]
-    assert {(a, b, c, d) for a, b, c, d in fills if a == 0 and b == 0} == {(0, 0, 10, 5), (0, 0, 5, 10)}
-    assert len(fills) == 8 and all({c - a, d - b} == {10, 5} for a, b, c, d in fills)
-
-
-def test_the_frame_of_iso_5457_is_drawn_with_0_7_on_every_format() -> None:
-    for name in ("A1", "A2", "A3", "A4"):
-        page = Page(name, standard="ISO")
-        frame = [one for one in flat(page.frame()) if isinstance(one, Polyline) and bounds(one) == page.field]
-        assert [one.style.width for one in frame] == [0.7]
