@@ -44,7 +44,7 @@ class Picture(NamedTuple):
         """Give the larger side of the drawn lines, mm."""
         return max(self.wide, self.high) / scale.mu
 
-    def ladder(self, width: float, height: float) -> Ladder:
+    def ladder(self, width: float, height: float, standard: str = "GOST") -> Ladder:
         """List the standard scales at which the picture and its margins fit a room, the largest picture first."""
         across, up = width - 2 * self.margins.side, height - self.margins.below - self.margins.above
         if across <= 0 or up <= 0 or self.heading > width:
@@ -52,7 +52,7 @@ class Picture(NamedTuple):
         extent, room = (self.wide, across) if self.wide * up >= self.high * across else (self.high, up)
         rungs: list[Rung] = []
         while len(rungs) < RUNGS and room > 0:
-            scale = fitting(extent, room, self.letter, self.unit)
+            scale = fitting(extent, room, self.letter, self.unit, standard)
             rungs.append(Rung(scale, *self.size(scale), self.drawn(scale)))
             room = extent / scale.mu * SMALLER
         return Ladder(self.name, tuple(rungs), self.least)

@@ -67,15 +67,21 @@ class Sheet:
 
     @property
     def field(self) -> Field:
-        """The field that figures may fill."""
-        return self.page.field.inset(PAD)
+        """The field that figures may fill: inside the frame, beside or under what else the standard has there."""
+        room = self.page.field
+        for place in self.page.taken:
+            if place != self.page.block and place.width >= place.height:
+                room = room._replace(top=min(room.top, place.bottom))
+            elif place != self.page.block:
+                room = room._replace(right=min(room.right, place.left))
+        return room.inset(PAD)
 
     def best(self, legible: bool = True) -> Trial | None:
         """Find the best composition, whose plans are all drawn large enough for their letters if that is asked."""
         content, room = self.content, self.field
         settings = content.table.settings() if content.table is not None else [None]
         ladders = [
-            [one.ladder(room.width, room.height) for one in plans]
+            [one.ladder(room.width, room.height, self.page.standard) for one in plans]
             for plans in (content.velocities, content.accelerations)
         ]
         ways: list[Rows | None] = list(arrangements(*ladders)) or [None]
@@ -94,7 +100,7 @@ class Sheet:
         if self.content.main is None:
             return [None]
         room = self.field
-        rungs = self.content.main.ladder(room.width, room.height).rungs
+        rungs = self.content.main.ladder(room.width, room.height, self.page.standard).rungs
         large = [rung for rung in rungs if max(rung.wide / room.width, rung.high / room.height) >= HALF]
         return [Spot(Field(0.0, 0.0, rung.wide, rung.high), rung.scale) for rung in large or rungs[:1]]
 

@@ -124,23 +124,24 @@ def nothing(name: str, why: str, hand: Hand) -> Picture:
     return picture(name, [0j], ("v", "m/s"), margins, text_width(Text(0j, why, hand.text)))
 
 
-def figure(shown: Diagram, measure: Picture, spot: Spot, position: int, hand: Hand, language: str) -> Figure:
-    """Draw the plan in its spot, with its title and scale above it."""
+def figure(shown: Diagram, measure: Picture, spot: Spot, scale: str, hand: Hand, language: str) -> Figure:
+    """Draw the plan in its spot, with its title and its written scale above it."""
+    position = shown.column
     kind = shown.plan.board.subject
     subject = Subject(kind, SYMBOL[kind], position)
     place = measure.placed(*spot)
-    title = _heading(shown, spot, position, hand, language)
+    title = _heading(shown, spot, scale, hand, language)
     lines = Group(tuple(_directions(shown, place, hand)))
     arrows = [_drawn(subject, arrow, place, hand) for arrow in shown.arrows if _visible(arrow, place)]
     dot = point(subject, shown.plan.pole.name, 0j, place, pole(place.on(0j)), "pole")
     return Figure(shown, place, (title, *([lines] if lines.strokes else []), *arrows, dot), position, hand, spot.box)
 
 
-def _heading(shown: Diagram, spot: Spot, position: int, hand: Hand, language: str) -> Group:
+def _heading(shown: Diagram, spot: Spot, scale: str, hand: Hand, language: str) -> Group:
     """Write a plan's title and its scale above it."""
     at = complex(spot.box.centre.real, spot.box.top - hand.title)
-    title = word(language, shown.plan.board.subject, position=position)
-    under = spot.scale.written(language) if any(shown.points) else word(language, "at rest")
+    title = word(language, shown.plan.board.subject, position=shown.column)
+    under = scale if any(shown.points) else word(language, "at rest")
     return Group(
         (
             Text(at, title, hand.title, "middle", True),
@@ -167,7 +168,7 @@ def _directions(shown: Diagram, place: Place, hand: Hand) -> list[Stroke]:
         length = abs(last - first)
         if length < LEAST:
             continue
-        along = (last - first) / length * BEYOND
+        along = (last - first) / length * BEYOND * hand.symbol
         drawn.append(Line(first - along / 2, last + along, hand.drafted))
     return drawn
 

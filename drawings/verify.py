@@ -12,6 +12,7 @@ from drawings.limits import Refused
 from drawings.measure import Measured, MeasuredVector, check, measure_file
 from drawings.strokes import Group, Leaf, Stroke, Text
 from drawings.vector_plan import LEAST
+from drawings.words import number
 from geometry.errors import DraftError
 from plans.compare import Comparison
 from plans.expected import Expected
@@ -20,6 +21,7 @@ from plans.study import Study
 
 TOLD = 5  # mismatches told one by one
 _NUMBER = re.compile(r"[-−]?\d+(?:[.,]\d+)?")
+_SCALE = re.compile(r"(μ|K)\S+ = (\d+(?:[.,]\d+)?) ")  # of a plan, after its letter: mu_v, K_v
 
 
 class SelfCheckFailed(DraftError):  # noqa: N818  (the exit code's own word)
@@ -122,14 +124,15 @@ def _reads(text: str, true: float) -> bool:
 
 
 def _scales(leaf: Leaf) -> Iterator[str]:
-    """Read each plan's written scale: it is the one that its vectors are drawn to."""
+    """Read each plan's written scale: mu is the one that its vectors are drawn to, and K is 1/mu to its own digits."""
     for group in leaf.groups:
         stated = {float(s.data["scale"]) for s in _groups(group) if s.data.get("kind") in ("vector", "point")}
-        written = [text.plain for text in _texts(leaf, group.name) if text.plain.startswith("μ")]
-        for text in written:
-            value = _NUMBER.search(text)
-            mu = float(value.group().replace(",", ".")) if value else float("nan")
-            if stated and not all(abs(mu - true) <= 1e-9 * true for true in stated):
+        for text in (text.plain for text in _texts(leaf, group.name)):
+            found = _SCALE.match(text)
+            if found is None and not text.startswith("μ"):
+                continue
+            symbol, read = (found[1], found[2].replace(",", ".")) if found else ("", "")
+            if not all(read == number(1 / mu if symbol == "K" else mu) for mu in stated):
                 yield f"the scale {text}"
 
 

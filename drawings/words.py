@@ -7,6 +7,22 @@ from typing import Final
 
 from drawings.strokes import SheetError
 
+# The words of page and title block, and units: English, Russian.
+PAGE: Final[dict[str, tuple[str, str]]] = {
+    "copied": ("Copied", "Копировал"), "format": ("Format {format}", "Формат {format}"),
+    "original": ("Inv. no. orig.", "Инв. № подл."), "signed": ("Sign. and date", "Подп. и дата"),
+    "replaces": ("Repl. inv. no.", "Взам. инв. №"), "duplicate": ("Inv. no. dupl.", "Инв. № дубл."),
+    "department field": ("Resp. dept.", "Подразд."), "checked by field": ("Checked by", "Проверил"),
+    "creator field": ("Created by", "Разработал"), "approval field": ("Approved by", "Утвердил"),
+    "scale field": ("Scale", "Масштаб"), "owner field": ("Legal owner", "Владелец"),
+    "type field": ("Document type", "Вид документа"), "status field": ("Document status", "Статус документа"),
+    "title field": ("Title, supplementary title", "Наименование"), "revision field": ("Rev.", "Изм."),
+    "number field": ("Identification number", "Обозначение"), "issued field": ("Date of issue", "Дата выпуска"),
+    "code field": ("Lang.", "Язык"), "sheet field": ("Sheet", "Лист"),
+    "document type": ("Graphical analysis", "Графический расчёт"),
+    "N": ("N", "Н"), "N*m": ("N·m", "Н·м"), "J": ("J", "Дж"), "s": ("s", "с"), "rad": ("rad", "рад"),
+    "kg*m2": ("kg·m²", "кг·м²"),
+}  # fmt: skip
 WORDS: Final[dict[str, dict[str, str]]] = {
     "en": {
         "positions": "Plan of positions",
@@ -49,6 +65,7 @@ WORDS: Final[dict[str, dict[str, str]]] = {
         "rad/s2": "rad/s²",
         "m": "m",
         "mm": "mm",
+        **{key: english for key, (english, _) in PAGE.items()},
     },
     "ru": {
         "positions": "План положений механизма",
@@ -98,6 +115,7 @@ WORDS: Final[dict[str, dict[str, str]]] = {
         "not reachable": "недостижимо",
         "velocities plan": "план скоростей",
         "accelerations plan": "план ускорений",
+        **{key: russian for key, (_, russian) in PAGE.items()},
     },
 }
 

@@ -12,7 +12,7 @@ from drawings import position_plan, value_table, vector_plan
 from drawings.composition import Composed, compose
 from drawings.hand import Hand
 from drawings.layout import Ink, Labels
-from drawings.page import Field, Page
+from drawings.page import Field, Page, page_of
 from drawings.picture import Margins, Picture, Spot, picture
 from drawings.sheets.choice import plans, position
 from drawings.sheets.notes import measured, notes, written
@@ -52,7 +52,7 @@ class _Draft:
 
     @cached_property
     def page(self) -> Page:
-        return Page(self.study.scene.sheet.format)
+        return page_of(self.study.scene)
 
     @property
     def language(self) -> str:
@@ -155,11 +155,14 @@ class _Draft:
             groups.append(written(self.said, composed.notes, page.hand.text))
         return groups
 
+    def _scale(self, spot: Spot) -> str:
+        return spot.scale.written(self.language, self.study.scene.sheet.notation)
+
     def _positions(self, spot: Spot) -> list[Group]:
         main, hand = self.content.main, self.page.hand
         assert main is not None  # a set of sheets has one plan of positions
         lines = position_plan.figure(self.bones, main.placed(*spot), hand, self.language)
-        title = _heading(spot.box, word(self.language, ORDERS[0]), spot.scale.written(self.language), hand)
+        title = _heading(spot.box, word(self.language, ORDERS[0]), self._scale(spot), hand)
         return [title, Group(tuple(lines), ORDERS[0])]
 
     def _plans(self, composed: Composed) -> tuple[list[Figure], list[Group]]:
@@ -174,7 +177,7 @@ class _Draft:
                 missing.append(Group((text,)))
             else:
                 shown = self.diagrams[one.name]
-                figures.append(figure(shown, one, spot, int(k), self.page.hand, self.language))
+                figures.append(figure(shown, one, spot, self._scale(spot), self.page.hand, self.language))
         return figures, missing
 
     def _entries(self, main: Spot | None, number: int, count: int) -> dict[str, str]:
@@ -185,6 +188,8 @@ class _Draft:
             "designation": table.designation,
             "drawn": table.drawn,
             "checked": table.checked,
+            "approved": table.approved,
+            "date": table.date,
             "group": table.group,
             "organisation": table.organisation,
             "scale": main.scale.ratio(language) if main is not None else "",

@@ -107,6 +107,8 @@ FAULTS: dict[str, Change] = {
     "the letters d and b are exchanged": lambda stroke: exchanged(stroke, "d", "b"),
     "a letter of the plan of positions is missing": rewritten("B", "E"),
     "a plan's scale is written wrong": rewritten("μ_v = 0.01 (m/s)/mm", "μ_v = 0.02 (m/s)/mm"),
+    "a plan's scale is written wrong as K": rewritten("μ_v = 0.01 (m/s)/mm", "K_v = 50 mm/(m/s)"),
+    "a plan's scale has no number": rewritten("μ_v = 0.01 (m/s)/mm", "μ_v = ? (m/s)/mm"),
 }
 
 
@@ -124,6 +126,14 @@ def test_a_fault_withholds_the_sheet(checked: tuple[Study, Comparison, Leaf], tm
     (tmp_path / "sheet.svg").write_bytes(svg(lettered(wrong)))
     with pytest.raises(SelfCheckFailed):
         verify(tmp_path / "sheet.svg", wrong, study, comparison)
+
+
+def test_a_scale_may_be_written_as_k(checked: tuple[Study, Comparison, Leaf], tmp_path: Path) -> None:
+    study, comparison, leaf = checked
+    other = changed(leaf, rewritten("μ_v = 0.01 (m/s)/mm", "K_v = 100 mm/(m/s)"))
+    assert other != leaf
+    (tmp_path / "sheet.svg").write_bytes(svg(lettered(other)))
+    assert verify(tmp_path / "sheet.svg", other, study, comparison).vectors
 
 
 def test_a_sheet_that_cannot_be_read_is_our_failure_not_the_user_s(

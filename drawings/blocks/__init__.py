@@ -1,0 +1,1 @@
+"""Title blocks: one file for each standard form."""
