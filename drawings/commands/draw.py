@@ -6,6 +6,7 @@ import argparse
 import os
 import sys
 from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
 
 from drawings.report import report, shallow, summary
 from geometry.errors import LimitError
@@ -13,13 +14,34 @@ from plans.compare import Comparison, compare, compare_extremes
 from plans.scene import read_scene
 from plans.study import Study
 
+if TYPE_CHECKING:
+    from drawings.strokes import Leaf
+
 GAPS = 4
 POSITIONS_DRAWN = 360  # more positions than degrees cannot be told apart on any sheet
 
 
+class Drawn(NamedTuple):
+    """A scene that was drawn: its study and comparison, its sheets as they were laid out, and the files written."""
+
+    study: Study
+    comparison: Comparison
+    leaves: tuple[Leaf, ...]
+    paths: tuple[Path, ...]
+
+
 def run(options: argparse.Namespace) -> int:
     """Draw a scene's sheets into a folder; give the exit code."""
-    study = Study(read_scene(options.scene))
+    drawn = draw(options.scene, options.output)
+    print(summary(drawn.comparison))
+    for path in drawn.paths:
+        print(path)
+    return _verdict(drawn.study, drawn.comparison)
+
+
+def draw(scene: Path, folder: Path) -> Drawn:
+    """Draw a scene's sheets and report into a folder; nothing is written where the two roads disagree."""
+    study = Study(read_scene(scene))
     if len(study.turn) > POSITIONS_DRAWN:
         raise LimitError(
             f"{study.scene.file}: drive.positions = {len(study.turn)}: a sheet shows at most {POSITIONS_DRAWN}. "
@@ -27,11 +49,7 @@ def run(options: argparse.Namespace) -> int:
         )
     comparison = compare_extremes(study, compare(study))
     _agree(comparison)
-    written = _sheet(study, comparison, options.output)
-    print(summary(comparison))
-    for path in written:
-        print(path)
-    return _verdict(study, comparison)
+    return _sheet(study, comparison, folder)
 
 
 def _agree(comparison: Comparison) -> None:
@@ -45,7 +63,7 @@ def _agree(comparison: Comparison) -> None:
         )
 
 
-def _sheet(study: Study, comparison: Comparison, folder: Path) -> list[Path]:
+def _sheet(study: Study, comparison: Comparison, folder: Path) -> Drawn:
     """Lay out, write beside, measure back, and only then give the sheet its name."""
     from drawings import press
     from drawings.lettering import lettered
@@ -61,7 +79,7 @@ def _sheet(study: Study, comparison: Comparison, folder: Path) -> list[Path]:
     text = report(study, comparison, tuple(leaf.metadata["plans"]), leaf.metadata["shown"])
     with press.fresh(beside, text.encode("utf-8")), press.fresh(path, content) as temporary:
         verify(temporary, leaf, study, comparison)
-    return [path, beside]
+    return Drawn(study, comparison, (leaf,), (path, beside))
 
 
 def _verdict(study: Study, comparison: Comparison) -> int:
