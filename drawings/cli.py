@@ -20,7 +20,7 @@ exit codes: 0 written and verified; 1 a bug of plandraft; 2 wrong command line; 
 7 cannot read or write; 8 a named limit was exceeded.
 
 a scene is one TOML file: [mechanism] with frame, links, lengths, slides and a rough sketch, and [drive].
-start from an example of the README and change it; every mistake is told with its line and what to write.
+start from a scene of the gallery (plandraft new) and change it; every mistake is told with its line and what to write.
 """
 
 
@@ -38,6 +38,9 @@ def parser() -> argparse.ArgumentParser:
     draw.add_argument(
         "-o", "--output", type=Path, default=Path("out"), metavar="DIR", help="folder for the sheets (default: out)"
     )
+    new = commands.add_parser("new", help="write a scene of the gallery to start from; without a name, list them")
+    new.add_argument("name", nargs="?", metavar="NAME", help="the scene's name in the gallery")
+    new.add_argument("-o", "--output", type=Path, default=Path(), metavar="DIR", help="its folder (default: this one)")
     solve = _command(commands, "solve", "print all numbers as JSON: SI units and radians, null at gaps")
     solve.add_argument(
         "--by", choices=("construction", "analysis"), default="construction", help="which road (default: construction)"

@@ -14,6 +14,7 @@ from drawings.page import Field, Page
 from drawings.picture import Picture, Spot
 from drawings.value_table import Setting, Table
 
+FOREMOST = 1.5  # the plan of positions is doubled though all the others are halved
 HALF = 0.45  # of the sheet's width or height that the plan of positions takes at least: about half, by custom
 
 
@@ -47,14 +48,14 @@ class Trial(NamedTuple):
 
     @property
     def score(self) -> float:
-        """How good it is: large figures, the plan of positions counting as much as all others together."""
+        """How good it is: large figures, the plan of positions counting more than all others together."""
         return _merit(self.spot, self.grid)
 
 
 def _merit(spot: Spot | None, plans: Grid | None) -> float:
     sizes = plans.drawn if plans is not None else []
     others = sum(map(math.log, sizes)) / len(sizes) if sizes else 0.0
-    return others + (math.log(max(spot.box.width, spot.box.height)) if spot is not None else 0.0)
+    return others + (FOREMOST * math.log(max(spot.box.width, spot.box.height)) if spot is not None else 0.0)
 
 
 @dataclass(frozen=True)

@@ -151,3 +151,18 @@ def fixed(value: float, language: str = "en", places: int = 2) -> str:
     text = f"{abs(value):.{places}f}"
     sign = "−" if value < 0 and float(text) != 0 else ""
     return (sign + text).replace(".", "," if language == "ru" else ".")
+
+
+def runs(positions: list[int]) -> str:
+    """Write numbers of positions with runs joined.
+
+    >>> runs([1, 2, 3, 7, 9, 10])
+    '1–3, 7, 9–10'
+    """
+    joined: list[list[int]] = []
+    for k in positions:
+        if joined and k == joined[-1][-1] + 1:
+            joined[-1].append(k)
+        else:
+            joined.append([k])
+    return ", ".join(str(run[0]) if len(run) == 1 else f"{run[0]}–{run[-1]}" for run in joined)

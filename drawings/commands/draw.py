@@ -4,23 +4,51 @@ from __future__ import annotations
 
 import argparse
 import contextlib
+import itertools
 import os
 import sys
 from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
 
 from drawings.report import report, shallow, summary
+from drawings.words import runs
 from geometry.errors import LimitError
 from plans.compare import Comparison, compare, compare_extremes
+from plans.motion import Gap
 from plans.scene import read_scene
 from plans.study import Study
 
+if TYPE_CHECKING:
+    from drawings.strokes import Leaf
+
 GAPS = 4
 POSITIONS_DRAWN = 360  # more positions than degrees cannot be told apart on any sheet
+SHEETS_MOST = 1000  # of one scene; looked for until one is missing
+
+
+class Drawn(NamedTuple):
+    """A scene that was drawn: its study and comparison, its sheets as they were laid out, and the files written."""
+
+    study: Study
+    comparison: Comparison
+    leaves: tuple[Leaf, ...]
+    paths: tuple[Path, ...]
 
 
 def run(options: argparse.Namespace) -> int:
     """Draw a scene's sheets into a folder; give the exit code."""
-    study = Study(read_scene(options.scene))
+    drawn = draw(options.scene, options.output)
+    print(summary(drawn.comparison))
+    for path in drawn.paths:
+        print(path)
+    for path in _earlier(drawn):
+        print(f"{path}: left by an earlier run with more sheets; it belongs to none of these", file=sys.stderr)
+    return _verdict(drawn.study, drawn.comparison)
+
+
+def draw(scene: Path, folder: Path) -> Drawn:
+    """Draw a scene's sheets and report into a folder; nothing is written where the two roads disagree."""
+    study = Study(read_scene(scene))
     if len(study.turn) > POSITIONS_DRAWN:
         raise LimitError(
             f"{study.scene.file}: drive.positions = {len(study.turn)}: a sheet shows at most {POSITIONS_DRAWN}. "
@@ -28,11 +56,7 @@ def run(options: argparse.Namespace) -> int:
         )
     comparison = compare_extremes(study, compare(study))
     _agree(comparison)
-    written = _sheets(study, comparison, options.output)
-    print(summary(comparison))
-    for path in written:
-        print(path)
-    return _verdict(study, comparison)
+    return _sheets(study, comparison, folder)
 
 
 def _agree(comparison: Comparison) -> None:
@@ -46,7 +70,7 @@ def _agree(comparison: Comparison) -> None:
         )
 
 
-def _sheets(study: Study, comparison: Comparison, folder: Path) -> list[Path]:
+def _sheets(study: Study, comparison: Comparison, folder: Path) -> Drawn:
     """Lay out, write beside, measure back, and only then give the sheets their names: all of them or none."""
     from drawings import press
     from drawings.lettering import lettered
@@ -57,9 +81,9 @@ def _sheets(study: Study, comparison: Comparison, folder: Path) -> list[Path]:
     leaves = kinematics.sheets(study, comparison)
     contents = [svg(lettered(leaf)) for leaf in leaves]
     press.prepare(folder)
-    stem = f"{Path(os.fspath(study.scene.file)).stem}-kinematics"
+    scene = Path(os.fspath(study.scene.file)).stem
+    stem, beside = f"{scene}-kinematics", folder / f"{scene}-report.md"
     paths = [folder / (f"{stem}-{k + 1}.svg" if k else f"{stem}.svg") for k in range(len(leaves))]
-    beside = folder / f"{Path(os.fspath(study.scene.file)).stem}-report.md"
     drawn = tuple(k for leaf in leaves for k in leaf.metadata["plans"])
     text = report(study, comparison, drawn, leaves[0].metadata["shown"])
     with contextlib.ExitStack() as stack:
@@ -67,16 +91,34 @@ def _sheets(study: Study, comparison: Comparison, folder: Path) -> list[Path]:
         written = [stack.enter_context(press.fresh(*one)) for one in zip(paths, contents, strict=True)]
         for path, leaf in zip(written, leaves, strict=True):
             verify(path, leaf, study, comparison)
-    return [*paths, beside]
+    return Drawn(study, comparison, leaves, (*paths, beside))
+
+
+def _earlier(drawn: Drawn) -> list[Path]:
+    """Give following sheets that an earlier run left beside fewer new ones."""
+    first = drawn.paths[0]
+    found = (first.with_stem(f"{first.stem}-{k}") for k in range(len(drawn.leaves) + 1, SHEETS_MOST))
+    return list(itertools.takewhile(Path.exists, found))
 
 
 def _verdict(study: Study, comparison: Comparison) -> int:
+    """Tell gaps, those of one reason in one line, and positions too near a dead centre; give the exit code."""
     gaps = comparison.construction.gaps
+    reasons: dict[tuple[str, str, str], list[Gap]] = {}
     for gap in gaps:
-        print(f"position {gap.position}: {gap.plan}: {gap.reason} at {gap.where}: {gap.advice}", file=sys.stderr)
+        reasons.setdefault((gap.plan, gap.reason, gap.where), []).append(gap)
+    for (plan, reason, where), alike in reasons.items():
+        first = f" in position {alike[0].position}" if len(alike) > 1 else ""
+        told = f"{_positions([gap.position for gap in alike])}: {plan}: {reason} at {where}:{first} {alike[0].advice}"
+        print(told, file=sys.stderr)
     for barrier in study.met if not gaps else ():
         print(f"{barrier.kind} at {barrier.where} between two positions: see the report", file=sys.stderr)
     near = shallow(study)
-    for k in near:
-        print(f"position {k}: too near a dead centre to be graded: see Conditions in the report", file=sys.stderr)
+    if near:
+        graded = "too near a dead centre to be graded: see Conditions in the report"
+        print(f"{_positions(near)}: {graded}", file=sys.stderr)
     return GAPS if gaps or near or study.met else 0
+
+
+def _positions(numbers: list[int]) -> str:
+    return f"position{'s' if len(numbers) > 1 else ''} {runs(numbers)}"

@@ -9,7 +9,7 @@ import numpy as np
 from drawings.footing import Notes
 from drawings.page import Field
 from drawings.strokes import Group, Stroke, Text, text_width
-from drawings.words import fixed, number, word
+from drawings.words import fixed, number, runs, word
 from plans.compare import Comparison
 from plans.pressure import interval
 from plans.structure import formula, mechanism_class
@@ -47,7 +47,7 @@ def _gaps(comparison: Comparison, language: str) -> list[str]:
     for gap in comparison.construction.gaps:
         reasons.setdefault((gap.reason, gap.where), []).append(gap.position)
     return [
-        word(language, "gap", positions=_runs(positions), reason=word(language, reason), where=where)
+        word(language, "gap", positions=runs(positions), reason=word(language, reason), where=where)
         for (reason, where), positions in reasons.items()
     ]
 
@@ -55,21 +55,6 @@ def _gaps(comparison: Comparison, language: str) -> list[str]:
 def _why(study: Study, comparison: Comparison) -> list[str]:
     """Say on a sheet without any position what would mend the mechanism."""
     return [comparison.construction.gaps[0].advice] if study.lost.all() else []
-
-
-def _runs(positions: list[int]) -> str:
-    """Write numbers with runs joined.
-
-    >>> _runs([1, 2, 3, 7, 9, 10])
-    '1–3, 7, 9–10'
-    """
-    runs: list[list[int]] = []
-    for k in positions:
-        if runs and k == runs[-1][-1] + 1:
-            runs[-1].append(k)
-        else:
-            runs.append([k])
-    return ", ".join(str(run[0]) if len(run) == 1 else f"{run[0]}–{run[-1]}" for run in runs)
 
 
 def _travel(study: Study, language: str) -> str:

@@ -1,0 +1,64 @@
+"""plandraft new: a scene of the gallery to start from, never over a file that is there."""
+
+from __future__ import annotations
+
+import argparse
+import difflib
+from collections.abc import Sequence
+from pathlib import Path
+
+from drawings import press
+from drawings.gallery.catalogue import Entry, catalogue
+from geometry.errors import DraftError
+
+
+class UnknownName(DraftError, ValueError):  # noqa: N818  (the message's own word)
+    """A name that no scene of the gallery has."""
+
+    exit_code = 2  # the command line is wrong
+
+
+def run(options: argparse.Namespace) -> int:
+    """Write a scene of the gallery into a folder, or list them all; give the exit code."""
+    entries = catalogue()
+    if options.name is None:
+        print(listed(entries))
+        return 0
+    entry = found(entries, options.name)
+    press.prepare(options.output)
+    path = options.output / entry.path.name
+    _put(path, entry.path.read_bytes())
+    print(path)
+    return 0
+
+
+def listed(entries: Sequence[Entry]) -> str:
+    """List names with their titles."""
+    width = max(len(entry.name) for entry in entries)
+    return "\n".join(f"{entry.name:<{width}}  {entry.title}" for entry in entries)
+
+
+def found(entries: Sequence[Entry], name: str) -> Entry:
+    """Find a scene by its name."""
+    for entry in entries:
+        if entry.name == name:
+            return entry
+    near = difflib.get_close_matches(name.removesuffix(".toml"), [entry.name for entry in entries], 1)
+    hint = f"Fix: plandraft new {near[0]}" if near else "Fix: take one of them"
+    raise UnknownName(f"the gallery has no scene {name}; it has\n{listed(entries)}\n{hint}")
+
+
+def _put(path: Path, scene: bytes) -> None:
+    """Take the name first, so that no other file can come between the look and the writing."""
+    try:
+        path.open("xb").close()
+    except FileExistsError:
+        advice = "Fix: move that file away, or give another folder with -o"
+        raise press.PressError(path, f"is there already, and a scene is never overwritten. {advice}") from None
+    except OSError as error:
+        raise press.PressError(path, f"cannot be written: {error.strerror or error}") from error
+    try:
+        press.write(path, scene)
+    except BaseException:
+        path.unlink(missing_ok=True)
+        raise

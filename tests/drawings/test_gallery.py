@@ -1,0 +1,200 @@
+"""The gallery: one command draws all of it again as it was; each scene is drawn once for all that is asked of it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from decimal import Decimal
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from drawings.commands.draw import Drawn, draw
+from drawings.gallery import __main__ as command
+from drawings.gallery import index
+from drawings.gallery.catalogue import GALLERY, Entry, catalogue
+from drawings.limits import QUANTUM
+from drawings.page import page_of
+from drawings.seal import sealed
+from drawings.strokes import Group, Stroke, bounds
+from plans.scene import read_scene
+from plans.study import Study
+from tests.drawings.collisions import collisions
+
+ENTRIES = catalogue()
+NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
+SEAL = '<metadata id="seal">'  # a digest of all the rest
+ROUNDINGS = re.compile(r"## Comparison.*?(?=^## )", re.MULTILINE | re.DOTALL)  # another processor rounds otherwise
+BY_ANALYSIS = re.compile(r"<br>[^|]*")  # shown where the last of ten digits differs
+LINE = 0.4  # mm: half a thick line, by which a stroke on the frame reaches over it
+
+
+@pytest.fixture(scope="session", params=ENTRIES, ids=lambda entry: entry.name)
+def entry(request: pytest.FixtureRequest) -> Entry:
+    """One scene after the other, so that all tests of a scene follow each other."""
+    found: Entry = request.param
+    return found
+
+
+@pytest.fixture(scope="session")
+def drawn(entry: Entry, tmp_path_factory: pytest.TempPathFactory) -> Drawn:
+    return draw(entry.path, tmp_path_factory.mktemp(entry.name))
+
+
+@pytest.fixture(scope="session")
+def exhibit(entry: Entry, drawn: Drawn) -> index.Exhibit:
+    return index.Exhibit(entry, drawn.study, drawn.paths)
+
+
+def strokes(groups: tuple[Stroke, ...]) -> Iterator[Stroke]:
+    for stroke in groups:
+        if isinstance(stroke, Group):
+            yield from strokes(stroke.strokes)
+        else:
+            yield stroke
+
+
+def place(number: str) -> Decimal:
+    """Give the worth of the last place that a number is written with."""
+    return Decimal(1).scaleb(-len(number.partition(".")[2]))
+
+
+def as_drawn(fresh: str, kept: str) -> None:
+    """See that two sheets are one to the last digit of their strokes."""
+    fresh, kept = (text.partition(SEAL)[0] for text in (fresh, kept))
+    assert NUMBER.sub("#", fresh) == NUMBER.sub("#", kept)
+    values = [np.array([float(number) for number in NUMBER.findall(text)]) for text in (fresh, kept)]
+    assert np.max(np.abs(values[0] - values[1])) <= 2 * QUANTUM
+
+
+def as_reported(fresh: str, kept: str) -> None:
+    """See that two reports are one to the last digit of their values; their roundings may differ."""
+    fresh, kept = (BY_ANALYSIS.sub("", ROUNDINGS.sub("", text)) for text in (fresh, kept))
+    assert NUMBER.sub("#", fresh) == NUMBER.sub("#", kept)
+    for one, other in zip(NUMBER.findall(fresh), NUMBER.findall(kept), strict=True):
+        assert abs(Decimal(one) - Decimal(other)) <= 2 * min(place(one), place(other)), (one, other)
+
+
+# The files of the gallery
+
+
+def test_its_sheets_and_report_are_drawn_again_as_they_were(drawn: Drawn) -> None:
+    for path in drawn.paths:
+        same = as_drawn if path.suffix == ".svg" else as_reported
+        same(path.read_text("utf-8"), (GALLERY / path.name).read_text("utf-8"))
+
+
+def test_its_sheets_measure_and_are_sealed(drawn: Drawn) -> None:
+    sheets = [path for path in drawn.paths if path.suffix == ".svg"]
+    assert len(sheets) == len(drawn.leaves)
+    assert all(sealed(path.read_bytes()) for path in sheets)
+
+
+def test_nothing_lies_outside_its_frame(drawn: Drawn) -> None:
+    for leaf in drawn.leaves:
+        field = page_of(drawn.study.scene).field
+        for group in leaf.groups:
+            if group.name != "frame":
+                left, bottom, right, top = bounds(group)
+                assert field.left - LINE <= left and right <= field.right + LINE, group.name
+                assert field.bottom - LINE <= bottom and top <= field.top + LINE, group.name
+
+
+def test_no_lettering_touches_a_line_an_arrow_or_other_lettering(drawn: Drawn) -> None:
+    assert [found for leaf in drawn.leaves for found in collisions(leaf)] == []
+
+
+def test_the_gallery_holds_what_its_scenes_draw_and_nothing_stale(drawn: Drawn, entry: Entry) -> None:
+    longer = tuple(f"{other.name}-" for other in ENTRIES if other.name.startswith(f"{entry.name}-"))
+    kept = {path.name for path in GALLERY.glob(f"{entry.name}-*.*") if path.suffix in command.WRITTEN}
+    assert {name for name in kept if not longer or not name.startswith(longer)} == {p.name for p in drawn.paths}
+
+
+def test_every_sheet_and_report_belongs_to_a_scene() -> None:
+    names = tuple(f"{entry.name}-" for entry in ENTRIES)
+    files = {path.name for path in GALLERY.iterdir() if path.suffix in command.WRITTEN}
+    assert [name for name in files - {command.ALPHABET, index.PAGE} if not name.startswith(names)] == []
+
+
+def test_every_scene_says_in_its_opening_what_the_mechanism_is_and_gives_its_russian_name(entry: Entry) -> None:
+    assert len(entry.about.split()) > 40
+    assert re.search(r"\([^)]*[а-яё]", entry.about)
+    assert entry.about.endswith((".", ")"))
+
+
+# The index page
+
+
+def shaper(*names: str) -> index.Exhibit:
+    (entry,) = (entry for entry in ENTRIES if entry.name == "shaper")
+    return index.Exhibit(entry, Study(read_scene(entry.path)), tuple(map(Path, names)))
+
+
+def test_the_index_page_has_the_scene_s_row_and_section(exhibit: index.Exhibit) -> None:
+    page = (GALLERY / index.PAGE).read_text("utf-8")
+    assert index.row(exhibit) in page
+    assert index.section(exhibit) in page
+
+
+def test_the_index_page_has_nothing_else() -> None:
+    page = (GALLERY / index.PAGE).read_text("utf-8")
+    assert page.startswith(index.OPENING) and page.endswith(index.CLOSING)
+    assert re.findall(r"^## (.*)", page, re.MULTILINE) == [entry.title for entry in ENTRIES]
+    assert re.findall(r"\| `([\w-]+)` \|", page) == [entry.name for entry in ENTRIES]
+
+
+def test_the_links_of_a_section_lead_to_the_scene_and_all_that_was_drawn(exhibit: index.Exhibit) -> None:
+    links = set(re.findall(r"\]\(([^)#]+)\)", index.section(exhibit)))
+    assert links == {f"{exhibit.entry.name}.toml", *(path.name for path in exhibit.paths)}
+
+
+def test_the_index_page_says_the_shaper_s_structure_stroke_and_time_ratio() -> None:
+    """K of the crank shaper is (180 + θ)/(180 − θ) with θ = 2 arcsin(120/350), its stroke 2·700·120/350 mm."""
+    row = index.row(shaper())
+    assert "[Crank shaper](#crank-shaper)" in row
+    assert "I(0,1) → II<sub>3</sub>(2,3) → II<sub>2</sub>(4,5)" in row
+    assert "stroke 480 mm, K = 1.573" in row
+
+
+def test_the_index_lists_several_sheets_of_a_scene_in_their_order() -> None:
+    names = ("shaper-kinematics.svg", "shaper-kinematics-2.svg", "shaper-report.md")
+    section = index.section(shaper(*names))
+    assert re.findall(r"!\[[^]]*\]\(([^)]+)\)", section) == list(names[:2])
+
+
+# The command that draws it again
+
+
+@pytest.fixture
+def small(tmp_path: Path) -> Path:
+    """A gallery of one scene, with files of older times and of other hands."""
+    (tmp_path / "slider-crank.toml").write_bytes((GALLERY / "slider-crank.toml").read_bytes())
+    for name in ("slider-crank-kinematics-2.svg", "slider-crank-forces.svg", "slider-notes.md", "drawn-by-hand.svg"):
+        (tmp_path / name).write_text("older", "utf-8")
+    return tmp_path
+
+
+def test_one_command_draws_a_gallery_and_removes_what_is_stale(small: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert command.main([str(small)]) == 0
+    made = ["slider-crank-kinematics.svg", "slider-crank-report.md", "alphabet.svg", "README.md"]
+    assert capsys.readouterr().out.splitlines() == [str(small / name) for name in made]
+    others = {"slider-crank.toml", "slider-notes.md", "drawn-by-hand.svg"}
+    assert {path.name for path in small.iterdir()} == {*made, *others}
+    assert (small / "alphabet.svg").read_bytes() == (GALLERY / "alphabet.svg").read_bytes()
+    assert "Engine with an offset cylinder" in (small / "README.md").read_text("utf-8")
+
+
+def test_a_scene_that_is_wrong_ends_the_command_with_its_message(
+    small: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (small / "slider-crank.toml").write_text('title = "No mechanism"', "utf-8")
+    assert command.main([str(small)]) == 3
+    assert "slider-crank.toml" in capsys.readouterr().err
+    assert (small / "slider-crank-forces.svg").exists()
+
+
+def test_a_folder_without_scenes_is_no_gallery(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert command.main([str(tmp_path)]) == 7
+    assert "holds no scenes" in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []
