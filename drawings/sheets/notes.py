@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
 import numpy as np
@@ -15,6 +16,7 @@ from plans.pressure import interval
 from plans.structure import formula, mechanism_class
 from plans.study import Study
 
+TOGETHER = re.compile(r" (=|…|−|[+]) ")
 STEP = 1.8  # sizes of the letters from line to line: GOST 2.304-81 asks for 1.7 at least
 
 
@@ -90,9 +92,9 @@ def written(said: Sequence[str], field: Field, size: float) -> Group:
 
 
 def _broken(note: str, width: float, size: float) -> list[str]:
-    """Break a note at its spaces where it is wider than its field."""
+    """Break a note at its spaces where it is wider than its field, but no equation and no range."""
     lines = [""]
-    for part in note.split(" "):
+    for part in TOGETHER.sub(lambda sign: f"\N{NO-BREAK SPACE}{sign[1]}\N{NO-BREAK SPACE}", note).split(" "):
         trial = f"{lines[-1]} {part}".strip()
         if lines[-1] and text_width(Text(0j, trial, size)) > width:
             lines.append(part)
