@@ -154,14 +154,20 @@ def _digits() -> Any:
 
 
 def _direction(mp: Any, study: Study, position: int) -> Any:
-    """Give the crank's direction in 50 digits: an exact share of the turn from the first one."""
+    """Give the crank's direction in 50 digits: an exact share of the turn from the first one, or as it is listed."""
     drive = study.scene.drive
-    share = Fraction(study.sense * position, drive.count)  # of a turn
-    if drive.first is None:  # the extreme position is a direction that a construction has found
-        found = mp.mpc(complex(study.turn.directions[0]))
-        return found / abs(found) * mp.expjpi(2 * mp.mpf(share.numerator) / share.denominator)
-    angle = Fraction(drive.first) / 180 + 2 * share
-    return mp.expjpi(mp.mpf(angle.numerator) / angle.denominator)
+    if isinstance(drive.positions, tuple):
+        return _turned(mp, Fraction(drive.positions[position]) / 360)
+    share = Fraction(study.sense * position, drive.positions)
+    if drive.first is not None:
+        return _turned(mp, Fraction(drive.first) / 360 + share)
+    found = mp.mpc(complex(study.turn.directions[0]))  # the extreme position is a direction that was constructed
+    return found / abs(found) * _turned(mp, share)
+
+
+def _turned(mp: Any, share: Fraction) -> Any:
+    """Give the direction after a share of a turn."""
+    return mp.expjpi(2 * mp.mpf(share.numerator) / share.denominator)
 
 
 def _exact(key: Key, numbers: Sequence[Any]) -> Exact:
