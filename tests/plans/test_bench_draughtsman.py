@@ -8,8 +8,10 @@ from math import radians, sqrt
 import numpy as np
 import pytest
 
+from geometry import precision
 from geometry.meet import EPS
-from plans.bench.draughtsman import Hand, Toll, drawn, toll
+from plans.bench import draughtsman
+from plans.bench.draughtsman import EDGE, Hand, Toll, drawn, toll
 from plans.bench.error import sizes
 from plans.bench.truth import replay
 from plans.mechanism import Mechanism
@@ -99,3 +101,14 @@ def test_single_values_near_zero_have_no_share_of_themselves() -> None:
     found = taken(BAR, 0.1)
     assert np.isfinite(found.single).all()
     assert np.median(found.single) < np.median(found.worst)
+
+
+def test_a_vector_longer_than_the_set_square_is_carried_worse() -> None:
+    hand = Hand(0.2, {"positions": np.full(2, MU)}, 2000)
+    off = np.abs(hand.carried("positions", np.array([0.5 * EDGE, 3j * EDGE]) * MU)) / MU
+    assert off[:, 0].max() == pytest.approx(0.2 * sqrt(2), rel=0.05)
+    assert off[:, 1].max() == pytest.approx(3 * 0.2 * sqrt(2), rel=0.05)
+
+
+def test_the_hand_knows_every_verb_that_precision_knows() -> None:
+    assert set(draughtsman._RULES) | {"given"} == set(precision._RULES)
