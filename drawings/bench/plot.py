@@ -151,7 +151,7 @@ def _level(axes: Axes, error: float, text: str, above: float) -> None:
     axes.axhline(error, color=GREY, linewidth=0.8, linestyle=(0, (6, 2)))
     axes.annotate(
         text, (0.0, error), (4, above), xycoords=("axes fraction", "data"), textcoords="offset points", fontsize=7,
-        color=GREY,
+        color=GREY, bbox=PAPER,
     )  # fmt: skip
 
 

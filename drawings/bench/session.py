@@ -145,7 +145,7 @@ def _ratios(rows: list[Row], counts: tuple[int, ...]) -> Iterator[Ratio]:
         for count in counts:
             first, second, goal = found[name, count], found[CONSTRUCTION[-1], count], GOALS.get((name, count))
             if goal or first.times:
-                yield Ratio(text, count, first.times, second.times, goal, first.note)
+                yield Ratio(text, count, first.times, second.times, goal, "" if first.times else first.note)
 
 
 def _startup(scene: Scene, order: Order) -> Iterator[Ratio]:
@@ -168,7 +168,8 @@ def _words(order: Order) -> Iterator[str]:
     )
     yield (
         "the construction keeps its record; its assembly is chosen once a scene, in the set-up. Newton's rows hold its "
-        "own assembly and its march round the turn"
+        "own assembly and its march round the turn. Peers, on a four-bar alone: built and compiled before; pylinkage "
+        "gives r, v, a of points, mechanism angle, omega, epsilon of links as well, from the best guesses there are"
     )
     slips = " and ".join(f"{slip:g}" for slip in draughtsman.SLIPS)
     yield (

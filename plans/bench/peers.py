@@ -10,6 +10,7 @@ import math
 import warnings
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from importlib.metadata import version
 from importlib.util import find_spec
 from typing import Any
 
@@ -24,6 +25,7 @@ NEEDED = {PYLINKAGE: ("pylinkage", "numba"), MECHANISM: ("mechanism",)}
 # mechanism calls fsolve three times a position, near a millisecond together: 10 000 positions would take ten seconds.
 MOST = {PYLINKAGE: 1_000_000, MECHANISM: 1000}
 NOT_FOUR_BAR = "left out: no four-bar (a crank and one RRR dyad on the frame)"
+GAPPED = "left out: some positions cannot be assembled, at which a peer stops"
 NOT_INSTALLED = "not installed: python -m pip install '.[bench]'"
 
 
@@ -50,6 +52,11 @@ class Peer:
     name: str
     run: Callable[[], Any]
     motion: Callable[[Any], Motion]
+
+    @property
+    def versions(self) -> str:
+        """Its version, and those of what makes it fast."""
+        return ", ".join(f"{library} {version(library)}" for library in NEEDED[self.name])
 
 
 def four_bar(study: Study) -> FourBar | None:
@@ -80,8 +87,8 @@ def four_bar(study: Study) -> FourBar | None:
 def peers(study: Study) -> tuple[list[Peer], dict[str, str]]:
     """Make the peers ready for a study's positions; say of each that is left out why it is."""
     found = four_bar(study)
-    if found is None:
-        return [], dict.fromkeys(NEEDED, NOT_FOUR_BAR)
+    if found is None or study.lost.any():
+        return [], dict.fromkeys(NEEDED, NOT_FOUR_BAR if found is None else GAPPED)
     ready, out = [], {}
     for name, make in ((PYLINKAGE, _pylinkage), (MECHANISM, _mechanism)):
         if not all(find_spec(library) for library in NEEDED[name]):

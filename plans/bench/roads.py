@@ -79,8 +79,8 @@ def with_positions(scene: Scene, count: int) -> Scene:
 def prepared(scene: Scene, count: int) -> Study:
     """Study a scene at a number of positions: structure, assembly, barriers and crank angles, but no plan yet."""
     study = Study(with_positions(scene, count))
-    assert study.groups is not None and study.sweep is not None and study.barriers is not None
-    assert len(study.turn) == count
+    for part in ("groups", "sweep", "barriers", "turn"):
+        getattr(study, part)
     return study
 
 
@@ -111,7 +111,7 @@ def _of(peer: Peer, found: Ground) -> Road:
     def judge(result: Any) -> Errors:
         return found.judge(peer.motion(result))
 
-    return Road(peer.run, len(found.study.turn), {peer.name: judge})
+    return Road(peer.run, len(found.study.turn), {peer.name: judge}, peer.versions)
 
 
 def _drawing(found: Ground, order: int) -> Callable[[], Motion]:

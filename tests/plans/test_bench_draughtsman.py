@@ -25,9 +25,10 @@ ALL = {
     "RRP": linkages.slider_crank(0.06, 0.20, 0.02, rod={"S": 0.07}),
     "RPR, RRP": linkages.shaper(),
     "RPR": linkages.slotted_link(0.1, 0.35, 0.5),
+    "PRP": linkages.tangent_mechanism(0.15),
     "RPP": linkages.scotch_yoke(0.1),
 }
-POSITIONS = (1, 4, 9)
+POSITIONS = (1, 4, 8)
 MU = 0.002  # m a mm
 NO_SLIP = 64.0  # eps: formulas of the trade without care, a chain of some thirty acts
 

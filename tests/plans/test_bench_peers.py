@@ -10,7 +10,7 @@ import pytest
 
 from plans.bench import peers as module
 from plans.bench.error import sizes
-from plans.bench.peers import MECHANISM, NOT_FOUR_BAR, NOT_INSTALLED, PYLINKAGE, four_bar, peers
+from plans.bench.peers import GAPPED, MECHANISM, NOT_FOUR_BAR, NOT_INSTALLED, PYLINKAGE, four_bar, peers
 from plans.bench.roads import compared, ground, prepared
 from plans.scene import read_scene
 from tests.plans import linkages
@@ -40,6 +40,12 @@ def test_a_crank_with_a_third_point_is_no_plain_four_bar() -> None:
     plain = linkages.four_bar(0.1, 0.4, 0.3, 0.35, sketch={"B": 0.4 + 0.3j})
     assert four_bar(study_of(plain)) is not None
     assert four_bar(study_of(linkages.shaper())) is None
+
+
+def test_a_four_bar_with_gaps_is_left_out() -> None:
+    gapped = study_of(linkages.four_bar(0.2, 0.15, 0.15, 0.3, sketch={"B": 0.25 + 0.14j}), 60)
+    assert four_bar(gapped) is not None
+    assert peers(gapped) == ([], {PYLINKAGE: GAPPED, MECHANISM: GAPPED})
 
 
 def test_peers_that_are_not_installed_are_told_with_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
