@@ -115,7 +115,7 @@ def _timed(axes: Axes, bench: Bench, counts: Sequence[int]) -> None:
         if spots := _spots(bench.rows, name):
             _series(axes, name, look, spots, counts)
     _truth(axes, [row.each for row in bench.rows if row.technique == REPLAY and row.each])
-    _level(axes, bench.accepted, "accepted", 2)
+    _level(axes, bench.accepted, "accepted", 4)
     _level(axes, EPS, "eps of float64", -9)
     low, high = axes.get_xlim()
     axes.set_xlim(low / ROOM, high * ROOM)
