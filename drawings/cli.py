@@ -58,7 +58,45 @@ def parser() -> argparse.ArgumentParser:
     measure = commands.add_parser("measure", help="read the vectors of an SVG sheet back in true units")
     measure.add_argument("sheet", type=Path, metavar="SHEET.svg", help="a sheet of plandraft, edited or not")
     measure.add_argument("--json", action="store_true", help="as JSON")
+    _bench(commands)
     return top
+
+
+def _bench(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    bench = _command(commands, "bench", "measure error against run time of every technique on the scene")
+    bench.add_argument("-o", "--output", type=Path, metavar="DIR", help="folder for the table (CSV) and the plot (SVG)")
+    bench.add_argument(
+        "--positions", type=_counts, metavar="N,N", help="numbers of positions (default: 12,360,10000,100000)"
+    )
+    bench.add_argument("--repetitions", type=_count, metavar="R", help="repetitions of each row at most (default: 15)")
+    bench.add_argument("--quick", action="store_true", help="12 and 360 positions, 3 repetitions, one sheet")
+    bench.add_argument(
+        "--accept", type=_share, metavar="X", help="error accepted, share of the plan's largest (default: 1e-4)"
+    )
+    bench.add_argument(
+        "--startup", action=argparse.BooleanOptionalAction, help="time a cold plandraft draw (default: unless --quick)"
+    )
+    bench.add_argument("--json", action="store_true", help="as JSON")
+
+
+def _count(text: str) -> int:
+    if not text.isdecimal() or not int(text):
+        raise argparse.ArgumentTypeError(f"{text} is no whole number above zero")
+    return int(text)
+
+
+def _share(text: str) -> float:
+    try:
+        share = float(text)
+    except ValueError:
+        share = 0.0
+    if not 0.0 < share < 1.0:
+        raise argparse.ArgumentTypeError(f"{text} is no number between 0 and 1")
+    return share
+
+
+def _counts(text: str) -> list[int]:
+    return [_count(part.strip()) for part in text.split(",")]
 
 
 def _command(

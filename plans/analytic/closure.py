@@ -40,8 +40,11 @@ def as_poses(columns: Floats) -> Floats:
     return np.concatenate((still, columns.reshape(len(columns), -1, 3)), axis=1)
 
 
-def close(constraints: Constraints, poses: Floats, phi: Floats) -> tuple[Floats, Flags]:
-    """Close near-closed poses to rounding level; tell for each position whether Newton's method got there."""
+def close(constraints: Constraints, poses: Floats, phi: Floats, tolerance: float = EPS) -> tuple[Floats, Flags]:
+    """Close near-closed poses to rounding level; tell for each position whether Newton's method got there.
+
+    A `tolerance` above eps, in units of the constraints and rad, ends the corrections as soon as what is left is less.
+    """
     poses, last, reached = poses.copy(), np.zeros(len(poses)), np.zeros(len(poses), dtype=bool)
     busy = np.arange(len(poses))
     with np.errstate(over="ignore", invalid="ignore"):
@@ -53,8 +56,8 @@ def close(constraints: Constraints, poses: Floats, phi: Floats) -> tuple[Floats,
             # What Newton's law leaves after two corrections; before the second, nothing is known of it.
             left = size * (size / last[busy]) ** 2 if rounds else size
             # The law holds near a solution only; far from any, two corrections may happen to look like it.
-            reached[busy] = (size <= SQRT_EPS) | ((left <= EPS) & (last[busy] <= 1.0))
-            more = (left > EPS) & ((size < last[busy]) | (rounds == 0))
+            reached[busy] = (size <= SQRT_EPS) | ((left <= tolerance) & (last[busy] <= 1.0))
+            more = (left > tolerance) & ((size < last[busy]) | (rounds == 0))
             last[busy] = size
             busy = busy[more]
             if not busy.size:

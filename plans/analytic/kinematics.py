@@ -4,18 +4,21 @@ from __future__ import annotations
 
 import numpy as np
 
-from plans.analytic.closure import transfer
+from plans.analytic.closure import EPS, transfer
 from plans.analytic.constraints import TURN, Constraints, X, Y
 from plans.analytic.positions import blocks, find, wrapped
 from plans.mechanism import FRAME, Mechanism
 from plans.motion import Floats, Gap, LinkMotion, Motion, PointMotion
 
 
-def solve(mechanism: Mechanism, phi: Floats, order: int = 2) -> Motion:
-    """Solve all positions phi rad: order 0 positions, 1 and velocities, 2 and accelerations; from the datum, SI."""
+def solve(mechanism: Mechanism, phi: Floats, order: int = 2, tolerance: float = EPS) -> Motion:
+    """Solve all positions phi rad: order 0 positions, 1 and velocities, 2 and accelerations; from the datum, SI.
+
+    A `tolerance` above eps, a share of the mechanism's size, leaves the loops open by so much: for the bench alone.
+    """
     phi = np.asarray(phi, dtype=np.float64)
     constraints = Constraints.of(mechanism)
-    found = find(mechanism, constraints, phi)
+    found = find(mechanism, constraints, phi, tolerance)
     rates = [np.full_like(found.poses, np.nan) for _ in range(order)]
     moving = np.flatnonzero(found.regular)
     for block in blocks(len(moving)):

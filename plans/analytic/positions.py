@@ -38,8 +38,11 @@ class Positions:
         self.gaps.append(gap(position, float(self.phi[position]), plan, reason, end))
 
 
-def find(mechanism: Mechanism, constraints: Constraints, phi: Floats) -> Positions:
-    """Find the poses at crank angles phi rad, (N,), starting at the first of them if the links can be joined there."""
+def find(mechanism: Mechanism, constraints: Constraints, phi: Floats, tolerance: float = EPS) -> Positions:
+    """Find the poses at crank angles phi rad, (N,), starting at the first of them if the links can be joined there.
+
+    The way round the turn is always marched to rounding level; `tolerance` is for the positions asked for.
+    """
     found = Positions(phi, np.full((len(phi), len(constraints.numbers), 3), np.nan), np.zeros(len(phi), dtype=bool))
     if not phi.size:
         return found
@@ -56,7 +59,7 @@ def find(mechanism: Mechanism, constraints: Constraints, phi: Floats) -> Positio
     passed = behind | (crank <= turn.angles[-1] + SHORTEST)
     for end in turn.ends:
         passed &= ~_at_the_end(found, constraints, turn, end)
-    _along(found, constraints, turn, crank, passed)
+    _along(found, constraints, turn, crank, passed, tolerance)
     _lost(found, constraints, turn)
     found.gaps.sort(key=lambda missing: missing.position)
     return found
@@ -74,12 +77,14 @@ def wrapped(poses: Floats) -> Floats:
     return within
 
 
-def _along(found: Positions, constraints: Constraints, turn: Turn, crank: Floats, passed: Flags) -> None:
+def _along(
+    found: Positions, constraints: Constraints, turn: Turn, crank: Floats, passed: Flags, tolerance: float
+) -> None:
     """Close the poses at the positions that the march has passed."""
     places = np.flatnonzero(passed)
     for block in blocks(len(places)):
         here = places[block]
-        poses, reached = close(constraints, wrapped(turn.predict(crank[here])), found.phi[here])
+        poses, reached = close(constraints, wrapped(turn.predict(crank[here])), found.phi[here], tolerance)
         found.poses[here[reached]] = poses[reached]
         found.regular[here[reached]] = True
 

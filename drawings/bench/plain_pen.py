@@ -1,0 +1,69 @@
+"""A plain pen: a sheet written as svgwrite's first pages show it, to be timed beside ours.
+
+Its defaults: every attribute checked (debug), one element a stroke, numbers as Python prints them. Data attributes are
+left out, for its checks refuse them: it writes less than our pen does.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import svgwrite
+
+from drawings.strokes import Arc, Circle, Fill, Group, Leaf, Line, LineStyle, Polyline, Stroke, Text
+
+
+def svg(leaf: Leaf) -> bytes:
+    """Draw a lettered sheet."""
+    size = (f"{leaf.width}mm", f"{leaf.height}mm")
+    drawing = svgwrite.Drawing(size=size, viewBox=f"0 0 {leaf.width} {leaf.height}")
+    for group in leaf.groups:
+        drawing.add(_group(drawing, group, leaf.height))
+    return bytes(drawing.tostring(), "utf-8")
+
+
+def _group(drawing: Any, group: Group, height: float) -> Any:
+    found = drawing.g(id=group.name) if group.name else drawing.g()
+    for stroke in group.strokes:
+        found.add(_element(drawing, stroke, height))
+    return found
+
+
+def _element(drawing: Any, stroke: Stroke, height: float) -> Any:
+    def at(point: complex) -> tuple[float, float]:
+        return point.real, height - point.imag
+
+    match stroke:
+        case Line(start, end, style):
+            return drawing.line(at(start), at(end), **_style(style))
+        case Polyline(points, closed, style):
+            make = drawing.polygon if closed else drawing.polyline
+            return make([at(point) for point in points], **_style(style))
+        case Fill(points, style):
+            return drawing.polygon([at(point) for point in points], **_style(style))
+        case Circle(centre, radius, style):
+            return drawing.circle(at(centre), radius, **_style(style))
+        case Arc():
+            return drawing.path(
+                _arc(stroke, at(stroke.at(0)), at(stroke.at(0.5)), at(stroke.at(1))), **_style(stroke.style)
+            )
+        case Text():
+            raise ValueError(f"{stroke.plain!r} has not been lettered")
+        case Group():
+            return _group(drawing, stroke, height)
+
+
+def _arc(arc: Arc, *ends: tuple[float, float]) -> list[Any]:
+    """Give a path of two halves: a whole circle has no other way to be an arc."""
+    start, middle, end = ends
+    flags = (arc.radius, arc.radius, 0, 0, 0)
+    return ["M", *start, "A", *flags, *middle, "A", *flags, *end]
+
+
+def _style(style: LineStyle) -> dict[str, Any]:
+    found: dict[str, Any] = {"fill": style.fill, "stroke": style.colour}
+    if style.colour != "none":
+        found["stroke_width"] = style.width
+    if style.dash:
+        found["stroke_dasharray"] = ",".join(map(str, style.dash))
+    return found

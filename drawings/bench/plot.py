@@ -1,0 +1,189 @@
+"""The plot of a bench, the only place where matplotlib is imported: error over the time of a position (график).
+
+Black and white: every technique has its own marker and line. A marker grows with the number of positions.
+"""
+
+from __future__ import annotations
+
+import io
+import math
+from collections.abc import Sequence
+from importlib.util import find_spec
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from drawings.bench.sheet import BY_HAND, MEASURED, PRINTED
+from geometry.meet import EPS
+from plans.bench.draughtsman import SLIPS
+from plans.bench.peers import MECHANISM, PYLINKAGE
+from plans.bench.result import Bench, Row
+from plans.bench.roads import CONSTRUCTION, REPLAY, ROUNDING, TOLERANCES, newton
+from plans.bench.truth import NotInstalled
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+SIZE = (9.6, 6.6)  # inches: two thirds of an A4 page across
+GREY = "#707070"
+LOWEST, HIGHEST = 1e-17, 1.0  # from under a rounding of float64, where the truth stands, to no likeness at all
+SMALLEST, GROWTH = 3.5, 1.7  # points, of the markers
+PAPER = {"facecolor": "white", "edgecolor": "none", "pad": 1.0}  # behind letters that stand on a line
+ROOM = 1.6  # share of the axis kept free on either side, for the names of the lines
+ERROR = (
+    "Error: the largest difference from the 50-digit replay of r, v, a of points and angle, omega, epsilon of links, "
+    "each relative to the largest of its plan."
+)
+
+
+class Look(NamedTuple):
+    """How a technique is drawn: marker, whether it is filled, line."""
+
+    marker: str
+    filled: bool
+    line: str
+
+
+class Spot(NamedTuple):
+    """Where a row stands: time of one position, error, and its number of positions."""
+
+    time: float
+    error: float
+    positions: int
+
+
+LOOKS = {
+    CONSTRUCTION[0]: Look("o", False, ":"),
+    CONSTRUCTION[1]: Look("s", False, "--"),
+    CONSTRUCTION[2]: Look("o", True, "-"),
+    newton(TOLERANCES[0]): Look("^", False, ":"),
+    newton(TOLERANCES[1]): Look("v", False, "--"),
+    ROUNDING: Look("^", True, "-"),
+    MEASURED: Look("D", False, "-."),
+    PRINTED: Look("D", True, "-."),
+    PYLINKAGE: Look("P", False, "-"),
+    MECHANISM: Look("X", True, "-"),
+}
+STYLE: Any = {  # matplotlib's own settings, named as it names them
+    "svg.hashsalt": "plandraft",  # the same numbers, the same bytes
+    "svg.fonttype": "path",
+    "font.family": "DejaVu Sans",
+    "font.size": 8.0,
+    "axes.unicode_minus": True,
+    "lines.linewidth": 0.9,
+}
+
+
+def ready() -> None:
+    """Say before anything is measured that the plot could not be drawn."""
+    if find_spec("matplotlib") is None:
+        raise NotInstalled(
+            "-o draws a plot by matplotlib, which is not installed. Fix: python -m pip install '.[bench]'"
+        )
+
+
+def svg(bench: Bench) -> bytes:
+    """Draw the plot."""
+    import matplotlib as mpl  # noqa: PLC0415  (only a plot pays for it)
+    from matplotlib.backends.backend_svg import FigureCanvasSVG  # noqa: PLC0415
+    from matplotlib.figure import Figure  # noqa: PLC0415
+
+    counts = sorted({row.positions for row in bench.rows if row.positions})
+    with mpl.rc_context(STYLE):
+        figure = Figure(figsize=SIZE)
+        FigureCanvasSVG(figure)
+        timed, untimed = figure.subplots(1, 2, sharey=True, width_ratios=(7, 1))
+        _timed(timed, bench, counts)
+        _untimed(untimed, bench.rows)
+        title = bench.title.replace("$", r"\$")  # matplotlib would set formulas between them
+        figure.suptitle(f"{title}: error against run time", x=0.08, ha="left", fontsize=11)
+        figure.legend(
+            *timed.get_legend_handles_labels(), loc="upper left", bbox_to_anchor=(0.07, 0.185), ncols=4, frameon=False,
+            handlelength=4.5,
+        )  # fmt: skip
+        figure.text(0.08, 0.02, _foot(bench, counts), fontsize=7, va="bottom")
+        figure.subplots_adjust(left=0.08, right=0.985, top=0.93, bottom=0.24, wspace=0.03)
+        out = io.BytesIO()
+        figure.savefig(out, format="svg", metadata={"Date": None, "Title": bench.title})
+    return out.getvalue()
+
+
+def _timed(axes: Axes, bench: Bench, counts: Sequence[int]) -> None:
+    """Draw the techniques that have a time, one line each through its numbers of positions."""
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    axes.set_ylim(LOWEST, HIGHEST)
+    for name, look in LOOKS.items():
+        if spots := _spots(bench.rows, name):
+            _series(axes, name, look, spots, counts)
+    _truth(axes, [row.each for row in bench.rows if row.technique == REPLAY and row.each])
+    _level(axes, bench.accepted, "accepted", 4)
+    _level(axes, EPS, "eps of float64", -9)
+    low, high = axes.get_xlim()
+    axes.set_xlim(low / ROOM, high * ROOM)
+    axes.set_xlabel("time of one position, s (a run's median over its positions)")
+    axes.set_ylabel("largest error, share of the plan's largest")
+    axes.grid(True, which="major", color="#dcdcdc", linewidth=0.5)
+    axes.set_axisbelow(True)
+
+
+def _series(axes: Axes, name: str, look: Look, spots: Sequence[Spot], counts: Sequence[int]) -> None:
+    """Draw a technique's line, its markers growing along it, and one of each for the legend."""
+    face = "black" if look.filled else "white"
+    axes.plot([s.time for s in spots], [s.error for s in spots], look.line, color="black", linewidth=0.8)
+    for spot in spots:
+        size = SMALLEST + GROWTH * counts.index(spot.positions)
+        axes.plot(spot.time, spot.error, look.marker, markersize=size, markerfacecolor=face, markeredgecolor="black")
+    axes.plot([], [], look.line, marker=look.marker, color="black", markerfacecolor=face, label=name)
+
+
+def _truth(axes: Axes, times: Sequence[float]) -> None:
+    """Point down to the truth: its error is none, so it has no place on a logarithmic axis."""
+    if times:
+        at = sorted(times)[len(times) // 2]
+        arrow = {"arrowstyle": "-|>", "color": "black", "shrinkB": 0.0}
+        text = "replay in 50 digits:\nthe truth, error 0"
+        axes.annotate(
+            text, (at, LOWEST), (at, LOWEST * 12), ha="center", va="bottom", fontsize=7, arrowprops=arrow, bbox=PAPER
+        )
+
+
+def _level(axes: Axes, error: float, text: str, above: float) -> None:
+    """Rule an error across, its name at the left, so many points above the line."""
+    axes.axhline(error, color=GREY, linewidth=0.8, linestyle=(0, (6, 2)))
+    axes.annotate(
+        text, (0.0, error), (4, above), xycoords=("axes fraction", "data"), textcoords="offset points", fontsize=7,
+        color=GREY, bbox=PAPER,
+    )  # fmt: skip
+
+
+def _untimed(axes: Axes, rows: Sequence[Row]) -> None:
+    """Draw the hands beside: the median of the chance drawings, and up to where 95 of 100 are."""
+    names = {BY_HAND.format(slip): f"{slip:g}" for slip in SLIPS}
+    hands = [(names[r.technique], r.error, r.often) for r in rows if r.technique in names and r.error and r.often]
+    for place, (_, middle, most) in enumerate(hands):
+        axes.plot([place, place], [middle, most], color="black", linewidth=0.9)
+        axes.plot(place, most, "_", markersize=9, color="black")
+        axes.plot(place, middle, "*", markersize=9, color="black")
+    axes.set_xticks(range(len(hands)), [name for name, _, _ in hands])
+    axes.set_xlim(-0.7, max(len(hands), 2) - 0.3)
+    axes.set_xlabel("by hand, mm")
+    axes.tick_params(axis="y", which="both", length=0)
+    axes.grid(True, axis="y", which="major", color="#dcdcdc", linewidth=0.5)
+    axes.set_axisbelow(True)
+
+
+def _spots(rows: Sequence[Row], name: str) -> list[Spot]:
+    """Find a technique's spots: where it has both a time and a finite error."""
+    found = [(row, row.each, row.error) for row in rows if row.technique == name and row.positions]
+    return [
+        Spot(time, max(error, LOWEST), row.positions or 0)
+        for row, time, error in found
+        if time and error is not None and math.isfinite(error)
+    ]
+
+
+def _foot(bench: Bench, counts: Sequence[int]) -> str:
+    told = ", ".join(f"{count:,}".replace(",", " ") for count in counts)
+    return (
+        f"{ERROR}\nMarkers from small to large: {told} positions. By hand: the median of chance drawings, and the bar "
+        f"that 95 of 100 keep under.\nMachine: {bench.machine.written()}"
+    )

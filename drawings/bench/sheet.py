@@ -1,0 +1,166 @@
+"""The drawn sheet as a technique: its vectors measured back, and its table read, by whoever holds it in hand."""
+
+from __future__ import annotations
+
+import re
+import tempfile
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from drawings import press, value_table
+from drawings.bench import plain_pen
+from drawings.lettering import lettered
+from drawings.measure import Measured, measure_file
+from drawings.pens.svg import svg
+from drawings.sheets import kinematics
+from drawings.strokes import Leaf
+from drawings.words import runs
+from geometry.errors import DraftError
+from plans.bench.clock import Times, interleaved
+from plans.bench.draughtsman import SLIPS, Hand, Toll, toll
+from plans.bench.error import Errors, errors
+from plans.bench.roads import Ground, Road
+from plans.bench.truth import Exact, Truth, replay
+from plans.compare import Comparison, compare
+from plans.motion import LINK_KEYS, LINK_SYMBOLS, ORDERS, POINT_KEYS
+from plans.study import Study
+
+MEASURED, PRINTED = "sheet: measured back", "sheet: its table"
+BY_HAND = "by hand to {} mm"
+DRAWN = 360  # positions: more cannot be told apart on any sheet, and no sheet shows them
+
+_NAME = re.compile(r"(\w)_\{(.+?)\}")
+_KINDS = dict(zip((*POINT_KEYS[1:], *LINK_SYMBOLS[1:]), (*POINT_KEYS[1:], *LINK_KEYS[1:]), strict=True))
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """A scene's sheets drawn, written and measured together, and the comparison that their tables print."""
+
+    leaves: tuple[Leaf, ...]
+    comparison: Comparison
+    measured: Measured
+
+    @property
+    def plans(self) -> tuple[int, ...]:
+        """The positions whose plans are drawn."""
+        return tuple(k for leaf in self.leaves for k in leaf.metadata["plans"])
+
+    @property
+    def shown(self) -> int:
+        """The position drawn in full lines."""
+        return int(self.leaves[0].metadata["shown"])
+
+
+def draw(study: Study, folder: Path) -> Drawn:
+    """Draw a study's sheets, write them and measure them back."""
+    comparison = compare(study)
+    leaves = kinematics.sheets(study, comparison)
+    read = []
+    for number, leaf in enumerate(leaves):
+        path = folder / f"sheet-{number}.svg"
+        press.write(path, svg(lettered(leaf)))
+        read.append(measure_file(path))
+    vectors = tuple(vector for one in read for vector in one.vectors)
+    points = tuple(point for one in read for point in one.points)
+    return Drawn(leaves, comparison, Measured(vectors, points, read[0].metadata))
+
+
+def road(found: Ground) -> Road:
+    """Give the road of drawing a sheet, judged by its vectors and by its table."""
+
+    def run() -> Drawn:
+        with tempfile.TemporaryDirectory(prefix="plandraft-bench-") as folder:
+            return draw(found.fresh(), Path(folder))
+
+    note = "of one run: drawn, written, measured back"
+    judged = {MEASURED: _judge(found, by_ruler), PRINTED: _judge(found, by_table)}
+    return Road(run, len(found.study.turn), judged, note)
+
+
+def _judge(
+    found: Ground, read: Callable[[Study, Drawn, Truth, Mapping[str, float]], Errors]
+) -> Callable[[Any], Errors]:
+    def judge(drawn: Drawn) -> Errors:
+        truth = replay(found.study, sorted({drawn.shown, *drawn.plans})).truth()
+        return read(found.fresh(), drawn, truth, found.largest)
+
+    return judge
+
+
+def by_ruler(study: Study, drawn: Drawn, truth: Truth, largest: Mapping[str, float]) -> Errors:
+    """Judge the points of the position in full lines and the vectors from the poles of the drawn plans."""
+    places = {mark.name: mark.value for mark in drawn.measured.points if mark.position == drawn.shown}
+    points = {("r", name): np.array([value]) for name, value in places.items() if ("r", name) in truth.values}
+    found = errors(points, truth.at([drawn.shown]), largest)
+    drafts = study.drafts()
+    for kind, plan in zip(POINT_KEYS[1:], (drafts.velocities, drafts.accelerations), strict=True):
+        names = [name for key, name in truth.values if key == kind]
+        letters = {name: f"{plan.pole.name} {plan.point(name).name}" for name in names}
+        for position in drawn.plans:
+            seen = {
+                v.name: v.value
+                for v in drawn.measured.vectors
+                if (v.plan, v.position) == (plan.board.subject, position)
+            }
+            read = {(kind, name): np.array([seen[letters[name]]]) for name in names if letters[name] in seen}
+            found = found.joined(errors(read, truth.at([position]), largest))
+    return found
+
+
+def by_table(study: Study, drawn: Drawn, truth: Truth, largest: Mapping[str, float]) -> Errors:
+    """Judge the numbers of the table: sizes of v and a, and omega and epsilon with their signs; gaps have none."""
+    language = study.scene.sheet.language
+    known = [place for place, k in enumerate(drawn.plans) if not study.lost[k]]
+    found = {}
+    for row in value_table.rows(drawn.comparison, drawn.plans, set(), language):
+        named = _NAME.match(row.name)
+        key = (_KINDS[named[1]], named[2]) if named else ("", "")
+        if key in truth.values:
+            found[key] = np.array([_number(row.cells[3 * place]) for place in known])
+    return errors(found, _sizes(truth.at([drawn.plans[place] for place in known])), largest)
+
+
+def _sizes(truth: Truth) -> Truth:
+    """Give a truth in which vectors are their sizes: the table has no directions."""
+    sized = {
+        key: Exact(np.abs(v.near), np.zeros(len(v.near))) if key[0] in POINT_KEYS else v
+        for key, v in truth.values.items()
+    }
+    return Truth(truth.positions, sized)
+
+
+def _number(cell: str) -> float:
+    try:
+        return float(cell.replace("−", "-").replace(",", "."))
+    except ValueError:  # a dash for a gap
+        return float("nan")
+
+
+def by_hand(study: Study, drawn: Drawn, largest: Mapping[str, float]) -> dict[str, Toll]:
+    """Draw the sheet's plans by hand, at the sheet's own scales, with slips of a hand's usual sizes."""
+    marked = {(mark.plan, mark.position) for mark in drawn.measured.marks}
+    whole = [k for k in drawn.plans if all((plan, k) in marked for plan in ORDERS[1:])]
+    if not whole:
+        raise DraftError(f"no plan can be drawn in positions {runs(list(drawn.plans))}")
+    wanted = replay(study, tuple(whole))
+    truth = wanted.truth()
+    scales = {plan: np.array([_scale(drawn.measured, plan, k) for k in whole]) for plan in ORDERS}
+    return {BY_HAND.format(slip): toll(wanted, Hand(slip, scales), truth, largest) for slip in SLIPS}
+
+
+def _scale(measured: Measured, plan: str, position: int) -> float:
+    """Give the scale of a plan in one position, true units a mm; the plan of positions has one for all."""
+    own = [mark.scale for mark in measured.marks if mark.plan == plan and mark.position == position]
+    return next(iter(own or [mark.scale for mark in measured.marks if mark.plan == plan]))
+
+
+def pens(leaf: Leaf, rounds: int, budget: float) -> tuple[Times, Times]:
+    """Time svgwrite with its defaults and our pen on the same lettered leaf, in turns."""
+    ready = lettered(leaf)
+    plain, ours = interleaved([lambda: plain_pen.svg(ready), lambda: svg(ready)], rounds, budget)
+    return plain, ours

@@ -1,0 +1,98 @@
+"""A bench as text: rows of error and time, ratios with their goals, and the words that make them mean something."""
+
+from __future__ import annotations
+
+import math
+import textwrap
+from collections.abc import Iterator
+
+from plans.bench.clock import Times
+from plans.bench.result import Bench, Ratio, Row
+
+WIDTH = 118
+_UNITS = ((1.0, "s"), (1e-3, "ms"), (1e-6, "us"), (1e-9, "ns"))
+
+
+def written(bench: Bench) -> str:
+    """Write a bench for a terminal."""
+    lines = [f"{bench.title}: error against run time", f"machine: {bench.machine.written()}", ""]
+    for word in bench.words:
+        lines += textwrap.wrap(word, WIDTH, subsequent_indent="  ")
+    for count in dict.fromkeys(row.positions for row in bench.rows):
+        lines += ["", *_rows([row for row in bench.rows if row.positions == count], count, bench.accepted)]
+    return "\n".join([*lines, "", *_ratios(bench.ratios)])
+
+
+def _rows(rows: list[Row], count: int | None, accepted: float) -> Iterator[str]:
+    title = "any number of positions" if count is None else f"{count} positions"
+    yield _line(title, "error", "worst in", "accepted") + _timing("one run", "(quartiles)", "a position", "times")
+    for row in rows:
+        error = "" if row.error is None else f"{row.error:.1e}"
+        verdict = "" if row.error is None else "yes" if row.error <= accepted else "no"
+        worst = f"({row.often:.1e})" if row.often is not None else row.errors.worst if row.errors else ""
+        line = _line(row.technique, error, worst, verdict)
+        if row.times:
+            each = seconds(row.each) if row.each else ""
+            line += _timing(seconds(row.times.median), _quartiles(row.times), each, str(len(row.times.seconds)))
+        yield f"{line}  {_note(row)}".rstrip()
+
+
+def _line(technique: str, error: str, worst: str, accepted: str) -> str:
+    return f"{technique:<28} {error:>9} {worst:<11} {accepted:<8} "
+
+
+def _timing(run: str, spread: str, each: str, times: str) -> str:
+    return f"{run:>9} {spread:<20} {each:>10} {times:>5}"
+
+
+def _note(row: Row) -> str:
+    part = f"{row.of} positions" if row.of not in (0, row.positions) else ""
+    return "; ".join(filter(None, (part, row.note)))
+
+
+def _ratios(ratios: tuple[Ratio, ...]) -> Iterator[str]:
+    yield _ratio("ratios of times, side by side", "positions", ("times", "ratio", "(quartiles)"), "goal", "reached")
+    for ratio in ratios:
+        goal = f"{'>=' if ratio.goal.least else '<='} {ratio.goal.bound:g}" if ratio.goal else ""
+        verdict = {None: ratio.note, True: "yes", False: "no"}[ratio.reached]
+        yield _ratio(ratio.name, str(ratio.positions or ""), _measured(ratio), goal, verdict)
+
+
+def _measured(ratio: Ratio) -> tuple[str, str, str]:
+    if not (ratio.times and ratio.first and ratio.second):
+        return "", "", ""
+    low, high = ratio.times.quartiles
+    both = f"{seconds(ratio.first.median)}, {seconds(ratio.second.median)}"
+    return both, short(ratio.times.median), f"({short(low)} ... {short(high)})"
+
+
+def _ratio(name: str, positions: str, measured: tuple[str, str, str], goal: str, verdict: str) -> str:
+    times, ratio, spread = measured
+    return f"{name:<50} {positions:>9} {times:>17} {ratio:>7} {spread:<17} {goal:<8} {verdict}".rstrip()
+
+
+def _quartiles(times: Times) -> str:
+    return f"({' ... '.join(seconds(time) for time in times.quartiles)})"
+
+
+def seconds(time: float) -> str:
+    """Write a time with three digits and its unit.
+
+    >>> seconds(0.0123), seconds(5.6e-8), seconds(2.5), seconds(0.00099999)
+    ('12.3 ms', '56 ns', '2.5 s', '1000 us')
+    """
+    size, unit = next(((size, unit) for size, unit in _UNITS if time >= size), _UNITS[-1])
+    return f"{short(time / size)} {unit}"
+
+
+def short(number: float) -> str:
+    """Write a number with three digits, without an exponent.
+
+    >>> short(12.345), short(0.4567), short(1234.5), short(8.0)
+    ('12.3', '0.457', '1234', '8')
+    """
+    if number == 0 or not math.isfinite(number):
+        return f"{number:g}"
+    places = max(2 - math.floor(math.log10(abs(number))), 0)
+    text = f"{number:.{places}f}"
+    return text.rstrip("0").rstrip(".") if "." in text else text

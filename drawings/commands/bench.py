@@ -1,0 +1,54 @@
+"""plandraft bench: error against run time of every technique on a scene, with the ratios and their goals."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from drawings import press
+from drawings.bench import plot, record, table
+from drawings.bench.session import ACCEPTED, Order, session
+from drawings.bench.sheet import DRAWN
+from geometry.errors import LimitError
+from plans.fields import POSITIONS_LIMIT
+from plans.scene import read_scene
+from plans.study import Study
+
+GAPS = 4
+POSITIONS, QUICK_POSITIONS = (12, 360, 10_000, 100_000), (12, 360)
+REPETITIONS, QUICK_REPETITIONS = 15, 3
+
+
+def run(options: argparse.Namespace) -> int:
+    """Run a session and report it; give the exit code, in which no time has a part."""
+    scene = read_scene(options.scene)
+    if options.output is not None:
+        plot.ready()
+        press.prepare(options.output)
+    found = session(scene, order(options), _tell)
+    print(record.json_text(found) if options.json else table.written(found))
+    if options.output is not None:
+        stem = options.output / f"{Path(scene.file).stem}-bench"
+        written = {stem.with_suffix(".csv"): record.csv_bytes(found), stem.with_suffix(".svg"): plot.svg(found)}
+        for path, content in written.items():
+            press.write(path, content)
+            print(path, file=sys.stderr if options.json else sys.stdout)
+    return GAPS if Study(scene).lost.any() else 0
+
+
+def order(options: argparse.Namespace) -> Order:
+    """Say what the command line orders: its own words go before those of --quick."""
+    usual = (QUICK_POSITIONS, QUICK_REPETITIONS) if options.quick else (POSITIONS, REPETITIONS)
+    positions = tuple(sorted(set(options.positions or usual[0])))
+    if positions[-1] > POSITIONS_LIMIT:
+        raise LimitError(f"--positions {positions[-1]}: more than POSITIONS_LIMIT = {POSITIONS_LIMIT}. Fix: fewer")
+    startup = not options.quick if options.startup is None else options.startup
+    drawn = positions[0] if options.quick else DRAWN
+    return Order(positions, options.repetitions or usual[1], startup, min(drawn, DRAWN), options.accept or ACCEPTED)
+
+
+def _tell(what: str) -> None:
+    """Say on a terminal what is being timed, in one line that is written over; nothing wipes it."""
+    if sys.stderr.isatty():
+        print(f"\r\x1b[Ktiming {what} ..." if what else "\r\x1b[K", end="", file=sys.stderr, flush=True)

@@ -1,0 +1,84 @@
+"""The error of a technique: how far its numbers are from the truth, in shares of the plan's largest (погрешность)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from plans.bench.truth import KINDS, Truth, Values
+from plans.mechanism import FRAME
+from plans.motion import LINK_KEYS, POINT_KEYS, Floats
+from plans.study import Study
+
+SIZED = 360  # positions whose largest vector is the plan's largest: every degree of the turn
+
+DEFINED = (
+    "error: the largest difference from the truth over the positions looked at, of the pins' and points' r, v, a and "
+    "the links' angle, omega, epsilon; each in shares of the largest of its own plan over the turn (an angle: of pi; "
+    "an omega or epsilon: of the largest one, or of the largest v or a over the mechanism's size if that is more)"
+)
+TRUE = "truth: the construction's record carried out in 50 digits, from exact crank angles, by formulas of its own"
+
+
+@dataclass(frozen=True)
+class Errors:
+    """The largest errors of a technique, by kind of quantity; `worst` names the quantity of the largest of all."""
+
+    kinds: Mapping[str, float]
+    worst: str = ""
+    typical: float | None = None  # where there is chance: the median of the drawings' largest errors
+
+    @property
+    def largest(self) -> float | None:
+        """The largest error of all kinds; None where there is none."""
+        return self.typical if self.typical is not None else max(self.kinds.values(), default=None)
+
+    def joined(self, other: Errors) -> Errors:
+        """Join other errors of the same technique to these: of each kind the larger one."""
+        ahead = self if (self.largest or 0.0) >= (other.largest or 0.0) else other
+        kinds = {**self.kinds, **other.kinds}
+        return Errors({k: max(e.kinds.get(k, 0.0) for e in (self, other)) for k in kinds}, ahead.worst)
+
+
+def sizes(study: Study) -> dict[str, float]:
+    """Give the largest of each kind over a turn, by which its errors are counted."""
+    motion = study.motion(2)
+    moving = [m for name, m in motion.points.items() if name not in study.mechanism.links[FRAME].points]
+    found = {key: _largest([getattr(point, key) for point in moving]) for key in POINT_KEYS}
+    places = np.array([point.r for point in motion.points.values()])
+    extent = _largest([places - places[0]])
+    found["angle"] = np.pi
+    for key, vector in zip(LINK_KEYS[1:], POINT_KEYS[1:], strict=True):
+        # Rates of links that only translate are truly zero, and no share of themselves.
+        slowest = found[vector] / extent if extent > 0 else 0.0
+        found[key] = max(_largest([getattr(link, key) for link in motion.links.values()]), slowest)
+    return found
+
+
+def shares(found: Values, truth: Truth, largest: Mapping[str, float]) -> dict[tuple[str, str], Floats]:
+    """Give every value's error as a share of its kind's largest; NaN is infinitely wrong."""
+    result = {}
+    for key, given in found.items():
+        off = truth.values[key].off(given)
+        if key[0] == "angle":
+            off = np.abs((off + np.pi) % (2 * np.pi) - np.pi)  # pi and -pi are one direction
+        share = off / largest[key[0]] if largest[key[0]] > 0 else np.where(off == 0, 0.0, np.inf)
+        result[key] = np.where(np.isnan(share), np.inf, share)
+    return result
+
+
+def errors(found: Values, truth: Truth, largest: Mapping[str, float]) -> Errors:
+    """Give the largest errors of some values."""
+    off = {key: float(share.max()) for key, share in shares(found, truth, largest).items()}
+    if not off:
+        return Errors({})
+    worst = max(off, key=lambda key: off[key])
+    kinds = {kind: max(v for k, v in off.items() if k[0] == kind) for kind in KINDS if any(k[0] == kind for k in off)}
+    return Errors(kinds, "_".join(worst))
+
+
+def _largest(arrays: list[Floats]) -> float:
+    sized = [float(np.nanmax(np.abs(array))) for array in arrays if np.isfinite(array).any()]
+    return max(sized, default=0.0)

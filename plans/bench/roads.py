@@ -1,0 +1,154 @@
+"""The roads that are timed: the construction in three lengths, its replay in 50 digits, and the analysis (пути)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from copy import copy
+from dataclasses import dataclass
+from typing import Any
+
+from geometry.errors import DraftError
+from plans.analytic.closure import EPS
+from plans.analytic.kinematics import solve
+from plans.bench.clock import interleaved
+from plans.bench.error import Errors, errors
+from plans.bench.peers import Peer, peers
+from plans.bench.result import Row
+from plans.bench.truth import NotInstalled, Replay, Truth, replay, sample, values
+from plans.motion import Motion
+from plans.scene import Scene
+from plans.study import Study
+
+CONSTRUCTION = ("construction: positions", "construction: + velocities", "construction: all")
+SET_UP, ONCE = "construction: set-up", "once a scene, not in the rows below"
+REPLAY = "replay in 50 digits"
+# Newton's law makes nine digits of three: a tolerance under 1e-8 already ends at rounding, the last row.
+TOLERANCES = (1e-3, 1e-6)
+ROUNDING = "Newton to rounding"
+REPLAYED = 4  # positions of one timed replay: each takes as long as any other
+IS_TRUTH = "the truth itself"
+
+
+@dataclass(frozen=True)
+class Road:
+    """A way to the numbers of a scene: what is run, for how many positions at a run, and how its result is judged.
+
+    One run may be judged in several ways: a drawn sheet by its vectors and by its table.
+    """
+
+    run: Callable[[], Any]
+    positions: int
+    judged: Mapping[str, Callable[[Any], Errors]]  # by the name of the technique
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class Ground:
+    """What all techniques of one number of positions stand on: the prepared study, the truth, and what counts as 1."""
+
+    study: Study  # no plan of it is ever drawn: its copies draw
+    truth: Truth
+    replay: Replay
+    largest: Mapping[str, float]
+
+    def fresh(self) -> Study:
+        """Give the study with empty boards: what was prepared is shared, every plan is drawn anew."""
+        return copy(self.study)
+
+    def judge(self, motion: Motion) -> Errors:
+        """Give the errors of a motion over all positions of the study."""
+        return errors(values(motion, self.truth), self.truth, self.largest)
+
+
+def newton(tolerance: float) -> str:
+    """Name the analysis to a tolerance.
+
+    >>> newton(1e-3)
+    'Newton to 1e-03'
+    """
+    return f"Newton to {tolerance:.0e}"
+
+
+def with_positions(scene: Scene, count: int) -> Scene:
+    """Give a scene another number of positions, equal steps of a turn from its own first crank angle."""
+    drive = scene.drive
+    start = drive.positions[0] if isinstance(drive.positions, tuple) else drive.start
+    kept = tuple(k for k in scene.sheet.plans if k < count)
+    shown = scene.sheet.position if scene.sheet.position is not None and scene.sheet.position < count else None
+    return scene.model_copy(
+        update={
+            "drive": drive.model_copy(update={"positions": count, "start": start}),
+            "sheet": scene.sheet.model_copy(update={"plans": kept, "position": shown}),
+        }
+    )
+
+
+def prepared(scene: Scene, count: int) -> Study:
+    """Study a scene at a number of positions: structure, assembly, barriers and crank angles, but no plan yet."""
+    study = Study(with_positions(scene, count))
+    for part in ("groups", "sweep", "barriers", "turn"):
+        getattr(study, part)
+    return study
+
+
+def ground(scene: Scene, count: int, sampled: int, largest: Mapping[str, float]) -> Ground:
+    """Prepare a scene at a number of positions, and find the truth at a sample of them."""
+    study = prepared(scene, count)
+    drawn = replay(study, sample(copy(study), sampled))
+    return Ground(study, drawn.truth(), replay(study, drawn.positions[:REPLAYED]), largest)
+
+
+def roads(found: Ground) -> list[Road]:
+    """List the roads of plandraft itself."""
+    study, count = found.study, len(found.study.turn)
+    set_up = Road(lambda: prepared(study.scene, count), 0, {SET_UP: lambda _: Errors({})}, ONCE)
+    drawn = [Road(_drawing(found, order), count, {name: found.judge}) for order, name in enumerate(CONSTRUCTION)]
+    again = Road(found.replay.truth, len(found.replay.positions), {REPLAY: lambda _: Errors({})}, IS_TRUTH)
+    solved = [Road(_solving(study, tol), count, {newton(tol): found.judge}) for tol in TOLERANCES]
+    return [set_up, *drawn, again, *solved, Road(_solving(study), count, {ROUNDING: found.judge})]
+
+
+def compared(found: Ground) -> tuple[list[Road], dict[str, str]]:
+    """List the peers' roads, and why others of them are left out."""
+    ready, out = peers(found.fresh())
+    return [_of(peer, found) for peer in ready], out
+
+
+def _of(peer: Peer, found: Ground) -> Road:
+    def judge(result: Any) -> Errors:
+        return found.judge(peer.motion(result))
+
+    return Road(peer.run, len(found.study.turn), {peer.name: judge}, peer.versions)
+
+
+def _drawing(found: Ground, order: int) -> Callable[[], Motion]:
+    return lambda: found.fresh().motion(order)
+
+
+def _solving(study: Study, tolerance: float = EPS) -> Callable[[], Motion]:
+    return lambda: solve(study.mechanism, study.turn.phi, tolerance=tolerance)
+
+
+def timed(ways: Sequence[Road], positions: int, rounds: int, budget: float) -> list[Row]:
+    """Run every road once to judge what it gives, then time them in turns; a road that refuses says why."""
+    judged = [_judged(road) for road in ways]
+    going = [road for road, found in zip(ways, judged, strict=True) if isinstance(found, dict)]
+    taken = dict(zip(map(id, going), interleaved([road.run for road in going], rounds, budget), strict=True))
+    rows: list[Row] = []
+    for road, found in zip(ways, judged, strict=True):
+        if isinstance(found, str):
+            rows += [Row(name, positions, note=found) for name in road.judged]
+        else:
+            times = taken[id(road)]
+            rows += [Row(name, positions, road.positions, e, times=times, note=road.note) for name, e in found.items()]
+    return rows
+
+
+def _judged(road: Road) -> dict[str, Errors] | str:
+    try:
+        result = road.run()  # the first run also fills caches and compiles: it is not timed
+    except NotInstalled:
+        raise
+    except DraftError as error:
+        return f"left out: {error}"
+    return {name: judge(result) for name, judge in road.judged.items()}

@@ -1,0 +1,177 @@
+"""The truth of a bench: the construction's record carried out in 50 digits at exact crank angles (эталон)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from geometry.board import Mark
+from geometry.errors import DraftError
+from geometry.replay import DIGITS, exact
+from plans.mechanism import FRAME
+from plans.motion import LINK_KEYS, ORDERS, POINT_KEYS, Complexes, Floats, Motion
+from plans.study import Drafts, Study
+
+Key: TypeAlias = tuple[str, str]  # kind of quantity and its point or link: ("v", "B"), ("omega", "3")
+Values: TypeAlias = Mapping[Key, Complexes | Floats]
+
+KINDS = (*POINT_KEYS, *LINK_KEYS)
+
+
+class NotInstalled(DraftError):  # noqa: N818  (the message's own word)
+    """A library that this part of the bench needs is not there."""
+
+    exit_code = 7
+
+
+@dataclass(frozen=True)
+class Exact:
+    """True values over some positions: `near` in float64, and the `rest` that float64 has no room for.
+
+    >>> third = Exact(np.array([1 / 3]), np.array([1.850371707708594e-17]))
+    >>> float(third.off(np.array([0.25]))[0])
+    0.08333333333333333
+    """
+
+    near: Any
+    rest: Any
+
+    def off(self, values: Complexes | Floats) -> Floats:
+        """Give how far values are from the true ones; near values lose nothing in the difference."""
+        return np.asarray(np.abs((values - self.near) - self.rest))
+
+
+@dataclass(frozen=True)
+class Truth:
+    """The true values at some positions of a study."""
+
+    positions: tuple[int, ...]
+    values: Mapping[Key, Exact]
+
+    def at(self, positions: Sequence[int]) -> Truth:
+        """Give the truth at some of its positions."""
+        places = [self.positions.index(k) for k in positions]
+        return Truth(tuple(positions), {key: Exact(v.near[places], v.rest[places]) for key, v in self.values.items()})
+
+
+@dataclass(frozen=True)
+class Replay:
+    """The marks whose values are wanted, drawn at some positions and ready to be carried out in 50 digits."""
+
+    study: Study
+    positions: tuple[int, ...]
+    points: Mapping[Key, Mark]
+    arms: Mapping[str, tuple[Mark, complex]]  # a link's vector on the plan of positions, and in its own frame
+    rates: Mapping[Key, tuple[Mark, Mark]]
+    wanted: list[Mark]
+    crank: Mark
+
+    def truth(self) -> Truth:
+        """Carry the record out, position by position."""
+        columns = [self._column(column, position) for column, position in enumerate(self.positions)]
+        return Truth(self.positions, {key: _exact(key, [column[key] for column in columns]) for key in columns[0]})
+
+    def _column(self, column: int, position: int) -> dict[Key, Any]:
+        """Give the true values of one position as numbers of 50 digits."""
+        mp = _digits()
+        true = exact(self.wanted, column, {self.crank: _direction(mp, self.study, position)})
+        found = {key: true[mark] for key, mark in self.points.items()}
+        found |= {("angle", link): mp.arg(true[arm] / mp.mpc(span)) for link, (arm, span) in self.arms.items()}
+        for key, (arm, turning) in self.rates.items():
+            found[key] = (mp.conj(true[arm]) * true[turning]).imag / abs(true[arm]) ** 2
+        return found
+
+
+def replay(study: Study, positions: Sequence[int]) -> Replay:
+    """Draw the three plans at some positions of a study, to be replayed."""
+    drafts = Drafts(study, study.turn.part(list(positions)))
+    plans = [drafts.plan(order) for order in range(len(ORDERS))]
+    links = {number: link for number, link in study.mechanism.links.items() if number != FRAME}
+    fixed = study.mechanism.links[FRAME].points
+    letters = sorted({name for link in links.values() for name in link.points} - set(fixed))
+    points = {(kind, name): plan.point(name) for kind, plan in zip(POINT_KEYS, plans, strict=True) for name in letters}
+    arms: dict[str, tuple[Mark, complex]] = {}
+    rates: dict[Key, tuple[Mark, Mark]] = {}
+    for number in links:
+        image = plans[0].images[number]
+        assert image.arm is not None  # every link has an arm on the plan of positions
+        arms[str(number)] = (image.arm, image.span)
+        for kind, plan in zip(LINK_KEYS[1:], plans[1:], strict=True):
+            if number in plan.readings:  # a link that does not turn has no rate that could be wrong
+                rates[kind, str(number)] = plan.readings[number]
+    wanted = [*points.values(), *(arm for arm, _ in arms.values()), *(mark for pair in rates.values() for mark in pair)]
+    return Replay(study, tuple(positions), points, arms, rates, wanted, plans[0].board["φ"])
+
+
+def values(motion: Motion, truth: Truth) -> dict[Key, Any]:
+    """Read off a motion what the truth knows and the motion gives, at the truth's positions."""
+    chosen = list(truth.positions)
+    found = {}
+    for kind, name in truth.values:
+        owners: Mapping[Any, Any] = motion.points if kind in POINT_KEYS else motion.links
+        owner = owners.get(name if kind in POINT_KEYS else int(name))
+        given = getattr(owner, kind, None)
+        if given is not None:
+            found[kind, name] = given[chosen]
+    return found
+
+
+def sample(study: Study, count: int) -> list[int]:
+    """Choose positions that exist: all of them where they are no more than `count`, else spread over the turn.
+
+    The chosen ones are evenly spaced but for a jitter (seeded by their number): a step that divides the turn would
+    meet the quarter turns alone, where sines and cosines are exact.
+    """
+    there = np.flatnonzero(~study.lost)
+    if len(there) <= count:
+        return [int(k) for k in there]
+    edges = np.linspace(0, len(there), count + 1)
+    chance = np.random.default_rng(len(there)).uniform(size=count)
+    return [
+        int(there[int(low + share * (high - low))]) for (low, high), share in zip(_pairs(edges), chance, strict=True)
+    ]
+
+
+def _pairs(edges: Floats) -> Iterator[tuple[float, float]]:
+    return zip(edges[:-1].tolist(), edges[1:].tolist(), strict=True)
+
+
+def _digits() -> Any:
+    try:
+        import mpmath  # noqa: PLC0415  (only the truth pays for it)
+    except ImportError:
+        raise NotInstalled(
+            "the truth is reckoned in 50 digits by mpmath, which is not installed. "
+            "Fix: python -m pip install '.[bench]'"
+        ) from None
+    mp = mpmath.mp.clone()
+    mp.dps = DIGITS
+    return mp
+
+
+def _direction(mp: Any, study: Study, position: int) -> Any:
+    """Give the crank's direction in 50 digits: an exact share of the turn from the first one, or as it is listed."""
+    drive = study.scene.drive
+    if isinstance(drive.positions, tuple):
+        return _turned(mp, Fraction(drive.positions[position]) / 360)
+    share = Fraction(study.sense * position, drive.positions)
+    if drive.first is not None:
+        return _turned(mp, Fraction(drive.first) / 360 + share)
+    found = mp.mpc(complex(study.turn.directions[0]))  # the extreme position is a direction that was constructed
+    return found / abs(found) * _turned(mp, share)
+
+
+def _turned(mp: Any, share: Fraction) -> Any:
+    """Give the direction after a share of a turn."""
+    return mp.expjpi(2 * mp.mpf(share.numerator) / share.denominator)
+
+
+def _exact(key: Key, numbers: Sequence[Any]) -> Exact:
+    """Split numbers of 50 digits into what float64 holds and the rest."""
+    plain = complex if key[0] in POINT_KEYS else float
+    near = [plain(number) for number in numbers]
+    return Exact(np.array(near), np.array([plain(number - own) for number, own in zip(numbers, near, strict=True)]))

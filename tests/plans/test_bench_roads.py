@@ -1,0 +1,119 @@
+"""The techniques of the bench: each is as exact as it says, and does its whole work every time it is timed."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from geometry.errors import DraftError
+from geometry.meet import EPS
+from plans import study as studies
+from plans.bench.error import Errors, sizes
+from plans.bench.roads import (
+    CONSTRUCTION,
+    REPLAY,
+    ROUNDING,
+    TOLERANCES,
+    Ground,
+    Road,
+    ground,
+    newton,
+    prepared,
+    roads,
+    timed,
+    with_positions,
+)
+from plans.scene import parse_scene, read_scene
+
+GALLERY = Path(__file__).parent.parent.parent / "drawings/gallery"
+SCENES = ("crank-rocker", "shaper", "slider-crank")
+GOAL = 8.0  # eps: 4 of a point's own row, and as much again for the rates read off vectors
+NEWTON_GOAL = 64.0  # eps: two linear systems on top of the closed loops, each of a condition near ten
+
+
+def stood(name: str, count: int) -> Ground:
+    scene = read_scene(GALLERY / f"{name}.toml")
+    return ground(scene, count, 12, sizes(prepared(scene, 360)))
+
+
+def judged(found: Ground) -> dict[str, Errors]:
+    return {name: judge(road.run()) for road in roads(found) for name, judge in road.judged.items()}
+
+
+@pytest.mark.parametrize("count", [12, 360, 10_000])
+@pytest.mark.parametrize("name", SCENES)
+def test_construction_is_exact_to_a_few_roundings(name: str, count: int) -> None:
+    found = judged(stood(name, count))
+    for order, technique in enumerate(CONSTRUCTION):
+        assert 0 < found[technique].largest <= GOAL * EPS
+        assert len(found[technique].kinds) == 2 * (order + 1)  # a point's and a link's, for each order
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_newtons_error_falls_with_its_tolerance(name: str) -> None:
+    found = judged(stood(name, 360))
+    errors = [found[technique].largest for technique in (*map(newton, TOLERANCES), ROUNDING)]
+    assert errors[0] > 10 * errors[1]
+    assert errors[1] > 2 * errors[2]
+    for tolerance, error in zip(TOLERANCES, errors, strict=False):
+        assert error < tolerance
+    assert errors[-1] <= NEWTON_GOAL * EPS
+
+
+def test_the_truth_has_no_error_of_its_own() -> None:
+    assert judged(stood("shaper", 12))[REPLAY] == Errors({})
+
+
+def test_every_run_draws_its_plans_anew(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Were the plans of the first run kept, the clock would time nothing but the reading of them."""
+    found = stood("shaper", 12)
+    drawn: list[int] = []
+    real = studies.velocities
+    monkeypatch.setattr(studies, "velocities", lambda *given: drawn.append(1) or real(*given))
+    run = next(road.run for road in roads(found) if CONSTRUCTION[2] in road.judged)
+    first = run()
+    assert len(drawn) == 1
+    second = run()
+    assert len(drawn) == 2
+    assert np.array_equal(first.points["D"].a, second.points["D"].a)
+
+
+def test_the_set_up_is_not_in_the_rows_of_the_construction(monkeypatch: pytest.MonkeyPatch) -> None:
+    found = stood("shaper", 12)
+
+    def never(*_: Any) -> None:
+        raise AssertionError("assembled again")
+
+    monkeypatch.setattr(studies, "assembly", never)
+    monkeypatch.setattr(studies, "decompose", never)
+    monkeypatch.setattr(studies, "extremes", never)
+    for road in roads(found):
+        if set(road.judged) & set(CONSTRUCTION):
+            road.run()
+
+
+def test_more_positions_begin_where_the_scene_begins() -> None:
+    scene = read_scene(GALLERY / "crank-rocker.toml")
+    assert len(prepared(scene, 11).turn) == 11
+    listed = (GALLERY / "crank-rocker.toml").read_text("utf-8").replace('start = "extreme"\n', "")
+    listed = listed.replace("positions = 12", "positions = [15, 40, 70]").replace("plans = [4, 10]", "")
+    drive = with_positions(parse_scene(listed), 5).drive
+    assert (drive.positions, drive.first) == (5, 15)
+
+
+def test_a_road_that_refuses_says_why_and_the_others_are_timed() -> None:
+    def refuse() -> None:
+        raise DraftError("no room on the sheet")
+
+    ways = [Road(refuse, 3, {"one": lambda _: Errors({}), "two": lambda _: Errors({})})]
+    ways.append(Road(lambda: 5, 3, {"three": lambda result: Errors({"r": result}, "r_B")}))
+    one, two, three = timed(ways, 3, 2, 1.0)
+    assert [row.note for row in (one, two)] == ["left out: no room on the sheet"] * 2
+    assert one.times is None
+    assert one.error is None
+    assert three.error == 5
+    assert three.times is not None
+    assert len(three.times.seconds) == 2

@@ -1,0 +1,150 @@
+"""The truth of the bench against closed forms, and the error that is counted from it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+
+from geometry.meet import EPS
+from plans.bench.error import Errors, errors, shares, sizes
+from plans.bench.truth import Exact, NotInstalled, Truth, replay, sample, values
+from plans.study import Study
+from tests.plans import linkages
+from tests.plans.studies import study_of
+
+MP = mpmath.mp.clone()
+MP.dps = 40
+A, OMEGA, EPSILON = 0.1, 7.0, -3.0
+
+
+def whole(exact: Exact, column: int) -> Any:
+    """Put a true value together again from what float64 holds and the rest."""
+    return MP.mpc(complex(exact.near[column])) + MP.mpc(complex(exact.rest[column]))
+
+
+def crank(study: Study) -> tuple[Any, ...]:
+    """Give place, velocity and acceleration of the crank's end at position 1 of 12, from position 0 at 0 degrees."""
+    end = MP.mpf(A) * MP.expjpi(MP.mpf(study.sense) / 6)
+    return end, 1j * OMEGA * end, (1j * EPSILON - MP.mpf(OMEGA) ** 2) * end
+
+
+def test_the_truth_is_the_closed_form_of_the_crank_to_thirty_digits() -> None:
+    study = study_of(linkages.slider_crank(A, 0.4, omega=OMEGA, epsilon=EPSILON))
+    truth = replay(study, [1]).truth()
+    for kind, true in zip("rva", crank(study), strict=True):
+        assert abs(whole(truth.values[kind, "A"], 0) - true) < 1e-30 * abs(true)
+
+
+def test_the_truth_of_a_slider_is_its_closed_form() -> None:
+    """x = a cos + sqrt(b2 - a2 sin2) for a central slider-crank, at 30 degrees."""
+    truth = replay(study_of(linkages.slider_crank(A, 0.4)), [1]).truth()
+    a, b, angle = MP.mpf(A), MP.mpf(0.4), MP.pi / 6
+    assert (
+        abs(whole(truth.values["r", "B"], 0) - (a * MP.cos(angle) + MP.sqrt(b**2 - (a * MP.sin(angle)) ** 2))) < 1e-30
+    )
+
+
+def test_listed_angles_and_a_clockwise_crank_have_their_truth() -> None:
+    listed = replay(study_of(linkages.slider_crank(A, 0.4), positions=[10, "32.5"]), [1]).truth()
+    assert abs(whole(listed.values["r", "A"], 0) - MP.mpf(A) * MP.expjpi(MP.mpf("32.5") / 180)) < 1e-30
+    clockwise = study_of(linkages.slider_crank(A, 0.4, omega=-2.0), 0, 8)
+    assert (
+        abs(whole(replay(clockwise, [1]).truth().values["r", "A"], 0) - MP.mpf(A) * MP.expjpi(-MP.mpf(1) / 4)) < 1e-30
+    )
+
+
+def test_what_float64_has_no_room_for_is_kept() -> None:
+    third = MP.mpf(1) / 3
+    exact = Exact(np.array([float(third)]), np.array([float(third - MP.mpf(float(third)))]))
+    up = np.nextafter(1 / 3, 1.0)
+    assert float(exact.off(np.array([up]))[0]) == pytest.approx(float(MP.mpf(float(up)) - third), rel=1e-12)
+    assert 0 < float(exact.off(np.array([1 / 3]))[0]) < EPS / 3
+
+
+def bar(count: int = 12) -> Study:
+    return study_of(linkages.four_bar(0.1, 0.4, 0.3, 0.35, sketch={"B": 0.4 + 0.3j}), 0, count)
+
+
+def judged(spoil: Any) -> Errors:
+    """Judge the construction after something was done to its motion."""
+    study = bar()
+    truth, largest = replay(study, range(12)).truth(), sizes(bar(360))
+    motion = study.motion(2)
+    spoil(motion)
+    return errors(values(motion, truth), truth, largest)
+
+
+def test_a_planted_error_is_counted_in_shares_of_the_plans_largest_and_named() -> None:
+    largest = sizes(bar(360))
+
+    def spoil(motion: Any) -> None:
+        motion.points["B"].v[5] += 1e-6j * largest["v"]
+
+    found = judged(spoil)
+    assert found.largest == pytest.approx(1e-6)
+    assert found.worst == "v_B"
+    assert found.kinds["v"] == found.largest
+    assert found.kinds["a"] < 8 * EPS
+
+
+def test_a_value_that_should_be_there_is_infinitely_wrong() -> None:
+    def spoil(motion: Any) -> None:
+        motion.links[3].omega[0] = np.nan
+
+    found = judged(spoil)
+    assert found.largest == float("inf")
+    assert found.worst == "omega_3"
+
+
+def test_pi_and_minus_pi_are_one_direction() -> None:
+    truth = Truth((0,), {("angle", "2"): Exact(np.array([np.pi]), np.array([0.0]))})
+    off = shares({("angle", "2"): np.array([-np.pi])}, truth, {"angle": np.pi})
+    assert float(off["angle", "2"][0]) <= EPS
+
+
+def test_a_motion_is_judged_by_what_it_gives() -> None:
+    study = bar()
+    truth = replay(study, range(12)).truth()
+    only = study.motion(0)
+    assert {kind for kind, _ in values(only, truth)} == {"r", "angle"}
+    bare = replace(only, links={})
+    assert {kind for kind, _ in values(bare, truth)} == {"r"}
+
+
+def test_joined_errors_keep_the_larger_of_each_kind() -> None:
+    first, second = Errors({"v": 2.0, "a": 1.0}, "v_B"), Errors({"a": 3.0, "r": 0.5}, "a_D")
+    assert first.joined(second) == Errors({"v": 2.0, "a": 3.0, "r": 0.5}, "a_D")
+    assert Errors({}).joined(first) == first
+    assert first.joined(Errors({})) == first
+
+
+def test_links_that_do_not_turn_have_no_rate_to_be_wrong() -> None:
+    truth = replay(study_of(linkages.slider_crank(A, 0.4)), [0]).truth()
+    assert ("omega", "2") in truth.values
+    assert ("omega", "3") not in truth.values
+
+
+def test_few_positions_are_all_looked_at_and_many_all_over_the_turn() -> None:
+    assert sample(bar(12), 24) == list(range(12))
+    chosen = sample(bar(1000), 24)
+    assert len(set(chosen)) == 24
+    assert chosen == sorted(chosen)
+    assert np.diff([*chosen, chosen[0] + 1000]).max() <= 2 * 1000 / 24
+    assert any(k % 250 for k in chosen)  # not the quarter turns alone
+
+
+def test_gaps_are_not_looked_at() -> None:
+    gapped = study_of(linkages.four_bar(0.2, 0.15, 0.15, 0.3, sketch={"B": 0.25 + 0.14j}), 60, 90)
+    chosen = sample(gapped, 24)
+    assert chosen
+    assert not gapped.lost[chosen].any()
+
+
+def test_without_mpmath_it_is_said_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(__import__("sys").modules, "mpmath", None)
+    with pytest.raises(NotInstalled, match=r"Fix: python -m pip install '\.\[bench\]'"):
+        replay(bar(), [0]).truth()
