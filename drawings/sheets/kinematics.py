@@ -45,7 +45,7 @@ def sheet(study: Study, comparison: Comparison) -> Leaf:
     figures, missing = _vector_plans(study, comparison, drawn, side, page, language) if drawn else ([], [])
     ink.draw([*groups, *missing, *(stroke for figure in figures for stroke in figure.lines)])
     labels = Labels(ink)
-    groups.append(position_plan.letters(bones, place, labels))
+    groups.append(position_plan.letters(bones, place, labels, page.hand))
     groups += [*(figure.lettered(labels) for figure in figures), *missing]
     if lines and drawn:
         groups.append(value_table.table(lines, drawn, low, page.hand, language))

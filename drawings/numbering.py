@@ -1,0 +1,186 @@
+"""Numbers of positions, on the crank circle and along the output's path (нумерация положений)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from drawings.figure import Place
+from drawings.hand import Hand
+from drawings.layout import Labels
+from drawings.skeleton import Poses, Skeletons
+from drawings.strokes import Stroke, Text, text_width
+from drawings.words import number
+from plans.extreme import frame_slide
+from plans.mechanism import FRAME
+from plans.passage import Barrier
+
+SAME = 1e-9  # rad: a position and an extreme whose crank directions differ by less are one
+CRANK_GAP, PATH_GAP = 1.2, 1.8  # mm from a place to its number
+BARRED = 2.5  # mm of hatching outside the crank circle
+APART = 1.1  # heights or widths of a number between two that stand side by side
+STEPS = (1, 2, 3, 4, 6, 12)  # every which position may bear a number at the output
+MOST = 0.3  # share of the numbers chosen that may fall out where places crowd at the ends of a stroke
+ANGLES = 12  # positions of a list whose crank angles still have room beside their numbers
+
+
+class Numbered(NamedTuple):
+    """A place that bears a number: which poses it is of, its column there, the number, and if it is an extreme."""
+
+    poses: Poses
+    column: int
+    name: str
+    extreme: bool
+
+
+def same(bones: Skeletons, extreme: int) -> int | None:
+    """Give the scene's own position that an extreme is, if it is one."""
+    found = bones.study.found
+    assert found is not None  # asked only where there are extremes
+    apart = np.abs(bones.study.turn.directions - found.directions[extreme])
+    best = int(np.argmin(apart))
+    return best if apart[best] < SAME else None
+
+
+def numbered(bones: Skeletons) -> list[Numbered]:
+    """List what bears a number: every position, and each extreme that falls between two, as k'."""
+    own = {same(bones, k) for k in range(2)} if bones.extremes else set()
+    found = [Numbered(bones.numbered, k, str(k), k in own) for k in range(len(bones.numbered))]
+    for k in range(2) if bones.extremes else ():
+        assert bones.study.found is not None and bones.extremes is not None
+        if same(bones, k) is None:
+            phi, turn = bones.study.found.extremes.phi[k], 2 * np.pi
+            before = int(np.argmin(np.mod(bones.study.sense * (phi - bones.study.turn.phi), turn)))
+            name = f"{before}'"
+            taken = any(name == other.name for other in found)
+            found.append(Numbered(bones.extremes, k, f"{name}'" if taken else name, True))
+    return found
+
+
+def numbers(bones: Skeletons, place: Place, hand: Hand, labels: Labels) -> Iterator[Stroke]:
+    """Number every position outside the crank circle, and at the output as many as stand legibly."""
+    found = numbered(bones)
+    yield from _crank_numbers(bones, found, place, hand, labels)
+    tip = output_point(bones)
+    if tip is not None:
+        spots = [place.on(complex(one.poses.points[tip][one.column])) for one in found]
+        for k in legible(bones, found, spots, hand):
+            angle, more = _outward(bones, found[k], spots[k], place)
+            yield labels.beside(spots[k], found[k].name, hand.number, PATH_GAP + more * hand.number, angle)
+
+
+def _crank_numbers(
+    bones: Skeletons, found: list[Numbered], place: Place, hand: Hand, labels: Labels
+) -> Iterator[Stroke]:
+    """Number the crank circle; where the numbers crowd, every other one stands further out."""
+    pivot, end = bones.pivot(place), bones.mechanism.drive.end
+    texts = [_angled(bones, one) for one in found]
+    room = 2 * math.pi * (bones.crank(place) + CRANK_GAP + hand.number / 2) / max(len(found), 1)
+    crowded = room < APART * max(width(text, hand) for text in texts) and not isinstance(
+        bones.study.scene.drive.positions, tuple
+    )
+    for one, text in zip(found, texts, strict=True):
+        known = one.poses is bones.numbered
+        spot = place.on(bones.crank_end(one.column) if known else complex(one.poses.points[end][one.column]))
+        further = hand.number * 1.6 if crowded and known and one.column % 2 else 0.0
+        barred = BARRED * hand.symbol if _in_barrier(spot - pivot, bones.study.met) else 0.0
+        yield labels.beside(spot, text, hand.number, CRANK_GAP + barred + further, cmath.phase(spot - pivot))
+
+
+def _in_barrier(ray: complex, barriers: tuple[Barrier, ...]) -> bool:
+    turn = 2 * math.pi
+    return any((cmath.phase(ray) - b.start) % turn <= b.end - b.start for b in barriers)
+
+
+def _angled(bones: Skeletons, one: Numbered) -> str:
+    """Write a position's number, and its crank angle where the scene lists the angles."""
+    listed = bones.study.scene.drive.positions
+    if not isinstance(listed, tuple) or one.poses is not bones.numbered or len(listed) > ANGLES:
+        return one.name
+    return f"{one.name} ({number(float(listed[one.column]), bones.study.scene.sheet.language)}°)"
+
+
+def width(text: str, hand: Hand) -> float:
+    """Give the width of a number."""
+    return text_width(Text(0j, text, hand.number, "start", True))
+
+
+def legible(bones: Skeletons, found: list[Numbered], spots: list[complex], hand: Hand) -> list[int]:
+    """Choose which numbers stand at the output: extremes always, the shown one, of the rest every so many as fit."""
+    first = [k for k, one in enumerate(found) if one.extreme]
+    first += [k for k, one in enumerate(found) if one.poses is bones.numbered and k == bones.shown and k not in first]
+    first = [k for k in first if not math.isnan(spots[k].real)]
+    chosen: list[int] = []
+    for step in STEPS:
+        rest = [k for k in range(0, len(bones.numbered), step) if k not in first and not math.isnan(spots[k].real)]
+        chosen = _standing(bones, first, rest, found, spots, hand)
+        if len(chosen) - len(first) >= (1 - MOST) * len(rest):
+            break
+    return chosen
+
+
+def _standing(
+    bones: Skeletons, first: list[int], rest: list[int], found: list[Numbered], spots: list[complex], hand: Hand
+) -> list[int]:
+    """Keep of the rest what does not crowd what is kept already, on its own side of the path."""
+    kept = list(first)
+    for k in rest:
+        side = _returning(bones, found[k])
+        near = (
+            other
+            for other in kept
+            if _returning(bones, found[other]) == side
+            and _crowds(found[k], found[other], spots[k] - spots[other], hand)
+        )
+        if next(near, None) is None:
+            kept.append(k)
+    return kept
+
+
+def _crowds(one: Numbered, other: Numbered, apart: complex, hand: Hand) -> bool:
+    wide = APART * (width(one.name, hand) + width(other.name, hand)) / 2
+    return abs(apart.real) < wide and abs(apart.imag) < 1.3 * APART * hand.number
+
+
+def _returning(bones: Skeletons, one: Numbered) -> bool:
+    """Tell whether a place is passed on the return stroke; extremes belong to the stroke that begins there."""
+    found = bones.study.found
+    if found is None or len(found.rests) > 2:
+        return False
+    start, end = found.extremes.phi
+    if one.poses is not bones.numbered:
+        return one.column == 1
+    sense, turn = bones.study.sense, 2 * math.pi
+    ahead = (sense * (bones.study.turn.phi[one.column] - start) + SAME) % turn
+    return bool(ahead >= (sense * (end - start)) % turn)
+
+
+def output_point(bones: Skeletons) -> str | None:
+    """Give the point whose places on its path are numbered: the output's pin, or its end away from the frame."""
+    mechanism, out = bones.mechanism, bones.study.output
+    slide = frame_slide(mechanism, out.link)
+    if slide is not None:
+        return out.point or slide.point
+    free = [name for name in mechanism.links[out.link].points if name not in mechanism.links[FRAME].points]
+    chosen = out.point if out.point in free else free[-1] if free else None
+    return chosen if out.link != mechanism.drive.link else None
+
+
+def _outward(bones: Skeletons, one: Numbered, spot: complex, place: Place) -> tuple[float, float]:
+    """Direct a number away from its point's path, the return stroke's to the other side; further off on an arc."""
+    back = _returning(bones, one)
+    slide = frame_slide(bones.mechanism, bones.study.output.link)
+    if slide is not None:
+        up = slide.on_owner.direction * (1j if (1j * slide.on_owner.direction).imag >= 0 else -1j)
+        return cmath.phase(-up if back else up), 0.0
+    fixed_points = bones.mechanism.links[FRAME].points
+    own = [name for name in bones.mechanism.links[bones.study.output.link].points if name in fixed_points]
+    if own:
+        return cmath.phase(spot - place.on(fixed_points[own[0]])), 1.5 if back else 0.0
+    places = one.poses.points[output_point(bones) or own[0]]
+    middle = place.on(complex(np.nanmean(bones.way.points[output_point(bones) or ""]))) if places.size else spot
+    return cmath.phase(spot - middle) if spot != middle else math.pi / 2, 0.0
