@@ -12,6 +12,7 @@ import numpy as np
 from drawings.figure import Place
 from drawings.hand import Hand
 from drawings.layout import Labels
+from drawings.pairs import Pairs
 from drawings.skeleton import Poses, Skeletons
 from drawings.strokes import Stroke, Text, text_width
 from drawings.words import number
@@ -22,6 +23,7 @@ from plans.passage import Barrier
 SAME = 1e-9  # rad: a position and an extreme whose crank directions differ by less are one
 CRANK_GAP, PATH_GAP = 1.2, 1.8  # mm from a place to its number
 BARRED = 2.5  # mm of hatching outside the crank circle
+RING = 1.6  # sizes of a number from one ring of numbers to the next
 APART = 1.1  # heights or widths of a number between two that stand side by side
 STEPS = (1, 2, 3, 4, 6, 12)  # every which position may bear a number at the output
 MOST = 0.3  # share of the numbers chosen that may fall out where places crowd at the ends of a stroke
@@ -61,34 +63,48 @@ def numbered(bones: Skeletons) -> list[Numbered]:
     return found
 
 
-def numbers(bones: Skeletons, place: Place, hand: Hand, labels: Labels) -> Iterator[Stroke]:
+def numbers(pairs: Pairs, labels: Labels) -> Iterator[Stroke]:
     """Number every position outside the crank circle, and at the output as many as stand legibly."""
+    bones, place, hand = pairs.bones, pairs.place, pairs.hand
     found = numbered(bones)
-    yield from _crank_numbers(bones, found, place, hand, labels)
+    yield from _crank_numbers(pairs, found, labels)
     tip = output_point(bones)
     if tip is not None:
         spots = [place.on(complex(one.poses.points[tip][one.column])) for one in found]
         for k in legible(bones, found, spots, hand):
             angle, more = _outward(bones, found[k], spots[k], place)
-            yield labels.beside(spots[k], found[k].name, hand.number, PATH_GAP + more * hand.number, angle)
+            gap = (pairs.clear(tip) if _shown(bones, found[k]) else 0.0) + PATH_GAP + more * hand.number
+            yield labels.beside(spots[k], found[k].name, hand.number, gap, angle)
 
 
-def _crank_numbers(
-    bones: Skeletons, found: list[Numbered], place: Place, hand: Hand, labels: Labels
-) -> Iterator[Stroke]:
-    """Number the crank circle; where the numbers crowd, every other one stands further out."""
+def _shown(bones: Skeletons, one: Numbered) -> bool:
+    return one.poses is bones.numbered and one.column == bones.shown
+
+
+def _crank_numbers(pairs: Pairs, found: list[Numbered], labels: Labels) -> Iterator[Stroke]:
+    """Number the crank circle; where they crowd, every other one stands further out, and of a tiny circle not all."""
+    bones, place, hand = pairs.bones, pairs.place, pairs.hand
     pivot, end = bones.pivot(place), bones.mechanism.drive.end
     texts = [_angled(bones, one) for one in found]
-    room = 2 * math.pi * (bones.crank(place) + CRANK_GAP + hand.number / 2) / max(len(found), 1)
-    crowded = room < APART * max(width(text, hand) for text in texts) and not isinstance(
-        bones.study.scene.drive.positions, tuple
-    )
+    every, further = _rings(bones, place, hand, max(width(text, hand) for text in texts))
     for one, text in zip(found, texts, strict=True):
+        if not (one.extreme or _shown(bones, one) or one.column % every == 0):
+            continue
         known = one.poses is bones.numbered
         spot = place.on(bones.crank_end(one.column) if known else complex(one.poses.points[end][one.column]))
-        further = hand.number * 1.6 if crowded and known and one.column % 2 else 0.0
-        barred = BARRED * hand.symbol if _in_barrier(spot - pivot, bones.study.met) else 0.0
-        yield labels.beside(spot, text, hand.number, CRANK_GAP + barred + further, cmath.phase(spot - pivot))
+        gap = CRANK_GAP + (pairs.clear(end) if _shown(bones, one) else 0.0)
+        gap += BARRED * hand.symbol if _in_barrier(spot - pivot, bones.study.met) else 0.0
+        gap += further if known and one.column // every % 2 else 0.0
+        yield labels.beside(spot, text, hand.number, gap, cmath.phase(spot - pivot))
+
+
+def _rings(bones: Skeletons, place: Place, hand: Hand, wide: float) -> tuple[int, float]:
+    """Give every which position is numbered on the crank circle, and how far out every other one of them stands."""
+    if isinstance(bones.study.scene.drive.positions, tuple):
+        return 1, 0.0  # listed angles are as far apart as the scene has them
+    room = 2 * math.pi * (bones.crank(place) + CRANK_GAP + hand.number / 2) / len(bones.numbered)
+    every = next((step for step in STEPS if step * room >= APART * max(wide / 2, hand.number)), STEPS[-1])
+    return every, RING * hand.number if every * room < APART * wide else 0.0
 
 
 def _in_barrier(ray: complex, barriers: tuple[Barrier, ...]) -> bool:
@@ -112,7 +128,7 @@ def width(text: str, hand: Hand) -> float:
 def legible(bones: Skeletons, found: list[Numbered], spots: list[complex], hand: Hand) -> list[int]:
     """Choose which numbers stand at the output: extremes always, the shown one, of the rest every so many as fit."""
     first = [k for k, one in enumerate(found) if one.extreme]
-    first += [k for k, one in enumerate(found) if one.poses is bones.numbered and k == bones.shown and k not in first]
+    first += [k for k, one in enumerate(found) if _shown(bones, one) and k not in first]
     first = [k for k in first if not math.isnan(spots[k].real)]
     chosen: list[int] = []
     for step in STEPS:

@@ -9,6 +9,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations
 
+import numpy as np
+
 from drawings import symbols
 from drawings.figure import Place, Subject
 from drawings.hand import Hand
@@ -69,8 +71,16 @@ class Pairs:
         }
 
     def radius(self, name: str) -> float:
-        """Give the radius of a point's symbol, mm; 0 where it has none that a bar ends at."""
-        return self.hinges[name][0].radius if name in self.hinges else 0.0
+        """Give the radius of a point's own symbol, mm."""
+        sizes = dict.fromkeys(self.centres, MASS * self.hand.symbol) | {
+            name: c[0].radius for name, c in self.hinges.items()
+        }
+        return sizes.get(name, POINT * self.hand.symbol)
+
+    def clear(self, name: str) -> float:
+        """Give how far from a point letters stand clear of its symbols: of its block, if one is on it."""
+        blocked = any(slide.point == name and offset_foot(self.bones, slide) is None for slide, _ in self.blocks)
+        return max(self.radius(name), BLOCK[1] / 2 * self.hand.symbol if blocked else 0.0)
 
     @cached_property
     def blocks(self) -> list[tuple[Slide, Polyline]]:
@@ -159,8 +169,7 @@ class Pairs:
                 yield from symbols.fixed_hinge(at, self.hand, self.radius(name), side)
 
     def _free_side(self, name: str) -> complex:
-        spot = self.bones.mechanism.links[FRAME].points[name]
-        ways = [(end - spot) / abs(end - spot) for end in self._reached(name) if abs(end - spot) > 0]
+        ways = list(self._ways(name))
 
         def cost(side: complex) -> float:
             crossed = sum((way * side.conjugate()).real > BESIDE for way in ways) / max(len(ways), 1)
@@ -168,18 +177,23 @@ class Pairs:
 
         return min(STANDS, key=cost)
 
-    def _reached(self, name: str) -> Iterator[complex]:
-        """Give the ends of the bars at a fixed hinge in all positions, those of the shown one as often as the rest."""
-        shown, poses = self.bones.shown, self.bones.numbered
-        for outline in self.outlines:
-            own = self.bones.mechanism.links[outline.link].points
-            for bar in outline.bars if name in own else ():
-                if own[name] not in bar:
-                    continue
-                ends = poses.of(outline.link, bar[0] if bar[1] == own[name] else bar[1])
-                known = [complex(end) for end in ends if not math.isnan(end.real)]
-                yield from known
-                yield from [complex(ends[shown])] * len(known) if known else []
+    def _ways(self, name: str) -> Iterator[complex]:
+        """Give the directions of the bars at a fixed hinge in all positions, those of the shown one as often again."""
+        poses, own = self.bones.numbered, self.bones.mechanism.links
+        arms = [
+            (outline.link, bar[0] + bar[1] - 2 * own[outline.link].points[name])
+            for outline in self.outlines
+            for bar in outline.bars
+            if own[outline.link].points.get(name) in bar
+        ]
+        runs = [poses.turns[link] * arm / abs(arm) for link, arm in arms]
+        runs += [
+            side * poses.line(slide) for slide in self.bones.mechanism.slides if slide.point == name for side in (1, -1)
+        ]
+        for run in runs:
+            known = run[~np.isnan(run)]
+            yield from (complex(way) for way in known)
+            yield from [complex(run[self.bones.shown])] * len(known)
 
     def marks(self) -> Iterator[Group]:
         """Draw hinges, mass centres and other named points; all can be measured."""

@@ -41,17 +41,18 @@ def figure(bones: Skeletons, place: Place, hand: Hand, language: str) -> list[Gr
     hand = pairs.hand
     body, stands = list(pairs.bars()), list(pairs.stands())
     blocks = [block for _, block in pairs.blocks]
-    paths, positions = trajectories(bones, place, hand), list(_positions(pairs))
+    paths, positions = trajectories(bones, place, hand), [*_circle(bones, place, hand), *_positions(pairs)]
+    extremes, lines = list(_extremes(pairs)), axes(bones, place, hand)
     drawn = Drawn()
     drawn.draw([*body, *blocks, *stands])
     grounded = grounds(bones, place, hand, drawn)
     drawn.draw(grounded)
-    drawn.draw([*paths, *positions], SHARE)
+    drawn.draw([*paths, *positions, *extremes, *lines], SHARE)
     layers: list[tuple[str, Iterable[Stroke]]] = [
         ("paths", paths),
-        ("all-positions", [*_circle(bones, place, hand), *positions]),
-        ("extremes", _extremes(pairs)),
-        ("guides", [*axes(bones, place, hand), *grounded]),
+        ("all-positions", positions),
+        ("extremes", extremes),
+        ("guides", [*lines, *grounded]),
         ("notches", _notches(bones, place, hand)),
     ]
     groups = [Group(tuple(fitted(trimmed(strokes, pairs.masks))), name) for name, strokes in layers]
@@ -140,7 +141,7 @@ def letters(bones: Skeletons, place: Place, labels: Labels, hand: Hand = HANDS["
     for name in sorted(bones.numbered.points):
         value = bones.spot(name, bones.shown)
         if not math.isnan(value.real):
-            gap = max(pairs.radius(name), symbols.POINT * pairs.hand.symbol) + 1.0
+            gap = pairs.clear(name) + 1.0
             drawn.append(labels.beside(place.on(value), written(name), hand.letter, gap, _free(pairs, name)))
     for name in bones.masses:
         if name in pairs.centres:
@@ -148,13 +149,13 @@ def letters(bones: Skeletons, place: Place, labels: Labels, hand: Hand = HANDS["
     for turning in turnings(pairs):
         middle, away = turning.middle
         drawn.append(labels.beside(middle, turning.letter, hand.letter, 1.5, away))
-    return Group((*drawn, *numbers(bones, place, hand, labels)))
+    return Group((*drawn, *numbers(pairs, labels)))
 
 
 def _free(pairs: Pairs, name: str) -> float:
     """Give the middle of the widest angle that the bars at a point leave free; up and to the right where none ends."""
     spot = pairs.place.on(pairs.bones.spot(name, pairs.bones.shown))
-    near = pairs.radius(name) + ARROW_LENGTH
+    near = pairs.clear(name) + ARROW_LENGTH
     turns = sorted(
         cmath.phase(far - spot)
         for line in pairs.bars()

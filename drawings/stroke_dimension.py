@@ -24,7 +24,7 @@ ABOVE = 1.0  # mm from the dimension line to its number
 TAIL = 8.0  # mm of a dimension line outside its extension lines, where its arrows stand outside
 SHARES = (0.5, 0.4, 0.6, 0.3, 0.7)  # where along the dimension line its number may stand
 # What crossing one line costs, in mm of distance: a number struck through is no number.
-STRUCK, CROSSED = 60.0, 4.0
+STRUCK, CROSSED = 200.0, 4.0
 BORDER = 14.0  # mm that a sheet leaves free round the points of a plan
 OUTSIDE = 30.0  # what each mm beyond the border costs
 

@@ -22,7 +22,7 @@ SLOT = (13.0, 2.9)  # length of the piece of slot drawn about a pin, and half it
 STAND = (8.0, 4.5, 1.5)  # a fixed hinge: height, half the width of its foot, and what the base is longer
 HATCH, HATCH_STEP = 3.0, 2.0  # length and step of hatching
 GUSSET = 1.8  # thickness of a rigid corner's filling, across the corner
-WIDEST = math.radians(125)  # a rigid corner wider than this is seen to be one link without a filling
+LEG = 1.5  # the legs of that filling, as often as the thickness beyond a hinge: a wide corner is filled less far
 CROSS = 1.8  # half an arm of the cross at a crank position that is a gap
 TICK = 1.2  # half a tick of a position
 HEAD = (3.5, 0.9)  # length and half width of the head of an arc
@@ -82,10 +82,10 @@ def slot(at: complex, direction: complex, hand: Hand) -> Polyline:
 
 def gusset(corner: complex, first: complex, second: complex, radius: float, hand: Hand) -> Fill | None:
     """Fill the corner of two lines of one link beyond a circle about it: the corner is rigid; a wide one is left."""
-    half = abs(cmath.phase(second / first)) / 2
-    if not 0 < half < WIDEST / 2:
-        return None
-    reach = (radius + GUSSET * hand.symbol) / math.cos(half)
+    half, depth = abs(cmath.phase(second / first)) / 2, radius + GUSSET * hand.symbol
+    reach = depth * min(1 / math.cos(half), LEG)
+    if half == 0 or reach * math.cos(half) <= radius + GUSSET * hand.symbol / 4:
+        return None  # one line, or a corner so wide that it is nearly one
     middle = (first + second) / abs(first + second)
     turn = cmath.phase(first / middle)
     rim = [middle * cmath.rect(radius, turn * (k / 4 - 1)) for k in range(9)] if radius else [0j]
