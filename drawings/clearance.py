@@ -8,11 +8,14 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 
 import numpy as np
+import numpy.typing as npt
 
-from drawings.strokes import Arc, Circle, Fill, Group, Line, Polyline, Stroke, Text
+from drawings.strokes import TURN, Arc, Circle, Fill, Group, Line, Polyline, Stroke, Text
 from drawings.strokes import bounds as box_of
+from plans.motion import Complexes, Floats
 
-FACETS = 24  # straight pieces that stand for a whole circle
+SAG = 0.2  # mm that a straight piece may be off the arc that it stands for
+PIECES = 48  # straight pieces that stand for a smooth path, at least
 RUNGS = 5  # lines across a text's box that feel what it would cover
 
 
@@ -30,21 +33,30 @@ class Drawn:
         self._ends = np.append(self._ends, [end for _, end in pieces])
         self._weights = np.append(self._weights, np.full(len(pieces), weight))
 
-    def crossed(self, start: complex, end: complex) -> float:
-        """Give the weight of the lines that a straight line crosses or touches."""
-        run, runs = end - start, self._ends - self._starts
-        sides = [_cross(run, ends - start) for ends in (self._starts, self._ends)]
-        others = [_cross(runs, point - self._starts) for point in (start, end)]
-        return float(self._weights[(sides[0] * sides[1] <= 0) & (others[0] * others[1] <= 0)].sum())
-
     def crossed_by(self, strokes: Iterable[Stroke]) -> float:
-        """Give the weight of the lines that some strokes cross; a text crosses what lies in its box."""
-        pieces = (piece for stroke in strokes for chain in chains(stroke) for piece in pairwise(chain))
-        return sum(self.crossed(*piece) for piece in pieces)
+        """Give the weight of the lines that some strokes cross or touch; a text crosses what lies in its box."""
+        pieces = [piece for stroke in strokes for chain in chains(stroke) for piece in pairwise(chain)]
+        starts, ends = np.array([piece[0] for piece in pieces]), np.array([piece[1] for piece in pieces])
+        near = self._near(np.concatenate([starts, ends]))
+        own_starts, own_ends = self._starts[near, None], self._ends[near, None]
+        sides = _cross(ends - starts, own_starts - starts) * _cross(ends - starts, own_ends - starts)
+        others = _cross(own_ends - own_starts, starts - own_starts) * _cross(own_ends - own_starts, ends - own_starts)
+        return float(((sides <= 0) & (others <= 0)).sum(axis=1) @ self._weights[near])
+
+    def _near(self, spots: Complexes) -> npt.NDArray[np.intp]:
+        """Give the pieces whose boxes meet the box of some spots."""
+        over = [
+            (np.minimum(first, last) <= own.max()) & (np.maximum(first, last) >= own.min())
+            for first, last, own in (
+                (self._starts.real, self._ends.real, spots.real),
+                (self._starts.imag, self._ends.imag, spots.imag),
+            )
+        ]
+        return np.flatnonzero(over[0] & over[1])
 
 
-def _cross(first: object, second: object) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
-    return np.asarray((np.conj(np.asarray(first)) * np.asarray(second)).imag)
+def _cross(first: Complexes, second: Complexes) -> Floats:
+    return np.asarray(first.real * second.imag - first.imag * second.real)
 
 
 def chains(stroke: Stroke) -> Iterator[Sequence[complex]]:
@@ -56,14 +68,15 @@ def chains(stroke: Stroke) -> Iterator[Sequence[complex]]:
         case Line(start, end):
             yield start, end
         case Polyline(points, closed):
-            step = max(len(points) // (2 * FACETS), 1)  # a smooth path is felt as well by fewer pieces
+            step = max(len(points) // PIECES, 1)  # a smooth path is felt as well by fewer pieces
             yield (*points[::step], points[0] if closed else points[-1])
         case Fill(points):
             yield *points, points[0]
         case Circle(centre, radius):
-            yield [centre + cmath.rect(radius, 2 * math.pi * k / FACETS) for k in range(FACETS + 1)]
-        case Arc():
-            count = max(math.ceil(FACETS * stroke.sweep / (2 * math.pi)), 1)
+            yield from chains(Arc(centre, radius, 0.0, TURN))
+        case Arc(radius=radius):
+            facet = 2 * math.acos(max(1 - SAG / radius, 0.0)) if radius > 0 else TURN
+            count = max(math.ceil(stroke.sweep / facet), 1)
             yield [stroke.at(k / count) for k in range(count + 1)]
         case Text():
             yield from _rungs(stroke)

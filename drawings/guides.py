@@ -7,9 +7,11 @@ import math
 from drawings.clearance import Drawn
 from drawings.figure import Place
 from drawings.hand import Hand
+from drawings.pairs import Pairs
 from drawings.skeleton import Skeletons
 from drawings.strokes import Line, Stroke
 from drawings.symbols import BLOCK, ground, tick
+from drawings.trimming import trimmed
 from plans.mechanism import FRAME, Slide
 
 BEYOND = 16.0  # mm of a guide's axis past the block's outermost places
@@ -42,15 +44,21 @@ def travel(bones: Skeletons, slide: Slide, place: Place) -> tuple[complex, compl
     return first - BEYOND * way.direction, last + BEYOND * way.direction
 
 
-def grounds(bones: Skeletons, place: Place, hand: Hand, drawn: Drawn) -> list[Stroke]:
+def grounds(pairs: Pairs, drawn: Drawn) -> list[Stroke]:
     """Draw the ground beside the shown block of each guide, on the side where fewer links are."""
+    bones, place, hand = pairs.bones, pairs.place, pairs.hand
     found: list[Stroke] = []
     for slide in frame_slides(bones):
         start, end = travel(bones, slide, place)
         block = complex(bones.numbered.blocks(slide)[bones.shown])
         middle = (start + end) / 2 if math.isnan(block.real) else place.on(block)
         sides = {side: ground(*_base(middle, slide, side, hand), hand) for side in (-1j, 1j)}
-        found += min(sides.items(), key=lambda item: drawn.crossed_by(item[1]) + DOWNWARD * _up(slide, item[0]))[1]
+        base, *hatch = min(sides.items(), key=lambda item: drawn.crossed_by(item[1]) + DOWNWARD * _up(slide, item[0]))[
+            1
+        ]
+        over = [symbol for other, symbol in pairs.blocks if other != slide]
+        found += trimmed([base], over)
+        found += [line for line in hatch if list(trimmed([line], over)) == [line]]  # hatching is whole or left out
     return found
 
 

@@ -45,18 +45,19 @@ def figure(bones: Skeletons, place: Place, hand: Hand, language: str) -> list[Gr
     extremes, lines = list(_extremes(pairs)), axes(bones, place, hand)
     drawn = Drawn()
     drawn.draw([*body, *blocks, *stands])
-    grounded = grounds(bones, place, hand, drawn)
+    grounded = grounds(pairs, drawn)
     drawn.draw(grounded)
     drawn.draw([*paths, *positions, *extremes, *lines], SHARE)
     layers: list[tuple[str, Iterable[Stroke]]] = [
         ("paths", paths),
         ("all-positions", positions),
         ("extremes", extremes),
-        ("guides", [*lines, *grounded]),
+        ("guides", lines),
         ("notches", _notches(bones, place, hand)),
     ]
     groups = [Group(tuple(fitted(trimmed(strokes, pairs.masks))), name) for name, strokes in layers]
     groups += [
+        Group(tuple(grounded), "grounds"),
         Group((*blocks, *body, *pairs.corners()), "shown-position"),
         Group((*stands, *pairs.marks()), "pairs"),
         Group(tuple(stroke(bones, place, hand, language, drawn)), "stroke"),

@@ -9,15 +9,16 @@ from typing import NamedTuple
 
 from drawings.clearance import Drawn
 from drawings.pairs import Pairs
-from drawings.strokes import Line, Stroke
+from drawings.strokes import Arc, Line, Stroke
 from drawings.symbols import turning_arrow
 
 SWEEP = math.radians(65)
 RAYS = 12  # across an arrow's own field
-STARTS = 24  # directions in which an arrow may begin
+STARTS = 18  # directions in which an arrow may begin
 INNER, OUTER = 10.0, 14.0  # mm: radii of an arrow inside a crank circle that has room for one
 NUMBERS = 9.0  # mm outside the crank circle that its numbers take
 RIM = 4.0  # mm that an arrow keeps from the crank circle
+BESIDE = 1.6  # mm that an arrow keeps from a line beside it
 LETTER = 0.25  # rad of free arc that an arrow keeps from the bars of the shown position on either side
 THICK = 12.0  # thin lines that a bar or a symbol of the shown position counts as
 APART = 0.02  # what each degree away from the crank costs: the arrow is looked for ahead of it
@@ -44,6 +45,13 @@ class Turning(NamedTuple):
         turns = [self.start + self.sweep * k / RAYS for k in range(RAYS + 1)]
         return [Line(self.centre, self.centre + cmath.rect(self.radius + OUTER, turn)) for turn in turns]
 
+    @property
+    def room(self) -> list[Stroke]:
+        """Arcs within, along and outside the arrow, a little longer than it is: what they cross comes too near."""
+        low, high = sorted((self.start, self.start + self.sweep))
+        radii = (self.radius - BESIDE, self.radius, self.radius + BESIDE)
+        return [Arc(self.centre, radius, low - LETTER, high + LETTER) for radius in radii]
+
     def strokes(self, pairs: Pairs) -> tuple[Stroke, ...]:
         """Draw it."""
         return turning_arrow(self.centre, self.radius, self.start, self.sweep, pairs.hand)
@@ -67,9 +75,8 @@ def _placed(letter: str, sense: int, pairs: Pairs, drawn: Drawn) -> Turning:
     crank = cmath.phase(place.on(bones.crank_end(bones.shown)) - bones.pivot(place))
 
     def cost(turning: Turning) -> float:
-        wide = turning._replace(start=turning.start - sense * LETTER, sweep=turning.sweep + 2 * sense * LETTER)
         away = abs(cmath.phase(cmath.rect(1.0, turning.start + turning.sweep / 2 - crank - 0.8 * sense)))
-        return drawn.crossed_by(wide.strokes(pairs)) + APART * math.degrees(away)
+        return drawn.crossed_by(turning.room) + APART * math.degrees(away)
 
     return min(_candidates(letter, sense, pairs), key=cost)
 
@@ -83,5 +90,5 @@ def _candidates(letter: str, sense: int, pairs: Pairs) -> Iterator[Turning]:
 
 def _radii(crank: float, factor: float) -> list[float]:
     """Give the radii of an arrow: inside the crank circle where it has room, else outside its numbers."""
-    inside = [radius * factor for radius in (INNER, (INNER + OUTER) / 2, OUTER) if radius * factor <= crank - RIM]
+    inside = [radius * factor for radius in (INNER, OUTER) if radius * factor <= crank - RIM]
     return inside or [crank + NUMBERS]

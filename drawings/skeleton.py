@@ -129,7 +129,7 @@ class Skeletons:
                 found[slide] = float(known.min()), float(known.max())
         return found
 
-    @property
+    @cached_property
     def points(self) -> list[complex]:
         """All true points that the figure must hold."""
         arrays = [places for poses in (*self.poses, self.way) for places in poses.points.values()]

@@ -11,7 +11,7 @@ from drawings.clearance import Drawn
 from drawings.figure import Place
 from drawings.hand import Hand
 from drawings.skeleton import Skeletons
-from drawings.strokes import Group, Line, Stroke, Text, bounds, text_width
+from drawings.strokes import Box, Group, Line, Stroke, Text, bounds, text_width
 from drawings.symbols import ARROW_LENGTH, arrowhead
 from drawings.words import fixed
 from plans.extreme import frame_slide
@@ -38,14 +38,14 @@ def stroke(bones: Skeletons, place: Place, hand: Hand, language: str, drawn: Dra
     pins = [place.on(complex(value)) for value in bones.extremes.points[out.point or slide.point]]
     first, last = sorted(pins, key=lambda pin: (round(pin.real, 6), pin.imag))
     text = f"H = {fixed(1000 * found.extremes.stroke, language)}".rstrip("0").rstrip(".,")
-    points = [place.on(value) for value in bones.points]
+    room = _room([place.on(value) for value in bones.points])
     best: list[Stroke] = []
     cheapest = math.inf
     for distance in DISTANCES:
         if distance >= cheapest:
             break  # no place further off can be better
         for strokes in _candidates(first, last, distance, text, hand):
-            cost = distance + _cost(strokes, drawn, points)
+            cost = distance + _cost(strokes, drawn, room)
             if cost < cheapest:
                 best, cheapest = strokes, cost
     return best
@@ -80,16 +80,20 @@ def _dimension(first: complex, last: complex, off: complex, share: float, text: 
     ]
 
 
-def _cost(strokes: list[Stroke], drawn: Drawn, points: list[complex]) -> float:
+def _cost(strokes: list[Stroke], drawn: Drawn, room: Box) -> float:
     """Weigh a dimension: lines through its number, lines that its own lines cross, what is beyond the border."""
     letters, dimension, *extensions = strokes[:4]
     struck, crossed = drawn.crossed_by([letters]), drawn.crossed_by([dimension]) + drawn.crossed_by(extensions) / 2
-    return STRUCK * struck + CROSSED * crossed + OUTSIDE * _beyond(strokes, points)
+    return STRUCK * struck + CROSSED * crossed + OUTSIDE * _beyond(strokes, room)
 
 
-def _beyond(strokes: list[Stroke], points: list[complex]) -> float:
-    """Give by how much strokes lie outside the border round a plan's points, mm."""
-    left, bottom, right, top = bounds(Group(tuple(strokes)))
+def _room(points: list[complex]) -> Box:
+    """Give the box of a plan's points with the border round it."""
     xs, ys = [point.real for point in points], [point.imag for point in points]
-    over = (min(xs) - left, min(ys) - bottom, right - max(xs), top - max(ys))
-    return sum(max(by - BORDER, 0.0) for by in over)
+    return min(xs) - BORDER, min(ys) - BORDER, max(xs) + BORDER, max(ys) + BORDER
+
+
+def _beyond(strokes: list[Stroke], room: Box) -> float:
+    """Give by how much strokes lie outside the room, mm."""
+    left, bottom, right, top = bounds(Group(tuple(strokes)))
+    return sum(max(by, 0.0) for by in (room[0] - left, room[1] - bottom, right - room[2], top - room[3]))
