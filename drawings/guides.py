@@ -28,20 +28,20 @@ def axes(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
     """Draw each frame's guide: its axis over the travel, and a tick at each position."""
     drawn: list[Stroke] = []
     for slide in frame_slides(bones):
-        start, end = travel(bones, slide, place)
+        start, end = travel(bones, slide, place, hand)
         drawn.append(Line(start, end, hand.axis))
         blocks = [complex(spot) for spot in bones.numbered.blocks(slide) if not math.isnan(spot.real)]
         drawn += [tick(place.on(spot), slide.on_owner.direction, hand) for spot in blocks]
     return drawn
 
 
-def travel(bones: Skeletons, slide: Slide, place: Place) -> tuple[complex, complex]:
+def travel(bones: Skeletons, slide: Slide, place: Place, hand: Hand) -> tuple[complex, complex]:
     """Give the ends of a guide's axis on paper; a guide that no block comes to is where the scene puts it."""
     way = slide.on_owner
     low, high = bones.travels.get(slide, (0.0, 0.0))
-    ends = (place.on(way.through + along * way.direction) for along in (low, high))
-    first, last = ends
-    return first - BEYOND * way.direction, last + BEYOND * way.direction
+    first, last = (place.on(way.through + along * way.direction) for along in (low, high))
+    more = BEYOND * hand.symbol * way.direction
+    return first - more, last + more
 
 
 def grounds(pairs: Pairs, drawn: Drawn) -> list[Stroke]:
@@ -49,7 +49,7 @@ def grounds(pairs: Pairs, drawn: Drawn) -> list[Stroke]:
     bones, place, hand = pairs.bones, pairs.place, pairs.hand
     found: list[Stroke] = []
     for slide in frame_slides(bones):
-        start, end = travel(bones, slide, place)
+        start, end = travel(bones, slide, place, hand)
         block = complex(bones.numbered.blocks(slide)[bones.shown])
         middle = (start + end) / 2 if math.isnan(block.real) else place.on(block)
         sides = {side: ground(*_base(middle, slide, side, hand), hand) for side in (-1j, 1j)}

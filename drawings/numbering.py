@@ -187,16 +187,19 @@ def output_point(bones: Skeletons) -> str | None:
 
 
 def _outward(bones: Skeletons, one: Numbered, spot: complex, place: Place) -> tuple[float, float]:
-    """Direct a number away from its point's path, the return stroke's to the other side; further off on an arc."""
-    back = _returning(bones, one)
-    slide = frame_slide(bones.mechanism, bones.study.output.link)
+    """Direct a number away from its point's path: off a guide by the stroke, off an arc from its centre, else outward.
+
+    The second number is how many sizes further off it stands: the return stroke has its own ring outside an arc.
+    """
+    mechanism, back = bones.mechanism, _returning(bones, one)
+    slide = frame_slide(mechanism, bones.study.output.link)
     if slide is not None:
-        up = slide.on_owner.direction * (1j if (1j * slide.on_owner.direction).imag >= 0 else -1j)
+        up = slide.on_owner.direction * (1j if slide.on_owner.direction.real >= 0 else -1j)
         return cmath.phase(-up if back else up), 0.0
-    fixed_points = bones.mechanism.links[FRAME].points
-    own = [name for name in bones.mechanism.links[bones.study.output.link].points if name in fixed_points]
+    fixed_points, tip = mechanism.links[FRAME].points, output_point(bones)
+    own = [fixed_points[name] for name in mechanism.links[bones.study.output.link].points if name in fixed_points]
     if own:
-        return cmath.phase(spot - place.on(fixed_points[own[0]])), 1.5 if back else 0.0
-    places = one.poses.points[output_point(bones) or own[0]]
-    middle = place.on(complex(np.nanmean(bones.way.points[output_point(bones) or ""]))) if places.size else spot
+        return cmath.phase(spot - place.on(own[0])), RING if back else 0.0
+    known = [] if tip is None else [complex(value) for value in bones.way.points[tip] if not math.isnan(value.real)]
+    middle = place.on(sum(known) / len(known)) if known else spot
     return cmath.phase(spot - middle) if spot != middle else math.pi / 2, 0.0
