@@ -63,10 +63,12 @@ class Subject(NamedTuple):
         }
 
 
-def vector(subject: Subject, name: str, ends: tuple[complex, complex], place: Place, style: LineStyle) -> Group:
+def vector(
+    subject: Subject, name: str, ends: tuple[complex, complex], place: Place, style: LineStyle, symbol: float = 1.0
+) -> Group:
     """Draw a vector between two true ends, full length to the arrow's tip, and say what it is."""
     start, end = place.on(ends[0]), place.on(ends[1])
-    head = arrowhead(start, end)
+    head = arrowhead(start, end, symbol)
     strokes = (Line(start, end, style),) if head is None else (Line(start, end, style), head)
     return Group(strokes, "", subject.data("vector", name, ends[1] - ends[0], place.scale), name)
 

@@ -135,7 +135,7 @@ class _Draft:
         labels = Labels(ink, page.hand.drafted)
         if composed.main is not None:
             place = self.content.main.placed(*composed.main)  # type: ignore[union-attr]
-            main.append(position_plan.letters(self.bones, place, labels))
+            main.append(position_plan.letters(self.bones, place, labels, page.hand))
         return Leaf(
             *page.size,
             (page.frame(), page.corners(), *groups, *main, *(one.lettered(labels) for one in figures), *missing),

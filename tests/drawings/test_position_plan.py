@@ -1,0 +1,367 @@
+"""The plan of positions: what a strict eye finds on a textbook's figure, on every gallery scene and hard mechanism."""
+
+from __future__ import annotations
+
+import cmath
+import itertools
+import math
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+
+from drawings.dashes import DASH_DOT, DASHED
+from drawings.figure import Place, centred, extent
+from drawings.hand import Hand
+from drawings.layout import Ink, Labels
+from drawings.page import Field
+from drawings.position_plan import figure, letters
+from drawings.scale import fitting
+from drawings.sheets.kinematics import position
+from drawings.skeleton import Skeletons, skeletons
+from drawings.strokes import Arc, Circle, Fill, Group, Line, Polyline, Stroke, Text, bounds, text_width
+from plans.compare import compare
+from plans.mechanism import FRAME
+from plans.scene import parse_scene, read_scene
+from plans.study import Study
+from tests.drawings import mechanisms
+
+shapely = pytest.importorskip("shapely")
+
+GALLERY = sorted((Path(__file__).parents[2] / "drawings" / "gallery").glob("*.toml"))
+NAMES = [*(path.stem for path in GALLERY), *mechanisms.ALL]
+A1, A4 = Hand(0.7, 0.35, 0.25), Hand(0.5, 0.25, 0.18, letter=3.5, number=2.5, symbol=0.6)
+ROOM = Field(40, 40, 400, 400)
+HAIR = 1e-6  # mm: rounding of places on paper
+
+
+class Figure(NamedTuple):
+    bones: Skeletons
+    place: Place
+    hand: Hand
+    groups: dict[str, Group]
+    letters: Group
+
+    def strokes(self, *names: str) -> list[Stroke]:
+        return [stroke for name, group in self.groups.items() if not names or name in names for stroke in flat(group)]
+
+    def circle(self, name: str) -> Circle:
+        marks = (mark for mark in self.groups["pairs"].strokes if isinstance(mark, Group) and mark.title == name)
+        found = next(marks).strokes[0]
+        assert isinstance(found, Circle)
+        return found
+
+    def on(self, name: str, k: int | None = None) -> complex:
+        return self.place.on(self.bones.spot(name, self.bones.shown if k is None else k))
+
+
+@cache
+def drawn(name: str, hand: Hand = A1) -> Figure:
+    paths = {path.stem: path for path in GALLERY}
+    study = Study(read_scene(paths[name]) if name in paths else parse_scene(mechanisms.ALL[name]))
+    comparison = compare(study)
+    bones = skeletons(study, comparison.construction, position(study, comparison))
+    place = centred(bones.points, ROOM, fitting(*extent(bones.points, ROOM), "l", "m"))
+    groups = figure(bones, place, hand, "en")
+    ink = Ink(440, 440)
+    ink.draw(groups)
+    return Figure(bones, place, hand, {group.name: group for group in groups}, letters(bones, place, Labels(ink), hand))
+
+
+def flat(stroke: Stroke) -> Iterator[Stroke]:
+    if isinstance(stroke, Group):
+        for inner in stroke.strokes:
+            yield from flat(inner)
+    else:
+        yield stroke
+
+
+def chain(stroke: Stroke) -> list[complex]:
+    match stroke:
+        case Line(start, end):
+            return [start, end]
+        case Polyline(points, closed):
+            return [*points, points[0]] if closed else list(points)
+        case Fill(points):
+            return [*points, points[0]]
+        case Circle(centre, radius):
+            return [centre + cmath.rect(radius, 2 * math.pi * k / 180) for k in range(181)]
+        case Arc():
+            return [stroke.at(k / 180) for k in range(181)]
+    raise AssertionError(f"{stroke} is no line")
+
+
+def shape(stroke: Stroke) -> object:
+    return shapely.LineString([(point.real, point.imag) for point in chain(stroke)])
+
+
+def disc(circle: Circle) -> object:
+    return shapely.Point(circle.centre.real, circle.centre.imag).buffer(circle.radius, quad_segs=90)
+
+
+def box(text: Text) -> object:
+    """The box of a turned text: its bounds before turning, turned about its anchor."""
+    left, bottom, right, top = bounds(Text(text.at, text.content, text.size, text.anchor, text.slanted))
+    about = (text.at.real, text.at.imag)
+    return shapely.affinity.rotate(shapely.box(left, bottom, right, top), text.rotation, origin=about)
+
+
+def length(stroke: Stroke) -> float:
+    if isinstance(stroke, Arc):
+        return stroke.radius * stroke.sweep
+    return sum(abs(b - a) for a, b in itertools.pairwise(chain(stroke)))
+
+
+def hinges(found: Figure) -> dict[str, Circle]:
+    return {name: found.circle(name) for name in found.bones.mechanism.hinges}
+
+
+def thick(found: Figure) -> list[Stroke]:
+    bars = [s for s in found.strokes("shown-position", "pairs") if isinstance(s, Line)]
+    return [bar for bar in bars if bar.style.width == found.hand.main]
+
+
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("hand", [A1, A4], ids=["A1", "A4"])
+def test_links_end_at_the_circles_of_their_hinges(name: str, hand: Hand) -> None:
+    found = drawn(name, hand)
+    assert thick(found)
+    for (letter, circle), bar in itertools.product(hinges(found).items(), thick(found)):
+        assert shape(bar).intersection(disc(circle)).length < 1e-3 * circle.radius, (letter, bar)  # type: ignore[attr-defined]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_no_thin_line_runs_inside_a_hinge(name: str) -> None:
+    found = drawn(name)
+    lines = found.strokes("paths", "all-positions", "extremes", "guides", "notches")
+    area = shapely.union_all([disc(circle) for circle in hinges(found).values()])
+    for line in lines:
+        assert shape(line).intersection(area).length < 0.02, line  # type: ignore[attr-defined]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_bar_of_the_shown_position_reaches_its_hinges(name: str) -> None:
+    """Trimming takes nothing but what is inside: from every hinge of a bar a thick line starts at its circle."""
+    found = drawn(name)
+    ends = [end for bar in thick(found) for end in (bar.start, bar.end) if isinstance(bar, Line)]
+    blocks = {(slide.slider, slide.point) for slide in found.bones.mechanism.slides}  # a rod ends at its own block
+    for link in found.bones.links:
+        points = found.bones.mechanism.links[link].points
+        for letter in points if len(points) > 1 else ():
+            if letter in found.bones.mechanism.hinges and (link, letter) not in blocks:
+                circle = found.circle(letter)
+                assert any(abs(abs(end - circle.centre) - circle.radius) < HAIR for end in ends), (link, letter)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_broken_lines_begin_and_end_with_a_dash(name: str) -> None:
+    broken = [s for s in drawn(name).strokes() if not isinstance(s, Fill | Text) and s.style.dash]
+    assert broken or name in ("leg", "tangent")
+    for stroke in broken:
+        dash, *rest = stroke.style.dash
+        period, closed = dash + sum(rest), isinstance(stroke, Polyline) and stroke.closed
+        dashes = (length(stroke) + (0 if closed else sum(rest))) / period
+        assert dashes == pytest.approx(round(dashes), abs=1e-6) and dashes > 1.5
+        least, most = DASHED if len(rest) == 1 else DASH_DOT
+        assert least <= dash <= most
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_sense_of_rotation_is_clear_of_every_link_hinge_and_number(name: str) -> None:
+    found = drawn(name)
+    numbers = shapely.union_all([box(text) for text in flat(found.letters) if isinstance(text, Text)])
+    for arrow in found.strokes("rotation"):
+        for bar in [*thick(found), *hinges(found).values()]:
+            assert shape(arrow).distance(shape(bar)) > 0.5  # type: ignore[attr-defined]
+        assert shape(arrow).distance(numbers) > 0  # type: ignore[attr-defined]
+
+
+@pytest.mark.parametrize("name", [name for name in NAMES if name not in ("crank-rocker", "offset stone", "leg")])
+def test_no_line_strikes_the_number_of_the_stroke_through(name: str) -> None:
+    found = drawn(name)
+    if name == "tangent":  # its output runs to infinity: there is no stroke
+        assert "stroke" not in found.groups
+        return
+    number = next(text for text in found.strokes("stroke") if isinstance(text, Text))
+    for line in found.strokes():
+        if not isinstance(line, Text):
+            assert not shape(line).intersects(box(number)), line  # type: ignore[attr-defined]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_dimension_of_the_stroke_is_as_long_as_the_stroke(name: str) -> None:
+    found = drawn(name)
+    if "stroke" in found.groups:
+        assert found.bones.study.found is not None
+        text, dimension, *extensions = found.strokes("stroke")[:4]
+        assert isinstance(text, Text) and isinstance(dimension, Line)
+        first, last = (line for line in extensions if isinstance(line, Line))
+        along = (dimension.end - dimension.start) / abs(dimension.end - dimension.start)
+        apart = abs(((last.end - first.end) * along.conjugate()).real)
+        assert apart == pytest.approx(found.place.length(found.bones.study.found.extremes.stroke), abs=1e-6)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_hatching_is_equal_on_its_side_of_the_base_and_within_it(name: str) -> None:
+    found = drawn(name)
+    for layer in ("pairs", "grounds"):
+        strokes = found.strokes(layer)
+        for base, hatch in bases(strokes, found.hand):
+            along = (base.end - base.start) / abs(base.end - base.start)
+            spots = [(end - base.start) / along for line in hatch for end in (line.start, line.end)]
+            assert len({round(length(line), 6) for line in hatch}) == 1
+            assert all(-HAIR <= spot.real <= abs(base.end - base.start) + HAIR for spot in spots)
+            assert len({math.copysign(1, spot.imag) for spot in spots if abs(spot.imag) > HAIR}) == 1
+            for block in (s for s in found.strokes("shown-position") if isinstance(s, Polyline)):
+                inside = shapely.Polygon(shape(block)).buffer(-HAIR)  # type: ignore[call-overload]
+                assert layer == "pairs" or not any(shape(line).intersects(inside) for line in hatch)  # type: ignore[attr-defined]
+
+
+def bases(strokes: list[Stroke], hand: Hand) -> Iterator[tuple[Line, list[Line]]]:
+    """Give each base line, joined where a slot stands over it, with the thin hatching drawn after it."""
+    kept: list[Line] = []
+    for solid, run in itertools.groupby(strokes, lambda s: isinstance(s, Line) and s.style.width == hand.main):
+        lines = [line for line in run if isinstance(line, Line)]
+        if solid:
+            kept = lines[-1:] if abs(direction(lines[0]) - direction(lines[-1])) > HAIR else [lines[0], lines[-1]]
+        elif kept and lines:
+            yield Line(kept[0].start, kept[-1].end), lines
+
+
+def direction(line: Line) -> complex:
+    return (line.end - line.start) / abs(line.end - line.start)
+
+
+@pytest.mark.parametrize("name", ["scotch yoke", "whitworth", "tangent", "shaper"])
+def test_a_slotted_link_reaches_its_stone_in_every_position(name: str) -> None:
+    found = drawn(name)
+    slide = next(slide for slide in found.bones.mechanism.slides if slide.owner != FRAME)
+    poses, k = found.bones.numbered, found.bones.shown
+    bars = shapely.union_all([shape(bar).buffer(1e-3) for bar in thick(found)])  # type: ignore[attr-defined]
+    blocks = [shapely.Polygon(shape(s)) for s in found.strokes("shown-position") if isinstance(s, Polyline)]  # type: ignore[call-overload]
+    covered = shapely.union_all([bars, *blocks, *(disc(circle) for circle in hinges(found).values())])
+    for along in poses.along(slide):
+        stone = slide.on_owner.through + along * slide.on_owner.direction
+        spot = found.place.on(complex(poses.of(slide.owner, stone)[k]))
+        assert math.isnan(along) or covered.contains(shapely.Point(spot.real, spot.imag))
+
+
+@pytest.mark.parametrize(("name", "pin"), [("offset stone", "D"), ("offset block", "B")])
+def test_an_offset_slide_is_joined_to_its_block_square_and_rigidly(name: str, pin: str) -> None:
+    found = drawn(name)
+    slide = next(slide for slide in found.bones.mechanism.slides if slide.point == pin)
+    line = complex(found.bones.numbered.line(slide)[found.bones.shown])
+    circle = found.circle(pin)
+    block = next(s for s in found.strokes("shown-position") if isinstance(s, Polyline))
+    bracket = [
+        bar
+        for bar in thick(found)
+        if isinstance(bar, Line)
+        and min(abs(abs(end - circle.centre) - circle.radius) for end in (bar.start, bar.end)) < HAIR
+        and abs(((bar.end - bar.start) * line.conjugate()).real) < HAIR * abs(bar.end - bar.start)
+    ]
+    assert len(bracket) == 1 and shape(bracket[0]).distance(shape(block)) < HAIR  # type: ignore[attr-defined]
+    fills = [s for s in found.strokes("shown-position") if isinstance(s, Fill)]
+    assert sum(shape(fill).distance(shape(block)) < HAIR for fill in fills) == 2  # type: ignore[attr-defined]
+    offset = found.place.length(abs(float(found.bones.study.scene.mechanism.slides[0].offset)))
+    assert abs(np.mean(block.points) - circle.centre) == pytest.approx(offset)  # type: ignore[arg-type]
+
+
+def test_two_blocks_on_one_pin_are_a_block_and_a_slot_about_the_pin() -> None:
+    found = drawn("cross-slide")
+    shapes = [s for s in found.strokes("shown-position") if isinstance(s, Polyline)]
+    corners = sorted(len(s.points) for s in shapes)
+    assert corners[:2] == [4, 4] and corners[2] > 8  # the stone A, the frame's block, and a slot with round ends
+    pin = found.on("D")
+    assert sum(abs(complex(np.mean(s.points)) - pin) < HAIR for s in shapes) == 2
+
+
+def test_a_path_that_is_gone_there_and_back_is_drawn_once() -> None:
+    """The point K of the press's arm follows the rocker: what it draws forwards it draws again backwards."""
+    found = drawn("toggle press")
+    path = found.place.origin + (found.bones.way.points["K"] - found.place.zero) / found.place.scale.mu
+    whole = float(np.abs(np.diff(path)).sum())
+    fully = [s for s in found.strokes("paths") if shape(s).distance(shapely.Point(path[0].real, path[0].imag)) < 0.2]  # type: ignore[attr-defined]
+    assert sum(length(s) for s in fully) == pytest.approx(whole / 2, rel=0.02)
+
+
+@pytest.mark.parametrize(("name", "letter", "circles"), [("engine", "A", 2), ("engine", "B", 1), ("leg", "C", 2)])
+def test_a_hinge_of_three_links_is_a_double_circle(name: str, letter: str, circles: int) -> None:
+    marks = drawn(name).groups["pairs"].strokes
+    mark = next(mark for mark in marks if isinstance(mark, Group) and mark.title == letter)
+    assert sum(isinstance(stroke, Circle) for stroke in mark.strokes) == circles
+
+
+@pytest.mark.parametrize(("name", "letter"), [("slider-crank", "S2"), ("engine", "S4"), ("engine", "S2")])
+def test_a_mass_centre_is_a_circle_with_two_opposite_quarters_filled(name: str, letter: str) -> None:
+    found = drawn(name)
+    marks = found.groups["pairs"].strokes
+    mark = next(mark for mark in marks if isinstance(mark, Group) and mark.title == letter)
+    circle, *quarters = mark.strokes
+    assert isinstance(circle, Circle) and len(quarters) == 2
+    areas = [shapely.Polygon(shape(quarter)) for quarter in quarters]  # type: ignore[call-overload]
+    assert all(area.area == pytest.approx(math.pi * circle.radius**2 / 4, rel=0.02) for area in areas)
+    middles = [complex(area.centroid.x, area.centroid.y) - circle.centre for area in areas]
+    assert abs(middles[0] + middles[1]) < HAIR
+
+
+def test_of_36_positions_every_one_is_numbered_at_the_crank_and_few_at_the_output() -> None:
+    found = drawn("conveyor")
+    said = [text.plain for text in flat(found.letters) if isinstance(text, Text)]
+    assert all(str(k) in said for k in range(36))
+    twice = {plain for plain in said if said.count(plain) == 2}
+    assert {"0", "23'"} <= twice  # both extremes stand at the output
+    assert 8 <= len(twice) <= 26
+    assert len([s for s in found.strokes("all-positions") if isinstance(s, Line)]) < 36 * 4
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_no_letter_or_number_lies_on_another(name: str) -> None:
+    texts = [text for text in flat(drawn(name).letters) if isinstance(text, Text)]
+    for one, other in itertools.combinations(texts, 2):
+        assert box(one).intersection(box(other)).area < 0.05, (one.plain, other.plain)  # type: ignore[attr-defined]
+
+
+def test_listed_positions_bear_their_crank_angles() -> None:
+    said = [text.plain for text in flat(drawn("tangent").letters) if isinstance(text, Text)]
+    assert {"0 (−40°)", "3 (15°)", "5 (40°)"} <= set(said)
+
+
+def test_hinges_do_not_swallow_a_crank_of_a_hundredth() -> None:
+    found = drawn("eccentric")
+    first, second = found.circle("O"), found.circle("A")
+    assert first.radius + second.radius < abs(first.centre - second.centre)
+
+
+def test_the_symbols_of_a_small_sheet_are_smaller() -> None:
+    assert drawn("shaper", A4).circle("B").radius == pytest.approx(0.6 * drawn("shaper").circle("B").radius)
+
+
+def test_epsilon_has_its_own_arrow_and_letter_only_where_it_is_given() -> None:
+    for name, arrows in (("shaper", 2), ("whitworth", 1)):
+        found = drawn(name)
+        assert sum(isinstance(stroke, Arc) for stroke in found.strokes("rotation")) == arrows
+        said = [text.plain for text in flat(found.letters) if isinstance(text, Text)]
+        assert ("ε1" in said) == (arrows == 2) and "ω1" in said
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_named_point_keeps_its_data(name: str) -> None:
+    found = drawn(name)
+    marks = [mark for mark in found.groups["pairs"].strokes if isinstance(mark, Group) and mark.data]
+    assert {mark.data["name"] for mark in marks} == set(found.bones.numbered.points)
+    for mark in marks:
+        true = complex(*map(float, mark.data["value"].split()))
+        assert isinstance(mark.strokes[0], Circle)
+        assert abs(mark.strokes[0].centre - found.place.on(true)) < HAIR
+
+
+def test_text_widths_are_those_of_the_alphabet() -> None:
+    """The number of the stroke stands over its dimension line, or beyond its end where it is too short."""
+    for name in ("whitworth", "toggle press"):
+        text, dimension, *_ = drawn(name).strokes("stroke")
+        assert isinstance(text, Text) and isinstance(dimension, Line)
+        assert text_width(text) < abs(dimension.end - dimension.start)

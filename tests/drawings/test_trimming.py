@@ -1,0 +1,113 @@
+"""Trimming and dashes: what is left of a line is what lies outside every symbol, and it is dashed from end to end."""
+
+from __future__ import annotations
+
+import cmath
+import itertools
+import math
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from drawings.dashes import fit
+from drawings.hand import Hand
+from drawings.strokes import Arc, Circle, Line, LineStyle, Polyline, Stroke
+from drawings.symbols import block, ground, gusset, slot
+from drawings.trimming import Mask, trimmed
+
+shapely = pytest.importorskip("shapely")
+
+HAND = Hand(0.7, 0.35, 0.25)
+places = st.builds(complex, st.floats(-30, 30), st.floats(-30, 30))
+turns = st.floats(-math.pi, math.pi).map(lambda angle: cmath.rect(1.0, angle))
+masks = st.one_of(
+    st.builds(Circle, places, st.floats(0.5, 6)),
+    st.builds(lambda at, turn: block(at, turn, HAND), places, turns),
+    st.builds(lambda at, turn: slot(at, turn, HAND), places, turns),
+)
+
+
+def area(mask: Mask) -> object:
+    if isinstance(mask, Circle):
+        return shapely.Point(mask.centre.real, mask.centre.imag).buffer(mask.radius, quad_segs=400)
+    return shapely.Polygon([(point.real, point.imag) for point in mask.points])
+
+
+def length(stroke: Stroke) -> float:
+    match stroke:
+        case Line(start, end):
+            return abs(end - start)
+        case Arc():
+            return stroke.radius * stroke.sweep
+        case Polyline(points):
+            return sum(abs(b - a) for a, b in itertools.pairwise(points))
+    raise AssertionError(stroke)
+
+
+def left(spots: list[complex], own: list[Mask]) -> float:
+    """Measure with shapely what of a chain's pieces lies outside all masks."""
+    whole = shapely.union_all([area(mask) for mask in own])
+    pieces = shapely.linestrings([[(a.real, a.imag), (b.real, b.imag)] for a, b in itertools.pairwise(spots)])
+    return float(shapely.length(shapely.difference(pieces, whole)).sum())
+
+
+@given(places, places, st.lists(masks, min_size=1, max_size=3))
+def test_what_is_left_of_a_line_is_what_lies_outside(start: complex, end: complex, own: list[Mask]) -> None:
+    kept = list(trimmed([Line(start, end)], own))
+    assert sum(map(length, kept)) == pytest.approx(left([start, end], own), abs=2e-3)
+
+
+@given(places, st.floats(2, 30), st.floats(-3, 3), st.floats(0.1, 6), st.lists(masks, min_size=1, max_size=3))
+def test_what_is_left_of_an_arc_is_what_lies_outside(
+    centre: complex, radius: float, start: float, sweep: float, own: list[Mask]
+) -> None:
+    arc = Arc(centre, radius, start, start + sweep)
+    kept = list(trimmed([arc], own))
+    assert sum(map(length, kept)) == pytest.approx(left([arc.at(k / 2000) for k in range(2001)], own), abs=0.05)
+
+
+@given(st.lists(places, min_size=3, max_size=6, unique=True), st.lists(masks, min_size=1, max_size=3))
+def test_what_is_left_of_a_closed_chain_is_what_lies_outside(points: list[complex], own: list[Mask]) -> None:
+    chain = Polyline(tuple(points), True)
+    kept = list(trimmed([chain], own))
+    whole = sum(length(stroke) + (abs(points[0] - points[-1]) if stroke == chain else 0) for stroke in kept)
+    assert whole == pytest.approx(left([*points, points[0]], own), abs=5e-3)
+
+
+@given(st.floats(6, 2000), st.booleans())
+def test_dashes_fill_a_line_of_any_length(size: float, closed: bool) -> None:
+    for style, least, most in ((HAND.path, 2, 8), (HAND.axis, 5, 30), (HAND.extreme, 5, 30)):
+        dash, *rest = fit(style, size, closed).dash or (0.0,)
+        if not rest:
+            assert size < 2 * least + 2 * sum(style.dash[1:])  # two of the shortest dashes would not stand on it
+            continue
+        count = (size + (0 if closed else sum(rest))) / (dash + sum(rest))
+        assert count == pytest.approx(round(count), abs=1e-6) and least <= dash <= most
+        assert tuple(rest) == style.dash[1:]
+
+
+@pytest.mark.parametrize("turn", [1, 1j, -1, -1j, cmath.rect(1, 0.7)])
+@pytest.mark.parametrize("size", [12.0, 28.0, 28.7])
+def test_the_hatching_of_a_ground_is_equal_and_within_its_base(turn: complex, size: float) -> None:
+    for side in (1j, -1j):
+        base, *hatch = ground(0j, size * turn, side * turn, HAND)
+        assert isinstance(base, Line) and len(hatch) >= 4
+        spots = [end / turn for line in hatch if isinstance(line, Line) for end in (line.start, line.end)]
+        assert min(spot.real for spot in spots) == pytest.approx(0, abs=1e-9)
+        assert max(spot.real for spot in spots) == pytest.approx(size)
+        assert {round((spot / side).real, 6) for spot in spots} == {0, round(3 * math.sqrt(0.5), 6)}
+
+
+@given(turns, st.floats(0.2, 3.1))
+def test_a_rigid_corner_is_filled_between_its_lines_outside_its_hinge(first: complex, angle: float) -> None:
+    filling = gusset(0j, first, first * cmath.rect(1, angle), 2.0, HAND)
+    if filling is None:
+        assert angle > math.radians(115)
+        return
+    assert all(abs(spot) > 2 - 1e-9 for spot in filling.points)
+    assert all(-1e-9 <= cmath.phase(spot / first) <= angle + 1e-9 for spot in filling.points)
+
+
+def test_a_full_line_keeps_its_style() -> None:
+    assert fit(LineStyle(0.35, (4, 1.5)), 3.0) == LineStyle(0.35)
