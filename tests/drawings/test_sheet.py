@@ -86,7 +86,7 @@ def test_the_sheet_names_its_scales_as_the_textbook_does() -> None:
 
 def test_the_sheet_shows_structure_swing_and_time_ratio() -> None:
     _, leaf = drawn(four_bar())
-    said = " ".join(text.plain for text in texts(leaf))
+    said = " ".join(text.plain for text in texts(leaf)).replace("\N{NO-BREAK SPACE}", " ")
     assert "W = 3·3 − 2·4 = 1" in said and "I(0,1) → II1(2,3)" in said
     assert "ψ = 45.97°" in said and "θ = 18.13°" in said and "K = 1.224" in said
 
