@@ -14,7 +14,7 @@ from plans.units import WORKING
 
 # Lengths in one mechanism that differ more (ratio of longest to shortest) are mostly of two units.
 SPREAD = Decimal(10_000)
-# Beyond this ratio the shortest link moves the longest one by less than half the digits of a number can tell.
+# A fault beyond this ratio: the shortest link moves the longest one by less than half the digits of a number can tell.
 RATIO_LIMIT = Decimal(10_000_000)
 # Metres: links of machines are shorter, and lengths in millimetres are mostly larger numbers.
 METRES = Decimal(20)

@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 from drawings.report import report, shallow, summary
+from drawings.talk import noted, verdict
 from geometry.errors import LimitError
 from plans.compare import Comparison, compare, compare_extremes
 from plans.scene import read_scene
@@ -19,7 +20,7 @@ POSITIONS_DRAWN = 360  # more positions than degrees cannot be told apart on any
 
 def run(options: argparse.Namespace) -> int:
     """Draw a scene's sheets into a folder; give the exit code."""
-    study = Study(read_scene(options.scene))
+    study = Study(noted(read_scene(options.scene)))
     if len(study.turn) > POSITIONS_DRAWN:
         raise LimitError(
             f"{study.scene.file}: drive.positions = {len(study.turn)}: a sheet shows at most {POSITIONS_DRAWN}. "
@@ -65,12 +66,7 @@ def _sheet(study: Study, comparison: Comparison, folder: Path) -> list[Path]:
 
 
 def _verdict(study: Study, comparison: Comparison) -> int:
-    gaps = comparison.construction.gaps
-    for gap in gaps:
-        print(f"position {gap.position}: {gap.plan}: {gap.reason} at {gap.where}: {gap.advice}", file=sys.stderr)
-    for barrier in study.met if not gaps else ():
-        print(f"{barrier.kind} at {barrier.where} between two positions: see the report", file=sys.stderr)
-    near = shallow(study)
-    for k in near:
-        print(f"position {k}: too near a dead centre to be graded: see Conditions in the report", file=sys.stderr)
+    gaps, near = comparison.construction.gaps, shallow(study)
+    for line in verdict(gaps, study.met, near, study.scene.sheet.language):
+        print(line, file=sys.stderr)
     return GAPS if gaps or near or study.met else 0

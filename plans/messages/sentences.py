@@ -12,8 +12,8 @@ from plans.messages.terms import ADVICE, TERMS, TOML
 # What ends a command.
 LIMITS: Mapping[str, str] = {
     "the file is longer than SIZE_LIMIT = {limit} bytes": "файл длиннее SIZE_LIMIT = {limit} байт",
-    "{marks} commas, equals signs and brackets: more than MARKS_LIMIT = {limit}": (
-        "{marks} запятых, знаков равенства и скобок - больше, чем MARKS_LIMIT = {limit}"
+    "{a} commas, equals signs and brackets: more than MARKS_LIMIT = {limit}": (
+        "{a} запятых, знаков равенства и скобок - больше, чем MARKS_LIMIT = {limit}"
     ),
     "a dotted key of more than PARTS_LIMIT = {limit} parts": (
         "в имени с точками больше частей, чем PARTS_LIMIT = {limit}"
@@ -101,13 +101,13 @@ GAPS: Mapping[str, str] = {
     "a group is at its dead centre: its velocities have no one value; take a position beside it": (
         "группа Ассура в мёртвом положении, скорости её не определены; возьмите соседнее положение"
     ),
-    "{first} and {second} are {apart} m apart, {miss} m less than the slot's offset: make the offset smaller or the "
+    "{a} and {b} are {apart} m apart, {miss} m less than the slot's offset: make the offset smaller or the "
     "fixed distance larger": (
-        "расстояние от {first} до {second} равно {apart} м, на {miss} м меньше смещения направляющей: "
+        "расстояние от {a} до {b} равно {apart} м, на {miss} м меньше смещения направляющей: "
         "уменьшите смещение или увеличьте расстояние"
     ),
-    "{line} = {size} m misses the guide of {point} by {miss} m: it must be {least} m at least, or the guide nearer": (
-        "{line} = {size} м не достаёт до направляющей точки {point} на {miss} м: нужно не меньше {least} м "
+    "{a} = {b} m misses the guide of {point} by {miss} m: it must be {least} m at least, or the guide nearer": (
+        "{a} = {b} м не достаёт до направляющей точки {point} на {miss} м: нужно не меньше {least} м "
         "или направляющая ближе"
     ),
     "{a} and {b} are {apart} m apart, but {first} = {near} m and {second} = {far} m reach from {low} m to {high} m: "
