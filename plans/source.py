@@ -81,11 +81,11 @@ def read_source(path: FilePath) -> Source:
 def language_of(path: FilePath) -> str:
     """Give the language that a scene asks for, however faulty the rest of the file is; English where it names none."""
     try:
-        text = _bytes(path).replace(b"\0", b"").decode("utf-8", errors="replace")  # UTF-16 too, as far as it matters
+        text = _bytes(path).replace(b"\0", b"").decode("utf-8", errors="replace")  # UTF-16 too: keys are ASCII
     except (OSError, ValueError):
         return "en"
     table = ""
-    for line in text.splitlines() if "language" in text else ():
+    for line in text.lstrip("\ufeff\ufffd").splitlines() if "language" in text else ():
         written = line.strip()
         if written.startswith("["):
             table = written.partition("]")[0].strip("[ \t")
