@@ -55,6 +55,8 @@ def parser() -> argparse.ArgumentParser:
     measure = commands.add_parser("measure", help="read the vectors of an SVG sheet back in true units")
     measure.add_argument("sheet", type=Path, metavar="SHEET.svg", help="a sheet of plandraft, edited or not")
     measure.add_argument("--json", action="store_true", help="as JSON")
+    schema = commands.add_parser("schema", help="print the JSON Schema of a scene, for editors")
+    schema.add_argument("-o", "--output", type=Path, metavar="FILE", help="write it into a file")
     return top
 
 
