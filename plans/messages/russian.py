@@ -1,4 +1,4 @@
-"""Что plandraft говорит о сцене по-русски: ошибки и замечания, каждое по своему виду."""
+"""What plandraft says of a scene in Russian: faults and notes, each by its kind; the kinds are those of English."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ FAULT = "{expected}. Исправьте: {advice}"
 NOTE = "замечание: {expected}; {advice}"
 MORE = "и ещё {count}"
 
-# Каждый вид ошибки: что ожидалось и что изменить.
+# Each kind of fault: what was expected, and the advice.
 FAULTS: Mapping[str, tuple[str, str]] = {
-    # файл как байты и как TOML
+    # the file as bytes and as TOML
     "not_utf8": (
         "ожидается текст в кодировке UTF-8, но байт {offset} к ней не относится",
         "сохраните файл в UTF-8 (в Блокноте: «Сохранить как», кодировка UTF-8)",
@@ -52,7 +52,7 @@ FAULTS: Mapping[str, tuple[str, str]] = {
         "ожидается, что имя записано один раз, но оно записано здесь и в строке {line}",
         "оставьте одну из двух записей",
     ),
-    # отдельные значения
+    # single values
     "missing": ("ожидается {thing}, но такой записи нет", "добавьте {example}"),
     "unknown_key": ("ожидается один из ключей {table}: {known}", "{suggestion}"),
     "wrong_type": ("ожидается {wanted}, но найдено: {found}", "напишите так: {example}"),
@@ -104,7 +104,7 @@ FAULTS: Mapping[str, tuple[str, str]] = {
         "дайте по одной силе на каждую долю хода",
     ),
     "invalid": ("ожидается допустимое значение: {message}", "сравните его с примерами сцен"),
-    # механизм
+    # the mechanism
     "unknown_point": ("ожидается точка механизма, но точки {name} нет", "{suggestion}"),
     "unknown_link": ("ожидается звено из [mechanism.links], но звена {link} нет", "назовите одно из звеньев {links}"),
     "not_of_link": ("ожидается точка звена {link}: {points}; {name} не из них", "{suggestion}"),
@@ -186,7 +186,7 @@ FAULTS: Mapping[str, tuple[str, str]] = {
     "no_line": ("ожидается звено с двумя точками, чтобы найти середину", "задайте центр масс координатами [x, y]"),
 }
 
-# Каждый вид замечания: что странно, хотя и допустимо, и что сделать.
+# Each kind of note: what is odd though allowed, and the advice.
 NOTES: Mapping[str, tuple[str, str]] = {
     "byte_order_mark": ("файл начинается с метки порядка байтов (BOM)", "она пропущена"),
     "metres": (
