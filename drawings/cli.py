@@ -59,6 +59,8 @@ def parser() -> argparse.ArgumentParser:
     measure.add_argument("sheet", type=Path, metavar="SHEET.svg", help="a sheet of plandraft, edited or not")
     measure.add_argument("--json", action="store_true", help="as JSON")
     _bench(commands)
+    schema = commands.add_parser("schema", help="print the JSON Schema of a scene, for editors")
+    schema.add_argument("-o", "--output", type=Path, metavar="FILE", help="write it into a file")
     return top
 
 
@@ -145,7 +147,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         return STOPPED
     except (DraftError, OSError) as error:
-        print(error, file=sys.stderr)
+        print(_told(error, options), file=sys.stderr)
         return _code(error)
     except Exception:  # whatever else happens is a bug of ours, and is said to be one
         print(f"plandraft: internal error, a bug of plandraft; please report {_bug_report()}", file=sys.stderr)
@@ -159,6 +161,15 @@ def _open_stdout() -> None:
         raise OSError("standard output is closed: there is nowhere to print")
     if isinstance(sys.stdout, io.TextIOWrapper):
         sys.stdout.reconfigure(errors="backslashreplace")
+
+
+def _told(error: Exception, options: argparse.Namespace) -> str:
+    """Word an error in the language of the scene, which may be named in a file that is otherwise at fault."""
+    if not hasattr(options, "scene"):
+        return str(error)  # the vectors of a sheet are measured without any scene
+    from drawings.talk import language_of, worded  # noqa: PLC0415  (only an error pays for it)
+
+    return worded(error, language_of(options.scene))
 
 
 def _code(error: Exception) -> int:

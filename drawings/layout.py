@@ -166,12 +166,13 @@ def _fan(prefer: float, count: int) -> Iterator[tuple[int, float]]:
 
 
 def _touching(point: complex, box: Box, gap: float, angle: float) -> complex:
-    """Shift a box so that it touches from outside the circle of radius `gap` about a point, in some direction."""
+    """Shift a box so that its edge or corner is `gap` mm from a point, in some direction: a corner on the diagonals."""
     left, bottom, right, top = box
     half = complex(right - left, top - bottom) / 2
     direction = cmath.rect(1.0, angle)
-    reach = gap + abs(half.real * direction.real) + abs(half.imag * direction.imag)
-    return point + direction * reach - half - complex(left, bottom)
+    spread = direction / max(abs(direction.real), abs(direction.imag))
+    centre = point + gap * direction + complex(half.real * spread.real, half.imag * spread.imag)
+    return centre - half - complex(left, bottom)
 
 
 def _nearest(box: Box, shift: complex, point: complex) -> complex:

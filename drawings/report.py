@@ -160,13 +160,14 @@ def _conditions(study: Study) -> Iterator[str]:
     yield "(0.01 mm in a length moves the point by more than half a millimetre), from 600 not for grading.\n"
     yield "| group | largest kappa | in position | |"
     yield "|---|---|---|---|"
-    for group, row in zip(study.groups, table, strict=True):
+    for group, row in zip(study.groups, np.where(study.lost, np.nan, table), strict=True):
         if np.isnan(row).all():
             continue
         worst = int(np.nanargmax(row))
         said = "not for grading" if row[worst] >= NOT_GRADED else ""
         said = said or ("warning" if row[worst] >= WARNING else "note" if row[worst] >= NOTE else "")
-        yield f"| {group.label} | {row[worst]:.4g} | {worst} | {said} |"
+        largest = f"{row[worst]:.4g}" if np.isfinite(row[worst]) else "no bound: a dead centre"
+        yield f"| {group.label} | {largest} | {worst} | {said} |"
 
 
 def _left_out(study: Study, drawn: tuple[int, ...], shown: int) -> Iterator[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from typing import Final
 
 from drawings.strokes import SheetError
@@ -153,7 +154,7 @@ def fixed(value: float, language: str = "en", places: int = 2) -> str:
     return (sign + text).replace(".", "," if language == "ru" else ".")
 
 
-def runs(positions: list[int]) -> str:
+def runs(positions: Iterable[int], dash: str = "–") -> str:
     """Write numbers of positions with runs joined.
 
     >>> runs([1, 2, 3, 7, 9, 10])
@@ -165,4 +166,4 @@ def runs(positions: list[int]) -> str:
             joined[-1].append(k)
         else:
             joined.append([k])
-    return ", ".join(str(run[0]) if len(run) == 1 else f"{run[0]}–{run[-1]}" for run in joined)
+    return ", ".join(str(run[0]) if len(run) == 1 else f"{run[0]}{dash}{run[-1]}" for run in joined)

@@ -23,7 +23,8 @@ def accelerations(velocities: Plan, groups: Sequence[Dyad]) -> Plan:
     arm = lead.arm(plan, drive.link)
     why = "epsilon l, square to the crank" if drive.epsilon else "the crank turns evenly"
     part = plan.board.turn(f"a^t_{drive.end}", arm, 1j * drive.epsilon, why)
-    end = plan.name(drive.end, plan.board.lay_off(drive.end.lower(), normal, part, "acceleration of the crank's end"))
+    tip = plan.board.lay_off(plan.letter(drive.end), normal, part, "acceleration of the crank's end")
+    end = plan.name(drive.end, tip)
     whole = plan.board.join(f"{plan.pole.name}{end.name}", plan.pole, end)
     plan.images[drive.link] = Image(plan.pole, whole, base.at, base.span)
     plan.readings[drive.link] = Reading(arm, part)

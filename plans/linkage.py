@@ -11,6 +11,7 @@ from math import pi
 from plans.faults import Fault, Path, SceneError, suggestion
 from plans.fields import split_line
 from plans.mechanism import FRAME, Drive, Link, Mechanism, Output, Slide, StructureError, Way
+from plans.notes import RATIO_LIMIT, spread
 from plans.scene import FrameLine, Scene, SlideTable
 from plans.shapes import Shaper, Spot, as_complex, line_name
 from plans.survey import Survey, natural
@@ -135,6 +136,10 @@ def _check_points(survey: Survey) -> None:
             survey.report(path, "second_by_place", name=name, link=placed.on, line=line)
     for pair, key in survey.lengths.items():
         _check_length(survey, pair, ("mechanism", "lengths", key))
+    apart = spread(form.lengths)
+    if apart and apart.ratio > RATIO_LIMIT:
+        details = {"name": apart.longest, "other": apart.shortest, "ratio": f"{apart.ratio:.3g}"}
+        survey.report(("mechanism", "lengths", apart.longest), "ratio", most=f"{RATIO_LIMIT:.0e}", **details)
 
 
 def _check_length(survey: Survey, pair: frozenset[str], path: Path) -> None:

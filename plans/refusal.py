@@ -9,6 +9,7 @@ from typing import Any, TypeVar
 from pydantic import BaseModel, ValidationError
 
 from plans.faults import Fault, Path, dotted, nearest, suggestion
+from plans.fields import split_letters
 from plans.source import Source
 from plans.units import type_name
 
@@ -92,12 +93,22 @@ def _unknown_key(path: Path, source: Source, tables: Tables) -> Fault:
     elsewhere = [table for table in tables if table != own and key in tables[table].model_fields]
     near = nearest(key, known)
     meant: Path = (*path[:-1], *near[:1]) if near else (*elsewhere[0], key) if elsewhere else ()
-    if near:
-        advice = suggestion(key, known)
-    else:
-        advice = f"it belongs to {' or '.join(map(table_name, elsewhere))}" if elsewhere else "delete it"
-    details = {"table": table_name(own), "known": ", ".join(known), "suggestion": advice}
+    details = {"table": table_name(own), "known": ", ".join(known), "suggestion": _meaning(key, known, elsewhere)}
     return source.fault(path, "unknown_key", **details, meant=meant)
+
+
+def _meaning(key: str, known: list[str], elsewhere: list[Path]) -> str:
+    """Say what an unknown key may be: one of another table, a misspelt one, a length or a point."""
+    near = nearest(key, known)
+    if near and not elsewhere:
+        return suggestion(key, known)
+    ends = split_letters(key)
+    if not elsewhere and ends:
+        elsewhere = [("mechanism", "lengths")] if len(ends) == 2 else [("mechanism", "frame")] if len(ends) == 1 else []
+    if not elsewhere:
+        return "delete it"
+    tables = f"it belongs to {' or '.join(map(table_name, elsewhere))}"
+    return f'{tables}; or did you mean "{near[0]}"?' if near else tables
 
 
 def _pattern(path: Path, tables: Tables) -> Path:

@@ -255,6 +255,11 @@ class Scene(Table):
         """The name of the file."""
         return self._source.file
 
+    @property
+    def marked(self) -> bool:
+        """Whether the file began with a byte order mark, which was left aside."""
+        return self._source.marked
+
     def place(self, path: Path) -> tuple[int, int]:
         """Give line and column of a key."""
         return self._source.place(path)

@@ -21,7 +21,8 @@ def velocities(positions: Plan, groups: Sequence[Dyad]) -> Plan:
     arm = plan.carry(base.arm)
     omega = 1j * drive.omega
     part = plan.board.turn(f"v_{drive.end}", arm, omega, "omega l, square to the crank in the sense of rotation")
-    end = plan.name(drive.end, plan.board.lay_off(drive.end.lower(), plan.pole, part, "velocity of the crank's end"))
+    tip = plan.board.lay_off(plan.letter(drive.end), plan.pole, part, "velocity of the crank's end")
+    end = plan.name(drive.end, tip)
     relative = plan.board.join(f"{plan.pole.name}{end.name}", plan.pole, end)
     plan.images[drive.link] = Image(plan.pole, relative, base.at, base.span)
     plan.readings[drive.link] = Reading(arm, relative)

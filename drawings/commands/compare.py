@@ -7,6 +7,7 @@ import json
 
 import numpy as np
 
+from drawings.talk import noted
 from plans.compare import Comparison, Finding, compare, compare_extremes
 from plans.scene import read_scene
 from plans.study import Study
@@ -16,7 +17,7 @@ GAPS, FAILED = 4, 5
 
 def run(options: argparse.Namespace) -> int:
     """Print the comparison; give the exit code."""
-    study = Study(read_scene(options.scene))
+    study = Study(noted(read_scene(options.scene)))
     comparison = compare_extremes(study, compare(study))
     if options.json:
         print(json.dumps({"scene": study.scene.title, "findings": [_plain(f) for f in comparison.findings]}))

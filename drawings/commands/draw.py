@@ -11,12 +11,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from drawings.report import report, shallow, summary
-from drawings.words import runs
+from drawings.talk import noted, verdict
 from geometry.errors import LimitError
 from plans.compare import Comparison, compare, compare_extremes
-from plans.motion import Gap
 from plans.scene import read_scene
 from plans.study import Study
+from plans.wording import said
 
 if TYPE_CHECKING:
     from drawings.strokes import Leaf
@@ -42,13 +42,14 @@ def run(options: argparse.Namespace) -> int:
     for path in drawn.paths:
         print(path)
     for path in _earlier(drawn):
-        print(f"{path}: left by an earlier run with more sheets; it belongs to none of these", file=sys.stderr)
+        told = f"{path}: left by an earlier run with more sheets; it belongs to none of these"
+        print(said(told, drawn.study.scene.sheet.language), file=sys.stderr)
     return _verdict(drawn.study, drawn.comparison)
 
 
 def draw(scene: Path, folder: Path) -> Drawn:
     """Draw a scene's sheets and report into a folder; nothing is written where the two roads disagree."""
-    study = Study(read_scene(scene))
+    study = Study(noted(read_scene(scene)))
     if len(study.turn) > POSITIONS_DRAWN:
         raise LimitError(
             f"{study.scene.file}: drive.positions = {len(study.turn)}: a sheet shows at most {POSITIONS_DRAWN}. "
@@ -102,23 +103,7 @@ def _earlier(drawn: Drawn) -> list[Path]:
 
 
 def _verdict(study: Study, comparison: Comparison) -> int:
-    """Tell gaps, those of one reason in one line, and positions too near a dead centre; give the exit code."""
-    gaps = comparison.construction.gaps
-    reasons: dict[tuple[str, str, str], list[Gap]] = {}
-    for gap in gaps:
-        reasons.setdefault((gap.plan, gap.reason, gap.where), []).append(gap)
-    for (plan, reason, where), alike in reasons.items():
-        first = f" in position {alike[0].position}" if len(alike) > 1 else ""
-        told = f"{_positions([gap.position for gap in alike])}: {plan}: {reason} at {where}:{first} {alike[0].advice}"
-        print(told, file=sys.stderr)
-    for barrier in study.met if not gaps else ():
-        print(f"{barrier.kind} at {barrier.where} between two positions: see the report", file=sys.stderr)
-    near = shallow(study)
-    if near:
-        graded = "too near a dead centre to be graded: see Conditions in the report"
-        print(f"{_positions(near)}: {graded}", file=sys.stderr)
+    gaps, near = comparison.construction.gaps, shallow(study)
+    for line in verdict(gaps, study.met, near, study.scene.sheet.language):
+        print(line, file=sys.stderr)
     return GAPS if gaps or near or study.met else 0
-
-
-def _positions(numbers: list[int]) -> str:
-    return f"position{'s' if len(numbers) > 1 else ''} {runs(numbers)}"

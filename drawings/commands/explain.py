@@ -8,6 +8,7 @@ import json
 
 import numpy as np
 
+from drawings.talk import noted
 from geometry.board import Arc, Line, Mark, at, behind
 from geometry.errors import DraftError
 from geometry.meet import cross
@@ -27,7 +28,7 @@ class UnknownMark(DraftError, ValueError):  # noqa: N818  (the message's own wor
 
 def run(options: argparse.Namespace) -> int:
     """Print the steps behind a mark at one position; give the exit code."""
-    study = Study(read_scene(options.scene))
+    study = Study(noted(read_scene(options.scene)))
     position = _position(study, options.position)
     drafts = study.drafts((position,))
     targets = find(study, drafts, options.mark)

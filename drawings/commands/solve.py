@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from drawings.talk import noted
 from plans.motion import LINK_KEYS, ORDERS, POINT_KEYS, Extremes, Gap, Motion
 from plans.scene import read_scene
 from plans.study import Study
@@ -18,7 +19,7 @@ GAPS = 4
 
 def run(options: argparse.Namespace) -> int:
     """Print the numbers; give the exit code."""
-    study = Study(read_scene(options.scene))
+    study = Study(noted(read_scene(options.scene)))
     orders = [ORDERS.index(name) for name in options.only] if options.only else [0, 1, 2]
     if options.by == "analysis":
         motion, extremes = _analysis(study, max(orders))

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from geometry.errors import LimitError
-from plans.faults import SHOWN, WORDS, Fault, SceneError
+from plans.faults import SHOWN, Fault, SceneError
 from plans.linkage import mechanism_of
 from plans.mechanism import Drive, Mechanism, Output, StructureError
 from plans.scene import FrameLine, parse_scene
@@ -403,7 +403,3 @@ def test_a_hostile_scene_is_refused_at_once(text: str) -> None:
 def test_a_hundred_thousand_positions_are_no_trouble() -> None:
     listed = ", ".join(str(number / 400) for number in range(100_000))
     assert parse_scene(FOUR_BAR.replace("start = 30", f"positions = [{listed}]")).drive.count == 100_000
-
-
-def test_every_fault_has_its_words() -> None:
-    assert all(len(words) == 2 and not words[0].endswith(".") for words in WORDS.values())

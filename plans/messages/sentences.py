@@ -1,0 +1,190 @@
+"""Russian for every other English sentence of plandraft (предложения), by its form: {name} stands for its data.
+
+A placeholder of one letter stands for one word; which placeholders hold a phrase again, plans.wording says.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from plans.messages.terms import ADVICE, TERMS, TOML
+
+# What ends a command.
+LIMITS: Mapping[str, str] = {
+    "the file is longer than SIZE_LIMIT = {limit} bytes": "файл длиннее SIZE_LIMIT = {limit} байт",
+    "{a} commas, equals signs and brackets: more than MARKS_LIMIT = {limit}": (
+        "{a} запятых, знаков равенства и скобок - больше, чем MARKS_LIMIT = {limit}"
+    ),
+    "a dotted key of more than PARTS_LIMIT = {limit} parts": (
+        "в имени с точками больше частей, чем PARTS_LIMIT = {limit}"
+    ),
+    "brackets nested deeper than NESTING_LIMIT = {limit}": "скобки вложены глубже, чем NESTING_LIMIT = {limit}",
+    "more than {a} = {limit}": "больше, чем {a} = {limit}",
+    "more than {a} = {limit}. Fix: fewer": "больше, чем {a} = {limit}. Исправьте: возьмите меньше",
+    "a table or list of {count} entries: more than {a} = {limit}": (
+        "в таблице или списке {count} записей - больше, чем {a} = {limit}"
+    ),
+    "a sheet shows at most {most}. Fix: fewer positions, or plandraft solve for the numbers alone": (
+        "на листе не больше {most} положений. Исправьте: уменьшите их число или возьмите одни числа: plandraft solve"
+    ),
+}
+FILES: Mapping[str, str] = {
+    "No such file or directory": "нет такого файла или папки",
+    "Is a directory": "это папка",
+    "Not a directory": "это не папка",
+    "Permission denied": "нет прав доступа",
+    "File exists": "такой файл уже есть",
+    "File name too long": "имя файла слишком длинное",
+    "File too large": "файл слишком велик",
+    "Read-only file system": "диск только для чтения",
+    "No space left on device": "на диске нет места",
+    "Disk quota exceeded": "исчерпана квота диска",
+    "Input/output error": "ошибка ввода-вывода",
+    "Too many open files": "открыто слишком много файлов",
+    "Operation not permitted": "действие не разрешено",
+    "not a regular file": "это не обычный файл",
+    "embedded null byte": "в имени файла есть нулевой байт",
+    "cannot be written: {reason}": "нельзя записать: {reason}",
+    "cannot be read: {reason}": "нельзя прочитать: {reason}",
+    "cannot be the output folder: {reason}": "не может быть папкой для листов: {reason}",
+    "cannot take its name: {reason}": "не удалось дать файлу его имя: {reason}",
+    "is written and whole, but its folder could not be forced to the disk: {reason}": (
+        "записан целиком, но папку не удалось сбросить на диск: {reason}"
+    ),
+    "standard output is closed: there is nowhere to print": "стандартный вывод закрыт, печатать некуда",
+}
+STRUCTURE: Mapping[str, str] = {
+    "links {links} form no two-lead group with the links before them: a group of class III or higher (triad), "
+    "which this version does not construct": (
+        "звенья {links} не составляют двухповодковой группы со звеньями до них: это группа Ассура III класса или выше, "
+        "которую эта версия не строит"
+    ),
+    "links {links} form no two-lead group with the links before them: each lead needs one joint with a known link "
+    "and one with the other lead": (
+        "звенья {links} не составляют двухповодковой группы со звеньями до них: каждому поводку нужна одна пара с "
+        "известным звеном и одна с другим поводком"
+    ),
+    "one drive moves a mechanism of mobility 1 only": "один привод движет только механизм подвижности 1",
+    "links {first} and {second} are joined by three sliding pairs: such a group has no fixed position": (
+        "звенья {first} и {second} соединены тремя поступательными парами: у такой группы нет определённого положения"
+    ),
+    "link {a} has its slot parallel to the line it slides along: links {first} and {second} have no fixed position; "
+    "turn the slot by the slide's angle": (
+        "направляющая на звене {a} параллельна прямой, вдоль которой оно скользит: у звеньев {first} и {second} нет "
+        "определённого положения; поверните её углом angle поступательной пары"
+    ),
+    "group {a} has no one place at the first position: the lines that meet in {point} fall into one there, or are "
+    "parallel; start from another crank angle": (
+        "у группы {a} в первом положении нет одного места: линии засечки {point} там совпадают или параллельны; "
+        "начните с другого угла кривошипа"
+    ),
+    "group {a} can be assembled in two ways and the sketch does not tell which: show {either} roughly where it is at "
+    "the first position, well off the line on which both ways meet; at a dead centre start from another crank angle": (
+        "группу {a} можно собрать двумя способами, и эскиз не показывает, каким: покажите {either} примерно там, "
+        "где она в первом положении, в стороне от прямой, на которой обе сборки сходятся; из мёртвого положения "
+        "начинать нельзя - возьмите другой угол кривошипа"
+    ),
+}
+GAPS: Mapping[str, str] = {
+    "the lines that meet in {point} fall into one there, or are parallel: take a position beside it": (
+        "линии засечки {point} там совпадают или параллельны: возьмите соседнее положение"
+    ),
+    "the mechanism may go on in two ways there: start the drive beyond the change point, or change a length": (
+        "дальше механизм может пойти двумя путями: начните за точкой ветвления или измените одну из длин"
+    ),
+    "the guides of {point} are parallel on the way and their pin runs to infinity: keep the crank this side": (
+        "направляющие точки {point} на этом пути становятся параллельны, и она уходит в бесконечность: "
+        "оставьте кривошип по эту сторону"
+    ),
+    "the crank cannot turn there from the first position: start the drive in that part of the turn": (
+        "из первого положения кривошип туда не повернётся: начните в этой части оборота"
+    ),
+    "a group is at its dead centre: its velocities have no one value; take a position beside it": (
+        "группа Ассура в мёртвом положении, скорости её не определены; возьмите соседнее положение"
+    ),
+    "{a} and {b} are {apart} m apart, {miss} m less than the slot's offset: make the offset smaller or the "
+    "fixed distance larger": (
+        "расстояние от {a} до {b} равно {apart} м, на {miss} м меньше смещения направляющей: "
+        "уменьшите смещение или увеличьте расстояние"
+    ),
+    "{a} = {b} m misses the guide of {point} by {miss} m: it must be {least} m at least, or the guide nearer": (
+        "{a} = {b} м не достаёт до направляющей точки {point} на {miss} м: нужно не меньше {least} м "
+        "или направляющая ближе"
+    ),
+    "{a} and {b} are {apart} m apart, but {first} = {near} m and {second} = {far} m reach from {low} m to {high} m: "
+    "lengthen one of them": (
+        "расстояние от {a} до {b} равно {apart} м, а {first} = {near} м и {second} = {far} м достают от {low} м до "
+        "{high} м: удлините одно из звеньев"
+    ),
+    "{a} and {b} are {apart} m apart, but {first} = {near} m and {second} = {far} m reach from {low} m to {high} m: "
+    "make their lengths more alike": (
+        "расстояние от {a} до {b} равно {apart} м, а {first} = {near} м и {second} = {far} м достают от {low} м до "
+        "{high} м: сделайте их длины ближе друг к другу"
+    ),
+    'drive.start = "extreme", but output link {a} has no extreme position: {why}. Fix: give the first crank angle in '
+    "degrees, or name another [output]": (
+        'drive.start = "extreme", но у выходного звена {a} нет крайнего положения: {why}. '
+        "Исправьте: задайте первый угол кривошипа в градусах или другое звено в [output]"
+    ),
+    "it turns fully or stands still": "оно делает полный оборот или неподвижно",
+    "the crank does not turn fully ({reason} at {where}, {low} to {high} degrees)": (
+        "кривошип не делает полного оборота ({reason}, {where}, от {low} до {high} градусов)"
+    ),
+    "position {a}: {plan}: {reason} at {where}: {advice}": "положение {a}, {plan}: {reason}, {where}: {advice}",
+    "positions {positions}: {plan}: {reason} at {where}, in position {a}: {advice}": (
+        "положения {positions}, {plan}: {reason}, {where}; в положении {a}: {advice}"
+    ),
+    "positions {positions}: {plan}: {reason} at {where}: {advice}": (
+        "положения {positions}, {plan}: {reason}, {where}: {advice}"
+    ),
+    "{reason} at {where} between two positions: see the report": (
+        "{reason}, {where}, между двумя положениями: см. отчёт"
+    ),
+    "position {positions}: too near a dead centre to be graded: see Conditions in the report": (
+        "положение {positions}: слишком близко к мёртвому, чтобы его оценивать: см. Conditions в отчёте"
+    ),
+    "positions {positions}: too near a dead centre to be graded: see Conditions in the report": (
+        "положения {positions}: слишком близко к мёртвому, чтобы их оценивать: см. Conditions в отчёте"
+    ),
+}
+SHEETS: Mapping[str, str] = {
+    "sheet.format = {format}: not drawn yet. Fix: {either}": (
+        "sheet.format = {format}: этот формат пока не чертится. Исправьте: {either}"
+    ),
+    "sheet.position = {position}: the mechanism cannot be assembled there. Fix: choose one of {positions}": (
+        "sheet.position = {position}: в этом положении механизм не собирается. Исправьте: выберите одно из {positions}"
+    ),
+    "the table of values for {count} positions needs cells of {need} mm and the sheet has room for {room} mm. Fix: "
+    "name fewer positions in [sheet] plans, or take a larger format": (
+        "таблице величин для положений ({count}) нужны графы по {need} мм, а на листе есть место для {room} мм. "
+        "Исправьте: назовите меньше положений в plans таблицы [sheet] или возьмите больший формат"
+    ),
+    "no room is left for a figure of scale mu_{letter}": (
+        "на листе не осталось места для чертежа в масштабе mu_{letter}"
+    ),
+    "lettering {text}: the alphabet lacks {letters}; write it in other letters": (
+        "надпись {text}: в чертёжном шрифте нет знаков {letters}; напишите её другими знаками"
+    ),
+    "construction and analysis differ in {name}: {times} times the allowed difference; the sheet is withheld": (
+        "построение и аналитический расчёт расходятся в {name}: в {times} раз больше допустимого; лист не выдан"
+    ),
+    "the written sheet cannot be measured: {refusal}": "записанный лист не удаётся измерить: {refusal}",
+    "the written sheet does not measure back: {marks}": "измеренное по листу не совпадает с расчётом: {marks}",
+    "position {position} is none of 0 to {last}": "положения {position} нет: они идут от 0 до {last}",
+    "position {position} is a gap: {reason} at {where}; {advice}": (
+        "положение {position} - разрыв: {reason}, {where}; {advice}"
+    ),
+    "link {a} does not turn: {mark} is 0 and rests on no step": (
+        "звено {a} не вращается: {mark} равно 0, строить нечего"
+    ),
+    "no mark is named {mark}: {hint}points are {points}; also v_B, a_B, omega_3": (
+        "обозначения {mark} нет: {hint}точки: {points}; есть и v_B, a_B, omega_3"
+    ),
+    "did you mean {near}? ": "возможно, {near}? ",
+    "no mark is named {mark}: points are {points}; also v_B, a_B, omega_3": (
+        "обозначения {mark} нет; точки: {points}; есть и v_B, a_B, omega_3"
+    ),
+}
+SENTENCES: Mapping[str, str] = {
+    **TERMS, **ADVICE, **TOML, **LIMITS, **FILES, **STRUCTURE, **GAPS, **SHEETS,
+}  # fmt: skip

@@ -1,0 +1,122 @@
+"""Russian for the English terms and advice that faults insert (термины и советы), and for what tomllib says."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+# What faults insert: names of things.
+TERMS: Mapping[str, str] = {
+    "length": "длина",
+    "angle": "угол",
+    "angular speed": "угловая скорость",
+    "angular acceleration": "угловое ускорение",
+    "acceleration": "ускорение",
+    "mass": "масса",
+    "moment of inertia": "момент инерции",
+    "force": "сила",
+    "moment": "момент",
+    "number": "число",
+    "coordinate": "координата",
+    "true or false": "true или false",
+    "a number": "число",
+    "text": "текст",
+    "a list": "список",
+    "a table": "таблица",
+    "a date or time": "дата или время",
+    "none": "ни одного",
+    "both": "оба",
+    "a space": "пробел",
+    "the name of a point": "имя точки",
+    "letters of points": "строка из букв точек",
+    "a whole number, or a list of crank angles": "целое число или список углов кривошипа",
+    "a vector [Fx, Fy] in N": "вектор [Fx, Fy] в Н",
+    "the size of the force, because its direction is against the motion": (
+        "величина силы, потому что направление её задано - против движения"
+    ),
+    "table": "таблица",
+    "table of fixed points": "таблица неподвижных точек",
+    "table of links": "таблица звеньев",
+    "number of the crank": "номер кривошипа",
+    "number of a moving link": "номер подвижного звена",
+    "line": "прямая",
+    "point of the line": "точка прямой",
+    "place in the link's own frame": "место в системе координат звена",
+    "key": "ключ",
+    "the top of the file": "начала файла",
+    "link {a}": "звено {a}",
+    "links {links}": "звенья {links}",
+    "{a} and {b}": "{a} и {b}",
+    "{a} or {b}": "{a} или {b}",
+    "{a} or {b} or {c}": "{a}, {b} или {c}",
+    "{a} or {b} or {c} or {d}": "{a}, {b}, {c} или {d}",
+    "positions": "план положений",
+    "velocities": "план скоростей",
+    "accelerations": "план ускорений",
+    "out of reach": "не собирается",
+    "dead centre": "мёртвое положение",
+    "change point": "точка ветвления",
+    "beyond a change point": "за точкой ветвления",
+    "not reachable": "недостижимо",
+    "parallel guides": "направляющие параллельны",
+    "no place of {points}": "нет места {points}",
+    "the three points are in one line": "три точки лежат на одной прямой",
+}
+# What faults advise.
+ADVICE: Mapping[str, str] = {
+    "a bare number": "число без единицы",
+    "a table of key = value lines": "таблица из строк «ключ = значение»",
+    "text: {written}": "текст: {written}",
+    "text in quotes: {written}": "текст в кавычках: {written}",
+    "[mechanism.frame] with O = [0, 0]": "[mechanism.frame] со строкой O = [0, 0]",
+    '[mechanism.links] with 1 = "OA"': '[mechanism.links] со строкой 1 = "OA"',
+    '[drive] with link = 1 and speed = "60 rpm"': '[drive] со строками link = 1 и speed = "60 rpm"',
+    'along = "CB", or along = {{ through = [0, 0], angle = 0 }}': (
+        'along = "CB" или along = {{ through = [0, 0], angle = 0 }}'
+    ),
+    "write [x, y]": "напишите [x, y]",
+    "decimal comma? Use a point: [1.5, 2.5]": "десятичная запятая? Поставьте точку: [1.5, 2.5]",
+    'write value = [Fx, Fy], or add against = "motion"': 'напишите value = [Fx, Fy] или добавьте against = "motion"',
+    "write value = 1500, for example": "напишите, например, value = 1500",
+    "add a hinge or a slide": "добавьте шарнир или поступательную пару",
+    "add a hinge or a slide; no link has the fixed point {points}": (
+        "добавьте шарнир или поступательную пару; неподвижной точки {points} нет ни у одного звена"
+    ),
+    "take out a link that is held twice, or a slide": "уберите дважды закреплённое звено или поступательную пару",
+    'did you mean "{a}"?': 'возможно, "{a}"?',
+    'did you mean "{a}" or "{b}"?': 'возможно, "{a}" или "{b}"?',
+    'did you mean "{a}" or "{b}" or "{c}"?': 'возможно, "{a}", "{b}" или "{c}"?',
+    'it belongs to {tables}; or did you mean "{a}"?': 'его место - в {tables}; или, возможно, "{a}"?',
+    "it belongs to {tables}": "его место - в {tables}",
+    "it belongs to the top of the file": "его место - в начале файла",
+    "it belongs to the top of the file or {tables}": "его место - в начале файла или в {tables}",
+    "delete it": "удалите его",
+    "check the spelling": "проверьте написание",
+    'write "{a}"': 'напишите "{a}"',
+    'write "{name}": one of the two has a Cyrillic letter that looks Latin': (
+        'напишите "{name}": в одном из двух имён буква кириллицы, похожая на латинскую'
+    ),
+    "add the link, or correct the letters": "добавьте звено или исправьте буквы",
+    "name two points of the link it slides along": "назовите две точки звена, вдоль которого оно скользит",
+    "name a point of link {a}": "назовите точку звена {a}",
+    "the points are {points}": "назовите одну из точек {points}",
+}
+# What tomllib says of a text that is no TOML.
+TOML: Mapping[str, str] = {
+    "invalid statement": "так строка начинаться не может",
+    "invalid value": "такого значения не бывает",
+    "invalid date or datetime": "такой даты не бывает",
+    "invalid hex value": "такого шестнадцатеричного кода не бывает",
+    "invalid initial character for a key part": "с такого знака имя начинаться не может",
+    "expected '=' after a key in a key/value pair": "после имени нужен знак =",
+    "expected newline or end of document after a statement": "после значения строка должна кончаться",
+    "expected ']' at the end of a table declaration": "имя таблицы кончается знаком ]",
+    "expected ']]' at the end of an array declaration": "имя массива таблиц кончается знаками ]]",
+    "expected {a}": "здесь нужен знак {a}",
+    "unclosed array": "список не закрыт",
+    "unclosed inline table": "таблица в фигурных скобках не закрыта",
+    "unterminated string": "кавычки не закрыты",
+    "unescaped '\\' in a string": "обратная косая черта в тексте пишется дважды",
+    "escaped character is not a Unicode scalar value": "такого знака в Юникоде нет",
+    "illegal character {sign}": "недопустимый знак {sign}",
+    "found invalid character {sign}": "недопустимый знак {sign}",
+}

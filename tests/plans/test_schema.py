@@ -1,0 +1,155 @@
+"""The JSON Schema for editors: itself valid, and of one mind with the reader of scenes on every scene we have."""
+
+from __future__ import annotations
+
+import json
+import re
+import tomllib
+from pathlib import Path
+from typing import Any
+
+import pytest
+from jsonschema import Draft202012Validator
+from pydantic import ValidationError
+
+from drawings import cli
+from geometry.errors import LimitError
+from plans import units
+from plans.faults import SceneError
+from plans.scene import TABLES, Scene
+from plans.schema import KEYS, schema, text_with_unit
+from plans.source import read_source
+from plans.units import Kind
+
+ROOT = Path(__file__).parent.parent.parent
+FORM = schema()
+EDITOR = Draft202012Validator(FORM)
+SCENES = [
+    *sorted((ROOT / "drawings/gallery").glob("*.toml")),
+    *sorted((ROOT / "tests/catalogue").glob("*.toml")),
+    *sorted((ROOT / "tests/catalogue/commands").glob("*.toml")),
+]
+# What no schema can see: that angles are a turn apart, how a letter is coded, that equal letters are no line, which
+# signs cannot be seen, that travel rises, that a number is none.
+UNSEEN = {
+    "b04_nan", "b21_repeated_position", "b_diagram_of_unequal_lists", "c01_point_twice_in_a_link",
+    "c02_two_codings_of_a_letter", "c03_hidden_sign_in_a_title", "d13_guide_of_equal_points",
+}  # fmt: skip
+PLAIN = """
+[mechanism.frame]
+O = [0, 0]
+C = [0.350, 0]
+[mechanism.links]
+1 = "OA"
+2 = "AB"
+3 = "CB"
+[mechanism.lengths]
+OA = 0.100
+AB = 0.400
+CB = 0.300
+[mechanism.sketch]
+B = [0.39, 0.30]
+[drive]
+link = 1
+speed = "10 rad/s"
+"""
+
+
+def readable(path: Path) -> dict[str, Any] | None:
+    """Give the tables of a scene that is TOML at all."""
+    try:
+        read_source(path)
+    except (SceneError, LimitError):
+        return None
+    return tomllib.loads(path.read_text("utf-8"))
+
+
+def taken(path: Path) -> bool:
+    """Tell whether the reader takes the scene's form, whatever it means."""
+    try:
+        Scene.model_validate(read_source(path).tables)
+    except (ValidationError, LimitError):
+        return False
+    return True
+
+
+def test_the_schema_is_one() -> None:
+    Draft202012Validator.check_schema(FORM)
+    assert FORM["$schema"] == "https://json-schema.org/draft/2020-12/schema"
+
+
+@pytest.mark.parametrize("path", [path for path in SCENES if readable(path)], ids=lambda path: path.stem)
+def test_an_editor_says_of_a_scene_what_its_reader_says(path: Path) -> None:
+    marked = [error.message for error in EDITOR.iter_errors(readable(path))]
+    assert not marked if taken(path) or path.stem in UNSEEN else marked
+
+
+def test_enough_scenes_are_wrong_in_their_form() -> None:
+    wrong = [path for path in SCENES if readable(path) and not taken(path) and path.stem not in UNSEEN]
+    assert len(wrong) > 30
+    assert {path.stem for path in SCENES} >= UNSEEN
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "where"),
+    [
+        ("[mechanism.lengths]", "[mechanism.lenghts]", "mechanism"),
+        ("OA = 0.100", 'OA = "100"', "mechanism.lengths.OA"),
+        ("OA = 0.100", 'OA = "100 kg"', "mechanism.lengths.OA"),
+        ("OA = 0.100", "OA = true", "mechanism.lengths.OA"),
+        ("OA = 0.100", "OA = -0.1", "mechanism.lengths.OA"),
+        ("O = [0, 0]", "O = [0, 0, 0]", "mechanism.frame.O"),
+        ('1 = "OA"', '1 = "oa"', "mechanism.links.1"),
+        ('1 = "OA"', 'crank = "OA"', "mechanism.links"),
+        ('"10 rad/s"', '"10 rad"', "drive.speed"),
+        ("link = 1", "link = 1.5", "drive.link"),
+        ("link = 1", "", "drive"),
+        ("link = 1", "link = 1\nstart = 0\npositions = [0, 90]", "drive"),
+        ("link = 1", "link = 1\npositions = 0", "drive.positions"),
+        ("link = 1", 'link = 1\nstart = "extrem"', "drive.start"),
+        ("[drive]", '[sheet]\nlanguage = "fr"\n[drive]', "sheet.language"),
+        ("[drive]", '[output]\nlink = 3\npoint = "B"\n[drive]', "output"),
+    ],
+)
+def test_an_editor_marks_the_very_key(old: str, new: str, where: str) -> None:
+    assert not list(EDITOR.iter_errors(tomllib.loads(PLAIN)))
+    assert old in PLAIN
+    errors = list(EDITOR.iter_errors(tomllib.loads(PLAIN.replace(old, new, 1))))
+    assert [".".join(map(str, error.absolute_path)) for error in errors] == [where]
+
+
+KINDS = (units.LENGTH, units.ANGLE, units.SPEED, units.ANGULAR_ACCELERATION, units.ACCELERATION)
+KINDS += (units.MASS, units.INERTIA, units.FORCE, units.MOMENT)
+
+
+@pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.name)
+@pytest.mark.parametrize("form", ["{n} {unit}", "{n}{unit}", " {n}  {unit} ", "{n}", "{n} {unit}x", "x {n} {unit}"])
+@pytest.mark.parametrize("n", ["1", "-0.5", "+1e-3", "1.5E6", ".5", "5.", "1,5", "0x10", "1_000"])
+def test_a_quantity_is_marked_where_the_reader_refuses_it(kind: Kind, form: str, n: str) -> None:
+    for unit in (*kind.units, "turn", "kg·m²", "kg * m^2", "kg m2", "N m", "m/s**2"):
+        text = form.format(n=n, unit=unit)
+        try:
+            units.quantity(text, kind)
+            reads = True
+        except Exception:  # whatever the reader raises for a wrong value
+            reads = False
+        assert bool(re.search(text_with_unit(kind), text)) == reads, text
+
+
+def test_every_key_is_described_in_the_words_of_the_trade() -> None:
+    assert KEYS.keys() == TABLES.keys()
+    for path, table in TABLES.items():
+        assert KEYS[path].keys() == table.model_fields.keys(), path
+        for text, _ in KEYS[path].values():
+            assert text[0].isupper()
+            assert text.endswith(".")
+
+
+def test_the_command_prints_the_schema_or_writes_it(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert cli.main(["schema"]) == 0
+    out, err = capsys.readouterr()
+    assert (json.loads(out), err) == (FORM, "")
+    assert cli.main(["schema", "-o", str(tmp_path / "scene.json")]) == 0
+    assert json.loads((tmp_path / "scene.json").read_text("utf-8")) == FORM
+    assert capsys.readouterr().out == f"{tmp_path / 'scene.json'}\n"
+    assert cli.main(["schema", "-o", str(tmp_path / "no/where.json")]) == 7
