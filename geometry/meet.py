@@ -23,8 +23,9 @@ TANGENCY = 4.0
 class Meeting(NamedTuple):
     """Where two loci meet: vectors to it from each locus's point, how they cross, and by how much they miss (metres).
 
-    `across` is the moment of two vectors of the sizes `sides` that cross as the loci do: 0 at a dead centre. A miss above
-    0 makes the vectors NaN. A meeting that is `clear` has at no position a miss, a dead centre or anything unknown.
+    `across` is the moment of two vectors of the sizes `sides` that cross as the loci do: 0 at a dead centre. A miss
+    above 0 makes the vectors NaN. A `clear` meeting has at no position a miss, a dead centre or anything unknown.
+    `into_first` and `into_second` tell how many times the directions of two lines go into the vectors.
     """
 
     first: Vectors
@@ -33,6 +34,8 @@ class Meeting(NamedTuple):
     sides: tuple[Vectors | Sizes, Vectors | Sizes]
     miss: Sizes
     clear: bool
+    into_first: Sizes = np.nan
+    into_second: Sizes = np.nan
 
     @property
     def sharpness(self) -> Sizes:
@@ -65,32 +68,65 @@ def seen_from(a: Vectors, b: Vectors) -> Vectors:
     return np.conjugate(a) * b
 
 
+class Radii(NamedTuple):
+    """The radii of two arcs, with all that their meetings need of them at any distance of the centres.
+
+    `spare` is the longer radius less the shorter; `more` and `less` are what the rounding of `total` and `spare` lost.
+    """
+
+    first: Sizes
+    second: Sizes
+    total: Sizes
+    more: Sizes
+    spare: Sizes
+    less: Sizes
+    skew: Sizes  # half the difference of their squares
+    limit: Sizes  # of the product of both margins: above it neither of them is touching
+
+
+def radii(first: Sizes, second: Sizes) -> Radii:
+    """Take two radii for a meeting of arcs."""
+    total, more = _sum(first, second)
+    spare, less = _sum(np.maximum(first, second), -np.minimum(first, second))
+    # Both margins together are twice the shorter radius, so that each is at most as large.
+    limit = np.max((total - spare) * (2 * TANGENCY * EPS * total))
+    return Radii(first, second, total, more, spare, less, 0.5 * (first - second) * (first + second), limit)
+
+
 def arc_arc(base: Vectors, first: Sizes, second: Sizes, side: Sizes) -> Meeting:
     """Meet two arcs of radii `first` and `second`; `base` is the vector between their centres (засечка двух дуг).
 
-    `side` is +1 for the meeting on the left of the ray from the first centre to the second, -1 on the right. The
-    height is twice the triangle's area over its base. The area is Heron's with factors that are rounded but once, so
-    that a needle triangle keeps every digit: the sum and the difference of the radii come with what their rounding
-    lost (after W. Kahan, Miscalculating Area and Angles of a Needle-like Triangle).
+    `side` is +1 for the meeting on the left of the ray from the first centre to the second, -1 on the right.
 
     >>> complex(arc_arc(6 + 0j, 5.0, 5.0, +1).first)
     (3+4j)
     """
-    distance = np.abs(base)
-    total, more = _sum(first, second)
-    spare, less = _sum(np.maximum(first, second), -np.minimum(first, second))
-    outer, inner = (total - distance) + more, (distance - spare) - less  # both >= 0 where the three sides close
-    closing, square, miss = outer * inner, distance * distance, 0.0
-    # Both margins together are twice the shorter radius: a product above this keeps each of them clear of touching.
-    clear = _all(closing > (total - spare) * (2 * TANGENCY * EPS * total))
+    return two_arcs(base, radii(first, second), side)
+
+
+def two_arcs(base: Vectors, arcs: Radii, side: Sizes) -> Meeting:
+    """Meet two arcs as `arc_arc` does.
+
+    The height is twice the triangle's area over its base. The area is Heron's with factors that are rounded but once,
+    so that a needle triangle keeps every digit: the sum and the difference of the radii come with what their rounding
+    lost (after W. Kahan, Miscalculating Area and Angles of a Needle-like Triangle).
+    """
+    distance, total, spare = np.abs(base), arcs.total, arcs.spare
+    outer, inner = (total - distance) + arcs.more, (distance - spare) - arcs.less  # >= 0 where the three sides close
+    closing, square = outer * inner, distance * distance
+    miss: Sizes = 0.0
+    clear = bool(np.minimum.reduce(closing, None) > arcs.limit)
     if not clear:
         closing, miss = _settled(np.minimum(outer, inner), total + distance, closing)
         square = np.where(distance > 0, square, np.nan)
-    area = 0.5 * np.sqrt(closing * ((total + distance) * (distance + spare)))  # twice the triangle's
-    middle = base * (0.5 * (first - second) * (first + second) / square + 1j * (side * (area / square)))
-    half = 0.5 * base
+    area = np.sqrt(closing * ((total + distance) * (distance + spare)))  # of the triangle, four times
+    rise = (0.5 * side) * area
+    turn = np.empty(np.shape(rise), dtype=np.complex128)
+    np.divide(arcs.skew, square, out=turn.real)
+    np.divide(rise, square, out=turn.imag)
+    middle, half = base * turn, 0.5 * base
     across = area if clear else np.where(miss > 0, 0.0, area)
-    return Meeting(middle + half, middle - half, across, (first, second), miss, clear)
+    return Meeting(middle + half, middle - half, across, (arcs.first, 2.0 * arcs.second), miss, clear)
 
 
 def line_arc(base: Vectors, direction: Vectors, radius: Sizes, side: Sizes) -> Meeting:
@@ -104,7 +140,8 @@ def line_arc(base: Vectors, direction: Vectors, radius: Sizes, side: Sizes) -> M
     centre = seen_from(direction, base)
     offset = np.abs(centre.imag)
     margin, span = radius - offset, radius + offset
-    clear, miss = _all(margin > 2 * TANGENCY * EPS * radius), 0.0
+    clear = _all(margin > 2 * TANGENCY * EPS * radius)
+    miss: Sizes = 0.0
     if not clear:
         margin, miss = _settled(margin, span, margin)
     half = np.sqrt(margin * span)
@@ -115,29 +152,45 @@ def line_arc(base: Vectors, direction: Vectors, radius: Sizes, side: Sizes) -> M
     )
 
 
+class Crossing(NamedTuple):
+    """The directions of two lines and how they cross: `turn` is their moment, NaN where they are parallel."""
+
+    first: Vectors
+    second: Vectors
+    across: Sizes
+    turn: Sizes
+    clear: bool
+
+
+def crossing(first: Vectors, second: Vectors) -> Crossing:
+    """Cross two directions; those that differ by no more than the rounding of a direction are parallel."""
+    turned = seen_from(first, second)
+    across = turn = turned.imag
+    off, along = np.abs(turn), np.abs(turned.real)
+    clear = bool(np.minimum.reduce(off, None) > TANGENCY * EPS * np.maximum.reduce(along, None))
+    if not clear:
+        parallel = off <= TANGENCY * EPS * along
+        across, turn = np.where(parallel, 0.0, turn), np.where(parallel, np.nan, turn)
+    return Crossing(first, second, across, turn, clear)
+
+
 def line_line(base: Vectors, first: Vectors, second: Vectors) -> Meeting:
     """Meet two lines of directions `first` and `second` (any sizes); `base` leads from the first's point to the other.
 
-    Lines whose directions differ by no more than the rounding of a direction are parallel: NaN and sharpness 0.
+    Parallel lines have no meeting: NaN and sharpness 0.
 
     >>> complex(line_line(2 + 1j, 1 + 0j, 1j).first)
     (2+0j)
     """
-    turned = seen_from(first, second)
-    across = turn = turned.imag
-    off, along = np.abs(turn), np.abs(turned.real)
-    clear = bool(off.min() > TANGENCY * EPS * along.max())
-    if not clear:
-        parallel = off <= TANGENCY * EPS * along
-        across, turn = np.where(parallel, 0.0, turn), np.where(parallel, np.nan, turn)
-    return Meeting(
-        first * (seen_from(base, second).imag / turn),
-        second * (seen_from(base, first).imag / turn),
-        across,
-        (first, second),
-        0.0,
-        clear,
-    )
+    return two_lines(base, crossing(first, second))
+
+
+def two_lines(base: Vectors, lines: Crossing) -> Meeting:
+    """Meet two lines as `line_line` does."""
+    first, second, across, turn, clear = lines
+    back = np.conjugate(base)
+    once, other = (back * second).imag / turn, (back * first).imag / turn
+    return Meeting(first * once, second * other, across, (first, second), 0.0, clear, once, other)
 
 
 def tangent_direction(base: Vectors, offset: Sizes, side: Sizes) -> Meeting:
@@ -152,7 +205,8 @@ def tangent_direction(base: Vectors, offset: Sizes, side: Sizes) -> Meeting:
     """
     distance, size = np.abs(base), np.abs(offset)
     margin, span = distance - size, distance + size
-    clear, miss = _all(margin > 2 * TANGENCY * EPS * distance), 0.0
+    clear = _all(margin > 2 * TANGENCY * EPS * distance)
+    miss: Sizes = 0.0
     if not clear:
         margin, miss = _settled(margin, span, margin)
         distance = np.where(distance > 0, distance, np.nan)
@@ -170,7 +224,7 @@ def _sum(a: Sizes, b: Sizes) -> tuple[Sizes, Sizes]:
 
 
 def _all(told: npt.NDArray[np.bool_] | np.bool_) -> bool:
-    return bool(told.all())
+    return bool(np.logical_and.reduce(told, None))
 
 
 def _settled(margin: Sizes, perimeter: Sizes, value: Sizes) -> tuple[Sizes, Sizes]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -33,8 +34,7 @@ class Gap:
     advice: str  # one sentence: what would mend it
 
 
-@dataclass(frozen=True)
-class PointMotion:
+class PointMotion(NamedTuple):
     """A point over the positions: r from the datum m, v m/s, a m/s2; NaN at gaps, None where not asked for."""
 
     r: Complexes
@@ -42,8 +42,7 @@ class PointMotion:
     a: Complexes | None = None
 
 
-@dataclass(frozen=True)
-class LinkMotion:
+class LinkMotion(NamedTuple):
     """A link over the positions: direction of its own +x axis rad in (-pi, pi], omega rad/s, epsilon rad/s2."""
 
     angle: Floats
