@@ -227,7 +227,7 @@ def _all(told: npt.NDArray[np.bool_] | np.bool_) -> bool:
     return bool(np.logical_and.reduce(told, None))
 
 
-def _settled(margin: Sizes, perimeter: Sizes, value: Sizes) -> tuple[Sizes, Sizes]:
+def _settled(margin: Sizes, perimeter: Sizes, value: Sizes) -> tuple[Any, Any]:
     """Make a value 0 where loci touch, NaN where they miss by more than that; and tell by how much they miss."""
     touching = TANGENCY * EPS * perimeter
     gap = margin < -touching

@@ -52,6 +52,7 @@ class Tracing:
         self._turned: dict[Place, tuple[Place, Place]] = {}  # a vector turned and stretched: from which, by which
         self._free, self._nothing = self._vary(), self.fix(None)
         self._origin, self._quarter = self.fix(0j), self.fix(1j)
+        self._real, self._imaginary = self.fix("real"), self.fix("imag")
         self._fields = [self.fix(field) for field in range(len(Meeting._fields))]
         self._traces: dict[Mark, Trace] = {}
         for mark in marks:
@@ -80,12 +81,18 @@ class Tracing:
         known = self._known_ratio(image, of)
         return self.do(np.divide, image, of) if known is None else known
 
-    def rate(self, image: Place, of: Place) -> tuple[Place, str]:
-        """Tell where the part of that ratio is which is square to the vector, and which part of a number it is."""
+    def rate(self, image: Place, of: Place) -> Place:
+        """Give the part of that ratio which is square to the vector."""
         source, by = self._turned.get(image, (None, self._nothing))
         if source is not None and self._known_ratio(source, of) == self._quarter:
-            return by, "real"
-        return self.ratio(image, of), "imag"
+            return self.do(_part, by, self._real)
+        return self.do(_part, self.ratio(image, of), self._imaginary)
+
+    def follows(self, vector: Mark, free: Mark, span: complex) -> bool:
+        """Whether a vector that is `span` beside a free one of 1 has the very direction of the free one."""
+        by = self._known_ratio(self.place(vector), self.place(free))
+        turn = None if by is None else self.fixed(by)
+        return turn is not None and (turn / span).imag == 0 < (turn / span).real
 
     def _known_ratio(self, image: Place, of: Place) -> Place | None:
         if image not in self._turned:
@@ -188,6 +195,10 @@ class Tracing:
         return place not in self._varying and np.ndim(self._numbers[place]) == 0 and self._numbers[place] == 0
 
 
+def _part(number: Any, part: str) -> Any:
+    return getattr(number, part)
+
+
 def _given(tracing: Tracing, mark: Mark) -> Trace:
     parts = mark.value if isinstance(mark.value, Line | Arc) else (mark.value,)
     return Trace(tuple(tracing.fix(part) for part in parts))
@@ -260,7 +271,7 @@ def _similar(tracing: Tracing, mark: Mark) -> Trace:
 
 def _divided(tracing: Tracing, mark: Mark) -> Trace:
     circle, directions = mark.step.inputs
-    ray = tracing.do(np.multiply, tracing.locus(circle)[1], tracing.place(directions))
+    ray = tracing.turned(tracing.place(directions), tracing.locus(circle)[1])
     return Trace((tracing.end(circle.step.inputs[0], ray),), (ray,))
 
 

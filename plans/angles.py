@@ -14,7 +14,7 @@ CLOSE = 1 / 64  # tangent of an angle whose series may leave out t9/9: less than
 SPARSE = int(np.pi * RUN / CLOSE)  # of fewer positions round a turn, a crank's are not close
 
 
-def heading(vector: Vectors, span: complex) -> Floats:
+def heading(vector: Vectors, span: complex = 1 + 0j) -> Floats:
     """Give the direction of a link's own +x axis, rad in (-pi, pi], from one of its vectors that is `span` there."""
     own = np.asarray(vector if span.imag == 0 < span.real else vector / span)
     close = _close(own.reshape(-1, RUN)) if own.size >= SPARSE and own.size % RUN == 0 else None
@@ -43,11 +43,11 @@ def _close(runs: Complexes) -> Floats | None:
         angle *= square
     angle *= tangent
     angle += tangent
-    angle += _turned(middle)
-    if angle.max() > np.pi:
-        angle = np.where(angle > np.pi, angle - 2 * np.pi, angle)
-    if angle.min() <= -np.pi:
-        angle = np.where(angle <= -np.pi, angle + 2 * np.pi, angle)
+    angles = _turned(middle)
+    angle += angles
+    if np.abs(angles).max() > np.pi - CLOSE:
+        angle -= np.where(angle > np.pi, 2 * np.pi, 0.0)
+        angle += np.where(angle <= -np.pi, 2 * np.pi, 0.0)
     return angle.ravel()
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
@@ -17,7 +17,7 @@ from plans.acceleration import accelerations
 from plans.extreme import Found, extremes, output
 from plans.linkage import mechanism_of
 from plans.mechanism import Mechanism, Output, StructureError
-from plans.motion import ORDERS, Floats, Gap, LinkMotion, Motion, PointMotion
+from plans.motion import ORDERS, Floats, Gap, Motion
 from plans.passage import Barrier, Sweep
 from plans.pattern import Pattern
 from plans.plan import Plan
@@ -59,10 +59,15 @@ class Drafts:
         pattern, numbers = self._record or self.follow(0)
         return pattern.tracing.clear(numbers)
 
+    @property
+    def free(self) -> bool:
+        """Whether nothing bars the crank, and there can be no gap."""
+        return not self.study.barriers and self.study.assembly.phi is not None and self.clear
+
     def motion(self, order: int) -> Motion:
         """Read all named points and moving links off the plans up to an order, whatever is not reached."""
         pattern, numbers = self.follow(order)
-        return pattern.read(numbers, self.turn.phi)
+        return pattern.read(numbers, self.turn)
 
     def plan(self, order: int) -> Plan:
         """The plan of an order: 0 positions, 1 velocities, 2 accelerations."""
@@ -96,7 +101,7 @@ class Drafts:
         study = self.study
         if study.assembly.phi is None:
             return np.ones(len(self.turn), dtype=bool)
-        if self.clear and not study.barriers:
+        if self.free:
             return np.zeros(len(self.turn), dtype=bool)
         return gaps.lost(study.sweep, self.positions, self.turn, study.assembly.phi, study.barriers)
 
@@ -241,7 +246,8 @@ class Study:
         """Give the motion by construction: order 0 positions, 1 and velocities, 2 and accelerations."""
         if len(self.turn) <= BLOCK:
             drafts = self.drafts()
-            return self._gapped(drafts.motion(order), drafts.lost, drafts.clear)
+            drawn = drafts.motion(order)
+            return drawn if drafts.free else self._gapped(drawn, drafts.lost, drafts.clear)
         whole, lost, clear = self._unread(order), np.zeros(len(self.turn), dtype=bool), True
         for drafts, part in self._blocks():
             _filled(whole, drafts.motion(order), part)
@@ -251,18 +257,25 @@ class Study:
 
     def _unread(self, order: int) -> Motion:
         """Rule the table of a long motion; what is the same at all positions takes no room."""
-        phi = self.turn.phi
+        phi, one = self.turn.phi, Drafts(self, self.turn.part([0])).motion(order)
+        # One table for all: memory of this size is kept by the process, and need not be asked for again and again.
+        widths = [row.itemsize for row in one.rows() if row.flags.writeable]
+        table, taken = np.empty((sum(widths), len(phi)), dtype=np.int8), 0
 
         def room(row: npt.NDArray[Any]) -> npt.NDArray[Any]:
-            return np.empty(phi.shape, row.dtype) if row.flags.writeable else np.broadcast_to(row[:1], phi.shape)
+            nonlocal taken
+            if not row.flags.writeable:
+                return np.broadcast_to(row[:1], phi.shape)
+            taken += row.itemsize
+            return table[taken - row.itemsize : taken].reshape(-1).view(row.dtype)
 
-        return _rows(Drafts(self, self.turn.part([0])).motion(order), phi, room)
+        return one.made(phi, room)
 
     def _gapped(self, drawn: Motion, lost: npt.NDArray[np.bool_], clear: bool) -> Motion:
         """Make the positions that are not reached, and what has no value in the rest, named gaps."""
         if clear and not lost.any():
             return drawn
-        drawn = _own(drawn)
+        drawn = drawn.own()
         named = [self._gap(int(k)) for k in np.flatnonzero(lost)]
         for points in drawn.points.values():
             points.r[lost] = np.nan
@@ -281,26 +294,8 @@ def _number(gap: Gap) -> int:
     return gap.position
 
 
-def _own(motion: Motion) -> Motion:
-    """Give a motion rows of its own, in which gaps can be left."""
-    return _rows(motion, motion.phi, np.array)
-
-
 def _filled(whole: Motion, part: Motion, at: slice) -> None:
     """Put the motion over a part of the positions into that over them all."""
-    rows = [row for motion in (*whole.points.values(), *whole.links.values()) for row in motion]
-    values = [row for motion in (*part.points.values(), *part.links.values()) for row in motion]
-    for row, value in zip(rows, values, strict=True):
-        if row is not None and value is not None and row.flags.writeable:
+    for row, value in zip(whole.rows(), part.rows(), strict=True):
+        if row.flags.writeable:
             row[at] = value
-
-
-def _rows(motion: Motion, phi: Floats, made: Callable[[Any], Any]) -> Motion:
-    """Make a motion of rows made from those of another."""
-
-    def all_made(rows: Iterable[Any]) -> Iterator[Any]:
-        return (row if row is None else made(row) for row in rows)
-
-    points = {name: PointMotion(*all_made(rows)) for name, rows in motion.points.items()}
-    links = {link: LinkMotion(*all_made(rows)) for link, rows in motion.links.items()}
-    return replace(motion, phi=phi, points=points, links=links)
