@@ -49,8 +49,7 @@ class Mark(NamedTuple):
     """A thing on a board with the step that drew it.
 
     `rays` are the vectors to a point from the marks it was drawn from, kept as they were constructed, not as
-    differences of absolute points. `sharpness` is the sine of the crossing angle of the meeting, `miss` by how much the
-    loci miss each other.
+    differences of absolute points. `meeting` is how the loci met that it was found by.
     """
 
     subject: str
@@ -58,9 +57,8 @@ class Mark(NamedTuple):
     name: str
     value: Value
     step: Step
-    rays: tuple[tuple[Mark, Vectors], ...] = ()
-    sharpness: Sizes | None = None
-    miss: Sizes | None = None
+    rays: tuple[tuple[Mark, Vectors], ...]
+    meeting: Meeting | None
 
     # A mark is itself: two marks that happen to lie on one place stay two.
     def __eq__(self, other: object) -> bool:
@@ -71,6 +69,16 @@ class Mark(NamedTuple):
 
     def __hash__(self) -> int:
         return id(self)
+
+    @property
+    def sharpness(self) -> Sizes | None:
+        """The sine of the crossing angle of the meeting that found it."""
+        return None if self.meeting is None else self.meeting.sharpness
+
+    @property
+    def miss(self) -> Sizes | None:
+        """By how much the loci of its meeting miss each other."""
+        return None if self.meeting is None else self.meeting.miss
 
     @property
     def point(self) -> Vectors:
@@ -100,6 +108,7 @@ class Board:
     def __init__(self, subject: str) -> None:
         self.subject = subject
         self.marks: list[Mark] = []
+        self.clear = True  # no meeting has at any position a miss, a dead centre or anything unknown
         self._named: dict[str, Mark] = {}
 
     def __getitem__(self, name: str) -> Mark:
@@ -123,12 +132,18 @@ class Board:
         why: str,
         size: Vectors = 0j,
         side: Sizes = 0.0,
+        rays: tuple[tuple[Mark, Vectors], ...] = (),
+        meeting: Meeting | None = None,
     ) -> Mark:
-        return self._record(Mark(self.subject, len(self.marks), name, value, Step(op, inputs, size, side, why)))
+        step = Step(op, inputs, size, side, why)
+        return self.keep(Mark(self.subject, len(self.marks), name, value, step, rays, meeting))
 
-    def _record(self, mark: Mark) -> Mark:
+    def keep(self, mark: Mark) -> Mark:
+        """Put down a mark that is made."""
         self.marks.append(mark)
         self._named.setdefault(mark.name, mark)  # the first mark of a name keeps it
+        if mark.meeting is not None and not mark.meeting.clear:
+            self.clear = False
         return mark
 
     def given(self, name: str, value: Value, why: str = "") -> Mark:
@@ -137,9 +152,8 @@ class Board:
 
     def lay_off(self, name: str, start: Mark, vector: Mark, why: str = "") -> Mark:
         """Lay a vector off from a point; the mark is its end (отложить вектор)."""
-        step = Step("lay_off", (start, vector), 0j, 0.0, why)
-        value = start.point + vector.point
-        return self._record(Mark(self.subject, len(self.marks), name, value, step, ((start, vector.point),)))
+        by = vector.point
+        return self._draw(name, _end(start, by), "lay_off", (start, vector), why, rays=((start, by),))
 
     def join(self, name: str, start: Mark, end: Mark, why: str = "") -> Mark:
         """Join two points by a vector, taken from the construction that drew one from the other where there is one."""
@@ -165,13 +179,10 @@ class Board:
         """
         if isinstance(first.value, Arc) and isinstance(second.value, Line):
             first, second = second, first
-        centres = first.step.inputs[0], second.step.inputs[0]
-        found = _meeting(first, second, between(*centres), side)
-        step = Step("meet", (first, second), 0j, side, why)
-        rays = ((centres[0], found.first), (centres[1], found.second))
-        value = centres[0].point + found.first
-        mark = Mark(self.subject, len(self.marks), name, value, step, rays, found.sharpness, found.miss)
-        return self._record(mark)
+        one, other = first.step.inputs[0], second.step.inputs[0]
+        found = _meeting(first, second, between(one, other), side)
+        rays = ((one, found.first), (other, found.second))
+        return self._draw(name, _end(one, found.first), "meet", (first, second), why, 0j, side, rays, found)
 
     def tangent(self, name: str, pivot: Mark, pin: Mark, offset: float, side: Sizes, why: str = "") -> Mark:
         """Direct the slot through a pin at a given offset from a pivot: a unit vector (касательная из точки).
@@ -179,9 +190,7 @@ class Board:
         The pin lies `offset` to the left of the pivot's line; `side` is +1 where it lies ahead of the pivot.
         """
         found = loci.tangent_direction(between(pivot, pin), offset, side)
-        step = Step("tangent", (pivot, pin), offset, side, why)
-        mark = Mark(self.subject, len(self.marks), name, found.first, step, (), found.sharpness, found.miss)
-        return self._record(mark)
+        return self._draw(name, found.first, "tangent", (pivot, pin), why, offset, side, (), found)
 
     def turn(self, name: str, vector: Mark, by: Vectors, why: str = "") -> Mark:
         """Turn and stretch a vector by a known complex number: 1j is a quarter turn counter-clockwise."""
@@ -208,9 +217,7 @@ class Board:
             raise TypeError(f"{circle.name} is not a circle")
         centre = circle.step.inputs[0]
         ray = circle.value.radius * directions.point
-        step = Step("divide", (circle, directions), 0j, 0.0, why)
-        mark = Mark(self.subject, len(self.marks), name, centre.point + ray, step, ((centre, ray),))
-        return self._record(mark)
+        return self._draw(name, _end(centre, ray), "divide", (circle, directions), why, rays=((centre, ray),))
 
     def close(self, name: str, *vectors: Mark, why: str = "") -> Mark:
         """Close a chain of vectors: the vector from its end back to its start (замкнуть многоугольник)."""
@@ -228,6 +235,12 @@ def _meeting(first: Mark, second: Mark, base: Vectors, side: Sizes) -> Meeting:
     raise TypeError(f"{first.name} and {second.name} are not two lines or arcs")
 
 
+def _end(start: Mark, vector: Vectors) -> Vectors:
+    """Give the end of a vector laid off from a point; from the origin it is the vector itself."""
+    point = start.point
+    return vector if type(point) is complex and point == 0 else point + vector
+
+
 def between(start: Mark, end: Mark) -> Vectors:
     """Give the vector from one point to another as it was constructed, or else as their difference."""
     for origin, ray in end.rays:
@@ -236,7 +249,8 @@ def between(start: Mark, end: Mark) -> Vectors:
     for origin, ray in start.rays:
         if origin is end:
             return -ray
-    return end.point - start.point
+    point = start.point
+    return end.point if type(point) is complex and point == 0 else end.point - point
 
 
 def behind(*marks: Mark) -> list[Mark]:

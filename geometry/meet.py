@@ -21,16 +21,28 @@ TANGENCY = 4.0
 
 
 class Meeting(NamedTuple):
-    """Where two loci meet: vectors to it from each locus's point, sharpness, and by how much they miss (metres).
+    """Where two loci meet: vectors to it from each locus's point, how they cross, and by how much they miss (metres).
 
-    Sharpness is the sine of the crossing angle: 1 is a square meeting, 0 a dead centre. A miss above 0 makes the
-    vectors NaN.
+    `across` is the moment of two vectors of the sizes `sides` that cross as the loci do: 0 at a dead centre. A miss
+    above 0 makes the vectors NaN. A `clear` meeting has at no position a miss, a dead centre or anything unknown.
+    `into_first` and `into_second` tell how many times the directions of two lines go into the vectors.
     """
 
     first: Vectors
     second: Vectors
-    sharpness: Sizes
+    across: Sizes
+    sides: tuple[Vectors | Sizes, Vectors | Sizes]
     miss: Sizes
+    clear: bool
+    into_first: Sizes = np.nan
+    into_second: Sizes = np.nan
+
+    @property
+    def sharpness(self) -> Sizes:
+        """The sine of the crossing angle: 1 is a square meeting, 0 a dead centre."""
+        one, other = self.sides
+        with np.errstate(invalid="ignore", divide="ignore"):
+            return np.asarray(np.abs(self.across) / (np.abs(one) * np.abs(other)))
 
 
 def cross(a: Vectors, b: Vectors) -> Sizes:
@@ -47,39 +59,76 @@ def dot(a: Vectors, b: Vectors) -> Sizes:
     return a.real * b.real + a.imag * b.imag
 
 
-@np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN, and told by its miss
+def seen_from(a: Vectors, b: Vectors) -> Vectors:
+    """Give b along a and square to a, times |a|: dot(a, b) + i cross(a, b), in one multiplication.
+
+    >>> complex(seen_from(2j, 3 + 4j))
+    (8-6j)
+    """
+    return np.conjugate(a) * b
+
+
+class Radii(NamedTuple):
+    """The radii of two arcs, with all that their meetings need of them at any distance of the centres.
+
+    `spare` is the longer radius less the shorter; `more` and `less` are what the rounding of `total` and `spare` lost.
+    """
+
+    first: Sizes
+    second: Sizes
+    total: Sizes
+    more: Sizes
+    spare: Sizes
+    less: Sizes
+    skew: Sizes  # half the difference of their squares
+    limit: Sizes  # of the product of both margins: above it neither of them is touching
+
+
+def radii(first: Sizes, second: Sizes) -> Radii:
+    """Take two radii for a meeting of arcs."""
+    total, more = _sum(first, second)
+    spare, less = _sum(np.maximum(first, second), -np.minimum(first, second))
+    # Both margins together are twice the shorter radius, so that each is at most as large.
+    limit = np.max((total - spare) * (2 * TANGENCY * EPS * total))
+    return Radii(first, second, total, more, spare, less, 0.5 * (first - second) * (first + second), limit)
+
+
 def arc_arc(base: Vectors, first: Sizes, second: Sizes, side: Sizes) -> Meeting:
     """Meet two arcs of radii `first` and `second`; `base` is the vector between their centres (засечка двух дуг).
 
-    `side` is +1 for the meeting on the left of the ray from the first centre to the second, -1 on the right. The
-    height is twice Kahan's area of the triangle over its base, so that a needle triangle keeps every digit
-    (W. Kahan, Miscalculating Area and Angles of a Needle-like Triangle).
+    `side` is +1 for the meeting on the left of the ray from the first centre to the second, -1 on the right.
 
     >>> complex(arc_arc(6 + 0j, 5.0, 5.0, +1).first)
     (3+4j)
     """
-    distance = np.abs(base)
-    long, short = np.maximum(first, second), np.minimum(first, second)
-    a, c = np.maximum(long, distance), np.minimum(short, distance)
-    b = np.maximum(short, np.minimum(long, distance))
-    spare = a - b
-    margin = c - spare  # >= 0 where the three sides close a triangle
-    perimeter = a + (b + c)
-    touching = TANGENCY * EPS * perimeter
-    gap = margin < -touching
-    closes = np.where(gap, np.nan, np.where(margin <= touching, 0.0, margin))
-    half = 0.5 * np.sqrt(perimeter * closes * (c + spare) * (a + (b - c)))  # twice the area
-    skew = (first - second) * (first + second) / distance
-    rise = 1j * (side * (half / distance / distance))
-    return Meeting(
-        base * (0.5 * (distance + skew) / distance + rise),
-        base * (rise - 0.5 * (distance - skew) / distance),
-        np.where(gap, 0.0, half / (first * second)),
-        np.where(gap, -margin, 0.0),
-    )
+    return two_arcs(base, radii(first, second), side)
 
 
-@np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN, and told by its miss
+def two_arcs(base: Vectors, arcs: Radii, side: Sizes) -> Meeting:
+    """Meet two arcs as `arc_arc` does.
+
+    The height is twice the triangle's area over its base. The area is Heron's with factors that are rounded but once,
+    so that a needle triangle keeps every digit: the sum and the difference of the radii come with what their rounding
+    lost (after W. Kahan, Miscalculating Area and Angles of a Needle-like Triangle).
+    """
+    distance, total, spare = np.abs(base), arcs.total, arcs.spare
+    outer, inner = (total - distance) + arcs.more, (distance - spare) - arcs.less  # >= 0 where the three sides close
+    closing, square = outer * inner, distance * distance
+    miss: Sizes = 0.0
+    clear = bool(np.minimum.reduce(closing, None) > arcs.limit)
+    if not clear:
+        closing, miss = _settled(np.minimum(outer, inner), total + distance, closing)
+        square = np.where(distance > 0, square, np.nan)
+    area = np.sqrt(closing * ((total + distance) * (distance + spare)))  # of the triangle, four times
+    rise = (0.5 * side) * area
+    turn = np.empty(np.shape(rise), dtype=np.complex128)
+    np.divide(arcs.skew, square, out=turn.real)
+    np.divide(rise, square, out=turn.imag)
+    middle, half = base * turn, 0.5 * base
+    across = area if clear else np.where(miss > 0, 0.0, area)
+    return Meeting(middle + half, middle - half, across, (arcs.first, 2.0 * arcs.second), miss, clear)
+
+
 def line_arc(base: Vectors, direction: Vectors, radius: Sizes, side: Sizes) -> Meeting:
     """Meet a directed line with an arc; `base` leads from the line's point to the centre, `direction` is of size 1.
 
@@ -88,46 +137,62 @@ def line_arc(base: Vectors, direction: Vectors, radius: Sizes, side: Sizes) -> M
     >>> complex(line_arc(0 - 3j, 1 + 0j, 5.0, +1).second)
     (4+3j)
     """
-    height = -cross(direction, base)  # signed distance of the line from the centre, positive on the left
-    offset = np.abs(height)
-    margin = radius - offset
-    touching = TANGENCY * EPS * (radius + offset)
-    dead = np.abs(margin) <= touching
-    half = np.sqrt(np.where(dead, 0.0, np.maximum(margin, 0.0)) * (radius + offset))
-    gap = margin < -touching
-    lost = np.where(gap, np.nan, 1.0)
+    centre = seen_from(direction, base)
+    offset = np.abs(centre.imag)
+    margin, span = radius - offset, radius + offset
+    clear = _all(margin > 2 * TANGENCY * EPS * radius)
+    miss: Sizes = 0.0
+    if not clear:
+        margin, miss = _settled(margin, span, margin)
+    half = np.sqrt(margin * span)
     along = side * half
+    across = half if clear else np.where(miss > 0, 0.0, half)
     return Meeting(
-        direction * ((dot(direction, base) + along) * lost),
-        direction * (along * lost + 1j * height),
-        half / radius,
-        np.where(gap, -margin, 0.0),
+        direction * (centre.real + along), direction * (along - 1j * centre.imag), across, (1.0, radius), miss, clear
     )
 
 
-@np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN, and told by its miss
+class Crossing(NamedTuple):
+    """The directions of two lines and how they cross: `turn` is their moment, NaN where they are parallel."""
+
+    first: Vectors
+    second: Vectors
+    across: Sizes
+    turn: Sizes
+    clear: bool
+
+
+def crossing(first: Vectors, second: Vectors) -> Crossing:
+    """Cross two directions; those that differ by no more than the rounding of a direction are parallel."""
+    turned = seen_from(first, second)
+    across = turn = turned.imag
+    off, along = np.abs(turn), np.abs(turned.real)
+    clear = bool(np.minimum.reduce(off, None) > TANGENCY * EPS * np.maximum.reduce(along, None))
+    if not clear:
+        parallel = off <= TANGENCY * EPS * along
+        across, turn = np.where(parallel, 0.0, turn), np.where(parallel, np.nan, turn)
+    return Crossing(first, second, across, turn, clear)
+
+
 def line_line(base: Vectors, first: Vectors, second: Vectors) -> Meeting:
     """Meet two lines of directions `first` and `second` (any sizes); `base` leads from the first's point to the other.
 
-    Lines whose directions differ by no more than the rounding of a direction are parallel: NaN and sharpness 0.
+    Parallel lines have no meeting: NaN and sharpness 0.
 
     >>> complex(line_line(2 + 1j, 1 + 0j, 1j).first)
     (2+0j)
     """
-    turn = cross(first, second)
-    size = np.abs(first) * np.abs(second)
-    sharpness = np.abs(turn) / size
-    parallel = sharpness <= TANGENCY * EPS
-    turn = np.where(parallel, np.nan, turn)
-    return Meeting(
-        first * (cross(base, second) / turn),
-        second * (cross(base, first) / turn),
-        np.where(parallel, 0.0, sharpness),
-        np.zeros_like(sharpness),
-    )
+    return two_lines(base, crossing(first, second))
 
 
-@np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN, and told by its miss
+def two_lines(base: Vectors, lines: Crossing) -> Meeting:
+    """Meet two lines as `line_line` does."""
+    first, second, across, turn, clear = lines
+    back = np.conjugate(base)
+    once, other = (back * second).imag / turn, (back * first).imag / turn
+    return Meeting(first * once, second * other, across, (first, second), 0.0, clear, once, other)
+
+
 def tangent_direction(base: Vectors, offset: Sizes, side: Sizes) -> Meeting:
     """Direct a slot that passes a pivot at `offset` and holds a pin; `base` leads from the pivot to the pin.
 
@@ -138,12 +203,33 @@ def tangent_direction(base: Vectors, offset: Sizes, side: Sizes) -> Meeting:
     >>> complex(tangent_direction(0 + 4j, 0.0, +1).first)
     1j
     """
-    distance = np.abs(base)
-    margin = distance - np.abs(offset)
-    touching = TANGENCY * EPS * (distance + np.abs(offset))
-    dead = np.abs(margin) <= touching
-    reach = side * np.sqrt(np.where(dead, 0.0, np.maximum(margin, 0.0)) * (distance + np.abs(offset)))
+    distance, size = np.abs(base), np.abs(offset)
+    margin, span = distance - size, distance + size
+    clear = _all(margin > 2 * TANGENCY * EPS * distance)
+    miss: Sizes = 0.0
+    if not clear:
+        margin, miss = _settled(margin, span, margin)
+        distance = np.where(distance > 0, distance, np.nan)
+    reach = side * np.sqrt(margin * span)
+    square = distance * distance
+    unit = base * (reach / square - 1j * (offset / square))
+    return Meeting(unit, unit * reach, reach, (1.0, distance), miss, clear)
+
+
+def _sum(a: Sizes, b: Sizes) -> tuple[Sizes, Sizes]:
+    """Add two sizes: the sum, and exactly what its rounding lost (D. Knuth)."""
+    total = a + b
+    part = total - a
+    return total, (a - (total - part)) + (b - part)
+
+
+def _all(told: npt.NDArray[np.bool_] | np.bool_) -> bool:
+    return bool(np.logical_and.reduce(told, None))
+
+
+def _settled(margin: Sizes, perimeter: Sizes, value: Sizes) -> tuple[Any, Any]:
+    """Make a value 0 where loci touch, NaN where they miss by more than that; and tell by how much they miss."""
+    touching = TANGENCY * EPS * perimeter
     gap = margin < -touching
-    square = np.where(gap | (distance == 0), np.nan, distance)
-    unit = (base / square) * ((reach - 1j * offset) / square)
-    return Meeting(unit, unit * reach, np.abs(reach) / square, np.where(gap, -margin, 0.0))
+    settled = np.where(margin <= touching, 0.0, value)
+    return np.where(gap, np.nan, settled), np.where(gap, -margin, 0.0)

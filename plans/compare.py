@@ -100,7 +100,7 @@ class Comparison:
 @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN on both roads
 def compare(study: Study, order: int = 2) -> Comparison:
     """Compare construction and analysis over all positions of a study, up to an order of derivative."""
-    drawn = study.motion(order)
+    drawn = study.motion(order).own()
     solved = solve(study.mechanism, study.turn.phi, order)
     _leave_out(drawn, solved)
     kappa = conditions(study.mechanism, solved)

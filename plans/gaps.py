@@ -21,7 +21,7 @@ LIMIT = 1e-7
 def lost(sweep: Sweep, plan: Plan, turn: Turn, home: float, barriers: Sequence[Barrier]) -> npt.NDArray[np.bool_]:
     """Tell the positions that are not reached from `home`, or in which a group has no one place; limits are reached."""
     gone = ~reached(turn.phi, home, barriers)
-    if not sweep.groups:
+    if not sweep.groups or (plan.board.clear and not gone.any()):
         return gone
     field, _ = margins(plan, sweep.groups, sweep.sides)
     nowhere = np.broadcast_to(undefined(plan, sweep.groups), gone.shape)
@@ -35,6 +35,8 @@ def reached(phi: Floats, first: float, barriers: Sequence[Barrier]) -> npt.NDArr
 
     An angle within a change point's own rounding is reached: the mechanism gets there, but no further.
     """
+    if not barriers:
+        return np.ones(len(phi), dtype=bool)
     turn = 2 * np.pi
     ahead = np.mod(phi - first, turn)
     on = min((_far_edge(b.start - first, b) for b in barriers), default=turn)
@@ -116,7 +118,7 @@ def _reach(mark: Mark, miss: float) -> str:
     )
 
 
-def without_velocity(drawn: Motion, gone: npt.NDArray[np.bool_], barriers: Sequence[Barrier], start: int) -> list[Gap]:
+def without_velocity(drawn: Motion, gone: npt.NDArray[np.bool_], barriers: Sequence[Barrier]) -> list[Gap]:
     """Name the positions that are assembled but have no velocities, and leave none there for any point or link."""
     letters = [name for name, motion in drawn.points.items() if motion.v is not None]
     if not letters:
@@ -128,7 +130,7 @@ def without_velocity(drawn: Motion, gone: npt.NDArray[np.bool_], barriers: Seque
     advice = "a group is at its dead centre: its velocities have no one value; take a position beside it"
     return [
         Gap(
-            start + int(k), float(drawn.phi[k]), "velocities", CHANGE if change[k] else "dead centre",
+            int(k), float(drawn.phi[k]), "velocities", CHANGE if change[k] else "dead centre",
             letters[int(np.argmax(none[:, k]))], 0.0, advice,
         )
         for k in np.flatnonzero(dead)

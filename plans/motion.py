@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -33,8 +34,7 @@ class Gap:
     advice: str  # one sentence: what would mend it
 
 
-@dataclass(frozen=True)
-class PointMotion:
+class PointMotion(NamedTuple):
     """A point over the positions: r from the datum m, v m/s, a m/s2; NaN at gaps, None where not asked for."""
 
     r: Complexes
@@ -42,8 +42,7 @@ class PointMotion:
     a: Complexes | None = None
 
 
-@dataclass(frozen=True)
-class LinkMotion:
+class LinkMotion(NamedTuple):
     """A link over the positions: direction of its own +x axis rad in (-pi, pi], omega rad/s, epsilon rad/s2."""
 
     angle: Floats
@@ -60,6 +59,25 @@ class Motion:
     points: Mapping[str, PointMotion]
     links: Mapping[int, LinkMotion]
     gaps: tuple[Gap, ...]
+
+    def rows(self) -> Iterator[npt.NDArray[Any]]:
+        """Give the values of all points and links that were asked for, row by row."""
+        for rows in (*self.points.values(), *self.links.values()):
+            yield from (row for row in rows if row is not None)
+
+    def made(self, phi: Floats, row: Callable[[Any], Any]) -> Motion:
+        """Give this motion with each of its rows made another."""
+
+        def all_made(rows: Iterable[Any]) -> Iterator[Any]:
+            return (None if values is None else row(values) for values in rows)
+
+        points = {name: PointMotion(*all_made(rows)) for name, rows in self.points.items()}
+        links = {link: LinkMotion(*all_made(rows)) for link, rows in self.links.items()}
+        return replace(self, phi=phi, points=points, links=links)
+
+    def own(self) -> Motion:
+        """Give this motion with rows of its own, in which places can be left out; else they are those of the plans."""
+        return self.made(self.phi, np.array)
 
 
 @dataclass(frozen=True)

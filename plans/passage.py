@@ -14,12 +14,15 @@ import numpy.typing as npt
 
 from geometry.board import Line, Mark
 from geometry.meet import cross
+from plans.acceleration import accelerations
 from plans.mechanism import Mechanism
 from plans.motion import Floats
+from plans.pattern import Pattern
 from plans.plan import Plan
 from plans.position import positions
 from plans.structure import Dyad
 from plans.turn import Turn
+from plans.velocity import velocities
 
 NODES = 720  # crank angles of a sweep: half a degree
 FAN = 17  # angles of one closer look between two nodes
@@ -96,6 +99,18 @@ class Sweep:
 
     def __init__(self, mechanism: Mechanism, groups: Sequence[Dyad], sides: Sequence[float]) -> None:
         self.mechanism, self.groups, self.sides = mechanism, groups, sides
+        self._patterns: dict[int, Pattern] = {}
+
+    def pattern(self, order: int) -> Pattern:
+        """Give the pattern of the plans up to an order: 0 positions, 1 velocities, 2 accelerations."""
+        if order not in self._patterns:
+            plans = [self.plan(np.zeros(1))]
+            if order > 0:
+                plans.append(velocities(plans[0], self.groups))
+            if order > 1:
+                plans.append(accelerations(plans[1], self.groups))
+            self._patterns[order] = Pattern(plans)
+        return self._patterns[order]
 
     def plan(self, phi: Floats) -> Plan:
         """Draw the plan of positions at some crank angles."""

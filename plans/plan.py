@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from copy import copy
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 from geometry.board import Board, Mark
 from plans.mechanism import FRAME, Mechanism
+
+Key = TypeVar("Key")
 
 
 class Image(NamedTuple):
@@ -41,6 +44,7 @@ class Plan:
         self.units: dict[tuple[int, int], Mark | None] = {}  # sliding line of (slider, owner): image of its direction
         self.slips: dict[tuple[int, int], Mark] = {}  # velocity of the pin along that line
         self.reaches: dict[tuple[int, int], Mark] = {}  # vector from the pivot of a slotted group to its pin
+        self._small: dict[str, str] = below[0]._small if below else {}  # letters of the points, as far as written
         self.pole = self.board.given(_POLES[subject], 0j, _POLE_WHY[subject])
 
     @property
@@ -60,19 +64,42 @@ class Plan:
         other.units, other.readings = dict(self.units), dict(self.readings)
         return other
 
+    def redrawn(self, board: Board, made: Mapping[Mark, Mark], below: tuple[Plan, ...]) -> Plan:
+        """Give this plan as it is on another board, whose marks are named by those of this one."""
+
+        def images(known: Mapping[Key, Mark]) -> dict[Key, Mark]:
+            return {key: made[mark] for key, mark in known.items()}
+
+        other = copy(self)
+        other.board, other.below, other.pole = board, below, made[self.pole]
+        other.letters, other.slips, other.reaches = images(self.letters), images(self.slips), images(self.reaches)
+        other.units = {key: mark and made[mark] for key, mark in self.units.items()}
+        other.images = {
+            link: image._replace(origin=made[image.origin], arm=image.arm and made[image.arm])
+            for link, image in self.images.items()
+        }
+        other.readings = {
+            link: Reading(made[reading.arm], made[reading.turning]) for link, reading in self.readings.items()
+        }
+        return other
+
     def letter(self, point: str) -> str:
         """Write a point as this plan does: B on the plan of positions, b on the others."""
-        return _small(point, self._points) if self.below else point
+        return self._write_small(point) if self.below else point
 
     def coincident(self, point: str, link: int) -> str:
         """Name the point of a link that lies under another's, such as a3; a_(3) where a point A3 has that letter."""
-        name = f"{_small(point, self._points)}{link}"
-        taken = {_small(other, self._points) for other in self._points}
-        return f"{_small(point, self._points)}_({link})" if name in taken else name
+        name = f"{self._write_small(point)}{link}"
+        taken = (self._write_small(other) for links in self.mechanism.links.values() for other in links.points)
+        return f"{self._write_small(point)}_({link})" if name in taken else name
 
-    @property
-    def _points(self) -> set[str]:
-        return {point for link in self.mechanism.links.values() for point in link.points}
+    def _write_small(self, point: str) -> str:
+        """Write a point's letter small, with a prime where another point has that letter."""
+        if point not in self._small:
+            small = point.lower()
+            taken = small != point and any(small in link.points for link in self.mechanism.links.values())
+            self._small[point] = f"{small}'" if taken else small
+        return self._small[point]
 
     def name(self, point: str, mark: Mark) -> Mark:
         """Keep a mark as the image of a named point."""
@@ -130,12 +157,6 @@ class Plan:
         if mark.name in self.board and self.board[mark.name].step.inputs == (mark,):
             return self.board[mark.name]
         return self.board.transfer(mark.name, mark, f"parallel transfer from the plan of {mark.subject}")
-
-
-def _small(point: str, points: set[str]) -> str:
-    """Write a point's letter small, with a prime where another point has that letter."""
-    small = point.lower()
-    return f"{small}'" if small != point and small in points else small
 
 
 _POLES = {"positions": "datum", "velocities": "p", "accelerations": "π"}

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -13,12 +14,12 @@ import numpy.typing as npt
 from geometry.errors import ConstructionError
 from plans import gaps, passage
 from plans.acceleration import accelerations
-from plans.angles import angle, rate
 from plans.extreme import Found, extremes, output
 from plans.linkage import mechanism_of
-from plans.mechanism import FRAME, Mechanism, Output, StructureError
-from plans.motion import Complexes, Floats, Gap, LinkMotion, Motion, PointMotion
+from plans.mechanism import Mechanism, Output, StructureError
+from plans.motion import ORDERS, Floats, Gap, Motion
 from plans.passage import Barrier, Sweep
+from plans.pattern import Pattern
 from plans.plan import Plan
 from plans.scene import Scene
 from plans.sketch import Assembly, SketchError, assembly
@@ -26,46 +27,83 @@ from plans.structure import Dyad, decompose
 from plans.turn import Turn, even, from_direction, listed
 from plans.velocity import velocities
 
-BLOCK = 2048  # positions constructed together: arrays of this size stay in the processor's cache
+BLOCK = 8000  # positions constructed together: enough to hide the calls, few enough for the processor's cache
 
 
 class NoExtreme(ConstructionError):  # noqa: N818  (the exception tree's own word)
     """A start at an extreme position was asked of an output link that has none."""
 
 
-@dataclass(frozen=True)
 class Drafts:
-    """The plans over some positions of a study: velocities and accelerations are drawn when first asked for."""
+    """The plans over some positions of a study: their pattern is followed, and marks are made when they are looked at.
 
-    study: Study
-    turn: Turn
+    The record of an order of plans holds those below it; what is asked for later is drawn over what is there.
+    """
 
-    @cached_property
-    def positions(self) -> Plan:
-        """The plan of positions."""
-        self.study.made.setdefault("positions")
-        return self.study.sweep.drawn(self.turn)
+    def __init__(self, study: Study, turn: Turn) -> None:
+        self.study, self.turn = study, turn
+        self._plans: list[Plan] = []
+        self._record: tuple[Pattern, list[Any]] | None = None
 
-    @cached_property
-    def velocities(self) -> Plan:
-        """The velocity plan."""
-        self.study.made.setdefault("velocities")
-        return velocities(self.positions, self.study.groups)
+    def follow(self, order: int) -> tuple[Pattern, list[Any]]:
+        """Work out the numbers of the plans up to an order by their pattern."""
+        for subject in ORDERS[: order + 1]:
+            self.study.made.setdefault(subject)
+        pattern = self.study.sweep.pattern(order)
+        self._record = pattern, pattern.follow(self.turn)
+        return self._record
 
-    @cached_property
-    def accelerations(self) -> Plan:
-        """The acceleration plan."""
-        self.study.made.setdefault("accelerations")
-        return accelerations(self.velocities, self.study.groups)
+    @property
+    def clear(self) -> bool:
+        """Whether no meeting of the plans followed last has a miss, a dead centre or anything unknown."""
+        pattern, numbers = self._record or self.follow(0)
+        return pattern.tracing.clear(numbers)
+
+    @property
+    def free(self) -> bool:
+        """Whether nothing bars the crank, and there can be no gap."""
+        return not self.study.barriers and self.study.assembly.phi is not None and self.clear
+
+    def motion(self, order: int) -> Motion:
+        """Read all named points and moving links off the plans up to an order, whatever is not reached."""
+        pattern, numbers = self.follow(order)
+        return pattern.read(numbers, self.turn)
 
     def plan(self, order: int) -> Plan:
         """The plan of an order: 0 positions, 1 velocities, 2 accelerations."""
-        match order:
-            case 0:
-                return self.positions
-            case 1:
-                return self.velocities
-        return self.accelerations
+        if not self._plans:
+            pattern, numbers = self._record or self.follow(order)
+            self._plans = pattern.drawn(numbers)
+        for subject in ORDERS[len(self._plans) : order + 1]:
+            self.study.made.setdefault(subject)
+            draw = velocities if subject == "velocities" else accelerations
+            self._plans.append(draw(self._plans[-1], self.study.groups))
+        return self._plans[order]
+
+    @property
+    def positions(self) -> Plan:
+        """The plan of positions."""
+        return self.plan(0)
+
+    @property
+    def velocities(self) -> Plan:
+        """The velocity plan."""
+        return self.plan(1)
+
+    @property
+    def accelerations(self) -> Plan:
+        """The acceleration plan."""
+        return self.plan(2)
+
+    @cached_property
+    def lost(self) -> npt.NDArray[np.bool_]:
+        """Positions that the mechanism does not reach, or in which it has no one place."""
+        study = self.study
+        if study.assembly.phi is None:
+            return np.ones(len(self.turn), dtype=bool)
+        if self.free:
+            return np.zeros(len(self.turn), dtype=bool)
+        return gaps.lost(study.sweep, self.positions, self.turn, study.assembly.phi, study.barriers)
 
 
 class Study:
@@ -156,20 +194,15 @@ class Study:
     @cached_property
     def lost(self) -> npt.NDArray[np.bool_]:
         """Positions that the mechanism does not reach, or in which it has no one place."""
-        return np.concatenate([self._lost(drafts) for drafts in self._blocks()])
+        if len(self.turn) <= BLOCK:
+            return self.drafts().lost
+        return np.concatenate([drafts.lost for drafts, _ in self._blocks()])
 
-    def _lost(self, drafts: Drafts) -> npt.NDArray[np.bool_]:
-        if self.assembly.phi is None:
-            return np.ones(len(drafts.turn), dtype=bool)
-        return gaps.lost(self.sweep, drafts.positions, drafts.turn, self.assembly.phi, self.barriers)
-
-    def _blocks(self) -> Iterator[Drafts]:
-        """Give the plans block by block: those of a sheet are one block, and are kept."""
-        count = len(self.turn)
-        if count <= BLOCK:
-            yield self.drafts()
-        else:
-            yield from (Drafts(self, self.turn.part(slice(k, k + BLOCK))) for k in range(0, count, BLOCK))
+    def _blocks(self) -> Iterator[tuple[Drafts, slice]]:
+        """Give plans block by block, where the positions are more than those of a sheet; they are not kept."""
+        for start in range(0, len(self.turn), BLOCK):
+            part = slice(start, start + BLOCK)
+            yield Drafts(self, self.turn.part(part)), part
 
     def reached(self, phi: Floats) -> npt.NDArray[np.bool_]:
         """Tell which crank angles the mechanism reaches from the position that the sketch shows."""
@@ -211,22 +244,46 @@ class Study:
 
     def motion(self, order: int = 2) -> Motion:
         """Give the motion by construction: order 0 positions, 1 and velocities, 2 and accelerations."""
-        parts, start = [], 0
-        for drafts in self._blocks():
-            parts.append(self._gapped(_read(drafts, order), self._lost(drafts), start))
-            start += len(drafts.turn)
-        return parts[0] if len(parts) == 1 else _whole(parts)
+        if len(self.turn) <= BLOCK:
+            drafts = self.drafts()
+            drawn = drafts.motion(order)
+            return drawn if drafts.free else self._gapped(drawn, drafts.lost, drafts.clear)
+        whole, lost, clear = self._unread(order), np.zeros(len(self.turn), dtype=bool), True
+        for drafts, part in self._blocks():
+            _filled(whole, drafts.motion(order), part)
+            lost[part] = drafts.lost
+            clear = clear and drafts.clear
+        return self._gapped(whole, lost, clear)
 
-    def _gapped(self, drawn: Motion, lost: npt.NDArray[np.bool_], start: int) -> Motion:
+    def _unread(self, order: int) -> Motion:
+        """Rule the table of a long motion; what is the same at all positions takes no room."""
+        phi, one = self.turn.phi, Drafts(self, self.turn.part([0])).motion(order)
+        # One table for all: memory of this size is kept by the process, and need not be asked for again and again.
+        widths = [row.itemsize for row in one.rows() if row.flags.writeable]
+        table, taken = np.empty((sum(widths), len(phi)), dtype=np.int8), 0
+
+        def room(row: npt.NDArray[Any]) -> npt.NDArray[Any]:
+            nonlocal taken
+            if not row.flags.writeable:
+                return np.broadcast_to(row[:1], phi.shape)
+            taken += row.itemsize
+            return table[taken - row.itemsize : taken].reshape(-1).view(row.dtype)
+
+        return one.made(phi, room)
+
+    def _gapped(self, drawn: Motion, lost: npt.NDArray[np.bool_], clear: bool) -> Motion:
         """Make the positions that are not reached, and what has no value in the rest, named gaps."""
-        named = [self._gap(start + int(k)) for k in np.flatnonzero(lost)]
+        if clear and not lost.any():
+            return drawn
+        drawn = drawn.own()
+        named = [self._gap(int(k)) for k in np.flatnonzero(lost)]
         for points in drawn.points.values():
             points.r[lost] = np.nan
         for links in drawn.links.values():
             links.angle[lost] = np.nan
         gaps.forget(drawn, lost)
-        named += gaps.without_velocity(drawn, lost, self.barriers, start)
-        return Motion("construction", drawn.phi, drawn.points, drawn.links, tuple(sorted(named, key=_number)))
+        named += gaps.without_velocity(drawn, lost, self.barriers)
+        return replace(drawn, gaps=tuple(sorted(named, key=_number)))
 
     def _gap(self, position: int) -> Gap:
         turn = self.turn.part([position])
@@ -237,47 +294,8 @@ def _number(gap: Gap) -> int:
     return gap.position
 
 
-def _read(drafts: Drafts, order: int) -> Motion:
-    """Read the motion of all named points and links off the plans."""
-    mechanism, count = drafts.study.mechanism, len(drafts.turn)
-    plans = [drafts.plan(k) for k in range(order + 1)]
-    letters = sorted({point for link in mechanism.links.values() for point in link.points})
-    points = {letter: PointMotion(*(_spread(plan.point(letter).point, count) for plan in plans)) for letter in letters}
-    links = {
-        number: LinkMotion(
-            _spread_real(angle(plans[0], number), count),
-            *(_spread_real(rate(plan, number), count) for plan in plans[1:]),
-        )
-        for number in sorted(mechanism.links)
-        if number != FRAME
-    }
-    return Motion("construction", drafts.turn.phi, points, links, ())
-
-
-def _spread(value: object, count: int) -> Complexes:
-    return np.array(np.broadcast_to(np.asarray(value, dtype=np.complex128), count))
-
-
-def _spread_real(value: Floats, count: int) -> Floats:
-    return np.array(np.broadcast_to(value, count))
-
-
-def _whole(parts: Sequence[Motion]) -> Motion:
-    """Join the motions of following blocks of positions."""
-
-    def joined(arrays: Sequence[npt.NDArray[np.generic] | None]) -> npt.NDArray[np.generic] | None:
-        kept = [array for array in arrays if array is not None]
-        return np.concatenate(kept) if kept else None
-
-    points = {
-        name: PointMotion(*(joined([getattr(part.points[name], key) for part in parts]) for key in "rva"))  # type: ignore[arg-type]
-        for name in parts[0].points
-    }
-    links = {
-        number: LinkMotion(
-            *(joined([getattr(p.links[number], key) for p in parts]) for key in ("angle", "omega", "epsilon"))  # type: ignore[arg-type]
-        )
-        for number in parts[0].links
-    }
-    phi = np.concatenate([part.phi for part in parts])
-    return Motion("construction", phi, points, links, tuple(gap for part in parts for gap in part.gaps))
+def _filled(whole: Motion, part: Motion, at: slice) -> None:
+    """Put the motion over a part of the positions into that over them all."""
+    for row, value in zip(whole.rows(), part.rows(), strict=True):
+        if row.flags.writeable:
+            row[at] = value

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 
 import numpy as np
 import numpy.typing as npt
 
+from plans.angles import heading
 from plans.motion import Complexes, Floats
 
 _INT64 = 2**62  # numerators of whole turns stay exact below this
@@ -24,9 +26,16 @@ class Turn:
     def __len__(self) -> int:
         return len(self.phi)
 
+    @cached_property
+    def headings(self) -> Floats:
+        """The crank angles reduced to (-pi, pi]."""
+        return heading(self.directions)
+
     def part(self, chosen: slice | Sequence[int]) -> Turn:
         """Give some of the positions, in the order asked for."""
-        return Turn(self.phi[chosen], self.directions[chosen])
+        part = Turn(self.phi[chosen], self.directions[chosen])
+        part.__dict__["headings"] = self.headings[chosen]  # reduced once for the whole turn
+        return part
 
 
 def even(start: Fraction, count: int, sense: int) -> Turn:

@@ -26,6 +26,7 @@ from plans.bench.roads import (
     timed,
     with_positions,
 )
+from plans.pattern import Pattern
 from plans.scene import parse_scene, read_scene
 
 GALLERY = Path(__file__).parent.parent.parent / "drawings/gallery"
@@ -68,11 +69,11 @@ def test_the_truth_has_no_error_of_its_own() -> None:
 
 
 def test_every_run_draws_its_plans_anew(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Were the plans of the first run kept, the clock would time nothing but the reading of them."""
+    """Were the numbers of the first run kept, the clock would time nothing but the reading of them."""
     found = stood("shaper", 12)
     drawn: list[int] = []
-    real = studies.velocities
-    monkeypatch.setattr(studies, "velocities", lambda *given: drawn.append(1) or real(*given))
+    real = Pattern.follow
+    monkeypatch.setattr(Pattern, "follow", lambda *given: drawn.append(1) or real(*given))
     run = next(road.run for road in roads(found) if CONSTRUCTION[2] in road.judged)
     first = run()
     assert len(drawn) == 1
