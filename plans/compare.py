@@ -14,8 +14,7 @@ import numpy as np
 
 from geometry.meet import EPS
 from geometry.precision import condition, errors
-from plans.analytic.extremes import extremes
-from plans.analytic.kinematics import conditions, solve
+from plans.analytic.kinematics import Analysis
 from plans.mechanism import FRAME
 from plans.motion import (
     LINK_KEYS,
@@ -81,6 +80,7 @@ class Comparison:
     analysis: Motion
     findings: tuple[Finding, ...]
     kappa: Floats  # condition of the scaled Jacobian at every position
+    road: Analysis  # by which the analysis was made
 
     def of(self, plan: str) -> tuple[Finding, ...]:
         """Give the findings of one plan."""
@@ -101,16 +101,17 @@ class Comparison:
 def compare(study: Study, order: int = 2) -> Comparison:
     """Compare construction and analysis over all positions of a study, up to an order of derivative."""
     drawn = study.motion(order)
-    solved = solve(study.mechanism, study.turn.phi, order)
+    road = Analysis(study.mechanism)
+    solved = road.motion(study.turn.phi, order)
     _leave_out(drawn, solved)
-    kappa = conditions(study.mechanism, solved)
+    kappa = road.conditions(solved)
     drafts = study.drafts()
     findings: list[Finding] = []
     for k in range(order + 1):
         findings += _points(study, drafts, k, drawn, solved, kappa)
         findings += _links(drafts, k, drawn, solved, kappa)
     sharp = ~(notches(study).max(axis=0, initial=1.0) >= NOT_GRADED)
-    return Comparison(drawn, solved, tuple(_capped(finding, sharp) for finding in findings), kappa)
+    return Comparison(drawn, solved, tuple(_capped(finding, sharp) for finding in findings), kappa, road)
 
 
 def notches(study: Study) -> Floats:
@@ -130,7 +131,7 @@ def compare_extremes(study: Study, comparison: Comparison) -> Comparison:
     """Add the output's extreme positions, their crank angles, stroke and overlap, found by both roads."""
     if study.found is None:
         return comparison
-    ours, theirs = study.found.extremes, extremes(study.mechanism, study.output)
+    ours, theirs = study.found.extremes, comparison.road.extremes(study.output)
     values = [_told(ours), _told(theirs) if theirs is not None else np.full(4, np.nan)]
     size = max(abs(reach) for reach in ours.reach) if ours.sliding else np.pi
     largest = np.array([2 * np.pi, 2 * np.pi, max(size, ours.stroke), 2 * np.pi])
