@@ -7,8 +7,6 @@ import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
-from pydantic_core import PydanticCustomError
-
 from geometry.errors import DraftError
 
 Path = tuple[str | int, ...]
@@ -193,12 +191,23 @@ class SceneError(DraftError, ValueError):
         super().__init__("\n".join(lines))
 
 
-def wrong(kind: str, /, **details: object) -> PydanticCustomError:
-    """Make the error that a validator raises; the scene's reader turns it into a Fault.
+class Wrong(ValueError):  # noqa: N818  (it is caught and worded, never shown)
+    """What is wrong with one value: the kind of fault and its details; the reader of the scene adds where it stands."""
 
-    A detail `at` (a tuple of keys) leads from the checked value to the part that is wrong.
-    """
-    return PydanticCustomError("fault", "{kind}", {"kind": kind, "details": details})
+    def __init__(self, kind: str, details: Mapping[str, object]) -> None:
+        super().__init__(kind)
+        self.kind, self.details = kind, details
+
+    @property
+    def at(self) -> Path:
+        """The keys that lead from the checked value to the part that is wrong."""
+        at = self.details.get("at", ())
+        return at if isinstance(at, tuple) else ()
+
+
+def wrong(kind: str, /, **details: object) -> Wrong:
+    """Make the error that a check raises, a detail `at` saying which part of the value is wrong."""
+    return Wrong(kind, details)
 
 
 def dotted(path: Path) -> str:
