@@ -162,6 +162,7 @@ class Leaf:
     title: str = ""
     description: str = ""
     metadata: Mapping[str, Any] = field(default_factory=dict)
+    lettering: str = "text"  # "strokes" of our own alphabet, or "text" in the fonts of the viewer
 
 
 _MARKUP = re.compile(r"([_^])(?:\{([^{}]*)\}|([^{}\\_^]))|\\(.)|([^_^\\{}]+)", re.DOTALL)

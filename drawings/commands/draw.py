@@ -54,7 +54,7 @@ def _sheet(study: Study, comparison: Comparison, folder: Path) -> list[Path]:
     from drawings.verify import verify
 
     leaf = kinematics.sheet(study, comparison)
-    content = svg(lettered(leaf))
+    content = svg(lettered(leaf, study.scene.sheet.lettering))
     press.prepare(folder)
     stem = Path(os.fspath(study.scene.file)).stem
     path, beside = folder / f"{stem}-kinematics.svg", folder / f"{stem}-report.md"

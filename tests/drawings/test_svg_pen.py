@@ -17,6 +17,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from drawings import strokes
+from drawings.lettering import lettered, outline, width
+from drawings.limits import DECIMALS
+from drawings.pathdata import trace
 from drawings.pens import svg as pen
 from drawings.seal import sealed
 from drawings.strokes import (
@@ -140,16 +143,99 @@ def test_an_arc_may_pass_zero() -> None:
 def test_levels_are_moved_by_dy_and_returned() -> None:
     [text] = drawn(Text(0j, "a^n_{BA}x", size=10))
     assert text.text == "a"
-    assert [(span.text, span.get("font-size")) for span in text] == [("n", "7"), ("BA", "7"), ("x", None)]
+    assert text.get("font-size") == "14"  # so that its capitals are 10 mm high
+    assert [(span.text, span.get("font-size")) for span in text] == [("n", "9.8"), ("BA", "9.8"), ("x", None)]
     assert sum(float(span.get("dy", "0")) for span in text) == 0
     assert float(text[0].get("dy", "0")) < 0 < float(text[1].get("dy", "0"))
     assert text.get("aria-label") == text.get("data-text") == "anBAx"
     assert b"baseline-shift" not in pen.svg(leaf(Text(0j, "v_B")))
 
 
+@pytest.mark.parametrize("content", ["План скоростей", "a^n_{BA}", "ω₂ = 3,5 с⁻¹"])
+def test_text_is_as_long_as_our_own_letters_would_be(content: str) -> None:
+    letters = Text(0j, content, 5.0, slanted=True)
+    [text] = drawn(letters)
+    assert float(text.get("textLength", "nan")) == pytest.approx(width(letters), abs=0.005)
+    assert (text.get("lengthAdjust"), text.get("font-style")) == ("spacingAndGlyphs", "italic")
+    [empty] = drawn(Text(0j, ""))
+    assert "textLength" not in empty.attrib
+
+
 def test_lettering_turns_counter_clockwise() -> None:
     [text] = drawn(Text(10 + 20j, "x", rotation=30))
     assert text.get("transform") == "rotate(-30 10 277)"
+
+
+def written(*texts: Text) -> list[ElementTree.Element]:
+    root = ElementTree.fromstring(pen.svg(lettered(leaf(*texts))))
+    figure = root.find(f"{NS}g")
+    assert figure is not None
+    return list(figure)
+
+
+def corners(path: str) -> list[complex]:
+    return [complex(point.real, 297 - point.imag) for point in trace(path).points]
+
+
+@pytest.mark.parametrize("content", ["Щука, 10·φ", "a^n_{BA}", "i, j: й"])
+@pytest.mark.parametrize(
+    ("anchor", "slanted", "rotation"), [("start", False, 0.0), ("middle", True, 0.0), ("end", True, 90)]
+)
+def test_letters_are_drawn_where_the_alphabet_has_them(
+    content: str, anchor: str, slanted: bool, rotation: float
+) -> None:
+    """To half a hundredth of a millimetre, wherever in the letter and however far along the text: nothing adds up."""
+    text = Text(123.4567 + 98.7654j, 9 * content, 3.5, anchor, slanted, rotation)  # type: ignore[arg-type]
+    [element] = written(text)
+    paths = [element] if element.tag == f"{NS}path" else list(element)
+    drawn_points = [point for path in paths for point in corners(path.get("d", ""))]
+    true = [point for stroke in outline(text) for point in stroke.points]
+    places = {complex(round(p.real, 1), round(p.imag, 1)) for p in true}
+    for point in drawn_points:
+        assert min(max(abs((point - t).real), abs((point - t).imag)) for t in true) <= 0.0056
+    assert len(drawn_points) >= len(places)
+    for t in true:
+        assert min(abs(point - t) for point in drawn_points) <= 0.015  # or it fell onto its neighbour
+
+
+def test_a_text_is_one_path_or_one_for_each_pen() -> None:
+    plain, levelled = written(Text(10 + 10j, "План", 5.0), Text(10 + 10j, "v_{BA}", 5.0))
+    assert (plain.tag, plain.get("data-text"), plain.get("stroke-width")) == (f"{NS}path", "План", "0.5")
+    assert (levelled.tag, levelled.get("data-text")) == (f"{NS}g", "vBA")
+    assert [path.get("stroke-width") for path in levelled] == ["0.5", "0.35"]
+
+
+def test_a_letter_off_the_paper_or_missing_is_refused() -> None:
+    with pytest.raises(SheetError):
+        written(Text(complex(math.nan, 0), "x"))
+    for lettering in ("strokes", "text"):
+        with pytest.raises(SheetError, match=r"lacks '雪' \(U\+96EA\)"):
+            lettered(leaf(Group((Text(0j, "x雪"),))), lettering)
+
+
+LATE = """
+import sys
+from drawings.pens import svg
+assert not {"urllib.request", "svgwrite.data.svgparser"} & set(sys.modules)
+import svgwrite
+drawing = svgwrite.Drawing(debug=True)
+drawing.add(drawing.path(d="M0 0L1 1", transform="rotate(30)"))
+drawing.tostring()
+drawing.add(drawing.path(d="M0 0L1 1", transform="nonsense"))
+try:
+    drawing.tostring()
+except (TypeError, ValueError):
+    assert "svgwrite.data.svgparser" in sys.modules
+    import urllib.request
+    assert urllib.request.urlopen.__module__ == "urllib.request"
+else:
+    raise AssertionError("nonsense is taken for a transform")
+"""
+
+
+def test_what_svgwrite_imports_late_is_there_when_it_is_called() -> None:
+    root = Path(pen.__file__).parents[2]
+    subprocess.run([sys.executable, "-c", LATE], cwd=root, check=True)
 
 
 def test_runs_are_taken_as_they_are() -> None:
@@ -169,7 +255,7 @@ def test_numbers_read_back_within_half_a_digit(values: list[float]) -> None:
     assert re.fullmatch(r"-?\d+(\.\d*[1-9])?( -?\d+(\.\d*[1-9])?)*", written)
     assert not re.search(r"-0(?![\d.])", written)
     for text, value in zip(written.split(), values, strict=True):
-        assert float(text) == round(value, pen.DECIMALS)
+        assert float(text) == round(value, DECIMALS)
 
 
 @given(st.floats(allow_nan=False, allow_infinity=False))
