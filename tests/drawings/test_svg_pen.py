@@ -220,10 +220,8 @@ assert not {"urllib.request", "svgwrite.data.svgparser"} & set(sys.modules)
 import svgwrite
 drawing = svgwrite.Drawing(debug=True)
 drawing.add(drawing.path(d="M0 0L1 1", transform="rotate(30)"))
-drawing.tostring()
-drawing.add(drawing.path(d="M0 0L1 1", transform="nonsense"))
 try:
-    drawing.tostring()
+    drawing.path(d="M0 0L1 1", transform="nonsense")
 except (TypeError, ValueError):
     assert "svgwrite.data.svgparser" in sys.modules
     import urllib.request
