@@ -6,6 +6,7 @@ stay one element each, so that they can be measured and moved one by one.
 
 from __future__ import annotations
 
+import cmath
 import json
 import math
 import re
@@ -15,6 +16,7 @@ from itertools import groupby, pairwise
 from typing import Any, TypeAlias
 from xml.etree import ElementTree
 
+from drawings.alphabet import GAP
 from drawings.lettering import index_size, pen, width
 from drawings.limits import FORMAT
 from drawings.pens.deferred import deferred
@@ -240,12 +242,16 @@ def _letters(stroke: Text, height: float) -> Any:
 
 
 def _text(stroke: Text, height: float) -> Any:
-    """Leave a text to the viewer's fonts, as long as our own alphabet would write it where the viewer can do that."""
-    plain = legal(stroke.plain)
-    place = _at(("x", "y"), stroke.at, height)
+    """Leave a text to the viewer's fonts, as long as our own alphabet would write it where the viewer can do that.
+
+    A font keeps half of the gap between letters free at either end.
+    """
+    plain, free = legal(stroke.plain), GAP / 2 * stroke.size / 10
+    before = {"start": -free, "middle": 0.0, "end": free}[stroke.anchor]
+    place = _at(("x", "y"), stroke.at + before * cmath.rect(1, math.radians(stroke.rotation)), height)
     own = place | {"font-family": FONTS, "font-size": number(EM * stroke.size), "data-text": plain, "aria-label": plain}
     if length := width(stroke):
-        own |= {"textLength": number(round(length, 2)), "lengthAdjust": "spacingAndGlyphs"}
+        own |= {"textLength": number(round(length + 2 * free, 2)), "lengthAdjust": "spacingAndGlyphs"}
     if stroke.anchor != "start":
         own["text-anchor"] = stroke.anchor
     if stroke.slanted:

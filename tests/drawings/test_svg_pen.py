@@ -155,7 +155,8 @@ def test_levels_are_moved_by_dy_and_returned() -> None:
 def test_text_is_as_long_as_our_own_letters_would_be(content: str) -> None:
     letters = Text(0j, content, 5.0, slanted=True)
     [text] = drawn(letters)
-    assert float(text.get("textLength", "nan")) == pytest.approx(width(letters), abs=0.005)
+    assert float(text.get("textLength", "nan")) == pytest.approx(width(letters) + 1, abs=0.005)  # a gap of 2d
+    assert float(text.get("x", "nan")) == -0.5  # half of it before the first letter
     assert (text.get("lengthAdjust"), text.get("font-style")) == ("spacingAndGlyphs", "italic")
     [empty] = drawn(Text(0j, ""))
     assert "textLength" not in empty.attrib
@@ -163,7 +164,9 @@ def test_text_is_as_long_as_our_own_letters_would_be(content: str) -> None:
 
 def test_lettering_turns_counter_clockwise() -> None:
     [text] = drawn(Text(10 + 20j, "x", rotation=30))
-    assert text.get("transform") == "rotate(-30 10 277)"
+    # The text begins half a gap, 0.35 mm, before its place, along its line of writing.
+    x, y = 10 - 0.35 * math.cos(math.pi / 6), 277 + 0.35 * math.sin(math.pi / 6)
+    assert text.get("transform") == f"rotate(-30 {x:.4f} {y:.3f})"
 
 
 def written(*texts: Text) -> list[ElementTree.Element]:
