@@ -190,11 +190,15 @@ def _profiles(letter: str) -> tuple[Profile, Profile]:
     body = glyph(letter)
     left, right = [math.inf] * _STRIPS, [math.inf] * _STRIPS
     for point in _samples(body):
-        middle = int((point.imag - _LOWEST) / _STRIP)
-        for strip in range(max(middle - _NEIGHBOURS, 0), min(middle + _NEIGHBOURS + 1, _STRIPS)):
-            left[strip] = min(left[strip], point.real - _MIDDLE.real)
-            right[strip] = min(right[strip], body.width - point.real - _MIDDLE.real)
-    return tuple(left), tuple(right)
+        strip = min(int((point.imag - _LOWEST) / _STRIP), _STRIPS - 1)  # a tower of accents is as high as it may be
+        left[strip] = min(left[strip], point.real - _MIDDLE.real)
+        right[strip] = min(right[strip], body.width - point.real - _MIDDLE.real)
+    return _widened(left), _widened(right)
+
+
+def _widened(rooms: list[float]) -> Profile:
+    """Give each strip the least room of its neighbours too."""
+    return tuple(min(rooms[max(k - _NEIGHBOURS, 0) : k + _NEIGHBOURS + 1]) for k in range(_STRIPS))
 
 
 def _samples(body: Glyph) -> Iterator[complex]:

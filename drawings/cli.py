@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import argparse
+import contextlib
+import gc
 import io
 import os
 import sys
 from collections.abc import Sequence
 from importlib import import_module
 from pathlib import Path
+from typing import NoReturn
 
 from geometry.errors import DraftError
 
 BUG, SCENE, FILES, STOPPED = 1, 3, 7, 130
+COLLECTED = 100_000  # new objects between two collections: a sheet makes few more, and hardly any of them in rings
 
 EPILOG = """\
 exit codes: 0 written and verified; 1 a bug of plandraft; 2 wrong command line; 3 the scene is wrong;
@@ -33,7 +37,8 @@ def parser() -> argparse.ArgumentParser:
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     top.add_argument("--version", action=_Version, nargs=0, help="show the version and stop")
-    commands = top.add_subparsers(dest="command", metavar="COMMAND", required=True)
+    # The name of the program is given, for argparse would import shutil to find out how it is written.
+    commands = top.add_subparsers(dest="command", metavar="COMMAND", required=True, prog=top.prog)
     draw = _command(commands, "draw", "draw the scene's sheets, compare, and write the report beside them")
     draw.add_argument(
         "-o", "--output", type=Path, default=Path("out"), metavar="DIR", help="folder for the sheets (default: out)"
@@ -112,6 +117,18 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return code
 
 
+def run() -> NoReturn:
+    """Be the command plandraft: a process that ends with it, and so need not be tidied up after it."""
+    # Our matrices are small: a second thread of the linear algebra would cost more than it does.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    gc.set_threshold(COLLECTED)
+    code = main()
+    for stream in (sys.stdout, sys.stderr):
+        with contextlib.suppress(AttributeError, OSError, ValueError):  # closed, or none from the beginning
+            stream.flush()
+    os._exit(code)
+
+
 def _open_stdout() -> None:
     """Let every sign through a stdout that lacks it; where there is no stdout, data has nowhere to go."""
     if sys.stdout is None:
@@ -138,4 +155,4 @@ def _bug_report() -> str:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    run()

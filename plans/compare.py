@@ -8,7 +8,7 @@ linear systems magnify a rounding by the condition of the Jacobian once for ever
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -43,8 +43,7 @@ EXTREMES = ("φ_start", "φ_end", "H", "θ")
 SINGULAR = ("dead centre", "change point")
 
 
-@dataclass(frozen=True)
-class Finding:
+class Finding(NamedTuple):
     """One quantity over all positions by both roads, with the allowed difference; NaN at gaps."""
 
     plan: str
@@ -72,8 +71,7 @@ class Finding:
         return float(100 * np.nanmax(self.difference) / self.largest)
 
 
-@dataclass(frozen=True)
-class Comparison:
+class Comparison(NamedTuple):
     """All findings of a study."""
 
     construction: Motion
@@ -124,7 +122,7 @@ def notches(study: Study) -> Floats:
 def _capped(finding: Finding, sharp: Floats) -> Finding:
     """Allow no more than MOST_ALLOWED of the largest where the construction is sharp."""
     most = np.where(sharp, MOST_ALLOWED * finding.largest, np.inf)
-    return replace(finding, allowed=np.minimum(finding.allowed, most))
+    return finding._replace(allowed=np.minimum(finding.allowed, most))
 
 
 def compare_extremes(study: Study, comparison: Comparison) -> Comparison:
@@ -144,7 +142,7 @@ def compare_extremes(study: Study, comparison: Comparison) -> Comparison:
         Finding("extremes", *named, values[0][k], values[1][k], apart[k], allowed[k], float(largest[k.start]))
         for k, named in zip(map(slice, range(4), range(1, 5)), zip(EXTREMES, units, strict=True), strict=True)
     )
-    return replace(comparison, findings=comparison.findings + added)
+    return comparison._replace(findings=comparison.findings + added)
 
 
 def _told(found: Extremes) -> Floats:

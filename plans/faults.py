@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
@@ -249,5 +248,7 @@ def suggestion(name: str, known: Iterable[str], otherwise: str = "check the spel
 
 def nearest(name: str, known: Iterable[str]) -> list[str]:
     """Give up to three known names that are spelt nearly so, the nearest first."""
+    import difflib  # noqa: PLC0415  (only a misspelt name needs it)
+
     folded = {other.casefold(): other for other in sorted(known)}
     return [folded[match] for match in difflib.get_close_matches(name[:NAME_WIDTH].casefold(), folded)]

@@ -5,12 +5,15 @@ from __future__ import annotations
 import argparse
 import os
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
+from drawings.lettering import demand, lettered
 from drawings.report import report, shallow, summary
+from drawings.strokes import Run, Text
 from geometry.errors import LimitError
 from plans.compare import Comparison, compare, compare_extremes
-from plans.scene import read_scene
+from plans.scene import Scene, read_scene
 from plans.study import Study
 
 GAPS = 4
@@ -19,7 +22,9 @@ POSITIONS_DRAWN = 360  # more positions than degrees cannot be told apart on any
 
 def run(options: argparse.Namespace) -> int:
     """Draw a scene's sheets into a folder; give the exit code."""
-    study = Study(read_scene(options.scene))
+    scene = read_scene(options.scene)
+    demand(Text(0j, (Run(text),)) for text in _own_words(scene))
+    study = Study(scene)
     if len(study.turn) > POSITIONS_DRAWN:
         raise LimitError(
             f"{study.scene.file}: drive.positions = {len(study.turn)}: a sheet shows at most {POSITIONS_DRAWN}. "
@@ -32,6 +37,14 @@ def run(options: argparse.Namespace) -> int:
     for path in written:
         print(path)
     return _verdict(study, comparison)
+
+
+def _own_words(scene: Scene) -> Iterator[str]:
+    """Give what the scene's author wrote and the sheet shows: a letter that it cannot show is told before any work."""
+    sheet, mechanism = scene.sheet, scene.mechanism
+    yield from (scene.title, sheet.designation, sheet.drawn, sheet.checked, sheet.approved, sheet.date)
+    yield from (sheet.group, sheet.organisation, *mechanism.frame, *mechanism.points)
+    yield from (point for letters in mechanism.links.values() for point in letters)
 
 
 def _agree(comparison: Comparison) -> None:
@@ -48,7 +61,6 @@ def _agree(comparison: Comparison) -> None:
 def _sheet(study: Study, comparison: Comparison, folder: Path) -> list[Path]:
     """Lay out, write beside, measure back, and only then give the sheet its name."""
     from drawings import press
-    from drawings.lettering import lettered
     from drawings.pens.svg import svg
     from drawings.sheets import kinematics
     from drawings.verify import verify

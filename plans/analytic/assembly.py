@@ -10,6 +10,7 @@ import cmath
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from random import Random  # numpy's own is slow to import, and not needed for a few numbers
+from typing import NamedTuple
 
 import numpy as np
 
@@ -23,8 +24,7 @@ SCATTERED, SCATTER = 8, 0.5  # scattered starts; share of the mechanism's size b
 Pose = tuple[complex, float]  # origin m and turn rad of a link's own frame
 
 
-@dataclass(frozen=True)
-class Assembly:
+class Assembly(NamedTuple):
     """A closed position: crank angle rad and poses (links, 3) in the units of the constraints."""
 
     phi: float

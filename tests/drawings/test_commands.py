@@ -497,6 +497,28 @@ def test_a_misspelt_key_ends_with_3_and_the_right_spelling(run: Run, tmp_path: P
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.parametrize("lettering", ["strokes", "text"])
+def test_a_letter_that_cannot_be_drawn_ends_with_3_before_anything_is_made(
+    run: Run, tmp_path: Path, lettering: str
+) -> None:
+    scene = tmp_path / "snow.toml"
+    words = f'[sheet]\nlettering = "{lettering}"\ndrawn = "雪 Ivanov"\n'
+    scene.write_text(SHAPER.read_text("utf-8") + words, "utf-8")
+    code, out, err = run("draw", scene, "-o", tmp_path / "out")
+    assert (code, out) == (3, "")
+    assert err == "lettering '雪 Ivanov': the alphabet lacks '雪' (U+96EA); write it in other letters\n"
+    assert not (tmp_path / "out").exists()
+
+
+def test_texts_are_left_to_the_viewer_where_the_scene_says_so(run: Run, tmp_path: Path) -> None:
+    scene = tmp_path / "shaper.toml"
+    scene.write_text(SHAPER.read_text("utf-8") + '[sheet]\nlettering = "text"\n', "utf-8")
+    assert run("draw", scene, "-o", tmp_path)[0] == 0
+    sheet = (tmp_path / "shaper-kinematics.svg").read_text("utf-8")
+    assert ">Plan of positions</text>" in sheet
+    assert sheet.count("<text ") == sheet.count("data-text=") > 100
+
+
 def test_a_group_without_a_sketch_ends_with_3_and_what_to_add(run: Run, tmp_path: Path) -> None:
     scene = edited(tmp_path, "B = [0.20, 0.32]\nD = [0.40, 0.33]\n", "")
     code, out, err = run("solve", scene)
