@@ -262,7 +262,7 @@ def test_compare_ends_with_4_where_there_are_gaps(run: Run, gapped: Path) -> Non
 
 def mislead(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let the analytic solver be wrong by a millionth in the velocity of D."""
-    solve = comparing.solve
+    solve = comparing.Analysis.motion
 
     def wrong(*arguments: Any) -> Motion:
         motion = solve(*arguments)
@@ -270,7 +270,7 @@ def mislead(monkeypatch: pytest.MonkeyPatch) -> None:
         assert velocity is not None
         return replace(motion, points={**motion.points, "D": replace(motion.points["D"], v=velocity * (1 + 1e-6))})
 
-    monkeypatch.setattr(comparing, "solve", wrong)
+    monkeypatch.setattr(comparing.Analysis, "motion", wrong)
 
 
 def test_compare_ends_with_5_where_the_roads_differ_by_a_millionth(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
