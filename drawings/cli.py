@@ -18,6 +18,7 @@ from geometry.errors import DraftError
 BUG, SCENE, FILES, STOPPED = 1, 3, 7, 130
 COLLECTED = 100_000  # new objects between two collections: a sheet makes few more, and hardly any of them in rings
 
+TRACED = "tell on stderr what was made, imported and left out, and how long each stage took"
 EPILOG = """\
 exit codes: 0 written and verified; 1 a bug of plandraft; 2 wrong command line; 3 the scene is wrong;
 4 drawn, but with gaps or marks too near a dead centre; 5 a self-check failed, sheet withheld;
@@ -43,6 +44,7 @@ def parser() -> argparse.ArgumentParser:
     draw.add_argument(
         "-o", "--output", type=Path, default=Path("out"), metavar="DIR", help="folder for the sheets (default: out)"
     )
+    draw.add_argument("--trace", action=_Trace, nargs=0, help=TRACED)
     solve = _command(commands, "solve", "print all numbers as JSON: SI units and radians, null at gaps")
     solve.add_argument(
         "--by", choices=("construction", "analysis"), default="construction", help="which road (default: construction)"
@@ -51,6 +53,7 @@ def parser() -> argparse.ArgumentParser:
     solve.add_argument(
         "--only", type=_orders, metavar="PLANS", help="some of positions,velocities,accelerations, joined by commas"
     )
+    solve.add_argument("--trace", action=_Trace, nargs=0, help=TRACED)
     compare = _command(commands, "compare", "compare construction and analysis, quantity by quantity")
     compare.add_argument("--json", action="store_true", help="as JSON")
     explain = _command(commands, "explain", "print the drafting steps behind a mark")
@@ -85,6 +88,15 @@ class _Version(argparse.Action):
     def __call__(self, parser: argparse.ArgumentParser, *_: object) -> None:
         print(f"plandraft {_version()}")
         parser.exit()
+
+
+class _Trace(argparse.Action):
+    """Begins the trace at once, before the command's libraries are imported."""
+
+    def __call__(self, parser: object, namespace: argparse.Namespace, *_: object) -> None:
+        from drawings.trace import begin  # noqa: PLC0415  (a run that is not traced needs no watch)
+
+        setattr(namespace, self.dest, begin())
 
 
 def _version() -> str:

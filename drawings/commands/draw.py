@@ -11,6 +11,7 @@ from pathlib import Path
 from drawings.lettering import demand, lettered
 from drawings.report import report, shallow, summary
 from drawings.strokes import Run, Text
+from drawings.trace import Trace
 from geometry.errors import LimitError
 from plans.compare import Comparison, compare, compare_extremes
 from plans.scene import Scene, read_scene
@@ -22,21 +23,33 @@ POSITIONS_DRAWN = 360  # more positions than degrees cannot be told apart on any
 
 def run(options: argparse.Namespace) -> int:
     """Draw a scene's sheets into a folder; give the exit code."""
-    scene = read_scene(options.scene)
-    demand(Text(0j, (Run(text),)) for text in _own_words(scene))
+    trace: Trace = options.trace or Trace()
+    with trace.stage("reading the scene"):
+        scene = read_scene(options.scene)
+        demand(Text(0j, (Run(text),)) for text in _own_words(scene))
     study = Study(scene)
+    with trace.stage("construction"):
+        _construct(study)
+    with trace.stage("analysis"):
+        comparison = compare_extremes(study, compare(study))
+        _agree(comparison)
+    written = _sheet(study, comparison, options.output, trace)
+    print(summary(comparison))
+    for path in written:
+        print(path)
+    if options.trace:
+        print(trace.told(study.made), file=sys.stderr)
+    return _verdict(study, comparison)
+
+
+def _construct(study: Study) -> None:
+    """Make all plans that the sheet needs."""
     if len(study.turn) > POSITIONS_DRAWN:
         raise LimitError(
             f"{study.scene.file}: drive.positions = {len(study.turn)}: a sheet shows at most {POSITIONS_DRAWN}. "
             "Fix: fewer positions, or plandraft solve for the numbers alone"
         )
-    comparison = compare_extremes(study, compare(study))
-    _agree(comparison)
-    written = _sheet(study, comparison, options.output)
-    print(summary(comparison))
-    for path in written:
-        print(path)
-    return _verdict(study, comparison)
+    _ = study.found, study.drafts().accelerations  # each is made when it is asked for
 
 
 def _own_words(scene: Scene) -> Iterator[str]:
@@ -58,20 +71,27 @@ def _agree(comparison: Comparison) -> None:
         )
 
 
-def _sheet(study: Study, comparison: Comparison, folder: Path) -> list[Path]:
+def _sheet(study: Study, comparison: Comparison, folder: Path, trace: Trace) -> list[Path]:
     """Lay out, write beside, measure back, and only then give the sheet its name."""
-    from drawings import press
-    from drawings.pens.svg import svg
-    from drawings.sheets import kinematics
-    from drawings.verify import verify
+    with trace.stage("imports"):
+        from drawings import press
+        from drawings.pens.svg import svg
+        from drawings.sheets import kinematics
+        from drawings.verify import verify
 
-    leaf = kinematics.sheet(study, comparison)
-    content = svg(lettered(leaf, study.scene.sheet.lettering))
-    press.prepare(folder)
+    with trace.stage("layout"):
+        leaf = kinematics.sheet(study, comparison)
     stem = Path(os.fspath(study.scene.file)).stem
     path, beside = folder / f"{stem}-kinematics.svg", folder / f"{stem}-report.md"
-    text = report(study, comparison, tuple(leaf.metadata["plans"]), leaf.metadata["shown"])
-    with press.fresh(beside, text.encode("utf-8")), press.fresh(path, content) as temporary:
+    with trace.stage("writing"):
+        content = svg(lettered(leaf, study.scene.sheet.lettering))
+        text = report(study, comparison, tuple(leaf.metadata["plans"]), leaf.metadata["shown"])
+        press.prepare(folder)
+    with (
+        press.fresh(beside, text.encode("utf-8")),
+        press.fresh(path, content) as temporary,
+        trace.stage("measuring"),
+    ):
         verify(temporary, leaf, study, comparison)
     return [path, beside]
 
