@@ -92,6 +92,8 @@ def _intervals(sweep: Sweep, nodes: Floats) -> list[Interval]:
         found = [np.broadcast_to(pressure(plan, group), angles.shape) for group in sweep.groups]
         return np.asarray(np.repeat(found, 2, axis=0) * np.tile((1.0, -1.0), len(found))[:, None])
 
+    if not nodes.size:
+        return [Interval(*4 * (float("nan"),))] * len(sweep.groups)
     ends = [_Least(nodes, values) for values in seen(nodes)]
     for _ in range(LOOKS):
         fans = np.array([np.linspace(end.low, end.high, FAN) for end in ends])
