@@ -1,7 +1,7 @@
 """Letters as path data: each letter of a size is traced once, and then only set in its place.
 
-The points of a letter are written in hundredths of a millimetre, each measured from the one before it as that is
-written, so that no rounding adds up; the place of a letter in thousandths.
+The points of a letter are written in hundredths of a millimetre, each measured from the end of the piece before it as
+that is written, so that no rounding adds up; the place of a letter in thousandths.
 """
 
 from __future__ import annotations
@@ -9,9 +9,9 @@ from __future__ import annotations
 import cmath
 import math
 from functools import lru_cache
-from itertools import pairwise
 
-from drawings.alphabet import SLANT, glyph, leaning
+from drawings.alphabet import SLANT
+from drawings.curves import curves
 from drawings.lettering import letters_of, width
 from drawings.limits import REACH
 from drawings.strokes import SheetError, Text
@@ -36,31 +36,38 @@ def lettering(text: Text, height: float) -> dict[float, str]:
 @lru_cache(maxsize=4096)
 def _traced(letter: str, scale: complex, slanted: bool) -> tuple[complex, str]:
     """Give the first point of a letter from its origin (mm), and its strokes as path data from there."""
-    chains = leaning(letter) if slanted else glyph(letter).strokes
-    if not chains:
-        return 0j, ""
-    first = scale * chains[0].points[0]
-    written, (x, y) = "", (0, 0)
-    for points, closed in chains:
-        places = [_rounded(scale * point - first) for point in points]
-        steps = [(b[0] - a[0], b[1] - a[1]) for a, b in pairwise(places) if a != b]
-        down = _moves("m", [(places[0][0] - x, places[0][1] - y)]) if written else "l"
-        written += down + _moves("" if written else "l", steps or [(0, 0)]).removeprefix("l") + "z" * closed
-        x, y = places[0] if closed else places[-1]
+    lean = SLANT if slanted else 0.0
+    first, written, here = 0j, "", (0, 0)
+
+    def placed(point: complex) -> tuple[int, int]:
+        place = scale * (point + lean * point.imag) - first
+        return round(HUNDREDTH * place.real), round(-HUNDREDTH * place.imag)
+
+    for start, pieces, closed in curves(letter):
+        if not written:
+            first = scale * (start + lean * start.imag)
+        begun = placed(start)
+        written += _step("m", here, [begun]) if written else ""
+        here, before = begun, "m" if written else ""
+        for piece in pieces:
+            there = [placed(point) for point in piece]
+            command = "l" if len(piece) == 1 else "c"
+            # Steps after a move are straight without being called so, and a command is not repeated.
+            written += _step("" if command == before or (before, command) == ("m", "l") else command, here, there)
+            here, before = there[-1], command
+        written += "z" * closed
+        here = begun if closed else here
     return first, written
 
 
-def _rounded(point: complex) -> tuple[int, int]:
-    return round(HUNDREDTH * point.real), round(-HUNDREDTH * point.imag)
+def _step(command: str, here: tuple[int, int], points: list[tuple[int, int]]) -> str:
+    """Write steps from a point as short as SVG reads them: no zero before a point, no gap before a minus.
 
-
-def _moves(command: str, steps: list[tuple[int, int]]) -> str:
-    """Write steps as short as SVG reads them: no zero before a point, no gap before a minus.
-
-    >>> _moves("l", [(5, -120), (-30, 700)])
-    'l.05-1.2-.3 7'
+    >>> _step("l", (100, 0), [(105, -120)]), _step("", (0, 0), [(30, 700)])
+    ('l.05-1.2', ' .3 7')
     """
-    return command + "".join([_hundredths(x) + _hundredths(y) for x, y in steps]).removeprefix(" " * bool(command))
+    steps = "".join([_hundredths(x - here[0]) + _hundredths(y - here[1]) for x, y in points])
+    return command + (steps.removeprefix(" ") if command else steps)
 
 
 @lru_cache(maxsize=4096)
