@@ -22,9 +22,9 @@ GAP: Final = 2.0
 FLATNESS: Final = 0.02
 
 # From the corner of a letter's cell to the middle of the pen there; the middle of the pen on top of small letters.
-_MIDDLE, _SMALL = 0.5 + 0.5j, 6.0
+MIDDLE, _SMALL = 0.5 + 0.5j, 6.0
 # Angles are written with two decimals: an arc ends so near to where its notation says.
-_SAME = 1e-3
+SAME = 1e-3
 _DOTLESS = {"i": "ı", "і": "ı", "j": "ȷ"}
 _STOPS = ".,′″’"
 # Letters are compared in strips half a d high, each of which counts for its two neighbours above and below too.
@@ -69,7 +69,7 @@ def letters(plain: str) -> Iterator[str]:
 def known(letter: str) -> bool:
     """Tell whether the alphabet has a letter, or its parts: a letter and accents."""
     parts = unicodedata.normalize("NFD", letter)
-    return letter in _notations() or (len(parts) > 1 and all(part in _notations() for part in parts))
+    return letter in notations() or (len(parts) > 1 and all(part in notations() for part in parts))
 
 
 def level(letter: str) -> tuple[str, int]:
@@ -78,7 +78,7 @@ def level(letter: str) -> tuple[str, int]:
     >>> level("²"), level("₀"), level("a")
     (('2', 1), ('0', -1), ('a', 0))
     """
-    notation = _notations().get(letter, "")
+    notation = notations().get(letter, "")
     moved = {"^": 1, "_": -1}.get(notation[:1], 0)
     return (notation[1], moved) if moved else (letter, 0)
 
@@ -90,13 +90,12 @@ def glyph(letter: str) -> Glyph:
     >>> glyph("Г")
     Glyph(width=5.0, strokes=(Chain(points=((0.5+0.5j), (0.5+9.5j), (4.5+9.5j)), closed=False),))
     """
-    notation = _notations().get(letter)
+    notation = notations().get(letter)
     if notation is None:
         return _accented(*unicodedata.normalize("NFD", letter))
     if notation[0] in "=^_":
         return glyph(notation[1])
-    width, _, strokes = notation.partition(":")
-    return Glyph(float(width), tuple(_chain(stroke) for stroke in strokes.split("|") if stroke.strip()))
+    return Glyph(float(notation.partition(":")[0]), tuple(_chain(stroke) for stroke in strokes(notation)))
 
 
 @cache
@@ -122,27 +121,39 @@ def gap(left: str, right: str) -> float:
 
 
 @cache
-def _notations() -> dict[str, str]:
+def notations() -> dict[str, str]:
+    """Give the notation of every letter."""
     read: dict[str, str] = json.loads(Path(__file__).with_name("alphabet.json").read_bytes())
     del read[""]  # the key to the notation, for its readers
     return read
 
 
+def strokes(notation: str) -> list[str]:
+    """Split a letter's notation into its strokes."""
+    return [stroke for stroke in notation.partition(":")[2].split("|") if stroke.strip()]
+
+
+def numbers(token: str) -> list[float]:
+    """Read the numbers of a token; a circle's arc has one radius for both."""
+    numbers = [float(number) for number in token.lstrip("@~").split(",")] if token != "z" else []
+    return [*numbers[:3], *numbers[2:]] if token[0] == "@" and len(numbers) == 5 else numbers
+
+
 def _chain(notation: str) -> Chain:
     points: list[complex] = []
     for token in notation.split():
-        numbers = [float(number) for number in token.lstrip("@~").split(",")] if token != "z" else []
+        values = numbers(token)
         if token[0] == "@":
-            points += _arc(*numbers) if len(numbers) == 6 else _arc(*numbers[:3], *numbers[2:])
+            points += _arc(*values)
         elif token[0] == "~":
-            points += _cubic(points[-1], *map(complex, numbers[::2], numbers[1::2]))
+            points += _cubic(points[-1], *map(complex, values[::2], values[1::2]))
         elif token != "z":
-            points.append(complex(*numbers))
+            points.append(complex(*values))
     closed = notation.rstrip().endswith("z")
-    kept = [points[0]] + [b for a, b in pairwise(points) if abs(b - a) > _SAME]
-    if closed and abs(kept[-1] - kept[0]) <= _SAME:
+    kept = [points[0]] + [b for a, b in pairwise(points) if abs(b - a) > SAME]
+    if closed and abs(kept[-1] - kept[0]) <= SAME:
         kept.pop()
-    return Chain(tuple(point + _MIDDLE for point in kept), closed)
+    return Chain(tuple(point + MIDDLE for point in kept), closed)
 
 
 def _arc(x: float, y: float, across: float, up: float, start: float, end: float) -> list[complex]:
@@ -167,17 +178,23 @@ def _cubic(a: complex, b: complex, c: complex, d: complex) -> list[complex]:
 
 
 def _accented(base: str, *accents: str) -> Glyph:
-    """Write accents over a letter, higher over a tall one; the cell widens if they need it."""
+    """Write accents over a letter."""
+    width, parts = stacked(base, *accents)
+    return Glyph(width, tuple(chain for part, way in parts for chain in _moved(glyph(part), way)))
+
+
+def stacked(base: str, *accents: str) -> tuple[float, list[tuple[str, complex]]]:
+    """Place accents over a letter, higher over a tall one; the cell widens if they need it."""
     above = [accent for accent in accents if unicodedata.combining(accent) == 230]
-    body = glyph(_DOTLESS.get(base, base) if above else base)
+    base = _DOTLESS.get(base, base) if above else base
+    body = glyph(base)
     width = max(body.width, *(glyph(accent).width for accent in accents))
-    strokes = _moved(body, (width - body.width) / 2 + 0j)
-    rise = max(point.imag for chain in body.strokes for point in chain.points) - _MIDDLE.imag - _SMALL
+    parts = [(base, (width - body.width) / 2 + 0j)]
+    rise = max(point.imag for chain in body.strokes for point in chain.points) - MIDDLE.imag - _SMALL
     for accent in accents:
-        mark = glyph(accent)
-        strokes += _moved(mark, complex((width - mark.width) / 2, rise if accent in above else 0))
+        parts.append((accent, complex((width - glyph(accent).width) / 2, rise if accent in above else 0)))
         rise += 3 if accent in above else 0
-    return Glyph(width, strokes)
+    return width, parts
 
 
 def _moved(body: Glyph, way: complex) -> tuple[Chain, ...]:
@@ -190,11 +207,15 @@ def _profiles(letter: str) -> tuple[Profile, Profile]:
     body = glyph(letter)
     left, right = [math.inf] * _STRIPS, [math.inf] * _STRIPS
     for point in _samples(body):
-        middle = int((point.imag - _LOWEST) / _STRIP)
-        for strip in range(max(middle - _NEIGHBOURS, 0), min(middle + _NEIGHBOURS + 1, _STRIPS)):
-            left[strip] = min(left[strip], point.real - _MIDDLE.real)
-            right[strip] = min(right[strip], body.width - point.real - _MIDDLE.real)
-    return tuple(left), tuple(right)
+        strip = min(int((point.imag - _LOWEST) / _STRIP), _STRIPS - 1)  # a tower of accents is as high as it may be
+        left[strip] = min(left[strip], point.real - MIDDLE.real)
+        right[strip] = min(right[strip], body.width - point.real - MIDDLE.real)
+    return _widened(left), _widened(right)
+
+
+def _widened(rooms: list[float]) -> Profile:
+    """Give each strip the least room of its neighbours too."""
+    return tuple(min(rooms[max(k - _NEIGHBOURS, 0) : k + _NEIGHBOURS + 1]) for k in range(_STRIPS))
 
 
 def _samples(body: Glyph) -> Iterator[complex]:

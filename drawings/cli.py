@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 import argparse
+import contextlib
+import gc
 import io
 import os
 import sys
 from collections.abc import Sequence
 from importlib import import_module
 from pathlib import Path
+from typing import NoReturn
 
 from geometry.errors import DraftError
 
 BUG, SCENE, FILES, STOPPED = 1, 3, 7, 130
+COLLECTED = 100_000  # new objects between two collections: a sheet makes few more, and hardly any of them in rings
 
+TRACED = "tell on stderr what was made, imported and left out, and how long each stage took"
 EPILOG = """\
 exit codes: 0 written and verified; 1 a bug of plandraft; 2 wrong command line; 3 the scene is wrong;
 4 drawn, but with gaps or marks too near a dead centre; 5 a self-check failed, sheet withheld;
@@ -33,11 +38,13 @@ def parser() -> argparse.ArgumentParser:
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     top.add_argument("--version", action=_Version, nargs=0, help="show the version and stop")
-    commands = top.add_subparsers(dest="command", metavar="COMMAND", required=True)
+    # The name of the program is given, for argparse would import shutil to find out how it is written.
+    commands = top.add_subparsers(dest="command", metavar="COMMAND", required=True, prog=top.prog)
     draw = _command(commands, "draw", "draw the scene's sheets, compare, and write the report beside them")
     draw.add_argument(
         "-o", "--output", type=Path, default=Path("out"), metavar="DIR", help="folder for the sheets (default: out)"
     )
+    draw.add_argument("--trace", action=_Trace, nargs=0, help=TRACED)
     new = commands.add_parser("new", help="write a scene of the gallery to start from; without a name, list them")
     new.add_argument("name", nargs="?", metavar="NAME", help="the scene's name in the gallery")
     new.add_argument("-o", "--output", type=Path, default=Path(), metavar="DIR", help="its folder (default: this one)")
@@ -49,6 +56,7 @@ def parser() -> argparse.ArgumentParser:
     solve.add_argument(
         "--only", type=_orders, metavar="PLANS", help="some of positions,velocities,accelerations, joined by commas"
     )
+    solve.add_argument("--trace", action=_Trace, nargs=0, help=TRACED)
     compare = _command(commands, "compare", "compare construction and analysis, quantity by quantity")
     compare.add_argument("--json", action="store_true", help="as JSON")
     explain = _command(commands, "explain", "print the drafting steps behind a mark")
@@ -125,6 +133,15 @@ class _Version(argparse.Action):
         parser.exit()
 
 
+class _Trace(argparse.Action):
+    """Begins the trace at once, before the command's libraries are imported."""
+
+    def __call__(self, parser: object, namespace: argparse.Namespace, *_: object) -> None:
+        from drawings.trace import begin  # noqa: PLC0415  (a run that is not traced needs no watch)
+
+        setattr(namespace, self.dest, begin())
+
+
 def _version() -> str:
     from importlib import metadata  # noqa: PLC0415  (see _Version)
 
@@ -153,6 +170,18 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(f"plandraft: internal error, a bug of plandraft; please report {_bug_report()}", file=sys.stderr)
         return BUG
     return code
+
+
+def run() -> NoReturn:
+    """Be the command plandraft: a process that ends with it, and so need not be tidied up after it."""
+    # Our matrices are small: a second thread of the linear algebra would cost more than it does.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    gc.set_threshold(COLLECTED)
+    code = main()
+    for stream in (sys.stdout, sys.stderr):
+        with contextlib.suppress(AttributeError, OSError, ValueError):  # closed, or none from the beginning
+            stream.flush()
+    os._exit(code)
 
 
 def _open_stdout() -> None:
@@ -190,4 +219,4 @@ def _bug_report() -> str:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    run()

@@ -21,10 +21,10 @@ def fitted(strokes: Iterable[Stroke]) -> Iterator[Stroke]:
             case Line(start, end, style) if style.dash:
                 yield replace(stroke, style=fit(style, abs(end - start)))
             case Arc(radius=radius, style=style) if style.dash:
-                yield replace(stroke, style=fit(style, radius * stroke.sweep))
+                yield stroke._replace(style=fit(style, radius * stroke.sweep))
             case Polyline(points, closed, style) if style.dash:
                 length = sum(abs(end - start) for start, end in pairwise((*points, points[0]) if closed else points))
-                yield replace(stroke, style=fit(style, length, closed))
+                yield stroke._replace(style=fit(style, length, closed))
             case _:
                 yield stroke
 
@@ -51,4 +51,4 @@ def fit(style: LineStyle, length: float, closed: bool = False) -> LineStyle:
         gaps -= 1
     while fitting(gaps) > most:
         gaps += 1
-    return replace(style, dash=(fitting(gaps), *rest) if fitting(gaps) >= least else ())
+    return style._replace(dash=(fitting(gaps), *rest) if fitting(gaps) >= least else ())

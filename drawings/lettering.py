@@ -13,7 +13,7 @@ from functools import lru_cache
 from typing import Final, NamedTuple
 
 from drawings.alphabet import GAP, SLANT, gap, glyph, known, leaning, letters, level
-from drawings.strokes import LOWERED, RAISED, Group, Leaf, LineStyle, Polyline, Run, SheetError, Stroke, Text
+from drawings.strokes import LOWERED, RAISED, Group, Leaf, LineStyle, Polyline, Run, SheetError, Text
 
 # Heights of capitals in mm, each the one before times the square root of two, rounded.
 SIZES: Final = (1.8, 2.5, 3.5, 5.0, 7.0, 10.0, 14.0, 20.0, 28.0, 40.0)
@@ -111,22 +111,23 @@ def outline(text: Text) -> tuple[Polyline, ...]:
     return tuple(written)
 
 
-def lettered(leaf: Leaf) -> Leaf:
-    """Write all texts of a sheet with the pen; each stays one group that says what is written."""
-    return replace(leaf, groups=tuple(_lettered(group) for group in leaf.groups))
+def letters_of(text: Text) -> tuple[Placed, ...]:
+    """Give the letters of a text in their places on its line of writing, from its start."""
+    return _line(text.runs, text.size)[0]
 
 
-def _lettered(group: Group) -> Group:
-    return replace(group, strokes=tuple(_written(stroke) for stroke in group.strokes))
+def lettered(leaf: Leaf, lettering: str = "strokes") -> Leaf:
+    """Say how the texts of a sheet are written; either way the alphabet must have their letters."""
+    demand(text for group in leaf.groups for text in _texts(group))
+    return replace(leaf, lettering=lettering)
 
 
-def _written(stroke: Stroke) -> Stroke:
-    match stroke:
-        case Group():
-            return _lettered(stroke)
-        case Text():
-            return Group((Group(outline(stroke)),), "", {"text": stroke.plain})
-    return stroke
+def _texts(group: Group) -> Iterator[Text]:
+    for stroke in group.strokes:
+        if isinstance(stroke, Text):
+            yield stroke
+        elif isinstance(stroke, Group):
+            yield from _texts(stroke)
 
 
 @lru_cache(maxsize=256)

@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
+from plans.loads import MassTable
 from plans.mechanism import FRAME, Link
-from plans.scene import MassTable, Scene
+from plans.scene import Scene
 
 NEAR = 1e-3  # share of a link's length: a mass centre nearer to a named point than this is that point
 _LETTER = re.compile(r"S\d*")

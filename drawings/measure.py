@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, NamedTuple, TypeAlias
 
 from drawings.limits import FORMAT, QUANTUM, SHEET_BYTES, STATED_DIGITS, Refused
@@ -33,8 +33,7 @@ class Key(NamedTuple):
     position: int | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class MeasuredVector:
+class MeasuredVector(NamedTuple):
     """A vector: its ends on the sheet (mm, y up), its value by measurement and as stated, in true units."""
 
     plan: str
@@ -59,8 +58,7 @@ class MeasuredVector:
         return abs(self.start) + abs(self.end)
 
 
-@dataclass(frozen=True, slots=True)
-class MeasuredPoint:
+class MeasuredPoint(NamedTuple):
     """A point: its place on the sheet (mm, y up), its true coordinates by measurement from the pole and as stated."""
 
     plan: str
@@ -84,13 +82,12 @@ class MeasuredPoint:
         return abs(self.at)
 
 
-@dataclass(frozen=True, slots=True)
-class Measured:
+class Measured(NamedTuple):
     """All that a sheet shows; `quantum` is its resolution (mm), `notes` names what was left aside."""
 
     vectors: tuple[MeasuredVector, ...]
     points: tuple[MeasuredPoint, ...]
-    metadata: Mapping[str, Any] = field(default_factory=dict)
+    metadata: Mapping[str, Any] = MappingProxyType({})
     quantum: float = QUANTUM
     notes: tuple[str, ...] = ()
 

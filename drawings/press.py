@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import contextlib
 import os
-import secrets
 import stat
 import time
 from collections.abc import Iterator
@@ -84,7 +83,7 @@ def _told(path: Path, what: str) -> Iterator[None]:
 
 
 def _written(path: Path, content: bytes) -> Path:
-    temporary = path.parent / f"{PREFIX}{secrets.token_hex(8)}"
+    temporary = path.parent / f"{PREFIX}{os.urandom(8).hex()}"
     handle = os.open(temporary, _CREATE, 0o600)
     try:
         _fill(handle, content)

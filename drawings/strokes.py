@@ -31,8 +31,7 @@ class SheetError(DraftError, ValueError):
     """A sheet that cannot be laid out, written or verified."""
 
 
-@dataclass(frozen=True, slots=True)
-class LineStyle:
+class LineStyle(NamedTuple):
     """How a stroke is drawn: width and dash in mm, colour and fill as "#rrggbb" or "none", its ends butt or round."""
 
     width: float = 0.5
@@ -55,8 +54,7 @@ class Line:
     style: LineStyle = PLAIN
 
 
-@dataclass(frozen=True, slots=True)
-class Polyline:
+class Polyline(NamedTuple):
     """A chain of straight lines through `points`; a closed one returns to the first."""
 
     points: tuple[complex, ...]
@@ -64,8 +62,7 @@ class Polyline:
     style: LineStyle = PLAIN
 
 
-@dataclass(frozen=True, slots=True)
-class Arc:
+class Arc(NamedTuple):
     """An arc drawn counter-clockwise from `start_angle` to `end_angle` (rad), raised by whole turns if it is less."""
 
     centre: complex
@@ -94,8 +91,7 @@ class Circle:
     style: LineStyle = PLAIN
 
 
-@dataclass(frozen=True, slots=True)
-class Fill:
+class Fill(NamedTuple):
     """A filled polygon that does not cross itself: an arrowhead, a dot of a hinge."""
 
     points: tuple[complex, ...]
@@ -162,6 +158,7 @@ class Leaf:
     title: str = ""
     description: str = ""
     metadata: Mapping[str, Any] = field(default_factory=dict)
+    lettering: str = "text"  # "strokes" of our own alphabet, or "text" in the fonts of the viewer
 
 
 _MARKUP = re.compile(r"([_^])(?:\{([^{}]*)\}|([^{}\\_^]))|\\(.)|([^_^\\{}]+)", re.DOTALL)

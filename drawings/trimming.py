@@ -70,7 +70,7 @@ def _line(line: Line, masks: Sequence[Mask]) -> Iterator[Line]:
 def _arc(arc: Arc, masks: Sequence[Mask]) -> Iterator[Arc]:
     cuts = (share for mask in masks for share in _arc_cuts(arc, mask))
     for low, high in _kept(cuts, masks, arc.at):
-        yield replace(arc, start_angle=arc.start_angle + low * arc.sweep, end_angle=arc.start_angle + high * arc.sweep)
+        yield arc._replace(start_angle=arc.start_angle + low * arc.sweep, end_angle=arc.start_angle + high * arc.sweep)
 
 
 def _kept(

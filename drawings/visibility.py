@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import lru_cache
 from typing import NamedTuple
 
 from drawings.limits import NUMERAL_LENGTH, Refused
@@ -35,13 +36,7 @@ class Look(NamedTuple):
 
     def below(self, tag: str, properties: Mapping[str, str]) -> Look:
         """Give the look of an element inside, from its own properties."""
-        return Look(
-            self.gone or _goes(tag, properties),
-            *(
-                self[place] if properties.get(name, "inherit") == "inherit" else properties[name]
-                for place, name in enumerate(_INHERITED, start=1)
-            ),
-        )
+        return _below(self, tag, tuple(properties.items()))
 
     def hidden(self, filled: bool) -> str:
         """Tell why an element is not seen; "" if it is. A mark that is `filled` needs no stroke."""
@@ -56,6 +51,16 @@ class Look(NamedTuple):
 
 
 _INHERITED = tuple(name.replace("_", "-") for name in Look._fields[1:])
+
+
+@lru_cache(maxsize=1024)  # a sheet has thousands of elements in a dozen looks
+def _below(outer: Look, tag: str, listed: tuple[tuple[str, str], ...]) -> Look:
+    own = dict(listed)
+    inherited = (
+        outer[place] if own.get(name, "inherit") == "inherit" else own[name]
+        for place, name in enumerate(_INHERITED, start=1)
+    )
+    return Look(outer.gone or _goes(tag, own), *inherited)
 
 
 def properties(attributes: Mapping[str, str]) -> dict[str, str]:

@@ -8,14 +8,13 @@ linear systems magnify a rounding by the condition of the Jacobian once for ever
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
 from geometry.meet import EPS
 from geometry.precision import condition, errors
-from plans.analytic.extremes import extremes
-from plans.analytic.kinematics import conditions, solve
+from plans.analytic.kinematics import Analysis
 from plans.mechanism import FRAME
 from plans.motion import (
     LINK_KEYS,
@@ -44,8 +43,7 @@ EXTREMES = ("φ_start", "φ_end", "H", "θ")
 SINGULAR = ("dead centre", "change point")
 
 
-@dataclass(frozen=True)
-class Finding:
+class Finding(NamedTuple):
     """One quantity over all positions by both roads, with the allowed difference; NaN at gaps."""
 
     plan: str
@@ -73,14 +71,14 @@ class Finding:
         return float(100 * np.nanmax(self.difference) / self.largest)
 
 
-@dataclass(frozen=True)
-class Comparison:
+class Comparison(NamedTuple):
     """All findings of a study."""
 
     construction: Motion
     analysis: Motion
     findings: tuple[Finding, ...]
     kappa: Floats  # condition of the scaled Jacobian at every position
+    road: Analysis  # by which the analysis was made
 
     def of(self, plan: str) -> tuple[Finding, ...]:
         """Give the findings of one plan."""
@@ -101,16 +99,17 @@ class Comparison:
 def compare(study: Study, order: int = 2) -> Comparison:
     """Compare construction and analysis over all positions of a study, up to an order of derivative."""
     drawn = study.motion(order).own()
-    solved = solve(study.mechanism, study.turn.phi, order)
+    road = Analysis(study.mechanism)
+    solved = road.motion(study.turn.phi, order)
     _leave_out(drawn, solved)
-    kappa = conditions(study.mechanism, solved)
+    kappa = road.conditions(solved)
     drafts = study.drafts()
     findings: list[Finding] = []
     for k in range(order + 1):
         findings += _points(study, drafts, k, drawn, solved, kappa)
         findings += _links(drafts, k, drawn, solved, kappa)
     sharp = ~(notches(study).max(axis=0, initial=1.0) >= NOT_GRADED)
-    return Comparison(drawn, solved, tuple(_capped(finding, sharp) for finding in findings), kappa)
+    return Comparison(drawn, solved, tuple(_capped(finding, sharp) for finding in findings), kappa, road)
 
 
 def notches(study: Study) -> Floats:
@@ -123,14 +122,14 @@ def notches(study: Study) -> Floats:
 def _capped(finding: Finding, sharp: Floats) -> Finding:
     """Allow no more than MOST_ALLOWED of the largest where the construction is sharp."""
     most = np.where(sharp, MOST_ALLOWED * finding.largest, np.inf)
-    return replace(finding, allowed=np.minimum(finding.allowed, most))
+    return finding._replace(allowed=np.minimum(finding.allowed, most))
 
 
 def compare_extremes(study: Study, comparison: Comparison) -> Comparison:
     """Add the output's extreme positions, their crank angles, stroke and overlap, found by both roads."""
     if study.found is None:
         return comparison
-    ours, theirs = study.found.extremes, extremes(study.mechanism, study.output)
+    ours, theirs = study.found.extremes, comparison.road.extremes(study.output)
     values = [_told(ours), _told(theirs) if theirs is not None else np.full(4, np.nan)]
     size = max(abs(reach) for reach in ours.reach) if ours.sliding else np.pi
     largest = np.array([2 * np.pi, 2 * np.pi, max(size, ours.stroke), 2 * np.pi])
@@ -143,7 +142,7 @@ def compare_extremes(study: Study, comparison: Comparison) -> Comparison:
         Finding("extremes", *named, values[0][k], values[1][k], apart[k], allowed[k], float(largest[k.start]))
         for k, named in zip(map(slice, range(4), range(1, 5)), zip(EXTREMES, units, strict=True), strict=True)
     )
-    return replace(comparison, findings=comparison.findings + added)
+    return comparison._replace(findings=comparison.findings + added)
 
 
 def _told(found: Extremes) -> Floats:

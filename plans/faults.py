@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import difflib
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-
-from pydantic_core import PydanticCustomError
 
 from geometry.errors import DraftError
 from plans.wording import PHRASES, Words, said, table
@@ -84,12 +81,23 @@ class SceneError(DraftError, ValueError):
         return "\n".join(lines)
 
 
-def wrong(kind: str, /, **details: object) -> PydanticCustomError:
-    """Make the error that a validator raises; the scene's reader turns it into a Fault.
+class Wrong(ValueError):  # noqa: N818  (it is caught and worded, never shown)
+    """What is wrong with one value: the kind of fault and its details; the reader of the scene adds where it stands."""
 
-    A detail `at` (a tuple of keys) leads from the checked value to the part that is wrong.
-    """
-    return PydanticCustomError("fault", "{kind}", {"kind": kind, "details": details})
+    def __init__(self, kind: str, details: Mapping[str, object]) -> None:
+        super().__init__(kind)
+        self.kind, self.details = kind, details
+
+    @property
+    def at(self) -> Path:
+        """The keys that lead from the checked value to the part that is wrong."""
+        at = self.details.get("at", ())
+        return at if isinstance(at, tuple) else ()
+
+
+def wrong(kind: str, /, **details: object) -> Wrong:
+    """Make the error that a check raises, a detail `at` saying which part of the value is wrong."""
+    return Wrong(kind, details)
 
 
 def dotted(path: Path) -> str:
@@ -131,5 +139,7 @@ def suggestion(name: str, known: Iterable[str], otherwise: str = "check the spel
 
 def nearest(name: str, known: Iterable[str]) -> list[str]:
     """Give up to three known names that are spelt nearly so, the nearest first."""
+    import difflib  # noqa: PLC0415  (only a misspelt name needs it)
+
     folded = {other.casefold(): other for other in sorted(known)}
     return [folded[match] for match in difflib.get_close_matches(name[:NAME_WIDTH].casefold(), folded)]

@@ -4,16 +4,14 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Callable
 from decimal import Decimal
 from functools import partial
-from typing import Annotated, Any, Literal, TypeVar
-
-from pydantic import BeforeValidator, Discriminator, PlainValidator, Tag
+from typing import Literal, TypeVar
 
 from geometry.errors import LimitError
 from plans import units
 from plans.faults import suggestion, wrong
+from plans.tables import either, many, one
 from plans.units import type_name
 
 T = TypeVar("T")
@@ -188,44 +186,22 @@ def few(value: object, limit: int, name: str) -> object:
     return value
 
 
-def one_fault(check: Callable[..., Any], **given: object) -> PlainValidator:
-    """Make the reader of a field whose every wrong value is one fault."""
-    return PlainValidator(partial(check, **given))
+FEW = partial(few, limit=ENTRIES_LIMIT, name="ENTRIES_LIMIT")
+FEW_LINKS = partial(few, limit=LINKS_LIMIT, name="LINKS_LIMIT")
 
-
-def _is_list(value: object) -> str:
-    return "<list>" if isinstance(value, list) else "<one>"
-
-
-def _is_table(value: object) -> str:
-    return "<table>" if isinstance(value, dict) else "<one>"
-
-
-# A branch of a choice of forms is tagged in <>, which no key contains, so that faults can leave it out of their path.
-BY_LIST = Discriminator(_is_list)
-BY_TABLE = Discriminator(_is_table)
-ONE, LIST, TABLE = Tag("<one>"), Tag("<list>"), Tag("<table>")
-
-FEW = BeforeValidator(partial(few, limit=ENTRIES_LIMIT, name="ENTRIES_LIMIT"))
-FEW_LINKS = BeforeValidator(partial(few, limit=LINKS_LIMIT, name="LINKS_LIMIT"))
-
-Name = Annotated[str, one_fault(check_name)]
-Letters = Annotated[tuple[str, ...], one_fault(check_letters)]
-Text = Annotated[str, one_fault(check_text)]
-Coordinate = Annotated[Decimal, one_fault(units.coordinate)]
-Place = Annotated[tuple[Coordinate, Coordinate], BeforeValidator(check_pair)]
-Length = Annotated[Decimal, one_fault(units.length)]
-Angle = Annotated[Decimal, one_fault(units.angle)]
-AngularSpeed = Annotated[Decimal, one_fault(units.quantity, kind=units.SPEED)]
-AngularAcceleration = Annotated[Decimal, one_fault(units.quantity, kind=units.ANGULAR_ACCELERATION)]
-Gravity = Annotated[Decimal, one_fault(units.quantity, kind=units.ACCELERATION)]
-Mass = Annotated[Decimal, one_fault(units.not_negative, kind=units.MASS)]
-Inertia = Annotated[Decimal, one_fault(units.not_negative, kind=units.INERTIA)]
-Force = Annotated[Decimal, one_fault(units.quantity, kind=units.FORCE)]
-Moment = Annotated[Decimal, one_fault(units.quantity, kind=units.MOMENT)]
-Number = Annotated[Decimal, one_fault(units.quantity, kind=units.NUMBER)]
-LinkNumber = Annotated[int, one_fault(link_key)]
-MovingLink = Annotated[int, one_fault(whole, least=1)]
-AnyLink = Annotated[int, one_fault(whole, least=0)]
-PositionNumber = Annotated[int, one_fault(whole, least=0)]
-Start = Annotated[Decimal | Literal["extreme"], one_fault(start_angle)]
+ANY = one(lambda value: value)
+POINT, LETTERS, TEXT = one(check_name), one(check_letters), one(check_text)
+LINE = one(check_line)
+COORDINATE, LENGTH, ANGLE = one(units.coordinate), one(units.length), one(units.angle)
+PLACE = many(COORDINATE, first=check_pair)
+ANGULAR_SPEED = one(units.quantity, kind=units.SPEED)
+ANGULAR_ACCELERATION = one(units.quantity, kind=units.ANGULAR_ACCELERATION)
+GRAVITY = one(units.quantity, kind=units.ACCELERATION)
+MASS, INERTIA = one(units.not_negative, kind=units.MASS), one(units.not_negative, kind=units.INERTIA)
+FORCE, MOMENT = one(units.quantity, kind=units.FORCE), one(units.quantity, kind=units.MOMENT)
+NUMBER = one(units.quantity, kind=units.NUMBER)
+LINK_NUMBER = one(link_key)  # as a key
+MOVING_LINK = one(whole, least=1)
+ANY_LINK = POSITION_NUMBER = one(whole, least=0)
+START = one(start_angle)
+POSITIONS = either(list, many(ANGLE, position_list), one(count_positions))

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import NamedTuple
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -20,6 +20,10 @@ class Interval(NamedTuple):
     high: float
     at_low: float
     at_high: float
+
+
+# The intervals of a sweep's groups over the nodes last asked for: the sheet and the report both tell them.
+_FOUND: WeakKeyDictionary[Sweep, tuple[Floats | None, list[Interval]]] = WeakKeyDictionary()
 
 
 @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside
@@ -73,31 +77,47 @@ def _crossing(plan: Plan, group: Dyad) -> Floats:
 
 def interval(sweep: Sweep, group: Dyad, nodes: Floats | None = None) -> Interval:
     """Find the interval of a group's pressure angle (M1.3) over crank angles close to each other, or over a turn."""
-    phi = np.linspace(0.0, 2 * np.pi, NODES + 1) if nodes is None else nodes
+    known = _FOUND.get(sweep)
+    if known is None or known[0] is not nodes:
+        phi = np.linspace(0.0, 2 * np.pi, NODES + 1) if nodes is None else nodes
+        known = _FOUND[sweep] = nodes, _intervals(sweep, phi)
+    return known[1][sweep.groups.index(group)]
+
+
+def _intervals(sweep: Sweep, nodes: Floats) -> list[Interval]:
+    """Find the intervals of all groups at once: each look draws one plan of positions for all their ends."""
 
     def seen(angles: Floats) -> Floats:
-        return np.broadcast_to(pressure(sweep.plan(angles), group), angles.shape)
+        plan = sweep.plan(angles)
+        found = [np.broadcast_to(pressure(plan, group), angles.shape) for group in sweep.groups]
+        return np.asarray(np.repeat(found, 2, axis=0) * np.tile((1.0, -1.0), len(found))[:, None])
 
-    low, at_low = _least(seen, phi)
-    high, at_high = _least(lambda angles: -seen(angles), phi)
-    return Interval(low, -high, at_low, at_high)
-
-
-def _least(seen: Callable[[Floats], Floats], nodes: Floats) -> tuple[float, float]:
-    """Find the least value at the nodes, then between the neighbours of the least node, closer and closer."""
-    values = seen(nodes)
-    if np.isnan(values).all():
-        return float("nan"), float("nan")
-    best = int(np.nanargmin(values))
-    low, high = float(nodes[max(best - 1, 0)]), float(nodes[min(best + 1, len(nodes) - 1)])
-    least, where = float(values[best]), float(nodes[best])
+    if not nodes.size:
+        return [Interval(*4 * (float("nan"),))] * len(sweep.groups)
+    ends = [_Least(nodes, values) for values in seen(nodes)]
     for _ in range(LOOKS):
-        fan = np.linspace(low, high, FAN)
-        values = seen(fan)
+        fans = np.array([np.linspace(end.low, end.high, FAN) for end in ends])
+        values = seen(fans.ravel()).reshape(len(ends), len(ends), FAN)
+        for k, end in enumerate(ends):
+            end.look(fans[k], values[k, k])
+    return [
+        Interval(low.least, -high.least, low.where, high.where) for low, high in zip(ends[::2], ends[1::2], strict=True)
+    ]
+
+
+class _Least:
+    """The least of some values over crank angles, sought at nodes and then between the neighbours of the least one."""
+
+    def __init__(self, nodes: Floats, values: Floats) -> None:
+        self.low, self.high = float(nodes[0]), float(nodes[-1])
+        self.least = self.where = float("nan")
+        self.look(nodes, values)
+
+    def look(self, angles: Floats, values: Floats) -> None:
+        """Look at some angles, and close in on the least."""
         if np.isnan(values).all():
-            break
+            return
         best = int(np.nanargmin(values))
-        if values[best] < least:
-            least, where = float(values[best]), float(fan[best])
-        low, high = float(fan[max(best - 1, 0)]), float(fan[min(best + 1, FAN - 1)])
-    return least, where
+        if not values[best] >= self.least:
+            self.least, self.where = float(values[best]), float(angles[best])
+        self.low, self.high = float(angles[max(best - 1, 0)]), float(angles[min(best + 1, len(angles) - 1)])

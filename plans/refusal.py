@@ -6,11 +6,10 @@ import copy
 from collections.abc import Callable, Mapping
 from typing import Any, TypeVar
 
-from pydantic import BaseModel, ValidationError
-
 from plans.faults import Fault, Path, dotted, nearest, suggestion
 from plans.fields import split_letters
 from plans.source import Source
+from plans.tables import Refusal, Refused, Table
 from plans.units import type_name
 
 REFUSALS_LIMIT = 1_000  # worded one by one; beyond it they are only counted
@@ -40,12 +39,12 @@ STAND_INS: Mapping[Path, Any] = {
     ("drive", "speed"): 1,
 }
 T = TypeVar("T")
-Tables = Mapping[Path, type[BaseModel]]
+Tables = Mapping[Path, type[Table]]
 
 
-def refusals(error: ValidationError, source: Source, tables: Tables) -> list[Fault]:
+def refusals(error: Refused, source: Source, tables: Tables) -> list[Fault]:
     """Word the first refusals of a scene's form; `tables` are its tables, with "*" for any key or index."""
-    faults = [_fault(refusal, source, tables) for refusal in _details(error)[:REFUSALS_LIMIT]]
+    faults = [_fault(refusal, source, tables) for refusal in error.refusals[:REFUSALS_LIMIT]]
     misspelt = {_meant(fault) for fault in faults}
     return [fault for fault in faults if fault.kind != "missing" or fault.path not in misspelt]
 
@@ -56,41 +55,30 @@ def spare(source: Source, check: Callable[[Mapping[str, Any]], T]) -> T | None:
     for _ in range(ROUNDS):
         try:
             return check(data)
-        except ValidationError as error:
-            for refusal in _details(error):
-                _leave_out(data, _path(refusal), refusal["type"] == "missing")
+        except Refused as error:
+            for refusal in error.refusals:
+                _leave_out(data, refusal.path, refusal.kind == "missing")
     return None
 
 
-def _details(error: ValidationError) -> list[Any]:
-    return list(error.errors(include_url=False))
-
-
-def _path(refusal: Mapping[str, Any]) -> Path:
-    path = tuple(part for part in refusal["loc"] if not str(part).startswith(("<", "[")))
-    return path + tuple(refusal.get("ctx", {}).get("details", {}).get("at", ()))
-
-
-def _fault(refusal: Mapping[str, Any], source: Source, tables: Tables) -> Fault:
-    path, kind = _path(refusal), refusal["type"]
-    if kind == "fault":
-        return source.fault(path, refusal["ctx"]["kind"], **refusal["ctx"]["details"])
-    if kind == "missing":
+def _fault(refusal: Refusal, source: Source, tables: Tables) -> Fault:
+    path = refusal.path
+    if refusal.kind == "missing":
         thing, example = MISSING.get(path) or MISSING.get(path[-1:]) or ("key", f"{path[-1]} = ...")
         return source.fault(path, "missing", thing=thing, example=example)
-    if kind == "extra_forbidden":
+    if refusal.kind == "unknown_key":
         return _unknown_key(path, source, tables)
-    found = {"list_type": "a list", "tuple_type": "a list"}.get(kind, "")
-    if found or kind in ("model_type", "dict_type", "mapping_type", "model_attributes_type"):
-        wanted, example = ("a list", f"{path[-1]} = [...]") if found else ("a table", "a table of key = value lines")
-        return source.fault(path, "wrong_type", wanted=wanted, found=type_name(refusal["input"]), example=example)
-    return source.fault(path, "invalid", message=refusal["msg"])
+    if refusal.kind in ("not_a_list", "not_a_table"):
+        table = ("a table", "a table of key = value lines")
+        wanted, example = table if refusal.kind == "not_a_table" else ("a list", f"{path[-1]} = [...]")
+        return source.fault(path, "wrong_type", wanted=wanted, found=type_name(refusal.value), example=example)
+    return source.fault(path, refusal.kind, **refusal.details)
 
 
 def _unknown_key(path: Path, source: Source, tables: Tables) -> Fault:
     key, own = str(path[-1]), _pattern(path[:-1], tables)
-    known = list(tables[own].model_fields)
-    elsewhere = [table for table in tables if table != own and key in tables[table].model_fields]
+    known = list(tables[own].form)
+    elsewhere = [table for table in tables if table != own and key in tables[table].form]
     near = nearest(key, known)
     meant: Path = (*path[:-1], *near[:1]) if near else (*elsewhere[0], key) if elsewhere else ()
     details = {"table": table_name(own), "known": ", ".join(known), "suggestion": _meaning(key, known, elsewhere)}

@@ -8,8 +8,8 @@ from typing import Any
 from plans import units
 from plans.faults import Path
 from plans.fields import ENTRIES_LIMIT, LINKS_LIMIT, NAME_LIMIT, POSITIONS_LIMIT, TITLE_LIMIT
+from plans.loads import DURING
 from plans.scene import (
-    DURING,
     FORMATS,
     LANGUAGES,
     LETTERINGS,
@@ -19,6 +19,7 @@ from plans.scene import (
     STANDARDS,
     TABLES,
 )
+from plans.tables import REQUIRED
 from plans.units import ANGLE_LIMIT, LENGTH_LEAST, LENGTH_LIMIT, Kind
 
 Form = dict[str, Any]
@@ -218,9 +219,9 @@ def schema() -> Form:
 
 def _table(path: Path) -> Form:
     """Give the form of a table: its keys, which of them it must have, and no others."""
-    fields = TABLES[path].model_fields
-    properties = {key: {"description": KEYS[path][key][0], **_form(path, key)} for key in fields}
-    required = [key for key, field in fields.items() if field.is_required()]
+    keys = TABLES[path].form
+    properties = {key: {"description": KEYS[path][key][0], **_form(path, key)} for key in keys}
+    required = [key for key, known in keys.items() if known.default is REQUIRED]
     table: Form = {"type": "object", "properties": properties, "additionalProperties": False}
     return {**table, **({"required": required} if required else {}), **RULES.get(path, {})}
 

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from itertools import combinations
-from typing import TypeAlias
+from typing import NamedTuple, TypeAlias
 
 from geometry.meet import EPS, TANGENCY
 from plans.mechanism import FRAME, Mechanism, Slide, StructureError
@@ -17,8 +16,7 @@ NUMBERS = {"RRR": 1, "RRP": 2, "RPR": 3, "PRP": 4, "RPP": 5}
 RUSSIAN = {"RRR": "ВВВ", "RRP": "ВВП", "RPR": "ВПВ", "PRP": "ПВП", "RPP": "ВПП"}
 
 
-@dataclass(frozen=True)
-class Dyad:
+class Dyad(NamedTuple):
     """A two-lead group of class II (двухповодковая группа): its two links, their hosts, and its three pairs."""
 
     kind: str

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from decimal import Context, Decimal, InvalidOperation
+from typing import NamedTuple
 
 from plans.faults import wrong
 
@@ -25,8 +25,7 @@ QUANTITY = re.compile(r"\s*([+-]?[0-9]+(?:\.[0-9]+)?(?:[eE][+-]?[0-9]+)?)\s*([^\
 DECIMAL_COMMA = re.compile(r"\s*([+-]?[0-9]+),([0-9]+)\b")
 
 
-@dataclass(frozen=True, slots=True)
-class Kind:
+class Kind(NamedTuple):
     """A kind of quantity: its name, its unit in SI, and the other units with what one of them is in that unit."""
 
     name: str

@@ -7,14 +7,18 @@ import contextlib
 import itertools
 import os
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
+from drawings.lettering import demand, lettered
 from drawings.report import report, shallow, summary
+from drawings.strokes import Run, Text
 from drawings.talk import noted, verdict
+from drawings.trace import Trace
 from geometry.errors import LimitError
 from plans.compare import Comparison, compare, compare_extremes
-from plans.scene import read_scene
+from plans.scene import Scene, read_scene
 from plans.study import Study
 from plans.wording import said
 
@@ -37,27 +41,50 @@ class Drawn(NamedTuple):
 
 def run(options: argparse.Namespace) -> int:
     """Draw a scene's sheets into a folder; give the exit code."""
-    drawn = draw(options.scene, options.output)
+    trace: Trace = options.trace or Trace()
+    drawn = draw(options.scene, options.output, trace)
     print(summary(drawn.comparison))
     for path in drawn.paths:
         print(path)
     for path in _earlier(drawn):
         told = f"{path}: left by an earlier run with more sheets; it belongs to none of these"
         print(said(told, drawn.study.scene.sheet.language), file=sys.stderr)
+    if options.trace:
+        print(trace.told(drawn.study.made), file=sys.stderr)
     return _verdict(drawn.study, drawn.comparison)
 
 
-def draw(scene: Path, folder: Path) -> Drawn:
+def draw(path: Path, folder: Path, trace: Trace | None = None) -> Drawn:
     """Draw a scene's sheets and report into a folder; nothing is written where the two roads disagree."""
-    study = Study(noted(read_scene(scene)))
+    trace = trace or Trace()
+    with trace.stage("reading the scene"):
+        scene = noted(read_scene(path))
+        demand(Text(0j, (Run(text),)) for text in _own_words(scene))
+    study = Study(scene)
+    with trace.stage("construction"):
+        _construct(study)
+    with trace.stage("analysis"):
+        comparison = compare_extremes(study, compare(study))
+        _agree(comparison)
+    return _sheets(study, comparison, folder, trace)
+
+
+def _construct(study: Study) -> None:
+    """Make all plans that the sheet needs."""
     if len(study.turn) > POSITIONS_DRAWN:
         raise LimitError(
             f"{study.scene.file}: drive.positions = {len(study.turn)}: a sheet shows at most {POSITIONS_DRAWN}. "
             "Fix: fewer positions, or plandraft solve for the numbers alone"
         )
-    comparison = compare_extremes(study, compare(study))
-    _agree(comparison)
-    return _sheets(study, comparison, folder)
+    _ = study.found, study.drafts().accelerations  # each is made when it is asked for
+
+
+def _own_words(scene: Scene) -> Iterator[str]:
+    """Give what the scene's author wrote and the sheet shows: a letter that it cannot show is told before any work."""
+    sheet, mechanism = scene.sheet, scene.mechanism
+    yield from (scene.title, sheet.designation, sheet.drawn, sheet.checked, sheet.approved, sheet.date)
+    yield from (sheet.group, sheet.organisation, *mechanism.frame, *mechanism.points)
+    yield from (point for letters in mechanism.links.values() for point in letters)
 
 
 def _agree(comparison: Comparison) -> None:
@@ -71,27 +98,30 @@ def _agree(comparison: Comparison) -> None:
         )
 
 
-def _sheets(study: Study, comparison: Comparison, folder: Path) -> Drawn:
+def _sheets(study: Study, comparison: Comparison, folder: Path, trace: Trace) -> Drawn:
     """Lay out, write beside, measure back, and only then give the sheets their names: all of them or none."""
-    from drawings import press
-    from drawings.lettering import lettered
-    from drawings.pens.svg import svg
-    from drawings.sheets import kinematics
-    from drawings.verify import verify
+    with trace.stage("imports"):
+        from drawings import press
+        from drawings.pens.svg import svg
+        from drawings.sheets import kinematics
+        from drawings.verify import verify
 
-    leaves = kinematics.sheets(study, comparison)
-    contents = [svg(lettered(leaf)) for leaf in leaves]
-    press.prepare(folder)
+    with trace.stage("layout"):
+        leaves = kinematics.sheets(study, comparison)
     scene = Path(os.fspath(study.scene.file)).stem
     stem, beside = f"{scene}-kinematics", folder / f"{scene}-report.md"
     paths = [folder / (f"{stem}-{k + 1}.svg" if k else f"{stem}.svg") for k in range(len(leaves))]
-    drawn = tuple(k for leaf in leaves for k in leaf.metadata["plans"])
-    text = report(study, comparison, drawn, leaves[0].metadata["shown"])
+    with trace.stage("writing"):
+        contents = [svg(lettered(leaf, study.scene.sheet.lettering)) for leaf in leaves]
+        drawn = tuple(k for leaf in leaves for k in leaf.metadata["plans"])
+        text = report(study, comparison, drawn, leaves[0].metadata["shown"])
+        press.prepare(folder)
     with contextlib.ExitStack() as stack:
         stack.enter_context(press.fresh(beside, text.encode("utf-8")))
         written = [stack.enter_context(press.fresh(*one)) for one in zip(paths, contents, strict=True)]
-        for path, leaf in zip(written, leaves, strict=True):
-            verify(path, leaf, study, comparison)
+        with trace.stage("measuring"):
+            for path, leaf in zip(written, leaves, strict=True):
+                verify(path, leaf, study, comparison)
     return Drawn(study, comparison, leaves, (*paths, beside))
 
 

@@ -5,11 +5,13 @@ from __future__ import annotations
 import argparse
 import json
 import math
+import sys
 from typing import Any
 
 import numpy as np
 
 from drawings.talk import noted
+from drawings.trace import Trace
 from plans.motion import LINK_KEYS, ORDERS, POINT_KEYS, Extremes, Gap, Motion
 from plans.scene import read_scene
 from plans.study import Study
@@ -19,14 +21,20 @@ GAPS = 4
 
 def run(options: argparse.Namespace) -> int:
     """Print the numbers; give the exit code."""
-    study = Study(noted(read_scene(options.scene)))
+    trace: Trace = options.trace or Trace()
+    with trace.stage("reading the scene"):
+        study = Study(noted(read_scene(options.scene)))
     orders = [ORDERS.index(name) for name in options.only] if options.only else [0, 1, 2]
-    if options.by == "analysis":
-        motion, extremes = _analysis(study, max(orders))
-    else:
-        motion = study.motion(max(orders))
-        extremes = study.found.extremes if study.scene.drive.first is None and study.found else None
-    print(json.dumps(described(study, motion, orders, extremes), allow_nan=False))
+    with trace.stage(options.by):
+        if options.by == "analysis":
+            motion, extremes = _analysis(study, max(orders))
+        else:
+            motion = study.motion(max(orders))
+            extremes = study.found.extremes if study.scene.drive.first is None and study.found else None
+    with trace.stage("writing"):
+        print(json.dumps(described(study, motion, orders, extremes), allow_nan=False))
+    if options.trace:
+        print(trace.told(study.made), file=sys.stderr)
     return GAPS if motion.gaps else 0
 
 

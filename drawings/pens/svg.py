@@ -6,6 +6,7 @@ stay one element each, so that they can be measured and moved one by one.
 
 from __future__ import annotations
 
+import cmath
 import json
 import math
 import re
@@ -15,15 +16,16 @@ from itertools import groupby, pairwise
 from typing import Any, TypeAlias
 from xml.etree import ElementTree
 
-import svgwrite
-from svgwrite import container, path, shapes, text
-
-from drawings.limits import DECIMALS, FORMAT, REACH
+from drawings.alphabet import GAP
+from drawings.lettering import index_size, pen, width
+from drawings.limits import FORMAT
+from drawings.pens.deferred import deferred
+from drawings.pens.letters import lettering
+from drawings.pens.numerals import number, numbers
 from drawings.seal import seal
 from drawings.strokes import (
     LOWERED,
     RAISED,
-    SMALL,
     Arc,
     Circle,
     Fill,
@@ -37,7 +39,14 @@ from drawings.strokes import (
     Text,
 )
 
-FONTS = "'GOST type B','osifont','DejaVu Sans',sans-serif"
+# A sheet fetches no fonts from the web, and its paths are not checked by svgwrite: half of its import is for these.
+with deferred("urllib.request", "svgwrite.data.svgparser"):
+    import svgwrite
+    from svgwrite import container, path, shapes, text
+
+# Drawing fonts first, then narrow ones: letters of the standard are narrow.
+FONTS = "'GOST type B','osifont','Liberation Sans Narrow','Arial Narrow','DejaVu Sans Condensed',sans-serif"
+EM = 1.4  # a font's size over the height of its capitals: 1.37 to 1.43 in the usual ones
 # The kinds that are measured, and the only stroke that can stand for each.
 BEARERS: dict[str, type[Line] | type[Circle]] = {"vector": Line, "point": Circle, "pole": Circle, "corner": Circle}
 
@@ -48,8 +57,6 @@ _Plain: TypeAlias = Line | Polyline | Arc | Fill
 _QUARTER = math.pi / 2
 # An arc's flags stand as one letter in a template, so that every zero before a gap there is a needless decimal.
 _FLAGS = ("F", "0 0 0 ")
-_WHOLE = "." + "0" * DECIMALS
-_ZEROS = re.compile(r"0+(?![\d.!])")
 _ILLEGAL = re.compile("[^\t\n\x20-\x7e\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 _NAME = re.compile(r"[^\W\d][\w.-]*")
 _DATA = re.compile(r"[a-z][a-z0-9-]*")
@@ -70,29 +77,6 @@ def svg(leaf: Leaf) -> bytes:
     return body + seal(body, sum(1 for _ in root.iter()))
 
 
-def numbers(template: str, values: Iterable[float]) -> str:
-    """Write coordinates into a template of `%s`: fixed decimals without needless zeros, no exponent, no -0.
-
-    >>> numbers("M%s %sL%s %s", (10, -0.0, 1e-7, 100.25))
-    'M10 0L0 100.25'
-    """
-    values = tuple(values)
-    if values and not (math.isfinite(sum(values)) and max(values) <= REACH and min(values) >= -REACH):
-        raise SheetError(f"no place on paper: {[value for value in values if not abs(value) <= REACH][:2]} mm")
-    written = template.replace("%s", f"%.{DECIMALS}f") % values
-    return _ZEROS.sub("", written.replace(_WHOLE, "!").replace("-0!", "0!")).replace("!", "")
-
-
-@lru_cache(maxsize=1024)
-def number(value: float) -> str:
-    """Write one number.
-
-    >>> number(-0.00001), number(594), number(0.35)
-    ('0', '594', '0.35')
-    """
-    return numbers("%s", (value,))
-
-
 def legal(text: str) -> str:
     """Pass text on if XML can carry it unchanged; control characters and halves of characters are refused."""
     if found := _ILLEGAL.search(text):
@@ -107,7 +91,7 @@ def _drawing(leaf: Leaf) -> Any:
     drawing = svgwrite.Drawing(size=(f"{width}mm", f"{height}mm"), viewBox=f"0 0 {width} {height}", debug=False)
     drawing.elements.clear()  # an empty <defs>, which we never use
     for group in leaf.groups:
-        drawing.add(_group(group, leaf.height))
+        drawing.add(_group(group, leaf))
     _own_ids(leaf.groups)
     return drawing
 
@@ -142,7 +126,7 @@ def _names(groups: Iterable[Group]) -> Iterator[str]:
         yield from _names(inner for inner in group.strokes if isinstance(inner, Group))
 
 
-def _group(group: Group, height: float) -> Any:
+def _group(group: Group, leaf: Leaf) -> Any:
     data = _data(group)
     bearer = BEARERS.get(group.data.get("kind", ""))
     own = {"id": legal(group.name)} if group.name else {}
@@ -151,7 +135,7 @@ def _group(group: Group, height: float) -> Any:
     element = _element(container.Group, own if bearer else own | data)
     if group.title:
         element.set_desc(title=legal(group.title))
-    parts = [_one(stroke, height) for stroke in group.strokes] if data else list(_merged(group.strokes, height))
+    parts = [_one(stroke, leaf) for stroke in group.strokes] if data else list(_merged(group.strokes, leaf))
     if bearer:
         if not (group.strokes and isinstance(group.strokes[0], bearer)):
             raise SheetError(
@@ -169,12 +153,12 @@ def _data(group: Group) -> Attributes:
     return {f"data-{key}": legal(value) for key, value in group.data.items()}
 
 
-def _merged(strokes: Iterable[Stroke], height: float) -> Iterator[Any]:
+def _merged(strokes: Iterable[Stroke], leaf: Leaf) -> Iterator[Any]:
     for kind, run in groupby(strokes, _mergeable):
         if kind is None:
-            yield from (_one(stroke, height) for stroke in run)
+            yield from (_one(stroke, leaf) for stroke in run)
         else:
-            yield _path((stroke for stroke in run if isinstance(stroke, _Plain)), kind[0], height)
+            yield _path((stroke for stroke in run if isinstance(stroke, _Plain)), kind[0], leaf.height)
 
 
 def _mergeable(stroke: Stroke) -> tuple[LineStyle, bool] | None:
@@ -224,8 +208,9 @@ def _counter_clockwise(points: tuple[complex, ...]) -> tuple[complex, ...]:
     return points if doubled_area >= 0 else points[::-1]
 
 
-def _one(stroke: Stroke, height: float) -> Any:
+def _one(stroke: Stroke, leaf: Leaf) -> Any:
     """Draw one stroke as one element."""
+    height = leaf.height
     match stroke:
         case Line(start, end, style):
             return _element(
@@ -236,15 +221,37 @@ def _one(stroke: Stroke, height: float) -> Any:
         case Polyline() | Arc() | Fill():
             return _path((stroke,), stroke.style, height)
         case Text():
-            return _text(stroke, height)
+            return _letters(stroke, height) if leaf.lettering == "strokes" else _text(stroke, height)
         case Group():
-            return _group(stroke, height)
+            return _group(stroke, leaf)
+
+
+def _letters(stroke: Text, height: float) -> Any:
+    """Write a text as one path, or as a group of one for each width of the pen; either says what is written."""
+    data = {"data-text": legal(stroke.plain)}
+    paths = []
+    for unit, commands in lettering(stroke, height).items():
+        paths.append(_element(path.Path, dict(_style(pen(unit, stroke.style)))))
+        paths[-1].commands = [commands]
+    if len(paths) == 1:
+        paths[0].attribs.update(data)
+        return paths[0]
+    group = _element(container.Group, data)
+    group.elements.extend(paths)
+    return group
 
 
 def _text(stroke: Text, height: float) -> Any:
-    plain = legal(stroke.plain)
-    place = _at(("x", "y"), stroke.at, height)
-    own = place | {"font-family": FONTS, "font-size": number(stroke.size), "data-text": plain, "aria-label": plain}
+    """Leave a text to the viewer's fonts, as long as our own alphabet would write it where the viewer can do that.
+
+    A font keeps half of the gap between letters free at either end.
+    """
+    plain, free = legal(stroke.plain), GAP / 2 * stroke.size / 10
+    before = {"start": -free, "middle": 0.0, "end": free}[stroke.anchor]
+    place = _at(("x", "y"), stroke.at + before * cmath.rect(1, math.radians(stroke.rotation)), height)
+    own = place | {"font-family": FONTS, "font-size": number(EM * stroke.size), "data-text": plain, "aria-label": plain}
+    if length := width(stroke):
+        own |= {"textLength": number(round(length + 2 * free, 2)), "lengthAdjust": "spacingAndGlyphs"}
     if stroke.anchor != "start":
         own["text-anchor"] = stroke.anchor
     if stroke.slanted:
@@ -271,7 +278,7 @@ def _span(content: str, level: int, rise: float, size: float) -> Any:
     """Levels are shifted by dy: half of the viewers ignore baseline-shift."""
     own = {} if rise == 0 else {"dy": number(-rise * size)}
     if level:
-        own["font-size"] = number(SMALL * size)
+        own["font-size"] = number(EM * index_size(size))
     element = _element(text.TSpan, own)
     element.text = content
     return element

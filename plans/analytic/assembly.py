@@ -9,6 +9,8 @@ from __future__ import annotations
 import cmath
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from random import Random  # numpy's own is slow to import, and not needed for a few numbers
+from typing import NamedTuple
 
 import numpy as np
 
@@ -22,8 +24,7 @@ SCATTERED, SCATTER = 8, 0.5  # scattered starts; share of the mechanism's size b
 Pose = tuple[complex, float]  # origin m and turn rad of a link's own frame
 
 
-@dataclass(frozen=True)
-class Assembly:
+class Assembly(NamedTuple):
     """A closed position: crank angle rad and poses (links, 3) in the units of the constraints."""
 
     phi: float
@@ -72,13 +73,13 @@ def _regular(constraints: Constraints, poses: Floats, misfits: Floats) -> Floats
 
 def _scattered(base: Floats) -> list[Floats]:
     """Scatter the rough poses: a rough sketch alone may lie in the basin of an assembly that is not the nearest one."""
-    chance = np.random.default_rng(0)  # the same scatter each time
+    chance = Random(0)  # the same scatter each time
     spread = np.array((SCATTER, SCATTER, np.pi / 2))
     found = []
     for _ in range(SCATTERED):
-        poses = base + spread * chance.uniform(-1.0, 1.0, base.shape)
-        poses[0] = base[0]  # the frame stays
-        found.append(poses)
+        thrown = np.array([chance.uniform(-1.0, 1.0) for _ in range(base.size)]).reshape(base.shape)
+        thrown[0] = 0.0  # the frame stays
+        found.append(base + spread * thrown)
     return found
 
 

@@ -34,6 +34,18 @@ def solutions(matrices: Floats, right: Floats) -> Floats:
         return found
 
 
+def inverses(matrices: Floats) -> Floats:
+    """Invert N matrices (N, k, k); zero where a matrix is exactly singular."""
+    try:
+        return np.asarray(np.linalg.inv(matrices))
+    except np.linalg.LinAlgError:
+        det = np.linalg.det(matrices)
+        regular = np.isfinite(det) & (det != 0.0)
+        found = np.zeros_like(matrices)
+        found[regular] = np.linalg.inv(matrices[regular])
+        return found
+
+
 def as_poses(columns: Floats) -> Floats:
     """Give rows of unknowns (N, 3 n) the shape of poses, (N, links, 3), with the frame at rest."""
     still = np.zeros((len(columns), 1, 3))

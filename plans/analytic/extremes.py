@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 from plans.analytic.assembly import assemble_anywhere
 from plans.analytic.closure import SQRT_EPS
 from plans.analytic.constraints import TURN, Constraints, X, Y
-from plans.analytic.turn import FULL, Station, station_at, whole_turn
+from plans.analytic.turn import FULL, Station, Turn, station, stations_at, whole_turn
 from plans.mechanism import FRAME, Mechanism, Output, Slide
 from plans.motion import Extremes, Floats
 
@@ -17,51 +17,82 @@ ROUNDS = 64  # bisection alone makes 53 digits of a stride
 EQUAL = 1e-7  # rad: strokes whose crank arcs differ by less are equal on paper and in any machine
 
 
-@dataclass(frozen=True)
-class _Coordinate:
-    """The output coordinate of a station: along the frame's guide in units of `size`, or the turn of the link."""
+class _Coordinate(NamedTuple):
+    """The output coordinate: along the frame's guide in units of `size`, or the turn of the link."""
 
     place: int  # of the link in the poses
     guide: Slide | None
     own: complex  # the point shown, in the link's own frame, in units of `size`
     size: float
 
-    def at(self, station: Station) -> Floats:
-        """Give the coordinate and its two derivatives by the crank angle, (3,)."""
-        poses = np.array((station.poses[self.place], station.first[self.place], station.second[self.place]))
+    def along(self, taylor: Floats) -> Floats:
+        """Give the coordinate and its two derivatives by the crank angle at N stations, (3, N)."""
+        poses, first, second = taylor[:, :, self.place]
         if self.guide is None:
-            return np.asarray(poses[:, TURN])
+            return np.array((poses[:, TURN], first[:, TURN], second[:, TURN]))
         way = self.guide.way(FRAME)
-        arm, spin = self.own * np.exp(1j * poses[0, TURN]), 1j * poses[1, TURN]
-        arms = arm * np.array((1.0, spin, spin**2 + 1j * poses[2, TURN]))
-        start = np.array((way.through / self.size, 0.0, 0.0))
-        return np.asarray(((poses[:, X] + 1j * poses[:, Y] + arms - start) * way.direction.conjugate()).real)
+        arm, spin = self.own * np.exp(1j * poses[:, TURN]), 1j * first[:, TURN]
+        places = (
+            poses[:, X] + 1j * poses[:, Y] + arm - way.through / self.size,
+            first[:, X] + 1j * first[:, Y] + arm * spin,
+            second[:, X] + 1j * second[:, Y] + arm * (spin**2 + 1j * second[:, TURN]),
+        )
+        return np.asarray((np.array(places) * way.direction.conjugate()).real)
+
+    def at(self, place: Station) -> Floats:
+        """Give the coordinate and its two derivatives at one station, (3,)."""
+        return self.along(np.array((place.poses, place.first, place.second))[:, None])[:, 0]
 
 
-def extremes(mechanism: Mechanism, output: Output) -> Extremes | None:
+class _Rest:
+    """A rest of the output that is closed in on: the crank angles around it, the nearest station, the next step."""
+
+    def __init__(self, coordinate: _Coordinate, low: Station, high: Station) -> None:
+        self.coordinate, self.bottom, self.top = coordinate, low.phi, high.phi
+        self.rising = coordinate.at(high)[1] >= 0.0
+        self.near = min(low, high, key=lambda end: abs(float(coordinate.at(end)[1])))
+        self.step = np.inf
+
+    def aims(self) -> bool:
+        """Find the next step: Newton's, or the middle where that leads out; none where only rounding is left."""
+        here, last = self.near.phi, abs(self.step)
+        _, speed, growth = map(float, self.coordinate.at(self.near))
+        self.bottom, self.top = (self.bottom, here) if (speed >= 0.0) == self.rising else (here, self.top)
+        self.step = -speed / growth if growth else np.inf
+        fine = abs(self.step) <= SQRT_EPS  # Newton squares the error: after such a step only rounding is left
+        if not fine and not self.bottom <= here + self.step <= self.top:
+            self.step = (self.bottom + self.top) / 2.0 - here
+        return not (fine and abs(self.step) >= last / 2.0)
+
+
+def extremes(mechanism: Mechanism, output: Output, turn: Turn | None = None) -> Extremes | None:
     """Find the extreme positions; None if the output link turns fully or stands still, or the crank cannot turn fully.
 
-    A slider's reach is counted along the frame's guide from the point that gives the guide. Strokes that take equal
-    crank angles have no slower one: then the working stroke is taken to begin at the smaller crank angle.
+    What of the `turn` has been marched already is not marched again. A slider's reach is counted along the frame's
+    guide from the point that gives the guide. Strokes that take equal crank angles have no slower one: then the working
+    stroke is taken to begin at the smaller crank angle.
     """
     constraints = Constraints.of(mechanism)
-    start = assemble_anywhere(mechanism, constraints)
-    turn = whole_turn(constraints, start) if start else None
+    begun = turn or _begun(mechanism, constraints)
+    turn = whole_turn(constraints, begun) if begun else None
     if turn is None:
         return None
     coordinate = _coordinate(mechanism, constraints, output)
-    values = np.array([coordinate.at(station) for station in turn.stations])
-    speed = values[:, 1]
-    full_turn = abs(values[-1, 0] - values[0, 0]) > np.pi and coordinate.guide is None
+    coordinates, speed, _ = coordinate.along(turn.taylor)
+    full_turn = abs(coordinates[-1] - coordinates[0]) > np.pi and coordinate.guide is None
     if full_turn or np.abs(speed).max() <= SQRT_EPS:
         return None
     signs = np.where(speed >= 0.0, 1.0, -1.0)
     signs[-1] = signs[0]  # one position: a rounding of a rest there is no second rest
-    found = []
-    for k in np.flatnonzero(signs[1:] != signs[:-1]):
-        found.append(_refined(constraints, coordinate, turn.stations[k], turn.stations[k + 1]))
+    changes = np.flatnonzero(signs[1:] != signs[:-1])
+    found = _refined(constraints, [_Rest(coordinate, turn.stations[k], turn.stations[k + 1]) for k in changes])
     sense = -1.0 if mechanism.drive.omega < 0.0 else 1.0
     return _strokes(found, sense, coordinate)
+
+
+def _begun(mechanism: Mechanism, constraints: Constraints) -> Turn | None:
+    start = assemble_anywhere(mechanism, constraints)
+    return Turn((station(constraints, start),), None, None) if start else None
 
 
 def _coordinate(mechanism: Mechanism, constraints: Constraints, output: Output) -> _Coordinate:
@@ -74,22 +105,17 @@ def _coordinate(mechanism: Mechanism, constraints: Constraints, output: Output) 
     return _Coordinate(constraints.numbers.index(output.link), guide, own, constraints.size)
 
 
-def _refined(constraints: Constraints, coordinate: _Coordinate, low: Station, high: Station) -> tuple[float, float]:
-    """Find the zero of the output's speed between two stations: its crank angle and the coordinate there."""
-    rising = coordinate.at(high)[1] >= 0.0
-    near = min(low, high, key=lambda station: abs(coordinate.at(station)[1]))
-    bottom, top, last = low.phi, high.phi, np.inf
+def _refined(constraints: Constraints, rests: list[_Rest]) -> list[tuple[float, float]]:
+    """Close in on all rests together: their crank angles and the coordinate there."""
     for _ in range(ROUNDS):
-        _, speed, growth = coordinate.at(near)
-        bottom, top = (bottom, near.phi) if (speed >= 0.0) == rising else (near.phi, top)
-        step = float(-speed / growth) if growth else np.inf
-        fine = abs(step) <= SQRT_EPS  # Newton squares the error: after such a step only rounding is left
-        if fine and abs(step) >= last / 2.0:
+        moving = [rest for rest in rests if rest.aims()]
+        if not moving:
             break
-        if not fine and not bottom <= near.phi + step <= top:
-            step = (bottom + top) / 2.0 - near.phi
-        near, last = station_at(constraints, near, near.phi + step), abs(step)
-    return near.phi, float(coordinate.at(near)[0])
+        phi = np.array([rest.near.phi + rest.step for rest in moving])
+        stations = stations_at(constraints, [rest.near for rest in moving], phi)
+        for rest, reached in zip(moving, stations, strict=True):
+            rest.near = reached
+    return [(rest.near.phi, float(rest.coordinate.at(rest.near)[0])) for rest in rests]
 
 
 def _strokes(found: list[tuple[float, float]], sense: float, coordinate: _Coordinate) -> Extremes | None:

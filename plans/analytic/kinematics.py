@@ -6,45 +6,66 @@ import numpy as np
 
 from plans.analytic.closure import EPS, transfer
 from plans.analytic.constraints import TURN, Constraints, X, Y
+from plans.analytic.extremes import extremes
 from plans.analytic.positions import blocks, find, wrapped
-from plans.mechanism import FRAME, Mechanism
-from plans.motion import Floats, Gap, LinkMotion, Motion, PointMotion
+from plans.analytic.turn import Turn
+from plans.mechanism import FRAME, Mechanism, Output
+from plans.motion import Extremes, Floats, Gap, LinkMotion, Motion, PointMotion
+
+
+class Analysis:
+    """The analytic road of one mechanism: its equations, and the way round the turn, marched once for all questions."""
+
+    def __init__(self, mechanism: Mechanism, tolerance: float = EPS) -> None:
+        self.mechanism, self.constraints, self.tolerance = mechanism, Constraints.of(mechanism), tolerance
+        self._turn: Turn | None = None
+
+    def motion(self, phi: Floats, order: int = 2) -> Motion:
+        """Solve all positions phi rad: order 0 positions, 1 and velocities, 2 and accelerations; from the datum, SI."""
+        phi = np.asarray(phi, dtype=np.float64)
+        found = find(self.mechanism, self.constraints, phi, self.tolerance)
+        self._turn = found.turn
+        rates = [np.full_like(found.poses, np.nan) for _ in range(order)]
+        moving = np.flatnonzero(found.regular)
+        for block in blocks(len(moving)):
+            here = moving[block]
+            for rate, values in zip(rates, transfer(self.constraints, found.poses[here], order), strict=True):
+                rate[here] = values
+        gaps = tuple(missing for missing in found.gaps if order or missing.plan == "positions")
+        return _motion(self.mechanism, self.constraints, phi, wrapped(found.poses), rates, gaps)
+
+    def extremes(self, output: Output) -> Extremes | None:
+        """Find the output's extreme positions on the way round."""
+        return extremes(self.mechanism, output, self._turn)
+
+    def conditions(self, motion: Motion) -> Floats:
+        """Give the 2-norm condition of the scaled Jacobian at every position of either road's motion; NaN at gaps."""
+        poses = np.zeros((len(motion.phi), len(self.constraints.numbers), 3))
+        for place, number in enumerate(self.constraints.numbers):
+            if number != FRAME:
+                point, own = next(iter(self.mechanism.links[number].points.items()))
+                turn = motion.links[number].angle
+                origin = (motion.points[point].r - own * np.exp(1j * turn)) / self.constraints.size
+                poses[:, place] = np.stack((origin.real, origin.imag, turn), axis=1)
+        found = np.full(len(poses), np.nan)
+        whole = np.flatnonzero(np.isfinite(poses).all(axis=(1, 2)))
+        for block in blocks(len(whole)):
+            here = whole[block]
+            found[here] = np.linalg.cond(self.constraints.jacobian(self.constraints.place(poses[here])))
+        return found
 
 
 def solve(mechanism: Mechanism, phi: Floats, order: int = 2, tolerance: float = EPS) -> Motion:
-    """Solve all positions phi rad: order 0 positions, 1 and velocities, 2 and accelerations; from the datum, SI.
+    """Solve all positions phi rad of a mechanism by analysis.
 
     A `tolerance` above eps, a share of the mechanism's size, leaves the loops open by so much: for the bench alone.
     """
-    phi = np.asarray(phi, dtype=np.float64)
-    constraints = Constraints.of(mechanism)
-    found = find(mechanism, constraints, phi, tolerance)
-    rates = [np.full_like(found.poses, np.nan) for _ in range(order)]
-    moving = np.flatnonzero(found.regular)
-    for block in blocks(len(moving)):
-        here = moving[block]
-        for rate, values in zip(rates, transfer(constraints, found.poses[here], order), strict=True):
-            rate[here] = values
-    gaps = tuple(missing for missing in found.gaps if order or missing.plan == "positions")
-    return _motion(mechanism, constraints, phi, wrapped(found.poses), rates, gaps)
+    return Analysis(mechanism, tolerance).motion(phi, order)
 
 
 def conditions(mechanism: Mechanism, motion: Motion) -> Floats:
-    """Give the 2-norm condition of the scaled Jacobian at every position of either road's motion, (N,); NaN at gaps."""
-    constraints = Constraints.of(mechanism)
-    poses = np.zeros((len(motion.phi), len(constraints.numbers), 3))
-    for place, number in enumerate(constraints.numbers):
-        if number != FRAME:
-            point, own = next(iter(mechanism.links[number].points.items()))
-            turn = motion.links[number].angle
-            origin = (motion.points[point].r - own * np.exp(1j * turn)) / constraints.size
-            poses[:, place] = np.stack((origin.real, origin.imag, turn), axis=1)
-    found = np.full(len(poses), np.nan)
-    whole = np.flatnonzero(np.isfinite(poses).all(axis=(1, 2)))
-    for block in blocks(len(whole)):
-        here = whole[block]
-        found[here] = np.linalg.cond(constraints.jacobian(constraints.place(poses[here])))
-    return found
+    """Give the condition of the scaled Jacobian at every position of a motion, (N,)."""
+    return Analysis(mechanism).conditions(motion)
 
 
 def _motion(

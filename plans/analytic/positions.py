@@ -31,6 +31,7 @@ class Positions:
     phi: Floats
     poses: Floats
     regular: Flags
+    turn: Turn | None = None  # the way round that was marched
     gaps: list[Gap] = field(default_factory=list)
 
     def miss(self, position: int, plan: str, reason: str, end: End | None) -> None:
@@ -52,7 +53,7 @@ def find(mechanism: Mechanism, constraints: Constraints, phi: Floats, tolerance:
             found.miss(k, "positions", OUT_OF_REACH, None)
         return found
     ahead = (phi - start.phi) % FULL
-    turn = survey(constraints, start, ahead)
+    turn = found.turn = survey(constraints, start, ahead)
     crank = start.phi + ahead
     behind = (crank > turn.angles[-1] + SHORTEST) & (crank - FULL >= turn.angles[0] - SHORTEST)
     crank[behind] -= FULL
@@ -93,8 +94,9 @@ def _at_the_end(found: Positions, constraints: Constraints, turn: Turn, end: End
     """Treat the positions that the march cannot tell from the singular one; tell which they are."""
     apart = _apart(found.phi, end)
     at = np.abs(apart) <= end.blind
-    told = [missing.position for missing in found.gaps]  # both marches may end at one position
-    places = np.flatnonzero(at & ~np.isin(np.arange(len(at)), told))
+    untold = at.copy()
+    untold[[missing.position for missing in found.gaps]] = False  # both marches may end at one position
+    places = np.flatnonzero(untold)
     if end.reason == CHANGE_POINT and places.size:
         clear = [s for s in turn.stations if abs(s.phi - end.singular) >= CLEAR] or list(turn.stations)
         station = min(clear, key=lambda s: abs(s.phi - end.singular))
@@ -115,8 +117,9 @@ def _at_the_end(found: Positions, constraints: Constraints, turn: Turn, end: End
 
 def _lost(found: Positions, constraints: Constraints, turn: Turn) -> None:
     """Say of every position not found why that is."""
-    lost = np.flatnonzero(np.isnan(found.poses[:, 0, 0]))
-    lost = lost[~np.isin(lost, [missing.position for missing in found.gaps])]
+    untold = np.isnan(found.poses[:, 0, 0])
+    untold[[missing.position for missing in found.gaps]] = False
+    lost = np.flatnonzero(untold)
     folds = any(end.reason == DEAD_CENTRE for end in turn.ends)
     exists = _assembles(constraints, turn, found.phi[lost]).tolist() if folds and lost.size else []
     for k, other in zip_longest(lost.tolist(), exists, fillvalue=False):
@@ -134,7 +137,7 @@ def _assembles(constraints: Constraints, turn: Turn, phi: Floats) -> Flags:
 
     Of many angles a sample is tried, and each of the others takes the answer of a neighbour.
     """
-    sample = np.unique(np.linspace(0, len(phi) - 1, PROBES).round().astype(np.intp))
+    sample = np.array(sorted(set(np.linspace(0, len(phi) - 1, PROBES).round().astype(np.intp).tolist())))
     stations = turn.stations[:: max(1, len(turn.stations) // STARTS)]
     starts = np.array([station.poses for station in stations])
     _, reached = settle(constraints, np.tile(starts, (len(sample), 1, 1)), np.repeat(phi[sample], len(starts)))

@@ -1,8 +1,8 @@
 """The way round the turn: poses at stations of the crank, each reached from the last by continuity.
 
-The march goes from the assembled position in both senses, never across a singular position. A step is taken only if the
-second-order Taylor polynomial lands close to the closed poses, Newton's corrections shrink fast, and the determinant of
-the Jacobian keeps its sign and at least half its size; otherwise the step is halved.
+The march goes from the assembled position in both senses abreast, never across a singular position. A step is taken
+only if the second-order Taylor polynomial lands close to the closed poses, Newton's corrections shrink fast, and the
+determinant of the Jacobian keeps its sign and at least half its size; otherwise the step is halved.
 """
 
 from __future__ import annotations
@@ -10,11 +10,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
 from plans.analytic.assembly import Assembly
-from plans.analytic.closure import EPS, SQRT_EPS, as_poses, close
+from plans.analytic.closure import EPS, SQRT_EPS, as_poses, close, inverses, solutions
 from plans.analytic.constraints import Constraints
 from plans.motion import Floats
 
@@ -28,8 +29,7 @@ TRUST = 1.0 / 16.0
 DEAD_CENTRE, CHANGE_POINT, NOT_REACHABLE = "dead centre", "change point", "not reachable"
 
 
-@dataclass(frozen=True)
-class Station:
+class Station(NamedTuple):
     """A closed position: crank angle, poses (links, 3), their two transfer functions, and the state of the Jacobian."""
 
     phi: float  # rad, continuous along the march
@@ -45,8 +45,7 @@ class Station:
         return self.poses + step * (self.first + step / 2.0 * self.second)
 
 
-@dataclass(frozen=True)
-class End:
+class End(NamedTuple):
     """Where a march could go no further: the last crank angle reached, and where the Jacobian loses rank, rad."""
 
     reached: float
@@ -90,77 +89,121 @@ class Turn:
         return np.asarray(poses + step * (first + step / 2.0 * second))
 
 
+class _March:
+    """A march under way: its stations, the crank angle where it is to end, its sense and its next stride, rad."""
+
+    def __init__(self, way: list[Station], goal: float) -> None:
+        self.way, self.goal, self.stride = way, goal, FIRST_STRIDE
+        self.sense = 1.0 if goal >= way[-1].phi else -1.0
+
+    @property
+    def left(self) -> float:
+        """The angle still to go, rad; one rounding short of the goal is there."""
+        left = self.sense * (self.goal - self.way[-1].phi)
+        return left if left > SHORTEST else 0.0
+
+    @property
+    def stuck(self) -> bool:
+        """Whether no step is short enough."""
+        return self.stride < SHORTEST or self.way[-1].sharpness <= SQRT_EPS
+
+    @property
+    def next(self) -> float:
+        """The crank angle of the next step, rad."""
+        return self.goal if self.stride >= self.left else self.way[-1].phi + self.sense * self.stride
+
+    def take(self, reached: Station | None) -> None:
+        """Step to a station, or shorten the stride where there is none."""
+        if reached is None:
+            self.stride /= 2.0
+        else:
+            self.way.append(reached)
+            self.stride = min(2.0 * self.stride, STRIDE)
+
+
 def survey(constraints: Constraints, start: Assembly, ahead: Floats) -> Turn:
     """March from the assembly until all angles `ahead` of it, rad in [0, 2 pi), are passed in either sense."""
-    first = _station(constraints, start.poses, start.phi)
-    up = [first]
-    down = [first]
-    upper = _march(constraints, up, float(np.max(ahead, where=ahead <= np.pi, initial=0.0)))
-    lower = _march(constraints, down, -float(np.max(FULL - ahead, where=ahead > np.pi, initial=0.0)))
+    first = station(constraints, start)
+    up, down = [first], [first]
+    most = start.phi + float(np.max(ahead, where=ahead <= np.pi, initial=0.0))
+    least = start.phi - float(np.max(FULL - ahead, where=ahead > np.pi, initial=0.0))
+    upper, lower = _march(constraints, _March(up, most), _March(down, least))
     # What lies beyond one end may be reached the other way round.
     if upper and not lower:
         lost = ahead > upper.reached - start.phi
-        lower = _march(constraints, down, -(FULL - float(np.min(ahead, where=lost, initial=FULL))))
+        least = start.phi - (FULL - float(np.min(ahead, where=lost, initial=FULL)))
+        (lower,) = _march(constraints, _March(down, least))
     elif lower and not upper:
         lost = ahead < FULL + lower.reached - start.phi
-        upper = _march(constraints, up, float(np.max(ahead, where=lost, initial=0.0)))
+        (upper,) = _march(constraints, _March(up, start.phi + float(np.max(ahead, where=lost, initial=0.0))))
     return Turn((*reversed(down[1:]), *up), lower, upper)
 
 
-def _march(constraints: Constraints, way: list[Station], target: float) -> End | None:
-    """Lengthen the way to `target` rad from its start, either sense; tell what ended it earlier."""
-    goal, sense = way[0].phi + target, 1.0 if target >= 0.0 else -1.0
-    stride = FIRST_STRIDE
+def whole_turn(constraints: Constraints, turn: Turn) -> Turn | None:
+    """Lengthen a march on both sides until it comes round; None where the crank cannot make a full turn."""
+    if turn.ends:
+        return None
+    up, down = [*turn.stations], [*reversed(turn.stations)]
+    half = (FULL - (up[-1].phi - down[-1].phi)) / 2.0
+    ends = _march(constraints, _March(up, up[-1].phi + half), _March(down, down[-1].phi - half))
+    return None if any(ends) else Turn((*reversed(down[len(turn.stations) :]), *up), None, None)
+
+
+def station(constraints: Constraints, start: Assembly) -> Station:
+    """Begin a march at an assembly."""
+    return _stations(constraints, start.poses[None], np.array([start.phi]))[0]
+
+
+def _march(constraints: Constraints, *marches: _March) -> list[End | None]:
+    """Lengthen all ways to their goals, abreast; tell what ended each of them earlier."""
     for _ in range(STEPS):
-        left = sense * (goal - way[-1].phi)
-        if left <= SHORTEST:  # one rounding short of the goal is there
-            return None
-        if stride < SHORTEST or way[-1].sharpness <= SQRT_EPS:
+        under_way = [march for march in marches if march.left and not march.stuck]
+        if not under_way:
             break
-        phi = goal if stride >= left else way[-1].phi + sense * stride
-        station = _step(constraints, way[-1], phi)
-        if station is None:
-            stride /= 2.0
-        else:
-            way.append(station)
-            stride = min(2.0 * stride, STRIDE)
-    return _end(constraints, way)
+        here = [march.way[-1] for march in under_way]
+        stations = _steps(constraints, here, np.array([march.next for march in under_way]))
+        for march, reached in zip(under_way, stations, strict=True):
+            march.take(reached)
+    return [_end(constraints, march.way) if march.left else None for march in marches]
 
 
-def _step(constraints: Constraints, here: Station, phi: float) -> Station | None:
-    """Step to a crank angle, or refuse."""
-    guess = here.predict(phi)
-    at = constraints.place(guess[None])
-    try:
-        step = np.linalg.solve(constraints.jacobian(at)[0], constraints.residual(at, np.array([phi]))[0])
-    except np.linalg.LinAlgError:
-        return None
-    there = guess - as_poses(step[None])[0]
-    moved, size = np.abs(there - here.poses).max(), np.abs(step).max()
-    if not size <= TRUST * moved:
-        return None
-    station = _station(constraints, there, phi)
-    again = np.abs(station.poses - there).max()
-    shrinks = again <= TRUST * size + SQRT_EPS * moved
-    same = station.det * np.sign(here.det) >= abs(here.det) / 2.0
-    return station if shrinks and same and station.sharpness > SQRT_EPS else None
+def _steps(constraints: Constraints, here: Sequence[Station], phi: Floats) -> list[Station | None]:
+    """Step from each station to its crank angle, or refuse."""
+    guess = np.array([left.predict(angle) for left, angle in zip(here, phi, strict=True)])
+    at = constraints.place(guess)
+    step = solutions(constraints.jacobian(at), constraints.residual(at, phi))
+    there = guess - as_poses(step)
+    moved = np.abs(there - np.array([left.poses for left in here])).max(axis=(1, 2))
+    size = np.abs(step).max(axis=1)
+    found: list[Station | None] = [None] * len(here)
+    near = np.flatnonzero(size <= TRUST * moved).tolist()
+    if not near:
+        return found
+    for k, reached in zip(near, _stations(constraints, there[near], phi[near]), strict=True):
+        again = np.abs(reached.poses - there[k]).max()
+        shrinks = again <= TRUST * size[k] + SQRT_EPS * moved[k]
+        same = reached.det * np.sign(here[k].det) >= abs(here[k].det) / 2.0
+        if shrinks and same and reached.sharpness > SQRT_EPS:
+            found[k] = reached
+    return found
 
 
-def _station(constraints: Constraints, poses: Floats, phi: float) -> Station:
-    """Close nearly closed poses by one Newton correction and differentiate them with the same Jacobian."""
-    at = constraints.place(poses[None])
-    jacobian = constraints.jacobian(at)[0]
-    still = np.zeros_like(poses)
-    try:
-        inverse = np.linalg.inv(jacobian)
-    except np.linalg.LinAlgError:
-        return Station(phi, poses, still, still, 0.0, 0.0)
-    lengths = np.sqrt((jacobian**2).sum(axis=0))
-    sharpness = 1.0 / (np.sqrt(len(lengths)) * np.linalg.norm(lengths[:, None] * inverse))
-    closed = poses - as_poses((inverse @ constraints.residual(at, np.array([phi]))[0])[None])[0]
-    first = as_poses(inverse[None, :, -1])
-    second = as_poses(-(inverse @ constraints.convective(at, first)[0])[None])[0]
-    return Station(phi, closed, first[0], second, float(np.linalg.det(jacobian)), float(sharpness))
+def _stations(constraints: Constraints, poses: Floats, phi: Floats) -> list[Station]:
+    """Close nearly closed poses by one Newton correction and differentiate them with the same Jacobians."""
+    at = constraints.place(poses)
+    jacobian = constraints.jacobian(at)
+    inverse = inverses(jacobian)
+    lengths = np.sqrt((jacobian**2).sum(axis=1))
+    norms = np.sqrt(((lengths[:, :, None] * inverse) ** 2).sum(axis=(1, 2)))
+    closed = poses - as_poses((inverse @ constraints.residual(at, phi)[..., None])[..., 0])
+    first = as_poses(inverse[:, :, -1])
+    second = as_poses(-(inverse @ constraints.convective(at, first)[..., None])[..., 0])
+    det = np.linalg.det(jacobian)
+    root = np.sqrt(lengths.shape[1])
+    return [
+        Station(float(phi[k]), closed[k], first[k], second[k], float(det[k]), float(1 / (root * norm)) if norm else 0.0)
+        for k, norm in enumerate(norms)
+    ]
 
 
 def _end(constraints: Constraints, way: Sequence[Station]) -> End:
@@ -182,14 +225,7 @@ def _end(constraints: Constraints, way: Sequence[Station]) -> End:
     return End(last.phi, float(singular), DEAD_CENTRE if dead else CHANGE_POINT)
 
 
-def whole_turn(constraints: Constraints, start: Assembly) -> Turn | None:
-    """Survey a full turn from the assembly upwards; None where the crank cannot make it."""
-    way = [_station(constraints, start.poses, start.phi)]
-    end = _march(constraints, way, FULL)
-    return None if end else Turn(tuple(way), None, None)
-
-
-def station_at(constraints: Constraints, near: Station, phi: float) -> Station:
-    """Move from a station to a crank angle close by, closed to rounding level."""
-    poses, _ = close(constraints, near.predict(phi)[None], np.array([phi]))
-    return _station(constraints, poses[0], phi)
+def stations_at(constraints: Constraints, near: Sequence[Station], phi: Floats) -> list[Station]:
+    """Move from stations to crank angles close by, closed to rounding level."""
+    guess = np.array([left.predict(angle) for left, angle in zip(near, phi, strict=True)])
+    return _stations(constraints, close(constraints, guess, phi)[0], phi)

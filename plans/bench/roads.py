@@ -75,11 +75,8 @@ def with_positions(scene: Scene, count: int) -> Scene:
     start = drive.positions[0] if isinstance(drive.positions, tuple) else drive.start
     kept = tuple(k for k in scene.sheet.plans if k < count)
     shown = scene.sheet.position if scene.sheet.position is not None and scene.sheet.position < count else None
-    return scene.model_copy(
-        update={
-            "drive": drive.model_copy(update={"positions": count, "start": start}),
-            "sheet": scene.sheet.model_copy(update={"plans": kept, "position": shown}),
-        }
+    return scene.changed(
+        drive=drive.changed(positions=count, start=start), sheet=scene.sheet.changed(plans=kept, position=shown)
     )
 
 

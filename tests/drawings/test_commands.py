@@ -265,7 +265,7 @@ def test_compare_ends_with_4_where_there_are_gaps(run: Run, gapped: Path) -> Non
 
 def mislead(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let the analytic solver be wrong by a millionth in the velocity of D."""
-    solve = comparing.solve
+    solve = comparing.Analysis.motion
 
     def wrong(*arguments: Any) -> Motion:
         motion = solve(*arguments)
@@ -273,7 +273,7 @@ def mislead(monkeypatch: pytest.MonkeyPatch) -> None:
         assert velocity is not None
         return replace(motion, points={**motion.points, "D": replace(motion.points["D"], v=velocity * (1 + 1e-6))})
 
-    monkeypatch.setattr(comparing, "solve", wrong)
+    monkeypatch.setattr(comparing.Analysis, "motion", wrong)
 
 
 def test_compare_ends_with_5_where_the_roads_differ_by_a_millionth(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -517,6 +517,28 @@ def test_a_misspelt_key_ends_with_3_and_the_right_spelling(run: Run, tmp_path: P
         assert f"{scene}:" in err
         assert "sketch" in err
     assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("lettering", ["strokes", "text"])
+def test_a_letter_that_cannot_be_drawn_ends_with_3_before_anything_is_made(
+    run: Run, tmp_path: Path, lettering: str
+) -> None:
+    scene = tmp_path / "snow.toml"
+    words = f'[sheet]\nlettering = "{lettering}"\ndrawn = "雪 Ivanov"\n'
+    scene.write_text(SHAPER.read_text("utf-8") + words, "utf-8")
+    code, out, err = run("draw", scene, "-o", tmp_path / "out")
+    assert (code, out) == (3, "")
+    assert err == "lettering '雪 Ivanov': the alphabet lacks '雪' (U+96EA); write it in other letters\n"
+    assert not (tmp_path / "out").exists()
+
+
+def test_texts_are_left_to_the_viewer_where_the_scene_says_so(run: Run, tmp_path: Path) -> None:
+    scene = tmp_path / "shaper.toml"
+    scene.write_text(SHAPER.read_text("utf-8") + '[sheet]\nlettering = "text"\n', "utf-8")
+    assert run("draw", scene, "-o", tmp_path)[0] == 0
+    sheet = (tmp_path / "shaper-kinematics.svg").read_text("utf-8")
+    assert ">Plan of positions</text>" in sheet
+    assert sheet.count("<text ") == sheet.count("data-text=") > 100
 
 
 def test_a_group_without_a_sketch_ends_with_3_and_what_to_add(run: Run, tmp_path: Path) -> None:

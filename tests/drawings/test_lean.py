@@ -77,6 +77,63 @@ def test_the_steps_behind_a_velocity_make_no_accelerations() -> None:
     assert not modules & {"svgwrite", *HEAVY}
 
 
+def traced(*arguments: object) -> dict[str, str]:
+    """Run a command with --trace; give what the trace tells, line by line."""
+    command = [sys.executable, "-m", "drawings.cli", *map(str, arguments), "--trace"]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False, timeout=120)
+    assert done.returncode == 0, done.stderr
+    lines = done.stderr.splitlines()
+    stages = {line[:20].strip(): line[20:] for line in lines if line.endswith(("%", "share"))}
+    return stages | dict(line.split(": ", 1) for line in lines if ": " in line)
+
+
+def names(listed: str) -> list[str]:
+    return [name.partition(" (")[0] for name in listed.split(", ")]
+
+
+def test_the_trace_of_a_positions_only_run(tmp_path: Path) -> None:
+    scene = tmp_path / "crank.toml"
+    scene.write_text(Path(SHAPER).read_text("utf-8").replace('start = "extreme"', "start = 20"), "utf-8")
+    told = traced("solve", scene, "--only", "positions")
+    assert told["made"] == "positions"
+    assert told["not made"] == "extremes, velocities, accelerations"
+    assert names(told["imported"]) == ["numpy"]
+    assert told["left out"] == "svgwrite, mpmath, scipy, shapely, matplotlib"
+    assert {"imports", "reading the scene", "construction", "writing", "together"} <= set(told)
+    assert not {"analysis", "layout", "measuring"} & set(told)
+
+
+def test_the_trace_of_a_kinematics_sheet(tmp_path: Path) -> None:
+    told = traced("draw", SHAPER, "-o", tmp_path)
+    assert told["made"] == "extremes, positions, velocities, accelerations"
+    assert told["not made"] == "nothing"
+    assert names(told["imported"]) == ["numpy", "svgwrite"]
+    assert told["left out"] == "mpmath, scipy, shapely, matplotlib"
+    stages = ["imports", "reading the scene", "construction", "analysis", "layout", "writing", "measuring"]
+    assert list(told)[: len(stages) + 3] == ["stage", *stages, "the rest", "together"]
+    times = {stage: float(told[stage].split()[0]) for stage in [*stages, "the rest", "together"]}
+    assert sum(times.values()) == pytest.approx(2 * times["together"], abs=1)
+    imported = [float(cost.split(" (")[1].removesuffix(" ms)")) for cost in told["imported"].split(", ")]
+    assert 0 < sum(imported) < times["imports"]
+    assert told["before"].startswith("the interpreter and the command line")
+
+
+def test_a_trace_leaves_no_trace_in_the_files(tmp_path: Path) -> None:
+    watched("draw", SHAPER, "-o", tmp_path / "plain")
+    traced("draw", SHAPER, "-o", tmp_path / "traced")
+    for name in ("shaper-kinematics.svg", "shaper-report.md"):
+        assert (tmp_path / "plain" / name).read_bytes() == (tmp_path / "traced" / name).read_bytes()
+
+
+def test_what_sheets_never_use_of_the_standard_library_is_not_imported_either(tmp_path: Path) -> None:
+    lines = "import sys; from drawings import cli; cli.main(sys.argv[1:]); print(*sys.modules)"
+    command = [sys.executable, "-c", lines, "draw", SHAPER, "-o", str(tmp_path)]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False, timeout=60)
+    modules = set(done.stdout.splitlines()[-1].split())
+    assert not modules & {"urllib.request", "http.client", "ssl", "socket", "difflib", "secrets", "importlib.metadata"}
+    assert not modules & {"numpy.random", "numpy.ma", "svgwrite.data.svgparser"}
+
+
 @pytest.mark.parametrize("arguments", [["--help"], ["draw", "--help"]], ids=" ".join)
 def test_help_needs_no_library(arguments: list[str]) -> None:
     lines = "import sys; from drawings import cli\ntry: cli.main(sys.argv[1:])\nfinally: print(*sys.modules)"
@@ -85,13 +142,13 @@ def test_help_needs_no_library(arguments: list[str]) -> None:
     assert done.returncode == 0, done.stderr
     modules = {name.partition(".")[0] for name in done.stdout.splitlines()[-1].split()}
     assert "drawings" in modules
-    assert not modules & {"numpy", "pydantic", "pydantic_core", "svgwrite", "tomllib", *HEAVY}
+    assert not modules & {"numpy", "svgwrite", "tomllib", *HEAVY}
 
 
 def test_drawing_needs_one_pen_and_no_other_library(tmp_path: Path) -> None:
     modules, made = watched("draw", SHAPER, "-o", tmp_path)
     assert made >= {"positions", "velocities", "accelerations"}
-    assert {"numpy", "pydantic", "svgwrite"} <= modules
+    assert {"numpy", "svgwrite"} <= modules
     assert not modules & set(HEAVY)
 
 
@@ -102,4 +159,4 @@ def test_measuring_a_sheet_needs_no_mechanism(tmp_path: Path) -> None:
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False, timeout=60)
     assert done.returncode == 0, done.stderr
     modules = set(done.stdout.splitlines()[-1].split())
-    assert not modules & {"numpy", "pydantic", "svgwrite", "plans", *HEAVY}
+    assert not modules & {"numpy", "svgwrite", "plans", *HEAVY}

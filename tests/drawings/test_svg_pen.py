@@ -8,6 +8,7 @@ import os
 import re
 import subprocess
 import sys
+from itertools import pairwise
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -17,6 +18,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from drawings import strokes
+from drawings.alphabet import FLATNESS
+from drawings.lettering import lettered, outline, width
+from drawings.limits import DECIMALS
+from drawings.pathdata import numbers
 from drawings.pens import svg as pen
 from drawings.seal import sealed
 from drawings.strokes import (
@@ -140,16 +145,128 @@ def test_an_arc_may_pass_zero() -> None:
 def test_levels_are_moved_by_dy_and_returned() -> None:
     [text] = drawn(Text(0j, "a^n_{BA}x", size=10))
     assert text.text == "a"
-    assert [(span.text, span.get("font-size")) for span in text] == [("n", "7"), ("BA", "7"), ("x", None)]
+    assert text.get("font-size") == "14"  # so that its capitals are 10 mm high
+    assert [(span.text, span.get("font-size")) for span in text] == [("n", "9.8"), ("BA", "9.8"), ("x", None)]
     assert sum(float(span.get("dy", "0")) for span in text) == 0
     assert float(text[0].get("dy", "0")) < 0 < float(text[1].get("dy", "0"))
     assert text.get("aria-label") == text.get("data-text") == "anBAx"
     assert b"baseline-shift" not in pen.svg(leaf(Text(0j, "v_B")))
 
 
+@pytest.mark.parametrize("content", ["План скоростей", "a^n_{BA}", "ω₂ = 3,5 с⁻¹"])
+def test_text_is_as_long_as_our_own_letters_would_be(content: str) -> None:
+    letters = Text(0j, content, 5.0, slanted=True)
+    [text] = drawn(letters)
+    assert float(text.get("textLength", "nan")) == pytest.approx(width(letters) + 1, abs=0.005)  # a gap of 2d
+    assert float(text.get("x", "nan")) == -0.5  # half of it before the first letter
+    assert (text.get("lengthAdjust"), text.get("font-style")) == ("spacingAndGlyphs", "italic")
+    [empty] = drawn(Text(0j, ""))
+    assert "textLength" not in empty.attrib
+
+
 def test_lettering_turns_counter_clockwise() -> None:
     [text] = drawn(Text(10 + 20j, "x", rotation=30))
-    assert text.get("transform") == "rotate(-30 10 277)"
+    # The text begins half a gap, 0.35 mm, before its place, along its line of writing.
+    x, y = 10 - 0.35 * math.cos(math.pi / 6), 277 + 0.35 * math.sin(math.pi / 6)
+    assert text.get("transform") == f"rotate(-30 {x:.4f} {y:.3f})"
+
+
+def written(*texts: Text) -> list[ElementTree.Element]:
+    root = ElementTree.fromstring(pen.svg(lettered(leaf(*texts))))
+    figure = root.find(f"{NS}g")
+    assert figure is not None
+    return list(figure)
+
+
+def followed(path: str) -> list[complex]:
+    """Points along a path of M, m, l, c and z, densely on its curves; paper coordinates."""
+    points: list[complex] = []
+    here = start = 0j
+    for command, text in re.findall("([Mmlcz])([^Mmlcz]*)", path):
+        values = numbers(text)
+        steps = list(map(complex, values[::2], values[1::2]))
+        if command == "z":
+            here = start
+        elif command == "c":
+            for k in range(0, len(steps), 3):
+                a, b, c = (here + step for step in steps[k : k + 3])
+                shares = [j / 32 for j in range(1, 33)]
+                points += [
+                    (1 - s) ** 3 * here + 3 * (1 - s) ** 2 * s * a + 3 * (1 - s) * s * s * b + s**3 * c for s in shares
+                ]
+                here = c
+        else:
+            for number, step in enumerate(steps):
+                here = here + step if command != "M" or number else step
+                start = here if command in "Mm" and not number else start
+                points.append(here)
+    return [complex(point.real, 297 - point.imag) for point in points]
+
+
+def off(point: complex, line: Polyline) -> float:
+    """How far a point is from a chain of lines."""
+    closed = (*line.points, line.points[0]) if line.closed else line.points
+    best = math.inf
+    for a, b in pairwise(closed):
+        along = (point - a) / (b - a) if b != a else 0j
+        best = min(best, abs(along - min(max(along.real, 0), 1)) * abs(b - a))
+    return best
+
+
+@pytest.mark.parametrize("content", ["Щука, 10·φ", "a^n_{BA}", "i, j: й ẍ", "oО8@&"])
+@pytest.mark.parametrize(
+    ("anchor", "slanted", "rotation"), [("start", False, 0.0), ("middle", True, 0.0), ("end", True, 90)]
+)
+def test_letters_stand_where_the_alphabet_has_them(content: str, anchor: str, slanted: bool, rotation: float) -> None:
+    """To a hundredth of a millimetre, wherever in a letter and however far along the text: nothing adds up."""
+    text = Text(123.4567 + 98.7654j, 5 * content, 5.0, anchor, slanted, rotation)  # type: ignore[arg-type]
+    [element] = written(text)
+    paths = [element] if element.tag == f"{NS}path" else list(element)
+    drawn_points = [point for path in paths for point in followed(path.get("d", ""))]
+    lines = outline(text)
+    chord = FLATNESS * 0.5 * 1.3  # by so much a chord may miss its curve in letters of 5 mm, and more where they lean
+    for point in drawn_points:
+        assert min(off(point, line) for line in lines) <= chord + 0.0056 * math.sqrt(2)
+    for true in (point for line in lines for point in line.points):
+        assert min(abs(point - true) for point in drawn_points) <= 0.15  # the curves' own points are 0.2 mm apart
+
+
+def test_a_text_is_one_path_or_one_for_each_pen() -> None:
+    plain, levelled = written(Text(10 + 10j, "План", 5.0), Text(10 + 10j, "v_{BA}", 5.0))
+    assert (plain.tag, plain.get("data-text"), plain.get("stroke-width")) == (f"{NS}path", "План", "0.5")
+    assert (levelled.tag, levelled.get("data-text")) == (f"{NS}g", "vBA")
+    assert [path.get("stroke-width") for path in levelled] == ["0.5", "0.35"]
+
+
+def test_a_letter_off_the_paper_or_missing_is_refused() -> None:
+    with pytest.raises(SheetError):
+        written(Text(complex(math.nan, 0), "x"))
+    for lettering in ("strokes", "text"):
+        with pytest.raises(SheetError, match=r"lacks '雪' \(U\+96EA\)"):
+            lettered(leaf(Group((Text(0j, "x雪"),))), lettering)
+
+
+LATE = """
+import sys
+from drawings.pens import svg
+assert not {"urllib.request", "svgwrite.data.svgparser"} & set(sys.modules)
+import svgwrite
+drawing = svgwrite.Drawing(debug=True)
+drawing.add(drawing.path(d="M0 0L1 1", transform="rotate(30)"))
+try:
+    drawing.path(d="M0 0L1 1", transform="nonsense")
+except (TypeError, ValueError):
+    assert "svgwrite.data.svgparser" in sys.modules
+    import urllib.request
+    assert urllib.request.urlopen.__module__ == "urllib.request"
+else:
+    raise AssertionError("nonsense is taken for a transform")
+"""
+
+
+def test_what_svgwrite_imports_late_is_there_when_it_is_called() -> None:
+    root = Path(pen.__file__).parents[2]
+    subprocess.run([sys.executable, "-c", LATE], cwd=root, check=True)
 
 
 def test_runs_are_taken_as_they_are() -> None:
@@ -169,7 +286,7 @@ def test_numbers_read_back_within_half_a_digit(values: list[float]) -> None:
     assert re.fullmatch(r"-?\d+(\.\d*[1-9])?( -?\d+(\.\d*[1-9])?)*", written)
     assert not re.search(r"-0(?![\d.])", written)
     for text, value in zip(written.split(), values, strict=True):
-        assert float(text) == round(value, pen.DECIMALS)
+        assert float(text) == round(value, DECIMALS)
 
 
 @given(st.floats(allow_nan=False, allow_infinity=False))

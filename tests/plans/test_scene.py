@@ -115,7 +115,7 @@ def test_the_shaper() -> None:
     assert scene.mechanism.lengths["CB"] == Decimal("0.7")
     assert scene.drive.start == "extreme"
     assert scene.drive.count == 12
-    assert scene.mechanism.slides[1].along == FrameLine(through=[0, Decimal("0.3287856445")], angle=0)
+    assert scene.mechanism.slides[1].along == FrameLine(through=(0, Decimal("0.3287856445")), angle=0)
     mechanism = mechanism_of(scene)
     assert mechanism.links[3].points == {"C": 0, "B": 0.7}
     assert mechanism.links[0].points == {"C": -0.35j, "O": 0}

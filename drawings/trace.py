@@ -1,0 +1,89 @@
+"""The trace of a run: what it made, imported and left out, and how long each stage took. Times never enter a file."""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from importlib.machinery import ModuleSpec, PathFinder
+from typing import Any
+
+PLANS = ("extremes", "positions", "velocities", "accelerations")
+# Libraries that cost a tenth of a run or more, or whose need a scene decides.
+LIBRARIES = ("numpy", "svgwrite", "mpmath", "scipy", "shapely", "matplotlib")
+
+
+class Trace:
+    """The stages of a run in their order, with what each took together; told only where it is asked for."""
+
+    def __init__(self) -> None:
+        self.before = time.process_time()
+        self.begun = time.perf_counter()
+        self.stages: dict[str, float] = {}
+        self.imports: dict[str, float] = {}
+
+    @contextmanager
+    def stage(self, name: str) -> Iterator[None]:
+        """Time a stage; what passed before the first one was spent on imports."""
+        began = time.perf_counter()
+        self.stages.setdefault("imports", began - self.begun)
+        try:
+            yield
+        finally:
+            self.stages[name] = self.stages.get(name, 0.0) + time.perf_counter() - began
+
+    def told(self, made: Mapping[str, Any]) -> str:
+        """Tell the stages, the plans made and not made, the libraries imported and left out."""
+        total = time.perf_counter() - self.begun
+        rows = {**self.stages, "the rest": total - sum(self.stages.values()), "together": total}
+        imported = [f"{name} ({self._cost(name)})" for name in LIBRARIES if name in sys.modules]
+        return "\n".join(
+            (
+                f"{'stage':<20} {'ms':>8} {'share':>7}",
+                *(f"{name:<20} {1000 * took:>8.1f} {took / total:>7.1%}" for name, took in rows.items()),
+                f"before: the interpreter and the command line, {1000 * self.before:.0f} ms of the processor",
+                f"made: {_listed(plan for plan in PLANS if plan in made)}",
+                f"not made: {_listed(plan for plan in PLANS if plan not in made)}",
+                f"imported: {_listed(imported)}",
+                f"left out: {_listed(name for name in LIBRARIES if name not in sys.modules)}",
+            )
+        )
+
+    def _cost(self, name: str) -> str:
+        return f"{1000 * self.imports[name]:.1f} ms" if name in self.imports else "before the trace began"
+
+
+def begin() -> Trace:
+    """Begin a trace that times the imports of the libraries too."""
+    trace = Trace()
+    sys.meta_path.insert(0, _Watch(trace.imports))
+    return trace
+
+
+class _Watch:
+    """Finds the libraries as they are always found, and times their imports, with all that they import themselves."""
+
+    def __init__(self, times: dict[str, float]) -> None:
+        self.times = times
+
+    def find_spec(self, name: str, path: Any, target: Any = None) -> ModuleSpec | None:
+        """Find a library; leave all else to those who find it always."""
+        spec = PathFinder.find_spec(name, path, target) if name in LIBRARIES else None
+        if spec is None or spec.loader is None:
+            return None
+        executed = spec.loader.exec_module
+
+        def timed(module: Any) -> None:
+            began = time.perf_counter()
+            try:
+                executed(module)
+            finally:
+                self.times[name] = time.perf_counter() - began
+
+        spec.loader.exec_module = timed  # type: ignore[method-assign]
+        return spec
+
+
+def _listed(names: Any) -> str:
+    return ", ".join(names) or "nothing"
