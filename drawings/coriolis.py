@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Iterator
 from typing import NamedTuple
 
 from drawings.hand import Hand
@@ -73,16 +74,23 @@ def _letters(shown: Turned, corner: complex, arm: float, hand: Hand) -> list[Str
     return drawn
 
 
+def _outward(rings: int) -> Iterator[complex]:
+    """Give the places of a square grid ring by ring, each ring from the middles of its sides to its corners."""
+    yield 0j
+    for ring in range(1, rings + 1):
+        for along in range(2 * ring):
+            off = (along + 1) // 2 * (1 if along % 2 else -1)
+            for turn in (1, 1j, -1, -1j):
+                yield complex(ring, off) * turn
+
+
 def placed(shown: Turned, box: Field, ink: Ink, hand: Hand) -> Group | None:
     """Draw the figure in the free place nearest to its plan; nothing where there is none."""
     left, bottom, right, top = bounds(rule(shown, 0j, hand))
     middle = complex(left + right, bottom + top) / 2
     half = complex(right - left, top - bottom) / 2 + APART * (1 + 1j)
-    steps = range(-math.ceil((box.width / 2 + AROUND) / STEP), math.ceil((box.width / 2 + AROUND) / STEP) + 1)
-    rises = range(-math.ceil((box.height / 2 + AROUND) / STEP), math.ceil((box.height / 2 + AROUND) / STEP) + 1)
-    places = sorted((complex(x, y) * STEP for x in steps for y in rises), key=lambda p: (abs(p), p.real, p.imag))
-    for off in places:
-        spot = box.centre + off
+    for off in _outward(math.ceil((max(box.width, box.height) / 2 + AROUND) / STEP)):
+        spot = box.centre + off * STEP
         if spot.real < abs(half.real) or spot.imag < abs(half.imag):
             continue
         low, high = spot - half, spot + half

@@ -34,10 +34,9 @@ HATCH, SLANT = 2.5, 0.02  # mm of hatching on the barred part of the crank circl
 SHARE = 0.3  # what a line of another position counts where a dimension looks for a clear place
 
 
-def figure(bones: Skeletons, place: Place, hand: Hand, language: str) -> list[Group]:
+def figure(pairs: Pairs, language: str) -> list[Group]:
     """Draw the plan of positions at its place, from the thinnest lines to the pairs; its letters come last of all."""
-    pairs = Pairs(bones, place, hand)
-    hand = pairs.hand
+    bones, place, hand = pairs.bones, pairs.place, pairs.hand
     body, stands = list(pairs.bars()), list(pairs.stands())
     blocks = [block for _, block in pairs.blocks]
     paths, positions = trajectories(bones, place, hand), [*_circle(bones, place, hand), *_positions(pairs)]
@@ -134,9 +133,9 @@ def _notch(centre: complex, radius: float, angle: float, hand: Hand) -> Arc:
     return Arc(centre, radius, angle - half, angle + half, hand.drafted)
 
 
-def letters(bones: Skeletons, place: Place, labels: Labels, hand: Hand) -> Group:
+def letters(pairs: Pairs, labels: Labels) -> Group:
     """Letter the points and number the positions, where the lines of all figures leave room."""
-    pairs = Pairs(bones, place, hand)
+    bones, place, hand = pairs.bones, pairs.place, pairs.sheet
     drawn: list[Stroke] = []
     for name in sorted(bones.numbered.points):
         value = bones.spot(name, bones.shown)

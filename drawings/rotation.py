@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator
+from functools import lru_cache
 from typing import NamedTuple
 
 from drawings.clearance import Drawn
@@ -57,7 +58,8 @@ class Turning(NamedTuple):
         return turning_arrow(self.centre, self.radius, self.start, self.sweep, pairs.hand)
 
 
-def turnings(pairs: Pairs) -> list[Turning]:
+@lru_cache(maxsize=1)  # the figure draws the arrows, and later its letters stand beside them
+def turnings(pairs: Pairs) -> tuple[Turning, ...]:
     """Place the arrow of ω where it crosses the fewest lines, and beside it that of ε where the crank has one."""
     bones, drive = pairs.bones, pairs.bones.mechanism.drive
     drawn = Drawn()
@@ -67,7 +69,7 @@ def turnings(pairs: Pairs) -> list[Turning]:
     if drive.epsilon:
         drawn.draw(found[0].field, THICK)
         found.append(_placed(f"ε_{drive.link}", int(math.copysign(1, drive.epsilon)), pairs, drawn))
-    return found
+    return tuple(found)
 
 
 def _placed(letter: str, sense: int, pairs: Pairs, drawn: Drawn) -> Turning:

@@ -13,6 +13,7 @@ from drawings.composition import Composed, compose
 from drawings.hand import Hand
 from drawings.layout import Ink, Labels
 from drawings.page import Field, Page, page_of
+from drawings.pairs import Pairs
 from drawings.picture import Margins, Picture, Spot, picture
 from drawings.sheets.choice import plans, position
 from drawings.sheets.notes import measured, notes, written
@@ -129,13 +130,13 @@ class _Draft:
         ink = Ink(*page.size)
         ink.bar(page.field.inset(KEPT))
         groups = self._still(composed, number, count)
-        main = self._positions(composed.main) if composed.main is not None else []
+        pairs = self._pairs(composed.main) if composed.main is not None else None
+        main = self._positions(pairs, composed.main.box) if pairs is not None and composed.main is not None else []
         figures, missing = self._plans(composed)
         ink.draw([*groups, *main, *missing, *(stroke for one in figures for stroke in one.lines)])
         labels = Labels(ink, page.hand.drafted)
-        if composed.main is not None:
-            place = self.content.main.placed(*composed.main)  # type: ignore[union-attr]
-            main.append(position_plan.letters(self.bones, place, labels, page.hand))
+        if pairs is not None:
+            main.append(position_plan.letters(pairs, labels))
         return Leaf(
             *page.size,
             (page.frame(), page.corners(), *groups, *main, *(one.lettered(labels) for one in figures), *missing),
@@ -158,11 +159,15 @@ class _Draft:
     def _scale(self, spot: Spot) -> str:
         return spot.scale.written(self.language, self.study.scene.sheet.notation)
 
-    def _positions(self, spot: Spot) -> list[Group]:
-        main, hand = self.content.main, self.page.hand
+    def _pairs(self, spot: Spot) -> Pairs:
+        main = self.content.main
         assert main is not None  # a set of sheets has one plan of positions
-        lines = position_plan.figure(self.bones, main.placed(*spot), hand, self.language)
-        title = _heading(spot.box, word(self.language, ORDERS[0]), self._scale(spot), hand)
+        return Pairs(self.bones, main.placed(*spot), self.page.hand)
+
+    def _positions(self, pairs: Pairs, box: Field) -> list[Group]:
+        lines = position_plan.figure(pairs, self.language)
+        scale = pairs.place.scale.written(self.language, self.study.scene.sheet.notation)
+        title = _heading(box, word(self.language, ORDERS[0]), scale, self.page.hand)
         return [title, Group(tuple(lines), ORDERS[0])]
 
     def _plans(self, composed: Composed) -> tuple[list[Figure], list[Group]]:

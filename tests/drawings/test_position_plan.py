@@ -18,6 +18,7 @@ from drawings.figure import Place, centred, extent
 from drawings.hand import Hand
 from drawings.layout import Ink, Labels
 from drawings.page import Field
+from drawings.pairs import Pairs
 from drawings.position_plan import figure, letters
 from drawings.scale import fitting
 from drawings.sheets.kinematics import position
@@ -67,7 +68,8 @@ def drawn(name: str, hand: Hand = A1) -> Figure:
     comparison = compare(study)
     bones = skeletons(study, comparison.construction, position(study, comparison))
     place = centred(bones.points, ROOM, fitting(*extent(bones.points, ROOM), "l", "m"))
-    groups = figure(bones, place, hand, "en")
+    pairs = Pairs(bones, place, hand)
+    groups = figure(pairs, "en")
     ink = Ink(440, 440)
     ink.draw(groups)
     return Figure(
@@ -75,7 +77,7 @@ def drawn(name: str, hand: Hand = A1) -> Figure:
         place,
         hand,
         {group.name: group for group in groups},
-        letters(bones, place, Labels(ink, hand.drafted), hand),
+        letters(pairs, Labels(ink, hand.drafted)),
     )
 
 
