@@ -10,28 +10,29 @@ from typing import Any
 
 import svgwrite
 
+from drawings.lettering import outline
 from drawings.strokes import Arc, Circle, Fill, Group, Leaf, Line, LineStyle, Polyline, Stroke, Text
 
 
 def svg(leaf: Leaf) -> bytes:
-    """Draw a lettered sheet."""
+    """Draw a sheet, its lettering as strokes of our alphabet."""
     size = (f"{leaf.width}mm", f"{leaf.height}mm")
     drawing = svgwrite.Drawing(size=size, viewBox=f"0 0 {leaf.width} {leaf.height}")
     for group in leaf.groups:
-        drawing.add(_group(drawing, group, leaf.height))
+        drawing.add(_group(drawing, group, leaf))
     return bytes(drawing.tostring(), "utf-8")
 
 
-def _group(drawing: Any, group: Group, height: float) -> Any:
+def _group(drawing: Any, group: Group, leaf: Leaf) -> Any:
     found = drawing.g(id=group.name) if group.name else drawing.g()
     for stroke in group.strokes:
-        found.add(_element(drawing, stroke, height))
+        found.add(_element(drawing, stroke, leaf))
     return found
 
 
-def _element(drawing: Any, stroke: Stroke, height: float) -> Any:
+def _element(drawing: Any, stroke: Stroke, leaf: Leaf) -> Any:
     def at(point: complex) -> tuple[float, float]:
-        return point.real, height - point.imag
+        return point.real, leaf.height - point.imag
 
     match stroke:
         case Line(start, end, style):
@@ -48,9 +49,9 @@ def _element(drawing: Any, stroke: Stroke, height: float) -> Any:
                 _arc(stroke, at(stroke.at(0)), at(stroke.at(0.5)), at(stroke.at(1))), **_style(stroke.style)
             )
         case Text():
-            raise ValueError(f"{stroke.plain!r} has not been lettered")
+            return _group(drawing, Group(outline(stroke)), leaf)
         case Group():
-            return _group(drawing, stroke, height)
+            return _group(drawing, stroke, leaf)
 
 
 def _arc(arc: Arc, *ends: tuple[float, float]) -> list[Any]:

@@ -80,3 +80,9 @@ def _thousandths(place: float) -> str:
     if not abs(place) <= REACH:
         raise SheetError(f"no place on paper: {place} mm")
     return str(round(1000 * place) / 1000).removesuffix(".0")
+
+
+def forget() -> None:
+    """Forget the letters that were traced, so that the first sheet of a process can be timed again."""
+    _traced.cache_clear()
+    _hundredths.cache_clear()

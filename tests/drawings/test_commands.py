@@ -271,7 +271,7 @@ def mislead(monkeypatch: pytest.MonkeyPatch) -> None:
         motion = solve(*arguments)
         velocity = motion.points["D"].v
         assert velocity is not None
-        return replace(motion, points={**motion.points, "D": replace(motion.points["D"], v=velocity * (1 + 1e-6))})
+        return replace(motion, points={**motion.points, "D": motion.points["D"]._replace(v=velocity * (1 + 1e-6))})
 
     monkeypatch.setattr(comparing.Analysis, "motion", wrong)
 
@@ -524,8 +524,8 @@ def test_a_letter_that_cannot_be_drawn_ends_with_3_before_anything_is_made(
     run: Run, tmp_path: Path, lettering: str
 ) -> None:
     scene = tmp_path / "snow.toml"
-    words = f'[sheet]\nlettering = "{lettering}"\ndrawn = "雪 Ivanov"\n'
-    scene.write_text(SHAPER.read_text("utf-8") + words, "utf-8")
+    words = f'[sheet]\nlettering = "{lettering}"\napproved = "雪 Ivanov"\n'
+    scene.write_text(SHAPER.read_text("utf-8").replace("[sheet]\n", words), "utf-8")
     code, out, err = run("draw", scene, "-o", tmp_path / "out")
     assert (code, out) == (3, "")
     assert err == "lettering '雪 Ivanov': the alphabet lacks '雪' (U+96EA); write it in other letters\n"
@@ -534,7 +534,7 @@ def test_a_letter_that_cannot_be_drawn_ends_with_3_before_anything_is_made(
 
 def test_texts_are_left_to_the_viewer_where_the_scene_says_so(run: Run, tmp_path: Path) -> None:
     scene = tmp_path / "shaper.toml"
-    scene.write_text(SHAPER.read_text("utf-8") + '[sheet]\nlettering = "text"\n', "utf-8")
+    scene.write_text(SHAPER.read_text("utf-8").replace("[sheet]\n", '[sheet]\nlettering = "text"\n'), "utf-8")
     assert run("draw", scene, "-o", tmp_path)[0] == 0
     sheet = (tmp_path / "shaper-kinematics.svg").read_text("utf-8")
     assert ">Plan of positions</text>" in sheet
