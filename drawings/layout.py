@@ -133,8 +133,11 @@ class Labels:
             if cheapest <= 0.8 * reach:
                 break  # no place further off can be better
             for off, angle in _fan(prefer, DIRECTIONS):
+                least = TURNED * off + 0.8 * reach
+                if cheapest <= least:
+                    break
                 corner = _touching(point, box, gap + reach, angle)
-                cost = self.ink.under(_padded(box, corner)) + TURNED * off + 0.8 * reach
+                cost = self.ink.under(_padded(box, corner)) + least
                 if cost < cheapest:
                     best, cheapest = corner, cost
         return best
@@ -146,6 +149,8 @@ class Labels:
             if cheapest <= reach:
                 break
             for off, angle in _fan(prefer, LEAD_DIRECTIONS):
+                if cheapest <= reach + 3 * TURNED * off:
+                    break
                 corner = _touching(point, box, reach, angle)
                 if self.ink.under(_padded(box, corner)):
                     continue

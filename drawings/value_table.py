@@ -103,10 +103,13 @@ class Table(NamedTuple):
         return setting.parts * width + (setting.parts - 1) * APART, bands * rows * self.row + (bands - 1) * APART
 
     def settings(self) -> list[Setting]:
-        """List the ways to set the table: in one band or more, its rows in one part or more side by side."""
+        """List the ways to set the table, in bands or in parts side by side, that no other beats both ways."""
         count = len(self.positions)
         across = sorted({math.ceil(count / bands) for bands in range(1, count + 1)}, reverse=True)
-        return [Setting(wide, parts) for parts in range(1, MOST_PARTS + 1) for wide in across]
+        ways = [Setting(wide, parts) for parts in range(1, MOST_PARTS + 1) for wide in across]
+        sizes = [self.size(way) for way in ways]
+        larger = [any(w <= wide and h <= high and (w, h) != (wide, high) for w, h in sizes) for wide, high in sizes]
+        return [way for way, worse in zip(ways, larger, strict=True) if not worse]
 
     def drawn(self, corner: complex, setting: Setting, hand: Hand, language: str) -> list[Group]:
         """Draw the table from its upper left corner, each band and part a group that says its positions."""
