@@ -107,20 +107,21 @@ def _table(table: Group, comparison: Comparison, positions: tuple[int, ...]) -> 
                 finding, j = begins, 0
                 continue
             if finding is not None and j < 3 * len(positions):
-                true = finding.analysis[positions[j // 3]]
-                if j % 3 < 2 and not _reads(text.plain, abs(true) if isinstance(true, complex) else float(true)):
+                true, slack = finding.analysis[positions[j // 3]], float(finding.allowed[positions[j // 3]])
+                if j % 3 < 2 and not _reads(text.plain, abs(true) if isinstance(true, complex) else float(true), slack):
                     yield f"{text.plain} for {finding.name} of position {positions[j // 3]} in the table"
                 j += 1
 
 
-def _reads(text: str, true: float) -> bool:
+def _reads(text: str, true: float, slack: float) -> bool:
+    """Tell whether a cell is a value to the half of its last digit, beside what the two roads may differ by."""
     if text == "—":
         return math.isnan(true)
     if not _NUMBER.fullmatch(text):
         return False
     plain = text.replace("−", "-").replace(",", ".")
     places = len(plain.partition(".")[2])
-    return abs(float(plain) - true) <= 0.5000001 * 10.0**-places + 1e-9 * abs(true)
+    return abs(float(plain) - true) <= 0.5000001 * 10.0**-places + 1e-9 * abs(true) + slack
 
 
 def _scales(leaf: Leaf) -> Iterator[str]:

@@ -15,6 +15,7 @@ from plans.compare import Comparison
 from plans.pressure import interval
 from plans.structure import formula, mechanism_class
 from plans.study import Study
+from plans.wording import said as worded
 
 TOGETHER = re.compile(r" (=|…|−|[+]) ")
 STEP = 1.8  # sizes of the letters from line to line: GOST 2.304-81 asks for 1.7 at least
@@ -56,7 +57,7 @@ def _gaps(comparison: Comparison, language: str) -> list[str]:
 
 def _why(study: Study, comparison: Comparison) -> list[str]:
     """Say on a sheet without any position what would mend the mechanism."""
-    return [comparison.construction.gaps[0].advice] if study.lost.all() else []
+    return [worded(comparison.construction.gaps[0].advice, study.scene.sheet.language)] if study.lost.all() else []
 
 
 def _travel(study: Study, language: str) -> str:
