@@ -115,7 +115,7 @@ def two_arcs(base: Vectors, arcs: Radii, side: Sizes) -> Meeting:
     outer, inner = (total - distance) + arcs.more, (distance - spare) - arcs.less  # >= 0 where the three sides close
     closing, square = outer * inner, distance * distance
     miss: Sizes = 0.0
-    clear = bool(np.minimum.reduce(closing, None) > arcs.limit)
+    clear = bool(np.minimum.reduce(closing, None, initial=np.inf) > arcs.limit)
     if not clear:
         closing, miss = _settled(np.minimum(outer, inner), total + distance, closing)
         square = np.where(distance > 0, square, np.nan)
@@ -167,7 +167,9 @@ def crossing(first: Vectors, second: Vectors) -> Crossing:
     turned = seen_from(first, second)
     across = turn = turned.imag
     off, along = np.abs(turn), np.abs(turned.real)
-    clear = bool(np.minimum.reduce(off, None) > TANGENCY * EPS * np.maximum.reduce(along, None))
+    clear = bool(
+        np.minimum.reduce(off, None, initial=np.inf) > TANGENCY * EPS * np.maximum.reduce(along, None, initial=0.0)
+    )
     if not clear:
         parallel = off <= TANGENCY * EPS * along
         across, turn = np.where(parallel, 0.0, turn), np.where(parallel, np.nan, turn)

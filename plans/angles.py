@@ -23,7 +23,11 @@ def heading(vector: Vectors, span: complex = 1 + 0j) -> Floats:
 
 def _turned(own: Complexes) -> Floats:
     turned = np.arctan2(own.imag, own.real)
-    return turned if np.minimum.reduce(turned, None) > -np.pi else np.where(turned <= -np.pi, np.pi, turned)
+    return (
+        turned
+        if np.minimum.reduce(turned, None, initial=np.inf) > -np.pi
+        else np.where(turned <= -np.pi, np.pi, turned)
+    )
 
 
 def _close(runs: Complexes) -> Floats | None:

@@ -155,7 +155,7 @@ class Study:
     @cached_property
     def barriers(self) -> tuple[Barrier, ...]:
         """What bars a full turn of the crank."""
-        return self.sweep.barriers()
+        return self.sweep.barriers
 
     @cached_property
     def output(self) -> Output:
