@@ -43,8 +43,8 @@ def test_what_does_not_hang_on_the_free_mark_is_worked_out_once() -> None:
     b = board.meet("B", board.arc("AB", a, 3.0), board.arc("CB", c, 4.0), side=+1)
     end = board.lay_off("D", b, phi)
     tracing = Tracing(board, phi)
-    assert tracing.fixed(tracing.place(b)) == pytest.approx(1.8 + 2.4j)
-    assert tracing.fixed(tracing.place(end)) is None
+    assert tracing.acts.fixed(tracing.place(b)) == pytest.approx(1.8 + 2.4j)
+    assert tracing.acts.fixed(tracing.place(end)) is None
     numbers = tracing.follow(np.array([0j, 1 + 1j]))
     assert list(numbers[tracing.place(end)]) == pytest.approx([1.8 + 2.4j, 2.8 + 3.4j])
 
@@ -70,9 +70,9 @@ def test_a_known_ratio_is_not_divided_out_again() -> None:
     arm = board.given("AB", 3 + 4j)
     velocity = board.turn("v", board.turn("⊥", arm, 1j), 2.0)
     tracing = Tracing(board, arm)
-    ratio, rate = (tell(*map(tracing.place, (velocity, arm))) for tell in (tracing.ratio, tracing.rate))
-    assert tracing.fixed(ratio) == 2j
-    assert tracing.fixed(rate) == 2.0
+    ratio, rate = (tell(*map(tracing.place, (velocity, arm))) for tell in (tracing.acts.ratio, tracing.acts.rate))
+    assert tracing.acts.fixed(ratio) == 2j
+    assert tracing.acts.fixed(rate) == 2.0
 
 
 def test_a_gap_leaves_a_record_in_doubt() -> None:
