@@ -273,7 +273,8 @@ class Study:
         if clear and not lost.any():
             return drawn
         drawn = drawn.own()
-        named = [self._gap(int(k)) for k in np.flatnonzero(lost)]
+        gone = np.flatnonzero(lost).tolist()
+        named = gaps.of_positions(self.sweep, self.turn.part(gone), gone, self.assembly.phi, self.barriers)
         for points in drawn.points.values():
             points.r[lost] = np.nan
         for links in drawn.links.values():
@@ -281,10 +282,6 @@ class Study:
         gaps.forget(drawn, lost)
         named += gaps.without_velocity(drawn, lost, self.barriers)
         return replace(drawn, gaps=tuple(sorted(named, key=_number)))
-
-    def _gap(self, position: int) -> Gap:
-        turn = self.turn.part([position])
-        return gaps.of_position(self.sweep, turn, position, self.assembly.phi, self.barriers)
 
 
 def _number(gap: Gap) -> int:
