@@ -268,7 +268,7 @@ def mislead(monkeypatch: pytest.MonkeyPatch) -> None:
         motion = solve(*arguments)
         velocity = motion.points["D"].v
         assert velocity is not None
-        return replace(motion, points={**motion.points, "D": replace(motion.points["D"], v=velocity * (1 + 1e-6))})
+        return replace(motion, points={**motion.points, "D": motion.points["D"]._replace(v=velocity * (1 + 1e-6))})
 
     monkeypatch.setattr(comparing, "solve", wrong)
 
