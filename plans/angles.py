@@ -9,7 +9,7 @@ from plans.mechanism import FRAME
 from plans.motion import Complexes, Floats
 from plans.plan import Plan
 
-RUN = 20  # positions whose angles are measured from the middle one, where they are close to it
+RUN = 40  # positions whose angles are measured from the middle one, where they are close to it
 CLOSE = 1 / 64  # tangent of an angle whose series may leave out t9/9: less than a rounding
 
 
