@@ -26,8 +26,8 @@ CASES = 120
 # A thousand positions are found with c up to 1 in nearly all families; what exceeds it does so by its own last
 # rotation, three roundings, where the data themselves bring hardly more: short links 1.5, slots 2.6.
 SHORT_LINK, SLOT = 1.6, 3.0
-# Arcs that touch from inside are found with 0.64 where the difference of the radii keeps what its rounding lost, and with
-# 0.96 where it does not.
+# Arcs that touch from inside are found with 0.64 where the difference of the radii keeps what its rounding lost, and
+# with 0.96 where it does not.
 INSIDE = 0.7
 TINY, HUGE = 2.0**-30, 2.0**30  # 1e-9 and 1e+9, and exact
 MP = mpmath.mp.clone()
