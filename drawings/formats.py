@@ -43,6 +43,10 @@ class Field(NamedTuple):
         """Centre."""
         return complex(self.left + self.right, self.bottom + self.top) / 2
 
+    def holds(self, spot: complex) -> bool:
+        """Tell whether a place lies in it."""
+        return self.left <= spot.real <= self.right and self.bottom <= spot.imag <= self.top
+
     def inset(self, by: float) -> Field:
         """Give the rectangle without a border."""
         return Field(self.left + by, self.bottom + by, self.right - by, self.top - by)

@@ -53,3 +53,9 @@ class Refused(DraftError):  # noqa: N818  (the verdict's own word)
     def __init__(self, reason: str) -> None:
         super().__init__(reason)
         self.reason = reason
+
+
+class OverLimit(Refused):
+    """A sheet that exceeds one of the limits above."""
+
+    exit_code = 8

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from itertools import groupby
 
 from drawings import symbols
 from drawings.clearance import Drawn
 from drawings.dashes import fitted
 from drawings.figure import Place
+from drawings.formats import Field
 from drawings.guides import axes, grounds
 from drawings.hand import Hand
 from drawings.layout import Labels
@@ -19,7 +21,7 @@ from drawings.pairs import Pairs
 from drawings.rotation import turnings
 from drawings.skeleton import Poses, Skeletons
 from drawings.stroke_dimension import stroke
-from drawings.strokes import Arc, Circle, Group, Line, LineStyle, Stroke
+from drawings.strokes import Arc, Group, Line, LineStyle, Stroke
 from drawings.symbols import ARROW_LENGTH
 from drawings.trajectories import trajectories
 from drawings.trimming import trimmed
@@ -28,6 +30,7 @@ from geometry.board import Arc as Notch
 from geometry.board import at
 from plans.passage import CHANGE
 
+STEPS = 360  # of a circle that is cut at a figure's box
 NOTCH = 9.0  # mm of a notch arc kept on each side of its meeting
 MANY = 12  # positions; of more, only so many are drawn with all their links, and the others are ticks
 HATCH, SLANT = 2.5, 0.02  # mm of hatching on the barred part of the crank circle, and its slant, rad
@@ -114,18 +117,39 @@ def _extremes(pairs: Pairs) -> Iterable[Stroke]:
 
 
 def _notches(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
-    """Keep the notch arcs of the shown position, trimmed to their use; arcs that miss each other are drawn whole."""
+    """Keep the notch arcs of the shown position, trimmed to their use; arcs that miss are drawn through the figure."""
     plan = bones.study.drafts().positions
+    box = _around([place.on(value) for value in bones.points], NOTCH * hand.symbol)
     drawn: list[Stroke] = []
     for mark in plan.board:
         for (source, ray), locus in zip(mark.rays, mark.step.inputs, strict=False):
             if mark.step.op == "meet" and isinstance(locus.value, Notch):
                 centre, arm = place.on(at(source.point, bones.shown)), at(ray, bones.shown)
                 if math.isnan(arm.real) and not math.isnan(centre.real):
-                    drawn.append(Circle(centre, place.length(abs(at(locus.value.radius, 0))), hand.drafted))
+                    drawn += _within(
+                        Arc(centre, place.length(abs(at(locus.value.radius, 0))), 0, 2 * math.pi), box, hand
+                    )
                 elif not math.isnan(arm.real):
                     drawn.append(_notch(centre, place.length(abs(arm)), cmath.phase(arm), hand))
     return drawn
+
+
+def _within(circle: Arc, box: Field, hand: Hand) -> Iterator[Arc]:
+    """Give the parts of a circle that lie in a figure's box: an arc that is never met may be larger than the paper."""
+    step = 2 * math.pi / STEPS
+    inside = [box.holds(circle.at(k / STEPS)) for k in range(STEPS + 1)]
+    start = 0
+    for held, part in groupby(inside):
+        count = len(list(part))
+        if held and count > 1:
+            yield Arc(circle.centre, circle.radius, start * step, (start + count - 1) * step, hand.drafted)
+        start += count
+
+
+def _around(spots: list[complex], margin: float) -> Field:
+    """Give the box around some places on paper, and a margin."""
+    across, up = [spot.real for spot in spots], [spot.imag for spot in spots]
+    return Field(min(across) - margin, min(up) - margin, max(across) + margin, max(up) + margin)
 
 
 def _notch(centre: complex, radius: float, angle: float, hand: Hand) -> Arc:

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 from xml.parsers import expat
 
 from drawings import limits
-from drawings.limits import Refused
+from drawings.limits import OverLimit, Refused
 from drawings.marks import Mark, called, drawn, marked
 from drawings.pathdata import pair
 from drawings.transform import Affine, about, transform
@@ -50,7 +50,7 @@ def _unpacked(source: bytes) -> bytes:
         except zlib.error as error:
             raise Refused(f"the packed sheet is damaged: {error}") from error
     if len(source) > limits.SHEET_BYTES:
-        raise Refused(f"the sheet has over {limits.SHEET_BYTES} bytes")
+        raise OverLimit(f"the sheet has over {limits.SHEET_BYTES} bytes")
     if not source.strip():
         raise Refused("the sheet is empty")
     return source
@@ -83,7 +83,7 @@ class _Reader:
             for place in range(0, len(source), _CHUNK):
                 parser.Parse(source[place : place + _CHUNK], False)
                 if time.monotonic() > deadline:
-                    raise Refused(f"reading took over {limits.READING_SECONDS:g} s")
+                    raise OverLimit(f"reading took over {limits.READING_SECONDS:g} s")
             parser.Parse(b"", True)
         except expat.ExpatError as error:
             raise Refused(f"this is not well-formed XML: {error}") from error
@@ -115,7 +115,7 @@ class _Reader:
         if value is None or not honest or any(sign in value for sign in "&%<"):
             raise Refused(f"the entity {name[:40]!r} is not a short text")
         if self.entities > limits.ENTITIES or self.ampersands * limits.ENTITY_LENGTH > limits.SHEET_BYTES:
-            raise Refused("the sheet uses too many entities")
+            raise OverLimit("the sheet uses too many entities")
 
     def _refuse_entity(self, name: str | None, *_: object) -> int:
         raise Refused(f"the entity {(name or '')[:40]!r} is not in the file")
@@ -127,11 +127,11 @@ class _Reader:
     def _start(self, name: str, listed: list[str]) -> None:
         self.elements += 1
         if self.elements > limits.SHEET_ELEMENTS:
-            raise Refused(f"the sheet has over {limits.SHEET_ELEMENTS} elements")
+            raise OverLimit(f"the sheet has over {limits.SHEET_ELEMENTS} elements")
         if len(self.frames) >= limits.SHEET_DEPTH:
-            raise Refused(f"elements are nested over {limits.SHEET_DEPTH} deep")
+            raise OverLimit(f"elements are nested over {limits.SHEET_DEPTH} deep")
         if len(listed) > 2 * limits.ELEMENT_ATTRIBUTES:
-            raise Refused(f"an element has over {limits.ELEMENT_ATTRIBUTES} attributes")
+            raise OverLimit(f"an element has over {limits.ELEMENT_ATTRIBUTES} attributes")
         space, _, tag = name.rpartition(" ")
         attributes = dict(zip(listed[::2], listed[1::2], strict=True))
         self._name(attributes)
@@ -198,7 +198,7 @@ class _Reader:
             raise Refused(f"{who}: {frame.refusal}")
         self.path_length += len(attributes.get("d", ""))
         if self.path_length > limits.PATH_COMMANDS:
-            raise Refused("the marked paths are too long for marks")
+            raise OverLimit("the marked paths are too long for marks")
         try:
             points = tuple(frame.to_paper(place) for place in drawn(kind, frame.tag, attributes))
         except Refused as refused:
@@ -221,7 +221,7 @@ class _Reader:
         self.heard_length += len(text)
         style = self.frames[-1].tag == "style"
         if self.heard_length > (limits.TEXT_LENGTH if style else limits.METADATA_LENGTH):
-            raise Refused("the sheet's style or description is too long")
+            raise OverLimit("the sheet's style or description is too long")
         self.heard.append(text)
 
     def _end(self, _: str) -> None:

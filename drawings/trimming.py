@@ -116,7 +116,9 @@ def _arc_cuts(arc: Arc, mask: Mask) -> list[float]:
     if isinstance(mask, Circle):
         apart = abs(mask.centre - arc.centre)
         if abs(arc.radius - mask.radius) < apart < arc.radius + mask.radius:
-            half = math.acos((apart**2 + arc.radius**2 - mask.radius**2) / (2 * apart * arc.radius))
+            # Where they barely touch, rounding may lift the cosine over 1: the two meetings are one.
+            cosine = (apart**2 + arc.radius**2 - mask.radius**2) / (2 * apart * arc.radius)
+            half = math.acos(max(-1.0, min(1.0, cosine)))
             spots = [(mask.centre - arc.centre) * cmath.rect(1.0, turn) for turn in (-half, half)]
     else:
         circle = Circle(arc.centre, arc.radius)

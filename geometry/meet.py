@@ -112,14 +112,17 @@ def two_arcs(base: Vectors, arcs: Radii, side: Sizes) -> Meeting:
     lost (after W. Kahan, Miscalculating Area and Angles of a Needle-like Triangle).
     """
     distance, total, spare = np.abs(base), arcs.total, arcs.spare
-    outer, inner = (total - distance) + arcs.more, (distance - spare) - arcs.less  # >= 0 where the three sides close
+    outer, inner = total - distance, distance - spare  # >= 0 where the three sides close
+    outer += arcs.more
+    inner -= arcs.less
     closing, square = outer * inner, distance * distance
     miss: Sizes = 0.0
-    clear = bool(np.minimum.reduce(closing, None) > arcs.limit)
+    clear = bool(np.minimum.reduce(closing, None, initial=np.inf) > arcs.limit)
     if not clear:
         closing, miss = _settled(np.minimum(outer, inner), total + distance, closing)
         square = np.where(distance > 0, square, np.nan)
-    area = np.sqrt(closing * ((total + distance) * (distance + spare)))  # of the triangle, four times
+    closing *= (total + distance) * (distance + spare)
+    area = np.sqrt(closing)  # of the triangle, four times
     rise = (0.5 * side) * area
     turn = np.empty(np.shape(rise), dtype=np.complex128)
     np.divide(arcs.skew, square, out=turn.real)
@@ -167,7 +170,9 @@ def crossing(first: Vectors, second: Vectors) -> Crossing:
     turned = seen_from(first, second)
     across = turn = turned.imag
     off, along = np.abs(turn), np.abs(turned.real)
-    clear = bool(np.minimum.reduce(off, None) > TANGENCY * EPS * np.maximum.reduce(along, None))
+    clear = bool(
+        np.minimum.reduce(off, None, initial=np.inf) > TANGENCY * EPS * np.maximum.reduce(along, None, initial=0.0)
+    )
     if not clear:
         parallel = off <= TANGENCY * EPS * along
         across, turn = np.where(parallel, 0.0, turn), np.where(parallel, np.nan, turn)

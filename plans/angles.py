@@ -9,21 +9,26 @@ from plans.mechanism import FRAME
 from plans.motion import Complexes, Floats
 from plans.plan import Plan
 
-RUN = 32  # positions whose angles are measured from the middle one, where they are close to it
+RUN = 40  # positions whose angles are measured from the middle one, where they are close to it
 CLOSE = 1 / 64  # tangent of an angle whose series may leave out t9/9: less than a rounding
-SPARSE = int(np.pi * RUN / CLOSE)  # of fewer positions round a turn, a crank's are not close
 
 
 def heading(vector: Vectors, span: complex = 1 + 0j) -> Floats:
     """Give the direction of a link's own +x axis, rad in (-pi, pi], from one of its vectors that is `span` there."""
     own = np.asarray(vector if span.imag == 0 < span.real else vector / span)
-    close = _close(own.reshape(-1, RUN)) if own.size >= SPARSE and own.size % RUN == 0 else None
-    return _turned(own) if close is None else close
+    # The first run tells most often enough that the others are not close either.
+    close = own.size >= RUN and own.size % RUN == 0 and abs(own[RUN // 2] - own[0]) <= CLOSE * abs(own[0])
+    found = _close(own.reshape(-1, RUN)) if close else None
+    return _turned(own) if found is None else found
 
 
 def _turned(own: Complexes) -> Floats:
     turned = np.arctan2(own.imag, own.real)
-    return turned if np.minimum.reduce(turned, None) > -np.pi else np.where(turned <= -np.pi, np.pi, turned)
+    return (
+        turned
+        if np.minimum.reduce(turned, None, initial=np.inf) > -np.pi
+        else np.where(turned <= -np.pi, np.pi, turned)
+    )
 
 
 def _close(runs: Complexes) -> Floats | None:

@@ -99,7 +99,7 @@ class Comparison(NamedTuple):
 def compare(study: Study, order: int = 2) -> Comparison:
     """Compare construction and analysis over all positions of a study, up to an order of derivative."""
     drawn = study.motion(order).own()
-    road = Analysis(study.mechanism)
+    road = Analysis(study.mechanism, first=study.scene.drive.first is not None)
     solved = road.motion(study.turn.phi, order)
     _leave_out(drawn, solved)
     kappa = road.conditions(solved)

@@ -14,16 +14,14 @@ import numpy as np
 
 from geometry.board import Mark, at
 from geometry.meet import dot
-from plans.angles import angle, rate
 from plans.groups import guide, lead
 from plans.mechanism import FRAME, Mechanism, Output, Slide
 from plans.motion import Extremes, Floats
-from plans.passage import FAN, LOOKS, NODES, Sweep
+from plans.passage import FAN, LOOKS, NODES, Sweep, at_angles
 from plans.plan import Plan
 from plans.position import crank
 from plans.structure import Dyad
 from plans.turn import Turn
-from plans.velocity import velocities
 
 # A notched extreme and a velocity of zero are one position when their crank angles agree to half the digits: the
 # coordinate of an extreme is stationary, so half its digits is all that a root found by its value could tell.
@@ -145,39 +143,49 @@ class Travel:
         """Whether the output slides on the frame."""
         return self.slide is not None
 
-    def coordinate(self, plan: Plan) -> Floats:
+    def coordinate(self, turn: Turn) -> Floats:
         """Read off the plan of positions: metres along the guide from its own point, or radians."""
+        seen = self.sweep.motion(turn, 0)
         if self.slide is None:
-            return angle(plan, self.out.link)
+            return seen.links[self.out.link].angle
         way = self.slide.way(FRAME)
-        pin = plan.point(self.out.point or self.slide.point)
-        return np.asarray(dot(way.direction, pin.point - way.through))
+        return np.asarray(dot(way.direction, seen.points[self._pin(self.slide)].r - way.through))
 
-    def speed(self, plan: Plan) -> Floats:
+    def speed(self, turn: Turn) -> Floats:
         """Read off the velocity plan the output's velocity, or its omega."""
-        plan = velocities(plan, self.sweep.groups)
+        seen = self.sweep.motion(turn, 1)
         if self.slide is None:
-            return rate(plan, self.out.link)
-        pin = plan.point(self.out.point or self.slide.point)
-        return np.asarray(dot(self.slide.way(FRAME).direction, pin.point))
+            omega = seen.links[self.out.link].omega
+            assert omega is not None  # velocities were asked for
+            return omega
+        along = seen.points[self._pin(self.slide)].v
+        assert along is not None
+        return np.asarray(dot(self.slide.way(FRAME).direction, along))
 
-    def rests(self) -> list[float]:
+    def _pin(self, slide: Slide) -> str:
+        return self.out.point or slide.point
+
+    def rests(self) -> Floats:
         """Find the crank angles, rad in [0, 2 pi), in which the output stands: its velocity changes sign."""
         step = 2 * np.pi / NODES
-        nodes: Floats = step * np.arange(NODES, dtype=np.float64)
-        speeds = np.broadcast_to(self.speed(self.sweep.plan(nodes)), nodes.shape)
+        nodes = step * np.arange(NODES, dtype=np.float64)
+        speeds = self.speed(at_angles(nodes))
         if not np.abs(speeds).max() > STILL:
-            return []
+            return np.zeros(0)
         turns = np.flatnonzero((speeds >= 0) != (np.roll(speeds, -1) >= 0))  # the last node is followed by the first
-        return [self._rest(float(nodes[node]), float(nodes[node]) + step) % (2 * np.pi) for node in turns]
+        low, high = nodes[turns], nodes[turns] + step
+        for _ in range(LOOKS if turns.size else 0):
+            low, high = self._closer(low, high)
+        return np.asarray(np.mod((low + high) / 2, 2 * np.pi))
 
-    def _rest(self, low: float, high: float) -> float:
-        for _ in range(LOOKS):
-            fan = np.linspace(low, high, FAN)
-            rising = np.broadcast_to(self.speed(self.sweep.plan(fan)), fan.shape) >= 0
-            change = int(np.argmax(rising != rising[0])) if (rising != rising[0]).any() else FAN - 1
-            low, high = float(fan[change - 1]), float(fan[change])
-        return (low + high) / 2
+    def _closer(self, low: Floats, high: Floats) -> tuple[Floats, Floats]:
+        """Look closer at every change of sign between two angles, at all of them together."""
+        fan = np.linspace(low, high, FAN)
+        rising = self.speed(at_angles(fan.ravel())).reshape(fan.shape) >= 0
+        changed = rising != rising[0]
+        change = np.where(changed.any(axis=0), np.argmax(changed, axis=0), FAN - 1)
+        each = np.arange(len(low))
+        return fan[change - 1, each], fan[change, each]
 
 
 def extremes(sweep: Sweep, out: Output) -> Found | None:
@@ -185,20 +193,21 @@ def extremes(sweep: Sweep, out: Output) -> Found | None:
 
     The working stroke, to which the crank gives the larger angle, comes first (рабочий ход).
     """
-    if out.link == sweep.mechanism.drive.link or sweep.barriers():
+    if out.link == sweep.mechanism.drive.link or sweep.barriers:
         return None
     travel = Travel(_resting(sweep), out)
     rests = travel.rests()
     if len(rests) < 2:
         return None
     drawn = notches(sweep.mechanism, sweep.groups, sweep.sides)
-    directions = [_notched(drawn, rest) for rest in rests]
-    exact = Turn(np.array(rests), np.array([d for d, _ in directions]))
+    directions = [_notched(drawn, rest) for rest in rests.tolist()]
+    exact = Turn(rests, np.array([d for d, _ in directions]))
     reach = _reaches(travel, exact)
-    low, high = _farthest(rests, -reach), _farthest(rests, reach)
+    places: list[float] = rests.tolist()
+    low, high = _farthest(places, -reach), _farthest(places, reach)
     if not reach[low] < reach[high]:
         return None
-    first, second = _working(rests, low, high, sweep.mechanism.drive.omega)
+    first, second = _working(places, low, high, sweep.mechanism.drive.omega)
     phi = [float(np.angle(exact.directions[k]) % (2 * np.pi)) for k in (first, second)]
     sense = -1.0 if sweep.mechanism.drive.omega < 0 else 1.0
     work = (sense * (phi[1] - phi[0])) % (2 * np.pi)
@@ -206,12 +215,14 @@ def extremes(sweep: Sweep, out: Output) -> Found | None:
         (phi[0], phi[1]), (float(reach[first]), float(reach[second])), travel.sliding, max(work - np.pi, 0.0)
     )
     by_notch = drawn[0] if drawn and all(directions[k][1] for k in (first, second)) else None
-    return Found(found, (complex(exact.directions[first]), complex(exact.directions[second])), by_notch, tuple(rests))
+    return Found(found, (complex(exact.directions[first]), complex(exact.directions[second])), by_notch, tuple(places))
 
 
 def _resting(sweep: Sweep) -> Sweep:
-    """Give the crank a unit speed: extremes are the same at any speed, and must be found at rest too."""
+    """Give the crank a speed: extremes are the same at any speed, and must be found at rest too."""
     mechanism = sweep.mechanism
+    if abs(mechanism.drive.omega) == 1:
+        return sweep
     return Sweep(replace(mechanism, drive=replace(mechanism.drive, omega=1.0, epsilon=0.0)), sweep.groups, sweep.sides)
 
 
@@ -230,14 +241,13 @@ def _notched(drawn: tuple[Plan, list[Mark]] | None, rest: float) -> tuple[comple
 
 def _reaches(travel: Travel, turn: Turn) -> Floats:
     """Give the output's coordinate at some crank positions, angles unwrapped along the turn."""
-    sweep = travel.sweep
-    plan = sweep.drawn(turn)
+    reach = travel.coordinate(turn)
     if travel.sliding:
-        return travel.coordinate(plan)
+        return reach
     nodes = 2 * np.pi * np.arange(NODES + 1) / NODES
-    path = np.unwrap(travel.coordinate(sweep.plan(nodes)))
+    path = np.unwrap(travel.coordinate(at_angles(nodes)))
     near = np.interp(np.mod(turn.phi, 2 * np.pi), nodes, path)
-    return np.asarray(near + np.angle(np.exp(1j * (travel.coordinate(plan) - near))))
+    return np.asarray(near + np.angle(np.exp(1j * (reach - near))))
 
 
 def _working(rests: list[float], low: int, high: int, omega: float) -> tuple[int, int]:

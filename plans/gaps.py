@@ -60,20 +60,34 @@ def near_edge(phi: Floats, barriers: Sequence[Barrier]) -> npt.NDArray[np.bool_]
     return near
 
 
-def of_position(sweep: Sweep, turn: Turn, position: int, home: float | None, barriers: Sequence[Barrier]) -> Gap:
-    """Say why one position is lost, and what would mend it; `turn` holds that position alone."""
-    phi = float(turn.phi[0])
+def of_positions(
+    sweep: Sweep, turn: Turn, positions: Sequence[int], home: float | None, barriers: Sequence[Barrier]
+) -> list[Gap]:
+    """Say why some positions are lost, and what would mend them; `turn` holds those positions alone."""
+    if not positions:
+        return []
     field, marks = margins(sweep.drawn(turn), sweep.groups, sweep.sides)
-    for margin, mark in zip(field[:, 0], marks, strict=True):
-        if margin < 0 and crossing(mark) is None:
-            miss = at(mark.miss if mark.miss is not None else 0.0, 0).real
-            return Gap(position, phi, "positions", GAP, mark.name, miss, _reach(mark, miss))
-        if np.isnan(mark.point).any():
+    misses = [np.broadcast_to(0.0 if mark.miss is None else mark.miss, len(turn)) for mark in marks]
+    return [
+        _unplaced(field[:, k], marks, [float(miss[k]) for miss in misses], k, position, float(turn.phi[k]))
+        or _beyond(position, float(turn.phi[k]), None if home is None else bounding(float(turn.phi[k]), home, barriers))
+        for k, position in enumerate(positions)
+    ]
+
+
+def _unplaced(
+    margin: Floats, marks: Sequence[Mark], misses: Sequence[float], k: int, position: int, phi: float
+) -> Gap | None:
+    """Name the first meeting that fails at the k-th position drawn; None: all of them are found."""
+    for share, mark, miss in zip(margin, marks, misses, strict=True):
+        if share < 0 and crossing(mark) is None:
+            return Gap(position, phi, "positions", GAP, mark.name, miss, _reach(mark, miss, k))
+        if np.isnan(at(mark.point, k)):
             advice = (
                 f"the lines that meet in {mark.name} fall into one there, or are parallel: take a position beside it"
             )
             return Gap(position, phi, "positions", "dead centre", mark.name, 0.0, advice)
-    return _beyond(position, phi, None if home is None else bounding(phi, home, barriers))
+    return None
 
 
 def _beyond(position: int, phi: float, barrier: Barrier | None) -> Gap:
@@ -93,18 +107,18 @@ def _beyond(position: int, phi: float, barrier: Barrier | None) -> Gap:
     return Gap(position, phi, "positions", "not reachable", where, 0.0, advice)
 
 
-def _reach(mark: Mark, miss: float) -> str:
+def _reach(mark: Mark, miss: float, k: int) -> str:
     """Say how far apart two loci are, and how far they reach."""
     first, second = mark.step.inputs
     if mark.step.op == "tangent":
-        apart = abs(at(between(first, second), 0))
+        apart = abs(at(between(first, second), k))
         return (
             f"{first.name} and {second.name} are {apart:.6g} m apart, {miss:.6g} m less than the slot's offset: "
             "make the offset smaller or the fixed distance larger"
         )
     ends = tuple(locus.step.inputs[0].name for locus in (first, second))
-    radii = [at(locus.value.radius, 0).real for locus in (first, second) if isinstance(locus.value, Arc)]
-    apart = abs(at(between(first.step.inputs[0], second.step.inputs[0]), 0))
+    radii = [at(locus.value.radius, k).real for locus in (first, second) if isinstance(locus.value, Arc)]
+    apart = abs(at(between(first.step.inputs[0], second.step.inputs[0]), k))
     if len(radii) == 1:
         return (
             f"{second.name} = {radii[0]:.6g} m misses the {first.name} by {miss:.6g} m: it must be "

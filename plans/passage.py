@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 import numpy.typing as npt
@@ -16,7 +17,7 @@ from geometry.board import Line, Mark
 from geometry.meet import cross
 from plans.acceleration import accelerations
 from plans.mechanism import Mechanism
-from plans.motion import Floats
+from plans.motion import Floats, Motion
 from plans.pattern import Pattern
 from plans.plan import Plan
 from plans.position import positions
@@ -25,8 +26,8 @@ from plans.turn import Turn
 from plans.velocity import velocities
 
 NODES = 720  # crank angles of a sweep: half a degree
-FAN = 17  # angles of one closer look between two nodes
-LOOKS = 14  # 8**14 of half a degree is below the rounding of an angle
+FAN = 129  # angles of one closer look between two nodes
+LOOKS = 8  # 64**8 of half a degree is below the rounding of an angle
 # A lowest margin is looked at more closely where it may hide a touch: below the sine squared of a 6 degree notch.
 SHALLOW = 0.01
 CHANGE, GAP, PARALLEL = "change point", "out of reach", "parallel guides"
@@ -42,6 +43,11 @@ class Barrier:
     group: int
     where: str  # the mark whose loci miss or touch
     miss: float  # m, the largest miss seen
+
+
+def at_angles(phi: Floats) -> Turn:
+    """Take any crank angles, rad, for a turn."""
+    return Turn(phi, np.exp(1j * phi))
 
 
 def margins(plan: Plan, groups: Sequence[Dyad], sides: Sequence[float]) -> tuple[Floats, list[Mark]]:
@@ -114,7 +120,12 @@ class Sweep:
 
     def plan(self, phi: Floats) -> Plan:
         """Draw the plan of positions at some crank angles."""
-        return self.drawn(Turn(phi, np.exp(1j * phi)))
+        return self.drawn(at_angles(phi))
+
+    def motion(self, turn: Turn, order: int) -> Motion:
+        """Give the motion at the crank positions of a turn, reached or not, by the pattern of an order of plans."""
+        pattern = self.pattern(order)
+        return pattern.read(pattern.follow(turn), turn)
 
     def drawn(self, turn: Turn) -> Plan:
         """Draw the plan of positions at the crank positions of a turn."""
@@ -124,8 +135,9 @@ class Sweep:
         """Give every group's margin at some crank angles."""
         return margins(self.plan(phi), self.groups, self.sides)[0]
 
+    @cached_property
     def barriers(self) -> tuple[Barrier, ...]:
-        """Find all that bars a full turn of the crank."""
+        """All that bars a full turn of the crank."""
         if not self.groups:
             return ()
         nodes = 2 * np.pi * np.arange(NODES) / NODES

@@ -28,7 +28,7 @@ class Pattern:
         tracing = Tracing((mark for plan in plans for mark in plan.board), free)
         self.tracing = tracing
         arms = {link: (image.arm, image.span) for link, image in sorted(plans[0].images.items()) if image.arm}
-        self._crank = tracing.fix(None)  # the heading of a link that turns with the crank
+        self._crank = tracing.acts.fix(None)  # the heading of a link that turns with the crank
         self._points = {letter: [tracing.place(mark) for mark in marks] for letter, marks in images.items()}
         self._links = {link: [self._heading(*arm), *self._rates(link)] for link, arm in arms.items()}
         self._still = {**self._at_rest(self._points, np.complex128), **self._at_rest(self._links, np.float64)}
@@ -37,21 +37,21 @@ class Pattern:
     def _heading(self, arm: Mark, span: complex) -> int:
         """Tell where the direction of a link's own +x axis is, one vector of which is `span` there."""
         tracing = self.tracing
-        if tracing.follows(arm, self.plans[0].board["φ"], span):
+        if tracing.follows(arm, span):
             return self._crank
-        return tracing.do(heading, tracing.place(arm), tracing.fix(span))
+        return tracing.acts.do(heading, tracing.place(arm), tracing.acts.fix(span))
 
     def _rates(self, link: int) -> Iterator[int]:
         """Tell where a link's angular velocity and acceleration are."""
         for readings in (plan.readings for plan in self.plans[1:]):
             if link in readings:
-                yield self.tracing.rate(*map(self.tracing.place, (readings[link].turning, readings[link].arm)))
+                yield self.tracing.acts.rate(*map(self.tracing.place, (readings[link].turning, readings[link].arm)))
             else:
-                yield self.tracing.fix(0.0)  # it does not turn
+                yield self.tracing.acts.fix(0.0)  # it does not turn
 
     def _at_rest(self, told: Mapping[Any, list[int]], kind: type) -> dict[int, npt.NDArray[Any]]:
         """Give the values that are the same at all positions."""
-        known = {place: self.tracing.fixed(place) for places in told.values() for place in places}
+        known = {place: self.tracing.acts.fixed(place) for places in told.values() for place in places}
         return {place: np.array([value], dtype=kind) for place, value in known.items() if value is not None}
 
     @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, and is named outside

@@ -29,6 +29,10 @@ from plans.velocity import velocities
 
 BLOCK = 8000  # positions constructed together: enough to hide the calls, few enough for the processor's cache
 
+# The C library hands memory back to the system, to ask for it again at every block, until it has once seen a piece of
+# this size come and go (32 MiB is the most it heeds); nothing is ever written in it.
+np.empty(2**25 - 2**16, dtype=np.int8)
+
 
 class NoExtreme(ConstructionError):  # noqa: N818  (the exception tree's own word)
     """A start at an extreme position was asked of an output link that has none."""
@@ -155,7 +159,7 @@ class Study:
     @cached_property
     def barriers(self) -> tuple[Barrier, ...]:
         """What bars a full turn of the crank."""
-        return self.sweep.barriers()
+        return self.sweep.barriers
 
     @cached_property
     def output(self) -> Output:
@@ -258,16 +262,9 @@ class Study:
     def _unread(self, order: int) -> Motion:
         """Rule the table of a long motion; what is the same at all positions takes no room."""
         phi, one = self.turn.phi, Drafts(self, self.turn.part([0])).motion(order)
-        # One table for all: memory of this size is kept by the process, and need not be asked for again and again.
-        widths = [row.itemsize for row in one.rows() if row.flags.writeable]
-        table, taken = np.empty((sum(widths), len(phi)), dtype=np.int8), 0
 
         def room(row: npt.NDArray[Any]) -> npt.NDArray[Any]:
-            nonlocal taken
-            if not row.flags.writeable:
-                return np.broadcast_to(row[:1], phi.shape)
-            taken += row.itemsize
-            return table[taken - row.itemsize : taken].reshape(-1).view(row.dtype)
+            return np.empty(phi.shape, row.dtype) if row.flags.writeable else np.broadcast_to(row[:1], phi.shape)
 
         return one.made(phi, room)
 
@@ -276,7 +273,8 @@ class Study:
         if clear and not lost.any():
             return drawn
         drawn = drawn.own()
-        named = [self._gap(int(k)) for k in np.flatnonzero(lost)]
+        gone = np.flatnonzero(lost).tolist()
+        named = gaps.of_positions(self.sweep, self.turn.part(gone), gone, self.assembly.phi, self.barriers)
         for points in drawn.points.values():
             points.r[lost] = np.nan
         for links in drawn.links.values():
@@ -284,10 +282,6 @@ class Study:
         gaps.forget(drawn, lost)
         named += gaps.without_velocity(drawn, lost, self.barriers)
         return replace(drawn, gaps=tuple(sorted(named, key=_number)))
-
-    def _gap(self, position: int) -> Gap:
-        turn = self.turn.part([position])
-        return gaps.of_position(self.sweep, turn, position, self.assembly.phi, self.barriers)
 
 
 def _number(gap: Gap) -> int:

@@ -11,13 +11,14 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-from drawings.lettering import demand, lettered
+from drawings.lettering import UnknownLetter, demand, lettered
 from drawings.report import report, shallow, summary
-from drawings.strokes import Run, Text
+from drawings.strokes import Run, SheetError, Text
 from drawings.talk import noted, verdict
 from drawings.trace import Trace
 from geometry.errors import LimitError
 from plans.compare import Comparison, compare, compare_extremes
+from plans.motion import ORDERS
 from plans.scene import Scene, read_scene
 from plans.study import Study
 from plans.wording import said
@@ -59,7 +60,7 @@ def draw(path: Path, folder: Path, trace: Trace | None = None) -> Drawn:
     trace = trace or Trace()
     with trace.stage("reading the scene"):
         scene = noted(read_scene(path))
-        demand(Text(0j, (Run(text),)) for text in _own_words(scene))
+        _demand(scene)
     study = Study(scene)
     with trace.stage("construction"):
         _construct(study)
@@ -79,12 +80,27 @@ def _construct(study: Study) -> None:
     _ = study.found, study.drafts().accelerations  # each is made when it is asked for
 
 
-def _own_words(scene: Scene) -> Iterator[str]:
-    """Give what the scene's author wrote and the sheet shows: a letter that it cannot show is told before any work."""
+def _demand(scene: Scene) -> None:
+    """Refuse what the scene's author wrote in letters that the sheet cannot show, before any work, at its line."""
+    for path, text in _own_words(scene):
+        try:
+            demand([Text(0j, (Run(text),))])
+        except UnknownLetter as unknown:
+            line, column = scene.place(path)
+            where = f"{scene.file}:{line}:{column}: {'.'.join(map(str, path))}"
+            raise SheetError(f"{where}: {unknown}") from None
+
+
+def _own_words(scene: Scene) -> Iterator[tuple[tuple[str | int, ...], str]]:
+    """Give what the scene's author wrote and the sheet shows, with its key."""
     sheet, mechanism = scene.sheet, scene.mechanism
-    yield from (scene.title, sheet.designation, sheet.drawn, sheet.checked, sheet.approved, sheet.date)
-    yield from (sheet.group, sheet.organisation, *mechanism.frame, *mechanism.points)
-    yield from (point for letters in mechanism.links.values() for point in letters)
+    yield ("title",), scene.title
+    for key in ("designation", "drawn", "checked", "approved", "date", "group", "organisation"):
+        yield ("sheet", key), getattr(sheet, key)
+    for table in ("frame", "points"):
+        yield from ((("mechanism", table, name), name) for name in getattr(mechanism, table))
+    for link, letters in mechanism.links.items():
+        yield from ((("mechanism", "links", str(link)), point) for point in letters)
 
 
 def _agree(comparison: Comparison) -> None:
@@ -92,6 +108,12 @@ def _agree(comparison: Comparison) -> None:
 
     if not comparison.agrees:
         worst = max(comparison.findings, key=lambda finding: float(finding.excess.max()))
+        if worst.plan == ORDERS[0]:
+            raise SelfCheckFailed(
+                f"construction and analysis assemble the mechanism in two ways (they differ in {worst.name}); "
+                "the sheet is withheld. Fix: show more points in mechanism.sketch, nearer to where they are at the "
+                "first position"
+            )
         raise SelfCheckFailed(
             f"construction and analysis differ in {worst.name}: {float(worst.excess.max()):.3g} times the allowed "
             "difference; the sheet is withheld"

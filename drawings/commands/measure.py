@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import json
 
+from drawings.limits import Refused
 from drawings.measure import Measured, check, measure_file
 
 FAILED = 5
@@ -13,7 +14,12 @@ FAILED = 5
 def run(options: argparse.Namespace) -> int:
     """Print what a sheet shows; give the exit code."""
     options.sheet.open("rb").close()  # a file that cannot be read is told so, and is no fault of the sheet
-    measured = measure_file(options.sheet)
+    try:
+        measured = measure_file(options.sheet)
+    except Refused as refused:
+        raise type(refused)(f"{options.sheet}: {refused.reason}") from None
+    if not measured.marks:
+        raise Refused(f"{options.sheet}: this SVG has no vectors or points of a plandraft sheet. Fix: give one it drew")
     wrong = check(measured)
     off = {miss.key for miss in wrong}
     if options.json:

@@ -47,10 +47,10 @@ def _analysis(study: Study, order: int) -> tuple[Motion, Extremes | None]:
         return solve(study.mechanism, study.turn.phi, order), None
     found = extremes(study.mechanism, study.output)
     if found is None:
-        return solve(study.mechanism, study.turn.phi, order), None  # the turn says why there is no extreme
+        return solve(study.mechanism, study.turn.phi, order, first=False), None  # the turn says why there is none
     count = study.scene.drive.count
     phi = found.phi[0] + study.sense * 2 * np.pi * np.arange(count) / count
-    return solve(study.mechanism, phi, order), found
+    return solve(study.mechanism, phi, order, first=False), found
 
 
 def described(study: Study, motion: Motion, orders: list[int], extremes: Extremes | None) -> dict[str, Any]:

@@ -16,14 +16,15 @@ from plans.motion import Extremes, Floats, Gap, LinkMotion, Motion, PointMotion
 class Analysis:
     """The analytic road of one mechanism: its equations, and the way round the turn, marched once for all questions."""
 
-    def __init__(self, mechanism: Mechanism, tolerance: float = EPS) -> None:
-        self.mechanism, self.constraints, self.tolerance = mechanism, Constraints.of(mechanism), tolerance
+    def __init__(self, mechanism: Mechanism, tolerance: float = EPS, first: bool = True) -> None:
+        self.mechanism, self.constraints = mechanism, Constraints.of(mechanism)
+        self.tolerance, self.first = tolerance, first  # whether the sketch shows the first position asked for
         self._turn: Turn | None = None
 
     def motion(self, phi: Floats, order: int = 2) -> Motion:
         """Solve all positions phi rad: order 0 positions, 1 and velocities, 2 and accelerations; from the datum, SI."""
         phi = np.asarray(phi, dtype=np.float64)
-        found = find(self.mechanism, self.constraints, phi, self.tolerance)
+        found = find(self.mechanism, self.constraints, phi, self.tolerance, self.first)
         self._turn = found.turn
         rates = [np.full_like(found.poses, np.nan) for _ in range(order)]
         moving = np.flatnonzero(found.regular)
@@ -55,12 +56,12 @@ class Analysis:
         return found
 
 
-def solve(mechanism: Mechanism, phi: Floats, order: int = 2, tolerance: float = EPS) -> Motion:
+def solve(mechanism: Mechanism, phi: Floats, order: int = 2, tolerance: float = EPS, first: bool = True) -> Motion:
     """Solve all positions phi rad of a mechanism by analysis.
 
     A `tolerance` above eps, a share of the mechanism's size, leaves the loops open by so much: for the bench alone.
     """
-    return Analysis(mechanism, tolerance).motion(phi, order)
+    return Analysis(mechanism, tolerance, first).motion(phi, order)
 
 
 def conditions(mechanism: Mechanism, motion: Motion) -> Floats:

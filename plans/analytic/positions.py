@@ -39,15 +39,19 @@ class Positions:
         self.gaps.append(gap(position, float(self.phi[position]), plan, reason, end))
 
 
-def find(mechanism: Mechanism, constraints: Constraints, phi: Floats, tolerance: float = EPS) -> Positions:
+def find(
+    mechanism: Mechanism, constraints: Constraints, phi: Floats, tolerance: float = EPS, first: bool = True
+) -> Positions:
     """Find the poses at crank angles phi rad, (N,), starting at the first of them if the links can be joined there.
 
+    Where the sketch does not show the `first` one, the march starts where the mechanism fits the sketch best.
     The way round the turn is always marched to rounding level; `tolerance` is for the positions asked for.
     """
     found = Positions(phi, np.full((len(phi), len(constraints.numbers), 3), np.nan), np.zeros(len(phi), dtype=bool))
     if not phi.size:
         return found
-    start = assemble(mechanism, constraints, float(phi[0])) or assemble_anywhere(mechanism, constraints)
+    start = assemble(mechanism, constraints, float(phi[0])) if first else None
+    start = start or assemble_anywhere(mechanism, constraints)
     if start is None:
         for k in range(len(phi)):
             found.miss(k, "positions", OUT_OF_REACH, None)

@@ -123,7 +123,9 @@ def _drawing(found: Ground, order: int) -> Callable[[], Motion]:
 
 
 def _solving(study: Study, tolerance: float = EPS) -> Callable[[], Motion]:
-    return lambda: solve(study.mechanism, study.turn.phi, tolerance=tolerance)
+    return lambda: solve(
+        study.mechanism, study.turn.phi, tolerance=tolerance, first=study.scene.drive.first is not None
+    )
 
 
 def timed(ways: Sequence[Road], positions: int, rounds: int, budget: float) -> list[Row]:

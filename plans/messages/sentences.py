@@ -165,6 +165,16 @@ SHEETS: Mapping[str, str] = {
     "lettering {text}: the alphabet lacks {letters}; write it in other letters": (
         "надпись {text}: в чертёжном шрифте нет знаков {letters}; напишите её другими знаками"
     ),
+    "construction and analysis assemble the mechanism in two ways (they differ in {name}); the sheet is withheld. "
+    "Fix: show more points in mechanism.sketch, nearer to where they are at the first position": (
+        "построение и аналитический расчёт собирают механизм по-разному (расходятся в {name}); лист не выдан. "
+        "Исправьте: покажите в mechanism.sketch больше точек и ближе к их местам в первом положении"
+    ),
+    "sheet.orientation = {given}: expected {way}, the only way that {standard} lays {format}. Fix: leave orientation "
+    "out, or {other}": (
+        "sheet.orientation = {given}: ожидается {way}: иначе {standard} не располагает {format}. "
+        "Исправьте: уберите orientation или возьмите {other}"
+    ),
     "construction and analysis differ in {name}: {times} times the allowed difference; the sheet is withheld": (
         "построение и аналитический расчёт расходятся в {name}: в {times} раз больше допустимого; лист не выдан"
     ),

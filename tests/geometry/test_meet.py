@@ -26,6 +26,9 @@ CASES = 120
 # A thousand positions are found with c up to 1 in nearly all families; what exceeds it does so by its own last
 # rotation, three roundings, where the data themselves bring hardly more: short links 1.5, slots 2.6.
 SHORT_LINK, SLOT = 1.6, 3.0
+# Arcs that touch from inside are found with 0.64 where the difference of the radii keeps what its rounding lost, and
+# with 0.96 where it does not.
+INSIDE = 0.7
 TINY, HUGE = 2.0**-30, 2.0**30  # 1e-9 and 1e+9, and exact
 MP = mpmath.mp.clone()
 MP.dps = 60
@@ -148,7 +151,7 @@ def cases(family: str) -> Iterator[tuple[complex, float, float, int]]:
 
 @pytest.mark.parametrize("family", FAMILIES)
 def test_two_arcs_meet_as_exactly_as_their_data_allow(family: str) -> None:
-    allowed = SHORT_LINK if family.startswith("short link") else 1
+    allowed = SHORT_LINK if family.startswith("short link") else INSIDE if family.startswith("internal") else 1
     for base, first, second, side in cases(family):
         met = arc_arc(base, first, second, side)
         point, slopes = arcs_in_digits(base, first, second, side)

@@ -9,7 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from plans import units
-from plans.faults import WORDS, Wrong
+from plans.faults import Wrong
+from plans.messages.english import FAULTS
 from plans.units import Kind
 
 
@@ -112,4 +113,4 @@ def test_any_text_is_a_decimal_or_a_refusal(text: str) -> None:
     try:
         assert units.quantity(text, units.LENGTH).is_finite()
     except Wrong as refused:
-        assert refused.kind in WORDS
+        assert refused.kind in FAULTS

@@ -1,0 +1,95 @@
+"""A record that is followed: the same words, and the numbers that drawing it again would give."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from geometry.board import Board, Line, Mark
+from geometry.precision import errors
+from geometry.replay import redraw
+from geometry.tracing import Tracing
+from tests.geometry.constructions import Construction, constructions
+
+
+def words(mark: Mark) -> tuple[object, ...]:
+    step = mark.step
+    return mark.subject, mark.number, mark.name, step.op, [source.name for source in step.inputs], step.why
+
+
+@settings(max_examples=150)
+@given(constructions(), st.floats(-0.01, 0.01))
+def test_a_record_that_is_followed_is_the_one_that_is_drawn_again(drawn: Construction, moved: float) -> None:
+    free = drawn.board["A"]
+    for place in (complex(free.point), complex(free.point) + moved):
+        tracing = Tracing(drawn.marks, free)
+        _, followed = tracing.boards(tracing.follow(place))
+        again = redraw(drawn.marks, {free: place})
+        bounds = errors(*again.values())
+        for mark in drawn.marks:
+            one, other = followed[mark], again[mark]
+            assert words(one) == words(mark)
+            assert [origin for origin, _ in one.rays] == [followed[origin] for origin, _ in mark.rays]
+            if not isinstance(one.value, tuple):
+                bound = 2 * bounds[other].place.max()
+                assert complex(one.point) == pytest.approx(complex(other.point), abs=bound, rel=0, nan_ok=True)
+
+
+def test_what_does_not_hang_on_the_free_mark_is_worked_out_once() -> None:
+    board = Board("positions")
+    a, c, phi = board.given("A", 0j), board.given("C", 5 + 0j), board.given("φ", 1j)
+    b = board.meet("B", board.arc("AB", a, 3.0), board.arc("CB", c, 4.0), side=+1)
+    end = board.lay_off("D", b, phi)
+    tracing = Tracing(board, phi)
+    assert tracing.acts.fixed(tracing.place(b)) == pytest.approx(1.8 + 2.4j)
+    assert tracing.acts.fixed(tracing.place(end)) is None
+    numbers = tracing.follow(np.array([0j, 1 + 1j]))
+    assert list(numbers[tracing.place(end)]) == pytest.approx([1.8 + 2.4j, 2.8 + 3.4j])
+
+
+def test_one_crossing_of_two_directions_serves_all_plans() -> None:
+    board, other = Board("velocities"), Board("accelerations")
+    e, f = board.given("e", 1 + 1j), board.given("f", 1 - 2j)
+    p, q = board.given("p", 0j), board.given("q", 3 + 1j)
+    first = board.meet("b", board.square("⊥e", p, e), board.square("⊥f", q, f))
+    carried = [other.transfer(mark.name, mark) for mark in (e, f)]
+    n = other.given("n", 2j)
+    second = other.meet("b", other.square("⊥e", n, carried[0]), other.square("⊥f", n, carried[1]))
+    tracing = Tracing([*board, *other], e)
+    numbers = tracing.follow(1 + 1j)
+    _, made = tracing.boards(numbers)
+    assert made[first].meeting is not None
+    assert made[second].meeting is not None
+    assert made[first].meeting.across is made[second].meeting.across
+
+
+def test_a_known_ratio_is_not_divided_out_again() -> None:
+    board = Board("velocities")
+    arm = board.given("AB", 3 + 4j)
+    velocity = board.turn("v", board.turn("⊥", arm, 1j), 2.0)
+    tracing = Tracing(board, arm)
+    ratio, rate = (tell(*map(tracing.place, (velocity, arm))) for tell in (tracing.acts.ratio, tracing.acts.rate))
+    assert tracing.acts.fixed(ratio) == 2j
+    assert tracing.acts.fixed(rate) == 2.0
+
+
+def test_a_gap_leaves_a_record_in_doubt() -> None:
+    board = Board("positions")
+    a, c = board.given("A", 0j), board.given("C", 5 + 0j)
+    board.meet("B", board.arc("AB", a, 3.0), board.arc("CB", c, 4.0), side=+1)
+    tracing = Tracing(board, c)
+    assert board.clear
+    assert tracing.clear(tracing.follow(np.array([5j, 6j])))
+    assert not tracing.clear(tracing.follow(np.array([5j, 8j])))
+    board.meet("D", board.arc("AD", a, 1.0), board.arc("CD", c, 2.0), side=+1)
+    assert not board.clear
+
+
+def test_given_lines_are_followed_too() -> None:
+    board = Board("positions")
+    guide = board.given("guide", Line(0j, 1 + 0j))
+    tracing = Tracing(board, board.given("φ", 1j))
+    _, made = tracing.boards(tracing.follow(1j))
+    assert made[guide].value == Line(0j, 1 + 0j)
