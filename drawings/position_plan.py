@@ -15,6 +15,7 @@ from drawings.formats import Field
 from drawings.guides import axes, grounds
 from drawings.hand import Hand
 from drawings.layout import Labels
+from drawings.limits import MANY
 from drawings.numbering import numbers, same
 from drawings.outlines import outlines, reach_of
 from drawings.pairs import Pairs
@@ -32,7 +33,6 @@ from plans.passage import CHANGE
 
 STEPS = 360  # of a circle that is cut at a figure's box
 NOTCH = 9.0  # mm of a notch arc kept on each side of its meeting
-MANY = 12  # positions; of more, only so many are drawn with all their links, and the others are ticks
 HATCH, SLANT = 2.5, 0.02  # mm of hatching on the barred part of the crank circle, and its slant, rad
 SHARE = 0.3  # what a line of another position counts where a dimension looks for a clear place
 

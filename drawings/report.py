@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from drawings.limits import MANY
 from drawings.words import number
 from plans.compare import NOT_GRADED, Comparison, Finding, notches
 from plans.mechanism import FRAME
@@ -175,6 +176,9 @@ def _left_out(study: Study, drawn: tuple[int, ...], shown: int) -> Iterator[str]
     count, names = len(study.turn), ", ".join(str(k) for k in drawn)
     yield f"- Velocity and acceleration plans are drawn for positions {names} of {count}; the other values stand above."
     yield f"- Notch arcs, pairs and letters are drawn for position {shown} only."
+    if count > MANY:
+        yield f"- Of {count} positions about {MANY} are drawn with their links, the others by ticks; numbers that would"
+        yield "  crowd each other are left out."
     if not study.scene.masses and study.scene.loads is None:
         yield "- Masses and loads: the sheet does not need them and the scene gives none."
     else:

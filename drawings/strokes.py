@@ -17,8 +17,8 @@ from typing import Any, Literal, NamedTuple, TypeAlias
 from drawings.limits import STATED_DIGITS
 from geometry.errors import DraftError
 
-# Share of the size: a small letter of a subscript, and how far its line of writing is lowered or raised.
-SMALL, LOWERED, RAISED = 0.7, 0.25, 0.4
+# Share of the size: how far the line of writing of a subscript or a superscript is lowered or raised.
+LOWERED, RAISED = 0.25, 0.4
 # Slanted letters stand at 75 degrees to their line (GOST 2.304-81).
 LEAN = math.tan(math.radians(15))
 TURN = 2 * math.pi

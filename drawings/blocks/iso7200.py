@@ -18,7 +18,7 @@ CELLS = {
     "approval": Graph(113, 36, 43, 12), "scale": Graph(156, 36, 24, 12), "owner": Graph(0, 0, 69, 36),
     "type": Graph(69, 24, 58, 12), "status": Graph(127, 24, 53, 12), "title": Graph(69, 0, 58, 24, 5.0),
     "number": Graph(127, 12, 53, 12, 5.0), "revision": Graph(127, 0, 8, 12), "issued": Graph(135, 0, 24, 12),
-    "code": Graph(159, 0, 10, 12), "sheet": Graph(169, 0, 11, 12),
+    "code": Graph(159, 0, 9.5, 12), "sheet": Graph(168.5, 0, 11.5, 12),
 }  # fmt: skip
 MANDATORY = ("owner", "number", "issued", "sheet", "title", "approval", "creator", "type")
 # The entry of the scene that each field shows as it is.

@@ -18,6 +18,7 @@ from plans.study import Study
 from plans.wording import said as worded
 
 TOGETHER = re.compile(r" (=|…|−|[+]) ")
+MOST_LENGTHS = 16  # of a mechanism with more the report and the scene tell them
 STEP = 1.8  # sizes of the letters from line to line: GOST 2.304-81 asks for 1.7 at least
 
 
@@ -34,6 +35,10 @@ def notes(study: Study, comparison: Comparison, language: str) -> list[str]:
             epsilon=number(drive.epsilon, language),
         ),
     ]  # fmt: skip
+    given = study.scene.mechanism.lengths
+    if 0 < len(given) <= MOST_LENGTHS:
+        told = (f"l_{{{name}}} = {number(1000 * float(length), language)}" for name, length in given.items())
+        said.append(word(language, "lengths", lengths=",  ".join(told)))
     if study.found is not None:
         said.append(_travel(study, language))
     for group in study.groups:
