@@ -528,7 +528,9 @@ def test_a_letter_that_cannot_be_drawn_ends_with_3_before_anything_is_made(
     scene.write_text(SHAPER.read_text("utf-8").replace("[sheet]\n", words), "utf-8")
     code, out, err = run("draw", scene, "-o", tmp_path / "out")
     assert (code, out) == (3, "")
-    assert err == "lettering '雪 Ivanov': the alphabet lacks '雪' (U+96EA); write it in other letters\n"
+    where, _, told = err.partition(": sheet.approved: ")
+    assert re.fullmatch(rf"{re.escape(str(scene))}:\d+:1", where)
+    assert told == "lettering '雪 Ivanov': the alphabet lacks '雪' (U+96EA); write it in other letters\n"
     assert not (tmp_path / "out").exists()
 
 

@@ -57,8 +57,7 @@ def test_construction_is_exact_to_a_few_roundings(name: str, count: int) -> None
 def test_newtons_error_falls_with_its_tolerance(name: str) -> None:
     found = judged(stood(name, 360))
     errors = [found[technique].largest for technique in (*map(newton, TOLERANCES), ROUNDING)]
-    assert errors[0] > 10 * errors[1]
-    assert errors[1] > 2 * errors[2]
+    assert errors[0] > 10 * max(errors[1:])  # a step of a millionth squares to rounding already, or nearly
     for tolerance, error in zip(TOLERANCES, errors, strict=False):
         assert error < tolerance
     assert errors[-1] <= NEWTON_GOAL * EPS
