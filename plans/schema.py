@@ -20,7 +20,7 @@ from plans.scene import (
     TABLES,
 )
 from plans.tables import REQUIRED
-from plans.units import ANGLE_LIMIT, LENGTH_LEAST, LENGTH_LIMIT, Kind
+from plans.units import ANGLE_LIMIT, LENGTH_LEAST, LENGTH_LIMIT, RATE_LIMIT, Kind
 
 Form = dict[str, Any]
 
@@ -53,6 +53,11 @@ def quantity(kind: Kind, **bounds: float) -> Form:
     if not kind.units:
         return number
     return {"anyOf": [number, {"type": "string", "pattern": text_with_unit(kind)}]}
+
+
+def rate(kind: Kind) -> Form:
+    """Give the form of an angular velocity or acceleration."""
+    return quantity(kind, minimum=-float(RATE_LIMIT), maximum=float(RATE_LIMIT))
 
 
 def whole(least: int) -> Form:
@@ -135,8 +140,8 @@ KEYS: Mapping[Path, Mapping[str, tuple[str, Form]]] = {
     },
     ("drive",): {
         "link": ("Number of the crank (кривошип).", MOVING),
-        "speed": ('Angular speed, rad/s or "60 rpm"; positive is counter-clockwise.', quantity(units.SPEED)),
-        "acceleration": ("Angular acceleration, rad/s2.", quantity(units.ANGULAR_ACCELERATION)),
+        "speed": ('Angular speed, rad/s or "60 rpm"; positive is counter-clockwise.', rate(units.SPEED)),
+        "acceleration": ("Angular acceleration, rad/s2.", rate(units.ANGULAR_ACCELERATION)),
         "start": ('First crank angle, degrees from +x, or "extreme".', {"anyOf": [{"const": "extreme"}, ANGLE]}),
         "positions": (
             "Number of equal steps over a turn, or a list of crank angles in degrees (then no start).",

@@ -19,6 +19,8 @@ WORKING = Context(prec=50)
 LENGTH_LIMIT = Decimal("1e9")  # m: beyond it, or below LENGTH_LEAST, squares and their differences lose their meaning
 LENGTH_LEAST = Decimal("1e-9")  # m
 ANGLE_LIMIT = Decimal("1e9")  # degrees
+RATE_LIMIT = Decimal("1e9")  # rad/s, rad/s2: no machine turns a thousandth as fast
+RATE_LEAST = Decimal("1e-9")  # above zero: a turn in two centuries
 
 # An ASCII number with digits on both sides of the point, then whatever stands for a unit.
 QUANTITY = re.compile(r"\s*([+-]?[0-9]+(?:\.[0-9]+)?(?:[eE][+-]?[0-9]+)?)\s*([^\W\d_].*|°.*)?", re.DOTALL)
@@ -115,11 +117,11 @@ def angle(value: object) -> Decimal:
     return result
 
 
-def positive(value: object, kind: Kind) -> Decimal:
-    """Give a quantity above zero."""
+def rate(value: object, kind: Kind) -> Decimal:
+    """Give an angular velocity or acceleration: zero, or of a size between RATE_LEAST and RATE_LIMIT."""
     result = quantity(value, kind)
-    if result <= 0:
-        raise wrong("not_positive", kind=kind.name)
+    if result and not RATE_LEAST <= abs(result) <= RATE_LIMIT:
+        raise wrong("out_of_range", kind=kind.name, least=f"±{RATE_LEAST}", most=f"±{RATE_LIMIT}", unit=kind.si)
     return result
 
 

@@ -114,3 +114,15 @@ def test_any_text_is_a_decimal_or_a_refusal(text: str) -> None:
         assert units.quantity(text, units.LENGTH).is_finite()
     except Wrong as refused:
         assert refused.kind in FAULTS
+
+
+@pytest.mark.parametrize("written", ["1e100 rad/s", "-1e10", "1e-200 rad/s", "1e11 rpm"])
+def test_a_speed_of_no_machine_is_refused(written: str) -> None:
+    value = written if " " in written else Decimal(written)
+    with pytest.raises(Wrong) as caught:
+        units.rate(value, units.SPEED)
+    assert caught.value.kind == "out_of_range"
+
+
+def test_a_machine_may_stand_still_or_turn_either_way() -> None:
+    assert [units.rate(Decimal(text), units.SPEED) for text in ("0", "-10", "1e9")] == [0, -10, Decimal("1e9")]
