@@ -62,7 +62,7 @@ class Ink:
                 case Group():
                     yield from self._chains(stroke.strokes)
                 case Text():
-                    rows, columns = self._cells(bounds(stroke))
+                    rows, columns = self._cells(_padded(bounds(stroke), 0j))
                     self._map[rows, columns] += LETTERED
                 case Line():
                     yield [stroke.start, stroke.end]
@@ -87,10 +87,10 @@ class Ink:
         points = np.concatenate([np.asarray(chain) for chain in chains])
         steps = np.diff(points)
         breaks = np.cumsum([len(chain) for chain in chains])[:-1] - 1
-        counts = np.maximum((np.abs(steps) / CELL).astype(int) + 1, 1)
+        counts = (np.abs(steps) / CELL).astype(int) + 2  # both ends among them
         counts[breaks] = 0  # from the end of a chain to the next one's start nothing is drawn
         which = np.repeat(np.arange(len(steps)), counts)
-        share = (np.arange(len(which)) - np.repeat(np.cumsum(counts) - counts, counts)) / np.maximum(counts[which], 1)
+        share = (np.arange(len(which)) - np.repeat(np.cumsum(counts) - counts, counts)) / (counts[which] - 1)
         along = points[which] + steps[which] * share
         rows = np.clip((along.imag / CELL).astype(int), 0, self._map.shape[0] - 1)
         columns = np.clip((along.real / CELL).astype(int), 0, self._map.shape[1] - 1)
@@ -114,15 +114,25 @@ class Labels:
 
     def beside(self, point: complex, content: str, size: float, gap: float, prefer: float = math.pi / 4) -> Stroke:
         """Place a label `gap` mm beside a point, as near as it can to the preferred direction, rad."""
+        found = self.free(point, content, size, gap, prefer)
+        if found is None:  # there is no free place on the whole sheet; a letter is needed all the same
+            box = bounds(Text(0j, content, size, "start", self._slanted))
+            found = Text(self._near(point, box, gap, prefer), content, size, "start", self._slanted)
+            self.ink.draw([found])
+        return found
+
+    def free(self, point: complex, content: str, size: float, gap: float, prefer: float) -> Stroke | None:
+        """Place a label beside a point or at the end of a leader, or nowhere if there is no free place."""
         box = bounds(Text(0j, content, size, "start", self._slanted))
         near = self._near(point, box, gap, prefer)
         label: Stroke = Text(near, content, size, "start", self._slanted)
         if self.ink.under(_padded(box, near)):
             led = self._led(point, box, gap, prefer)
-            if led is not None:
-                start, end, corner = led
-                text = Text(corner, content, size, "start", self._slanted)
-                label = Group((Line(start, end, self._leader), text))
+            if led is None:
+                return None
+            start, end, corner = led
+            text = Text(corner, content, size, "start", self._slanted)
+            label = Group((Line(start, end, self._leader), text))
         self.ink.draw([label])
         return label
 
@@ -154,8 +164,8 @@ class Labels:
                 corner = _touching(point, box, reach, angle)
                 if self.ink.under(_padded(box, corner)):
                     continue
-                start, end = point + cmath.rect(0.7 * gap, angle), point + cmath.rect(reach - CLEAR, angle)
-                end = _nearest(box, corner, end)
+                start = point + cmath.rect(0.7 * gap, angle)
+                end = _nearest(box, corner, start)
                 crossed = self.ink.along(start, end)
                 cost = reach + 3 * TURNED * off + CROSSED * crossed
                 if crossed < LETTERED and cost < cheapest:

@@ -74,7 +74,8 @@ def numbers(pairs: Pairs, labels: Labels) -> Iterator[Stroke]:
         for k in legible(bones, found, spots, hand):
             angle, more = _outward(bones, found[k], spots[k], place)
             gap = (pairs.clear(tip) if _shown(bones, found[k]) else 0.0) + PATH_GAP + more * hand.number
-            yield labels.beside(spots[k], found[k].name, hand.number, gap, angle)
+            number = labels.free(spots[k], found[k].name, hand.number, gap, angle)
+            yield from () if number is None else (number,)
 
 
 def _shown(bones: Skeletons, one: Numbered) -> bool:
@@ -95,7 +96,8 @@ def _crank_numbers(pairs: Pairs, found: list[Numbered], labels: Labels) -> Itera
         gap = CRANK_GAP + (pairs.clear(end) if _shown(bones, one) else 0.0)
         gap += BARRED * hand.symbol if _in_barrier(spot - pivot, bones.study.met) else 0.0
         gap += further if known and one.column // every % 2 else 0.0
-        yield labels.beside(spot, text, hand.number, gap, cmath.phase(spot - pivot))
+        number = labels.free(spot, text, hand.number, gap, cmath.phase(spot - pivot))
+        yield from () if number is None else (number,)
 
 
 def _rings(bones: Skeletons, place: Place, hand: Hand, wide: float) -> tuple[int, float]:
