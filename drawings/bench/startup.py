@@ -12,7 +12,7 @@ from pathlib import Path
 from plans.bench.clock import Times, interleaved
 
 ROOT = Path(__file__).parent.parent.parent  # where the three packages are found, installed or not
-DRAW = "import sys; from drawings.cli import main; sys.exit(main())"
+DRAW = "from drawings.cli import run; run()"
 IMPORTS = "import numpy, svgwrite"
 
 
@@ -20,14 +20,18 @@ def startup(scene: Path, rounds: int) -> tuple[Times, Times, Times]:
     """Time in turns: `plandraft draw` of a scene, `python` with numpy and svgwrite imported, `python` alone."""
     with tempfile.TemporaryDirectory(prefix="plandraft-bench-") as folder:
         commands = ([DRAW, "draw", os.fspath(scene.resolve()), "-o", folder], [IMPORTS], ["pass"])
-        runs = [_process(*command) for command in commands]
-        runs[0]()  # the first run of all fills the system's cache of files
+        runs = [_process(folder, *command) for command in commands]
+        for (
+            run
+        ) in runs:  # the first runs of all compile the modules, as installing them does, and fill the cache of files
+            run()
         draw, imports, nothing = interleaved(runs, rounds, float("inf"))
     return draw, imports, nothing
 
 
-def _process(*arguments: str) -> Callable[[], object]:
+def _process(folder: str, *arguments: str) -> Callable[[], object]:
     paths = [os.fspath(ROOT), os.environ.get("PYTHONPATH", "")]
-    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, paths))}
+    environment = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
+    environment |= {"PYTHONPATH": os.pathsep.join(filter(None, paths)), "PYTHONPYCACHEPREFIX": folder}
     command = [sys.executable, "-c", *arguments]
     return lambda: subprocess.run(command, env=environment, capture_output=True, check=False)
