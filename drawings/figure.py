@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from drawings.page import Field
 from drawings.scale import Scale
 from drawings.strokes import Circle, Group, Line, LineStyle, numeral, stated
 from drawings.symbols import arrowhead
@@ -25,21 +23,6 @@ class Place(NamedTuple):
     def length(self, size: float) -> float:
         """Give a true length in mm."""
         return size / self.scale.mu
-
-
-def centred(values: Iterable[complex], room: Field, scale: Scale) -> Place:
-    """Place true values so that their box is centred in a room."""
-    points = list(values)
-    left, right = min(p.real for p in points), max(p.real for p in points)
-    bottom, top = min(p.imag for p in points), max(p.imag for p in points)
-    return Place(room.centre, complex(left + right, bottom + top) / 2, scale)
-
-
-def extent(values: Sequence[complex], room: Field) -> tuple[float, float]:
-    """Give the extent of true values and the room, mm, in the direction that binds the scale."""
-    wide = max(p.real for p in values) - min(p.real for p in values)
-    high = max(p.imag for p in values) - min(p.imag for p in values)
-    return (wide, room.width) if wide * room.height >= high * room.width else (high, room.height)
 
 
 class Subject(NamedTuple):

@@ -14,13 +14,13 @@ import numpy as np
 import pytest
 
 from drawings.dashes import DASH_DOT, DASHED
-from drawings.figure import Place, centred, extent
+from drawings.figure import Place
 from drawings.hand import Hand
 from drawings.layout import Ink, Labels
 from drawings.page import Field
 from drawings.pairs import Pairs
+from drawings.picture import Margins, picture
 from drawings.position_plan import figure, letters
-from drawings.scale import fitting
 from drawings.sheets.kinematics import position
 from drawings.skeleton import Skeletons, skeletons
 from drawings.strokes import Arc, Circle, Fill, Group, Line, Polyline, Stroke, Text, bounds, text_width
@@ -67,7 +67,8 @@ def drawn(name: str, hand: Hand = A1) -> Figure:
     study = Study(parse_scene(mechanisms.ALL[name]) if name in mechanisms.ALL else read_scene(paths[name]))
     comparison = compare(study)
     bones = skeletons(study, comparison.construction, position(study, comparison))
-    place = centred(bones.points, ROOM, fitting(*extent(bones.points, ROOM), "l", "m"))
+    measured = picture(name, bones.points, ("l", "m"), Margins(0.0, 0.0, 0.0), 0.0)
+    place = measured.placed(ROOM, measured.ladder(ROOM.width, ROOM.height).rungs[0].scale)
     pairs = Pairs(bones, place, hand)
     groups = figure(pairs, "en")
     ink = Ink(440, 440)
