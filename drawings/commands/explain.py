@@ -82,8 +82,9 @@ def find(study: Study, drafts: Drafts, name: str) -> list[Mark]:
             raise UnknownMark(f"link {tail} does not turn: {name} is 0 and rests on no step")
         return [*plan.readings[int(tail)]]
     for plan in (drafts.positions, drafts.velocities, drafts.accelerations):
-        if name in plan.board:
-            return [plan.board[name]]
+        for letter in (name, name.replace("_", "")):  # a3 is written with its index lowered: a_3
+            if letter in plan.board:
+                return [plan.board[letter]]
     known = [*points, *(f"v_{p}" for p in points), *(f"a_{p}" for p in points)]
     near = difflib.get_close_matches(name, known, 1)
     hint = f"did you mean {near[0]}? " if near else ""

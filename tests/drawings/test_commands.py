@@ -394,6 +394,11 @@ def test_explain_ends_with_the_rate_that_is_read_off(run: Run, name: str, link: 
     assert (found[2] == "counter-clockwise") == (true > 0)
 
 
+def test_a_letter_may_be_asked_for_as_the_sheet_writes_it(run: Run) -> None:
+    written, plain = run("explain", SHAPER, "a_3")[1], run("explain", SHAPER, "a3")[1]
+    assert written.splitlines()[1:] == plain.splitlines()[1:] and len(plain.splitlines()) > 5
+
+
 def test_what_is_carried_to_another_plan_keeps_its_unit(run: Run) -> None:
     _, out, _ = run("explain", SHAPER, "v_D")
     carried = [line for line in out.splitlines() if ": transfer (" in line]
