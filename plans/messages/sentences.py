@@ -171,9 +171,14 @@ SHEETS: Mapping[str, str] = {
         "Исправьте: покажите в mechanism.sketch больше точек и ближе к их местам в первом положении"
     ),
     "sheet.orientation = {given}: expected {way}, the only way that {standard} lays {format}. Fix: leave orientation "
-    "out, or {other}": (
+    "out, or take A3": (
         "sheet.orientation = {given}: ожидается {way}: иначе {standard} не располагает {format}. "
-        "Исправьте: уберите orientation или возьмите {other}"
+        "Исправьте: уберите orientation или возьмите A3"
+    ),
+    "sheet.orientation = {given}: expected {way}, the only way that {standard} lays {format}. Fix: leave orientation "
+    'out, or write standard = "GOST"': (
+        "sheet.orientation = {given}: ожидается {way}: иначе {standard} не располагает {format}. "
+        'Исправьте: уберите orientation или напишите standard = "GOST"'
     ),
     "construction and analysis differ in {name}: {times} times the allowed difference; the sheet is withheld": (
         "построение и аналитический расчёт расходятся в {name}: в {times} раз больше допустимого; лист не выдан"
