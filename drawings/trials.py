@@ -125,7 +125,20 @@ class Sheet:
             sides = (True, False) if self.content.table is not None else (True,)
             for table_left, notes_left in product(sides, (True, False)):
                 yield from Halves(self, spot, setting, way, table_left, notes_left).trials(spot.box.width)
+        if spot is not None and way is None:
+            yield from self._aside(spot, setting)
         yield from self._stacked(spot, setting, way)
+
+    def _aside(self, spot: Spot, setting: Setting | None) -> Iterator[Trial]:
+        """Stand the plan of positions alone on the left at full height, all else over the title block."""
+        room, block, content = self.field, self.page.block, self.content
+        left = Field(room.left, room.bottom, block.left - PAD, room.top)
+        right = Field(block.left, room.bottom, block.right, room.top)
+        if spot.box.width > left.width or spot.box.height > left.height:
+            return
+        for foot in feet(right, block, content.table, setting, content.notes):
+            if foot.top <= room.top:
+                yield Trial(left, spot, None, None, foot.table, setting, foot.notes)
 
     def _stacked(self, spot: Spot | None, setting: Setting | None, way: Rows | None) -> Iterator[Trial]:
         """Stand the plan of positions above the others, table and notes at the foot of the sheet."""

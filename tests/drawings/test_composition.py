@@ -139,6 +139,19 @@ def test_plans_that_would_be_drawn_smaller_than_their_letters_go_on_a_following_
     assert all(one.main is None for one in composed[1:])
 
 
+def test_a_tall_mechanism_on_a_sheet_of_its_own_stands_beside_the_title_block() -> None:
+    tall = replace(
+        content(6, least=100.0), main=picture("positions", [0j, 0.45 + 1.2j], ("l", "m"), Margins(12, 12, 50), 80)
+    )
+    page = Page("A3", standard="ISO")
+    first = compose(tall, page)[0]
+    assert first.main is not None and first.main.scale.mu == 0.01
+    shorter = replace(tall, main=picture("positions", [0j, 0.8 + 0.9j], ("l", "m"), Margins(12, 12, 50), 80))
+    first = compose(shorter, page)[0]
+    assert first.main is not None and first.main.scale.mu == 0.005
+    assert apart(first.main.box, page.block) and inside(first.main.box, page.field)
+
+
 def test_a_table_longer_than_a_sheet_is_continued_on_the_next() -> None:
     composed = compose(content(2, rows=400), Page("A2"))
     rows = [len(one.content.table.lines) for one in composed if one.content.table is not None]
