@@ -21,11 +21,15 @@ APART = 2.0  # mm between the figure and everything else
 
 
 class Turned(NamedTuple):
-    """A slip and the Coriolis acceleration that it gives, by directions; `sense` is that of the guide's turning."""
+    """A slip and the Coriolis acceleration that it gives, by directions; `sense` is that of the guide's turning.
+
+    `size` is that of the acceleration, true units: what vanishes on paper has no direction either.
+    """
 
     slip: complex
     result: complex
     sense: int
+    size: float
     point: str
 
 
@@ -39,7 +43,8 @@ def turned(mark: Mark, column: int) -> Turned | None:
         return None
     direction = slip / abs(slip)
     sense = 1 if turning > 0 else -1
-    return Turned(direction, 1j * sense * direction, sense, mark.name.removeprefix("a^k_"))
+    size = abs(at(mark.point, column))
+    return Turned(direction, 1j * sense * direction, sense, size, mark.name.removeprefix("a^k_"))
 
 
 def rule(shown: Turned, centre: complex, hand: Hand) -> Group:

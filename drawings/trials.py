@@ -116,8 +116,8 @@ class Sheet:
     def grid(self, way: Rows, width: float, height: float) -> Grid | None:
         """Fit rows of plans into a room, each way and room once."""
         key = id(way), int(10 * width), int(10 * height)
-        if key not in self.tried:
-            self.tried[key] = grid(way, width, height) if width > 0 and height > 0 else None
+        if key not in self.tried:  # in whole tenths, so that what is found fits all rooms of the key
+            self.tried[key] = grid(way, key[1] / 10, key[2] / 10) if width > 0 and height > 0 else None
         return self.tried[key]
 
     def _trials(self, spot: Spot | None, setting: Setting | None, way: Rows | None) -> Iterator[Trial]:

@@ -104,7 +104,8 @@ class Figure:
         """Give the whole figure, its letters placed, and beside it how its Coriolis parts are directed."""
         name = f"{self.shown.plan.board.subject}-{self.position}"
         letters = Group(tuple(_letters(self.shown, self.place, self.hand, labels)))
-        rules = (placed(rule, self.box, labels.ink, self.hand) for rule in self.shown.turned)
+        seen = (rule for rule in self.shown.turned if self.place.length(rule.size) >= LEAST)
+        rules = (placed(rule, self.box, labels.ink, self.hand) for rule in seen)
         return Group((*self.lines, letters, *(rule for rule in rules if rule is not None)), name)
 
 

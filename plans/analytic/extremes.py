@@ -51,11 +51,13 @@ class _Rest:
         self.coordinate, self.bottom, self.top = coordinate, low.phi, high.phi
         self.rising = coordinate.at(high)[1] >= 0.0
         self.near = min(low, high, key=lambda end: abs(float(coordinate.at(end)[1])))
-        self.step = np.inf
+        self.step, self.marched = np.inf, True
 
     def aims(self) -> bool:
         """Find the next step: Newton's, or the middle where that leads out; none where only rounding is left."""
         here, last = self.near.phi, abs(self.step)
+        if self.marched and np.isfinite(last):  # rates on the march are less exact than poses: its step proves nothing
+            last, self.marched = np.inf, False
         _, speed, growth = map(float, self.coordinate.at(self.near))
         self.bottom, self.top = (self.bottom, here) if (speed >= 0.0) == self.rising else (here, self.top)
         self.step = -speed / growth if growth else np.inf

@@ -127,6 +127,14 @@ def test_every_vector_and_point_of_the_drawn_sheet_measures_back(run: Run, tmp_p
     assert len(measured.vectors) > 20
 
 
+def test_a_following_sheet_of_an_earlier_run_is_named(run: Run, tmp_path: Path) -> None:
+    (tmp_path / "shaper-kinematics-2.svg").write_text("old", "utf-8")
+    code, _, err = run("draw", SHAPER, "-o", tmp_path)
+    assert code == 0
+    assert err.startswith(f"{tmp_path / 'shaper-kinematics-2.svg'}: left by an earlier run with more sheets")
+    assert (tmp_path / "shaper-kinematics-2.svg").read_text("utf-8") == "old"
+
+
 def test_draw_replaces_an_older_sheet(run: Run, tmp_path: Path) -> None:
     old = tmp_path / "shaper-kinematics.svg"
     old.write_text("an older one")
@@ -461,6 +469,23 @@ def test_measure_prints_the_vectors_of_a_drawn_sheet_in_true_units(run: Run, tmp
         true = solved["points"]["B"]["v"][vector["position"]]
         assert vector["unit"] == "m/s"
         assert math.dist(vector["value"], true) <= 2 * QUANTUM * vector["scale"]
+
+
+def test_measure_says_of_a_foreign_drawing_that_it_is_none_of_ours(run: Run, tmp_path: Path) -> None:
+    foreign = tmp_path / "foreign.svg"
+    foreign.write_text('<svg xmlns="http://www.w3.org/2000/svg" width="9mm" height="9mm" viewBox="0 0 9 9"/>', "utf-8")
+    code, out, err = run("measure", foreign)
+    assert (code, out) == (3, "")
+    assert err.startswith(f"{foreign}: this SVG has no vectors or points of a plandraft sheet")
+
+
+def test_measure_ends_with_8_where_a_sheet_exceeds_a_limit(run: Run, tmp_path: Path) -> None:
+    deep = tmp_path / "deep.svg"
+    body = "<g>" * 300 + "</g>" * 300
+    deep.write_text(f'<svg xmlns="http://www.w3.org/2000/svg" width="9mm" height="9mm">{body}</svg>', "utf-8")
+    code, out, err = run("measure", deep)
+    assert (code, out) == (8, "")
+    assert err.startswith(f"{deep}: elements are nested over 256 deep")
 
 
 def test_measure_tells_which_vector_of_an_edited_sheet_differs(run: Run, tmp_path: Path) -> None:

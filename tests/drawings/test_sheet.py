@@ -12,7 +12,7 @@ import pytest
 from drawings.lettering import UnknownLetter, lettered
 from drawings.limits import QUANTUM
 from drawings.measure import measure
-from drawings.page import Page
+from drawings.page import Page, page_of
 from drawings.pens.svg import svg
 from drawings.sheets.choice import position
 from drawings.sheets.kinematics import sheet, sheets
@@ -125,6 +125,28 @@ def test_a_mechanism_that_reaches_no_position_gets_a_sheet_that_explains_why() -
     said = " ".join(text.plain for text in texts(leaf))
     assert "Gaps: 0–11: out of reach at B" in said and "reach from" in said
     assert "Velocity plan" not in said
+
+
+@pytest.mark.parametrize("format_", ["A1", "A4"])
+def test_arcs_that_miss_each_other_stay_within_the_frame(format_: str) -> None:
+    """A rod far too long draws no circle over the title block or off the paper."""
+    study, leaf = drawn(four_bar(rod=40, rocker=0.3) + f'[sheet]\nformat = "{format_}"\n')
+    assert study.lost.all()
+    field = page_of(study.scene).field
+    left, bottom, right, top = bounds(next(group for group in leaf.groups if group.name == "positions"))
+    assert field.left <= left and right <= field.right and field.bottom <= bottom and top <= field.top
+
+
+def test_the_lengths_of_the_scene_stand_on_the_sheet_in_millimetres() -> None:
+    _, leaf = drawn(four_bar())
+    said = " ".join(text.plain for text in texts(leaf)).replace("\N{NO-BREAK SPACE}", " ")
+    assert "lOA = 100, lAB = 400, lCB = 300" in " ".join(said.split())
+
+
+def test_advice_on_a_russian_sheet_is_russian() -> None:
+    _, leaf = drawn(four_bar(rod=0.05, rocker=0.05) + '[sheet]\nlanguage = "ru"\n')
+    said = " ".join(text.plain for text in texts(leaf))
+    assert "достают" in said and "reach from" not in said
 
 
 def test_gaps_are_crossed_out_on_the_crank_circle_and_named() -> None:

@@ -111,3 +111,11 @@ def test_a_rigid_corner_is_filled_between_its_lines_outside_its_hinge(first: com
 
 def test_a_full_line_keeps_its_style() -> None:
     assert fit(LineStyle(0.35, (4, 1.5)), 3.0) == LineStyle(0.35)
+
+
+def test_an_arc_that_barely_touches_a_mask_from_inside_is_cut_there() -> None:
+    """The cosine of the meeting's angle is rounded to more than 1 here; it once ended a sheet with a bug."""
+    arc = Arc(0j, 43.322697160103075, 0.0, 6.0)
+    mask = Circle(41.42857831464702 + 0j, 1.8941188454560764)
+    kept = list(trimmed([arc], [mask]))
+    assert sum(part.sweep for part in kept if isinstance(part, Arc)) == pytest.approx(6.0)

@@ -1,0 +1,70 @@
+"""The small figure of the Coriolis rule: the slip turned a quarter with the guide, held against the analysis."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from drawings.coriolis import Turned, rule, turned
+from drawings.hand import hand_of
+from drawings.sheets.kinematics import sheets
+from drawings.strokes import Line, Text
+from plans.analytic.kinematics import solve
+from plans.compare import compare
+from plans.scene import parse_scene
+from plans.study import Study
+from tests.drawings.collisions import strokes as flat
+
+SHAPER = Path(__file__).parents[2] / "drawings/gallery/shaper.toml"
+
+
+def shaper(speed: str) -> Study:
+    text = SHAPER.read_text("utf-8")
+    (given,) = (line for line in text.splitlines() if line.startswith("speed"))
+    return Study(parse_scene(text.replace(given, f'speed = "{speed}"')))
+
+
+def rules(study: Study, k: int) -> list[Turned]:
+    marks = study.drafts().accelerations.board
+    return [found for mark in marks if (found := turned(mark, k)) is not None]
+
+
+@pytest.mark.parametrize("speed", ["10 rad/s", "-10 rad/s"])
+def test_the_rule_shows_the_slip_and_the_acceleration_that_the_analysis_gives(speed: str) -> None:
+    """Both senses of the crank, the slotted link going and coming: all four sign cases of omega and of the slip."""
+    study = shaper(speed)
+    motion = solve(study.mechanism, study.turn.phi, first=False)
+    pin, pivot, omega = motion.points["A"], motion.points["C"], motion.links[3].omega
+    assert pin.v is not None and pivot.v is not None and omega is not None
+    under = pivot.v + 1j * omega * (pin.r - pivot.r)  # the velocity of the point of link 3 under the pin
+    cases = set()
+    for k in range(len(study.turn)):
+        slip = under[k] - pin.v[k]
+        along = (np.conj(pin.r[k] - pivot.r[k]) * slip).real
+        for shown in rules(study, k):
+            if shown.size < 1e-9:  # the pin does not slip, or the slot stands still: there is nothing to show
+                continue
+            assert abs(shown.slip - slip / abs(slip)) < 1e-9
+            acceleration = 2j * omega[k] * slip
+            assert abs(shown.result - acceleration / abs(acceleration)) < 1e-9
+            cases.add((omega[k] > 0, along > 0))
+    assert len(cases) == 4
+
+
+def test_the_figure_has_two_arms_at_a_right_angle() -> None:
+    strokes = rule(Turned(1 + 0j, 1j, 1, 2.0, "A"), 50 + 50j, hand_of("A1")).strokes
+    first, second = (stroke.end - stroke.start for stroke in strokes if isinstance(stroke, Line))
+    assert abs(second - 1j * first) < 1e-9
+
+
+def test_what_vanishes_on_paper_has_no_rule() -> None:
+    """Where the crank points to the slot's pivot the pin does not slip, but for rounding: no arrow shows its noise."""
+    text = (
+        SHAPER.read_text("utf-8").replace('start = "extreme"', "start = 90").replace("plans = [2, 9]", "plans = [0, 2]")
+    )
+    study = Study(parse_scene(text))
+    (leaf,) = sheets(study, compare(study))
+    named = [stroke.plain for stroke in flat(leaf.groups) if isinstance(stroke, Text)]
+    assert study.scene.sheet.plans == (0, 2) and named.count("vr") == 1
