@@ -44,7 +44,7 @@ def test_the_rule_shows_the_slip_and_the_acceleration_that_the_analysis_gives(sp
         slip = under[k] - pin.v[k]
         along = (np.conj(pin.r[k] - pivot.r[k]) * slip).real
         for shown in rules(study, k):
-            if shown.size < 1e-9:  # the pin does not slip, or the slot stands still: there is nothing to show
+            if shown.size < 1e-9:  # m/s2: the slot stands still, and the sheet shows nothing
                 continue
             assert abs(shown.slip - slip / abs(slip)) < 1e-9
             acceleration = 2j * omega[k] * slip
