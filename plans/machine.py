@@ -1,0 +1,103 @@
+"""The machine: what forces need of a mechanism beside its links: masses, loads, drive, friction (машина).
+
+Values alone, SI: kg, m, N, N*m, rad; places in the links' own frames. Both roads read them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import NamedTuple
+
+ALWAYS, WORKING, IDLE = "always", "working stroke", "idle stroke"
+MOMENT, COUPLING, FORCE, GEAR = "moment", "coupling", "force", "gear"
+
+
+class Body(NamedTuple):
+    """A link's mass kg, its moment of inertia about the mass centre kg*m2, and the centre in the link's own frame."""
+
+    link: int
+    mass: float
+    inertia: float
+    centre: complex
+
+
+class Diagram(NamedTuple):
+    """Sizes of a load N over the stroke of a point: at shares of it that rise from 0 to 1 in the working sense.
+
+    `back` are the sizes on the idle stroke at the same shares; empty where the load rests there or is the same.
+    """
+
+    travel: tuple[float, ...]
+    sizes: tuple[float, ...]
+    back: tuple[float, ...] = ()
+
+
+class Force(NamedTuple):
+    """A load on a point of a link: N along a fixed direction, or against the motion of the point."""
+
+    name: str  # as the sheet letters it: "F_us", "F_D"
+    link: int
+    point: str
+    at: complex
+    size: float  # N; of a diagram 1
+    direction: complex | None  # unit vector; None: against the motion of the point
+    during: str = ALWAYS
+    diagram: Diagram | None = None
+    overrun: tuple[float, float] = (0.0, 0.0)  # shares of the stroke at its ends in which the load rests
+    stroke: str = ""  # point whose stroke counts; "": the output's
+    useful: bool = True  # whether its work is the machine's purpose
+
+
+class Moment(NamedTuple):
+    """A moment on a link, N*m: constant, or of a size against the link's rotation."""
+
+    name: str
+    link: int
+    size: float
+    against: bool = False
+    during: str = ALWAYS
+    overrun: tuple[float, float] = (0.0, 0.0)
+    stroke: str = ""
+    useful: bool = True
+
+
+class Spring(NamedTuple):
+    """A spring between points of two links (пружина): stiffness N/m and free length m; it pulls when longer."""
+
+    name: str
+    links: tuple[int, int]
+    points: tuple[str, str]
+    at: tuple[complex, complex]
+    stiffness: float
+    free: float
+
+
+class Transmission(NamedTuple):
+    """How the crank is driven: by a moment, a coupling, a force at its end square to it, or a gear (figure 6.17)."""
+
+    kind: str = MOMENT
+    radius: float = 0.0  # m, of the wheel's pitch circle
+    at: float = 0.0  # rad: direction from the shaft to where the pinion meets the wheel
+    pressure: float = 0.0  # rad, pressure angle of the teeth
+
+
+class Rubbing(NamedTuple):
+    """Friction of a pair: reduced coefficient, journal radius m of a hinge, length of contact m of a slide (0: any)."""
+
+    coefficient: float
+    radius: float = 0.0
+    length: float = 0.0
+
+
+@dataclass(frozen=True)
+class Machine:
+    """Masses by link, gravity m/s2, loads, springs, drive, and friction by pair ("0-1"), in the order of the scene."""
+
+    bodies: Mapping[int, Body]
+    gravity: complex
+    forces: tuple[Force, ...]
+    moments: tuple[Moment, ...]
+    springs: tuple[Spring, ...]
+    transmission: Transmission
+    friction: Mapping[str, Rubbing]
