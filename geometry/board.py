@@ -1,14 +1,15 @@
 """The drafting board: an append-only record of drafting acts, for one position and for a million at once.
 
 A point or a vector is a complex number x + iy, or an array of them, one for each position. The vocabulary is closed:
-given, lay_off, join, parallel, square, arc, meet, tangent, turn, transfer, similar, divide, close. Readers of the
-record (replay, precision, explain, the sheets) know the verbs; no construction knows its readers.
+given, lay_off, join, parallel, square, arc, meet, tangent, turn, transfer, similar, divide, close; and of forces, whose
+arms are measured on the drawing, moment, couple, balance. A moment is a real number. Readers of the record (replay,
+precision, explain, the sheets) know the verbs; no construction knows its readers.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple, TypeAlias
+from typing import NamedTuple, TypeAlias, cast
 
 import numpy as np
 
@@ -32,7 +33,7 @@ class Arc(NamedTuple):
     radius: Sizes
 
 
-Value: TypeAlias = Vectors | Line | Arc
+Value: TypeAlias = Vectors | Sizes | Line | Arc
 
 
 class Step(NamedTuple):
@@ -82,10 +83,10 @@ class Mark(NamedTuple):
 
     @property
     def point(self) -> Vectors:
-        """The complex value of a point or a vector; a line or an arc has none."""
+        """The value of a point, a vector or a moment; a line or an arc has none."""
         if isinstance(self.value, tuple):
             raise TypeError(f"{self.name} is a {type(self.value).__name__.lower()}, not a point or a vector")
-        return self.value
+        return cast(Vectors, self.value)  # a moment is a real number, which is a complex one too
 
     @property
     def role(self) -> str:
@@ -222,6 +223,23 @@ class Board:
     def close(self, name: str, *vectors: Mark, why: str = "") -> Mark:
         """Close a chain of vectors: the vector from its end back to its start (замкнуть многоугольник)."""
         return self._draw(name, -sum((v.point for v in vectors), 0j), "close", vectors, why)
+
+    def moment(self, name: str, about: Mark, at: Mark, force: Mark, why: str = "") -> Mark:
+        """Take the moment about a point of a force that acts at another, its arm measured (момент силы)."""
+        return self._draw(name, loci.cross(between(about, at), force.point), "moment", (about, at, force), why)
+
+    def couple(self, name: str, arm: Mark, turning: Mark, times: float, why: str = "") -> Mark:
+        """Take a moment from how a link turns: `times` the part of `turning` square to the arm, over the arm."""
+        value = (turning.point / arm.point).imag * times
+        return self._draw(name, value, "couple", (arm, turning), why, size=times)
+
+    def balance(self, name: str, about: Mark, line: Mark, *moments: Mark, why: str = "") -> Mark:
+        """Find the force along a line that balances moments about a point (уравнение моментов)."""
+        if not isinstance(line.value, Line):
+            raise TypeError(f"{line.name} is no line of action")
+        arm, moment = between(about, line.step.inputs[0]), sum((m.point.real for m in moments), 0.0)
+        found = loci.lever(arm, line.value.direction, moment)
+        return self._draw(name, found.first, "balance", (about, line, *moments), why, meeting=found)
 
 
 def _meeting(first: Mark, second: Mark, base: Vectors, side: Sizes) -> Meeting:

@@ -221,6 +221,22 @@ def tangent_direction(base: Vectors, offset: Sizes, side: Sizes) -> Meeting:
     return Meeting(unit, unit * reach, reach, (1.0, distance), miss, clear)
 
 
+def lever(arm: Vectors, along: Vectors, moment: Sizes) -> Meeting:
+    """Find the force along a direction that balances a moment; `arm` leads from the fulcrum to the line of action.
+
+    `first` is the force. A line of action through the fulcrum has no moment: NaN and sharpness 0.
+
+    >>> complex(lever(2 + 0j, 1j, -6.0).first)
+    3j
+    """
+    across, size, other = cross(arm, along), np.abs(arm), np.abs(along)
+    through = np.abs(across) <= TANGENCY * EPS * size * other
+    clear = not np.logical_or.reduce(through, None)
+    turn = across if clear else np.where(through, np.nan, across)
+    force = along * (-moment / turn)
+    return Meeting(force, force, across if clear else np.where(through, 0.0, across), (arm, along), 0.0, clear)
+
+
 def _sum(a: Sizes, b: Sizes) -> tuple[Sizes, Sizes]:
     """Add two sizes: the sum, and exactly what its rounding lost (D. Knuth)."""
     total = a + b

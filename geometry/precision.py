@@ -108,6 +108,32 @@ def _tangent(mark: Mark, inputs: list[Error]) -> Error:
     return Error(condition(mark) * (moved + OWN * EPS), np.zeros(1))
 
 
+def _moment(mark: Mark, inputs: list[Error]) -> Error:
+    about, at, force = mark.step.inputs
+    arm, size = np.abs(np.asarray(between(about, at))), _size(force)
+    moved = inputs[0].place + inputs[1].place + EPS * np.maximum(_size(about), _size(at))
+    # Each of the two products is rounded, and they are as large as arm times force though they may cancel.
+    return Error(np.asarray(size * moved + arm * inputs[2].place + 2 * EPS * arm * size), np.zeros(1))
+
+
+def _couple(mark: Mark, inputs: list[Error]) -> Error:
+    arm, turning = mark.step.inputs
+    times, size, part = abs(complex(mark.step.size)), _size(arm), _size(turning)
+    moved = (inputs[1].place + part / size * inputs[0].place) / size
+    return Error(np.asarray(times * (moved + 4 * EPS * part / size)), np.zeros(1))
+
+
+def _balance(mark: Mark, inputs: list[Error]) -> Error:
+    about, line, *moments = mark.step.inputs
+    start = line.step.inputs[0]
+    arm, size = np.abs(np.asarray(between(about, start))), _size(mark)
+    largest = np.maximum.reduce([np.broadcast_to(_size(one), np.shape(size)) for one in moments])
+    grown = sum((error.place for error in inputs[2:]), np.zeros(1)) + len(moments) * EPS * largest
+    moved = inputs[0].place + inputs[1].place + EPS * np.maximum(_size(about), _size(start))
+    own = condition(mark) * (moved / arm + inputs[1].turn + OWN * EPS) + inputs[1].turn
+    return Error(np.asarray(condition(mark) * grown / arm + size * own), np.zeros(1))
+
+
 _RULES: dict[str, Callable[[Mark, list[Error]], Error]] = {
     "given": _given,
     "lay_off": _sum,
@@ -122,4 +148,7 @@ _RULES: dict[str, Callable[[Mark, list[Error]], Error]] = {
     "divide": _divide,
     "meet": _meet,
     "tangent": _tangent,
+    "moment": _moment,
+    "couple": _couple,
+    "balance": _balance,
 }

@@ -43,6 +43,8 @@ def _again(board: Board, mark: Mark, inputs: tuple[Mark, ...], givens: Mapping[M
             return board.tangent(mark.name, inputs[0], inputs[1], float(step.size.real), step.side, step.why)
         case "turn":
             return board.turn(mark.name, inputs[0], step.size, step.why)
+        case "couple":
+            return board.couple(mark.name, inputs[0], inputs[1], float(step.size.real), step.why)
         case "similar":
             return board.similar(mark.name, inputs[0], inputs[1], inputs[2], float(step.size.real), step.why)
         case _:
@@ -82,7 +84,7 @@ def exact(marks: list[Mark], position: int = 0, givens: Mapping[Mark, Any] | Non
     return done
 
 
-def _in_digits(mp: mpmath.MPContext, mark: Mark, inputs: list[Any], position: int) -> Any:
+def _in_digits(mp: mpmath.MPContext, mark: Mark, inputs: list[Any], position: int) -> Any:  # noqa: PLR0912  (a verb each)
     step = mark.step
     size = mp.mpc(at(step.size, position))
     match step.op:
@@ -110,6 +112,8 @@ def _in_digits(mp: mpmath.MPContext, mark: Mark, inputs: list[Any], position: in
             return -mp.fsum(inputs)
         case "tangent":
             return _tangent(mp, inputs[1] - inputs[0], size.real, at(step.side, position).real)
+        case "moment" | "couple" | "balance":
+            return _of_moments(mp, step.op, inputs, size.real)
     return _meet(mp, mark, inputs, at(step.side, position).real)
 
 
@@ -136,6 +140,17 @@ def _meet(mp: mpmath.MPContext, mark: Mark, inputs: list[Any], side: float) -> A
         return foot + side * unit * _root(mp, second.measure**2 - abs(second.point - foot) ** 2)
     across = (mp.conj(first.measure) * second.measure).imag
     return first.point + first.measure * (mp.conj(base) * second.measure).imag / across
+
+
+def _of_moments(mp: mpmath.MPContext, op: str, inputs: list[Any], size: Any) -> Any:
+    if op == "moment":
+        about, place, force = inputs
+        return (mp.conj(place - about) * force).imag
+    if op == "couple":
+        arm, turning = inputs
+        return (turning / arm).imag * size
+    about, line, *moments = inputs
+    return -line.measure * mp.fsum(moments) / (mp.conj(line.point - about) * line.measure).imag
 
 
 def _tangent(mp: mpmath.MPContext, base: Any, offset: Any, side: float) -> Any:

@@ -209,6 +209,33 @@ def _closed(tracing: Tracing, mark: Mark) -> Trace:
     )
 
 
+def _moment(tracing: Tracing, mark: Mark) -> Trace:
+    about, at, force = mark.step.inputs
+    return Trace((tracing.acts.do(loci.cross, tracing.between(about, at), tracing.place(force)),))
+
+
+def _couple(tracing: Tracing, mark: Mark) -> Trace:
+    rate = tracing.acts.rate(tracing.place(mark.step.inputs[1]), tracing.place(mark.step.inputs[0]))
+    return Trace((tracing.acts.do(np.multiply, rate, tracing.acts.fix(mark.step.size)),))
+
+
+def _balanced(tracing: Tracing, mark: Mark) -> Trace:
+    about, line, *moments = mark.step.inputs
+    acts, (_, along) = tracing.acts, tracing.locus(line)
+    arm = tracing.between(about, line.step.inputs[0])
+    total = reduce(partial(acts.do, np.add), map(tracing.place, moments))
+    met = acts.do(_levered, acts.do(_paired, arm, along), total)
+    return Trace((tracing.ray(met, 0),), (), met)
+
+
+def _paired(one: Any, other: Any) -> tuple[Any, Any]:
+    return one, other
+
+
+def _levered(pair: tuple[Any, Any], moment: Any) -> Meeting:
+    return loci.lever(*pair, moment)
+
+
 _RULES: dict[str, Callable[[Tracing, Mark], Trace]] = {
     "given": _given,
     "lay_off": _laid_off,
@@ -223,4 +250,7 @@ _RULES: dict[str, Callable[[Tracing, Mark], Trace]] = {
     "similar": _similar,
     "divide": _divided,
     "close": _closed,
+    "moment": _moment,
+    "couple": _couple,
+    "balance": _balanced,
 }

@@ -27,7 +27,10 @@ EDGE = 100.0  # mm of a set square's edge that lies along a line: a longer line 
 TOLD = 0.01  # of the largest: a smaller value has no per cent of itself
 
 # Which inputs of a verb are places on the paper, where a given point must have been pricked.
-_PLACES = {"lay_off": (0,), "join": (0, 1), "parallel": (0,), "square": (0,), "arc": (0,), "tangent": (0, 1)}
+_PLACES = {
+    "lay_off": (0,), "join": (0, 1), "parallel": (0,), "square": (0,), "arc": (0,), "tangent": (0, 1),
+    "moment": (0, 1), "balance": (0,),
+}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -122,6 +125,18 @@ def _divided(hand: Hand, mark: Mark, inputs: Sequence[Any]) -> Any:
     return circle.centre + circle.radius * directions + hand.pricked(mark.subject)
 
 
+def _moment(hand: Hand, mark: Mark, inputs: Sequence[Any]) -> Any:
+    """Measure an arm off the drawing with the ruler."""
+    about, at, force = inputs
+    return cross(at - about + hand.pricked(mark.step.inputs[0].subject), force)
+
+
+def _balanced(hand: Hand, mark: Mark, inputs: Sequence[Any]) -> Any:
+    about, line, *moments = inputs
+    arm = line.through - about + hand.pricked(mark.step.inputs[0].subject)
+    return loci.lever(arm, line.direction, sum(moments)).first
+
+
 _RULES: dict[str, Callable[[Hand, Mark, Sequence[Any]], Any]] = {
     "lay_off": _laid_off,
     "join": lambda hand, mark, inputs: inputs[1] - inputs[0],
@@ -135,6 +150,9 @@ _RULES: dict[str, Callable[[Hand, Mark, Sequence[Any]], Any]] = {
     "similar": lambda hand, mark, inputs: inputs[2] * inputs[0] / inputs[1] * mark.step.size,
     "divide": _divided,
     "close": lambda hand, mark, inputs: -sum(inputs),
+    "moment": _moment,
+    "couple": lambda hand, mark, inputs: (inputs[1] / inputs[0]).imag * mark.step.size,
+    "balance": _balanced,
 }
 
 

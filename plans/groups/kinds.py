@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from geometry.meet import Sizes
 from plans.groups import prp, rpp, rpr, rrp, rrr
 from plans.plan import Plan
 from plans.structure import Dyad
+
+if TYPE_CHECKING:
+    from plans.cut import Cut
+    from plans.force import ForcePlan
 
 
 class Kind(NamedTuple):
@@ -17,13 +21,14 @@ class Kind(NamedTuple):
     positions: Callable[[Plan, Dyad, Sizes], None]
     velocities: Callable[[Plan, Dyad], None]
     accelerations: Callable[[Plan, Dyad], None]
+    forces: Callable[[ForcePlan, Dyad], Cut]
     assemblies: int
 
 
 KINDS: dict[str, Kind] = {
-    "RRR": Kind(rrr.positions, rrr.velocities, rrr.accelerations, 2),
-    "RRP": Kind(rrp.positions, rrp.velocities, rrp.accelerations, 2),
-    "RPR": Kind(rpr.positions, rpr.velocities, rpr.accelerations, 2),
-    "PRP": Kind(prp.positions, prp.velocities, prp.accelerations, 1),
-    "RPP": Kind(rpp.positions, rpp.velocities, rpp.accelerations, 1),
+    "RRR": Kind(rrr.positions, rrr.velocities, rrr.accelerations, rrr.forces, 2),
+    "RRP": Kind(rrp.positions, rrp.velocities, rrp.accelerations, rrp.forces, 2),
+    "RPR": Kind(rpr.positions, rpr.velocities, rpr.accelerations, rpr.forces, 2),
+    "PRP": Kind(prp.positions, prp.velocities, prp.accelerations, prp.forces, 1),
+    "RPP": Kind(rpp.positions, rpp.velocities, rpp.accelerations, rpp.forces, 1),
 }
