@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from copy import copy
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -28,13 +29,27 @@ class Acts:
         self._row: list[tuple[Place, Rule, Place, Place]] = []
         self._done: dict[tuple[Rule, Place, Place], Place] = {}
         self._turned: dict[Place, tuple[Place, Place]] = {}  # a vector turned and stretched: from which, by which
-        self.free, self._nothing = self._vary(), self.fix(None)
+        self.free, self._nothing = self.vary(), self.fix(None)
         self._real, self._imaginary, self._quarter = self.fix("real"), self.fix("imag"), self.fix(1j)
+
+    def over(self) -> Acts:
+        """Begin a row of further acts on the numbers of this one, which stays as it is."""
+        other = copy(self)
+        other._numbers, other._varying = self._numbers.copy(), self._varying.copy()
+        other._done, other._turned, other._row = self._done.copy(), self._turned.copy(), []
+        return other
 
     def follow(self, free: Vectors) -> list[Any]:
         """Give all numbers for another free one."""
-        numbers = self._numbers.copy()
-        numbers[self.free] = free
+        return self._followed(self._numbers.copy(), {self.free: free})
+
+    def follow_on(self, numbers: list[Any], given: Mapping[Place, Any]) -> list[Any]:
+        """Give all numbers over those of the row below; `given` are the numbers that change besides."""
+        return self._followed(numbers + self._numbers[len(numbers) :], given)
+
+    def _followed(self, numbers: list[Any], given: Mapping[Place, Any]) -> list[Any]:
+        for place, number in given.items():
+            numbers[place] = number
         for place, act, one, other in self._row:
             numbers[place] = act(numbers[one], numbers[other])
         return numbers
@@ -48,7 +63,8 @@ class Acts:
         self._numbers.append(number)
         return len(self._numbers) - 1
 
-    def _vary(self) -> Place:
+    def vary(self) -> Place:
+        """Give a place to a number that is given anew each time."""
         self._varying.add(self.fix(None))
         return len(self._numbers) - 1
 
@@ -58,7 +74,7 @@ class Acts:
         key = (act, one, other)
         if key not in self._done:
             if one in self._varying or other in self._varying:
-                self._done[key] = self._vary()
+                self._done[key] = self.vary()
                 self._row.append((self._done[key], *key))
             else:
                 self._done[key] = self.fix(act(self._numbers[one], self._numbers[other]))

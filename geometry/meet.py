@@ -229,8 +229,8 @@ def lever(arm: Vectors, along: Vectors, moment: Sizes) -> Meeting:
     >>> complex(lever(2 + 0j, 1j, -6.0).first)
     3j
     """
-    across, size, other = cross(arm, along), np.abs(arm), np.abs(along)
-    through = np.abs(across) <= TANGENCY * EPS * size * other
+    across = cross(arm, along)
+    through = across**2 <= (TANGENCY * EPS) ** 2 * dot(arm, arm) * dot(along, along)
     clear = not np.logical_or.reduce(through, None)
     turn = across if clear else np.where(through, np.nan, across)
     force = along * (-moment / turn)

@@ -8,6 +8,7 @@ formulas, and the marks themselves are made when somebody looks at them.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from copy import copy
 from functools import partial, reduce
 from operator import getitem
 from typing import Any, NamedTuple
@@ -47,17 +48,39 @@ class Tracing:
         self._origin = self.acts.fix(0j)
         self._fields = [self.acts.fix(field) for field in range(len(Meeting._fields))]
         self._traces: dict[Mark, Trace] = {}
+        self._meetings: list[Place] = []
+        self._trace(marks, {free: self.acts.free})
+
+    def _trace(self, marks: Iterable[Mark], given: Mapping[Mark, Place]) -> None:
         for mark in marks:
-            self._traces[mark] = Trace((self.acts.free,)) if mark is free else _RULES[mark.step.op](self, mark)
-        self._meetings = [trace.meeting for trace in self._traces.values() if trace.meeting is not None]
+            trace = Trace((given[mark],)) if mark in given else _RULES[mark.step.op](self, mark)
+            self._traces[mark] = trace
+            if trace.meeting is not None:
+                self._meetings.append(trace.meeting)
+
+    def over(self, marks: Iterable[Mark], free: Iterable[Mark]) -> Tracing:
+        """Trace what was drawn over this record afterwards; `free` are its given marks that change each time."""
+        other = copy(self)
+        other.acts, other._traces, other._meetings = self.acts.over(), self._traces.copy(), []
+        given = {mark: other.acts.vary() for mark in free}
+        other._trace((mark for mark in marks if mark not in self._traces), given)
+        return other
 
     def follow(self, free: Vectors) -> list[Any]:
         """Give the numbers of all acts with another value of the free mark."""
         return self.acts.follow(free)
 
+    def follow_on(self, numbers: list[Any], given: Mapping[Mark, Any]) -> list[Any]:
+        """Give the numbers of all acts over those of the record below, with other values of the free marks."""
+        return self.acts.follow_on(numbers, {self.place(mark): value for mark, value in given.items()})
+
     def clear(self, numbers: list[Any]) -> bool:
         """Whether no meeting has at any position a miss, a dead centre or anything unknown."""
         return all(numbers[place].clear for place in self._meetings)
+
+    def meetings(self, numbers: list[Any]) -> list[Meeting]:
+        """List how the loci of the record met; of one that was traced over another, its own meetings."""
+        return [numbers[place] for place in self._meetings]
 
     def place(self, mark: Mark) -> Place:
         """Tell where the value of a point or a vector is."""

@@ -78,6 +78,11 @@ class Cut(NamedTuple):
     sides: tuple[Side, ...]
 
     @property
+    def reactions(self) -> tuple[Support, ...]:
+        """All reactions that the cut gives: the outer ones and the inner one."""
+        return self.supports if self.inner is None else (*self.supports, self.inner)
+
+    @property
     def label(self) -> str:
         """The links of the group: "4-5"."""
         return "-".join(map(str, self.links))

@@ -5,7 +5,8 @@ Every reaction is constructed: parts by moments with measured arms, the rest by 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from copy import copy
 
 import numpy as np
 
@@ -17,6 +18,7 @@ from plans.machine import Body, Machine
 from plans.mechanism import FRAME
 from plans.plan import Plan
 from plans.primary import primary
+from plans.redrawing import remade
 from plans.structure import Dyad
 
 
@@ -34,6 +36,7 @@ class ForcePlan:
         self.given: list[Mark] = []  # the loads, in the order of the loading: they change with the position
         self.cuts: list[Cut] = []
         self.drive: Mark | None = None  # force by which the crank is driven; None: a moment drives it
+        self.driven: Mark | None = None  # where it acts
         self.balancing = self.pole  # moment about the shaft, once it is found
         self._places: dict[tuple[str, int], Mark] = {}
         for _, body in sorted(machine.bodies.items()):
@@ -74,6 +77,12 @@ class ForcePlan:
             self._places[key] = drawn
         return self._places[key]
 
+    def image(self, load: Load) -> Mark:
+        """Give the image of the point of a weight, an inertia force or a load on the velocity plan."""
+        if load.kind == LOAD:
+            return self.velocities.point(load.at.name)
+        return self.centre(self.velocities, self.machine.bodies[load.link])
+
     def _load(self, loading: Loading) -> None:
         for load in loading.forces:
             mark = self.board.given(load.name, load.force, "load")
@@ -84,6 +93,14 @@ class ForcePlan:
             mark = self.board.given(twist.name, twist.moment, "load")
             self.given.append(mark)
             self.couples[twist.link].append(Couple(twist.name, twist.link, mark, LOAD))
+
+    def redrawn(self, boards: Mapping[str, Board], made: Mapping[Mark, Mark], below: Sequence[Plan]) -> ForcePlan:
+        """Give this plan as it is on other boards, whose marks are named by those of this one."""
+        other = copy(self)
+        other.positions, other.velocities, other.accelerations = below
+        for name in ("board", "pole", "loads", "couples", "given", "cuts", "drive", "driven", "balancing", "_places"):
+            vars(other)[name] = remade(vars(self)[name], made, boards)
+        return other
 
     def acting(self, *links: int) -> tuple[list[Load], list[Couple]]:
         """List the known forces and couples on some links."""

@@ -30,6 +30,7 @@ def primary(plan: ForcePlan) -> Cut:
         start = line.step.inputs[0]
         plan.drive = board.balance(DRIVING, shaft, line, *terms, why=f"moments about {shaft.name} of link {drive.link}")
         plan.balancing = board.moment(BALANCING, shaft, start, plan.drive, "what the driving force does on the shaft")
+        plan.driven = start
         driving = [(DRIVING, plan.drive, PART)]
     armed = tuple(load for load in loads if load.at is not shaft)
     equation = Equation(shaft, armed, tuple(couples), line, plan.drive or plan.balancing)
@@ -50,7 +51,7 @@ def _line(plan: ForcePlan) -> Mark | None:
         return base.board.square(f"⊥{arm.name}", base.point(drive.end), arm, "the driving force is square to the crank")
     if how.kind == GEAR:
         pitch = base.board.given("W", cmath.rect(how.radius, how.at), "pitch point of the gears")
-        along = base.board.given("line of action", action(how, drive.omega), "turned by the pressure angle")
+        along = plan.board.given("line of action", action(how, drive.omega), "turned by the pressure angle")
         return base.board.parallel("line of action", pitch, along, "the teeth press along the line of action")
     return None
 

@@ -202,6 +202,10 @@ class Study:
             return self.drafts().lost
         return np.concatenate([drafts.lost for drafts, _ in self._blocks()])
 
+    def parts(self) -> list[Drafts]:
+        """Give plans over all positions, in blocks where they are more than those of a sheet."""
+        return [self.drafts()] if len(self.turn) <= BLOCK else [drafts for drafts, _ in self._blocks()]
+
     def _blocks(self) -> Iterator[tuple[Drafts, slice]]:
         """Give plans block by block, where the positions are more than those of a sheet; they are not kept."""
         for start in range(0, len(self.turn), BLOCK):

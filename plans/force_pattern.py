@@ -1,0 +1,137 @@
+"""A pattern of forces: the force plan drawn at one position over the other plans, to be followed at any others."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+from itertools import chain
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from geometry.board import behind
+from geometry.meet import EPS
+from geometry.tracing import Tracing
+from plans.cut import Support
+from plans.force import ForcePlan, forces
+from plans.groups import guide
+from plans.kinetostatics import Balancing, Kinetostatics, Loading, Reaction
+from plans.lever import Lever, lever
+from plans.machine import Machine
+from plans.motion import Floats
+from plans.pattern import Pattern
+from plans.plan import Plan
+from plans.redrawing import remade
+from plans.structure import Dyad
+
+# A meeting less sharp than this leaves no true digit of a reaction found by it: kappa times eps, times kappa again for
+# the velocities and accelerations that the inertia forces rest on.
+SHARP = EPS**0.5
+
+
+class Drawn(NamedTuple):
+    """The force plan and the lever at the positions of some plans, their marks made."""
+
+    plan: ForcePlan
+    lever: Lever | None
+
+
+class _Places(NamedTuple):
+    """Where the numbers of a reaction are among those of the pattern; not `told`: its opposite was found."""
+
+    support: Support
+    told: bool
+    r: int
+    force: int
+    moment: int | None
+    along: int | None
+
+
+class ForcePattern:
+    """The force plan over a pattern of accelerations; the lever is hung when it is looked at."""
+
+    def __init__(self, pattern: Pattern, groups: Sequence[Dyad], machine: Machine, loading: Loading) -> None:
+        self.pattern = pattern
+        self.plan = forces(pattern.plans[2], groups, machine, loading)
+        self._below = [plan.board for plan in pattern.plans]
+        self.tracing = pattern.tracing.over(behind(*chain(*self._below, self.plan.board)), self.plan.given)
+        self._reactions = [self._found(support) for cut in self.plan.cuts for support in cut.reactions]
+
+    @cached_property
+    def lever(self) -> Lever | None:
+        """Zhukovsky's lever at the pattern's one position."""
+        return lever(self.plan)
+
+    @cached_property
+    def _hung(self) -> Tracing:
+        """The acts of the lever over those of the force plan."""
+        boards = [*self._below, self.plan.board, *([self.lever.board] if self.lever is not None else [])]
+        return self.tracing.over(behind(*chain(*boards)), ())
+
+    @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, and is named outside
+    def hang(self, numbers: list[Any]) -> list[Any]:
+        """Work out the numbers of the lever over those of the force plan."""
+        return self._hung.follow_on(numbers, {})
+
+    def _found(self, support: Support) -> _Places:
+        place, along = self.tracing.place, None
+        if support.slide is not None:
+            along = place(guide.direction(self.plan.positions, support.slide, support.slide.owner))
+        moment = None if support.moment is None else place(support.moment)
+        return _Places(support, support.giver < support.taker, place(support.at), place(support.force), moment, along)
+
+    @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, and is named outside
+    def follow(self, numbers: list[Any], loading: Loading) -> list[Any]:
+        """Work out all numbers of the force plan over those of the plans below."""
+        values = (*(load.force for load in loading.forces), *(twist.moment for twist in loading.moments))
+        return self.tracing.follow_on(numbers, dict(zip(self.plan.given, values, strict=True)))
+
+    def singular(self, numbers: list[Any], count: int) -> Any:
+        """Tell at which positions a polygon or an equation of moments has no answer with a true digit."""
+        found = np.zeros(count, dtype=bool)
+        for met in self.tracing.meetings(numbers):
+            found |= ~(met.sharpness > SHARP)
+        return found
+
+    def read(self, numbers: list[Any], phi: Floats) -> Kinetostatics:
+        """Read all reactions and the balancing moment off the force plan."""
+        reactions = {}
+        for places in self._reactions:
+            found = _reaction(places, numbers, len(phi))
+            reactions[f"{found.giver}-{found.taker}"] = found
+        return Kinetostatics("construction", phi, reactions, self._balancing(numbers, len(phi)), ())
+
+    def _balancing(self, numbers: list[Any], count: int) -> Balancing:
+        plan = self.plan
+        moment = _row(numbers[self.tracing.place(plan.balancing)], count).real.copy()
+        if plan.drive is None or plan.driven is None:
+            return Balancing(moment)
+        force, r = (numbers[self.tracing.place(mark)] for mark in (plan.drive, plan.driven))
+        return Balancing(moment, _row(force, count), _row(r, count))
+
+    def drawn(self, numbers: list[Any]) -> Drawn:
+        """Make the plans that have these numbers of the force plan, and the lever."""
+        boards, made = self._hung.boards(self.hang(numbers))
+        plans: list[Plan] = []
+        for plan in self.pattern.plans:
+            plans.append(plan.redrawn(boards[plan.board.subject], made, tuple(plans)))
+        found = self.plan.redrawn(boards, made, plans)
+        return Drawn(found, remade(self.lever, made, boards))
+
+
+def _reaction(places: _Places, numbers: list[Any], count: int) -> Reaction:
+    support = places.support
+    ends = min(support.giver, support.taker), max(support.giver, support.taker)
+    force, r = _row(numbers[places.force], count), _row(numbers[places.r], count)
+    force = force if places.told else -force
+    if places.along is None:
+        return Reaction(*ends, support.at.name, r, force)
+    moment = _row(0.0 if places.moment is None else numbers[places.moment], count).real
+    along = _row(numbers[places.along], count)
+    return Reaction(*ends, support.at.name, r, force, moment if places.told else -moment, along)
+
+
+def _row(value: Any, count: int) -> Any:
+    """Give a number as a row: what is the same at all positions takes no room."""
+    row = np.asarray(value)
+    return row if row.shape == (count,) else np.broadcast_to(row, count)
