@@ -9,6 +9,8 @@ precision, explain, the sheets) know the verbs; no construction knows its reader
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import reduce
+from operator import add
 from typing import NamedTuple, TypeAlias, cast
 
 import numpy as np
@@ -87,6 +89,11 @@ class Mark(NamedTuple):
         if isinstance(self.value, tuple):
             raise TypeError(f"{self.name} is a {type(self.value).__name__.lower()}, not a point or a vector")
         return cast(Vectors, self.value)  # a moment is a real number, which is a complex one too
+
+    @property
+    def is_moment(self) -> bool:
+        """Whether it is a moment, a real number, and no point or vector."""
+        return not isinstance(self.value, tuple) and bool(np.isrealobj(self.value))
 
     @property
     def role(self) -> str:
@@ -222,7 +229,8 @@ class Board:
 
     def close(self, name: str, *vectors: Mark, why: str = "") -> Mark:
         """Close a chain of vectors: the vector from its end back to its start (замкнуть многоугольник)."""
-        return self._draw(name, -sum((v.point for v in vectors), 0j), "close", vectors, why)
+        total = reduce(add, (v.point for v in vectors)) if vectors else 0j
+        return self._draw(name, -total, "close", vectors, why)
 
     def moment(self, name: str, about: Mark, at: Mark, force: Mark, why: str = "") -> Mark:
         """Take the moment about a point of a force that acts at another, its arm measured (момент силы)."""
@@ -237,8 +245,8 @@ class Board:
         """Find the force along a line that balances moments about a point (уравнение моментов)."""
         if not isinstance(line.value, Line):
             raise TypeError(f"{line.name} is no line of action")
-        arm, moment = between(about, line.step.inputs[0]), sum((m.point.real for m in moments), 0.0)
-        found = loci.lever(arm, line.value.direction, moment)
+        total = reduce(add, (one.point.real for one in moments)) if moments else 0.0
+        found = loci.lever(between(about, line.step.inputs[0]), line.value.direction, total)
         return self._draw(name, found.first, "balance", (about, line, *moments), why, meeting=found)
 
 

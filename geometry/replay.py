@@ -150,7 +150,8 @@ def _of_moments(mp: mpmath.MPContext, op: str, inputs: list[Any], size: Any) -> 
         arm, turning = inputs
         return (turning / arm).imag * size
     about, line, *moments = inputs
-    return -line.measure * mp.fsum(moments) / (mp.conj(line.point - about) * line.measure).imag
+    arm = (mp.conj(line.point - about) * line.measure).imag
+    return -line.measure * mp.fsum(moments) / (arm if arm else mp.nan)  # through the fulcrum it balances nothing
 
 
 def _tangent(mp: mpmath.MPContext, base: Any, offset: Any, side: float) -> Any:

@@ -65,7 +65,7 @@ class Draughtsman:
 
     def act(self) -> None:
         """Do one act of the trade."""
-        acts = (self.notch, self.guide, self.crossing, self.slot, self.chain, self.figure, self.circle)
+        acts = (self.notch, self.guide, self.crossing, self.slot, self.chain, self.figure, self.circle, self.equation)
         self.draw(st.sampled_from(acts))()
 
     def notch(self) -> None:
@@ -134,6 +134,18 @@ class Draughtsman:
         direction = board.given(board_name(board), cmath.rect(1.0, self.draw(angles)))
         self.keep(direction, self.drawn.units)
         self.keep(board.divide(board_name(board), circle, direction), self.drawn.points)
+
+    def equation(self) -> None:
+        """The moments of a force and of a couple about a point, balanced by a force along a line."""
+        board, vectors = self.drawn.board, self.drawn.vectors
+        about, at, _ = self.two()
+        through = self.one(self.drawn.points)
+        line = board.square(board_name(board), through, self.one(vectors))
+        moments = [board.moment(board_name(board), about, at, self.one(vectors))]
+        moments.append(board.couple(board_name(board), self.one(vectors), self.one(vectors), self.draw(shares)))
+        if through is not about:
+            self.keep(board.balance(board_name(board), about, line, *moments), vectors)
+        board.close(board_name(board), *moments)
 
     def keep(self, mark: Mark, among: list[Mark]) -> None:
         """Use a mark in later acts if it can be used."""

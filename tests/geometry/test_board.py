@@ -146,6 +146,43 @@ def test_close_leads_from_the_end_of_the_chain_back_to_its_start() -> None:
     assert board.close("d", *vectors).point == -4 - 3j
 
 
+def test_a_moment_is_force_by_arm_positive_counter_clockwise() -> None:
+    board, (o, a, f) = board_with(O=1 + 1j, A=4 + 1j, F=5 + 2j)
+    assert board.moment("M", o, a, f).point == 3 * 2
+    assert board.moment("M'", a, o, f).point == -3 * 2
+    assert board.moment("M0", a, a, f).point == 0
+    assert board.moment("M", o, a, f).is_moment
+    assert not f.is_moment
+
+
+def test_a_couple_is_taken_from_the_part_of_the_turning_vector_square_to_the_arm() -> None:
+    board, (ab, turning) = board_with(AB=2j, t=-6 + 5j)  # the part along AB turns nothing
+    assert board.couple("M", ab, turning, -0.5).point == -0.5 * 3
+
+
+def test_the_force_that_balances_moments_lies_along_its_line_and_has_the_opposite_moment() -> None:
+    board, (o, a, b, f, u) = board_with(O=0j, A=2 + 1j, B=3 - 1j, F=4 - 3j, u=3 + 4j)
+    moments = [board.moment("M", o, a, f), board.couple("M'", u, f, 2.0)]
+    found = board.balance("R", o, board.parallel("line", b, u), *moments)
+    assert cross(u.point, found.point) == pytest.approx(0, abs=16 * EPS)
+    held = board.moment("M''", o, b, found)
+    assert held.point + sum(one.point for one in moments) == pytest.approx(0, abs=64 * EPS)
+
+
+def test_a_line_of_action_through_the_fulcrum_balances_nothing() -> None:
+    board, (o, a, f, u) = board_with(O=0j, A=2 + 1j, F=4 - 3j, u=2 + 1j)
+    found = board.balance("R", o, board.parallel("line", a, u), board.moment("M", o, a, f))
+    assert cmath.isnan(found.point)
+    assert found.sharpness == 0
+    assert not board.clear
+
+
+def test_only_along_a_line_can_moments_be_balanced() -> None:
+    board, (o, a, f) = board_with(O=0j, A=2 + 1j, F=4 - 3j)
+    with pytest.raises(TypeError, match="A is no line of action"):
+        board.balance("R", o, a, board.moment("M", o, a, f))
+
+
 # What is kept
 
 

@@ -41,6 +41,9 @@ ACTS: dict[str, Act] = {
     "similar": lambda b, m: b.similar("x", m[3], m[2], m[1], 2.0),
     "divide": lambda b, m: b.divide("x", b.arc("1", m[1], 2.5), m[2]),
     "close": lambda b, m: b.close("x", m[0], m[1], m[3]),
+    "moment": lambda b, m: b.moment("x", m[0], m[1], m[3]),
+    "couple": lambda b, m: b.couple("x", m[1], m[3], -2.5),
+    "balance": lambda b, m: b.balance("x", m[0], b.square("1", m[1], m[2]), b.moment("2", m[0], m[1], m[3])),
 }
 
 

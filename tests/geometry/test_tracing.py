@@ -87,6 +87,24 @@ def test_a_gap_leaves_a_record_in_doubt() -> None:
     assert not board.clear
 
 
+def test_what_is_drawn_over_a_record_is_followed_on_from_its_numbers() -> None:
+    board, over = Board("positions"), Board("forces")
+    o, phi = board.given("O", 0j), board.given("φ", 1j)
+    a = board.lay_off("A", o, phi)
+    below = Tracing(board, phi)
+    force, weight = over.given("F", 0j), over.given("G", -2j)
+    moment = over.moment("M", o, a, over.lay_off("sum", force, weight))
+    above = below.over([*board, *over], [force])
+    turn, loads = np.array([1j, 1 + 0j]), np.array([3 + 0j, 5j])
+    numbers = below.follow(turn)
+    followed = above.follow_on(numbers, {force: loads})
+    assert list(followed[above.place(moment)]) == [-3.0, 3.0]
+    assert len(numbers) < len(followed)  # the row below is as it was
+    assert list(below.follow(turn)[below.place(a)]) == list(turn)
+    _, made = above.boards(followed)
+    assert list(made[moment].point) == [-3.0, 3.0]
+
+
 def test_given_lines_are_followed_too() -> None:
     board = Board("positions")
     guide = board.given("guide", Line(0j, 1 + 0j))
