@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
-from plans.loads import MassTable
 from plans.mechanism import FRAME, Link
 from plans.scene import Scene
 
@@ -27,15 +26,8 @@ def unnamed(scene: Scene, links: Mapping[int, Link]) -> dict[str, tuple[int, com
     taken = {name for link in links.values() for name in link.points}
     found = {}
     for number, mass in sorted(scene.masses.items()):
-        places = list(links[number].points.values())
-        centre = _centre(mass, places)
+        places, centre = links[number].points.values(), mass.place(links[number])
         size = max(abs(place - centre) for place in places)
         if number != FRAME and f"S{number}" not in taken and min(abs(p - centre) for p in places) > NEAR * size:
             found[f"S{number}"] = number, centre
     return found
-
-
-def _centre(mass: MassTable, places: list[complex]) -> complex:
-    if mass.centre == "middle":
-        return (places[0] + places[1]) / 2
-    return complex(float(mass.centre[0]), float(mass.centre[1]))

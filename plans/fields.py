@@ -25,6 +25,8 @@ LINKS_LIMIT = 60
 LETTER = re.compile(r"[A-ZА-ЯЁ][0-9]*[′']*")
 NAME = re.compile(r"[^\W\d_]\w*[′']*")
 LINK = re.compile(r"[1-9][0-9]{0,5}")
+LINKS_OF_PAIR = re.compile(r"(0|[1-9][0-9]{0,5})-(0|[1-9][0-9]{0,5})")
+SYMBOL_SIGNS = re.compile(r"[^\W\d_][\w.′'-]*")
 
 
 def split_letters(text: str) -> tuple[str, ...]:
@@ -90,6 +92,57 @@ def check_text(value: object, limit: int = TITLE_LIMIT) -> str:
         if unicodedata.category(char) in ("Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"):
             raise wrong("text", code=f"U+{ord(char):04X}")
     return text
+
+
+def check_symbol(value: object) -> str:
+    """Read the letters of a load as they stand on the sheet: F_us, M_3.
+
+    >>> check_symbol("F_us")
+    'F_us'
+    """
+    if not isinstance(value, str):
+        raise wrong("wrong_type", wanted="the letters of a load", found=type_name(value), example='text: "F_us"')
+    if not SYMBOL_SIGNS.fullmatch(value) or len(value) > NAME_LIMIT or value != unicodedata.normalize("NFC", value):
+        raise wrong("symbol")
+    return value
+
+
+def check_pair_name(value: object) -> str:
+    """Read the name of a pair of links, the lower number first: 0-1."""
+    found = LINKS_OF_PAIR.fullmatch(value) if isinstance(value, str) else None
+    low, high = sorted((int(found[1]), int(found[2]))) if found else (0, 0)
+    if low == high:
+        raise wrong("pair_name", example="0-1")
+    if value != f"{low}-{high}":
+        raise wrong("pair_name", example=f"{low}-{high}")
+    return value
+
+
+def check_ends(value: object) -> None:
+    """See that a spring has two ends."""
+    if not isinstance(value, list) or len(value) != 2:
+        raise wrong("two_ends", found=len(value) if isinstance(value, list) else type_name(value))
+
+
+def flag(value: object) -> bool:
+    """Read true or false."""
+    if not isinstance(value, bool):
+        raise wrong("wrong_type", wanted="true or false", found=type_name(value), example="true")
+    return value
+
+
+def share(value: object) -> Decimal:
+    """Read a share of the stroke."""
+    if not 0 <= (result := units.quantity(value, units.NUMBER)) < 1:
+        raise wrong("share")
+    return result
+
+
+def loaded_link(value: object) -> int:
+    """Read the number of a link that a load acts on."""
+    if value == 0 and not isinstance(value, bool):
+        raise wrong("loaded_frame")
+    return whole(value, 1)
 
 
 def choice(value: object, choices: tuple[str, ...], kind: str = "choice") -> str:
@@ -197,11 +250,16 @@ PLACE = many(COORDINATE, first=check_pair)
 ANGULAR_SPEED = one(units.rate, kind=units.SPEED)
 ANGULAR_ACCELERATION = one(units.rate, kind=units.ANGULAR_ACCELERATION)
 GRAVITY = one(units.quantity, kind=units.ACCELERATION)
+STIFFNESS = one(units.positive, kind=units.STIFFNESS)
+FREE_LENGTH = one(units.not_negative, kind=units.LENGTH)
+FRICTION = one(units.not_negative, kind=units.NUMBER)
+PRESSURE_ANGLE = one(units.pressure_angle)
+SHARE, FLAG, SYMBOL, PAIR = one(share), one(flag), one(check_symbol), one(check_pair_name)
 MASS, INERTIA = one(units.not_negative, kind=units.MASS), one(units.not_negative, kind=units.INERTIA)
 FORCE, MOMENT = one(units.quantity, kind=units.FORCE), one(units.quantity, kind=units.MOMENT)
 NUMBER = one(units.quantity, kind=units.NUMBER)
 LINK_NUMBER = one(link_key)  # as a key
-MOVING_LINK = one(whole, least=1)
+MOVING_LINK, LOADED_LINK = one(whole, least=1), one(loaded_link)
 ANY_LINK = POSITION_NUMBER = one(whole, least=0)
 START = one(start_angle)
 POSITIONS = either(list, many(ANGLE, position_list), one(count_positions))

@@ -12,6 +12,7 @@ from plans.faults import Fault, Path, SceneError, suggestion
 from plans.fields import split_line
 from plans.mechanism import FRAME, Drive, Link, Mechanism, Output, Slide, StructureError, Way
 from plans.notes import RATIO_LIMIT, spread
+from plans.references import check_references
 from plans.scene import FrameLine, Scene, SlideTable
 from plans.shapes import Shaper, Spot, as_complex, line_name
 from plans.survey import Survey, natural
@@ -68,7 +69,7 @@ def _build(survey: Survey) -> Mechanism | None:
     shapes = {FRAME: fixed, **{link: shaper.shape(link) for link in sorted(scene.mechanism.links)}}
     _check_points(survey)
     slides = Guides(survey, shapes, datum).slides()
-    _check_references(survey)
+    check_references(survey, slides)
     _check_islands(survey, slides)
     output = _output(survey, slides)
     if survey.faults or not ends:
@@ -254,34 +255,6 @@ def _output(survey: Survey, slides: tuple[Slide, ...]) -> Output | None:
         return None
     sliders = [slide.slider for slide in slides if slide.slider in owners and slide.owner == FRAME]
     return Output(sliders[-1] if sliders else owners[-1], point)
-
-
-def _check_references(survey: Survey) -> None:
-    """See that masses, loads and the sheet name links, points and positions that exist."""
-    scene = survey.scene
-    for link, mass in scene.masses.items():
-        path: Path = ("masses", str(link))
-        if survey.know_link(path, link) and mass.centre == "middle" and len(survey.points_of[link]) < 2:
-            survey.report((*path, "centre"), "no_line")
-    for index, force in enumerate(scene.loads.forces if scene.loads else ()):
-        path = ("loads", "forces", index)
-        if survey.know_link((*path, "on"), force.on):
-            survey.on_link((*path, "point"), force.on, force.point)
-    for index, moment in enumerate(scene.loads.moments if scene.loads else ()):
-        survey.know_link(("loads", "moments", index, "on"), moment.on)
-    _check_positions(survey)
-
-
-def _check_positions(survey: Survey) -> None:
-    count = survey.scene.drive.count
-    details = {"most": count - 1, "count": count}
-    if survey.doubtful(("drive", "positions")):
-        return
-    for index, number in enumerate(survey.scene.sheet.plans):
-        if number >= count:
-            survey.report(("sheet", "plans", index), "position_number", **details)
-    if (survey.scene.sheet.position or 0) >= count:
-        survey.report(("sheet", "position"), "position_number", **details)
 
 
 def _check_islands(survey: Survey, slides: tuple[Slide, ...]) -> None:

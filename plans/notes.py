@@ -5,11 +5,15 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 from decimal import Decimal
+from itertools import combinations
 from typing import NamedTuple
 
+from geometry.errors import DraftError
 from plans.faults import TWINS, Fault, Path
 from plans.fields import split_line
-from plans.scene import FrameLine, Scene
+from plans.loads import DiagramTable, MassTable
+from plans.mechanism import Link, Mechanism
+from plans.scene import FORCES, FrameLine, Scene
 from plans.units import WORKING
 
 # Lengths in one mechanism that differ more (ratio of longest to shortest) are mostly of two units.
@@ -21,6 +25,8 @@ METRES = Decimal(20)
 # Where all angles of a list are smaller than a turn in radians, they were perhaps meant so.
 TURN_IN_RADIANS = Decimal("6.3")
 FEW_ANGLES = 3  # a shorter list tells nothing
+# Gravity of the Earth, m/s2, and how many times it a machine stands at most: the Sun's is 28 times.
+EARTH, MOST_EARTHS = Decimal("9.81"), 30
 RADIANS = re.compile(r"""["'].*\b(?:rad|рад)\s*["']""")
 
 
@@ -47,6 +53,7 @@ def spread(lengths: Mapping[str, Decimal]) -> Spread | None:
 def notes_of(scene: Scene) -> list[Fault]:
     """Give the notes on a scene, in the order of its file."""
     found = [*_mark(scene), *_lengths(scene), *_angles(scene), *_twins(scene), *_spare_points(scene)]
+    found += [*_masses(scene), *_gravity(scene), *_diagrams(scene)]
     return sorted(found, key=lambda note: (note.line, note.column))
 
 
@@ -111,3 +118,69 @@ def _spare_points(scene: Scene) -> Iterator[Fault]:
     for name in scene.mechanism.frame:
         if name not in used:
             yield scene.fault(("mechanism", "frame", name), "spare_point", name=name)
+
+
+def _masses(scene: Scene) -> Iterator[Fault]:
+    """Find mass centres far outside their links, and inertia about a hinge given for that about the centre."""
+    mechanism = _mechanism(scene) if scene.masses else None
+    if mechanism is None:
+        return
+    longest = max(map(_length, mechanism.links.values()))
+    for number, mass in scene.masses.items():
+        link, path = mechanism.links[number], ("masses", str(number))
+        yield from _centre(scene, (*path, "centre"), mass, link, _length(link) or longest)
+        most = float(mass.mass) * _length(link) ** 2
+        # A crank has its gear or flywheel in its inertia, and a block no length.
+        if number != mechanism.drive.link and _length(link) and float(mass.inertia) > most:
+            details = {"inertia": f"{mass.inertia:.4g}", "most": f"{most:.4g}", "link": number}
+            yield scene.fault((*path, "inertia"), "large_inertia", **details)
+
+
+def _centre(scene: Scene, path: Path, mass: MassTable, link: Link, size: float) -> Iterator[Fault]:
+    centre = mass.place(link)
+    far = min(abs(centre - place) for place in link.points.values())
+    if far > size:
+        yield scene.fault(path, "far_centre", far=f"{far:.4g}", link=link.number)
+
+
+def _mechanism(scene: Scene) -> Mechanism | None:
+    """Give the mechanism, for the shapes of its links; none where the scene has faults, which are told instead."""
+    from plans.linkage import mechanism_of  # noqa: PLC0415  (the linkage rests on notes; only here the other way)
+
+    try:
+        return mechanism_of(scene)
+    except DraftError:
+        return None
+
+
+def _length(link: Link) -> float:
+    """Give the largest distance between points of a link."""
+    return max((abs(one - other) for one, other in combinations(link.points.values(), 2)), default=0.0)
+
+
+def _gravity(scene: Scene) -> Iterator[Fault]:
+    given = scene.loads.gravity if scene.loads else None
+    path = ("loads", "gravity")
+    if given is None:
+        if FORCES in scene.sheets and any(mass.mass for mass in scene.masses.values()):
+            yield scene.fault(("masses",), "weightless")
+        return
+    size = max(map(abs, given)) if isinstance(given, tuple) else abs(given)
+    if size > MOST_EARTHS * EARTH:
+        yield scene.fault(path, "heavy", ratio=f"{size / EARTH:.3g}", example=f"{size.normalize():f}")
+    elif not isinstance(given, tuple) and given < 0:
+        yield scene.fault(path, "upward")
+
+
+def _diagrams(scene: Scene) -> Iterator[Fault]:
+    """Find indicator diagrams whose two strokes do not meet at their ends."""
+    for index, force in enumerate(scene.loads.forces if scene.loads else ()):
+        table, path = force.diagram, ("loads", "forces", index, "diagram", "back")
+        for share, there, back in _ends(table) if table and table.back else ():
+            if there != back:
+                yield scene.fault(path, "open_diagram", travel=f"{share:f}", jump=f"{abs(there - back):f}")
+
+
+def _ends(table: DiagramTable) -> Iterator[tuple[Decimal, Decimal, Decimal]]:
+    """Give the two ends of a diagram: share of the stroke, force, and force on the idle stroke."""
+    yield from ((table.travel[end], table.force[end], table.back[end]) for end in (0, -1))

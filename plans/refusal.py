@@ -27,6 +27,15 @@ MISSING: Mapping[Path, tuple[str, str]] = {
     ("along",): ("line", 'along = "CB", or along = { through = [0, 0], angle = 0 }'),
     ("through",): ("point of the line", "through = [0, 0]"),
     ("on",): ("number of a moving link", "on = 2"),
+    ("point",): ("point of the link", 'point = "B"'),
+    ("mass",): ("mass", 'mass = "3 kg"'),
+    ("travel",): ("list of shares of the stroke", "travel = [0, 1]"),
+    ("force",): ("list of forces", "force = [1500, 1500]"),
+    ("between",): ("pair of ends", 'between = ["B", "O"]'),
+    ("stiffness",): ("stiffness", 'stiffness = "20 N/mm"'),
+    ("free",): ("free length", 'free = "80 mm"'),
+    ("coefficient",): ("reduced coefficient of friction", "coefficient = 0.1"),
+    ("friction", "radius"): ("journal radius of the hinges", 'radius = "20 mm"'),
     ("at",): ("place in the link's own frame", "at = [0.1, 0]"),
 }
 # What stands in for a refused table while the rest is examined.

@@ -13,17 +13,24 @@ from plans.faults import Fault, Path, SceneError, wrong
 from plans.loads import (
     MASSES,
     DiagramTable,
+    EndTable,
     ForceTable,
+    FrictionTable,
     GearTable,
     LoadsTable,
     MassTable,
     MomentTable,
+    PairTable,
+    SpringTable,
 )
+from plans.machine import COUPLING, FORCE, MOMENT
 from plans.refusal import REFUSALS_LIMIT, doubts_of, refusals, spare
 from plans.source import Source, parse_source, read_source
 from plans.tables import Refused, Table, either, key, many, named, one, read, table
 
-SHEETS = ("kinematics",)  # what this version draws
+KINEMATICS, FORCES = "kinematics", "forces"
+SHEETS = (KINEMATICS, FORCES)  # what this version draws
+BALANCINGS = (MOMENT, COUPLING, FORCE)
 Place = tuple[Decimal, Decimal]
 
 
@@ -70,6 +77,8 @@ class DriveTable(Table):
     acceleration: Decimal = key(f.ANGULAR_ACCELERATION, Decimal(0))
     start: Decimal | str = key(f.START, Decimal(0))
     positions: int | tuple[Decimal, ...] = key(f.POSITIONS, 12)
+    # What balances the crank: a moment, a coupling, or a force at its end; a gear is a kind of its own.
+    balancing: str = key(one(f.choice, choices=BALANCINGS), MOMENT)
     gear: GearTable | None = key(table(GearTable), None)
 
     @property
@@ -85,9 +94,11 @@ class DriveTable(Table):
         return self.start if isinstance(self.start, Decimal) else None
 
     def check(self) -> None:
-        """See that a list of positions stands alone."""
+        """See that a list of positions stands alone, and that the crank is driven in one way."""
         if isinstance(self.positions, tuple) and "start" in self.given:
             raise wrong("start_with_list", at=("start",))
+        if self.gear is not None and "balancing" in self.given:
+            raise wrong("one_of_two", first="balancing", second="gear", found="both", at=("balancing",))
 
 
 class OutputTable(Table):
@@ -105,7 +116,7 @@ class OutputTable(Table):
 
 LANGUAGES, STANDARDS = ("en", "ru"), ("GOST", "ISO")
 FORMATS, ORIENTATIONS = ("A1", "A2", "A3", "A4"), ("landscape", "portrait")
-LETTERINGS, NOTATIONS = ("strokes", "text"), ("mu", "K")
+LETTERINGS, NOTATIONS, REACTIONS = ("strokes", "text"), ("mu", "K"), ("R", "P", "F")
 
 
 class SheetTable(Table):
@@ -122,6 +133,10 @@ class SheetTable(Table):
     # Positions whose velocity and acceleration plans are drawn.
     plans: tuple[int, ...] = key(many(f.POSITION_NUMBER, f.no_repeats, first=f.FEW), ())
     position: int | None = key(f.POSITION_NUMBER, None)  # the position drawn in full lines
+    # Positions of the force sheets, one sheet each; none given: that in full lines.
+    forces: tuple[int, ...] = key(many(f.POSITION_NUMBER, f.no_repeats, first=f.FEW), ())
+    reactions: str = key(one(f.choice, choices=REACTIONS), "R")  # the letter of reactions
+    hodographs: tuple[str, ...] = key(many(f.PAIR, f.no_repeats, first=f.FEW), ())  # pairs whose hodograph is drawn
     designation: str = key(f.TEXT, "")
     drawn: str = key(f.TEXT, "")
     checked: str = key(f.TEXT, "")
@@ -132,17 +147,18 @@ class SheetTable(Table):
 
 
 class Scene(Table):
-    """What the user asked for: a mechanism, its drive, its loads, and the sheets wanted."""
+    """What the user asked for: a mechanism, its drive, its loads and friction, and the sheets wanted."""
 
     title: str = key(f.TEXT, "Mechanism")
     sheets: tuple[str, ...] = key(
-        many(one(f.choice, choices=SHEETS, kind="sheet_name"), f.not_empty, f.no_repeats, first=f.FEW), SHEETS
+        many(one(f.choice, choices=SHEETS, kind="sheet_name"), f.not_empty, f.no_repeats, first=f.FEW), (KINEMATICS,)
     )
     mechanism: MechanismTable = key(table(MechanismTable))
     drive: DriveTable = key(table(DriveTable))
     output: OutputTable | None = key(table(OutputTable), None)
     masses: Mapping[int, MassTable] = key(MASSES, {})
     loads: LoadsTable | None = key(table(LoadsTable), None)
+    friction: FrictionTable | None = key(table(FrictionTable), None)
     sheet: SheetTable = key(table(SheetTable), SheetTable())
     _source: Source
 
@@ -180,6 +196,10 @@ TABLES: Mapping[Path, type[Table]] = {
     ("loads", "forces", "*"): ForceTable,
     ("loads", "forces", "*", "diagram"): DiagramTable,
     ("loads", "moments", "*"): MomentTable,
+    ("loads", "springs", "*"): SpringTable,
+    ("loads", "springs", "*", "between", "*"): EndTable,
+    ("friction",): FrictionTable,
+    ("friction", "pairs", "*"): PairTable,
     ("drive", "gear"): GearTable,
 }
 

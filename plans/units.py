@@ -21,6 +21,7 @@ LENGTH_LEAST = Decimal("1e-9")  # m
 ANGLE_LIMIT = Decimal("1e9")  # degrees
 RATE_LIMIT = Decimal("1e9")  # rad/s, rad/s2: no machine turns a thousandth as fast
 RATE_LEAST = Decimal("1e-9")  # above zero: a turn in two centuries
+PRESSURE_LIMIT = Decimal(45)  # degrees: beyond it the teeth of a gear press the shafts apart more than they turn them
 
 # An ASCII number with digits on both sides of the point, then whatever stands for a unit.
 QUANTITY = re.compile(r"\s*([+-]?[0-9]+(?:\.[0-9]+)?(?:[eE][+-]?[0-9]+)?)\s*([^\W\d_].*|°.*)?", re.DOTALL)
@@ -60,11 +61,12 @@ ANGULAR_ACCELERATION = Kind(
     "rad/s2",
     {"rad/s2": _ONE, "deg/s2": _RADIANS, "рад/с2": _ONE, "°/s2": _RADIANS},
 )
-ACCELERATION = _kind("acceleration", "m/s2", **{"м/с2": "1"})
+ACCELERATION = _kind("acceleration", "m/s2", **{"cm/s2": "0.01", "mm/s2": "0.001", "м/с2": "1", "мм/с2": "0.001"})
 MASS = _kind("mass", "kg", g="0.001", t="1000", кг="1", г="0.001", т="1000")
 INERTIA = _kind("moment of inertia", "kg*m2", **{"kg*cm2": "0.0001", "kg*mm2": "0.000001", "кг*м2": "1"})
 FORCE = _kind("force", "N", kN="1000", Н="1", кН="1000")
 MOMENT = _kind("moment", "N*m", **{"kN*m": "1000", "N*mm": "0.001", "Н*м": "1", "кН*м": "1000"})
+STIFFNESS = _kind("stiffness", "N/m", **{"kN/m": "1000", "N/cm": "100", "N/mm": "1000", "Н/м": "1", "Н/мм": "1000"})
 NUMBER = Kind("number", "", {})
 
 
@@ -117,6 +119,14 @@ def angle(value: object) -> Decimal:
     return result
 
 
+def pressure_angle(value: object) -> Decimal:
+    """Give the pressure angle of a gear in degrees."""
+    result = quantity(value, ANGLE)
+    if not 0 <= result <= PRESSURE_LIMIT:
+        raise wrong("out_of_range", kind="angle", least="0", most=str(PRESSURE_LIMIT), unit="deg")
+    return result
+
+
 def rate(value: object, kind: Kind) -> Decimal:
     """Give an angular velocity or acceleration: zero, or of a size between RATE_LEAST and RATE_LIMIT."""
     result = quantity(value, kind)
@@ -125,8 +135,16 @@ def rate(value: object, kind: Kind) -> Decimal:
     return result
 
 
+def positive(value: object, kind: Kind) -> Decimal:
+    """Give a quantity above zero: a stiffness."""
+    result = quantity(value, kind)
+    if result <= 0:
+        raise wrong("not_positive", kind=kind.name)
+    return result
+
+
 def not_negative(value: object, kind: Kind) -> Decimal:
-    """Give a quantity of zero or above: a mass, a moment of inertia."""
+    """Give a quantity of zero or above: a mass, a moment of inertia, a coefficient of friction."""
     result = quantity(value, kind)
     if result < 0:
         raise wrong("negative", kind=kind.name)

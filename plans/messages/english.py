@@ -78,7 +78,25 @@ FAULTS: Mapping[str, tuple[str, str]] = {
         "give a number of that range, or more positions",
     ),
     "force_value": ("{wanted}", "{advice}"),
-    "diagram": ("travel and force lists of one length, travel rising from 0 to 1", "give one force for each travel"),
+    "diagram": ("travel and {name} lists of one length, travel rising from 0 to 1", "give one force for each travel"),
+    "travel": (
+        "travel from 0 to 1, but it covers {first} to {last}",
+        "give the force from the beginning of the stroke to its end: 0 N where it rests",
+    ),
+    "share": ("a share of the stroke from 0 to less than 1", "write 0.1 for a tenth of it"),
+    "no_stroke_left": ("overruns that leave a part of the stroke between them", "write smaller shares"),
+    "spare_stroke": ("a load that changes over a stroke", "leave stroke out, or add during, overrun or a diagram"),
+    "one_stroke": (
+        "no part of the turn beside back, which gives the force on the idle stroke too",
+        "leave during out, or back",
+    ),
+    "symbol": (
+        "the letters of a load: a letter, then letters, digits, _, points or primes, as F_us, M_3",
+        "rename the load",
+    ),
+    "loaded_frame": ("a moving link: a load on the frame moves nothing", "name the link that it acts on"),
+    "pair_name": ('a pair by its two links, the lower number first, as "0-1"', 'write "{example}"'),
+    "two_ends": ("the two ends of a spring, but found {found}", 'write between = ["B", "O"]'),
     "invalid": ("{message}", "compare it with the example scenes"),
     # the mechanism
     "unknown_point": ("a point of the mechanism, but there is no point {name}", "{suggestion}"),
@@ -136,6 +154,18 @@ FAULTS: Mapping[str, tuple[str, str]] = {
         "check the units of both",
     ),
     "no_line": ("a link with two points, for its middle", "give the centre as [x, y]"),
+    # masses, loads, friction
+    "nothing_acts": (
+        "masses or loads for the sheet of forces, but nothing acts on the mechanism",
+        'add [masses], or forces, moments or springs in [loads], or leave "forces" out of sheets',
+    ),
+    "many_links": (
+        "a point of one link, but links {links} have {name}",
+        'write {{ on = {first}, point = "{name}" }}',
+    ),
+    "one_link": ("ends on two different links, but both are on link {link}", "name points of two links"),
+    "unknown_pair": ("a pair of the mechanism, but there is no pair {name}", "{suggestion}"),
+    "pair_form": ("{thing}, which alone has a {name}, but pair {pair} is none", "leave {name} out"),
 }
 
 
@@ -154,4 +184,22 @@ NOTES: Mapping[str, tuple[str, str]] = {
     ),
     "twins": ("{name} and {other} look alike, but one has a Cyrillic letter", "rename one of them"),
     "spare_point": ("no link and no slide uses the fixed point {name}", "leave it out, or give it to a link"),
+    "far_centre": (
+        "the mass centre is {far} m from the nearest point of link {link}",
+        "check its place and unit: the link's own frame has its first point as origin and its second on +x",
+    ),
+    "large_inertia": (
+        "{inertia} kg*m2 is more than m*L2 = {most} kg*m2 of link {link}",
+        "if it is the inertia about a hinge, give that about the mass centre: less by m*r2",
+    ),
+    "heavy": ("{ratio} times the gravity of the Earth", 'if millimetres are meant, write "{example} mm/s2"'),
+    "upward": ("gravity as a number is downward, and this one acts upward", "leave out its sign, or write [gx, gy]"),
+    "weightless": (
+        "links have masses but no weights, because no gravity is given",
+        "write gravity = 9.81 in [loads], or 0 where it is meant so",
+    ),
+    "open_diagram": (
+        "the diagram does not close: at {travel} of the stroke force and back differ by {jump} N",
+        "give both one value there, unless the jump is meant",
+    ),
 }

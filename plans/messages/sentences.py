@@ -84,6 +84,11 @@ STRUCTURE: Mapping[str, str] = {
         "где она в первом положении, в стороне от прямой, на которой обе сборки сходятся; из мёртвого положения "
         "начинать нельзя - возьмите другой угол кривошипа"
     ),
+    "{a} acts over the stroke of {thing}, which has no two extreme positions. Fix: let it act always and without "
+    "overrun or diagram, or name another point by stroke": (
+        "{a} действует по ходу: {thing} не имеет двух крайних положений. Исправьте: пусть она действует всегда, без "
+        "overrun и diagram, или назовите в stroke другую точку"
+    ),
 }
 GAPS: Mapping[str, str] = {
     "the lines that meet in {point} fall into one there, or are parallel: take a position beside it": (

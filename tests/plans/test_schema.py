@@ -15,8 +15,10 @@ from drawings import cli
 from geometry.errors import LimitError
 from plans import units
 from plans.faults import SceneError
+from plans.forms import text_with_unit
+from plans.keys import KEYS
 from plans.scene import TABLES, Scene
-from plans.schema import KEYS, schema, text_with_unit
+from plans.schema import schema
 from plans.source import read_source
 from plans.tables import Refused, read
 from plans.units import Kind
@@ -119,7 +121,7 @@ def test_an_editor_marks_the_very_key(old: str, new: str, where: str) -> None:
 
 
 KINDS = (units.LENGTH, units.ANGLE, units.SPEED, units.ANGULAR_ACCELERATION, units.ACCELERATION)
-KINDS += (units.MASS, units.INERTIA, units.FORCE, units.MOMENT)
+KINDS += (units.MASS, units.INERTIA, units.FORCE, units.MOMENT, units.STIFFNESS)
 
 
 @pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.name)
