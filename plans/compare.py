@@ -7,8 +7,8 @@ linear systems magnify a rounding by the condition of the Jacobian once for ever
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import NamedTuple
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -30,6 +30,9 @@ from plans.motion import (
 )
 from plans.passage import margins
 from plans.study import Drafts, Study
+
+if TYPE_CHECKING:
+    from plans.kinetostatics import Kinetostatics
 
 # A Newton step or a linear solution at rest leaves a few roundings of the largest term in each of its rows.
 ANALYSIS = 8.0
@@ -79,6 +82,7 @@ class Comparison(NamedTuple):
     findings: tuple[Finding, ...]
     kappa: Floats  # condition of the scaled Jacobian at every position
     road: Analysis  # by which the analysis was made
+    forces: tuple[Kinetostatics, Kinetostatics] | None = None  # by construction and by analysis, where asked for
 
     def of(self, plan: str) -> tuple[Finding, ...]:
         """Give the findings of one plan."""
@@ -108,8 +112,7 @@ def compare(study: Study, order: int = 2) -> Comparison:
     for k in range(order + 1):
         findings += _points(study, drafts, k, drawn, solved, kappa)
         findings += _links(drafts, k, drawn, solved, kappa)
-    sharp = ~(notches(study).max(axis=0, initial=1.0) >= NOT_GRADED)
-    return Comparison(drawn, solved, tuple(_capped(finding, sharp) for finding in findings), kappa, road)
+    return Comparison(drawn, solved, capped(study, findings), kappa, road)
 
 
 def notches(study: Study) -> Floats:
@@ -119,10 +122,12 @@ def notches(study: Study) -> Floats:
     return np.array([np.broadcast_to(condition(mark), count) for mark in marks]).reshape(len(marks), count)
 
 
-def _capped(finding: Finding, sharp: Floats) -> Finding:
+def capped(study: Study, findings: Sequence[Finding]) -> tuple[Finding, ...]:
     """Allow no more than MOST_ALLOWED of the largest where the construction is sharp."""
-    most = np.where(sharp, MOST_ALLOWED * finding.largest, np.inf)
-    return finding._replace(allowed=np.minimum(finding.allowed, most))
+    sharp = ~(notches(study).max(axis=0, initial=1.0) >= NOT_GRADED)
+    mosts = (np.where(sharp, MOST_ALLOWED * finding.largest, np.inf) for finding in findings)
+    pairs = zip(findings, mosts, strict=True)
+    return tuple(finding._replace(allowed=np.minimum(finding.allowed, most)) for finding, most in pairs)
 
 
 def compare_extremes(study: Study, comparison: Comparison) -> Comparison:
@@ -171,12 +176,12 @@ def _points(
 ) -> Iterator[Finding]:
     names = [name for name in drawn.points if name not in study.mechanism.links[FRAME].points]
     pairs = [(getattr(drawn.points[n], POINT_KEYS[order]), getattr(solved.points[n], POINT_KEYS[order])) for n in names]
-    largest = _largest([np.abs(ours) for ours, _ in pairs])
+    largest = largest_of([np.abs(ours) for ours, _ in pairs])
     plan = drafts.plan(order)
     marks = [plan.point(name) for name in names]
     bounds = errors(*marks)
     for name, mark, (ours, theirs) in zip(names, marks, pairs, strict=True):
-        allowed = _allowed(bounds[mark].place, order, kappa, largest)
+        allowed = with_analysis(bounds[mark].place, order, kappa, largest)
         label = f"{POINT_KEYS[order]}_{name}"
         yield Finding(ORDERS[order], label, POINT_UNITS[order], ours, theirs, np.abs(ours - theirs), allowed, largest)
 
@@ -185,13 +190,13 @@ def _links(drafts: Drafts, order: int, drawn: Motion, solved: Motion, kappa: Flo
     key = LINK_KEYS[order]
     pairs = {n: (getattr(drawn.links[n], key), getattr(solved.links[n], key)) for n in drawn.links}
     largest = (
-        np.pi if order == 0 else max(_largest([np.abs(ours) for ours, _ in pairs.values()]), _slowest(drawn, order))
+        np.pi if order == 0 else max(largest_of([np.abs(ours) for ours, _ in pairs.values()]), _slowest(drawn, order))
     )
     plan = drafts.plan(order)
     for number, (ours, theirs) in pairs.items():
         apart = np.abs(np.angle(np.exp(1j * (ours - theirs)))) if order == 0 else np.abs(ours - theirs)
         bound = _turn_bound(drafts, order, number)
-        allowed = _allowed(bound, order, kappa, largest)
+        allowed = with_analysis(bound, order, kappa, largest)
         label = f"{LINK_SYMBOLS[order]}_{number}"
         yield Finding(plan.board.subject, label, LINK_UNITS[order], ours, theirs, apart, allowed, largest)
 
@@ -202,8 +207,8 @@ def _slowest(drawn: Motion, order: int) -> float:
     Links that only translate have rates that are truly zero, and no per cent of themselves.
     """
     places = np.array([motion.r for motion in drawn.points.values()])
-    size = _largest([np.abs(places - places[0])])
-    vector = _largest([np.abs(getattr(motion, POINT_KEYS[order])) for motion in drawn.points.values()])
+    size = largest_of([np.abs(places - places[0])])
+    vector = largest_of([np.abs(getattr(motion, POINT_KEYS[order])) for motion in drawn.points.values()])
     return vector / size if size > 0 else 0.0
 
 
@@ -222,11 +227,12 @@ def _turn_bound(drafts: Drafts, order: int, number: int) -> Floats:
     return np.asarray((bounds[turning].place + part / size * bounds[arm].place) / size + 4 * EPS * part / size)
 
 
-def _allowed(own: Floats, order: int, kappa: Floats, largest: float) -> Floats:
+def with_analysis(own: Floats, order: int, kappa: Floats, largest: float) -> Floats:
     """Add the analytic road's share: kappa once for the position and once more for every derivative."""
     return np.asarray(own + ANALYSIS * EPS * kappa ** (order + 1) * largest)
 
 
-def _largest(sizes: list[Floats]) -> float:
+def largest_of(sizes: Sequence[Floats]) -> float:
+    """Give the largest of some sizes over all positions, gaps left out."""
     finite = [float(np.nanmax(size)) for size in sizes if np.isfinite(size).any()]
     return max(finite, default=0.0)

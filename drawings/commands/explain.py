@@ -19,7 +19,7 @@ from plans.plan import Plan
 from plans.scene import read_scene
 from plans.study import Drafts, Study
 
-UNITS = dict(zip(ORDERS, POINT_UNITS, strict=True))
+UNITS = {**dict(zip(ORDERS, POINT_UNITS, strict=True)), "forces": "N", "lever": "m/s"}
 
 
 class UnknownMark(DraftError, ValueError):  # noqa: N818  (the message's own word)
@@ -31,7 +31,7 @@ def run(options: argparse.Namespace) -> int:
     study = Study(noted(read_scene(options.scene)))
     position = _position(study, options.position)
     drafts = study.drafts((position,))
-    targets = find(study, drafts, options.mark)
+    targets = _force(study, position, options.mark) or find(study, drafts, options.mark)
     steps = behind(*targets)
     if options.json:
         print(json.dumps([_plain(mark) for mark in steps], allow_nan=False))
@@ -44,6 +44,22 @@ def run(options: argparse.Namespace) -> int:
     if len(targets) > 1:
         print(_rate(options.mark, *targets))
     return 0
+
+
+def _force(study: Study, position: int, name: str) -> list[Mark]:
+    """Find a mark of the force plan: R_34, its parts R^t_34, a load, M_bal; none where the scene has no forces."""
+    if not (study.scene.masses or study.scene.loads) or name in _letters(study):
+        return []
+    from plans.statics import Statics
+
+    board = Statics(study).drafts([position]).plans.plan.board
+    told = name.replace("Phi", "Φ").replace("P_", "R_", 1) if name[:1] == "P" and name[2:3].isdigit() else name
+    told = told.replace("Phi", "Φ")
+    return [board[told]] if told in board else []
+
+
+def _letters(study: Study) -> set[str]:
+    return {point for link in study.mechanism.links.values() for point in link.points}
 
 
 def _rate(name: str, arm: Mark, turning: Mark) -> str:
@@ -85,7 +101,7 @@ def find(study: Study, drafts: Drafts, name: str) -> list[Mark]:
         for letter in (name, name.replace("_", "")):  # a3 is written with its index lowered: a_3
             if letter in plan.board:
                 return [plan.board[letter]]
-    known = [*points, *(f"v_{p}" for p in points), *(f"a_{p}" for p in points)]
+    known = [*points, *(f"v_{p}" for p in points), *(f"a_{p}" for p in points)]  # forces are found before
     near = difflib.get_close_matches(name, known, 1)
     hint = f"did you mean {near[0]}? " if near else ""
     raise UnknownMark(f"no mark is named {name}: {hint}points are {', '.join(sorted(points))}; also v_B, a_B, omega_3")
@@ -113,6 +129,8 @@ def _value(mark: Mark) -> str:
     unit = UNITS.get(_drawn_on(mark), "")
     if isinstance(mark.value, Line):
         return f"line through {_pair(at(mark.value.through, 0))}, direction {_pair(at(mark.value.direction, 0))}"
+    if mark.is_moment:
+        return f"{at(mark.point, 0).real + 0.0:.10g} N*m"
     if isinstance(mark.value, Arc):
         return f"arc about {_pair(at(mark.value.centre, 0))}, radius {at(mark.value.radius, 0).real:.10g} {unit}"
     return f"{_pair(at(mark.value, 0))} {unit}"

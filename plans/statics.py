@@ -1,0 +1,173 @@
+"""The statics of a study: its force plans over all positions, each made once, when asked for (кинетостатика)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from plans.extreme import extremes
+from plans.force_pattern import Drawn, ForcePattern
+from plans.gaps import near_edge
+from plans.inventory import machine_of
+from plans.kinetostatics import Balancing, Kinetostatics, Loading, Pair, Reaction, pairs
+from plans.loading import loading
+from plans.machine import Machine
+from plans.mechanism import Output
+from plans.motion import Extremes, Gap, Motion
+from plans.passage import CHANGE
+from plans.stroke import Stroke, strokes
+from plans.study import Drafts, Study
+
+INDETERMINATE, DEAD = "statically indeterminate", "dead centre"
+
+
+class ForceDrafts:
+    """The force plans over some positions of a study, over the plans of its motion there."""
+
+    def __init__(self, statics: Statics, drafts: Drafts) -> None:
+        self.statics, self.drafts = statics, drafts
+
+    @cached_property
+    def _followed(self) -> tuple[ForcePattern, list[Any]]:
+        pattern, numbers = self.drafts.follow(2)
+        load = self.loading
+        found = self.statics.pattern
+        assert found.pattern is pattern  # a sweep has one pattern of an order
+        return found, found.follow(numbers, load)
+
+    @cached_property
+    def motion(self) -> Motion:
+        """The motion at these positions, reached or not."""
+        return self.drafts.motion(2)
+
+    @cached_property
+    def loading(self) -> Loading:
+        """The loads at these positions."""
+        return self.statics.loading(self.motion)
+
+    @cached_property
+    def plans(self) -> Drawn:
+        """The force plan and the lever, their marks made."""
+        pattern, numbers = self._followed
+        return pattern.drawn(numbers)
+
+    def read(self) -> tuple[Kinetostatics, npt.NDArray[np.bool_]]:
+        """Read the forces off the plans; tell where they have no answer."""
+        pattern, numbers = self._followed
+        turn = self.drafts.turn
+        found = pattern.read(numbers, turn.phi)
+        return found, pattern.singular(numbers, len(turn))
+
+
+class Statics:
+    """The forces of a study; nothing is made before it is asked for."""
+
+    def __init__(self, study: Study) -> None:
+        self.study = study
+
+    @cached_property
+    def machine(self) -> Machine:
+        """Masses, loads, drive and friction of the scene."""
+        return machine_of(self.study.scene, self.study.mechanism)
+
+    @cached_property
+    def pairs(self) -> tuple[Pair, ...]:
+        """The lower pairs of the mechanism, in solving order."""
+        return pairs(self.study.mechanism, self.study.groups)
+
+    @cached_property
+    def strokes(self) -> Mapping[str, Stroke]:
+        """The strokes over which loads change, by construction."""
+        return strokes(self.machine, self.study.mechanism, self.study.output, self._extremes)
+
+    def _extremes(self, output: Output) -> Extremes | None:
+        """Find the extreme positions of an output by construction."""
+        found = self.study.found if output == self.study.output else extremes(self.study.sweep, output)
+        return None if found is None else found.extremes
+
+    def loading(self, motion: Motion) -> Loading:
+        """Give the loads at the positions of a motion."""
+        return loading(self.machine, motion, self.strokes)
+
+    @cached_property
+    def pattern(self) -> ForcePattern:
+        """The force plan drawn at one position, to be followed at all."""
+        self.study.made.setdefault("forces")
+        one = self.study.drafts([0])
+        pattern, _ = one.follow(2)
+        return ForcePattern(pattern, self.study.groups, self.machine, self.loading(one.motion(2)))
+
+    def drafts(self, chosen: slice | Sequence[int] = slice(None)) -> ForceDrafts:
+        """Give the force plans over some positions; those of the same positions are the same."""
+        key = repr(chosen)
+        if key not in self._drafts:
+            self._drafts[key] = ForceDrafts(self, self.study.drafts(chosen))
+        return self._drafts[key]
+
+    @cached_property
+    def _drafts(self) -> dict[str, ForceDrafts]:
+        return {}
+
+    @cached_property
+    def forces(self) -> Kinetostatics:
+        """All reactions and the balancing moment over all positions, what has none left out and named."""
+        parts = [ForceDrafts(self, drafts) for drafts in self.study.parts()]
+        found = [part.read() for part in parts] if len(parts) > 1 else [self.drafts().read()]
+        whole = _joined([forces for forces, _ in found])
+        motion = self.study.motion(2)
+        lost = np.zeros(len(whole.phi), dtype=bool)
+        lost[[gap.position for gap in motion.gaps]] = True
+        none = np.concatenate([singular for _, singular in found]) & ~lost
+        named = [*motion.gaps, *(self._gap(int(k)) for k in np.flatnonzero(none))]
+        gone = lost | none
+        return replace(without(whole, gone) if gone.any() else whole, gaps=tuple(sorted(named, key=_number)))
+
+    def _gap(self, position: int) -> Gap:
+        """Name a position that has a motion, but no forces."""
+        phi = float(self.study.turn.phi[position])
+        changes = [barrier for barrier in self.study.barriers if barrier.kind == CHANGE]
+        if near_edge(np.array([phi]), changes).any():
+            advice = "the links lie in one line there and share forces in many ways; take a position beside it"
+            return Gap(position, phi, "forces", INDETERMINATE, "", 0.0, advice)
+        advice = "a group is at its dead centre: its reactions grow beyond all bounds; take a position beside it"
+        return Gap(position, phi, "forces", DEAD, "", 0.0, advice)
+
+
+def _number(gap: Gap) -> int:
+    return gap.position
+
+
+def _joined(parts: Sequence[Kinetostatics]) -> Kinetostatics:
+    """Put the forces over parts of the positions together."""
+    if len(parts) == 1:
+        return parts[0]
+
+    def joined(rows: Sequence[Any]) -> Any:
+        return None if rows[0] is None else np.concatenate(rows)
+
+    reactions = {}
+    for key, first in parts[0].reactions.items():
+        told = [part.reactions[key] for part in parts]
+        rows = (joined([getattr(one, name) for one in told]) for name in ("r", "force", "moment", "along"))
+        reactions[key] = Reaction(first.giver, first.taker, first.point, *rows)
+    balancing = Balancing(*(joined(rows) for rows in zip(*(part.balancing for part in parts), strict=True)))
+    return Kinetostatics(parts[0].by, np.concatenate([part.phi for part in parts]), reactions, balancing, ())
+
+
+def without(forces: Kinetostatics, gone: npt.NDArray[np.bool_]) -> Kinetostatics:
+    """Leave no force at some positions."""
+
+    def kept(row: Any) -> Any:
+        return None if row is None else np.where(gone, np.nan, row)
+
+    reactions = {
+        key: one._replace(force=kept(one.force), moment=kept(one.moment)) for key, one in forces.reactions.items()
+    }
+    told = forces.balancing
+    balancing = Balancing(kept(told.moment), kept(told.force), told.r)
+    return replace(forces, reactions=reactions, balancing=balancing)
