@@ -1,0 +1,60 @@
+"""The worked force analyses, as scenes beside their numbers, and scenes made of them."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from plans.compare import Comparison, Finding, compare
+from plans.force_comparison import compare_forces
+from plans.kinetostatics import Kinetostatics
+from plans.scene import parse_scene
+from plans.statics import Statics
+from plans.study import Study
+
+CASES = Path(__file__).parents[1] / "cases"
+WORKED: Mapping[str, Any] = json.loads((CASES / "forces.json").read_text(encoding="utf-8"))
+DYADS = ("kind-1", "kind-2", "kind-3", "kind-4", "kind-5")
+ROADS = ("construction", "analysis")
+
+
+def text_of(name: str, *changes: tuple[str, str]) -> str:
+    """Give the text of a worked scene with some of its words changed; each must be there."""
+    text = (CASES / "forces" / f"{name}.toml").read_text(encoding="utf-8")
+    for old, new in changes:
+        assert old in text, f"{name} has no {old}"
+        text = text.replace(old, new)
+    return text
+
+
+def statics_of(text: str) -> Statics:
+    """Give the statics of a scene's text."""
+    return Statics(Study(parse_scene(text)))
+
+
+@cache
+def worked(name: str) -> tuple[Statics, Comparison]:
+    """Give a worked scene's statics, and its forces by both roads."""
+    statics = statics_of(text_of(name))
+    return statics, compare_forces(statics, compare(statics.study))
+
+
+def compared(text: str) -> Comparison:
+    """Give the forces of a scene's text by both roads."""
+    statics = statics_of(text)
+    return compare_forces(statics, compare(statics.study))
+
+
+def of_road(comparison: Comparison, road: str) -> Kinetostatics:
+    """Give the forces by one road."""
+    assert comparison.forces is not None
+    return comparison.forces[ROADS.index(road)]
+
+
+def finding(comparison: Comparison, name: str) -> Finding:
+    """Give the finding of a name."""
+    (found,) = (one for one in comparison.findings if one.name == name)
+    return found

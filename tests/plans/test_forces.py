@@ -1,0 +1,167 @@
+"""Force analysis of the five dyads and of the book's six-link example, by construction and by analysis."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+
+import numpy as np
+import pytest
+
+from geometry.board import Mark, at, behind
+from geometry.meet import EPS
+from geometry.precision import condition, errors
+from geometry.replay import exact
+from plans.cut import INERTIA
+from plans.statics import Statics
+from tests.plans.force_cases import DYADS, ROADS, WORKED, compared, finding, of_road, statics_of, text_of, worked
+
+SHAPER = WORKED["shaper"]
+NAMES = (*DYADS, "shaper")
+
+
+def printed(value: float, wanted: float) -> bool:
+    """Tell whether a value is the printed one to the half of its last digit, of ten that are not zero."""
+    number = Decimal(repr(wanted))
+    last = max(number.adjusted() - 9, number.as_tuple().exponent) if wanted else -9
+    return abs(value - wanted) <= 0.5000001 * 10.0**last
+
+
+def near(value: complex, wanted: list[float]) -> bool:
+    """Tell whether both parts of a vector are as printed."""
+    return printed(value.real, wanted[0]) and printed(value.imag, wanted[1])
+
+
+@pytest.mark.parametrize("road", ROADS)
+@pytest.mark.parametrize("name", NAMES)
+def test_reactions_and_arms_are_those_of_the_worked_example(name: str, road: str) -> None:
+    case, (_, comparison) = WORKED[name], worked(name)
+    reactions = of_road(comparison, road).reactions
+    keys = [key for key in reactions if key in case]
+    assert len(keys) >= 3
+    for key in keys:
+        assert near(complex(reactions[key].force[0]), case[key]), key
+    for key, size in case.get("size", {}).items():
+        assert printed(float(abs(reactions[key].force[0])), size), key
+    for key, arm in case.get("arms", {}).items():
+        found = reactions[key].arm
+        assert found is not None
+        # The arm runs along the slide as the scene names it; the example measured some the other way.
+        assert printed(abs(float(found[0])), abs(arm)), key
+
+
+@pytest.mark.parametrize("name", ["kind-1", "shaper"])
+def test_the_parts_found_by_moments_are_those_of_the_worked_example(name: str) -> None:
+    statics, _ = worked(name)
+    board = statics.drafts().plans.plan.board
+    for mark, value in WORKED[name]["parts"].items():
+        assert near(at(board[mark].point, 0), value), mark
+
+
+def test_the_inertia_couples_of_the_six_links_are_those_of_the_worked_example() -> None:
+    board = worked("shaper")[0].drafts().plans.plan.board
+    for mark, value in SHAPER["couples"].items():
+        assert printed(at(board[mark].point, 0).real, value), mark
+
+
+@pytest.mark.parametrize("road", ROADS)
+def test_the_gear_force_and_the_balancing_moment_are_those_of_the_worked_example(road: str) -> None:
+    told = of_road(worked("shaper")[1], road).balancing
+    assert told.force is not None
+    assert near(complex(told.force[0]), SHAPER["force"])
+    assert printed(float(told.moment[0]), SHAPER["moment"])
+
+
+def test_the_balancing_moment_by_the_lever_by_power_and_by_energy_is_the_same() -> None:
+    comparison = worked("shaper")[1]
+    for how in ("lever", "power"):
+        found = finding(comparison, f"M_bal {how}")
+        value = found.construction if how == "lever" else found.analysis
+        assert printed(float(value[0].real), SHAPER["moment"]), how
+    energy = finding(comparison, "M_bal energy").analysis
+    assert float(energy[0]) == pytest.approx(SHAPER["moment"], rel=1e-9)
+
+
+def test_the_power_of_all_forces_but_the_drive_is_that_of_the_worked_example() -> None:
+    statics, _ = worked("shaper")
+    lever = statics.drafts().plans.lever
+    assert lever is not None
+    hung = sum(at(one.moment.point, 0).real for one in (*lever.hung, *lever.pairs))
+    assert printed(hung, SHAPER["power"])
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_all_forces_agree_within_what_rounding_allows(name: str) -> None:
+    comparison = worked(name)[1]
+    assert comparison.agrees
+    plans = {one.plan for one in comparison.findings}
+    assert {"forces", "equilibrium"} <= plans
+
+
+def test_without_a_gear_the_frame_bears_less_and_the_moment_is_the_same() -> None:
+    gear = "[drive.gear]\nradius = 0.18\nat = 210\npressure_angle = 20\n"
+    told = {
+        how: compared(text_of("shaper", (gear, ""), ("acceleration = 5", f'acceleration = 5\nbalancing = "{how}"')))
+        for how in ("moment", "coupling", "force")
+    }
+    moments = [of_road(one, "construction").balancing.moment[0] for one in told.values()]
+    assert moments == pytest.approx([SHAPER["moment"]] * 3, rel=1e-9)
+    force = of_road(told["force"], "construction").balancing.force
+    assert force is not None
+    assert abs(force[0]) == pytest.approx(SHAPER["moment"] / 0.12, rel=1e-9)
+    # A moment loads no bearing: what is left on the frame is the opposite of what the stone and the weight bring.
+    frame = of_road(told["moment"], "construction").reactions
+    assert frame["0-1"].force[0] == pytest.approx(frame["1-2"].force[0] + 6 * 9.81j, rel=1e-12)
+
+
+# The construction in fifty digits
+
+
+def marks_of(statics: Statics) -> list[Mark]:
+    """Give all reactions, moments and what the drive gives."""
+    plans = statics.drafts().plans
+    found = [mark for cut in plans.plan.cuts for one in cut.reactions for mark in (one.force, one.moment)]
+    lever = [] if plans.lever is None else [plans.lever.force, plans.lever.moment]
+    return [mark for mark in (*found, plans.plan.drive, plans.plan.balancing, *lever) if mark is not None]
+
+
+@pytest.mark.parametrize("name", [*NAMES, "turn"])
+def test_every_force_is_as_exact_as_its_meetings_allow(name: str) -> None:
+    """Eight eps times kappa of the largest force, of a moment times the longest arm; and within the bound carried."""
+    whole = text_of("shaper", ("positions = [60]", 'start = "extreme"\npositions = 12'))
+    statics = statics_of(whole) if name == "turn" else worked(name)[0]
+    marks, count = marks_of(statics), len(statics.study.turn)
+    bounds = errors(*marks)
+    for position in range(0, count, 5):
+        truth = exact(marks, position)
+        force = max(abs(at(mark.point, position)) for mark in marks if not mark.is_moment)
+        arm = max(abs(complex(point.r[position])) for point in statics.study.motion(0).points.values())
+        for mark in marks:
+            off = float(abs(at(mark.point, position) - truth[mark]))
+            assert off <= 8 * EPS * worst(mark, position) * force * (arm if mark.is_moment else 1.0), mark.name
+            assert off <= np.broadcast_to(bounds[mark].place, count)[position], mark.name
+
+
+def worst(mark: Mark, position: int) -> float:
+    """Give the product of the conditions of the meetings on the forces' own board, times that of the motion."""
+    kappas = {"forces": 1.0, "motion": 1.0}
+    for one in behind(mark):
+        if one.sharpness is not None:
+            kappa = float(np.broadcast_to(condition(one), max(np.size(condition(one)), position + 1))[position])
+            board = "forces" if one.subject == "forces" else "motion"
+            kappas[board] = max(kappas[board], kappa)
+    return kappas["forces"] * kappas["motion"]
+
+
+def test_inertia_forces_of_a_link_at_rest_are_left_out() -> None:
+    statics, _ = worked("shaper")
+    plan = statics.drafts().plans.plan
+    assert [load.name for load in plan.loads[1]] == ["G_1", "R_21"]  # the crank's mass centre is its shaft
+    assert [load.kind for load in plan.loads[2]] == []  # the stone has no mass
+    assert {load.name for load in plan.loads[3] if load.kind == INERTIA} == {"Φ_3"}
+
+
+def test_nothing_acts_where_nothing_is_loaded() -> None:
+    text = text_of("kind-4")
+    told = of_road(compared(text), "construction")
+    assert told.balancing.moment[0] == 0
+    assert told.reactions["0-1"].force[0] == 0
