@@ -1,0 +1,135 @@
+"""The balancing moment from the energy balance: masses and velocities alone, no acceleration (уравнение энергии).
+
+M omega = d(T + V)/dt - P of the loads, with T = J omega^2/2; so M = J' omega^2/2 + J epsilon + V' - M_red. The slopes
+of the reduced inertia J and of the weights' potential V are differences of positions solved afresh around each one.
+It is the only balance that sees a wrong inertia force: the others use that force on either side.
+"""
+
+from __future__ import annotations
+
+from math import comb
+from typing import NamedTuple
+
+import numpy as np
+
+from plans.analytic.closure import EPS, close, transfer
+from plans.analytic.constraints import TURN, Constraints
+from plans.analytic.inertia import potential, reduced_inertia
+from plans.analytic.kinematics import Analysis
+from plans.analytic.positions import blocks
+from plans.analytic.power import reduced_moment, transfers
+from plans.analytic.turn import TRUST
+from plans.kinetostatics import Loading
+from plans.machine import Machine
+from plans.motion import Floats, Motion
+
+# A central difference of order 8, over positions 1 to 4 steps away, misses by step^8 f9/630 and magnifies roundings by
+# 2.1/step: the ninth root of eps makes both eps^(8/9) = 1e-14 where the crank angle in rad is the measure in which the
+# mechanism changes. Where it changes faster, the differences of lower orders tell: what they miss is far more.
+STEP = EPS ** (1.0 / 9.0)
+ORDERS = np.array(
+    (
+        (4 / 5, -1 / 5, 4 / 105, -1 / 280),  # of order 8
+        (3 / 4, -3 / 20, 1 / 60, 0.0),  # of order 6
+        (2 / 3, -1 / 12, 0.0, 0.0),  # of order 4
+    )
+)
+RINGS = ORDERS.shape[1]
+GROWTH = 2.0 * float(np.abs(ORDERS[0]).sum()) / STEP
+ROUNDINGS = 8.0  # a Newton step or a linear solution at rest leaves a few roundings of the largest term of each row
+
+
+class EnergyBalance(NamedTuple):
+    """The balancing moment N*m from the energy balance, and by how much that may be off.
+
+    Where a position around cannot be assembled, too near a dead centre, the moment is NaN and its allowance infinite:
+    not judged.
+    """
+
+    moment: Floats
+    allowed: Floats
+
+
+def energy_balance(road: Analysis, machine: Machine, motion: Motion, loading: Loading) -> EnergyBalance:
+    """Balance the drive by energy at all positions of either road's motion; its accelerations are not looked at."""
+    constraints, drive, poses = road.constraints, road.mechanism.drive, road.poses(motion)
+    first = transfers(constraints, poses)
+    inertia = reduced_inertia(constraints, machine, poses, first)
+    around = _around(constraints, poses, first)
+    lively = drive.omega**2 / 2.0 * reduced_inertia(constraints, machine, around, _rates(constraints, around))
+    slope, truncation = _slope(lively + potential(constraints, machine, around))
+    moment = slope + inertia * drive.epsilon - reduced_moment(road, motion, loading, first)
+    allowed = truncation + _rounding(road, machine, motion, loading, first)
+    return EnergyBalance(moment, np.where(np.isnan(moment + allowed), np.inf, allowed))
+
+
+def _slope(store: Floats) -> tuple[Floats, Floats]:
+    """Differentiate what (rings, 2, N) holds by the crank angle; give the slope, and what its order may leave out."""
+    slopes = ORDERS @ (store[:, 0] - store[:, 1]) / STEP
+    # Two differences, for one of them may vanish by chance.
+    return slopes[0], np.abs(np.diff(slopes, axis=0)).max(axis=0)
+
+
+def _around(constraints: Constraints, poses: Floats, first: Floats) -> Floats:
+    """Solve the positions 1 to 4 steps on and back, (rings, 2, N, links, 3); NaN where they cannot be assembled.
+
+    Each ring is guessed from those within it, by the polynomial through them.
+    """
+    crank = poses[:, constraints.crank, TURN] + np.angle(constraints.crank_way)
+    rings = [np.stack((poses, poses))]
+    for ring in range(1, RINGS + 1):
+        guess = np.stack((poses + STEP * first, poses - STEP * first)) if ring == 1 else _guess(rings)
+        rings.append(_closed(constraints, guess, poses, np.stack((crank + ring * STEP, crank - ring * STEP))))
+    return np.array(rings[1:])
+
+
+def _guess(rings: list[Floats]) -> Floats:
+    """Carry the polynomial through all rings so far on to the next, on either side."""
+    ring = len(rings)
+    guess = np.zeros_like(rings[0])
+    for step in range(1, 2 * ring):
+        within = rings[ring - step] if step <= ring else rings[step - ring][::-1]
+        guess += (-1) ** (step + 1) * comb(2 * ring - 1, step) * within
+    return guess
+
+
+def _closed(constraints: Constraints, guess: Floats, centre: Floats, phi: Floats) -> Floats:
+    """Close the guessed poses of a ring; what moves far from its guess belongs to another assembly."""
+    closed, flat = np.full_like(guess, np.nan), guess.reshape(-1, *guess.shape[2:])
+    centres = np.concatenate((centre, centre))
+    sound = np.flatnonzero(np.isfinite(flat).all(axis=(1, 2)))
+    for block in blocks(len(sound)):
+        here = sound[block]
+        poses, reached = close(constraints, flat[here], phi.ravel()[here])
+        moved = np.abs(poses - centres[here]).max(axis=(1, 2))
+        reached &= np.abs(poses - flat[here]).max(axis=(1, 2)) <= TRUST * moved
+        closed.reshape(flat.shape)[here[reached]] = poses[reached]
+    return closed
+
+
+def _rates(constraints: Constraints, poses: Floats) -> Floats:
+    """Give the first transfer functions of the rings' poses."""
+    flat = poses.reshape(-1, *poses.shape[-2:])
+    rates = np.full_like(flat, np.nan)
+    known = np.flatnonzero(np.isfinite(flat).all(axis=(1, 2)))
+    for block in blocks(len(known)):
+        rates[known[block]] = transfer(constraints, flat[known[block]], 1)[0]
+    return rates.reshape(poses.shape)
+
+
+def _rounding(road: Analysis, machine: Machine, motion: Motion, loading: Loading, first: Floats) -> Floats:
+    """Bound the roundings: places are known to kappa, their rates to its square, and differences magnify both."""
+    size, drive, kappa = road.constraints.size, road.mechanism.drive, road.conditions(motion)
+    peak = np.abs(first).max(axis=(1, 2))  # the largest rate, lengths in units of `size`
+    far = 1.0 + np.abs(road.poses(motion)).max(axis=(1, 2))
+    lowered, inertia, borne = np.zeros(len(kappa)), np.zeros(len(kappa)), np.zeros(len(kappa))
+    for body in machine.bodies.values():
+        reach = size + abs(body.centre)
+        inertia += 2.0 * (body.mass * reach**2 + body.inertia) * peak**2
+        lowered += body.mass * abs(machine.gravity) * reach * far
+    for load in loading.forces:
+        borne += np.abs(load.force) * (size + abs(load.at)) * peak
+    for twist in loading.moments:
+        borne += np.abs(twist.moment) * peak
+    rates = (GROWTH * drive.omega**2 / 2.0 + abs(drive.epsilon)) * inertia + borne
+    return np.asarray(ROUNDINGS * EPS * kappa * (kappa * rates + GROWTH * lowered))
