@@ -1,0 +1,357 @@
+"""Friction of a machine: the worked values of the method descriptions, efficiency, wear, and self-locking."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from math import cos, radians, sin, sqrt, tan
+
+import numpy as np
+import pytest
+
+from plans.analytic.kinematics import Analysis
+from plans.analytic.kinetostatics import kinetostatics
+from plans.force_pattern import ForcePattern
+from plans.friction import Friction, friction
+from plans.kinetostatics import Applied, Loading, Reaction, Twist, pairs
+from plans.locking import CENTRAL, SLANTED, TILTED
+from plans.machine import GEAR, Body, Machine, Rubbing, Transmission
+from plans.mechanism import Link, Mechanism, Output, Slide, Way
+from plans.motion import Motion
+from plans.rubbing import edges, lost, pressing
+from tests.plans import linkages
+from tests.plans.studies import Angle, driven, study_of
+
+DIGITS = 5.1e-10  # values printed with ten digits: half a unit of the tenth of a value that begins with 1
+MASSES = {1: Body(1, 6, 0.25, 0j), 3: Body(3, 15, 0.6, 0.35 + 0j), 4: Body(4, 3, 0.01, 0.1 + 0j), 5: Body(5, 25, 0, 0j)}
+GEARED = Transmission(GEAR, 0.18, radians(210), radians(20))
+JOURNAL, GUIDE = Rubbing(0.12, 0.02), Rubbing(0.12)
+ALL_PAIRS = {"0-1": JOURNAL, "1-2": JOURNAL, "0-3": JOURNAL, "3-4": JOURNAL, "4-5": JOURNAL, "2-3": GUIDE, "0-5": GUIDE}
+SHAPER = Machine(MASSES, -9.81j, (), (), (), GEARED, ALL_PAIRS)
+LIGHT = Machine({}, 0j, (), (), (), Transmission(), {})
+ROADS = ("construction", "analysis")
+Load = Callable[[Motion], Loading]
+
+
+def printed(*values: float) -> object:
+    return pytest.approx(values, rel=DIGITS)
+
+
+def shaper(omega: float = 10.0, epsilon: float = 5.0) -> Mechanism:
+    """The shaper with the ram's guide exactly amid the sagitta of B's arc."""
+    mechanism = linkages.shaper(omega=omega, epsilon=epsilon)
+    slot, guide = mechanism.slides
+    return replace(mechanism, slides=(slot, replace(guide, on_owner=Way(1j * sqrt(0.35**2 - 0.12**2), 1 + 0j))))
+
+
+def found(
+    mechanism: Mechanism,
+    machine: Machine,
+    load: Load,
+    first: Angle = 0,
+    positions: int | list[Angle] = 12,
+    road: str = "construction",
+) -> Friction:
+    study = study_of(mechanism, first, positions)
+    if road == "construction":
+        motion = study.motion(2)
+        loading = load(motion)
+        numbers = study.drafts().follow(2)
+        pattern = ForcePattern(numbers[0], study.groups, machine, loading)
+        statics = pattern.read(pattern.follow(numbers[1], loading), motion.phi)
+    else:
+        analysis = Analysis(mechanism)
+        motion = analysis.motion(study.turn.phi)
+        loading = load(motion)
+        statics = kinetostatics(analysis, machine, motion, loading, pairs(mechanism, study.groups))
+    assert statics.by == road
+    return friction(mechanism, study.groups, machine, motion, loading, statics)
+
+
+def on(link: int, point: str, force: complex) -> Load:
+    """A force that never changes, on the first point of a link."""
+    return lambda motion: Loading((Applied("F", link, point, 0j, np.full(len(motion.phi), force + 0j)),), ())
+
+
+def against(link: int, point: str, size: float) -> Load:
+    """A force of a size against the motion of the first point of a link."""
+
+    def load(motion: Motion) -> Loading:
+        v = motion.points[point].v
+        assert v is not None
+        return Loading((Applied("F", link, point, 0j, -size * v / np.abs(v)),), ())
+
+    return load
+
+
+def cutting(motion: Motion) -> Loading:
+    """1500 N on the ram from the end of the overrun to the end of the cut (M2.1)."""
+    degrees = np.degrees(motion.phi) % 360
+    cut = (degrees > 21.4590389) & (degrees < 159.5541014)
+    return Loading((Applied("F_us", 5, "D", 0j, np.where(cut, 1500 + 0j, 0)),), ())
+
+
+# Worked values (M6.1, M6.2)
+
+
+@pytest.mark.parametrize("road", ROADS)
+def test_power_lost_in_each_pair_of_the_shaper(road: str) -> None:
+    now = found(shaper(), SHAPER, on(5, "D", 1500), 60, 1, road)
+    assert list(now.powers) == list(ALL_PAIRS)
+    powers = [float(now.powers[key][0]) for key in ("0-1", "1-2", "0-3", "3-4", "4-5", "2-3", "0-5")]
+    assert powers == printed(98.4781403, 46.54555493, 5.027749402, 13.95183052, 4.351089769, 140.8512356, 27.31331339)
+    assert float(now.lost[0]) == pytest.approx(336.5189139, rel=DIGITS)
+
+
+@pytest.mark.parametrize("road", ROADS)
+def test_efficiency_and_wear_of_the_shaper(road: str) -> None:
+    now = found(shaper(), SHAPER, on(5, "D", 1500), 60, 1, road)
+    assert (now.useful[0], now.efficiency[0], now.loss[0]) == printed(2546.372724, 0.8832703562, 0.1167296438)
+    assert list(now.wear)[:3] == ["2-3", "0-1", "1-2"]
+    assert tuple(now.wear.values())[:3] == printed(0.4185536972, 0.2926377574, 0.1383148257)
+    assert now.shares["2-3"][0] == pytest.approx(0.4185536972, rel=DIGITS)
+    assert now.cycle is None  # one position is no cycle
+
+
+@pytest.mark.parametrize("road", ROADS)
+def test_efficiency_over_the_cycle(road: str) -> None:
+    cycle = found(shaper(epsilon=0), SHAPER, cutting, 0, 24, road)
+    assert (cycle.lost.mean(), cycle.useful.mean()) == printed(352.36502, 902.6572002)
+    assert cycle.cycle == pytest.approx(0.7192360308, rel=DIGITS)
+    assert cycle.efficiency[4] == pytest.approx(0.8847846048, rel=DIGITS)
+    assert cycle.efficiency[[0, 1, 11, 23]].tolist() == [0, 0, 0, 0]  # the ram runs idle
+    assert sum(cycle.wear.values()) == pytest.approx(1)
+    assert cycle.jams == ()
+
+
+def test_a_reaction_beyond_the_contact_bears_on_two_edges() -> None:
+    across, moment = np.array([800.0]), np.array([800 * 0.09])
+    near, far = edges(across, moment, 0.12)
+    assert (near[0], -far[0], pressing(across, moment, 0.12)[0]) == pytest.approx((1000.0, 200.0, 1200.0))
+    guide = Reaction(0, 3, "D", np.zeros(1, complex), 800j + np.zeros(1), moment, np.ones(1, complex))
+    assert lost(Rubbing(0.1, 0, 0.12), guide, np.array([-1.7]))[0] == pytest.approx(204.0)
+    assert lost(Rubbing(0.1), guide, np.array([-1.7]))[0] == pytest.approx(136.0)  # any length: 800 N on one side
+
+
+@pytest.mark.parametrize(("x", "total"), [(0.0, 800), (0.06, 800), (-0.06, 800), (-0.09, 1200), (0.12, 1600)])
+def test_pressure_of_a_contact_by_the_place_of_the_line_of_action(x: float, total: float) -> None:
+    assert pressing(np.float64(-800), np.float64(-800 * x), 0.12) == pytest.approx(total)
+
+
+def test_a_couple_bears_on_both_edges() -> None:
+    assert pressing(np.float64(0), np.float64(-6), 0.12) == pytest.approx(2 * 6 / 0.12)
+
+
+# How powers depend on what is given
+
+
+def test_a_journal_without_radius_loses_nothing() -> None:
+    points = dict.fromkeys(ALL_PAIRS, Rubbing(0.12))
+    now = found(shaper(), replace(SHAPER, friction=points), on(5, "D", 1500), 60, 1)
+    assert {key for key, power in now.powers.items() if power[0] == 0} == {"0-1", "1-2", "0-3", "3-4", "4-5"}
+    assert now.lost[0] == pytest.approx(140.8512356 + 27.31331339, rel=DIGITS)
+
+
+def test_twice_the_coefficient_loses_twice_the_power() -> None:
+    twice = {key: pair._replace(coefficient=0.24) for key, pair in ALL_PAIRS.items()}
+    more = found(shaper(), replace(SHAPER, friction=twice), on(5, "D", 1500), 60, 1)
+    assert more.lost[0] == pytest.approx(2 * 336.5189139, rel=DIGITS)
+    assert more.wear["2-3"] == pytest.approx(0.4185536972, rel=DIGITS)
+
+
+def test_pairs_without_data_are_left_out() -> None:
+    now = found(shaper(), replace(SHAPER, friction={"0-5": GUIDE}), on(5, "D", 1500), 60, 1)
+    assert (list(now.powers), now.lost[0]) == (["0-5"], pytest.approx(27.31331339, rel=DIGITS))
+    bare = found(shaper(), replace(SHAPER, friction={}), on(5, "D", 1500), 60, 1)
+    assert (bare.efficiency[0], bare.wear, bare.jams) == (1.0, {}, ())
+
+
+def test_the_sense_of_rotation_does_not_matter() -> None:
+    """The same loads and inertia forces: only the velocities are the opposite ones. A moment drives: no gear."""
+    machine = replace(SHAPER, transmission=Transmission())
+    there = found(shaper(10, 5), machine, on(5, "D", 1500), 60, 1)
+    back = found(shaper(-10, 5), machine, on(5, "D", 1500), 60, 1)
+    for key in ALL_PAIRS:
+        assert back.powers[key][0] == pytest.approx(there.powers[key][0], rel=1e-12)
+    assert (there.useful[0] > 0, back.useful[0]) == (True, 0.0)  # the load that resisted now drives
+
+
+def test_powers_are_watts() -> None:
+    """Ten times the load: ten times N; twice the speed: twice rad/s; a thousandth of the length: a thousandth of W."""
+    machine = replace(LIGHT, friction={"0-1": JOURNAL, "0-3": GUIDE})
+    one = found(linkages.slider_crank(0.1, 0.3), machine, on(3, "B", 100), 60, 1)
+    heavy = found(linkages.slider_crank(0.1, 0.3), machine, on(3, "B", 1000), 60, 1)
+    fast = found(linkages.slider_crank(0.1, 0.3, omega=20), machine, on(3, "B", 100), 60, 1)
+    small = replace(machine, friction={"0-1": Rubbing(0.12, 0.02e-3), "0-3": GUIDE})
+    tiny = found(linkages.slider_crank(0.1e-3, 0.3e-3), small, on(3, "B", 100), 60, 1)
+    for key in ("0-1", "0-3"):
+        powers = [run.powers[key][0] / one.powers[key][0] for run in (heavy, fast, tiny)]
+        assert powers == pytest.approx([10, 2, 1e-3])
+    assert [run.efficiency[0] for run in (heavy, fast, tiny)] == pytest.approx([one.efficiency[0]] * 3)
+
+
+def test_a_useful_moment_is_power_too_and_only_useful_loads_count() -> None:
+    def load(motion: Motion) -> Loading:
+        row = np.ones(len(motion.phi))
+        beside = Applied("F_0", 3, "B", 0.7 + 0j, 900 * row + 0j, useful=False)
+        return Loading((beside,), (Twist("M", 3, -30 * row), Twist("M_0", 3, 400 * row, useful=False)))
+
+    now = found(shaper(), SHAPER, load, 60, 1)
+    assert now.useful[0] == pytest.approx(30 * 2.421846089, rel=1e-9)  # omega_3 of M3.8
+
+
+def test_a_load_on_any_place_of_a_link_has_the_velocity_of_that_place() -> None:
+    """On the line from C to B the velocity is omega_3 times the distance from C, square to it."""
+
+    def load(motion: Motion) -> Loading:
+        square = -1j * np.exp(1j * motion.links[3].angle)
+        return Loading((Applied("F", 3, "S3", 0.35 + 0j, 200 * square),), ())
+
+    assert found(shaper(), SHAPER, load, 60, 1).useful[0] == pytest.approx(200 * 0.35 * 2.421846089, rel=1e-9)
+
+
+# Cycles and gaps
+
+
+def test_a_list_of_positions_is_no_cycle() -> None:
+    assert found(shaper(), SHAPER, on(5, "D", 1500), positions=[0, 60, 200]).cycle is None
+    assert found(shaper(), SHAPER, on(5, "D", 1500), 0.1, 360).cycle is not None
+    assert found(shaper(-10), SHAPER, on(5, "D", 1500), 12345.6, 7).cycle is not None
+
+
+def test_a_gap_is_told_as_no_number_and_leaves_no_cycle() -> None:
+    """The crank of this four-bar swings: it reaches some of the positions only."""
+    bar = linkages.four_bar(0.3, 0.2, 0.25, 0.4, sketch={"B": 0.35 + 0.2j})
+    now = found(bar, replace(LIGHT, friction={"0-3": JOURNAL}), lambda _: Loading((), ()), 0, 12, "analysis")
+    lost_ = np.isnan(now.powers["0-3"])
+    assert lost_.any() and not lost_.all()
+    for row in (now.lost, now.useful, now.efficiency):
+        assert np.isnan(row[lost_]).all()
+    assert now.cycle is None and not now.whole
+
+
+# Self-locking
+
+
+def slider_crank(f: float, load: Load, positions: int | list[Angle] = 12, road: str = "construction") -> Friction:
+    """Crank 1 m, rod 1.2 m: tan of the rod's angle to the guide is sin(phi)/sqrt(1.44 - sin(phi)^2)."""
+    return found(linkages.slider_crank(1, 1.2), replace(LIGHT, friction={"0-3": Rubbing(f)}), load, 0, positions, road)
+
+
+@pytest.mark.parametrize("road", ROADS)
+def test_a_slider_jams_where_the_rod_is_too_steep(road: str) -> None:
+    now = slider_crank(0.7, against(3, "B", 500), [10, 60, 90, 120, 170, 270], road)
+    rod = [sin(radians(k)) / sqrt(1.44 - sin(radians(k)) ** 2) for k in (10, 60, 90, 120, 170, 270)]
+    assert now.locking["0-3"] == pytest.approx([0.7 * abs(slant) for slant in rod])
+    assert [(jam.pair, jam.position) for jam in now.jams] == [("0-3", 2), ("0-3", 5)]
+    assert now.jams[0].ratio == pytest.approx(0.7 / sqrt(0.44))
+    assert (now.jams[0].phi, now.jams[0].advice) == (pytest.approx(radians(90)), SLANTED)
+    assert slider_crank(0.66, against(3, "B", 500), [90, 270], road).jams == ()  # 0.66/sqrt(0.44) = 0.995
+
+
+def test_a_slider_that_drives_the_rod_does_not_jam_by_it() -> None:
+    assert slider_crank(0.7, against(3, "B", -500), [90, 270]).jams == ()
+
+
+@pytest.mark.parametrize("road", ROADS)
+def test_numbers_of_the_links_do_not_matter(road: str) -> None:
+    """The slider is link 2 and the rod link 3: now the inner reaction is told of the slider on the rod."""
+    mechanism = linkages.slider_crank(1, 1.2)
+    links = {0: mechanism.links[0], 1: mechanism.links[1], 2: Link(2, {"B": 0}), 3: Link(3, {"A": 0, "B": 1.2})}
+    slides = (replace(mechanism.slides[0], slider=2),)
+    other = replace(mechanism, links=links, slides=slides, output=Output(2, "B"))
+    machine = replace(LIGHT, friction={"0-2": Rubbing(0.7)})
+    now = found(other, machine, against(2, "B", 500), 0, [10, 60, 90, 120, 170, 270], road)
+    assert [jam.position for jam in now.jams] == [2, 5]
+    assert found(other, machine, against(2, "B", -500), 0, [90, 270], road).jams == ()
+
+
+def test_a_slider_without_load_is_driven_against_the_friction_of_its_weight() -> None:
+    heavy = replace(LIGHT, bodies={3: Body(3, 10, 0, 0j)}, gravity=-9.81j, friction={"0-3": Rubbing(0.7)})
+    slow = driven(linkages.slider_crank(1, 1.2), 0.01, 0)
+    now = found(slow, heavy, lambda _: Loading((), ()), 0, [60, 89, 91, 269, 271])
+    assert [jam.position for jam in now.jams] == [1, 2, 3, 4]
+
+
+def exact_loss(f: float, slant: float, load: float, speed: float) -> float:
+    """Power lost in the guide with friction: X cos(beta) = Q + f X sin(beta) for the force X of the rod."""
+    return f * load * sin(slant) / (cos(slant) - f * sin(slant)) * speed
+
+
+def test_reactions_without_friction_leave_errors_of_the_order_of_its_square() -> None:
+    slant, errors = np.arcsin(sin(radians(60)) / 1.2), []
+    for f in (0.02, 0.01):
+        now = slider_crank(f, against(3, "B", 500), [60])
+        speed = now.useful[0] / 500
+        exact = exact_loss(f, slant, 500, speed)
+        assert now.powers["0-3"][0] / (1 - now.locking["0-3"][0]) == pytest.approx(exact)
+        assert now.locking["0-3"][0] == pytest.approx(f * tan(slant))
+        errors.append(exact - now.powers["0-3"][0])
+    assert errors[0] / errors[1] == pytest.approx(4, rel=0.02)
+
+
+@pytest.mark.parametrize("road", ROADS)
+def test_a_yoke_jams_when_the_block_is_far_from_a_short_guide(road: str) -> None:
+    """The block's force is along the guide at the distance 0.1 |cos(phi)|: 0.3 * 2 * 0.1 |cos(phi)|/0.05 >= 1."""
+    rubs = replace(LIGHT, friction={"0-3": Rubbing(0.3, 0, 0.05)})
+    now = found(linkages.scotch_yoke(0.1), rubs, against(3, "D", 500), 0, [5, 30, 35, 80, 145, 150, 170], road)
+    wanted = [1.2 * abs(cos(radians(k))) for k in (5, 30, 35, 80, 145, 150, 170)]
+    assert now.locking["0-3"] == pytest.approx(wanted)
+    assert [jam.position for jam in now.jams] == [0, 1, 5, 6]
+    assert {jam.advice for jam in now.jams} == {TILTED}
+
+
+def test_a_yoke_that_drives_the_block_does_not_jam_by_it() -> None:
+    rubs = replace(LIGHT, friction={"0-3": Rubbing(0.3, 0, 0.05)})
+    assert found(linkages.scotch_yoke(0.1), rubs, against(3, "D", -500), 0, [5, 30, 35, 150, 170]).jams == ()
+
+
+def test_a_rocking_block_is_driven_by_the_rod_that_slides_in_it() -> None:
+    """The rod presses square to itself through its hinge A on the crank: the arm about the block's hinge C is CA."""
+    links = {0: {"O": 0, "C": 0.35}, 1: {"O": 0, "A": 0.12}, 2: {"A": 0, "E": 0.6}, 3: {"C": 0}}
+    slide = Slide(3, 2, linkages.ALONG_X, linkages.ALONG_X, "C", "AE")
+    drive = linkages.slider_crank(0.12, 0.6).drive
+    mechanism = linkages.mechanism("rocking block", links, (slide,), drive, {"E": 0.7 + 0j}, None)
+
+    def load(motion: Motion) -> Loading:
+        return Loading((), (Twist("M", 3, np.full(len(motion.phi), 5.0)),))
+
+    now = found(mechanism, replace(LIGHT, friction={"0-3": JOURNAL}), load, 0, [60, 100])
+    arms = [abs(0.12 * complex(cos(radians(k)), sin(radians(k))) - 0.35) for k in (60, 100)]
+    assert now.locking["0-3"] == pytest.approx([0.12 * 0.02 / arm for arm in arms])
+
+
+def test_a_slotted_link_is_driven_square_to_its_slot() -> None:
+    """The arm about C of the force of the block is CA, at 60 degrees |0.06 + 0.4539 i| m."""
+    now = found(shaper(), SHAPER, on(5, "D", 1500), 60, 1)
+    arm = abs(0.12 * complex(cos(radians(60)), sin(radians(60))) + 0.35j)
+    assert now.locking["0-3"][0] == pytest.approx(0.12 * 0.02 / arm)
+
+
+def test_a_rocker_jams_where_the_rod_cuts_its_friction_circle() -> None:
+    bar = linkages.four_bar(0.1, 0.3, 0.15, 0.3, sketch={"B": 0.3 + 0.15j})
+    f, radius = 0.4, 0.3
+    study = study_of(bar, 0, 24)
+    motion = study.motion(2)
+    a, b = (motion.points[name].r for name in "AB")
+    arm = np.abs(((b - 0.3).conj() * (b - a)).imag) / 0.3
+
+    def resisting(motion: Motion) -> Loading:
+        omega = motion.links[3].omega
+        assert omega is not None
+        return Loading((), (Twist("M", 3, -20 * np.sign(omega)),))
+
+    now = found(bar, replace(LIGHT, friction={"0-3": Rubbing(f, radius)}), resisting, 0, 24)
+    assert now.locking["0-3"] == pytest.approx(f * radius / arm)
+    jammed = np.flatnonzero(arm <= f * radius).tolist()
+    assert 0 < len(jammed) < 24
+    assert [jam.position for jam in now.jams] == jammed
+    assert now.jams[0].advice == CENTRAL
+
+
+def test_a_slider_driven_by_a_moving_guide() -> None:
+    """PRP: the rocker's slot presses square to itself, at phi to the line x = h on which the pin slides."""
+    machine = replace(LIGHT, friction={"0-3": Rubbing(0.5)})
+    now = found(linkages.tangent_mechanism(0.2), machine, against(3, "A", 100), 0, [10, 50, 63, 64, 70])
+    assert now.locking["0-3"] == pytest.approx([0.5 * tan(radians(k)) for k in (10, 50, 63, 64, 70)])
+    assert [jam.position for jam in now.jams] == [3, 4]  # arctan 2 = 63.43 degrees
