@@ -62,7 +62,8 @@ def _course(motion: Motion, point: str) -> Complexes:
     _, v, a = motion.points[point]
     largest = (_largest(other[order] for other in motion.points.values()) for order in (1, 2))
     along = _moving(v, a, *largest)
-    return np.asarray(along / np.where(along == 0, 1, np.abs(along)))
+    with np.errstate(invalid="ignore"):  # a gap is NaN
+        return np.asarray(along / np.where(along == 0, 1, np.abs(along)))
 
 
 def _sense(motion: Motion, link: int) -> Floats:
