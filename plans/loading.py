@@ -90,10 +90,7 @@ def _ends(spring: Spring, motion: Motion) -> Iterator[Applied]:
 
     Ends in one place have no line: only a spring without free length then has a force, none.
     """
-    first, second = (
-        np.full(motion.phi.shape, at) if link == FRAME else motion.points[point].r
-        for link, point, at in zip(spring.links, spring.points, spring.at, strict=True)
-    )
+    first, second = (motion.points[point].r for point in spring.points)
     apart = second - first
     length = np.where(np.abs(apart) <= APART * (np.abs(first) + np.abs(second)), np.nan, np.abs(apart))
     stretched = 1.0 - spring.free / length if spring.free else 1.0

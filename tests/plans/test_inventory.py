@@ -27,6 +27,7 @@ from plans.machine import (
     Spring,
     Transmission,
 )
+from plans.notes import notes_of
 from plans.scene import parse_scene
 
 SHAPER = """sheets = ["forces"]
@@ -301,6 +302,11 @@ RUBBING = "[friction]\ncoefficient = 0.1\nradius = 0.02\n[friction.pairs]\n"
             "loads.forces[0].diagram.travel",
             "it covers 0.1 to 0.6",
         ),
+        (
+            ON_D + "diagram = { travel = [0.1, 1], force = [1, 2] }\ndirection = 0",
+            "loads.forces[0].diagram.travel",
+            "it covers 0.1 to 1",
+        ),
         (ON_D + "diagram = { travel = [], force = [] }\ndirection = 0", "loads.forces[0].diagram.travel", "one entry"),
         (ON_D + "value = [1, 0]\noverrun = 1.2", "loads.forces[0].overrun", "a share of the stroke"),
         (ON_D + "value = [1, 0]\noverrun = [0.1]", "loads.forces[0].overrun", "write [start, end]"),
@@ -386,6 +392,38 @@ def test_a_sheet_of_forces_needs_something_that_acts(text: str) -> None:
     assert (fault.kind, fault.path) == ("nothing_acts", ("sheets",))
     assert "add [masses], or forces, moments or springs in [loads]" in str(fault)
     machine(SHAPER.replace('["forces"]', '["kinematics"]') + text)
+
+
+def noted(text: str) -> list[tuple[str, str]]:
+    return [(note.kind, dotted(note.path)) for note in notes_of(parse_scene(text))]
+
+
+def test_an_inertia_too_large_for_its_link_is_noted_but_of_a_crank_that_may_have_a_flywheel() -> None:
+    masses = "[loads]\ngravity = 9.81\n[masses]\n1 = { mass = 6, inertia = 0.25 }\n5 = { mass = 1, inertia = 9 }\n"
+    assert noted(SHAPER + WORKED) == []
+    assert noted(SHAPER + masses + "4 = { mass = 3, inertia = 0.12 }\n") == []
+    assert noted(SHAPER + masses + "4 = { mass = 3, inertia = 0.121 }\n") == [("large_inertia", "masses.4.inertia")]
+
+
+def test_a_mass_centre_is_noted_that_is_a_whole_length_off_its_link() -> None:
+    at = "[loads]\ngravity = 9.81\n[masses]\n{} = {{ mass = 1, centre = [{}, 0] }}\n"
+    assert noted(SHAPER + at.format(4, 0.39)) == noted(SHAPER + at.format(4, -0.19)) == []
+    assert noted(SHAPER + at.format(4, 0.41)) == [("far_centre", "masses.4.centre")]
+    assert noted(SHAPER + at.format(5, 0.69)) == []  # a ram may be as long as the longest link
+    assert noted(SHAPER + at.format(5, 0.71)) == [("far_centre", "masses.5.centre")]
+
+
+def test_weights_left_out_are_noted_where_forces_are_wanted_and_zero_says_that_it_is_meant() -> None:
+    masses = "[masses]\n5 = { mass = 1 }\n"
+    assert noted(SHAPER + masses) == [("weightless", "masses")]
+    assert noted(SHAPER + masses + "[loads]\ngravity = 0\n") == []
+    assert noted(SHAPER.replace('["forces"]', '["kinematics"]') + masses) == []
+    assert noted(SHAPER + LOADED) == []
+
+
+def test_both_ends_of_an_indicator_diagram_are_noted_where_they_jump() -> None:
+    card = "diagram = { travel = [0, 1], force = [5, 7], back = [6, 9] }\ndirection = 0\n"
+    assert noted(SHAPER + ON_D + card) == [("open_diagram", "loads.forces[0].diagram.back")] * 2
 
 
 @pytest.mark.parametrize("text", ["[masses]\n3 = { mass = 1 }\n", "[masses]\n3 = { mass = 0 }\n" + LOADED, LOADED])
