@@ -62,7 +62,8 @@ def _course(motion: Motion, point: str) -> Complexes:
     _, v, a = motion.points[point]
     largest = (_largest(other[order] for other in motion.points.values()) for order in (1, 2))
     along = _moving(v, a, *largest)
-    return np.asarray(along / np.where(along == 0, 1, np.abs(along)))
+    with np.errstate(invalid="ignore"):  # a gap is NaN
+        return np.asarray(along / np.where(along == 0, 1, np.abs(along)))
 
 
 def _sense(motion: Motion, link: int) -> Floats:
@@ -89,10 +90,7 @@ def _ends(spring: Spring, motion: Motion) -> Iterator[Applied]:
 
     Ends in one place have no line: only a spring without free length then has a force, none.
     """
-    first, second = (
-        np.full(motion.phi.shape, at) if link == FRAME else motion.points[point].r
-        for link, point, at in zip(spring.links, spring.points, spring.at, strict=True)
-    )
+    first, second = (motion.points[point].r for point in spring.points)
     apart = second - first
     length = np.where(np.abs(apart) <= APART * (np.abs(first) + np.abs(second)), np.nan, np.abs(apart))
     stretched = 1.0 - spring.free / length if spring.free else 1.0

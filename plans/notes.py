@@ -167,7 +167,7 @@ def _gravity(scene: Scene) -> Iterator[Fault]:
         return
     size = max(map(abs, given)) if isinstance(given, tuple) else abs(given)
     if size > MOST_EARTHS * EARTH:
-        yield scene.fault(path, "heavy", ratio=f"{size / EARTH:.3g}", example=f"{size.normalize():f}")
+        yield scene.fault(path, "heavy", ratio=f"{size / EARTH:.0f}", example=f"{size.normalize():f}")
     elif not isinstance(given, tuple) and given < 0:
         yield scene.fault(path, "upward")
 

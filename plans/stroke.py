@@ -73,22 +73,24 @@ def strokes(
     for load in loads:
         if asks(load) and load.stroke not in found:
             shown = output_at(mechanism, load.stroke) if load.stroke else output
-            reached = extremes(shown)
-            if reached is None or not (reached.sliding or reached.stroke < TURN):
-                raise StructureError(_no_stroke(load.name, shown), (shown.link,))
+            reached = extremes(shown) if shown else None
+            if shown is None or reached is None or not (reached.sliding or reached.stroke < TURN):
+                thing = f"point {load.stroke}" if load.stroke else f"link {output.link}"
+                raise StructureError(
+                    f"{load.name} acts over the stroke of {thing}, which has no two extreme positions. Fix: let it act "
+                    "always and without overrun or diagram, or name another point by stroke"
+                )
             found[load.stroke] = _stroke(mechanism, shown, reached)
     return found
 
 
-def output_at(mechanism: Mechanism, point: str) -> Output:
-    """Give the link whose stroke is that of a point: of its links that which slides on the frame, else swings."""
-
-    def rank(link: int) -> tuple[bool, bool, bool]:
-        hung = not set(mechanism.links[link].points).isdisjoint(mechanism.links[FRAME].points)
-        return link == mechanism.drive.link, _way(mechanism, link) is None, not hung
-
-    owners = [link for link in sorted(mechanism.links) if link != FRAME and point in mechanism.links[link].points]
-    return Output(min(owners, key=rank), point)
+def output_at(mechanism: Mechanism, point: str) -> Output | None:
+    """Give the link whose stroke is that of a point: one that slides on the frame, else swings about it; or none."""
+    links = [link for link in sorted(mechanism.links) if link != FRAME and point in mechanism.links[link].points]
+    sliding = [link for link in links if _way(mechanism, link)]
+    fixed = mechanism.links[FRAME].points
+    hung = [link for link in links if not fixed.keys().isdisjoint(mechanism.links[link].points)]
+    return next((Output(link, point) for link in (*sliding, *hung)), None)
 
 
 def _stroke(mechanism: Mechanism, shown: Output, reached: Extremes) -> Stroke:
@@ -101,11 +103,3 @@ def _way(mechanism: Mechanism, link: int) -> tuple[str, Way] | None:
     """Give the point and the line by which a link slides on the frame."""
     slides = (slide for slide in mechanism.slides if {slide.slider, slide.owner} == {link, FRAME})
     return next(((slide.point, slide.way(FRAME)) for slide in slides), None)
-
-
-def _no_stroke(name: str, shown: Output) -> str:
-    thing = f"point {shown.point}" if shown.point else f"link {shown.link}"
-    return (
-        f"{name} acts over the stroke of {thing}, which has no two extreme positions. Fix: let it act always and "
-        "without overrun or diagram, or name another point by stroke"
-    )

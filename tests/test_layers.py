@@ -12,11 +12,15 @@ ROOT = Path(__file__).parent.parent
 TOPS = ("geometry", "plans", "drawings")
 FILES = sorted(file.relative_to(ROOT).as_posix() for top in TOPS for file in (ROOT / top).rglob("*.py"))
 
+EITHER = ("geometry", "plans.analytic", "plans.plan", "plans.study", "plans.extreme", "plans.scene")
 # Folder or file: what it must not import, anywhere in its text.
 FORBIDDEN = {
     "geometry/": ("plans", "drawings"),
     "plans/": ("drawings",),
     "plans/analytic/": ("geometry.meet", "geometry.board", "geometry.replay", "geometry.precision"),
+    # Loads are put on either road's motion.
+    "plans/loading.py": EITHER,
+    "plans/stroke.py": EITHER,
 }
 # all of plans that the analytic road may know
 SHARED = ("plans.analytic", "plans.mechanism", "plans.motion", "plans.machine", "plans.kinetostatics")
@@ -88,6 +92,7 @@ def test_all_three_layers_are_examined() -> None:
         ("plans/analytic/closure.py", "from geometry import board"),
         ("plans/analytic/closure.py", "from plans.groups.rrr import positions"),
         ("plans/analytic/closure.py", "from plans import velocity"),
+        ("plans/loading.py", "from plans.study import Study"),
         ("drawings/page.py", "import svgwrite"),
         ("drawings/pens/svg.py", "from .strokes import Line"),
         ("geometry/replay.py", "import mpmath"),

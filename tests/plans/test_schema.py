@@ -36,6 +36,7 @@ SCENES = [
 UNSEEN = {
     "b04_nan", "b21_repeated_position", "b_diagram_of_unequal_lists", "c01_point_twice_in_a_link",
     "c02_two_codings_of_a_letter", "c03_hidden_sign_in_a_title", "d13_guide_of_equal_points",
+    "g08_diagram_of_travel_that_falls", "g08_diagram_that_covers_a_part_of_the_stroke",
 }  # fmt: skip
 PLAIN = """
 [mechanism.frame]

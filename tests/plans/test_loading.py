@@ -1,0 +1,401 @@
+"""Loads over the positions: strokes, overruns, diagrams, against the motion, springs; by both roads' own motions."""
+
+from __future__ import annotations
+
+import math
+import subprocess
+import sys
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+
+from plans.analytic.kinematics import Analysis
+from plans.extreme import extremes
+from plans.inventory import machine_of
+from plans.kinetostatics import Loading
+from plans.loading import loading
+from plans.machine import Machine
+from plans.mechanism import Output, StructureError
+from plans.motion import Complexes, Extremes, Motion
+from plans.scene import parse_scene
+from plans.stroke import Stroke, output_at, strokes
+from plans.study import Study
+from plans.wording import said
+
+ROOT = Path(__file__).parents[2]
+ROADS = ("construction", "analysis")
+SHAPER = """[mechanism.frame]
+O = [0, 0]
+C = [0, -0.350]
+[mechanism.links]
+1 = "OA"
+2 = "A"
+3 = "CB"
+4 = "BD"
+5 = "D"
+[mechanism.lengths]
+OA = 0.120
+CB = 0.700
+BD = 0.200
+[[mechanism.slides]]
+link = 2
+along = "CB"
+[[mechanism.slides]]
+link = 5
+along = { through = [0, 0.3287856445], angle = 0 }
+[mechanism.sketch]
+B = [0.20, 0.32]
+D = [0.40, 0.33]
+[drive]
+link = 1
+speed = 10
+acceleration = 5
+start = "extreme"
+"""
+# The slider starts from x = 0.5 and is back there after a turn: H = 0.2, and at 60 degrees x = 0.05 + sqrt(0.1525).
+ENGINE = """[mechanism.frame]
+O = [0, 0]
+[mechanism.links]
+1 = "OA"
+2 = "AB"
+3 = "B"
+[mechanism.lengths]
+OA = 0.1
+AB = 0.4
+[[mechanism.slides]]
+link = 3
+along = { through = [0, 0] }
+[mechanism.sketch]
+B = [0.5, 0]
+[drive]
+link = 1
+speed = 10
+positions = [0, 60, 90, 180, 270, 300]
+"""
+AT_60 = (0.5 - 0.05 - math.sqrt(0.1525)) / 0.2
+AT_90 = (0.5 - math.sqrt(0.15)) / 0.2
+# A crank-rocker; its rocker swings between directions that the law of cosines gives.
+ROCKER = """[mechanism.frame]
+O = [0, 0]
+C = [0.350, 0]
+[mechanism.links]
+1 = "OA"
+2 = "AB"
+3 = "CB"
+[mechanism.lengths]
+OA = 0.1
+AB = 0.4
+CB = 0.3
+[mechanism.sketch]
+B = [0.39, 0.30]
+[drive]
+link = 1
+speed = 10
+start = "extreme"
+"""
+MIDDLE = "[mechanism.points]\nE = { on = 2, at = [0.2, 0] }\n"
+ON_B, ON_D = '[[loads.forces]]\non = 3\npoint = "B"\n', '[[loads.forces]]\non = 5\npoint = "D"\n'
+AGAINST = 'against = "motion"\n'
+
+
+class Loaded(NamedTuple):
+    machine: Machine
+    motion: Motion
+    strokes: dict[str, Stroke]
+    loading: Loading
+
+    def force(self, k: int = 0) -> Complexes:
+        return self.loading.forces[k].force
+
+
+def loaded(text: str, by: str = "construction") -> Loaded:
+    study = Study(parse_scene(text))
+    machine = machine_of(study.scene, study.mechanism)
+    road = Analysis(study.mechanism, first=study.scene.drive.first is not None)
+    motion = study.motion() if by == "construction" else road.motion(study.turn.phi)
+
+    def drawn(shown: Output) -> Extremes | None:
+        found = extremes(study.sweep, shown)
+        return found.extremes if found else None
+
+    reached = strokes(machine, study.mechanism, study.output, drawn if by == "construction" else road.extremes)
+    return Loaded(machine, motion, reached, loading(machine, motion, reached))
+
+
+def positions(*degrees: float) -> tuple[str, str]:
+    return 'start = "extreme"', f"positions = {list(degrees)}"
+
+
+@pytest.mark.parametrize("by", ROADS)
+def test_the_shaper_cuts_between_the_overruns(by: str) -> None:
+    """Overrun 0.1 H at each end: the cut begins at 21.4590389 and ends at 159.5541014 degrees (M2.1)."""
+    near = 1e-6
+    at = (21.4590389 - near, 21.4590389 + near, 60.0, 159.5541014 - near, 159.5541014 + near, 250.0, 306.8819915)
+    text = SHAPER.replace(*positions(*at)) + ON_D + 'value = 1500\nduring = "working stroke"\noverrun = 0.1\n' + AGAINST
+    assert loaded(text, by).force() == pytest.approx([0, 1500, 1500, 1500, 0, 0, 0], abs=1e-9)
+
+
+@pytest.mark.parametrize("by", ROADS)
+def test_the_tool_is_back_at_the_beginning_of_the_cut_on_its_idle_stroke(by: str) -> None:
+    """At 306.8819915 degrees the ram comes back into the overrun from which it started (M2.1)."""
+    near = 1e-6
+    at = (306.8819915 - near, 306.8819915 + near)
+    text = SHAPER.replace(*positions(*at)) + ON_D + 'value = 1500\nduring = "idle stroke"\noverrun = 0.1\n' + AGAINST
+    assert loaded(text, by).force() == pytest.approx([-1500, 0], abs=1e-9)
+
+
+@pytest.mark.parametrize("by", ROADS)
+def test_position_0_at_the_extreme_is_of_the_working_stroke_against_the_motion_about_to_begin(by: str) -> None:
+    found = loaded(SHAPER + ON_D + 'value = 1500\nduring = "working stroke"\n' + AGAINST, by)
+    v = found.motion.points["D"].v
+    assert v is not None
+    assert abs(v[0]) < 1e-9 < abs(v[1])
+    # The working stroke takes 220.1 degrees: seven steps of thirty.
+    assert found.force() == pytest.approx([1500] * 8 + [0] * 4, abs=1e-9)
+
+
+def test_an_extreme_is_the_same_position_to_the_rounding_of_its_angle() -> None:
+    stroke = Stroke(1.0, 4.5, 1, (0.0, 0.2), 3)
+    rounding = 16 * np.pi * np.finfo(float).eps
+    beginning = np.array([1 - rounding, 1 + rounding, 1 + 2 * np.pi - rounding, 4.5 - 1e-6, 4.5 + rounding])
+    assert stroke.working(beginning).tolist() == [True, True, True, True, False]
+    back = Stroke(1.0, 4.5, -1, (0.0, 0.2), 3)
+    assert back.working(np.array([1 + rounding, 0.9, 4.6, 4.5, 1.1])).tolist() == [True, True, True, False, False]
+
+
+@pytest.mark.parametrize("by", ROADS)
+def test_shares_of_the_stroke_are_of_the_place(by: str) -> None:
+    text = ENGINE + ON_B + "diagram = { travel = [0, 1], force = [0, 1], back = [0, 1] }\ndirection = 0\n"
+    found = loaded(text, by)
+    assert found.strokes[""].reach == pytest.approx((0.5, 0.3))
+    assert found.force() == pytest.approx([0, AT_60, AT_90, 1, AT_90, AT_60], abs=1e-14)
+    assert found.strokes[""].share(found.motion).max() <= 1
+
+
+@pytest.mark.parametrize("by", ROADS)
+def test_an_indicator_diagram_has_one_abscissa_for_both_strokes(by: str) -> None:
+    card = "diagram = { travel = [0, 0.5, 1], force = [0, 1000, 0], back = [0, 100, 0] }\n"
+    there = [0, 2000 * AT_60, 2000 * (1 - AT_90), 0]
+    expected = [*there, 200 * (1 - AT_90), 200 * AT_60]
+    pushed = loaded(ENGINE + ON_B + card + "direction = 180\n", by).force()
+    assert pushed == pytest.approx([-size for size in expected], abs=1e-11)
+    against = loaded(ENGINE + ON_B + card + AGAINST, by).force()
+    assert against == pytest.approx([*there, -expected[4], -expected[5]], abs=1e-10)
+
+
+def test_a_diagram_of_one_stroke_rests_on_the_other_or_is_the_same() -> None:
+    card = "diagram = { travel = [0, 0.5, 0.5, 1], force = [100, 100, 900, 900] }\n"
+    assert loaded(ENGINE + ON_B + card + AGAINST).force() == pytest.approx([100, 100, 900, 0, 0, 0], abs=1e-10)
+    assert loaded(ENGINE + ON_B + card + "direction = 90\n").force() == pytest.approx(
+        [100j, 100j, 900j, 900j, 900j, 100j], abs=1e-10
+    )
+
+
+def test_overruns_are_shares_at_the_start_and_at_the_end_of_the_working_stroke_on_both_strokes() -> None:
+    text = ENGINE + ON_B + "value = [0, 7]\noverrun = "
+    assert round(AT_60, 7) == 0.2974376
+    assert loaded(text + "[0.2, 0.4]\n").force().tolist() == [0, 7j, 7j, 0, 7j, 7j]
+    assert loaded(text + "[0.3, 0.4]\n").force().tolist() == [0, 0, 7j, 0, 7j, 0]
+    assert loaded(text + "[0.2, 0.45]\n").force().tolist() == [0, 7j, 0, 0, 0, 7j]
+    assert loaded(text + "0.29\n").force().tolist() == [0, 7j, 7j, 0, 7j, 7j]
+
+
+@pytest.mark.parametrize("by", ROADS)
+def test_a_crank_that_turns_clockwise_works_the_other_way_round(by: str) -> None:
+    text = ENGINE.replace("speed = 10", "speed = -10") + ON_B + 'value = 5\nduring = "working stroke"\n' + AGAINST
+    # From 0 the slider goes in through 300 and 270 degrees, as it does counter-clockwise through 60 and 90.
+    assert loaded(text, by).force() == pytest.approx([5, 0, 0, 0, 5, 5], abs=1e-11)
+
+
+@pytest.mark.parametrize("by", ROADS)
+def test_a_constant_force_and_a_force_against_the_motion_act_always(by: str) -> None:
+    text = ENGINE + ON_B + "value = [3, -4]\n" + ON_B + "value = 8\nuseful = false\n" + AGAINST
+    found = loaded(text, by)
+    assert found.strokes == {}
+    assert found.force(0) == pytest.approx([3 - 4j] * 6, abs=1e-15)
+    assert found.force(1) == pytest.approx([8, 8, 8, -8, -8, -8], abs=1e-11)
+    assert [load.useful for load in found.loading.forces] == [True, False]
+    assert [(load.name, load.link, load.point, load.at) for load in found.loading.forces] == [
+        ("F_B", 3, "B", 0),
+        ("F_B1", 3, "B", 0),
+    ]
+
+
+def test_a_force_against_the_motion_of_what_stands_is_none() -> None:
+    found = loaded(ROCKER + '[[loads.forces]]\non = 3\npoint = "C"\nvalue = 8\n' + AGAINST)
+    assert found.force().tolist() == [0] * 12
+
+
+def test_a_crank_at_rest_is_about_to_move_with_its_acceleration() -> None:
+    rest = ENGINE.replace("speed = 10", "speed = 0\nacceleration = 5") + ON_B + "value = 8\n" + AGAINST
+    found = loaded(rest).force()
+    assert found[1:3] == pytest.approx([8, 8])
+    assert found[4:] == pytest.approx([-8, -8])
+    still = rest.replace("acceleration = 5", "acceleration = 0")
+    assert loaded(still).force().tolist() == [0] * 6
+
+
+@pytest.mark.parametrize("by", ROADS)
+def test_a_moment_against_the_rotation(by: str) -> None:
+    """Crank-rocker of M1.1: at its extreme the rocker is about to turn with its angular acceleration."""
+    text = ROCKER + "".join(f"[[loads.moments]]\non = {link}\nvalue = 12\n{AGAINST}" for link in (1, 3))
+    found = loaded(text, by)
+    omega, epsilon = found.motion.links[3].omega, found.motion.links[3].epsilon
+    assert omega is not None
+    assert epsilon is not None
+    crank, rocker = (twist.moment for twist in found.loading.moments)
+    assert crank.tolist() == [-12] * 12
+    assert rocker.tolist() == [-12 * np.sign(epsilon[0]), *(-12 * np.sign(omega[1:]))]
+    assert rocker[0] == rocker[1]
+
+
+def test_a_constant_moment_and_one_against_the_rotation_of_what_only_slides() -> None:
+    text = ENGINE + "[[loads.moments]]\non = 2\nvalue = -3\n[[loads.moments]]\non = 3\nvalue = 3\n" + AGAINST
+    rod, slider = (twist.moment for twist in loaded(text).loading.moments)
+    assert (rod.tolist(), slider.tolist()) == ([-3] * 6, [0] * 6)
+
+
+def turned(text: str, degrees: float) -> str:
+    """Turn the crank-rocker about O: frame, sketch and crank angles."""
+    turn = np.exp(1j * np.radians(degrees))
+    for place in (0.35, 0.39 + 0.3j):
+        written = f"[{place.real:.3f}, 0]" if place == 0.35 else "[0.39, 0.30]"
+        new = place * turn
+        text = text.replace(written, f"[{new.real:.17g}, {new.imag:.17g}]")
+    angles = [(k * 30 + degrees) % 360 for k in range(12)]
+    return text.replace('start = "extreme"', f"positions = {angles}")
+
+
+@pytest.mark.parametrize("by", ROADS)
+@pytest.mark.parametrize("degrees", [90, 100, 110, 200, 300])
+def test_the_stroke_of_a_rocker_is_its_swing_whatever_its_direction(degrees: float, by: str) -> None:
+    card = 'diagram = { travel = [0, 1], force = [0, 1], back = [0, 1] }\ndirection = 0\nstroke = "B"\n'
+    plain, other = (loaded(turned(ROCKER, way) + ON_B + card, by).force().real for way in (0, degrees))
+    assert other == pytest.approx(plain, abs=1e-12)
+    # By the law of cosines: B of the extremes is 0.5 and 0.3 from O, and 0.35 and 0.3 are the triangle's other sides.
+    ends = [math.pi - math.acos((0.35**2 + 0.3**2 - far**2) / (2 * 0.35 * 0.3)) for far in (0.5, 0.3)]
+    assert sorted(loaded(turned(ROCKER, 0) + ON_B + card, by).strokes["B"].reach) == pytest.approx(sorted(ends))
+    # At 0 degrees A lies on OC, 0.25 from C.
+    here = math.pi - math.acos((0.25**2 + 0.3**2 - 0.4**2) / (2 * 0.25 * 0.3))
+    begun = loaded(turned(ROCKER, 0) + ON_B + card, by).strokes["B"].reach[0]
+    assert plain[0] == pytest.approx((here - begun) / (sum(ends) - 2 * begun))
+
+
+def test_the_link_whose_stroke_is_that_of_a_point() -> None:
+    mechanism = Study(parse_scene(SHAPER)).mechanism
+    assert output_at(mechanism, "D") == Output(5, "D")  # it slides, its rod does not
+    assert output_at(mechanism, "B") == Output(3, "B")  # it swings about C
+    assert output_at(mechanism, "A") == Output(1, "A")  # that has no stroke
+    assert output_at(Study(parse_scene(ENGINE.replace('"AB"', '"ABE"') + MIDDLE)).mechanism, "E") is None
+
+
+@pytest.mark.parametrize("by", ROADS)
+def test_a_load_may_count_another_stroke_than_the_outputs(by: str) -> None:
+    text = SHAPER + ON_D + 'value = [1, 0]\nduring = "working stroke"\nstroke = "B"\n'
+    found = loaded(text, by)
+    assert found.strokes.keys() == {"B"}
+    assert not found.strokes["B"].sliding
+    assert found.force().real.tolist() == [1] * 8 + [0] * 4  # the rocker's extremes are those of the ram here
+
+
+def test_only_strokes_that_loads_ask_for_are_looked_for_each_once() -> None:
+    asked: list[Output] = []
+
+    def watched(text: str) -> list[Output]:
+        study = Study(parse_scene(text))
+
+        def found(shown: Output) -> Extremes:
+            asked.append(shown)
+            return Extremes((0.0, 3.0), (0.0, 1.0), True, 0.0)
+
+        asked.clear()
+        strokes(machine_of(study.scene, study.mechanism), study.mechanism, Output(5, "D"), found)
+        return list(asked)
+
+    assert watched(SHAPER + ON_D + "value = 3\n" + AGAINST) == []
+    each = ON_D + 'value = 3\nduring = "idle stroke"\n' + AGAINST
+    assert watched(SHAPER + each * 3) == [Output(5, "D")]
+    assert watched(
+        SHAPER + each + 'stroke = "B"\n' + each + "[[loads.moments]]\non = 3\nvalue = 1\noverrun = 0.1\n"
+    ) == [
+        Output(3, "B"),
+        Output(5, "D"),
+    ]
+
+
+@pytest.mark.parametrize("by", ROADS)
+def test_a_load_without_a_stroke_to_count_says_what_to_do(by: str) -> None:
+    text = ENGINE + ON_B + 'value = 3\nduring = "idle stroke"\nname = "F_1"\n' + AGAINST
+    with pytest.raises(StructureError) as refused:
+        loaded(text + "[output]\nlink = 1\n", by)
+    message = str(refused.value)
+    assert message.startswith("F_1 acts over the stroke of link 1, which has no two extreme positions. Fix: let it")
+    assert said(message, "ru").startswith("F_1 действует по ходу: звено 1 не имеет двух крайних положений. Исправьте: ")
+    with pytest.raises(StructureError, match="the stroke of point A"):
+        loaded(text + 'stroke = "A"\n', by)
+    with pytest.raises(StructureError, match="the stroke of point E"):
+        loaded(text.replace('"AB"', '"ABE"') + 'stroke = "E"\n' + MIDDLE, by)
+
+
+@pytest.mark.parametrize("by", ROADS)
+def test_a_spring_pulls_when_it_is_longer_and_pushes_when_shorter(by: str) -> None:
+    spring = '[[loads.springs]]\nbetween = ["O", { on = 3, point = "B" }]\nstiffness = "1 N/mm"\nfree = "450 mm"\n'
+    found = loaded(ENGINE + spring, by)
+    (end,) = found.loading.forces  # what the frame takes moves nothing
+    assert (end.name, end.link, end.point, end.at, end.useful) == ("F_s", 3, "B", 0, False)
+    assert end.force == pytest.approx(
+        [-50, 1000 * (0.45 - 0.05 - math.sqrt(0.1525)), 1000 * (0.45 - math.sqrt(0.15)), 150,
+         1000 * (0.45 - math.sqrt(0.15)), 1000 * (0.45 - 0.05 - math.sqrt(0.1525))], abs=1e-11,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("by", ROADS)
+def test_a_spring_between_moving_links_acts_on_both_along_its_line(by: str) -> None:
+    spring = "[[loads.springs]]\nbetween = [{ on = 1, point = 'A' }, { on = 3, point = 'B' }]\nstiffness = 200\n"
+    one, other = loaded(ENGINE + spring + "free = 0.3\n", by).loading.forces
+    assert (one.name, one.link, one.at, other.name, other.link) == ("F_s", 1, 0.1, "F_s′", 3)
+    assert (one.force == -other.force).all()
+    assert abs(one.force) == pytest.approx([200 * (0.4 - 0.3)] * 6)
+    assert one.force[2] == pytest.approx(20 * (math.sqrt(0.15) - 0.1j) / 0.4)  # from A = 0.1i towards B
+
+
+def test_a_spring_whose_ends_are_in_one_place_has_no_direction() -> None:
+    spring = "[[loads.springs]]\nbetween = [{ on = 1, point = 'A' }, { on = 2, point = 'A' }]\nstiffness = 200\n"
+    assert [end.force.tolist() for end in loaded(ENGINE + spring + "free = 0\n").loading.forces] == [[0] * 6] * 2
+    assert all(np.isnan(end.force).all() for end in loaded(ENGINE + spring + "free = 0.1\n").loading.forces)
+
+
+def test_a_gap_has_no_loads() -> None:
+    gapped = (ROOT / "tests/catalogue/commands/e07_double_rocker.toml").read_text("utf-8")
+    more = ON_B + "value = [1, 0]\n" + ON_B + "value = 1\n" + AGAINST + "[[loads.moments]]\non = 3\nvalue = 2\n"
+    more += "[[loads.springs]]\nbetween = ['O', { on = 3, point = 'B' }]\nstiffness = 1\nfree = 0\n"
+    for by in ROADS:
+        found = loaded(gapped + more, by)
+        gaps = np.isnan(found.motion.points["B"].r)
+        assert 0 < gaps.sum() < len(gaps)
+        for row in (*(load.force for load in found.loading.forces), *(twist.moment for twist in found.loading.moments)):
+            assert (np.isnan(row) == gaps).all()
+
+
+def test_no_load_is_minus_zero() -> None:
+    text = ENGINE + ON_B + 'value = 5\nduring = "working stroke"\n' + AGAINST
+    text += "[[loads.moments]]\non = 3\nvalue = 5\n" + AGAINST
+    found = loaded(text)
+    for row in (found.force().real, found.force().imag, found.loading.moments[0].moment):
+        assert not np.signbit(row[row == 0]).any()
+
+
+def test_a_drawing_of_kinematics_makes_no_inventory(tmp_path: Path) -> None:
+    scene = tmp_path / "engine.toml"
+    scene.write_text(ENGINE + '[masses]\n2 = { mass = 1, centre = "middle" }\n' + ON_B + "value = [1, 0]\n", "utf-8")
+    watched = (
+        "import sys\nfrom drawings import cli\n"
+        f"assert cli.main(['draw', {str(scene)!r}, '-o', {str(tmp_path / 'out')!r}]) == 0\n"
+        "assert not {'plans.inventory', 'plans.loading', 'plans.stroke'} & set(sys.modules)\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", watched], cwd=ROOT, capture_output=True, text=True, check=False, timeout=120
+    )
+    assert done.returncode == 0, done.stderr
