@@ -17,6 +17,10 @@ EPS = float(np.finfo(np.float64).eps)
 # Newton squares the error: a correction of sqrt(eps) leaves eps. And at a Jacobian whose smallest singular value is
 # sqrt(eps), a pose is known to eps / sqrt(eps), so that the velocity found from it has no true digit left.
 SQRT_EPS = EPS**0.5
+# A rounding of the crank angle moves the reactions near a dead centre by eps over the square of the sharpness: where
+# less than a quarter of their digits would be true, there are none. A dead centre meant exactly may be told in radians
+# a few roundings beside it; with sqrt(eps) such a position would still pass, with reactions of any size.
+BLUNT = EPS**0.375
 NEWTON_ROUNDS = 12  # from one true digit four rounds make sixteen; the rest is for slow beginnings
 DAMPED_ROUNDS = 60
 HALVINGS = 8
@@ -69,7 +73,7 @@ def rank_loss(jacobian: Floats) -> tuple[float, bool]:
 def as_poses(columns: Floats) -> Floats:
     """Give rows of unknowns (N, 3 n) the shape of poses, (N, links, 3), with the frame at rest."""
     still = np.zeros((len(columns), 1, 3))
-    return np.concatenate((still, columns.reshape(len(columns), -1, 3)), axis=1)
+    return np.concatenate((still, columns.reshape(len(columns), columns.shape[1] // 3, 3)), axis=1)
 
 
 def close(constraints: Constraints, poses: Floats, phi: Floats, tolerance: float = EPS) -> tuple[Floats, Flags]:

@@ -25,8 +25,9 @@ from plans.motion import Floats, Motion
 
 # A central difference of order 8, over positions 1 to 4 steps away, misses by step^8 f9/630 and magnifies roundings by
 # 2.1/step: the ninth root of eps makes both eps^(8/9) = 1e-14 where the crank angle in rad is the measure in which the
-# mechanism changes. Where it changes faster, the differences of lower orders tell: what they miss is far more.
-STEP = EPS ** (1.0 / 9.0)
+# mechanism changes. Where it changes faster, the differences of lower orders tell, and a shorter step is tried.
+STEPS = EPS ** (1.0 / 9.0) / np.array((1.0, 4.0, 16.0))
+ENOUGH = EPS ** (1.0 / 3.0)  # of the energy: five digits of a slope show any wrong mass; no shorter step is needed
 ORDERS = np.array(
     (
         (4 / 5, -1 / 5, 4 / 105, -1 / 280),  # of order 8
@@ -35,7 +36,7 @@ ORDERS = np.array(
     )
 )
 RINGS = ORDERS.shape[1]
-GROWTH = 2.0 * float(np.abs(ORDERS[0]).sum()) / STEP
+GROWTH = 2.0 * float(np.abs(ORDERS[0]).sum())  # over the step: by how much a difference magnifies roundings
 ROUNDINGS = 8.0  # a Newton step or a linear solution at rest leaves a few roundings of the largest term of each row
 
 
@@ -55,22 +56,38 @@ def energy_balance(road: Analysis, machine: Machine, motion: Motion, loading: Lo
     constraints, drive, poses = road.constraints, road.mechanism.drive, road.poses(motion)
     first = transfers(constraints, poses)
     inertia = reduced_inertia(constraints, machine, poses, first)
-    around = _around(constraints, poses, first)
-    lively = drive.omega**2 / 2.0 * reduced_inertia(constraints, machine, around, _rates(constraints, around))
-    slope, truncation = _slope(lively + potential(constraints, machine, around))
-    moment = slope + inertia * drive.epsilon - reduced_moment(road, motion, loading, first)
-    allowed = truncation + _rounding(road, machine, motion, loading, first)
-    return EnergyBalance(moment, np.where(np.isnan(moment + allowed), np.inf, allowed))
+    loads = reduced_moment(road, motion, loading, first)
+    plain, magnified = _rounding(road, machine, motion, loading, first)
+    enough = ENOUGH * _energy(constraints, machine, drive.omega, poses, first)[1]
+    slope, allowed = np.full(len(poses), np.nan), np.full(len(poses), np.inf)
+    for step in STEPS:
+        poor = np.flatnonzero(np.isfinite(loads) & (allowed > enough))
+        around = _around(constraints, poses[poor], first[poor], step)
+        energy, _ = _energy(constraints, machine, drive.omega, around, _rates(constraints, around))
+        found, doubt = _slope(energy, step)
+        doubt += plain[poor] + magnified[poor] / step
+        better = doubt < allowed[poor]
+        slope[poor[better]], allowed[poor[better]] = found[better], doubt[better]
+    return EnergyBalance(slope + inertia * drive.epsilon - loads, allowed)
 
 
-def _slope(store: Floats) -> tuple[Floats, Floats]:
+def _energy(
+    constraints: Constraints, machine: Machine, omega: float, poses: Floats, first: Floats
+) -> tuple[Floats, Floats]:
+    """Give the energy J at constant speed, kinetic and potential, and the sum of the sizes of both."""
+    kinetic = omega**2 / 2.0 * reduced_inertia(constraints, machine, poses, first)
+    raised = potential(constraints, machine, poses)
+    return kinetic + raised, kinetic + np.abs(raised)
+
+
+def _slope(energy: Floats, step: float) -> tuple[Floats, Floats]:
     """Differentiate what (rings, 2, N) holds by the crank angle; give the slope, and what its order may leave out."""
-    slopes = ORDERS @ (store[:, 0] - store[:, 1]) / STEP
+    slopes = ORDERS @ (energy[:, 0] - energy[:, 1]) / step
     # Two differences, for one of them may vanish by chance.
-    return slopes[0], np.abs(np.diff(slopes, axis=0)).max(axis=0)
+    return slopes[0], np.abs(np.diff(slopes, axis=0)).sum(axis=0)
 
 
-def _around(constraints: Constraints, poses: Floats, first: Floats) -> Floats:
+def _around(constraints: Constraints, poses: Floats, first: Floats, step: float) -> Floats:
     """Solve the positions 1 to 4 steps on and back, (rings, 2, N, links, 3); NaN where they cannot be assembled.
 
     Each ring is guessed from those within it, by the polynomial through them.
@@ -78,8 +95,8 @@ def _around(constraints: Constraints, poses: Floats, first: Floats) -> Floats:
     crank = poses[:, constraints.crank, TURN] + np.angle(constraints.crank_way)
     rings = [np.stack((poses, poses))]
     for ring in range(1, RINGS + 1):
-        guess = np.stack((poses + STEP * first, poses - STEP * first)) if ring == 1 else _guess(rings)
-        rings.append(_closed(constraints, guess, poses, np.stack((crank + ring * STEP, crank - ring * STEP))))
+        guess = np.stack((poses + step * first, poses - step * first)) if ring == 1 else _guess(rings)
+        rings.append(_closed(constraints, guess, poses, np.stack((crank + ring * step, crank - ring * step))))
     return np.array(rings[1:])
 
 
@@ -117,19 +134,22 @@ def _rates(constraints: Constraints, poses: Floats) -> Floats:
     return rates.reshape(poses.shape)
 
 
-def _rounding(road: Analysis, machine: Machine, motion: Motion, loading: Loading, first: Floats) -> Floats:
-    """Bound the roundings: places are known to kappa, their rates to its square, and differences magnify both."""
+def _rounding(
+    road: Analysis, machine: Machine, motion: Motion, loading: Loading, first: Floats
+) -> tuple[Floats, Floats]:
+    """Bound the roundings, and those that a difference magnifies: places are known to kappa, rates to its square."""
     size, drive, kappa = road.constraints.size, road.mechanism.drive, road.conditions(motion)
     peak = np.abs(first).max(axis=(1, 2))  # the largest rate, lengths in units of `size`
     far = 1.0 + np.abs(road.poses(motion)).max(axis=(1, 2))
-    lowered, inertia, borne = np.zeros(len(kappa)), np.zeros(len(kappa)), np.zeros(len(kappa))
+    raised, inertia, borne = np.zeros(len(kappa)), np.zeros(len(kappa)), np.zeros(len(kappa))
     for body in machine.bodies.values():
         reach = size + abs(body.centre)
         inertia += 2.0 * (body.mass * reach**2 + body.inertia) * peak**2
-        lowered += body.mass * abs(machine.gravity) * reach * far
+        raised += body.mass * abs(machine.gravity) * reach * far
     for load in loading.forces:
         borne += np.abs(load.force) * (size + abs(load.at)) * peak
     for twist in loading.moments:
         borne += np.abs(twist.moment) * peak
-    rates = (GROWTH * drive.omega**2 / 2.0 + abs(drive.epsilon)) * inertia + borne
-    return np.asarray(ROUNDINGS * EPS * kappa * (kappa * rates + GROWTH * lowered))
+    unit = ROUNDINGS * EPS * kappa
+    magnified = kappa * drive.omega**2 / 2.0 * inertia + raised
+    return unit * kappa * (abs(drive.epsilon) * inertia + borne), GROWTH * unit * magnified

@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from plans.analytic.action import action, balancing, unit_force
-from plans.analytic.closure import SQRT_EPS, inverses, rank_loss, sharpness, solutions
+from plans.analytic.closure import BLUNT, inverses, rank_loss, sharpness, solutions
 from plans.analytic.constraints import TURN, Constraints, Placement, X, Y
 from plans.analytic.gaps import without_forces
 from plans.analytic.inertia import borne
@@ -81,7 +81,7 @@ def _balanced(
         matrices = constraints.jacobian(constraints.place(poses[here]))
         if drive is not None:
             matrices[:, -1] = drive[here]
-        blunt = sharpness(matrices, inverses(matrices)) <= SQRT_EPS
+        blunt = sharpness(matrices, inverses(matrices)) <= BLUNT
         singular |= {int(here[k]): rank_loss(matrices[k])[1] for k in np.flatnonzero(blunt)}
         regular = here[~blunt]
         multipliers[regular] = solutions(matrices[~blunt].transpose(0, 2, 1), -loads[regular])

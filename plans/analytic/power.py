@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from plans.analytic.closure import SQRT_EPS, as_poses, inverses, sharpness
+from plans.analytic.closure import BLUNT, as_poses, inverses, sharpness
 from plans.analytic.constraints import TURN, Constraints
 from plans.analytic.inertia import borne
 from plans.analytic.kinematics import Analysis
@@ -44,6 +44,6 @@ def transfers(constraints: Constraints, poses: Floats) -> Floats:
         here = known[block]
         jacobian = constraints.jacobian(constraints.place(poses[here]))
         inverse = inverses(jacobian)
-        sharp = sharpness(jacobian, inverse) > SQRT_EPS
+        sharp = sharpness(jacobian, inverse) > BLUNT
         first[here[sharp]] = as_poses(inverse[sharp][:, :, -1])  # the drive is the last equation
     return first
