@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from drawings.formats import Field
+from drawings.hand import Hand
 from drawings.scale import Scale
-from drawings.strokes import Circle, Group, Line, LineStyle, numeral, stated
+from drawings.strokes import Circle, Group, Line, LineStyle, Text, numeral, stated
 from drawings.symbols import arrowhead
 
 
@@ -26,11 +28,11 @@ class Place(NamedTuple):
 
 
 class Subject(NamedTuple):
-    """What a figure's marks belong to: the plan's name, its quantity, its position, its unit."""
+    """What a figure's marks belong to: the plan's name, its quantity, its position; None is every position."""
 
     plan: str
     quantity: str
-    position: int
+    position: int | None
 
     def data(self, kind: str, name: str, value: complex, scale: Scale) -> dict[str, str]:
         """Give the data of a mark that can be measured."""
@@ -39,7 +41,7 @@ class Subject(NamedTuple):
             "plan": self.plan,
             "quantity": self.quantity,
             "name": name,
-            "position": str(self.position),
+            **({"position": str(self.position)} if self.position is not None else {}),
             "value": stated(value),
             "unit": scale.unit,
             "scale": numeral(scale.mu),
@@ -59,3 +61,10 @@ def vector(
 def point(subject: Subject, name: str, value: complex, place: Place, circle: Circle, kind: str = "point") -> Group:
     """Draw a point or a pole by its circle, and say what it is."""
     return Group((circle,), "", subject.data(kind, name, value, place.scale), name)
+
+
+def heading(box: Field, title: str, under: str, hand: Hand) -> Group:
+    """Write a figure's title and its scale, or what is said instead, at the top of its box."""
+    at = complex(box.centre.real, box.top - hand.title)
+    low = at - 1j * (0.6 * hand.title + hand.text)
+    return Group((Text(at, title, hand.title, "middle", True), Text(low, under, hand.text, "middle", True)))
