@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from drawings.vector_plan import written
+from drawings.masses import is_centre
 from geometry.board import Mark, at
 from plans.cut import Cut, Equation
 from plans.force import ForcePlan
@@ -65,48 +65,48 @@ def largest(cut: Cut, column: int) -> float:
 
 def _of(plan: ForcePlan, cut: Cut, column: int, start: int) -> Iterator[Leverage]:
     known: list[Leverage] = []
+    least = NOTHING * largest(cut, column)
     for equation in cut.equations:
-        for name, spot, force, lead in _terms(equation):
+        for name, spot, force in _terms(equation):
             value = at(force.point, column)
-            if abs(value) <= NOTHING * largest(cut, column):
+            if not abs(value) > least:
                 continue
             pivot, place = at(equation.about.point, column), at(spot.point, column)
             bare = Leverage(name, equation.about.name, "", 0.0, 1, pivot, place, value / abs(value))
             moment = ((place - pivot).conjugate() * bare.direction).imag
             if abs(moment) <= NOTHING * abs(place - pivot):
                 continue
-            sense, letter = (1 if moment > 0 else -1), _letter(bare, known, start, _lead(plan, equation, spot, lead))
-            known.append(bare._replace(letter=letter, length=abs(moment), sense=sense))
+            letter = _lead(plan, equation, spot, bare) or _number(bare, known, start)
+            known.append(bare._replace(letter=letter, length=abs(moment), sense=1 if moment > 0 else -1))
     yield from known
 
 
-def _lead(plan: ForcePlan, equation: Equation, spot: Mark, lead: str) -> str:
-    """Give the letters of the line from the point of moments to a named point: as its link has them, if it does."""
-    ends = equation.about.name + spot.name
-    return "" if not lead or spot.name not in plan.positions.letters else lead if sorted(lead) == sorted(ends) else ends
-
-
-def _terms(equation: Equation) -> Iterator[tuple[str, Mark, Mark, str]]:
-    """Give the forces of an equation: name, point, vector, and of the found one the lead that is its arm."""
+def _terms(equation: Equation) -> Iterator[tuple[str, Mark, Mark]]:
+    """Give the forces of an equation, the one that it finds last: name, point, vector."""
     for load in equation.loads:
-        yield load.name, load.at, load.force, ""
+        yield load.name, load.at, load.force
     if equation.line is not None:
-        start, lead = equation.line.step.inputs[:2]
-        yield equation.found.name, start, equation.found, lead.name
+        yield equation.found.name, equation.line.step.inputs[0], equation.found
 
 
-def _letter(bare: Leverage, known: list[Leverage], start: int, lead: str) -> str:
-    """Letter an arm: the found force's by its lead, every other by a number, those on one line of action alike."""
+def _lead(plan: ForcePlan, equation: Equation, spot: Mark, bare: Leverage) -> str:
+    """Letter an arm that is the line between two named points, as the lead there is lettered; "" where it is not."""
     arm = bare.at - bare.pivot
-    if lead and abs((arm * bare.direction.conjugate()).real) <= NOTHING * abs(arm):
-        return f"l_{{{lead}}}"
-    same = (other for other in known if _one_line(other, bare))
-    number = start + len({other.letter for other in known if other.dimensioned}) + 1
-    return next((other.letter for other in same), written(f"h_{number}"))
+    square = abs((arm * bare.direction.conjugate()).real) <= NOTHING * abs(arm)
+    if not square or spot.name not in plan.positions.letters or is_centre(spot.name):
+        return ""
+    ends = equation.about.name + spot.name
+    lines = (equation.line.step.inputs if equation.line is not None else ())[1:]
+    return f"l_{{{next((line.name for line in lines if sorted(line.name) == sorted(ends)), ends)}}}"
+
+
+def _number(bare: Leverage, known: list[Leverage], start: int) -> str:
+    """Letter an arm by a number: forces on one line of action have one."""
+    same = next((other.letter for other in known if _one_line(other, bare)), "")
+    return same or f"h_{{{start + len({other.letter for other in known if other.dimensioned}) + 1}}}"
 
 
 def _one_line(one: Leverage, other: Leverage) -> bool:
     """Tell whether two forces have one line of action and one point of moments."""
     near = NOTHING * abs(one.at - one.pivot)
     return one.about == other.about and abs(one.foot - other.foot) <= near and one.dimensioned
-

@@ -54,9 +54,10 @@ class Figure:
 def measured(shown: Scheme, name: str, hand: Hand, language: str) -> Picture:
     """Measure the room that a scheme needs: its links to scale, and what of its arrows is outside them, in mm."""
     least = LEAST * hand.letter
-    bare = picture(name, shown.points, ("l", "m"), Margins(0, 0, 0), 0.0, least)
-    extent = max(bare.wide, bare.high) or 1.0
-    place = Place(0j, bare.middle, Scale(extent / least, "l", "m"))
+    bare = picture(name, shown.points, ("l", "m"), Margins(0, 0, 0), 0.0)
+    extent = max(bare.wide, bare.high)
+    bare = bare._replace(least=least if extent else 0.0)  # a lone point is not drawn smaller at any scale
+    place = Place(0j, bare.middle, Scale((extent or 1.0) / least, "l", "m"))
     left, bottom, right, top = bounds(Group(tuple(Layout(shown, place, hand, language, None).strokes())))
     wide, high = bare.wide / place.scale.mu / 2, bare.high / place.scale.mu / 2
     around = LETTERS * hand.letter
@@ -101,8 +102,8 @@ def _letters(laid: Layout, labels: Labels, hand: Hand) -> Iterator[Stroke]:
 def _points(laid: Layout, labels: Labels, hand: Hand) -> Iterator[Stroke]:
     """Letter each point where the widest angle between the lines at it is free."""
     lines = [line for line in _lines(laid.links)] + [Line(held.arrow.start, held.arrow.tip) for held in laid.arrows]
-    for name, value in laid.shown.links.points.items():
-        spot, gap = laid.place.on(value), laid.joints.clear(name) + 1.0
+    for name, value in laid.shown.named.items():
+        spot, gap = laid.place.on(value), laid.clear(name) + 1.0
         yield labels.beside(spot, written(name), hand.letter, gap, _free(spot, gap, lines))
 
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 from drawings.acting import Acting, acting
 from drawings.cut_links import CutLinks, cut_links
 from drawings.leverage import Leverage, leverages
-from plans.cut import Cut
+from plans.cut import INERTIA, WEIGHT, Cut
 from plans.force import ForcePlan
 from plans.machine import GEAR
 from plans.primary import action
@@ -43,12 +44,23 @@ class Scheme:
         """The arms that are drawn: one of each letter."""
         return list({arm.letter: arm for arm in reversed(self.arms) if arm.dimensioned}.values())[::-1]
 
+    @cached_property
+    def named(self) -> dict[str, complex]:
+        """The points that bear letters: those of the links, and those at which other forces act."""
+        others = {force.spot: force.at for force in self.acting.forces if force.spot}
+        return self.links.points | {name: at for name, at in others.items() if name not in self.links.points}
+
+    @cached_property
+    def centres(self) -> set[str]:
+        """The letters of the mass centres that forces act at."""
+        return {load.at.name for load in self.cut.loads if load.kind in (WEIGHT, INERTIA)}
+
     @property
     def points(self) -> list[complex]:
         """All true points that the figure must hold."""
-        found = [*self.links.points.values(), *self.links.slots]
+        found = [*self.named.values(), *self.links.slots]
         found += [arm.foot for arm in self.dimensioned]
-        found += [place for force in self.acting.forces for place in (force.at,)]
+        found += [force.at for force in self.acting.forces]
         if self.wheel is not None:
             wheel = self.wheel
             turns = (1, 1j, -1, -1j) if wheel.whole else ()

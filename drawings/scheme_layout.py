@@ -6,7 +6,6 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import chain
 
 from drawings.acting import Force, Moment
 from drawings.arms import Arm, to_scale
@@ -26,7 +25,7 @@ from drawings.transmission import Gear
 from drawings.vector_plan import written
 
 GUIDE = 16.0  # mm of a guide's axis on either side of its slider
-RADIUS, APART = 6.5, 2.5  # mm: radius of a couple's arc, and how much each further one about a point is wider
+RADIUS, BLOCKED, APART = 6.5, 9.0, 2.5  # mm: radius of a couple's arc, about a block, and what each further is wider
 FACINGS = 12  # directions that an arc may face
 BAR, ARROW, THIN = 3.0, 6.0, 1.0  # thin lines that a link, an arrow and an arm count as
 NARROW = 0.4  # what an arc of half a turn costs against one of three quarters
@@ -64,17 +63,23 @@ class Layout:
         for at, along in self.shown.links.guides:
             half = along * GUIDE * hand.symbol
             axes.append(Line(self.place.on(at) - half, self.place.on(at) + half, hand.axis))
-        return [*fitted(axes), *joints.bars(), *(block for _, block in joints.blocks), *joints.corners(), *joints.stands()]
+        return [
+            *fitted(axes),
+            *joints.bars(),
+            *(block for _, block in joints.blocks),
+            *joints.corners(),
+            *joints.stands(),
+        ]
 
     @cached_property
     def marks(self) -> list[Stroke]:
         """Hinges, mass centres and other points, each under its letter."""
         found: list[Stroke] = []
-        for name in self.shown.links.points:
-            at = self.place.on(self.shown.links.points[name])
+        for name, value in self.shown.named.items():
+            at = self.place.on(value)
             if name in self.joints.hinges:
                 symbol: tuple[Stroke, ...] = self.joints.hinges[name]
-            elif name in self.joints.centres:
+            elif name in self.shown.centres or name in self.joints.centres:
                 symbol = mass_centre(at, self.hand)
             else:
                 symbol = (Circle(at, POINT * self.hand.symbol, INK),)
@@ -118,12 +123,23 @@ class Layout:
 
     def _on_block(self, force: Force) -> bool:
         """Tell whether a guide's reaction meets its slider's block."""
-        spots = [self.place.on(at) for at, _ in self.shown.links.guides]
-        return any(abs(self.place.on(force.at) - spot) <= BLOCK[0] / 2 * self.hand.symbol for spot in spots)
+        at, reach = self.place.on(force.at), BLOCK[0] / 2 * self.hand.symbol
+        return any(abs(at - spot) <= reach for spot in self._blocks)
+
+    @property
+    def _blocks(self) -> list[complex]:
+        """The middles of the blocks."""
+        return [sum(block.points) / len(block.points) for _, block in self.joints.blocks]
 
     def _rim(self, spot: str) -> float:
         """Give how far the symbol of a point reaches."""
-        return self.joints.radius(spot) if spot in self.shown.links.points else 0.0
+        if spot in self.shown.centres and spot not in self.joints.hinges:
+            return MASS * self.hand.symbol
+        return self.joints.radius(spot) if spot in self.shown.named else 0.0
+
+    def clear(self, name: str) -> float:
+        """Give how far from a point letters stand clear of its symbols."""
+        return max(self.joints.clear(name), self._rim(name))
 
     @property
     def _around(self) -> list[tuple[Stroke, float]]:
@@ -140,12 +156,13 @@ class Layout:
         drawn = Drawn()
         for stroke, weight in self._around:
             drawn.draw([stroke], weight)
-        drawn.draw(chain(*(held.strokes for held in self.arrows)), ARROW)
+        drawn.draw((held.shaft for held in self.arrows), ARROW)
         found: list[Couple] = []
         for moment in self.shown.acting.moments:
             at = self.place.on(moment.at)
             before = sum(abs(other.at - at) < RADIUS for other in found)
-            found.append(self._couple(moment, at, (RADIUS + APART * before) * self.hand.symbol, drawn))
+            least = BLOCKED if any(abs(spot - at) < RADIUS for spot in self._blocks) else RADIUS
+            found.append(self._couple(moment, at, (least + APART * before) * self.hand.symbol, drawn))
         return found
 
     def _couple(self, moment: Moment, at: complex, radius: float, drawn: Drawn) -> Couple:
@@ -160,10 +177,13 @@ class Layout:
     def strokes(self) -> Iterator[Stroke]:
         """Draw everything but letters, from the thinnest lines to the arrows."""
         hand = self.hand
-        yield Group(tuple(stroke for arm in self.arms for stroke in arm.drawn(hand)))
+        arms = tuple(stroke for arm in self.arms for stroke in arm.drawn(hand))
+        yield from [Group(arms)] if arms else []
         if self.gear is not None and self.shown.wheel is not None:
             yield Group(self.gear.drawn(hand, self.shown.wheel.whole))
         yield Group((*self.links, *self.marks))
         leads = tuple(held.lead for held in self.arrows if held.lead is not None)
-        yield Group((*leads, *(held.arrow.drawn(hand) for held in self.arrows)))
-        yield Group(tuple(couple.drawn(hand) for couple in self.couples))
+        forces = (*leads, *(held.arrow.drawn(hand) for held in self.arrows))
+        yield from [Group(forces)] if forces else []
+        couples = tuple(couple.drawn(hand) for couple in self.couples)
+        yield from [Group(couples)] if couples else []
