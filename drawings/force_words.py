@@ -23,6 +23,7 @@ FORCES: Final[dict[str, tuple[str, str]]] = {
     "hodographs": ("Hodographs of reactions", "Годографы реакций"),
     "reaction": ("reaction", "реакция"),
     "reactions": ("Reactions", "Реакции"),
+    "not to scale": ("forces not to scale", "силы не в масштабе"),
     "arm": ("arm", "плечо"),
     "arms": ("Arms, mm:  {arms}", "Плечи, мм:  {arms}"),
     "weights": ("Weights, N:  {weights}", "Силы тяжести, Н:  {weights}"),

@@ -12,7 +12,7 @@ from itertools import combinations, pairwise
 from typing import NamedTuple
 
 from drawings.masses import is_centre
-from drawings.skeleton import Poses, Skeletons
+from drawings.skeleton import Bones, Poses
 from plans.mechanism import Slide, Way
 
 # Points of a link lie on one line when none is off it by more than this share of its length: rounding of coordinates
@@ -39,7 +39,7 @@ class Outline(NamedTuple):
     corners: tuple[Corner, ...] = ()
 
 
-def outlines(bones: Skeletons, reach: Reach, whole: bool) -> list[Outline]:
+def outlines(bones: Bones, reach: Reach, whole: bool) -> list[Outline]:
     """Give the outlines of all moving links, their slots as long as they must reach.
 
     A whole outline runs through all points of a link; else it runs through those that its pairs need.
@@ -47,13 +47,13 @@ def outlines(bones: Skeletons, reach: Reach, whole: bool) -> list[Outline]:
     return [_outline(bones, link, reach, whole) for link in bones.links]
 
 
-def reach_of(bones: Skeletons, poses: Poses, k: int) -> Reach:
+def reach_of(bones: Bones, poses: Poses, k: int) -> Reach:
     """Give how far slots reach to their stones in one position."""
     places = {slide: float(poses.along(slide)[k]) for slide in bones.mechanism.slides}
     return {slide: (along, along) for slide, along in places.items() if not math.isnan(along)}
 
 
-def _outline(bones: Skeletons, link: int, reach: Reach, whole: bool) -> Outline:
+def _outline(bones: Bones, link: int, reach: Reach, whole: bool) -> Outline:
     bars, corners = _body(list(_spots(bones, link, whole).values()))
     for slide, (low, high) in reach.items():
         if slide.owner == link:
@@ -67,7 +67,7 @@ def _outline(bones: Skeletons, link: int, reach: Reach, whole: bool) -> Outline:
     return Outline(link, tuple(bars), tuple(corners))
 
 
-def offset_foot(bones: Skeletons, slide: Slide) -> complex | None:
+def offset_foot(bones: Bones, slide: Slide) -> complex | None:
     """Give the foot of a slider's point on its line, in the slider's own frame; None where the point lies on it."""
     points, way = bones.mechanism.links[slide.slider].points, slide.on_slider
     off = (points[slide.point] - way.through) * way.direction.conjugate()
@@ -75,7 +75,7 @@ def offset_foot(bones: Skeletons, slide: Slide) -> complex | None:
     return None if abs(off.imag) <= FLAT * size else points[slide.point] - 1j * off.imag * way.direction
 
 
-def _spots(bones: Skeletons, link: int, whole: bool) -> Mapping[str, complex]:
+def _spots(bones: Bones, link: int, whole: bool) -> Mapping[str, complex]:
     """Give the points that a link's bars run through; a mass centre is a mark beside them."""
     mechanism = bones.mechanism
     points = mechanism.links[link].points

@@ -16,7 +16,7 @@ from drawings.figure import Place, Subject
 from drawings.hand import Hand
 from drawings.masses import is_centre
 from drawings.outlines import Outline, offset_foot, outlines
-from drawings.skeleton import Skeletons
+from drawings.skeleton import Bones, Skeletons
 from drawings.strokes import INK, Circle, Group, Line, Polyline, Stroke
 from drawings.symbols import BLOCK, HINGE, MASS, POINT, STONE
 from drawings.trimming import Mask, trimmed
@@ -30,10 +30,10 @@ BESIDE = math.cos(math.radians(50))  # a bar within 50 degrees of a stand's axis
 
 
 @dataclass(frozen=True, eq=False)
-class Pairs:
-    """The pairs of the shown position on paper, each with its symbol's outline."""
+class Joints:
+    """The links of one pose on paper with their pairs, each with its symbol's outline."""
 
-    bones: Skeletons
+    bones: Bones
     place: Place
     sheet: Hand
 
@@ -214,6 +214,13 @@ class Pairs:
         if name in self.centres:
             return symbols.mass_centre(at, self.hand)
         return (Circle(at, POINT * self.hand.symbol, INK),)
+
+
+@dataclass(frozen=True, eq=False)
+class Pairs(Joints):
+    """The pairs of a mechanism's shown position."""
+
+    bones: Skeletons
 
 
 def _welded(exit_: complex, far: complex, block: Polyline, hand: Hand) -> Iterator[Stroke]:

@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Protocol
 
 import numpy as np
 
@@ -53,6 +54,41 @@ class Poses:
     def blocks(self, slide: Slide) -> Complexes:
         """Give the places of a slide's block: the foot on its line of the slider's named point."""
         return self.of(slide.owner, slide.on_owner.through) + self.line(slide) * self.along(slide)
+
+
+class Bones(Protocol):
+    """What links and their pairs are drawn from: a mechanism, its poses, and which of them is shown."""
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """The mechanism."""
+
+    @property
+    def links(self) -> list[int]:
+        """The links that are drawn."""
+
+    @property
+    def numbered(self) -> Poses:
+        """The poses."""
+
+    @property
+    def shown(self) -> int:
+        """Which of them is shown."""
+
+    @property
+    def reach(self) -> float:
+        """The mechanism's size, m."""
+
+    @property
+    def masses(self) -> Mapping[str, tuple[int, complex]]:
+        """The mass centres that no point names: letter, link, place in its own frame."""
+
+    @property
+    def travels(self) -> Mapping[Slide, tuple[float, float]]:
+        """How far along its line each slide's block comes, m."""
+
+    def spot(self, name: str, position: int) -> complex:
+        """Give a point's place; NaN at a gap."""
 
 
 @dataclass(frozen=True)
@@ -158,23 +194,22 @@ def skeletons(study: Study, motion: Motion, shown: int) -> Skeletons:
     extremes = None
     if study.found is not None:
         turn = Turn(np.array(study.found.extremes.phi), np.array(study.found.directions))
-        extremes = _drawn(study, study.sweep.drawn(turn), 2)
+        extremes = poses(study.mechanism, study.sweep.drawn(turn), 2)
     return Skeletons(study, motion, numbered, _way(study, numbered), extremes, shown)
 
 
 def _way(study: Study, numbered: Poses) -> Poses:
     """Give the poses of a whole turn, half a degree apart, NaN where the mechanism does not come."""
     nodes = study.turn.phi[0] + 2 * np.pi * np.arange(NODES + 1) / NODES
-    dense = _drawn(study, study.sweep.plan(nodes), len(nodes))
+    dense = poses(study.mechanism, study.sweep.plan(nodes), len(nodes))
     box = np.array(list(numbered.points.values()))
     free, box = study.reached(nodes), box[~np.isnan(box)]
     points = {name: _near(np.where(free, values, np.nan), box) for name, values in dense.points.items()}
     return Poses(dense.links, points, dense.turns)
 
 
-def _drawn(study: Study, plan: Plan, count: int) -> Poses:
+def poses(mechanism: Mechanism, plan: Plan, count: int) -> Poses:
     """Read the poses off a plan of positions."""
-    mechanism = study.mechanism
     names = sorted({name for link in mechanism.links.values() for name in link.points})
     points = {name: np.asarray(plan.point(name).point, dtype=np.complex128) for name in names}
     turns = {number: np.exp(1j * angle(plan, number)) for number in sorted(mechanism.links)}

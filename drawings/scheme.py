@@ -1,0 +1,85 @@
+"""What a loading scheme shows, in true units: links, forces, moments, arms, and how the crank is driven."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+from drawings.acting import Acting, acting
+from drawings.cut_links import CutLinks, cut_links
+from drawings.leverage import Leverage, leverages
+from plans.cut import INERTIA, WEIGHT, Cut
+from plans.force import ForcePlan
+from plans.machine import GEAR
+from plans.primary import action
+
+WHOLE = 2.0  # cranks: of a larger wheel only a part of the pitch circle is drawn
+
+
+class Wheel(NamedTuple):
+    """The wheel by which the crank is driven: shaft and pitch radius, m, the pitch point's direction, rad, the force's."""
+
+    centre: complex
+    radius: float
+    at: float
+    action: complex
+    whole: bool
+
+
+@dataclass(frozen=True)
+class Scheme:
+    """The loading scheme of a cut in one position."""
+
+    plan: ForcePlan
+    cut: Cut
+    column: int
+    links: CutLinks
+    acting: Acting
+    arms: tuple[Leverage, ...]
+    wheel: Wheel | None
+
+    @property
+    def dimensioned(self) -> list[Leverage]:
+        """The arms that are drawn: one of each letter."""
+        return list({arm.letter: arm for arm in reversed(self.arms) if arm.dimensioned}.values())[::-1]
+
+    @cached_property
+    def named(self) -> dict[str, complex]:
+        """The points that bear letters: those of the links, and those at which other forces act."""
+        others = {force.spot: force.at for force in self.acting.forces if force.spot}
+        return self.links.points | {name: at for name, at in others.items() if name not in self.links.points}
+
+    @cached_property
+    def centres(self) -> set[str]:
+        """The letters of the mass centres that forces act at."""
+        return {load.at.name for load in self.cut.loads if load.kind in (WEIGHT, INERTIA)}
+
+    @property
+    def points(self) -> list[complex]:
+        """All true points that the figure must hold."""
+        found = [*self.named.values(), *self.links.slots]
+        found += [arm.foot for arm in self.dimensioned]
+        found += [force.at for force in self.acting.forces]
+        if self.wheel is not None:
+            wheel = self.wheel
+            turns = (1, 1j, -1, -1j) if wheel.whole else ()
+            found += [wheel.centre + wheel.radius * turn for turn in turns]
+        return found
+
+
+def scheme(plan: ForcePlan, cut: Cut, column: int) -> Scheme:
+    """Gather what the loading scheme of a cut shows in one position."""
+    links = cut_links(plan, cut, column)
+    wheel = _wheel(plan, links) if cut.group is None else None
+    return Scheme(plan, cut, column, links, acting(plan, cut, links, column), leverages(plan, cut, column), wheel)
+
+
+def _wheel(plan: ForcePlan, links: CutLinks) -> Wheel | None:
+    how, drive = plan.machine.transmission, plan.mechanism.drive
+    if how.kind != GEAR:
+        return None
+    shaft = links.spot(drive.pivot, links.shown)
+    crank = abs(links.spot(drive.end, links.shown) - shaft)
+    along = action(how, drive.omega)
+    return Wheel(shaft, how.radius, how.at, along / abs(along), how.radius <= WHOLE * crank)
