@@ -26,11 +26,11 @@ class Place(NamedTuple):
 
 
 class Subject(NamedTuple):
-    """What a figure's marks belong to: the plan's name, its quantity, its position, its unit."""
+    """What a figure's marks belong to: the plan's name, its quantity, its position; None is every position."""
 
     plan: str
     quantity: str
-    position: int
+    position: int | None
 
     def data(self, kind: str, name: str, value: complex, scale: Scale) -> dict[str, str]:
         """Give the data of a mark that can be measured."""
@@ -39,7 +39,7 @@ class Subject(NamedTuple):
             "plan": self.plan,
             "quantity": self.quantity,
             "name": name,
-            "position": str(self.position),
+            **({"position": str(self.position)} if self.position is not None else {}),
             "value": stated(value),
             "unit": scale.unit,
             "scale": numeral(scale.mu),

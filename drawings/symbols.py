@@ -114,13 +114,15 @@ def tick(at: complex, direction: complex, hand: Hand) -> Line:
     return Line(at - across, at + across, hand.drafted)
 
 
-def turning_arrow(centre: complex, radius: float, start: float, sweep: float, hand: Hand) -> tuple[Stroke, ...]:
+def turning_arrow(
+    centre: complex, radius: float, start: float, sweep: float, hand: Hand, style: LineStyle | None = None
+) -> tuple[Stroke, ...]:
     """Draw an arc with an arrowhead at its end: the sense of rotation; a negative sweep is clockwise."""
     length, half = (size * hand.symbol for size in HEAD)
     neck = start + sweep - math.copysign(length / radius, sweep)
     tip, back = centre + cmath.rect(radius, start + sweep), centre + cmath.rect(radius, neck)
     wing = 1j * (tip - back) / abs(tip - back) * half
-    arc = Arc(centre, radius, min(start, neck), max(start, neck), hand.other)
+    arc = Arc(centre, radius, min(start, neck), max(start, neck), style or hand.other)
     return arc, Fill((tip, back + wing, back - wing), INK)
 
 

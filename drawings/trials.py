@@ -58,6 +58,17 @@ def _merit(spot: Spot | None, plans: Grid | None) -> float:
     return others + (FOREMOST * math.log(max(spot.box.width, spot.box.height)) if spot is not None else 0.0)
 
 
+def room_of(page: Page) -> Field:
+    """Give the field that figures may fill: inside the frame, beside or under what else the standard has there."""
+    room = page.field
+    for place in page.taken:
+        if place != page.block and place.width >= place.height:
+            room = room._replace(top=min(room.top, place.bottom))
+        elif place != page.block:
+            room = room._replace(right=min(room.right, place.left))
+    return room.inset(PAD)
+
+
 @dataclass(frozen=True)
 class Sheet:
     """A sheet to be composed: what it shows, on which paper."""
@@ -69,13 +80,7 @@ class Sheet:
     @property
     def field(self) -> Field:
         """The field that figures may fill: inside the frame, beside or under what else the standard has there."""
-        room = self.page.field
-        for place in self.page.taken:
-            if place != self.page.block and place.width >= place.height:
-                room = room._replace(top=min(room.top, place.bottom))
-            elif place != self.page.block:
-                room = room._replace(right=min(room.right, place.left))
-        return room.inset(PAD)
+        return room_of(self.page)
 
     def best(self, legible: bool = True) -> Trial | None:
         """Find the best composition, whose plans are all drawn large enough for their letters if that is asked."""
