@@ -5,9 +5,10 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from drawings.figure import Subject
+from drawings.force_arrow import named
 from drawings.hand import Hand
 from drawings.layout import Labels
 from drawings.scale import Scale
@@ -78,8 +79,4 @@ class Arm:
 def to_scale(letter: str, about: complex, at: complex, direction: complex, scale: Scale, subject: Subject) -> Arm:
     """Give an arm on a scheme drawn to scale, measurable: the vector from the point to the line of action."""
     arm = Arm(letter, about, at, direction / abs(direction))
-    return Arm(*_places(arm), subject.data("vector", letter, (arm.foot - about) * scale.mu, scale))
-
-
-def _places(arm: Arm) -> tuple[str, complex, complex, complex]:
-    return arm.letter, arm.about, arm.at, arm.direction
+    return replace(arm, data=subject.data("vector", named(letter), (arm.foot - about) * scale.mu, scale))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import heapq
-import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias
@@ -11,6 +10,10 @@ from typing import NamedTuple, TypeAlias
 from drawings.grid import GAP
 from drawings.page import Field
 from drawings.picture import Ladder, Rung, Spot
+
+UNDER = 8.0  # mm from a picture to the lettering that belongs to it
+
+FOOT = 0.6  # share of the gap between two pictures that is left below the last one
 
 
 class Block(NamedTuple):
@@ -49,9 +52,9 @@ class Filled:
 
     @property
     def score(self) -> float:
-        """How good it is: the mean logarithm of the sizes of its pictures."""
+        """How good it is: the harmonic mean of the sizes of its pictures, mm, to which the small ones matter most."""
         sizes = [rung.drawn for zone in self.rungs for column in zone for rung in column if rung and rung.drawn > 0]
-        return sum(map(math.log, sizes)) / len(sizes) if sizes else 0.0
+        return len(sizes) / sum(1 / size for size in sizes) if sizes else 0.0
 
     def stood(self, room: Field, floors: Sequence[float]) -> tuple[dict[str, Spot], dict[str, Field]]:
         """Stand the columns in a room, each zone on its floor: spare paper is shared, first headings are level."""
@@ -103,12 +106,16 @@ class _Rack(NamedTuple):
         return top - self.floor - sum(high for _, high in self.sizes)
 
     def stood(self, top: float, level: float) -> Iterator[tuple[Part, Rung | None, Field]]:
-        """Give each part its box, the first one some millimetres under the top."""
-        up = (self.spare(top) - level) / len(self.parts)
+        """Give each part its box, the first one some millimetres under the top, lettering close under its picture."""
+        under = [isinstance(part, Block) and k > 0 for k, part in enumerate(self.parts)]
+        spare = self.spare(top) - level
+        close = min(UNDER, spare / len(self.parts))
+        up = (spare - close * sum(under)) / (len(self.parts) - sum(under) - 1 + FOOT)
         top -= level
-        for part, rung, (wide, high) in zip(self.parts, self.rungs, self.sizes, strict=True):
+        for k, (part, rung, (wide, high)) in enumerate(zip(self.parts, self.rungs, self.sizes, strict=True)):
+            top -= close if under[k] else up if k > 0 else 0.0
             yield part, rung, Field(self.middle - wide / 2, top - high, self.middle + wide / 2, top)
-            top -= high + up
+            top -= high
 
 
 def filled(zones: tuple[Zone, ...], width: float, legible: bool = True) -> Filled | None:

@@ -6,6 +6,7 @@ import cmath
 import math
 from typing import NamedTuple
 
+from drawings.force_arrow import named
 from drawings.hand import Hand
 from drawings.layout import Labels
 from drawings.strokes import Group, Stroke
@@ -35,7 +36,7 @@ class Couple(NamedTuple):
         """Draw the arc and its head."""
         start = self.facing - self.sense * self.sweep / 2
         arrow = turning_arrow(self.at, self.radius, start, self.sense * self.sweep, hand, hand.relative)
-        data = {"kind": "couple", "name": self.letter, "sense": f"{self.sense:+d}"}
+        data = {"kind": "couple", "name": named(self.letter), "sense": f"{self.sense:+d}"}
         return Group(arrow, "", data, self.letter)
 
     def lettered(self, labels: Labels, hand: Hand) -> Stroke:

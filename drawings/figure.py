@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from drawings.formats import Field
+from drawings.hand import Hand
 from drawings.scale import Scale
-from drawings.strokes import Circle, Group, Line, LineStyle, numeral, stated
+from drawings.strokes import Circle, Group, Line, LineStyle, Text, numeral, stated
 from drawings.symbols import arrowhead
 
 
@@ -59,3 +61,10 @@ def vector(
 def point(subject: Subject, name: str, value: complex, place: Place, circle: Circle, kind: str = "point") -> Group:
     """Draw a point or a pole by its circle, and say what it is."""
     return Group((circle,), "", subject.data(kind, name, value, place.scale), name)
+
+
+def heading(box: Field, title: str, under: str, hand: Hand) -> Group:
+    """Write a figure's title and its scale, or what is said instead, at the top of its box."""
+    at = complex(box.centre.real, box.top - hand.title)
+    low = at - 1j * (0.6 * hand.title + hand.text)
+    return Group((Text(at, title, hand.title, "middle", True), Text(low, under, hand.text, "middle", True)))

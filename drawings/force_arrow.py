@@ -60,21 +60,32 @@ class ForceArrow:
 
     @property
     def _told(self) -> dict[str, str]:
-        return {"kind": "force", "name": self.letter, "direction": stated(self.direction)}
+        return {"kind": "force", "name": named(self.letter), "direction": stated(self.direction)}
 
     def lettered(self, labels: Labels, hand: Hand) -> Stroke:
-        """Letter it beside its free end."""
-        ahead = self.free - self.at if self.length else self.direction
-        return labels.beside(self.free, self.letter, hand.letter, BESIDE, cmath.phase(ahead) + ASIDE)
+        """Letter it: one to scale beside its middle, where no other of its polygon ends; a marked one at its end."""
+        ahead = cmath.phase(self.direction) + (math.pi if self.ending else 0.0)
+        if self.data:
+            return labels.beside((self.start + self.tip) / 2, self.letter, hand.letter, BESIDE, ahead + math.pi / 2)
+        return labels.beside(self.free, self.letter, hand.letter, BESIDE, ahead + ASIDE)
 
 
 def to_scale(
     letter: str, value: complex, at: complex, scale: Scale, subject: Subject, ending: bool = False
 ) -> ForceArrow:
     """Give a force of a true value at a place on paper, to scale and measurable; its name is its letter."""
-    direction = value / abs(value) if value else 1 + 0j
-    data = subject.data("vector", letter, value, scale)
+    direction = value / abs(value) if value else 1 + 0j  # of no force the direction is of no account
+    data = subject.data("vector", named(letter), value, scale)
     return ForceArrow(letter, at, direction, abs(value) / scale.mu, ending, data=data)
+
+
+def named(letter: str) -> str:
+    """Name a force or an arm by its letter, without the braces of its index.
+
+    >>> named("R^t_{34}")
+    'R^t_34'
+    """
+    return letter.replace("{", "").replace("}", "")
 
 
 def marked(
@@ -85,7 +96,7 @@ def marked(
 
 
 def lettered(forces: Iterable[ForceArrow], labels: Labels, hand: Hand) -> Group:
-    """Letter forces, those that are nearest to others first served last: each where the lines leave room."""
+    """Letter forces, each where the lines of all figures leave room."""
     return Group(tuple(one.lettered(labels, hand) for one in forces))
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
@@ -27,9 +28,9 @@ def unlettered(leaf: Leaf) -> Iterator[str]:
     for label in _labels(leaf.groups):
         for letter in label.text.plain.split(", "):
             labels.setdefault(letter, []).append(label)
-    for plan, letter, spot in _marks(leaf.groups):
+    for plan, letter, spots in _marks(leaf.groups):
         plain = Text(0j, written(letter)).plain
-        if not any(_distance(spot, label.place) <= NEAREST for label in labels.get(plain, ())):
+        if not any(_distance(spot, label.place) <= NEAREST for label in labels.get(plain, ()) for spot in spots):
             yield f"the letter {letter} on {plan}"
 
 
@@ -45,16 +46,26 @@ def _labels(strokes: tuple[Stroke, ...]) -> Iterator[Label]:
                 yield Label(stroke, bounds(stroke))
 
 
-def _marks(strokes: tuple[Stroke, ...]) -> Iterator[tuple[str, str, complex]]:
-    """Give plan, letter and place on paper of every point, and of the end of every vector from a pole."""
+def _marks(strokes: tuple[Stroke, ...]) -> Iterator[tuple[str, str, list[complex]]]:
+    """Give plan, letter and places on paper of every point, of the end of every vector of two letters, of every force.
+
+    A vector named by one letter of its own, as a force or an arm is, bears it anywhere along its line.
+    """
     for stroke in strokes:
         match stroke:
             case Group((Line() as line, *_)) if stroke.data.get("kind") == "vector":
-                yield stroke.data["plan"], stroke.data["name"].split(" ")[1], line.end
+                *start, letter = stroke.data["name"].split(" ")
+                yield stroke.data["plan"], letter, [line.end] if start else _along(line)
             case Group((Circle() as circle, *_)) if stroke.data.get("kind") in ("point", "pole"):
-                yield stroke.data["plan"], stroke.data["name"], circle.centre
+                yield stroke.data["plan"], stroke.data["name"], [circle.centre]
             case Group():
                 yield from _marks(stroke.strokes)
+
+
+def _along(line: Line) -> list[complex]:
+    """Give places along a line, no further from each other than a label may be from its mark."""
+    count = math.ceil(abs(line.end - line.start) / NEAREST) + 1
+    return [line.start + (line.end - line.start) * k / count for k in range(count + 1)]
 
 
 def _distance(point: complex, box: Box) -> float:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise, product
-from typing import NamedTuple, TypeAlias
+from typing import NamedTuple, TypeAlias, TypeVar
 
 from drawings.columns import Block, Column, Filled, Zone, filled
 from drawings.footing import NARROW, PAD, Foot, Notes, feet
@@ -16,6 +16,8 @@ from drawings.trials import room_of
 from drawings.value_table import Setting, Table
 
 FEW = 4  # loose pictures that are stacked in every way; more of them only in columns of about equal numbers
+
+T = TypeVar("T")
 
 Item: TypeAlias = Picture | Block
 Shelf: TypeAlias = tuple[Item, ...]
@@ -69,8 +71,8 @@ def _series(whole: _Sheet) -> Iterator[Composed]:
     if count > 1:  # the same number of sheets, but filled alike
         cuts = [round(content.count * k / count) for k in range(count + 1)]
         runs = [slice(*cut) for cut in pairwise(cuts)]
-        even = [whole.part(run).best() for run in runs]
-        composed = [one for one in even if one is not None] if None not in even else composed
+        alike = [whole.part(run).best() for run in runs]
+        composed = [one for one in alike if one is not None] if None not in alike else composed
     yield from composed[:-1]
     last = composed[-1].content
     full = replace(whole, content=replace(last, table=content.table)).best()
@@ -140,16 +142,21 @@ class _Sheet:
         """Find the composition with the largest figures."""
         room, found = room_of(self.page), None
         bases = _best_of(self._feet(room))
-        own = [self._measured(column) for column in self.content.columns]
-        if sum(_least(column, legible) for column in own) > room.width:
-            return None
-        for way in stacks(self.content.loose):
-            columns = (*own, *(self._measured(column) for column in way))
+        for columns in self._ways(room):
+            if sum(_least(column, legible) for column in columns) > room.width:
+                continue
             for base, split in product(bases, range(max(len(columns), 1))):
                 trial = self._filled(columns, split, base, room, legible)
                 if trial is not None and (found is None or trial.score > found[0].score):
                     found = trial, base
         return None if found is None else self._composed(*found, room)
+
+    def _ways(self, room: Field) -> Iterator[tuple[Column, ...]]:
+        """List the ways to stand columns and loose pictures; on paper that stands upright columns stand on columns."""
+        columns = self.content.columns
+        tall = [columns] if room.width > room.height else [_joined(way) for way in even(columns)]
+        for own, loose in product(tall, stacks(self.content.loose)):
+            yield tuple(self._measured(column) for column in (*own, *loose))
 
     def _measured(self, column: Shelf) -> Column:
         return tuple(self.ladders[item.name] if isinstance(item, Picture) else item for item in column)
@@ -223,16 +230,30 @@ def _least(column: Column, legible: bool) -> float:
     )  # fmt: skip
 
 
-def stacks(loose: Sequence[Picture]) -> list[tuple[Shelf, ...]]:
+def even(units: Sequence[T]) -> list[tuple[tuple[T, ...], ...]]:
+    """List the ways to stack units in columns of about equal numbers, their order kept.
+
+    >>> [[len(column) for column in way] for way in even("abcde")]
+    [[1, 1, 1, 1, 1], [2, 2, 1], [3, 2], [5]]
+    """
+    count = len(units)
+    highs = sorted({-(-count // columns) for columns in range(1, count + 1)})
+    return [tuple(tuple(units[k : k + high]) for k in range(0, count, high)) for high in highs] or [()]
+
+
+def _joined(way: Iterable[Iterable[Shelf]]) -> tuple[Shelf, ...]:
+    return tuple(tuple(item for column in stack for item in column) for stack in way)
+
+
+def stacks(loose: Sequence[T]) -> list[tuple[tuple[T, ...], ...]]:
     """List the ways to stack pictures in columns, their order kept.
 
     >>> [[len(column) for column in way] for way in stacks("abc")]
-    [[3], [1, 2], [2, 1], [1, 1, 1]]
+    [[3], [2, 1], [1, 2], [1, 1, 1]]
     """
     count = len(loose)
     if count > FEW:
-        tall = sorted({-(-count // columns) for columns in range(1, count + 1)})
-        return [tuple(tuple(loose[k : k + high]) for k in range(0, count, high)) for high in tall]
+        return even(loose)
     ways = []
     for broken in product((False, True), repeat=max(count - 1, 0)):
         cuts = [0, *(k + 1 for k, cut in enumerate(broken) if cut), count]

@@ -7,7 +7,7 @@ import math
 from dataclasses import dataclass
 
 from drawings.coriolis import Turned, placed, turned
-from drawings.figure import Place, Subject, point, vector
+from drawings.figure import Place, Subject, heading, point, vector
 from drawings.hand import Hand
 from drawings.layout import Labels
 from drawings.page import Field
@@ -140,15 +140,8 @@ def figure(shown: Diagram, measure: Picture, spot: Spot, scale: str, hand: Hand,
 
 def _heading(shown: Diagram, spot: Spot, scale: str, hand: Hand, language: str) -> Group:
     """Write a plan's title and its scale above it."""
-    at = complex(spot.box.centre.real, spot.box.top - hand.title)
     title = word(language, shown.plan.board.subject, position=shown.column)
-    under = scale if any(shown.points) else word(language, "at rest")
-    return Group(
-        (
-            Text(at, title, hand.title, "middle", True),
-            Text(at - 1j * (0.6 * hand.title + hand.text), under, hand.text, "middle", True),
-        )
-    )
+    return heading(spot.box, title, scale if any(shown.points) else word(language, "at rest"), hand)
 
 
 def _visible(arrow: Arrow, place: Place) -> bool:

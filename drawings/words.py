@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterable
 from typing import Final
 
+from drawings.force_words import FORCES
 from drawings.strokes import SheetError
 
 # The words of page and title block, and units: English, Russian.
@@ -67,7 +68,7 @@ WORDS: Final[dict[str, dict[str, str]]] = {
         "rad/s2": "rad/s²",
         "m": "m",
         "mm": "mm",
-        **{key: english for key, (english, _) in PAGE.items()},
+        **{key: english for key, (english, _) in (PAGE | FORCES).items()},
     },
     "ru": {
         "positions": "План положений механизма",
@@ -118,7 +119,7 @@ WORDS: Final[dict[str, dict[str, str]]] = {
         "not reachable": "недостижимо",
         "velocities plan": "план скоростей",
         "accelerations plan": "план ускорений",
-        **{key: russian for key, (_, russian) in PAGE.items()},
+        **{key: russian for key, (_, russian) in (PAGE | FORCES).items()},
     },
 }
 

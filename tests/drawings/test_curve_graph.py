@@ -1,0 +1,137 @@
+"""Graph and hodograph over a turn: standard scales, measured ordinates and points, curves broken at their gaps."""
+
+import math
+
+import numpy as np
+import pytest
+
+from drawings import curve_graph, hodograph
+from drawings.curve_graph import Curve
+from drawings.hand import hand_of
+from drawings.hodograph import Hodograph
+from drawings.layout import Ink, Labels
+from drawings.measure import Measured, check, measure
+from drawings.page import Field
+from drawings.pens.svg import svg
+from drawings.picture import Spot
+from drawings.scale import Scale
+from drawings.strokes import Group, Leaf, Polyline, Stroke, Text, bounds
+
+HAND = hand_of("A1")
+AT, DENSE = np.arange(12) * 30.0, np.linspace(0.0, 360.0, 361)
+
+
+def moment(phi: np.ndarray) -> np.ndarray:
+    return 80.0 * np.sin(np.radians(phi)) - 25.0
+
+
+CURVE = Curve("M_{bal}", "N*m", DENSE, moment(DENSE), AT, moment(AT))
+
+
+def flat(stroke: Stroke) -> list[Stroke]:
+    return [one for inner in stroke.strokes for one in flat(inner)] if isinstance(stroke, Group) else [stroke]
+
+
+def leaf(drawn: Group) -> Leaf:
+    return Leaf(400.0, 300.0, (drawn,))
+
+
+def graph(curve: Curve = CURVE, language: str = "en") -> Group:
+    measure_ = curve_graph.measured(curve, "balancing", "Balancing moment", HAND)
+    spot = Spot(Field(0, 0, *measure_.size(Scale(2.0, "φ", "°"))), Scale(2.0, "φ", "°"))
+    found = curve_graph.figure(curve, measure_, spot, "Balancing moment", "GOST", HAND, language)
+    ink = Ink(400.0, 300.0)
+    ink.draw(found.lines)
+    return found.lettered(Labels(ink, HAND.drafted))
+
+
+def measured(drawn: Group) -> Measured:
+    found = measure(svg(leaf(drawn)))
+    assert check(found) == []
+    return found
+
+
+def test_every_ordinate_is_measured_back() -> None:
+    found = {vector.position: vector.value for vector in measured(graph()).vectors}
+    assert sorted(found) == list(range(12))
+    for k, angle in enumerate(AT):
+        assert found[k] == pytest.approx(1j * (80 * math.sin(math.radians(angle)) - 25), abs=0.05)
+
+
+def test_positions_stand_at_equal_steps_of_a_standard_scale() -> None:
+    starts = [vector.start.real for vector in sorted(measured(graph()).vectors, key=lambda one: one.position or 0)]
+    assert np.diff(starts) == pytest.approx([15.0] * 11, abs=0.01)
+
+
+def test_both_scales_and_the_letters_of_both_axes_are_written() -> None:
+    said = {text.plain for text in flat(graph()) if isinstance(text, Text)}
+    assert "μφ = 2 °/mm;  μM = 2 N·m/mm" in said  # from -105 to 55 N*m in 112.5 mm: 1.4, and the next standard is 2
+    assert {"Mbal, N·m", "φ", *map(str, range(12))} <= said
+    russian = {text.plain for text in flat(graph(language="ru")) if isinstance(text, Text)}
+    assert "μφ = 2 °/мм;  μM = 2 Н·м/мм" in russian
+
+
+def test_the_graph_stays_in_its_box() -> None:
+    left, bottom, right, top = bounds(graph())
+    assert left >= 0 and bottom >= 0 and right <= 212 + 1 and top <= 180
+
+
+def test_the_curve_is_broken_at_a_gap_and_the_gap_has_no_ordinate() -> None:
+    values = CURVE.values.copy()
+    values[100:140] = math.nan
+    ordinates = CURVE.ordinates.copy()
+    ordinates[4] = math.nan  # at 120 degrees
+    drawn = graph(CURVE._replace(values=values, ordinates=ordinates))
+    lines = [stroke for stroke in flat(drawn) if isinstance(stroke, Polyline)]
+    assert [len(line.points) for line in lines] == [100, 221]
+    assert 4 not in {vector.position for vector in measured(drawn).vectors}
+
+
+@pytest.mark.parametrize("level", [0.0, 35.0, -35.0])
+def test_a_constant_quantity_is_a_straight_line_over_its_axis(level: float) -> None:
+    drawn = graph(CURVE._replace(values=np.full(361, level), ordinates=np.full(12, level)))
+    (line,) = (stroke for stroke in flat(drawn) if isinstance(stroke, Polyline))
+    assert len({round(point.imag, 9) for point in line.points}) == 1
+    assert len(measured(drawn).vectors) == (12 if level else 0)
+
+
+def force(phi: np.ndarray) -> np.ndarray:
+    return 900 * np.exp(1j * np.radians(phi)) + 400 * np.exp(-2j * np.radians(phi)) + 200j
+
+
+SHOWN = Hodograph("R_{34}", "F", "N", force(DENSE[:-1]), force(AT), 2)
+
+
+def figure(shown: Hodograph = SHOWN) -> Group:
+    measure_ = hodograph.measured(shown, "hodograph-3-4", "Hodograph of R_{34}", HAND)
+    scale = measure_.ladder(300.0, 250.0).rungs[0].scale
+    spot = Spot(Field(0, 0, *measure_.size(scale)), scale)
+    found = hodograph.figure(shown, measure_, spot, "Hodograph of R_{34}", scale.written("en"), HAND)
+    ink = Ink(400.0, 300.0)
+    ink.draw(found.lines)
+    return found.lettered(Labels(ink, HAND.drafted))
+
+
+def test_every_position_of_a_hodograph_is_measured_back_from_its_pole() -> None:
+    found = measured(figure())
+    for point in found.points:
+        assert point.position is not None and point.value == pytest.approx(complex(force(AT)[point.position]), abs=0.5)
+    assert len(found.points) == 12
+    (vector,) = found.vectors
+    assert (vector.name, vector.position) == ("R_34", 2) and vector.value == pytest.approx(force(AT)[2], abs=0.5)
+
+
+def test_a_whole_hodograph_is_closed_and_a_gap_breaks_it() -> None:
+    (whole,) = (stroke for stroke in flat(figure()) if isinstance(stroke, Polyline))
+    assert whole.closed and len(whole.points) == 360
+    values = SHOWN.values.copy()
+    values[50:60] = math.nan
+    parts = [stroke for stroke in flat(figure(SHOWN._replace(values=values))) if isinstance(stroke, Polyline)]
+    assert [(len(part.points), part.closed) for part in parts] == [(50, False), (300, False)]
+
+
+def test_a_position_that_is_a_gap_is_left_out_of_a_hodograph() -> None:
+    ends = SHOWN.ends.copy()
+    ends[2] = complex(math.nan, math.nan)
+    found = measured(figure(SHOWN._replace(ends=ends)))
+    assert found.vectors == () and 2 not in {point.position for point in found.points}
