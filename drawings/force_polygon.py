@@ -8,12 +8,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.figure import Place, Subject
+from drawings.figure import Place, Subject, heading
 from drawings.force_letters import REACTION, lettered
 from drawings.hand import Hand
+from drawings.labelled import SEEN
 from drawings.lanes import APART, Segment, lanes, moved
 from drawings.layout import Labels
-from drawings.page import Field
 from drawings.picture import Margins, Picture, Spot, picture
 from drawings.strokes import Group, Line, LineStyle, Stroke, Text, text_width
 from drawings.symbols import arrowhead
@@ -26,7 +26,6 @@ from plans.cut import CLOSING, Cut
 from plans.force import ForcePlan
 
 SYMBOL, UNIT = "F", "N"
-SEEN = 1.0  # mm: two divisions of a ruler's half millimetre; a shorter vector has no direction to the eye
 WHOLE = "whole"  # both parts of a reaction together, or a group's inner reaction: a diagonal of the polygon
 MARGINS = Margins(3.0, 2.4, 2.4)  # paper around a polygon for its letters, in their sizes
 FLAT = 0.1  # of its length: a polygon that is narrower is drawn in lanes
@@ -164,11 +163,15 @@ def figure(
     placed = zip(order, segments, shifts, strict=True)
     arrows = tuple(Drawn(one, moved(line, shift), shift) for one, line, shift in placed)
     subject = Subject(shown.plan, SYMBOL, shown.column)
-    drawn = [_drawn(subject, one, line, place, hand) for one, line, _ in reversed(arrows)]
-    short = [one for one in told if one not in order]
-    drawn += [_drawn(subject, one, (place.on(one.start), place.on(one.end)), place, hand) for one in short]
+    short = [(one, (place.on(one.start), place.on(one.end))) for one in told if one not in order]
+    drawn = [
+        _drawn(subject, lettered(one.name, language, reactions), one, line, place, hand)
+        for one, line in (*((one, line) for one, line, _ in reversed(arrows)), *short)
+    ]
     thin = [*_directions(shown, place, hand), *_carried(segments, shifts, hand)]
-    lines = (_heading(shown, spot.box, scale, hand, language), *([Group(tuple(thin))] if thin else []), *drawn)
+    under = scale if shown.vectors else word(language, "unloaded")
+    title = heading(spot.box, _title(shown, language), under, hand)
+    lines = (title, *([Group(tuple(thin))] if thin else []), *drawn)
     return Figure(shown, place, lines, arrows, shown.faint(place.scale.mu), hand, language, reactions)
 
 
@@ -177,11 +180,11 @@ def _rank(one: Vector) -> tuple[bool, float]:
     return one.kind == WHOLE, -abs(one.value)
 
 
-def _drawn(subject: Subject, one: Vector, ends: Segment, place: Place, hand: Hand) -> Group:
+def _drawn(subject: Subject, letter: str, one: Vector, ends: Segment, place: Place, hand: Hand) -> Group:
     style = hand.relative if one.kind == WHOLE else hand.result
     head = arrowhead(*ends, hand.symbol)
     strokes = (Line(*ends, style),) if head is None else (Line(*ends, style), head)
-    return Group(strokes, "", subject.data("vector", one.name, one.value, place.scale), one.name)
+    return Group(strokes, "", subject.data("vector", one.name, one.value, place.scale), letter)
 
 
 def _directions(shown: Polygon, place: Place, hand: Hand) -> list[Stroke]:
@@ -202,15 +205,6 @@ def _carried(segments: list[Segment], shifts: list[complex], hand: Hand) -> list
         Line(end, end + shift + shift / abs(shift) * PAST * hand.symbol, style)
         for ends, shift in zip(segments, shifts, strict=True) if shift for end in ends
     ]  # fmt: skip
-
-
-def _heading(shown: Polygon, box: Field, scale: str, hand: Hand, language: str) -> Group:
-    """Write the polygon's title above it, and its scale; or that no force acts."""
-    top = complex(box.centre.real, box.top - hand.title)
-    under = scale if shown.vectors else word(language, "unloaded")
-    low = top - 1j * (0.6 * hand.title + hand.text)
-    title = Text(top, _title(shown, language), hand.title, "middle", True)
-    return Group((title, Text(low, under, hand.text, "middle", True)))
 
 
 def _title(shown: Polygon, language: str) -> str:

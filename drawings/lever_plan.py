@@ -9,17 +9,17 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from drawings.arms import Arm
-from drawings.figure import Place, Subject, point
+from drawings.figure import Place, Subject, heading, point
 from drawings.force_arrow import ForceArrow, marked
 from drawings.force_letters import REACTION, lettered
 from drawings.force_polygon import ZERO
+from drawings.force_words import letter as letter_of
 from drawings.hand import Hand
 from drawings.lanes import Segment, merging
 from drawings.layout import Labels
-from drawings.page import Field
 from drawings.picture import Margins, Picture, Spot, picture
 from drawings.strokes import Circle, Group, Line, LineStyle, Stroke, Text, text_width
-from drawings.symbols import HINGE, POINT, fixed_hinge
+from drawings.symbols import ARROW_LENGTH, HINGE, POINT, fixed_hinge
 from drawings.vector_plan import LEAST, diagram, written
 from drawings.words import word
 from geometry.board import Mark, at
@@ -32,9 +32,12 @@ LONGEST, SHORTEST = 26.0, 13.0  # mm, to the factor of the hand's symbols: the g
 AFTER = 2.0  # mm between two forces that follow one another on one line of action
 MARGINS = Margins(3.0, 3.0, 3.0)  # paper beyond the forces, in sizes of the letters
 LETTERS = 12.0  # a lever is drawn at least so many of its letters large
+ROOM = 1.2  # lengths of an arrowhead: a shorter arm is left to the eye
 ARMS, TELLING = 5, 0.02  # arms shown at the most, and the share of the greatest moment that is worth one
 BESIDE = 1.6  # mm from an image to its letter
 SAME = 0.5  # mm: images nearer than this share a letter
+# What speaks against a place of a force: that it runs along another, that it is away from its image, along a rod: 1.
+ON_FORCE, AWAY = 4, 2
 STANDS = 12  # directions tried for the stand of the pole
 LOAD, PAIR, BALANCE = "load", "pair", "balance"
 
@@ -90,7 +93,7 @@ def _turned(ends: tuple[complex, complex]) -> Segment:
 
 
 def _pushes(lever: Lever, column: int) -> Iterator[Push]:
-    """Give the forces that are not zero, the balancing one first."""
+    """Give the forces that are not zero, the balancing one first; one at the hinge of the lever does nothing there."""
     driven, force = at(lever.driven.point, column), at(lever.force.point, column)
     every = [Push(lever.force.name, BALANCE, driven, force, (driven.conjugate() * force).imag)]
     for one in lever.hung:
@@ -98,18 +101,22 @@ def _pushes(lever: Lever, column: int) -> Iterator[Push]:
         every.append(Push(one.name, LOAD, place, force, at(one.moment.point, column).real))
     for pair in lever.pairs:
         force, moment = at(pair.force.point, column), at(pair.moment.point, column).real
-        every.append(Push(pair.name, PAIR, at(pair.end.point, column), force, moment))
-        every.append(Push(pair.name, PAIR, at(pair.start.point, column), -force, moment))
+        ends = (pair.end, force), (pair.start, -force)
+        every += [Push(pair.force.name, PAIR, at(end.point, column), half, moment) for end, half in ends]
     greatest = max(abs(one.force) for one in every)
-    yield from (one for one in every if abs(one.force) > ZERO * greatest)
+    reach = max(abs(one.at) for one in every)
+    yield from (one for one in every if abs(one.force) > ZERO * greatest and abs(one.at) > ZERO * reach)
 
 
-class Shown(NamedTuple):
-    """An arm that the figure shows: its letter, the force that it belongs to, and its true length, m/s."""
+class Reach(NamedTuple):
+    """The arm of a force about the pole: its force, its true length m/s, and its letter.
 
-    letter: str
+    The letter is h_1 where it is drawn, pd where it is a line of the plan itself, and none where neither is so.
+    """
+
     force: str
     length: float
+    letter: str
 
 
 @dataclass(frozen=True)
@@ -120,14 +127,14 @@ class Figure:
     place: Place
     lines: tuple[Stroke, ...]
     forces: tuple[ForceArrow, ...]
-    drawn_arms: tuple[Arm, ...]
-    arms: tuple[Shown, ...]
+    arms: tuple[Arm, ...]  # those that are drawn
+    reaches: tuple[Reach, ...]  # of the balancing force and all loads
     hand: Hand
 
     def lettered(self, labels: Labels) -> Group:
         """Give the whole figure: letters of its images, its forces and their arms."""
         letters = [*self._images(labels), *(force.lettered(labels, self.hand) for force in self.forces)]
-        letters += [arm.lettered(labels, self.hand) for arm in self.drawn_arms]
+        letters += [arm.lettered(labels, self.hand) for arm in self.arms]
         return Group((*self.lines, Group(tuple(letters))), f"{PLAN}-{self.shown.column}")
 
     def _images(self, labels: Labels) -> Iterator[Stroke]:
@@ -161,20 +168,21 @@ def figure(
     subject = Subject(PLAN, SYMBOL, shown.column)
     rods = [(Line(place.on(start), place.on(end), _style(thin, hand))) for (start, end), thin in shown.rods]
     rods = [rod for rod in rods if abs(rod.end - rod.start) >= LEAST]
-    forces = _placed(shown, place, [(rod.start, rod.end) for rod in rods], hand, (language, reactions))
-    arms = tuple(_arms(shown, place))
+    taken = Taken([(rod.start, rod.end) for rod in rods], [])
+    forces = _placed(shown, place, taken, hand, (language, reactions))
+    reaches = _arms(shown, place, taken, language)
+    arms = tuple(arm for _, arm in reaches if arm is not None)
     drawn = [force.drawn(hand) for force in forces]
     circle = Circle(place.on(0j), HINGE * hand.symbol, hand.body)
     stand = fixed_hinge(place.on(0j), hand, HINGE * hand.symbol, _downward(rods, forces, place.on(0j)))
     dots = [point(subject, name, true, place, _dot(place.on(true), hand)) for name, _, true in shown.images]
     lines = (
-        _heading(shown, spot.box, scale, hand, language),
-        *([Group(tuple(stroke for _, arm in arms for stroke in arm.drawn(hand)))] if arms else []),
+        heading(spot.box, _title(shown, language), scale, hand),
+        *([Group(tuple(stroke for arm in arms for stroke in arm.drawn(hand)))] if arms else []),
         Group((*rods, *stand)), *drawn, *dots,
         point(subject, shown.pole, 0j, place, circle, "pole"),
     )  # fmt: skip
-    told = tuple(Shown(arm.letter, name, arm.length * place.scale.mu) for name, arm in arms)
-    return Figure(shown, place, lines, tuple(forces), tuple(arm for _, arm in arms), told, hand)
+    return Figure(shown, place, lines, tuple(forces), arms, tuple(reach for reach, _ in reaches), hand)
 
 
 def _style(thin: bool, hand: Hand) -> LineStyle:
@@ -185,45 +193,67 @@ def _dot(at: complex, hand: Hand) -> Circle:
     return Circle(at, POINT * hand.symbol, LineStyle(hand.thin, fill="#ffffff"))
 
 
-def _placed(
-    shown: Hanging, place: Place, rods: list[Segment], hand: Hand, letters: tuple[str, str]
-) -> list[ForceArrow]:
+class Taken(NamedTuple):
+    """Lines on paper that a force should not run along: the rods of the lever, and the forces drawn before."""
+
+    rods: list[Segment]
+    forces: list[Segment]
+
+
+def _placed(shown: Hanging, place: Place, taken: Taken, hand: Hand, letters: tuple[str, str]) -> list[ForceArrow]:
     """Place the forces, the greatest first: each from its image or to it, where it runs along no other line."""
     greatest = max((abs(one.force) for one in shown.pushes), default=1.0)
-    taken, placed = list(rods), []
+    placed = []
     for one in sorted(shown.pushes, key=lambda one: -abs(one.force)):
         length = (SHORTEST + (LONGEST - SHORTEST) * abs(one.force) / greatest) * hand.symbol
         arrow = _beside(lettered(one.name, *letters), one.force, place.on(one.at), length, taken)
-        taken.append((arrow.start, arrow.tip))
+        taken.forces.append((arrow.start, arrow.tip))
         placed.append(arrow)
     return placed
 
 
-def _beside(letter: str, force: complex, image: complex, length: float, taken: list[Segment]) -> ForceArrow:
+def _beside(letter: str, force: complex, image: complex, length: float, taken: Taken) -> ForceArrow:
     """Draw a force from its image or to it; where both run along others, further on along its line of action."""
     along, step = force / abs(force), length + AFTER
-    further = [marked(letter, force, image + along * step * k, length, ending=k < 0) for k in (1, -1, 2, -2)]
-    tries = [marked(letter, force, image, length), marked(letter, force, image, length, ending=True), *further]
-    return min(tries, key=lambda arrow: sum(merging((arrow.start, arrow.tip), other) for other in taken))
+    tries = [marked(letter, force, image, length), marked(letter, force, image, length, ending=True)]
+    tries += [marked(letter, force, image + along * step * k, length, ending=k < 0) for k in (1, -1, 2, -2)]
+
+    def cost(arrow: ForceArrow) -> int:
+        ends = arrow.start, arrow.tip
+        over = ON_FORCE * sum(merging(ends, other) for other in taken.forces)
+        return over + any(merging(ends, rod) for rod in taken.rods) + AWAY * (abs(arrow.at - image) > SAME)
+
+    return min(tries, key=cost)
 
 
-def _arms(shown: Hanging, place: Place) -> Iterator[tuple[str, Arm]]:
-    """Give the arms of the balancing force and of the loads whose moments tell most, numbered as they are hung."""
-    loads = [one for one in shown.pushes if one.kind == LOAD]
+def _arms(shown: Hanging, place: Place, taken: Taken, language: str) -> list[tuple[Reach, Arm | None]]:
+    """Give all arms, drawing those of the greatest moments that run along nothing else, numbered as they are hung."""
+    loads = [one for one in shown.pushes if one.kind != PAIR]
     greatest = max((abs(one.moment) for one in loads), default=0.0)
-    telling = [one for one in loads if abs(one.moment) > TELLING * greatest]
-    kept = sorted(telling, key=lambda one: -abs(one.moment))[: ARMS - 1]
-    number = 0
-    for one in shown.pushes:
-        if one.kind == BALANCE:
-            yield one.name, _arm("h_{bal}", one, place)
-        elif one in kept:
-            number += 1
-            yield one.name, _arm(f"h_{{{number}}}", one, place)
+    lines, drawn, own = [*taken.rods, *taken.forces], set[str](), {}
+    for one in sorted(loads, key=lambda one: -abs(one.moment)):
+        arm = Arm("", place.on(0j), place.on(one.at), one.force / abs(one.force))
+        if abs(arm.foot - arm.at) < SAME:
+            own[one.name] = _ray(shown, one)
+        elif len(drawn) < ARMS and abs(one.moment) > TELLING * greatest and arm.length > ROOM * ARROW_LENGTH:
+            ends, action = (arm.about, arm.foot), (arm.at, arm.foot)
+            if not any(merging(ends, other) for other in lines) and not any(merging(action, rod) for rod in taken.rods):
+                drawn.add(one.name)
+                lines.append(ends)
+    numbers = iter(range(1, ARMS + 1))
+    found: list[tuple[Reach, Arm | None]] = []
+    for one in loads:
+        index = "bal" if one.kind == BALANCE else str(next(numbers)) if one.name in drawn else ""
+        letter = letter_of(language, f"h_{{{index}}}") if one.name in drawn else own.get(one.name, "")
+        arm = Arm(letter, place.on(0j), place.on(one.at), one.force / abs(one.force))
+        found.append((Reach(one.name, arm.length * place.scale.mu, letter), arm if one.name in drawn else None))
+    return found
 
 
-def _arm(letter: str, one: Push, place: Place) -> Arm:
-    return Arm(letter, place.on(0j), place.on(one.at), one.force / abs(one.force))
+def _ray(shown: Hanging, one: Push) -> str:
+    """Give the letters of the line from the pole to a force's image: the arm of a force that is square to it."""
+    _, letters, _ = min(shown.images, key=lambda image: abs(image[2] - one.at))
+    return shown.pole + written(letters.split(" ")[0])
 
 
 def _downward(rods: list[Line], forces: list[ForceArrow], pole: complex) -> complex:
@@ -240,14 +270,6 @@ def _downward(rods: list[Line], forces: list[ForceArrow], pole: complex) -> comp
 
     free = [turn for turn in turns if clear(turn) > math.pi / 4]
     return -1j * cmath.rect(1.0, free[0] if free else max(turns, key=clear))
-
-
-def _heading(shown: Hanging, box: Field, scale: str, hand: Hand, language: str) -> Group:
-    """Write the lever's title above it, and its scale."""
-    top = complex(box.centre.real, box.top - hand.title)
-    low = top - 1j * (0.6 * hand.title + hand.text)
-    title = Text(top, _title(shown, language), hand.title, "middle", True)
-    return Group((title, Text(low, scale, hand.text, "middle", True)))
 
 
 def _title(shown: Hanging, language: str) -> str:
