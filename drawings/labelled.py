@@ -12,6 +12,7 @@ from drawings.vector_plan import written
 
 GAP = 3.0  # mm, the widest gap at which a label is placed beside its point
 SLACK = 2.0  # mm: letters of images that fall on one place stand at the first of them
+SEEN = 1.0  # mm: two divisions of a ruler's half millimetre; a shorter force has no direction to the eye
 NEAREST = GAP + NEAR[-1] + CLEAR + CELL + SLACK
 
 
@@ -29,7 +30,7 @@ def unlettered(leaf: Leaf) -> Iterator[str]:
         for letter in label.text.plain.split(", "):
             labels.setdefault(letter, []).append(label)
     for plan, letter, spots in _marks(leaf.groups):
-        plain = Text(0j, written(letter)).plain
+        plain = Text(0j, letter if "{" in letter else written(letter)).plain
         if not any(_distance(spot, label.place) <= NEAREST for label in labels.get(plain, ()) for spot in spots):
             yield f"the letter {letter} on {plan}"
 
@@ -49,13 +50,17 @@ def _labels(strokes: tuple[Stroke, ...]) -> Iterator[Label]:
 def _marks(strokes: tuple[Stroke, ...]) -> Iterator[tuple[str, str, list[complex]]]:
     """Give plan, letter and places on paper of every point, of the end of every vector of two letters, of every force.
 
-    A vector named by one letter of its own, as a force or an arm is, bears it anywhere along its line.
+    A vector named by one letter of its own, as a force or an arm is, bears it anywhere along its line, as its title
+    writes it; one that is too short to be seen as a vector has none.
     """
     for stroke in strokes:
         match stroke:
             case Group((Line() as line, *_)) if stroke.data.get("kind") == "vector":
                 *start, letter = stroke.data["name"].split(" ")
-                yield stroke.data["plan"], letter, [line.end] if start else _along(line)
+                if start:
+                    yield stroke.data["plan"], letter, [line.end]
+                elif abs(line.end - line.start) >= SEEN:
+                    yield stroke.data["plan"], stroke.title or letter, _along(line)
             case Group((Circle() as circle, *_)) if stroke.data.get("kind") in ("point", "pole"):
                 yield stroke.data["plan"], stroke.data["name"], [circle.centre]
             case Group():

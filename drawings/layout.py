@@ -20,6 +20,7 @@ NEAR = (0.0, 0.7, 1.6)  # mm a label may stand further off than its nearest plac
 LED = (*range(4, 40, 3), *range(40, 160, 6))  # mm from a point to a label that a leader leads to
 LEAD_DIRECTIONS = 32  # none of them but every eighth along a crank divided by 12, 24 or 36
 TURNED = 0.12  # cost of a direction, in mm of distance a step away from the preferred one
+SHARES = (0.5, 0.6, 0.4, 0.7, 0.3, 0.8, 0.2, 0.9, 0.1)  # of a line, from its start, where its label may stand
 CROSSED = 0.05  # cost of a line that a leader crosses, in mm of its length a cell
 
 Chain: TypeAlias = list[complex]
@@ -135,6 +136,23 @@ class Labels:
             label = Group((Line(start, end, self._leader), text))
         self.ink.draw([label])
         return label
+
+    def along(self, start: complex, end: complex, content: str, size: float, gap: float, prefer: float) -> Stroke:
+        """Place a label `gap` mm beside a line, near its middle if it can, else as beside a point of it."""
+        box = bounds(Text(0j, content, size, "start", self._slanted))
+        across = 1j * (end - start) / abs(end - start)
+        if (across * cmath.rect(1.0, -prefer)).real < 0:
+            across = -across
+        half = complex(box[2] - box[0], box[3] - box[1]) / 2
+        reach = gap + abs(half.real * across.real) + abs(half.imag * across.imag)  # from the line to the box's middle
+        for share in SHARES:
+            for side in (across, -across):
+                corner = start + share * (end - start) + reach * side - half - complex(*box[:2])
+                if not self.ink.under(_padded(box, corner)):
+                    label = Text(corner, content, size, "start", self._slanted)
+                    self.ink.draw([label])
+                    return label
+        return self.beside((start + end) / 2, content, size, gap, cmath.phase(across))
 
     def _near(self, point: complex, box: Box, gap: float, prefer: float) -> complex:
         """Find the freest place beside a point; one that covers nothing is taken before any other."""

@@ -1,0 +1,121 @@
+"""Lanes: vectors that run along one another on paper, drawn side by side (параллельное смещение векторов)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TypeAlias
+
+import numpy as np
+
+Segment: TypeAlias = tuple[complex, complex]
+
+APART = 3.2  # mm between two lanes: the arrowheads of both, 1.8 wide each on A1, and paper between them
+NEAR = 1.0  # mm: lines of 0.7 with their axes nearer than this are one to the eye
+SHARE = 0.35  # of the shorter line that may be so near: two that leave one corner are 3 mm apart at its end
+SHORT = 10.0  # mm: of a shorter line nearness is a tenth
+ABREAST = math.sin(math.radians(1)), 3.0  # lines at less than a degree are not so near for more than 3 mm
+STEP = 0.5  # mm between the places at which nearness is looked at
+
+
+def merging(one: Segment, other: Segment) -> bool:
+    """Tell whether two lines run so near each other for so long that they are read as one.
+
+    >>> merging((0j, 50 + 0j), (10 + 0.3j, 40 + 0.3j)), merging((0j, 50 + 0j), (0j, 30 + 30j))
+    (True, False)
+    """
+    along, beside = one[1] - one[0], other[1] - other[0]
+    shorter = min(abs(along), abs(beside))
+    near = min(NEAR, NEAR * shorter / SHORT)
+    run = min(_beside(one, other, near), _beside(other, one, near))
+    slope, most = ABREAST
+    abreast = abs((along.conjugate() * beside).imag) < slope * abs(along) * abs(beside)
+    return run > SHARE * shorter or (abreast and run > most)
+
+
+def lanes(segments: Sequence[Segment], apart: float = APART, room: float = APART) -> list[complex]:
+    """Give the shift of each line, mm, that keeps it from merging with those before it; most have none.
+
+    A shift is square to its line; the lanes are `apart`, but a line between two others has the room of a letter on one
+    of its sides. Of two sides the one with fewer lines beside it is taken, or the outer one.
+    """
+    middle = sum(((start + end) / 2 for start, end in segments), 0j) / max(len(segments), 1)
+    placed: list[Segment] = []
+    shifts: list[complex] = []
+    for segment in segments:
+        shifts.append(_shift(segment, placed, middle, (apart, room)))
+        placed.append(moved(segment, shifts[-1]))
+    return shifts
+
+
+def moved(segment: Segment, shift: complex) -> Segment:
+    """Shift a line."""
+    return segment[0] + shift, segment[1] + shift
+
+
+def _shift(segment: Segment, placed: Sequence[Segment], middle: complex, steps: tuple[float, float]) -> complex:
+    """Find the narrowest shift at which a line merges with no other; none where all merge."""
+    if segment[0] == segment[1] or not any(merging(segment, other) for other in placed):
+        return 0j
+    out, (apart, room) = _outward(segment, middle), steps
+    for lane in (apart, room, apart + room, 2 * room, apart + 2 * room, 3 * room):
+        free = [shift for shift in (lane * out, -lane * out) if _free(moved(segment, shift), placed, 0.95 * room)]
+        if free:
+            return min(free, key=lambda shift: _crowd(moved(segment, shift), placed))
+    return 0j
+
+
+def _free(segment: Segment, placed: Sequence[Segment], room: float) -> bool:
+    """Tell whether a line merges with no other, and leaves each and itself a side for its letter."""
+    if any(merging(segment, other) for other in placed):
+        return False
+    every = [segment, *placed]
+    return not any(
+        len({_left(one, other) for other in every if other is not one and _abreast(one, other, room)}) > 1
+        for one in every if one is segment or _abreast(one, segment, room)
+    )  # fmt: skip
+
+
+def _abreast(one: Segment, other: Segment, room: float) -> bool:
+    """Tell whether a line has another within a letter's room for most of its length."""
+    return _beside(one, other, room) > abs(one[1] - one[0]) / 2
+
+
+def _left(one: Segment, other: Segment) -> bool:
+    """Tell whether the middle of a line is to the left of another."""
+    along = one[1] - one[0]
+    return (along.conjugate() * (sum(other) / 2 - one[0])).imag > 0
+
+
+def _outward(segment: Segment, middle: complex) -> complex:
+    """Give the direction square to a line that leads away from the middle of all; of a line through it, to the right.
+
+    >>> _outward((0j, 10j), 5 + 5j), _outward((10j, 0j), 5j)
+    ((-1+0j), (1+0j))
+    """
+    start, end = segment
+    across = 1j * (end - start) / abs(end - start)
+    away = (((start + end) / 2 - middle) * across.conjugate()).real
+    if abs(away) < STEP:
+        away = across.real if abs(across.real) > abs(across.imag) else across.imag
+    return across if away >= 0 else -across
+
+
+def _crowd(segment: Segment, placed: Sequence[Segment]) -> int:
+    """Count the lines that are within a lane of a line for most of its length."""
+    return sum(_abreast(segment, other, APART) for other in placed)
+
+
+def _beside(one: Segment, other: Segment, near: float) -> float:
+    """Tell for how many mm of its length a line is nearer to another than `near`."""
+    start, length = one[0], abs(one[1] - one[0])
+    count = max(math.ceil(length / STEP), 8)
+    spots = start + (one[1] - start) * ((np.arange(count) + 0.5) / count)
+    along = other[1] - other[0]
+    size = abs(along)
+    if size == 0:
+        gaps = np.abs(spots - other[0])
+    else:
+        share = np.clip(((spots - other[0]) * along.conjugate()).real / size**2, 0.0, 1.0)
+        gaps = np.abs(spots - (other[0] + along * share))
+    return float((gaps < near).sum()) * length / count
