@@ -119,9 +119,10 @@ def _command(
 
 def _orders(text: str) -> list[str]:
     names = [name.strip() for name in text.split(",")]
-    wrong = [name for name in names if name not in ("positions", "velocities", "accelerations")]
+    known = ("positions", "velocities", "accelerations", "forces", "friction")
+    wrong = [name for name in names if name not in known]
     if wrong or not names:
-        raise argparse.ArgumentTypeError(f"{', '.join(wrong)} is none of positions, velocities, accelerations")
+        raise argparse.ArgumentTypeError(f"{', '.join(wrong)} is none of {', '.join(known)}")
     return names
 
 

@@ -19,6 +19,8 @@ FORCES: Final[dict[str, tuple[str, str]]] = {
     "lever": ("Zhukovsky's lever", "Рычаг Жуковского"),
     "turned velocity plan": ("turned velocity plan", "повёрнутый план скоростей"),
     "by lever": ("by the lever", "по рычагу"),
+    "by power": ("by power", "по мощностям"),
+    "by energy": ("by energy", "по энергии"),
     "hodograph": ("Hodograph of {letter}", "Годограф реакции {letter}"),
     "hodographs": ("Hodographs of reactions", "Годографы реакций"),
     "reaction": ("reaction", "реакция"),

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -16,13 +17,17 @@ from plans.pressure import interval
 from plans.structure import RUSSIAN, formula, mechanism_class
 from plans.study import Study
 
+if TYPE_CHECKING:
+    from drawings.strokes import Leaf
+    from plans.statics import Statics
+
 NOTE, WARNING = 10.0, 60.0  # kappa = 1/sin of a notch: 6 degrees, 1 degree
 
 
 def summary(comparison: Comparison) -> str:
     """Give the short comparison: the worst difference of each plan in per cent of its largest, and of the allowed."""
     lines = [f"{'plan':<14} {'worst difference':>18} {'% of the largest':>18} {'of the allowed':>15}   in"]
-    for plan in (*ORDERS, "extremes"):
+    for plan in (*ORDERS, "extremes", "forces", "equilibrium"):
         findings = comparison.of(plan)
         if findings:
             worst = max(findings, key=lambda finding: (_peak(finding.excess), _peak(finding.difference)))
@@ -42,17 +47,21 @@ def shallow(study: Study) -> list[int]:
     return [int(k) for k in np.flatnonzero(~study.lost & ~(worst < NOT_GRADED))]
 
 
-def report(study: Study, comparison: Comparison, drawn: tuple[int, ...], shown: int) -> str:
-    """Write the report; positions `drawn` have their velocity and acceleration plans on the sheet."""
+def report(
+    study: Study, comparison: Comparison, leaves: Mapping[str, Sequence[Leaf]], statics: Statics | None = None
+) -> str:
+    """Write the report beside the sheets, whose leaves are given by kind."""
+    told = _forces(comparison, statics) if statics is not None else ()
     parts = [
-        f"# {study.scene.title}: kinematics",
+        f"# {study.scene.title}: {', '.join(leaves)}",
         *_structure(study),
         *_extremes(study),
         *_passage(study, comparison),
         *_comparison(comparison),
         *_values(study, comparison),
+        *told,
         *_conditions(study),
-        *_left_out(study, drawn, shown),
+        *_left_out(study, leaves),
     ]
     return "\n".join(parts) + "\n"
 
@@ -171,15 +180,28 @@ def _conditions(study: Study) -> Iterator[str]:
         yield f"| {group.label} | {largest} | {worst} | {said} |"
 
 
-def _left_out(study: Study, drawn: tuple[int, ...], shown: int) -> Iterator[str]:
+def _forces(comparison: Comparison, statics: Statics) -> Iterator[str]:
+    from drawings.force_report import forces  # noqa: PLC0415  (only a force sheet pays for it)
+
+    return forces(comparison, statics)
+
+
+def _left_out(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[str]:
     yield "\n## Left out\n"
-    count, names = len(study.turn), ", ".join(str(k) for k in drawn)
-    yield f"- Velocity and acceleration plans are drawn for positions {names} of {count}; the other values stand above."
-    yield f"- Notch arcs, pairs and letters are drawn for position {shown} only."
-    if count > MANY:
+    count, sheets = len(study.turn), leaves.get("kinematics", ())
+    names = ", ".join(str(k) for leaf in sheets for k in leaf.metadata["plans"])
+    if sheets:
+        yield f"- Velocity and acceleration plans are drawn for positions {names} of {count}; the other values stand"
+        yield f"  above. Notch arcs, pairs and letters are drawn for position {sheets[0].metadata['shown']} only."
+    if "forces" in leaves:
+        shown = dict.fromkeys(leaf.metadata["position"] for leaf in leaves["forces"])
+        yield f"- Force plans are drawn for position {', '.join(map(str, shown))}; the forces of all stand above."
+    if sheets and count > MANY:
         yield f"- Of {count} positions about {MANY} are drawn with their links, the others by ticks; numbers that would"
         yield "  crowd each other are left out."
-    if not study.scene.masses and study.scene.loads is None:
+    if "forces" in leaves:
+        pass
+    elif not study.scene.masses and study.scene.loads is None:
         yield "- Masses and loads: the sheet does not need them and the scene gives none."
     else:
         yield "- Masses and loads of the scene: a kinematics sheet does not need them."

@@ -47,10 +47,15 @@ def rows(comparison: Comparison, positions: tuple[int, ...], given: set[str], la
     """
     chosen = [finding for plan in ("velocities", "accelerations") for finding in comparison.of(plan)]
     return [
-        Row(_name(finding, language), tuple(cell for k in positions for cell in _cells(finding, k, language)))
+        row(finding, _name(finding, language), positions, language)
         for finding in chosen
         if finding.name not in given and np.nanmax(np.abs(finding.construction), initial=0.0) > 0
     ]
+
+
+def row(finding: Finding, name: str, positions: tuple[int, ...], language: str) -> Row:
+    """Give the row of a finding under a name."""
+    return Row(name, tuple(cell for k in positions for cell in _cells(finding, k, language)))
 
 
 def _name(finding: Finding, language: str) -> str:

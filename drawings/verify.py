@@ -6,6 +6,7 @@ import math
 import re
 from collections.abc import Iterator
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from drawings.labelled import unlettered
 from drawings.limits import Refused
@@ -19,6 +20,9 @@ from plans.expected import Expected
 from plans.motion import ORDERS, POINT_KEYS
 from plans.study import Study
 
+if TYPE_CHECKING:
+    from plans.statics import Statics
+
 TOLD = 5  # mismatches told one by one
 _NUMBER = re.compile(r"[-−]?\d+(?:[.,]\d+)?")
 _SCALE = re.compile(r"(μ|K)\S+ = (\d+(?:[.,]\d+)?) ")  # of a plan, after its letter: mu_v, K_v
@@ -30,27 +34,38 @@ class SelfCheckFailed(DraftError):  # noqa: N818  (the exit code's own word)
     exit_code = 5
 
 
-def verify(path: Path, leaf: Leaf, study: Study, comparison: Comparison) -> Measured:
+def verify(path: Path, leaf: Leaf, study: Study, comparison: Comparison, statics: Statics | None = None) -> Measured:
     """Measure a written sheet: all that it must show is there, states what it shows, and is what the analysis gives."""
     try:
         measured = measure_file(path)
     except Refused as refused:
         raise SelfCheckFailed(f"the written sheet cannot be measured: {refused}") from refused
     wrong = [f"{miss.key.name} on {miss.key.plan}" for miss in check(measured)]
-    for k in leaf.metadata["plans"]:
-        if not any(gap.position == k for gap in comparison.construction.gaps):
-            wrong += _plans(measured, study, comparison, k)
-    if leaf.metadata["shown"] is not None:
-        wrong += _points(measured, study, comparison, leaf.metadata["shown"])
+    if leaf.metadata["sheet"] == "forces":
+        from drawings.verify_forces import forces_of  # noqa: PLC0415  (only a force sheet pays for it)
+
+        assert statics is not None  # a force sheet is drawn from them
+        wrong += forces_of(measured, leaf, comparison, statics)
+    else:
+        wrong += _kinematics(measured, leaf, study, comparison)
+        wrong += _scales(leaf)
     for group in leaf.groups:
         if group.name.startswith("values"):
             wrong += _table(group, comparison, tuple(int(k) for k in group.data["positions"].split()))
-    wrong += _scales(leaf)
     wrong += unlettered(leaf)
     if wrong:
         more = f" and {len(wrong) - TOLD} more" if len(wrong) > TOLD else ""
         raise SelfCheckFailed(f"the written sheet does not measure back: {', '.join(wrong[:TOLD])}{more}")
     return measured
+
+
+def _kinematics(measured: Measured, leaf: Leaf, study: Study, comparison: Comparison) -> Iterator[str]:
+    """Hold the plans and the points of a kinematics sheet against the analysis."""
+    for k in leaf.metadata["plans"]:
+        if not any(gap.position == k for gap in comparison.construction.gaps):
+            yield from _plans(measured, study, comparison, k)
+    if leaf.metadata["shown"] is not None:
+        yield from _points(measured, study, comparison, leaf.metadata["shown"])
 
 
 def _plans(measured: Measured, study: Study, comparison: Comparison, k: int) -> Iterator[str]:

@@ -47,7 +47,7 @@ class Lever(NamedTuple):
 
 
 def lever(plan: ForcePlan) -> Lever | None:
-    """Hang all loads, weights and inertia forces on the turned velocity plan and balance it; None: the crank rests."""
+    """Hang all loads, weights and inertia forces on the turned velocity plan and balance it; None: nothing moves."""
     if plan.mechanism.drive.omega == 0:
         return None
     board = Board("lever")
@@ -58,6 +58,8 @@ def lever(plan: ForcePlan) -> Lever | None:
     kept, turning = [one for one in hung if one is not None], [one for one in pairs if one is not None]
     image, point, line = _drive(plan, board)
     moments = [*(one.moment for one in kept), *(one.moment for one in turning)]
+    if not moments:
+        return None
     force = board.balance(DRIVING, pole, line, *moments, why="the lever is in balance about its pole")
     shaft = plan.positions.point(plan.mechanism.drive.pivot)
     moment = board.moment(BALANCING, shaft, point, force, "what that force does on the shaft")

@@ -15,22 +15,25 @@ if TYPE_CHECKING:
     from plans.force import ForcePlan
 
 DRIVING, BALANCING = "P_bal", "M_bal"
+NOTHING = "nothing has a moment about the shaft"
 
 
 def primary(plan: ForcePlan) -> Cut:
     """Balance the crank by moments about its shaft, then close its polygon in the frame (figure 6.17)."""
     drive, board = plan.mechanism.drive, plan.board
     shaft, (loads, couples) = plan.positions.point(drive.pivot), plan.acting(drive.link)
-    terms = statics.moments(plan, shaft, loads, couples)
-    line = _line(plan)
+    terms, line = statics.moments(plan, shaft, loads, couples), _line(plan)
+    why, driving = f"moments about {shaft.name} of link {drive.link}", list[tuple[str, Mark, str]]()
     if line is None:
-        plan.balancing = board.close(BALANCING, *terms, why=f"moments about {shaft.name} of link {drive.link}")
-        driving = []
+        plan.balancing = board.close(BALANCING, *terms, why=why) if terms else board.given(BALANCING, 0.0, NOTHING)
     else:
-        start = line.step.inputs[0]
-        plan.drive = board.balance(DRIVING, shaft, line, *terms, why=f"moments about {shaft.name} of link {drive.link}")
-        plan.balancing = board.moment(BALANCING, shaft, start, plan.drive, "what the driving force does on the shaft")
-        plan.driven = start
+        plan.driven = line.step.inputs[0]
+        plan.drive = (
+            board.balance(DRIVING, shaft, line, *terms, why=why) if terms else board.given(DRIVING, 0j, NOTHING)
+        )
+        plan.balancing = board.moment(
+            BALANCING, shaft, plan.driven, plan.drive, "what the driving force does on the shaft"
+        )
         driving = [(DRIVING, plan.drive, PART)]
     armed = tuple(load for load in loads if load.at is not shaft)
     equation = Equation(shaft, armed, tuple(couples), line, plan.drive or plan.balancing)

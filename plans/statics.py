@@ -19,7 +19,7 @@ from plans.loading import loading
 from plans.machine import Machine
 from plans.mechanism import Output
 from plans.motion import Extremes, Gap, Motion
-from plans.passage import CHANGE
+from plans.passage import CHANGE, at_angles
 from plans.stroke import Stroke, strokes
 from plans.study import Drafts, Study
 
@@ -112,6 +112,14 @@ class Statics:
     @cached_property
     def _drafts(self) -> dict[str, ForceDrafts]:
         return {}
+
+    def around(self, steps: int) -> Kinetostatics:
+        """Give the forces over a whole turn from the first position on, in even steps; NaN where there are none."""
+        study = self.study
+        phi = study.turn.phi[0] + study.sense * 2 * np.pi * np.arange(steps + 1) / steps
+        drafts = Drafts(study, at_angles(phi))
+        found, none = ForceDrafts(self, drafts).read()
+        return without(found, none | drafts.lost)
 
     @cached_property
     def forces(self) -> Kinetostatics:

@@ -7,7 +7,7 @@ import contextlib
 import itertools
 import os
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -25,6 +25,7 @@ from plans.wording import said
 
 if TYPE_CHECKING:
     from drawings.strokes import Leaf
+    from plans.statics import Statics
 
 GAPS = 4
 POSITIONS_DRAWN = 360  # more positions than degrees cannot be told apart on any sheet
@@ -36,7 +37,7 @@ class Drawn(NamedTuple):
 
     study: Study
     comparison: Comparison
-    leaves: tuple[Leaf, ...]
+    leaves: Mapping[str, tuple[Leaf, ...]]  # by the kind of the sheet
     paths: tuple[Path, ...]
 
 
@@ -47,7 +48,7 @@ def run(options: argparse.Namespace) -> int:
     print(summary(drawn.comparison))
     for path in drawn.paths:
         print(path)
-    for path in _earlier(drawn):
+    for path in _earlier(drawn, options.output):
         told = f"{path}: left by an earlier run with more sheets; it belongs to none of these"
         print(said(told, drawn.study.scene.sheet.language), file=sys.stderr)
     if options.trace:
@@ -64,10 +65,31 @@ def draw(path: Path, folder: Path, trace: Trace | None = None) -> Drawn:
     study = Study(scene)
     with trace.stage("construction"):
         _construct(study)
+        statics = _statics(study)
     with trace.stage("analysis"):
-        comparison = compare_extremes(study, compare(study))
+        comparison = _compared(study, statics)
         _agree(comparison)
-    return _sheets(study, comparison, folder, trace)
+    return _sheets(study, comparison, statics, folder, trace)
+
+
+def _statics(study: Study) -> Statics | None:
+    """Give the statics of a study, whose forces are made; None where no sheet asks for them."""
+    if "forces" not in study.scene.sheets:
+        return None
+    from plans.statics import Statics
+
+    statics = Statics(study)
+    _ = statics.forces
+    return statics
+
+
+def _compared(study: Study, statics: Statics | None) -> Comparison:
+    comparison = compare_extremes(study, compare(study))
+    if statics is None:
+        return comparison
+    from plans.force_comparison import compare_forces
+
+    return compare_forces(statics, comparison)
 
 
 def _construct(study: Study) -> None:
@@ -120,42 +142,60 @@ def _agree(comparison: Comparison) -> None:
         )
 
 
-def _sheets(study: Study, comparison: Comparison, folder: Path, trace: Trace) -> Drawn:
+def _sheets(study: Study, comparison: Comparison, statics: Statics | None, folder: Path, trace: Trace) -> Drawn:
     """Lay out, write beside, measure back, and only then give the sheets their names: all of them or none."""
     with trace.stage("imports"):
         from drawings import press
         from drawings.pens.svg import svg
-        from drawings.sheets import kinematics
         from drawings.verify import verify
 
     with trace.stage("layout"):
-        leaves = kinematics.sheets(study, comparison)
-    scene = Path(os.fspath(study.scene.file)).stem
-    stem, beside = f"{scene}-kinematics", folder / f"{scene}-report.md"
-    paths = [folder / (f"{stem}-{k + 1}.svg" if k else f"{stem}.svg") for k in range(len(leaves))]
+        leaves = {kind: _leaves(kind, study, comparison, statics) for kind in study.scene.sheets}
+    stem = Path(os.fspath(study.scene.file)).stem
+    beside, sheets = folder / f"{stem}-report.md", [leaf for kind in leaves.values() for leaf in kind]
+    paths = [_named(folder, stem, kind, k) for kind, own in leaves.items() for k in range(len(own))]
     with trace.stage("writing"):
-        contents = [svg(lettered(leaf, study.scene.sheet.lettering)) for leaf in leaves]
-        drawn = tuple(k for leaf in leaves for k in leaf.metadata["plans"])
-        text = report(study, comparison, drawn, leaves[0].metadata["shown"])
+        contents = [svg(lettered(leaf, study.scene.sheet.lettering)) for leaf in sheets]
+        text = report(study, comparison, leaves, statics)
         press.prepare(folder)
     with contextlib.ExitStack() as stack:
         stack.enter_context(press.fresh(beside, text.encode("utf-8")))
         written = [stack.enter_context(press.fresh(*one)) for one in zip(paths, contents, strict=True)]
         with trace.stage("measuring"):
-            for path, leaf in zip(written, leaves, strict=True):
-                verify(path, leaf, study, comparison)
+            for path, leaf in zip(written, sheets, strict=True):
+                verify(path, leaf, study, comparison, statics)
     return Drawn(study, comparison, leaves, (*paths, beside))
 
 
-def _earlier(drawn: Drawn) -> list[Path]:
+def _leaves(kind: str, study: Study, comparison: Comparison, statics: Statics | None) -> tuple[Leaf, ...]:
+    """Lay out the sheets of a kind."""
+    if statics is not None and kind == "forces":
+        from drawings.sheets import forces
+
+        return forces.sheets(study, comparison, statics)
+    from drawings.sheets import kinematics
+
+    return kinematics.sheets(study, comparison)
+
+
+def _named(folder: Path, stem: str, kind: str, number: int) -> Path:
+    return folder / (f"{stem}-{kind}-{number + 1}.svg" if number else f"{stem}-{kind}.svg")
+
+
+def _earlier(drawn: Drawn, folder: Path) -> list[Path]:
     """Give following sheets that an earlier run left beside fewer new ones."""
-    first = drawn.paths[0]
-    found = (first.with_stem(f"{first.stem}-{k}") for k in range(len(drawn.leaves) + 1, SHEETS_MOST))
-    return list(itertools.takewhile(Path.exists, found))
+    stem = Path(os.fspath(drawn.study.scene.file)).stem
+    found = []
+    for kind, leaves in drawn.leaves.items():
+        further = (_named(folder, stem, kind, k) for k in range(len(leaves), SHEETS_MOST))
+        found += list(itertools.takewhile(Path.exists, further))
+    return found
 
 
 def _verdict(study: Study, comparison: Comparison) -> int:
     gaps, near = comparison.construction.gaps, shallow(study)
+    if comparison.forces is not None:
+        gaps = comparison.forces[0].gaps
     for line in verdict(gaps, study.met, near, study.scene.sheet.language):
         print(line, file=sys.stderr)
     return GAPS if gaps or near or study.met else 0

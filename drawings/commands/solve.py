@@ -4,19 +4,25 @@ from __future__ import annotations
 
 import argparse
 import json
-import math
 import sys
-from typing import Any
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from drawings.numbers import pairs, plain
 from drawings.talk import noted
 from drawings.trace import Trace
 from plans.motion import LINK_KEYS, ORDERS, POINT_KEYS, Extremes, Gap, Motion
 from plans.scene import read_scene
 from plans.study import Study
 
+if TYPE_CHECKING:
+    from plans.kinetostatics import Kinetostatics, Loading
+    from plans.statics import Statics
+
 GAPS = 4
+FORCES = ("forces", "friction")
 
 
 def run(options: argparse.Namespace) -> int:
@@ -24,33 +30,89 @@ def run(options: argparse.Namespace) -> int:
     trace: Trace = options.trace or Trace()
     with trace.stage("reading the scene"):
         study = Study(noted(read_scene(options.scene)))
-    orders = [ORDERS.index(name) for name in options.only] if options.only else [0, 1, 2]
+    wanted = options.only or wanted_of(study)
+    orders = [k for k, order in enumerate(ORDERS) if order in wanted]
+    forces = [name for name in FORCES if name in wanted]
     with trace.stage(options.by):
-        if options.by == "analysis":
-            motion, extremes = _analysis(study, max(orders))
-        else:
-            motion = study.motion(max(orders))
-            extremes = study.found.extremes if study.scene.drive.first is None and study.found else None
+        road = _analysis if options.by == "analysis" else _construction
+        found = road(study, 2 if forces else max(orders), forces)
     with trace.stage("writing"):
-        print(json.dumps(described(study, motion, orders, extremes), allow_nan=False))
+        told = described(study, found.motion, orders, found.extremes)
+        print(json.dumps({**told, **found.told}, allow_nan=False))
     if options.trace:
         print(trace.told(study.made), file=sys.stderr)
-    return GAPS if motion.gaps else 0
+    return GAPS if found.gaps else 0
 
 
-def _analysis(study: Study, order: int) -> tuple[Motion, Extremes | None]:
+def wanted_of(study: Study) -> list[str]:
+    """Give what the sheets of a scene ask for: the motion, and forces and friction where a force sheet is wanted."""
+    wanted = [*ORDERS]
+    if "forces" in study.scene.sheets:
+        wanted += [*FORCES] if study.scene.friction else ["forces"]
+    return wanted
+
+
+class Numbers(NamedTuple):
+    """What one road found: motion, extremes, and the numbers of forces and friction as plain data."""
+
+    motion: Motion
+    extremes: Extremes | None
+    told: dict[str, Any]
+    gaps: bool
+
+
+def _construction(study: Study, order: int, forces: Sequence[str]) -> Numbers:
+    motion = study.motion(order)
+    extremes = study.found.extremes if study.scene.drive.first is None and study.found else None
+    if not forces:
+        return Numbers(motion, extremes, {}, bool(motion.gaps))
+    from plans.statics import Statics
+
+    statics = Statics(study)
+    told = _forces(study, statics, forces, motion, statics.forces, statics.loading(motion))
+    return Numbers(motion, extremes, told, bool(statics.forces.gaps))
+
+
+def _analysis(study: Study, order: int, forces: Sequence[str]) -> Numbers:
     """Solve by analysis alone: a start at an extreme is found by analysis too."""
-    from plans.analytic.extremes import extremes
-    from plans.analytic.kinematics import solve
+    from plans.analytic.kinematics import Analysis
 
-    if study.scene.drive.first is not None:
-        return solve(study.mechanism, study.turn.phi, order), None
-    found = extremes(study.mechanism, study.output)
-    if found is None:
-        return solve(study.mechanism, study.turn.phi, order, first=False), None  # the turn says why there is none
-    count = study.scene.drive.count
-    phi = found.phi[0] + study.sense * 2 * np.pi * np.arange(count) / count
-    return solve(study.mechanism, phi, order, first=False), found
+    road = Analysis(study.mechanism, first=study.scene.drive.first is not None)
+    found, phi = None, None
+    if not road.first:
+        found = road.extremes(study.output)
+        if found is not None:  # else the turn says why there is none
+            count = study.scene.drive.count
+            phi = found.phi[0] + study.sense * 2 * np.pi * np.arange(count) / count
+    motion = road.motion(study.turn.phi if phi is None else phi, order)
+    if not forces:
+        return Numbers(motion, found, {}, bool(motion.gaps))
+    from plans.analytic.kinetostatics import kinetostatics
+    from plans.loading import loading
+    from plans.statics import Statics
+    from plans.stroke import strokes
+
+    statics = Statics(study)
+    loads = loading(statics.machine, motion, strokes(statics.machine, study.mechanism, study.output, road.extremes))
+    solved = kinetostatics(road, statics.machine, motion, loads, statics.pairs)
+    return Numbers(motion, found, _forces(study, statics, forces, motion, solved, loads), bool(solved.gaps))
+
+
+def _forces(
+    study: Study, statics: Statics, wanted: Sequence[str], motion: Motion, forces: Kinetostatics, loads: Loading
+) -> dict[str, Any]:
+    """Give what is wanted of the forces of one road as plain data; their gaps stand beside those of the motion."""
+    from drawings.force_numbers import described as described_forces
+    from drawings.force_numbers import rubbed
+
+    told: dict[str, Any] = {"gaps": [_gap(gap) for gap in forces.gaps]}
+    if "forces" in wanted:
+        told |= described_forces(forces, complex(*(float(x) for x in study.mechanism.datum)))
+    if "friction" in wanted:
+        from plans.friction import friction
+
+        told |= rubbed(friction(study.mechanism, study.groups, statics.machine, motion, loads, forces))
+    return told
 
 
 def described(study: Study, motion: Motion, orders: list[int], extremes: Extremes | None) -> dict[str, Any]:
@@ -59,14 +121,14 @@ def described(study: Study, motion: Motion, orders: list[int], extremes: Extreme
     result: dict[str, Any] = {
         "scene": study.scene.title,
         "by": motion.by,
-        "phi": _plain(motion.phi),
+        "phi": plain(motion.phi),
         "gaps": [_gap(gap) for gap in motion.gaps],
         "points": {
-            name: {POINT_KEYS[k]: _pairs(getattr(found, POINT_KEYS[k]) + (datum if k == 0 else 0)) for k in orders}
+            name: {POINT_KEYS[k]: pairs(getattr(found, POINT_KEYS[k]) + (datum if k == 0 else 0)) for k in orders}
             for name, found in sorted(motion.points.items())
         },
         "links": {
-            str(number): {LINK_KEYS[k]: _plain(getattr(found, LINK_KEYS[k])) for k in orders}
+            str(number): {LINK_KEYS[k]: plain(getattr(found, LINK_KEYS[k])) for k in orders}
             for number, found in sorted(motion.links.items())
         },
     }
@@ -86,13 +148,3 @@ def _gap(gap: Gap) -> dict[str, Any]:
         "position": gap.position, "phi": gap.phi, "plan": gap.plan, "reason": gap.reason, "where": gap.where,
         "miss": gap.miss, "advice": gap.advice,
     }  # fmt: skip
-
-
-def _plain(values: Any) -> list[float | None]:
-    """Give numbers, null for NaN, and no -0."""
-    return [None if math.isnan(value) else value for value in (values + 0.0).tolist()]
-
-
-def _pairs(values: Any) -> list[list[float] | None]:
-    both = zip((values.real + 0.0).tolist(), (values.imag + 0.0).tolist(), strict=True)
-    return [None if math.isnan(x) or math.isnan(y) else [x, y] for x, y in both]

@@ -1,0 +1,103 @@
+"""The equations of a cut as its sheet writes them: moments with their arms, forces with what is known (уравнения)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from drawings.equation import DIRECTION, FULL, UNKNOWN, Equation, Passage, Term, forces, moments, plain
+from drawings.force_letters import lettered
+from drawings.hand import Hand
+from drawings.leverage import Leverage, leverages
+from drawings.words import number, word
+from geometry.board import Mark, at
+from plans.cut import CLOSING, REACTION, Couple, Cut
+from plans.cut import Equation as Moments
+from plans.force import ForcePlan
+
+DIGITS = 5
+
+
+class Equations:
+    """What a sheet writes beside a cut in one position."""
+
+    def __init__(self, plan: ForcePlan, cut: Cut, column: int, language: str, reactions: str) -> None:
+        self.plan, self.cut, self.column, self.language, self.reactions = plan, cut, column, language, reactions
+        self.arms = leverages(plan, cut, column)
+
+    def passage(self, name: str, hand: Hand) -> Passage:
+        """Write arms, equations of moments with what they give, and the equation of forces."""
+        lines = [*self._given(), *(line for one in self.cut.equations for line in self._moments(one))]
+        lines += [*self._forces(), *self._found()]
+        return Passage(name, tuple(lines), hand.text)
+
+    def letter(self, name: str) -> str:
+        """Write a force's name as the sheet does."""
+        return lettered(name, self.language, self.reactions)
+
+    def told(self, name: str, value: float, unit: str) -> str:
+        """Write what a quantity is: R_34 = 1644.1 N."""
+        return f"{self.letter(name)} = {number(value, self.language, DIGITS)} {word(self.language, unit)}"
+
+    def _size(self, mark: Mark) -> float:
+        return abs(at(mark.point, self.column))
+
+    def _given(self) -> Iterator[Equation]:
+        """Tell the known forces and moments, and the arms."""
+        loads = [self.told(one.name, self._size(one.force), "N") for one in self.cut.loads if one.kind != REACTION]
+        couples = [self._couple(one) for one in self.cut.couples if one.kind != REACTION]
+        told = [*loads, *couples]
+        if told:
+            yield plain(*(f"{one}," if k < len(told) - 1 else one for k, one in enumerate(told)))
+        arms = {arm.letter: arm.length for arm in self.arms if arm.dimensioned}
+        if arms:
+            mm = word(self.language, "mm")
+            parts = [f"{letter} = {number(1000 * arm, self.language, DIGITS)}" for letter, arm in arms.items()]
+            yield plain(*(f"{one}," for one in parts[:-1]), f"{parts[-1]} {mm}")
+
+    def _couple(self, one: Couple) -> str:
+        return self.told(one.name, at(one.moment.point, self.column).real, "N*m")
+
+    def _moments(self, one: Moments) -> Iterator[Equation]:
+        """Write an equation of moments, each force by its arm, and the force or the moment that it gives."""
+        unknown = one.found.name
+        armed = [arm for arm in self.arms if arm.about == one.about.name]
+        terms = [self._term(arm) for arm in armed if arm.name != unknown]
+        terms += [self._turning(couple) for couple in one.couples if at(couple.moment.point, self.column).real != 0]
+        force = next((arm for arm in armed if arm.name == unknown), None)
+        if one.line is None:
+            value, unit, own = at(one.found.point, self.column).real, "N*m", ("+", self.letter(unknown))
+        else:
+            value, unit = self._size(one.found), "N"
+            own = ("+", self.letter(unknown)) if force is None else self._term(force)
+        if terms:
+            yield moments(one.about.name, [own, *terms])
+        yield plain(self.told(unknown, value, unit))
+
+    def _term(self, arm: Leverage) -> tuple[str, str]:
+        return "+" if arm.sense > 0 else "−", f"{self.letter(arm.name)}·{arm.letter}"
+
+    def _turning(self, couple: Couple) -> tuple[str, str]:
+        """Write a moment by its size, its sense in the sign."""
+        return "+" if at(couple.moment.point, self.column).real > 0 else "−", f"|{self.letter(couple.name)}|"
+
+    def _forces(self) -> Iterator[Equation]:
+        """Write that the forces of the cut balance: known ones underlined twice, of known direction once."""
+        closers = [side for side in self.cut.sides if side.kind == CLOSING]
+        known = DIRECTION if len(closers) > 1 else UNKNOWN
+        terms = [
+            Term(self.letter(side.name), known if side.kind == CLOSING else FULL)
+            for side in self.cut.sides
+            if side.kind == CLOSING or self._seen(side.name)
+        ]
+        if len(terms) > 1:
+            yield forces(terms)
+
+    def _seen(self, name: str) -> bool:
+        """Tell whether a force acts in this position."""
+        side = next(one for one in self.cut.sides if one.name == name)
+        return abs(at(side.end.point, self.column) - at(side.start.point, self.column)) > 0
+
+    def _found(self) -> Iterator[Equation]:
+        """Tell the reactions that the polygon gives."""
+        found = [self.told(one.force.name, self._size(one.force), "N") for one in self.cut.reactions]
+        yield plain(*(f"{one}," for one in found[:-1]), found[-1])
