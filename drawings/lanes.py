@@ -6,16 +6,14 @@ import math
 from collections.abc import Sequence
 from typing import TypeAlias
 
-import numpy as np
-
 Segment: TypeAlias = tuple[complex, complex]
 
 APART = 3.2  # mm between two lanes: the arrowheads of both, 1.8 wide each on A1, and paper between them
 NEAR = 1.0  # mm: lines of 0.7 with their axes nearer than this are one to the eye
 SHARE = 0.35  # of the shorter line that may be so near: two that leave one corner are 3 mm apart at its end
-SHORT = 10.0  # mm: of a shorter line nearness is a tenth
+SHORT = 15.0  # mm: of a shorter line nearness is a fifteenth
 ABREAST = math.sin(math.radians(1)), 3.0  # lines at less than a degree are not so near for more than 3 mm
-STEP = 0.5  # mm between the places at which nearness is looked at
+THROUGH = 0.5  # mm: a line so near the middle of all runs through it
 
 
 def merging(one: Segment, other: Segment) -> bool:
@@ -96,7 +94,7 @@ def _outward(segment: Segment, middle: complex) -> complex:
     start, end = segment
     across = 1j * (end - start) / abs(end - start)
     away = (((start + end) / 2 - middle) * across.conjugate()).real
-    if abs(away) < STEP:
+    if abs(away) < THROUGH:
         away = across.real if abs(across.real) > abs(across.imag) else across.imag
     return across if away >= 0 else -across
 
@@ -107,15 +105,44 @@ def _crowd(segment: Segment, placed: Sequence[Segment]) -> int:
 
 
 def _beside(one: Segment, other: Segment, near: float) -> float:
-    """Tell for how many mm of its length a line is nearer to another than `near`."""
-    start, length = one[0], abs(one[1] - one[0])
-    count = max(math.ceil(length / STEP), 8)
-    spots = start + (one[1] - start) * ((np.arange(count) + 0.5) / count)
-    along = other[1] - other[0]
-    size = abs(along)
+    """Give the length for which a line is nearer to another than `near`: its part in the other's rounded strip.
+
+    >>> _beside((0j, 8 + 0j), (0j, 4 + 0j), 1.0), _beside((0j, 8 + 0j), (2 - 4j, 2 + 4j), 1.0)
+    (5.0, 2.0)
+    """
+    along = one[1] - one[0]
+    length = abs(along)
+    inside = [*_between(one, other, near), *(span for end in other for span in _around(one, end, near))]
+    if not inside:
+        return 0.0
+    low, high = min(span[0] for span in inside), max(span[1] for span in inside)  # the strip is convex
+    return length * max(min(high, 1.0) - max(low, 0.0), 0.0)
+
+
+def _around(one: Segment, centre: complex, near: float) -> list[tuple[float, float]]:
+    """Give the shares of a line between which it is nearer to a place than `near`."""
+    along, away = one[1] - one[0], one[0] - centre
+    size, across = abs(along), (along.conjugate() * away).imag
+    left = (near * size) ** 2 - across**2
+    if size == 0 or left <= 0:
+        return []
+    middle, half = -(along.conjugate() * away).real / size**2, math.sqrt(left) / size**2
+    return [(middle - half, middle + half)]
+
+
+def _between(one: Segment, other: Segment, near: float) -> list[tuple[float, float]]:
+    """Give the shares of a line between which it lies in the strip of another, `near` to both sides, ends square."""
+    size = abs(other[1] - other[0])
     if size == 0:
-        gaps = np.abs(spots - other[0])
-    else:
-        share = np.clip(((spots - other[0]) * along.conjugate()).real / size**2, 0.0, 1.0)
-        gaps = np.abs(spots - (other[0] + along * share))
-    return float((gaps < near).sum()) * length / count
+        return []
+    along = (other[1] - other[0]) / size
+    first, last = ((end - other[0]) * along.conjugate() for end in one)
+    low, high = -math.inf, math.inf
+    for start, end, least, most in ((first.real, last.real, 0.0, size), (first.imag, last.imag, -near, near)):
+        if start == end:
+            if not least <= start <= most:
+                return []
+            continue
+        shares = sorted(((least - start) / (end - start), (most - start) / (end - start)))
+        low, high = max(low, shares[0]), min(high, shares[1])
+    return [(low, high)] if low < high else []

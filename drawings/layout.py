@@ -15,6 +15,7 @@ from drawings.strokes import Arc, Box, Circle, Fill, Group, Line, LineStyle, Pol
 CELL = 0.5  # mm, the grain of the ink map: finer than a thin line's least distance
 LETTERED = 1000  # of a cell under letters; a line adds 1, and no cell is crossed by so many
 CLEAR = 0.4  # mm kept free around a label
+WELL_CLEAR = 0.7  # mm around a label beside a line, where another main line may run along it
 DIRECTIONS = 16
 NEAR = (0.0, 0.7, 1.6)  # mm a label may stand further off than its nearest place, without a leader
 LED = (*range(4, 40, 3), *range(40, 160, 6))  # mm from a point to a label that a leader leads to
@@ -148,7 +149,7 @@ class Labels:
         for share in SHARES:
             for side in (across, -across):
                 corner = start + share * (end - start) + reach * side - half - complex(*box[:2])
-                if not self.ink.under(_padded(box, corner)):
+                if not self.ink.under(_padded(box, corner, WELL_CLEAR)):
                     label = Text(corner, content, size, "start", self._slanted)
                     self.ink.draw([label])
                     return label

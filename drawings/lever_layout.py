@@ -1,0 +1,128 @@
+"""The lever on paper: where its forces, their arms and the stand of its pole find room (рычаг Жуковского)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+from drawings.arms import Arm
+from drawings.figure import Place
+from drawings.force_arrow import ForceArrow, marked
+from drawings.force_letters import lettered
+from drawings.force_words import letter as letter_of
+from drawings.hand import Hand
+from drawings.lanes import Segment, merging
+from drawings.symbols import ARROW_LENGTH, STAND
+from drawings.vector_plan import written
+
+LONGEST, SHORTEST = 26.0, 13.0  # mm, to the factor of the hand's symbols: the greatest force, and one that is nothing
+AFTER = 2.0  # mm between two forces that follow one another on one line of action
+ROOM = 1.2  # lengths of an arrowhead: a shorter arm is left to the eye
+ARMS, TELLING = 5, 0.02  # arms shown at the most, and the share of the greatest moment that is worth one
+# What speaks against a place of a force: that it runs along another, that it is away from its image, along a rod: 1.
+ON_FORCE, AWAY = 4, 2
+STANDS = 12  # directions tried for the stand of the pole
+LOAD, PAIR, BALANCE = "load", "pair", "balance"
+SAME = 0.5  # mm: places nearer than this are one
+
+
+class Push(NamedTuple):
+    """A force on the lever: its name, what it is, the true place of its image m/s, its value N, its moment W."""
+
+    name: str
+    kind: str  # load; pair: half of a couple; balance: what the drive gives
+    at: complex
+    force: complex
+    moment: float
+
+
+class Reach(NamedTuple):
+    """The arm of a force about the pole: its force, its true length m/s, and its letter.
+
+    The letter is h_1 where it is drawn, pd where it is a line of the plan itself, and none where neither is so.
+    """
+
+    force: str
+    length: float
+    letter: str
+
+
+class Taken(NamedTuple):
+    """Lines on paper that a force should not run along: the rods of the lever, and the forces drawn before."""
+
+    rods: list[Segment]
+    forces: list[Segment]
+
+
+def forces(
+    pushes: Sequence[Push], place: Place, taken: Taken, hand: Hand, letters: tuple[str, str]
+) -> list[ForceArrow]:
+    """Place the forces, the greatest first: each from its image or to it, where it runs along no other line."""
+    greatest = max((abs(one.force) for one in pushes), default=1.0)
+    placed = []
+    for one in sorted(pushes, key=lambda one: -abs(one.force)):
+        length = (SHORTEST + (LONGEST - SHORTEST) * abs(one.force) / greatest) * hand.symbol
+        arrow = _beside(lettered(one.name, *letters), one.force, place.on(one.at), length, taken)
+        taken.forces.append((arrow.start, arrow.tip))
+        placed.append(arrow)
+    return placed
+
+
+def _beside(letter: str, force: complex, image: complex, length: float, taken: Taken) -> ForceArrow:
+    """Draw a force from its image or to it; where both run along others, further on along its line of action."""
+    along, step = force / abs(force), length + AFTER
+    tries = [marked(letter, force, image, length), marked(letter, force, image, length, ending=True)]
+    tries += [marked(letter, force, image + along * step * k, length, ending=k < 0) for k in (1, -1, 2, -2)]
+
+    def cost(arrow: ForceArrow) -> int:
+        ends = arrow.start, arrow.tip
+        over = ON_FORCE * sum(merging(ends, other) for other in taken.forces)
+        return over + any(merging(ends, rod) for rod in taken.rods) + AWAY * (abs(arrow.at - image) > SAME)
+
+    return min(tries, key=cost)
+
+
+def arms(
+    pushes: Sequence[Push], images: Mapping[complex, str], place: Place, taken: Taken, language: str
+) -> list[tuple[Reach, Arm | None]]:
+    """Give all arms, drawing those of the greatest moments that run along nothing else, numbered as they are hung."""
+    loads = [one for one in pushes if one.kind != PAIR]
+    greatest = max((abs(one.moment) for one in loads), default=0.0)
+    lines, drawn, own = [*taken.rods, *taken.forces], set[str](), {}
+    for one in sorted(loads, key=lambda one: -abs(one.moment)):
+        arm = Arm("", place.on(0j), place.on(one.at), one.force / abs(one.force))
+        if abs(arm.foot - arm.at) < SAME:
+            own[one.name] = "p" + written(images[min(images, key=lambda true: abs(true - one.at))])
+        elif len(drawn) < ARMS and abs(one.moment) > TELLING * greatest and arm.length > ROOM * ARROW_LENGTH:
+            ends, action = (arm.about, arm.foot), (arm.at, arm.foot)
+            if not any(merging(ends, other) for other in lines) and not any(merging(action, rod) for rod in taken.rods):
+                drawn.add(one.name)
+                lines.append(ends)
+    numbers = iter(range(1, ARMS + 1))
+    found: list[tuple[Reach, Arm | None]] = []
+    for one in loads:
+        index = "bal" if one.kind == BALANCE else str(next(numbers)) if one.name in drawn else ""
+        letter = letter_of(language, f"h_{{{index}}}") if one.name in drawn else own.get(one.name, "")
+        arm = Arm(letter, place.on(0j), place.on(one.at), one.force / abs(one.force))
+        found.append((Reach(one.name, arm.length * place.scale.mu, letter), arm if one.name in drawn else None))
+    return found
+
+
+def downward(lines: list[Segment], pole: complex, hand: Hand) -> complex:
+    """Turn the stand of the pole to where no line runs; downward if it can be."""
+    reach = STAND[0] * hand.symbol
+    turns = sorted((math.remainder(math.tau * k / STANDS, math.tau) for k in range(STANDS)), key=abs)
+
+    def clear(turn: float) -> float:
+        return min((_distance(pole - 1j * reach * cmath.rect(1.0, turn), line) for line in lines), default=math.inf)
+
+    free = [turn for turn in turns if clear(turn) > (STAND[1] + STAND[2]) * hand.symbol]
+    return -1j * cmath.rect(1.0, free[0] if free else max(turns, key=clear))
+
+
+def _distance(spot: complex, line: Segment) -> float:
+    start, along = line[0], line[1] - line[0]
+    share = ((spot - start) * along.conjugate()).real / abs(along) ** 2 if along else 0.0
+    return abs(spot - start - along * min(max(share, 0.0), 1.0))
