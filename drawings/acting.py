@@ -37,11 +37,12 @@ class Moment(NamedTuple):
 
 
 class Shift(NamedTuple):
-    """How far from its slider's point the reaction of a guide acts: the two places on the guide's line, m."""
+    """How far from its slider's point a guide's reaction acts: two places on the guide's line m, and its value N."""
 
-    letter: str
+    name: str
     start: complex
     end: complex
+    value: complex
 
 
 class Acting(NamedTuple):
@@ -55,9 +56,10 @@ class Acting(NamedTuple):
 def acting(plan: ForcePlan, cut: Cut, links: CutLinks, column: int) -> Acting:
     """List what acts on a cut in one position; what is zero there is left out."""
     least = NOTHING * largest(cut, column)
-    forces = [
-        Force(load.name, load.at.name, at(load.at.point, column), at(load.force.point, column)) for load in cut.loads
-    ]
+    forces = []
+    for load in cut.loads:
+        place = at(load.at.point, column)
+        forces.append(Force(load.name, links.name(load.at.name, place), place, at(load.force.point, column)))
     moments = list(_couples(plan, cut, links, column))
     shifts: list[Shift] = []
     for support in cut.supports:
@@ -115,7 +117,7 @@ def _guide(
         name = support.force.name.replace("R", "M", 1)
         return force, [Moment(name, foot, 1 if turning > 0 else -1, unknown=True)], []
     end = foot + along * arm
-    return force._replace(at=end), [], [Shift(support.force.name.replace("R", "x", 1), foot, end)]
+    return force._replace(at=end), [], [Shift(support.force.name.replace("R", "x", 1), foot, end, value)]
 
 
 def _line(slide: Slide, links: CutLinks) -> tuple[complex, complex]:

@@ -9,6 +9,7 @@ from functools import cached_property
 
 import numpy as np
 
+from drawings.leverage import NOTHING
 from drawings.skeleton import Poses, poses
 from plans.cut import INERTIA, WEIGHT, Cut
 from plans.force import ForcePlan
@@ -63,6 +64,12 @@ class CutLinks:
             for along in travel
         ]
         return [self.of(link, end) for link, end in ends]
+
+    def name(self, mark: str, place: complex) -> str:
+        """Give the letter of a place: the mark's own, or that of the point that lies there."""
+        if mark in self.points:
+            return mark
+        return next((name for name, spot in self.points.items() if abs(spot - place) <= NOTHING * self.reach), mark)
 
     @property
     def guides(self) -> Iterator[tuple[complex, complex]]:
@@ -120,9 +127,10 @@ def _travel(all_poses: Poses, slide: Slide) -> tuple[float, float]:
 
 
 def _masses(plan: ForcePlan, cut: Cut) -> dict[str, tuple[int, complex]]:
-    """Give the mass centres that forces act at and no point names."""
+    """Give the mass centres that forces act at and no point of their link names."""
     found = {}
-    for load in cut.loads:
-        if load.kind in (WEIGHT, INERTIA) and load.at.name not in plan.mechanism.links[load.link].points:
-            found[load.at.name] = load.link, plan.machine.bodies[load.link].centre
+    for link in sorted({load.link for load in cut.loads if load.kind in (WEIGHT, INERTIA)}):
+        centre = plan.machine.bodies[link].centre
+        if centre not in plan.mechanism.links[link].points.values():
+            found[f"S{link}"] = link, centre
     return found

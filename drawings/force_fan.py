@@ -22,6 +22,7 @@ CLEAR = 1.5  # mm from the end of an arrow at its point that are not felt: symbo
 STEP, STEPS = 4.0, 25  # mm by which an arrow may stand off its point on its line of action, and how often
 # What ending at the point costs, standing off it, and each mm of that; a crossed thin line costs 1.
 ENDING, OFF, FURTHER = 3.0, 4.0, 0.3
+PASSED, NEAR = 40.0, 3.0  # what a known force costs whose line to its point passes another point, so many mm near
 OUTSIDE = 10.0  # what each mm outside the figure's box costs
 ROUNDS = 2  # times that every arrow looks for its place among all others
 WEIGHT = 6.0  # thin lines that an arrow counts as for the others
@@ -54,6 +55,14 @@ class Held(NamedTuple):
         return Line(self.arrow.start, self.arrow.tip)
 
 
+class _Room(NamedTuple):
+    """Where an arrow looks for its place: the lines and points around, and the box."""
+
+    drawn: Drawn
+    spots: Sequence[complex]
+    box: Field | None
+
+
 def lengths(sizes: Sequence[float]) -> list[float]:
     """Give arrows' lengths, mm: in the order of the forces and within bounds, by their logarithms.
 
@@ -70,9 +79,13 @@ def lengths(sizes: Sequence[float]) -> list[float]:
 
 
 def fanned(
-    spokes: Sequence[Spoke], around: Iterable[tuple[Stroke, float]], box: Field | None, hand: Hand
+    spokes: Sequence[Spoke],
+    around: Iterable[tuple[Stroke, float]],
+    spots: Sequence[complex],
+    box: Field | None,
+    hand: Hand,
 ) -> list[Held]:
-    """Place the arrows among the lines around, each with its weight, and among each other."""
+    """Place the arrows among the lines around, each with its weight, among the points, and among each other."""
     lines = list(around)
     held = [_held(spoke, spoke.pressing, 0.0, hand) for spoke in spokes]
     for _ in range(ROUNDS):
@@ -81,18 +94,18 @@ def fanned(
             for stroke, weight in lines:
                 drawn.draw([stroke], weight)
             drawn.draw((other.shaft for other in (*held[:k], *held[k + 1 :])), WEIGHT)
-            held[k] = _best(spoke, drawn, box, hand)
+            held[k] = _best(spoke, _Room(drawn, spots, box), hand)
     return held
 
 
-def _best(spoke: Spoke, drawn: Drawn, box: Field | None, hand: Hand) -> Held:
+def _best(spoke: Spoke, room: _Room, hand: Hand) -> Held:
     """Give the cheapest place of an arrow; the customary ones come first."""
     best, cheapest = None, math.inf
     for least, ending, off in sorted(_places(spoke.pressing)):
         if least >= cheapest:
             break
         held = _held(spoke, ending, off, hand)
-        cost = least + _cost(held, drawn, box, hand)
+        cost = least + _cost(held, room, hand) + (0.0 if spoke.unknown else PASSED * _passed(spoke, held, room))
         if cost < cheapest:
             best, cheapest = held, cost
     assert best is not None  # the first place costs less than infinitely much
@@ -116,7 +129,7 @@ def _held(spoke: Spoke, ending: bool, off: float, hand: Hand) -> Held:
     return Held(arrow, Line(spoke.at + back * spoke.rim, near, hand.drafted) if off else None)
 
 
-def _cost(held: Held, drawn: Drawn, box: Field | None, hand: Hand) -> float:
+def _cost(held: Held, room: _Room, hand: Hand) -> float:
     """Weigh a place: the lines that an arrow crosses or runs beside, and what of it is outside the box."""
     arrow = held.arrow
     far = -arrow.direction if arrow.ending else arrow.direction
@@ -126,7 +139,16 @@ def _cost(held: Held, drawn: Drawn, box: Field | None, hand: Hand) -> float:
     count = max(int(length / (RUNG * hand.symbol)), 1)
     spots = [start + (end - start) * k / count for k in range(0 if held.lead else 1, count + 1)]
     felt: list[Stroke] = [Line(start, end), *(Line(spot - across, spot + across) for spot in spots)]
-    return drawn.crossed_by([Group(tuple(felt))]) + (0.0 if box is None else OUTSIDE * _beyond(end, box))
+    return room.drawn.crossed_by([Group(tuple(felt))]) + (0.0 if room.box is None else OUTSIDE * _beyond(end, room.box))
+
+
+def _passed(spoke: Spoke, held: Held, room: _Room) -> bool:
+    """Tell whether an arrow that stands off its point would seem to act at another one."""
+    if held.lead is None:
+        return False
+    run = held.lead.end - spoke.at
+    off = [(spot - spoke.at) / run for spot in room.spots if abs(spot - spoke.at) > NEAR]
+    return any(0 < place.real <= 1 and abs(place.imag) * abs(run) < NEAR for place in off)
 
 
 def _beyond(spot: complex, box: Field) -> float:

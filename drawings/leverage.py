@@ -42,7 +42,7 @@ class Leverage(NamedTuple):
 
 
 def leverages(plan: ForcePlan, cut: Cut, column: int) -> tuple[Leverage, ...]:
-    """Give the arms of all forces in a cut's equations, the force that each gives last; forces without moment have none.
+    """Give the arms of all forces in a cut's equations, the force that each gives last; one without moment has none.
 
     Letters h are numbered through the cuts of the plan, so that a sheet has each of them once; forces on one line of
     action have one arm.
@@ -66,13 +66,15 @@ def largest(cut: Cut, column: int) -> float:
 def _of(plan: ForcePlan, cut: Cut, column: int, start: int) -> Iterator[Leverage]:
     known: list[Leverage] = []
     least = NOTHING * largest(cut, column)
+    letters = {mark: name for name, mark in plan.positions.letters.items()}
     for equation in cut.equations:
+        about = letters.get(equation.about, equation.about.name)
         for name, spot, force in _terms(equation):
             value = at(force.point, column)
             if not abs(value) > least:
                 continue
             pivot, place = at(equation.about.point, column), at(spot.point, column)
-            bare = Leverage(name, equation.about.name, "", 0.0, 1, pivot, place, value / abs(value))
+            bare = Leverage(name, about, "", 0.0, 1, pivot, place, value / abs(value))
             moment = ((place - pivot).conjugate() * bare.direction).imag
             if abs(moment) <= NOTHING * abs(place - pivot):
                 continue
@@ -93,9 +95,10 @@ def _lead(plan: ForcePlan, equation: Equation, spot: Mark, bare: Leverage) -> st
     """Letter an arm that is the line between two named points, as the lead there is lettered; "" where it is not."""
     arm = bare.at - bare.pivot
     square = abs((arm * bare.direction.conjugate()).real) <= NOTHING * abs(arm)
-    if not square or spot.name not in plan.positions.letters or is_centre(spot.name):
+    names = {mark: name for name, mark in plan.positions.letters.items() if not is_centre(name)}
+    if not square or spot not in names:
         return ""
-    ends = equation.about.name + spot.name
+    ends = bare.about + names[spot]
     lines = (equation.line.step.inputs if equation.line is not None else ())[1:]
     return f"l_{{{next((line.name for line in lines if sorted(line.name) == sorted(ends)), ends)}}}"
 

@@ -27,8 +27,7 @@ from drawings.words import word
 __all__ = ["Figure", "Leverage", "Scheme", "figure", "leverages", "measured", "scheme"]
 
 LEAST = 14.0  # a scheme is drawn at least so many of its letters large: below, its forces hide it
-LETTERS = 1.6  # letters' sizes around the lines of a scheme
-WIDENED = 0.3  # rad: a letter looks for its place from the middle of the widest gap between lines
+LETTERS, BESIDE = 1.6, 2.4  # letters' sizes below and above the lines of a scheme, and beside them
 
 
 @dataclass(frozen=True)
@@ -61,7 +60,7 @@ def measured(shown: Scheme, name: str, hand: Hand, language: str) -> Picture:
     left, bottom, right, top = bounds(Group(tuple(Layout(shown, place, hand, language, None).strokes())))
     wide, high = bare.wide / place.scale.mu / 2, bare.high / place.scale.mu / 2
     around = LETTERS * hand.letter
-    side = max(-left - wide, right - wide, 0.0) + around
+    side = max(-left - wide, right - wide, 0.0) + BESIDE * hand.letter
     margins = Margins(side, max(-bottom - high, 0.0) + around, max(top - high, 0.0) + around + _head(hand))
     return bare._replace(margins=margins, heading=text_width(Text(0j, _title(shown, language), hand.title)))
 
@@ -87,7 +86,9 @@ def figure(shown: Scheme, measure: Picture, spot: Spot, scale: str, hand: Hand, 
 def _letters(laid: Layout, labels: Labels, hand: Hand) -> Iterator[Stroke]:
     """Letter arms, points, forces and moments, and number the links."""
     for arm in laid.arms:
-        yield arm.lettered(labels, laid.hand)
+        yield arm.lettered(labels, hand)
+    for shift in laid.shifts:
+        yield labels.beside(shift.middle, shift.letter, hand.letter, 0.8, cmath.phase(shift.off))
     yield from _points(laid, labels, hand)
     for held in laid.arrows:
         yield held.arrow.lettered(labels, hand)
@@ -101,7 +102,7 @@ def _letters(laid: Layout, labels: Labels, hand: Hand) -> Iterator[Stroke]:
 
 def _points(laid: Layout, labels: Labels, hand: Hand) -> Iterator[Stroke]:
     """Letter each point where the widest angle between the lines at it is free."""
-    lines = [line for line in _lines(laid.links)] + [Line(held.arrow.start, held.arrow.tip) for held in laid.arrows]
+    lines = [*_lines(laid.links), *(held.shaft for held in laid.arrows)]
     for name, value in laid.shown.named.items():
         spot, gap = laid.place.on(value), laid.clear(name) + 1.0
         yield labels.beside(spot, written(name), hand.letter, gap, _free(spot, gap, lines))

@@ -9,6 +9,7 @@ from typing import NamedTuple
 from drawings.acting import Acting, acting
 from drawings.cut_links import CutLinks, cut_links
 from drawings.leverage import Leverage, leverages
+from geometry.board import at
 from plans.cut import INERTIA, WEIGHT, Cut
 from plans.force import ForcePlan
 from plans.machine import GEAR
@@ -18,7 +19,7 @@ WHOLE = 2.0  # cranks: of a larger wheel only a part of the pitch circle is draw
 
 
 class Wheel(NamedTuple):
-    """The wheel by which the crank is driven: shaft and pitch radius, m, the pitch point's direction, rad, the force's."""
+    """The wheel that drives the crank: shaft, pitch radius m, direction of the pitch point rad and of the force."""
 
     centre: complex
     radius: float
@@ -48,12 +49,13 @@ class Scheme:
     def named(self) -> dict[str, complex]:
         """The points that bear letters: those of the links, and those at which other forces act."""
         others = {force.spot: force.at for force in self.acting.forces if force.spot}
-        return self.links.points | {name: at for name, at in others.items() if name not in self.links.points}
+        return self.links.points | {name: place for name, place in others.items() if name not in self.links.points}
 
     @cached_property
     def centres(self) -> set[str]:
         """The letters of the mass centres that forces act at."""
-        return {load.at.name for load in self.cut.loads if load.kind in (WEIGHT, INERTIA)}
+        loads = (load for load in self.cut.loads if load.kind in (WEIGHT, INERTIA))
+        return {self.links.name(load.at.name, at(load.at.point, self.column)) for load in loads}
 
     @property
     def points(self) -> list[complex]:

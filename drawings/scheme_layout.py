@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 from drawings.acting import Force, Moment
 from drawings.arms import Arm, to_scale
@@ -20,15 +21,52 @@ from drawings.page import Field
 from drawings.pairs import Joints
 from drawings.scheme import Scheme
 from drawings.strokes import INK, Circle, Group, Line, Stroke
-from drawings.symbols import BLOCK, MASS, POINT, mass_centre
+from drawings.symbols import ARROW_LENGTH, BLOCK, MASS, POINT, arrowhead, mass_centre
 from drawings.transmission import Gear
 from drawings.vector_plan import written
 
 GUIDE = 16.0  # mm of a guide's axis on either side of its slider
 RADIUS, BLOCKED, APART = 6.5, 9.0, 2.5  # mm: radius of a couple's arc, about a block, and what each further is wider
+DIMENSION, PAST, LEAST = 9.0, 1.5, 0.5  # mm: from a guide to the dimension along it, past that; the least shown
 FACINGS = 12  # directions that an arc may face
 BAR, ARROW, THIN = 3.0, 6.0, 1.0  # thin lines that a link, an arrow and an arm count as
 NARROW = 0.4  # what an arc of half a turn costs against one of three quarters
+
+
+class Dimension(NamedTuple):
+    """A distance along a guide, dimensioned beside it: its letter, its ends, and the way to its line, mm."""
+
+    letter: str
+    start: complex
+    end: complex
+    off: complex
+
+    @property
+    def length(self) -> float:
+        """The distance on paper, mm."""
+        return abs(self.end - self.start)
+
+    @property
+    def middle(self) -> complex:
+        """The middle of its line: beside it stands the letter."""
+        return (self.start + self.end) / 2 + self.off
+
+    @property
+    def lines(self) -> tuple[tuple[complex, complex], ...]:
+        """The dimension line, then the two extension lines."""
+        past = self.off * (1 + PAST / abs(self.off))
+        ends = ((one, one + past) for one in (self.start, self.end))
+        return (self.start + self.off, self.end + self.off), *ends
+
+    def drawn(self, hand: Hand) -> tuple[Stroke, ...]:
+        """Draw its lines, its arrows within or, where there is no room, outside."""
+        start, end = self.lines[0]
+        along = (end - start) / self.length * ARROW_LENGTH * hand.symbol
+        tails = (end, start) if self.length > 3 * abs(along) else (start - 2 * along, end + 2 * along)
+        heads = (arrowhead(tail, tip, hand.symbol) for tail, tip in zip(tails, (start, end), strict=True))
+        outer = () if tails[0] == end else (Line(tails[0], tails[1], hand.drafted),)
+        lines = (Line(*ends, hand.drafted) for ends in self.lines)
+        return *lines, *outer, *(head for head in heads if head is not None)
 
 
 @dataclass(frozen=True)
@@ -58,18 +96,28 @@ class Layout:
     @cached_property
     def links(self) -> list[Stroke]:
         """The links with their pairs; under them the axes of guides."""
-        joints, hand = self.joints, self.hand
-        axes = []
+        joints = self.joints
+        under = [*self._axes(), *self._ties()]
+        return [*under, *joints.bars(), *(block for _, block in joints.blocks), *joints.corners(), *joints.stands()]
+
+    def _axes(self) -> Iterator[Stroke]:
+        """Draw the axis of each guide about its slider, as far as the guide presses."""
+        ends = [self.place.on(shift.end) for shift in self.shown.acting.shifts]
         for at, along in self.shown.links.guides:
-            half = along * GUIDE * hand.symbol
-            axes.append(Line(self.place.on(at) - half, self.place.on(at) + half, hand.axis))
-        return [
-            *fitted(axes),
-            *joints.bars(),
-            *(block for _, block in joints.blocks),
-            *joints.corners(),
-            *joints.stands(),
-        ]
+            spot = self.place.on(at)
+            reach = [((end - spot) * along.conjugate()).real for end in ends]
+            low, high = min([0.0, *reach]), max([0.0, *reach])
+            more = GUIDE * self.hand.symbol
+            yield from fitted([Line(spot + (low - more) * along, spot + (high + more) * along, self.hand.axis)])
+
+    def _ties(self) -> Iterator[Stroke]:
+        """Tie a mass centre to its link where that is drawn as no more than its point."""
+        links = self.shown.links
+        for link, centre in links.masses.values():
+            points = links.mechanism.links[link].points
+            if len(points) == 1:
+                start = self.place.on(links.of(link, next(iter(points.values()))))
+                yield Line(start, self.place.on(links.of(link, centre)), self.hand.other)
 
     @cached_property
     def marks(self) -> list[Stroke]:
@@ -105,6 +153,16 @@ class Layout:
         ]
 
     @cached_property
+    def shifts(self) -> list[Dimension]:
+        """How far from their sliders' points guides press, beyond the block from where the reaction comes."""
+        found = []
+        for shift in self.shown.acting.shifts:
+            start, end = self.place.on(shift.start), self.place.on(shift.end)
+            ahead = shift.value / abs(shift.value)
+            found.append(Dimension(self.letter(shift.name), start, end, DIMENSION * self.hand.symbol * ahead))
+        return [one for one in found if one.length >= LEAST]
+
+    @cached_property
     def arrows(self) -> list[Held]:
         """The forces, placed among links and arms."""
         forces = self.shown.acting.forces
@@ -113,7 +171,8 @@ class Layout:
         box = self.box
         if box is not None:
             box = Field(*(edge + sign * self.sheet.letter for edge, sign in zip(box, (1, 1, -1, -1), strict=True)))
-        return fanned(spokes, self._around, box, self.hand)
+        spots = [self.place.on(spot) for spot in self.shown.named.values()]
+        return fanned(spokes, self._around, spots, box, self.hand)
 
     def _spoke(self, force: Force, length: float) -> Spoke:
         direction = force.value / abs(force.value)
@@ -147,6 +206,7 @@ class Layout:
         thick = [(stroke, BAR) for stroke in self.links]
         marks = [(mark, BAR) for mark in self.marks]
         thin = [(Line(arm.about, arm.foot), THIN) for arm in self.arms]
+        thin += [(Line(*ends), THIN) for one in self.shifts for ends in one.lines]
         wheel = [] if self.gear is None else [(stroke, THIN) for stroke in self.gear.drawn(self.hand)[:1]]
         return [*thick, *marks, *thin, *wheel]
 
@@ -177,13 +237,14 @@ class Layout:
     def strokes(self) -> Iterator[Stroke]:
         """Draw everything but letters, from the thinnest lines to the arrows."""
         hand = self.hand
-        arms = tuple(stroke for arm in self.arms for stroke in arm.drawn(hand))
+        arms: tuple[Stroke, ...] = tuple(stroke for arm in self.arms for stroke in arm.drawn(hand))
+        arms += tuple(stroke for shift in self.shifts for stroke in shift.drawn(hand))
         yield from [Group(arms)] if arms else []
         if self.gear is not None and self.shown.wheel is not None:
             yield Group(self.gear.drawn(hand, self.shown.wheel.whole))
         yield Group((*self.links, *self.marks))
         leads = tuple(held.lead for held in self.arrows if held.lead is not None)
-        forces = (*leads, *(held.arrow.drawn(hand) for held in self.arrows))
+        forces: tuple[Stroke, ...] = (*leads, *(held.arrow.drawn(hand) for held in self.arrows))
         yield from [Group(forces)] if forces else []
         couples = tuple(couple.drawn(hand) for couple in self.couples)
         yield from [Group(couples)] if couples else []
