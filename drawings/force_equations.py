@@ -43,8 +43,10 @@ class Equations:
 
     def _given(self) -> Iterator[Equation]:
         """Tell the known forces and moments, and the arms."""
-        loads = [self.told(one.name, self._size(one.force), "N") for one in self.cut.loads if one.kind != REACTION]
-        couples = [self._couple(one) for one in self.cut.couples if one.kind != REACTION]
+        own = [one for one in self.cut.loads if one.kind != REACTION and self._size(one.force) > 0]
+        loads = [self.told(one.name, self._size(one.force), "N") for one in own]
+        turning = [one for one in self.cut.couples if one.kind != REACTION and self._size(one.moment) > 0]
+        couples = [self._couple(one) for one in turning]
         told = [*loads, *couples]
         if told:
             yield plain(*(f"{one}," if k < len(told) - 1 else one for k, one in enumerate(told)))

@@ -9,7 +9,7 @@ import numpy as np
 
 from drawings.words import number
 from plans.compare import Comparison
-from plans.friction import Friction, friction
+from plans.friction import Friction
 from plans.kinetostatics import Kinetostatics
 from plans.statics import Statics
 
@@ -23,12 +23,8 @@ def forces(comparison: Comparison, statics: Statics) -> Iterator[str]:
     yield from _bodies(statics)
     yield from _reactions(found)
     yield from _gaps(found)
-    if statics.machine.friction:
-        loads = statics.loading(comparison.construction)
-        study = statics.study
-        yield from _friction(
-            friction(study.mechanism, study.groups, statics.machine, comparison.construction, loads, found)
-        )
+    if statics.friction is not None:
+        yield from _friction(statics.friction)
 
 
 def _bodies(statics: Statics) -> Iterator[str]:

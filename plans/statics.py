@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
@@ -22,6 +22,9 @@ from plans.motion import Extremes, Gap, Motion
 from plans.passage import CHANGE, at_angles
 from plans.stroke import Stroke, strokes
 from plans.study import Drafts, Study
+
+if TYPE_CHECKING:
+    from plans.friction import Friction
 
 INDETERMINATE, DEAD = "statically indeterminate", "dead centre"
 
@@ -134,6 +137,17 @@ class Statics:
         named = [*motion.gaps, *(self._gap(int(k)) for k in np.flatnonzero(none))]
         gone = lost | none
         return replace(without(whole, gone) if gone.any() else whole, gaps=tuple(sorted(named, key=_number)))
+
+    @cached_property
+    def friction(self) -> Friction | None:
+        """What friction takes, by construction; None where the scene gives no coefficients."""
+        if not self.machine.friction:
+            return None
+        from plans.friction import friction  # noqa: PLC0415  (only a scene with friction pays for it)
+
+        study, motion = self.study, self.study.motion(2)
+        loads = self.loading(motion)
+        return friction(study.mechanism, study.groups, self.machine, motion, loads, self.forces)
 
     def _gap(self, position: int) -> Gap:
         """Name a position that has a motion, but no forces."""

@@ -16,6 +16,7 @@ from drawings.report import report, shallow, summary
 from drawings.strokes import Run, SheetError, Text
 from drawings.talk import noted, verdict
 from drawings.trace import Trace
+from drawings.words import runs
 from geometry.errors import LimitError
 from plans.compare import Comparison, compare, compare_extremes
 from plans.motion import ORDERS
@@ -37,6 +38,7 @@ class Drawn(NamedTuple):
 
     study: Study
     comparison: Comparison
+    statics: Statics | None  # where a force sheet asks for them
     leaves: Mapping[str, tuple[Leaf, ...]]  # by the kind of the sheet
     paths: tuple[Path, ...]
 
@@ -53,7 +55,7 @@ def run(options: argparse.Namespace) -> int:
         print(said(told, drawn.study.scene.sheet.language), file=sys.stderr)
     if options.trace:
         print(trace.told(drawn.study.made), file=sys.stderr)
-    return _verdict(drawn.study, drawn.comparison)
+    return max(_verdict(drawn.study, drawn.comparison), _jams(drawn))
 
 
 def draw(path: Path, folder: Path, trace: Trace | None = None) -> Drawn:
@@ -164,7 +166,7 @@ def _sheets(study: Study, comparison: Comparison, statics: Statics | None, folde
         with trace.stage("measuring"):
             for path, leaf in zip(written, sheets, strict=True):
                 verify(path, leaf, study, comparison, statics)
-    return Drawn(study, comparison, leaves, (*paths, beside))
+    return Drawn(study, comparison, statics, leaves, (*paths, beside))
 
 
 def _leaves(kind: str, study: Study, comparison: Comparison, statics: Statics | None) -> tuple[Leaf, ...]:
@@ -190,6 +192,19 @@ def _earlier(drawn: Drawn, folder: Path) -> list[Path]:
         further = (_named(folder, stem, kind, k) for k in range(len(leaves), SHEETS_MOST))
         found += list(itertools.takewhile(Path.exists, further))
     return found
+
+
+def _jams(drawn: Drawn) -> int:
+    """Say which pairs jam by friction, and where."""
+    found = drawn.statics.friction if drawn.statics is not None else None
+    if found is None:
+        return 0
+    for pair in dict.fromkeys(jam.pair for jam in found.jams):
+        own = [jam for jam in found.jams if jam.pair == pair]
+        where = runs([jam.position for jam in own], "-")
+        told = f"pair {pair} jams by friction in positions {where}: {own[0].advice}"
+        print(said(told, drawn.study.scene.sheet.language), file=sys.stderr)
+    return GAPS if found.jams else 0
 
 
 def _verdict(study: Study, comparison: Comparison) -> int:

@@ -21,7 +21,7 @@ from drawings.sheets.force_notes import notes
 from drawings.sheets.kinematics import KEPT
 from drawings.sheets.notes import measured, written
 from drawings.shelves import Composed, Content, compose
-from drawings.strokes import Group, Leaf, Stroke
+from drawings.strokes import Group, Leaf, SheetError, Stroke
 from drawings.words import word
 from plans.compare import Comparison
 from plans.cut import Cut, indices
@@ -51,7 +51,21 @@ def sheets(study: Study, comparison: Comparison, statics: Statics) -> tuple[Leaf
 
 def positions(study: Study, comparison: Comparison) -> tuple[int, ...]:
     """Give the positions whose forces are drawn: the scene's own, or the one that is shown in full lines."""
-    return tuple(study.scene.sheet.forces) or (position(study, comparison),)
+    assert comparison.forces is not None  # a force sheet compares them
+    gone = {gap.position for road in comparison.forces for gap in road.gaps}
+    for k in study.scene.sheet.forces:
+        if k in gone:
+            raise SheetError(
+                f"{study.scene.file}: sheet.forces: position {k} has no forces. "
+                f"Fix: choose one of {', '.join(str(n) for n in range(len(study.turn)) if n not in gone)}"
+            )
+    if study.scene.sheet.forces:
+        return tuple(study.scene.sheet.forces)
+    shown = position(study, comparison)
+    free = [k for k in (shown, *range(len(study.turn))) if k not in gone]
+    if not free:
+        raise SheetError(f"{study.scene.file}: no position has forces. {next(iter(comparison.forces[0].gaps)).advice}")
+    return (free[0],)
 
 
 @dataclass(frozen=True)
@@ -132,7 +146,7 @@ class _Draft:
 
     @cached_property
     def said(self) -> list[str]:
-        return notes(self.statics, self.comparison, self.position, self.language)
+        return notes(self.statics, self.position, self.language)
 
     @cached_property
     def pictures(self) -> dict[str, Picture]:
