@@ -10,9 +10,9 @@ X sin beta, more where the ray passes the contact's edge. For a load Q along the
 it grows over all bounds as the ratio f tan beta comes to 1, as the friction angle arctan f comes to 90 degrees - beta,
 and beyond it no X answers. So a slide jams where f (sum of the normal reactions to X) >= its part along the guide. Of a
 rocker that turns about a hinge of the frame, f r >= the arm of the ray about the hinge: the ray cuts the friction
-circle. Either is efficiency <= 0, all of the driving force's work lost in the pair that it drives (Artobolevsky, Theory
-of Mechanisms and Machines, efficiency and self-locking; the friction circle and the edges are those of the textbook's
-chapter 7). Weights, inertia and loads have no say in the ratio, only in whether the link is driven at the moment.
+circle. Either is efficiency <= 0: all of the driving force's work lost in the pair that it drives (Artobolevsky, Theory
+of Mechanisms and Machines, on efficiency and self-locking); the edges are those of the textbook's figure 7.3. Weights,
+inertia and loads have no say in the ratio, only in whether the link is driven at the moment.
 
 The ray joins two hinges, or is square to the slide: RRR and RRP along the rod, RPR and RPP square to the slot through
 the driving hinge, PRP square to the driving guide through the inner hinge. Each pair is taken by itself: friction in
