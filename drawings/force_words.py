@@ -39,7 +39,9 @@ FORCES: Final[dict[str, tuple[str, str]]] = {
     "useful index": ("us", "п.с"),
     "cycle efficiency": ("over the cycle η = {eta}", "за цикл η = {eta}"),
     "wear": ("Shares of wear", "Доли износа"),
-    "jams": ("Jams by friction: pairs {pairs}, positions {positions}", "Самоторможение: пары {pairs}, положения {positions}"),
+    "jams": (
+        "Jams by friction: pairs {pairs}, positions {positions}", "Самоторможение: пары {pairs}, положения {positions}",
+    ),
     "spring": ("spring", "пружина"),
     "coupling": ("coupling", "муфта"),
     "no forces": (

@@ -105,18 +105,16 @@ def friction(
     statics: Kinetostatics,
 ) -> Friction:
     """Find what friction takes from a machine: `motion` and `statics` are of one road, at the same positions (M6)."""
-    rates = {key: rubbing.rate(mechanism, motion, statics.reactions[key]) for key in machine.friction}
+    # A hinge of several links has more pairs than those on which the groups hang, and whose reactions are told.
+    pairs = {key: one for key, one in machine.friction.items() if key in statics.reactions}
+    rates = {key: rubbing.rate(mechanism, motion, statics.reactions[key]) for key in pairs}
     gone = ~np.isfinite(statics.balancing.moment)
     powers = {
         key: np.where(gone, np.nan, rubbing.lost(rubs, statics.reactions[key], rates[key]))
-        for key, rubs in machine.friction.items()
+        for key, rubs in pairs.items()
     }
     useful = np.where(gone, np.nan, rubbing.useful(mechanism, motion, loading))
-    driven = {key: drive for key, drive in locking.drives(groups, statics.reactions) if key in machine.friction}
-    jams = [
-        jam
-        for key, drive in driven.items()
-        for jam in locking.jams(drive, machine.friction[key], rates[key], motion.phi)
-    ]
-    ratios = {key: drive.ratio(machine.friction[key]) for key, drive in driven.items()}
+    driven = {key: drive for key, drive in locking.drives(groups, statics.reactions) if key in pairs}
+    jams = [jam for key, drive in driven.items() for jam in locking.jams(drive, pairs[key], rates[key], motion.phi)]
+    ratios = {key: drive.ratio(pairs[key]) for key, drive in driven.items()}
     return Friction(statics.by, motion.phi, powers, useful, ratios, tuple(sorted(jams, key=lambda jam: jam.position)))

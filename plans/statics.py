@@ -17,8 +17,8 @@ from plans.inventory import machine_of
 from plans.kinetostatics import Balancing, Kinetostatics, Loading, Pair, Reaction, pairs
 from plans.loading import loading
 from plans.machine import Machine
-from plans.mechanism import Output
-from plans.motion import Extremes, Gap, Motion
+from plans.mechanism import Output, StructureError
+from plans.motion import ORDERS, Extremes, Gap, Motion
 from plans.passage import CHANGE, at_angles
 from plans.stroke import Stroke, strokes
 from plans.study import Drafts, Study
@@ -27,6 +27,8 @@ if TYPE_CHECKING:
     from plans.friction import Friction
 
 INDETERMINATE, DEAD = "statically indeterminate", "dead centre"
+SHARED = "the links lie in one line there and may share forces in many ways: take a position beside it"
+UNBOUNDED = "a group is at its dead centre and its reactions grow beyond all bounds: take a position beside it"
 
 
 class ForceDrafts:
@@ -86,7 +88,12 @@ class Statics:
     @cached_property
     def strokes(self) -> Mapping[str, Stroke]:
         """The strokes over which loads change, by construction."""
-        return strokes(self.machine, self.study.mechanism, self.study.output, self._extremes)
+        scene = self.study.scene
+        try:
+            return strokes(self.machine, self.study.mechanism, self.study.output, self._extremes)
+        except StructureError as error:
+            line, column = scene.place(("loads",))
+            raise StructureError(f"{scene.file}:{line}:{column}: loads: {error}", error.links) from None
 
     def _extremes(self, output: Output) -> Extremes | None:
         """Find the extreme positions of an output by construction."""
@@ -130,11 +137,12 @@ class Statics:
         parts = [ForceDrafts(self, drafts) for drafts in self.study.parts()]
         found = [part.read() for part in parts] if len(parts) > 1 else [self.drafts().read()]
         whole = _joined([forces for forces, _ in found])
-        motion = self.study.motion(2)
+        gaps = self.study.motion(2).gaps
         lost = np.zeros(len(whole.phi), dtype=bool)
-        lost[[gap.position for gap in motion.gaps]] = True
+        lost[[gap.position for gap in gaps]] = True
         none = np.concatenate([singular for _, singular in found]) & ~lost
-        named = [*motion.gaps, *(self._gap(int(k)) for k in np.flatnonzero(none))]
+        still = {gap.position: gap.where for gap in gaps if gap.plan == ORDERS[1]}  # held, but in no one way
+        named = [*gaps, *(self._gap(k, still.get(k, "")) for k in (*still, *np.flatnonzero(none).tolist()))]
         gone = lost | none
         return replace(without(whole, gone) if gone.any() else whole, gaps=tuple(sorted(named, key=_number)))
 
@@ -149,15 +157,14 @@ class Statics:
         loads = self.loading(motion)
         return friction(study.mechanism, study.groups, self.machine, motion, loads, self.forces)
 
-    def _gap(self, position: int) -> Gap:
-        """Name a position that has a motion, but no forces."""
+    def _gap(self, position: int, where: str) -> Gap:
+        """Name a position that can be assembled, but has no forces."""
         phi = float(self.study.turn.phi[position])
         changes = [barrier for barrier in self.study.barriers if barrier.kind == CHANGE]
+        at = where or "the force plan"
         if near_edge(np.array([phi]), changes).any():
-            advice = "the links lie in one line there and share forces in many ways; take a position beside it"
-            return Gap(position, phi, "forces", INDETERMINATE, "", 0.0, advice)
-        advice = "a group is at its dead centre: its reactions grow beyond all bounds; take a position beside it"
-        return Gap(position, phi, "forces", DEAD, "", 0.0, advice)
+            return Gap(position, phi, "forces", INDETERMINATE, at, 0.0, SHARED)
+        return Gap(position, phi, "forces", DEAD, at, 0.0, UNBOUNDED)
 
 
 def _number(gap: Gap) -> int:

@@ -107,6 +107,30 @@ GAPS: Mapping[str, str] = {
     "a group is at its dead centre: its velocities have no one value; take a position beside it": (
         "группа Ассура в мёртвом положении, скорости её не определены; возьмите соседнее положение"
     ),
+    "the links lie in one line there and may share forces in many ways: take a position beside it": (
+        "звенья там лежат на одной прямой и делят силы между собой как угодно: возьмите соседнее положение"
+    ),
+    "a group is at its dead centre and its reactions grow beyond all bounds: take a position beside it": (
+        "группа Ассура в мёртвом положении, её реакции неограниченно растут: возьмите соседнее положение"
+    ),
+    "pair {a} jams by friction in positions {positions}: {advice}": (
+        "пара {a} заклинивает от трения в положениях {positions}: {advice}"
+    ),
+    "the ray of transmission is too steep to the guide: make the rod longer, bring the guide nearer to its line of "
+    "force, or lower the coefficient of friction": (
+        "линия передачи силы слишком крута к направляющей: удлините шатун, приблизьте направляющую к линии силы или "
+        "уменьшите коэффициент трения"
+    ),
+    "the ray of transmission passes too far from the middle of the contact: make the contact longer, bring it nearer "
+    "to the ray, or lower the coefficient of friction": (
+        "линия передачи силы проходит слишком далеко от середины ползуна: удлините ползун, приблизьте его к этой линии "
+        "или уменьшите коэффициент трения"
+    ),
+    "the ray of transmission cuts the friction circle of the hinge: make the arm of the driven link longer, or the "
+    "journal's radius or the coefficient of friction smaller": (
+        "линия передачи силы пересекает круг трения шарнира: увеличьте плечо ведомого звена, уменьшите радиус цапфы "
+        "или коэффициент трения"
+    ),
     "{a} and {b} are {apart} m apart, {miss} m less than the slot's offset: make the offset smaller or the "
     "fixed distance larger": (
         "расстояние от {a} до {b} равно {apart} м, на {miss} м меньше смещения направляющей: "
@@ -153,6 +177,10 @@ GAPS: Mapping[str, str] = {
     ),
 }
 SHEETS: Mapping[str, str] = {
+    "sheet.forces: position {position} has no forces. Fix: choose one of {positions}": (
+        "sheet.forces: в положении {position} сил нет. Исправьте: выберите одно из {positions}"
+    ),
+    "no position has forces. {advice}": "ни в одном положении нет сил. {advice}",
     "sheet.format = {format}: not drawn yet. Fix: {either}": (
         "sheet.format = {format}: этот формат пока не чертится. Исправьте: {either}"
     ),
