@@ -67,9 +67,8 @@ class CutLinks:
 
     def name(self, mark: str, place: complex) -> str:
         """Give the letter of a place: the mark's own, or that of the point that lies there."""
-        if mark in self.points:
-            return mark
-        return next((name for name, spot in self.points.items() if abs(spot - place) <= NOTHING * self.reach), mark)
+        here = [name for name, spot in self.points.items() if abs(spot - place) <= NOTHING * self.reach]
+        return mark if mark in here else next(iter(here), mark)
 
     @property
     def guides(self) -> Iterator[tuple[complex, complex]]:
@@ -131,6 +130,7 @@ def _masses(plan: ForcePlan, cut: Cut) -> dict[str, tuple[int, complex]]:
     found = {}
     for link in sorted({load.link for load in cut.loads if load.kind in (WEIGHT, INERTIA)}):
         centre = plan.machine.bodies[link].centre
-        if centre not in plan.mechanism.links[link].points.values():
-            found[f"S{link}"] = link, centre
+        points = plan.mechanism.links[link].points
+        if centre not in points.values():
+            found[f"S{link}'" if f"S{link}" in points else f"S{link}"] = link, centre
     return found

@@ -274,12 +274,12 @@ def test_two_arrows_of_one_line_of_action_do_not_cover_each_other(one: tuple[str
 
 @pytest.mark.parametrize("one", ALL, ids=str)
 def test_every_line_stays_in_the_room_that_was_measured(one: tuple[str, int, int]) -> None:
-    found = drawn(*one)
-    arrows = [held.arrow for held in found.figure.layout.arrows]
-    low = ROOM.centre - complex(ROOM.width, ROOM.height) / 2
-    assert all(
-        low.real < end.real < ROOM.right and low.imag < end.imag < ROOM.top for a in arrows for end in (a.start, a.tip)
-    )
+    layout = drawn(*one).figure.layout
+    box = layout.box
+    assert box is not None
+    for arrow in (held.arrow for held in layout.arrows):
+        for end in (arrow.start, arrow.tip):
+            assert box.left <= end.real <= box.right and box.bottom <= end.imag <= box.top, arrow.letter
 
 
 def test_larger_forces_have_longer_arrows_within_bounds() -> None:
