@@ -192,7 +192,7 @@ def test_the_directions_of_closing_sides_run_past_their_meeting() -> None:
 
 def test_lanes_keep_the_first_and_shift_what_runs_along_it() -> None:
     segments = [(0j, 100 + 0j), (100 + 0j, 40 + 0.2j), (40 + 0.2j, 40 + 60j), (0j, 30 + 0j)]
-    shifts = lanes(segments, 4.0, 10.0)
+    shifts = lanes(segments, 4.0, 12 + 10j)
     assert shifts[0] == 0
     assert shifts[2] == 0
     placed = [moved(one, shift) for one, shift in zip(segments, shifts, strict=True)]
