@@ -26,6 +26,7 @@ BEYOND = 9.0  # mm that an axis goes beyond the graph, for its arrowhead
 MARGINS = Margins(3.2, 1.6, 1.0)  # paper around the graph for letters and numbers, in sizes of a letter
 LETTERS = 18.0  # a graph is drawn at least so many of its letters long: its positions are numbered
 DOT = 0.7  # mm, radius of a point of the curve
+BELOW = -math.pi / 2  # a number stands on the side of its axis away from the ordinate
 LEAST = 0.05  # mm: a shorter ordinate is a point
 
 
@@ -69,7 +70,7 @@ class Graph:
     curve: Curve
     name: str
     lines: tuple[Stroke, ...]
-    stations: tuple[tuple[str, complex], ...]
+    stations: tuple[tuple[str, complex, float], ...]  # number, foot, side of the number
     axes: tuple[tuple[str, complex, float], ...]  # letter, end of the axis, side of the letter
     hand: Hand
 
@@ -77,8 +78,7 @@ class Graph:
         """Give the whole graph, its positions numbered and its axes lettered."""
         hand = self.hand
         written = [labels.beside(end, letter, hand.letter, 1.2, side) for letter, end, side in self.axes]
-        below = -math.pi / 2
-        written += [labels.beside(at, number, hand.number, TICK + 0.6, below) for number, at in self.stations]
+        written += [labels.beside(at, number, hand.number, TICK + 0.6, side) for number, at, side in self.stations]
         return Group((*self.lines, Group(tuple(written))), self.name)
 
 
@@ -106,7 +106,7 @@ def figure(curve: Curve, measure: Picture, spot: Spot, title: str, standard: str
     last = frame.on(TURN)
     ends = (frame.on(0.0).real + 1j * (frame.on(0.0, high).imag + BEYOND), last + BEYOND)
     axes = ((f"{curve.letter}, {word(language, curve.unit)}", ends[0], 0.0), ("φ", ends[1], math.pi / 2))
-    return Graph(curve, measure.name, lines, (*stations, ("0", last)), axes, hand)
+    return Graph(curve, measure.name, lines, (*stations, ("0", last, BELOW)), axes, hand)
 
 
 def _axes(curve: Curve, frame: _Frame, hand: Hand) -> Iterator[Stroke]:
@@ -121,14 +121,16 @@ def _axes(curve: Curve, frame: _Frame, hand: Hand) -> Iterator[Stroke]:
     yield Line(last - 1j * TICK, last + 1j * TICK, hand.other)
 
 
-def _ordinates(curve: Curve, plan: str, frame: _Frame, hand: Hand) -> tuple[list[Stroke], list[tuple[str, complex]]]:
+def _ordinates(
+    curve: Curve, plan: str, frame: _Frame, hand: Hand
+) -> tuple[list[Stroke], list[tuple[str, complex, float]]]:
     """Draw tick, ordinate and point of each position that is no gap; each ordinate can be measured."""
     drawn: list[Stroke] = []
-    stations: list[tuple[str, complex]] = []
+    stations: list[tuple[str, complex, float]] = []
     quantity = frame.scale.letter
     for k, (angle, value) in enumerate(zip(curve.stations, curve.ordinates, strict=True)):
         foot = frame.on(float(angle))
-        stations.append((str(k), foot))
+        stations.append((str(k), foot, -BELOW if value < 0 else BELOW))
         drawn.append(Line(foot - 1j * TICK, foot + 1j * TICK, hand.drafted))
         if math.isnan(value):
             continue

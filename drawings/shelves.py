@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from itertools import pairwise, product
 from typing import NamedTuple, TypeAlias, TypeVar
 
-from drawings.columns import Block, Column, Filled, Zone, filled
+from drawings.columns import Block, Column, Filled, Part, Zone, filled
 from drawings.footing import NARROW, PAD, Foot, Notes, feet
 from drawings.page import Field, Page
 from drawings.picture import Ladder, Picture, Spot
@@ -141,6 +141,9 @@ class _Sheet:
     def best(self, legible: bool = True) -> Composed | None:
         """Find the composition with the largest figures."""
         room, found = room_of(self.page), None
+        own = [self._measured(column) for column in (*self.content.columns, *((one,) for one in self.content.loose))]
+        if sum(_area(column, legible) for column in own) > room.width * room.height:
+            return None
         bases = _best_of(self._feet(room))
         for columns in self._ways(room):
             if sum(_least(column, legible) for column in columns) > room.width:
@@ -221,13 +224,20 @@ def _best_of(ways: Iterable[_Base]) -> list[_Base]:
     return kept
 
 
+def _smallest(part: Part, legible: bool) -> tuple[float, float]:
+    """Give width and height that a part has at least, mm."""
+    if isinstance(part, Block):
+        return part.sizes[0][0], part.sizes[-1][1]
+    sizes = [(rung.wide, rung.high) for rung in part.rungs if not legible or rung.drawn >= part.least]
+    return min(sizes, default=(0.0, 0.0))
+
+
 def _least(column: Column, legible: bool) -> float:
-    """Give a width that a column has at least, mm."""
-    return max(
-        part.sizes[0][0] if isinstance(part, Block)
-        else min((rung.wide for rung in part.rungs if not legible or rung.drawn >= part.least), default=0.0)
-        for part in column
-    )  # fmt: skip
+    return max(_smallest(part, legible)[0] for part in column)
+
+
+def _area(column: Column, legible: bool) -> float:
+    return sum(wide * high for wide, high in (_smallest(part, legible) for part in column))
 
 
 def even(units: Sequence[T]) -> list[tuple[tuple[T, ...], ...]]:

@@ -225,7 +225,8 @@ class Draft:
             self.shown("R_{21}", -R12, on(A), 7.0)
             self.shown("F_z", RZ, wheel.contact, 7.0)
             self.shown("R_{01}", R01, on(SHAFT), unknown=True)
-            self.add(Couple(letter(self.language, "M_{bal}"), on(SHAFT), 1, 10.0 * hand.symbol, math.radians(100), math.pi))
+            balancing = letter(self.language, "M_{bal}")
+            self.add(Couple(balancing, on(SHAFT), 1, 10.0 * hand.symbol, math.radians(100), math.pi))
 
     def polygon(self, name: str, place: Place) -> None:
         value = 0j
