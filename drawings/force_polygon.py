@@ -31,7 +31,7 @@ MARGINS = Margins(3.0, 2.4, 2.4)  # paper around a polygon for its letters, in t
 FLAT = 0.1  # of its length: a polygon that is narrower is drawn in lanes
 LETTERS, EACH = 12.0, 1.6  # a polygon is drawn at least so many letters large, and so many for each of its vectors
 BESIDE = 0.9  # mm from a vector to its letter
-ROOM = 1.9  # sizes of the letters between two lanes that hold a letter between them
+ROOM = 2.7 + 1.9j  # width + 1j * height of a letter between two lanes, in its sizes, with what it keeps clear of them
 PAST = 1.0  # mm that the thin lines to a lane run past it
 # Rounding left where forces cancel, as a share of the greatest: a chain of some ten sides, each rounded a few times.
 ZERO = 256 * EPS

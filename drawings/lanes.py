@@ -31,11 +31,11 @@ def merging(one: Segment, other: Segment) -> bool:
     return run > SHARE * shorter or (abreast and run > most)
 
 
-def lanes(segments: Sequence[Segment], apart: float = APART, room: float = APART) -> list[complex]:
+def lanes(segments: Sequence[Segment], apart: float = APART, room: complex = APART * (1 + 1j)) -> list[complex]:
     """Give the shift of each line, mm, that keeps it from merging with those before it; most have none.
 
-    A shift is square to its line; the lanes are `apart`, but a line between two others has the room of a letter on one
-    of its sides. Of two sides the one with fewer lines beside it is taken, or the outer one.
+    A shift is square to its line; the lanes are `apart`, but a line between two others has the room of a letter, given
+    as its width + 1j * its height, on one of its sides. Of two sides the one with fewer lines beside it is taken, or the outer one.
     """
     middle = sum(((start + end) / 2 for start, end in segments), 0j) / max(len(segments), 1)
     placed: list[Segment] = []
@@ -51,11 +51,12 @@ def moved(segment: Segment, shift: complex) -> Segment:
     return segment[0] + shift, segment[1] + shift
 
 
-def _shift(segment: Segment, placed: Sequence[Segment], middle: complex, steps: tuple[float, float]) -> complex:
+def _shift(segment: Segment, placed: Sequence[Segment], middle: complex, steps: tuple[float, complex]) -> complex:
     """Find the narrowest shift at which a line merges with no other; none where all merge."""
     if segment[0] == segment[1] or not any(merging(segment, other) for other in placed):
         return 0j
-    out, (apart, room) = _outward(segment, middle), steps
+    out, (apart, letter) = _outward(segment, middle), steps
+    room = abs(out.real) * letter.real + abs(out.imag) * letter.imag
     for lane in (apart, room, apart + room, 2 * room, apart + 2 * room, 3 * room):
         free = [shift for shift in (lane * out, -lane * out) if _free(moved(segment, shift), placed, 0.95 * room)]
         if free:

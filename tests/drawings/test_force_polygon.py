@@ -1,0 +1,211 @@
+"""Force polygons: what a ruler finds on them, and whether each force can be read."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from drawings.force_marks import polygon_marks
+from drawings.force_polygon import WHOLE, Polygon, Vector, figure, measured, polygon
+from drawings.hand import hand_of
+from drawings.labelled import unlettered
+from drawings.lanes import lanes, merging, moved
+from drawings.measure import Measured, MeasuredVector, check, measure
+from drawings.page import Field
+from drawings.pens.svg import svg
+from drawings.strokes import Group, Line, Text
+from plans.cut import CLOSING, KNOWN
+from tests.drawings.collisions import collisions
+from tests.drawings.collisions import strokes as flat
+from tests.drawings.force_cases import CASES, Forced, forced, leaf, polygons, sheet, spot
+
+A1 = hand_of("A1")
+ROUNDING = 1e-9  # of the greatest force: what the construction may differ from the equilibrium by
+
+
+def written(name: str, k: int) -> dict[tuple[str, str], MeasuredVector]:
+    return {(one.plan, one.name): one for one in measure(svg(sheet(name, k))).vectors}
+
+
+# methods' worked case M5.7, N: the shaper at 60 degrees, driven by a gear.
+M57 = {
+    ("forces-4-5", "Φ_4"): 14.86350455 + 5.228213782j,
+    ("forces-4-5", "Φ_5"): 123.6578622 + 0j,
+    ("forces-4-5", "G_5"): -245.25j,
+    ("forces-4-5", "F_us"): 1500 + 0j,
+    ("forces-4-5", "R^t_34"): 0.8069359265 + 10.60216184j,
+    ("forces-4-5", "R^n_34"): -1639.328303 + 124.7701104j,
+    ("forces-4-5", "R_34"): -1638.521367 + 135.3722722j,
+    ("forces-4-5", "R_05"): 134.079514j,
+    ("forces-4-5", "R_54"): 1623.657862 - 111.170486j,
+    ("forces-2-3", "Φ_3"): 37.2201641 + 26.14106891j,
+    ("forces-2-3", "R_43"): 1638.521367 - 135.3722722j,
+    ("forces-2-3", "R_12"): -2537.127867 + 335.3600848j,
+    ("forces-2-3", "R_03"): 861.3863359 - 78.97888146j,
+    ("forces-1", "P_bal"): 1290.915752 - 1083.206931j,
+    ("forces-1", "R_21"): 2537.127867 - 335.3600848j,
+    ("forces-1", "R_01"): -3828.043619 + 1477.427016j,
+}  # fmt: skip
+
+
+def test_a_ruler_finds_the_forces_of_the_worked_example() -> None:
+    found = written("shaper at 60", 0)
+    paper = 2 * measure(svg(sheet("shaper at 60", 0))).quantum
+    for key, value in M57.items():
+        assert abs(found[key].value - value) <= paper * found[key].scale + 1e-5, key  # 1e-5 N: their last digit
+        assert abs(found[key].stated - value) <= 1e-5, key
+
+
+@pytest.mark.parametrize("name", sorted(set(CASES) - {"shaper at 60"}))
+def test_every_written_force_is_what_the_equilibrium_of_all_links_gives(name: str) -> None:
+    case = forced(name)
+    for k in range(0, len(case.study.turn), 5):
+        marks = measure(svg(sheet(name, k)))
+        expected = case.expected(k)
+        assert list(check(marks)) == []
+        greatest = max(abs(one.force[k]) for one in expected.found.reactions.values())
+        for group in (*case.study.groups, None):
+            assert list(polygon_marks(marks, expected, case.study.groups, group, ROUNDING * greatest)) == []
+
+
+def test_the_check_sees_a_force_that_is_turned_that_lacks_or_that_nobody_knows() -> None:
+    case, group = forced("four-bar"), forced("four-bar").study.groups[0]
+    marks, expected = measure(svg(sheet("four-bar", 0))), forced("four-bar").expected(0)
+
+    def wrong(*vectors: MeasuredVector) -> list[str]:
+        changed = Measured(vectors, marks.points, marks.metadata, marks.quantum)
+        return list(polygon_marks(changed, expected, case.study.groups, group, 1e-6))
+
+    assert wrong(*marks.vectors) == []
+    for one in marks.vectors:
+        others = [other for other in marks.vectors if other is not one]
+        if one.plan == "forces-2-3":
+            assert wrong(*others, one._replace(value=one.value * 1.01)) != []
+            assert wrong(*others, one._replace(name="F_7")) != []
+            if "^" not in one.name:
+                assert wrong(*others) == [f"{one.name} is missing on forces-2-3 in position 0"]
+    assert wrong() == ["the force plan of 2-3 in position 0 is missing"]
+
+
+@pytest.mark.parametrize("name", sorted(CASES))
+def test_the_sides_of_a_polygon_close_it_and_follow_one_another(name: str) -> None:
+    case = forced(name)
+    for cut in case.plan.cuts:
+        shown = polygon(case.plan, cut, 0)
+        sides = [one for one in shown.vectors if one.kind != WHOLE]
+        greatest = max(abs(one.value) for one in sides)
+        assert abs(sum(one.value for one in sides)) <= ROUNDING * greatest
+        for one, other in zip(sides, sides[1:] + sides[:1], strict=True):
+            assert abs(other.start - one.end) <= ROUNDING * greatest, (one.name, other.name)
+        for whole in (one for one in shown.vectors if one.kind == WHOLE):  # a diagonal joins two corners
+            corners = [one.start for one in sides]
+            for end in (whole.start, whole.end):
+                assert min(abs(end - corner) for corner in corners) <= ROUNDING * greatest
+
+
+@pytest.mark.parametrize("name", sorted(CASES))
+@pytest.mark.parametrize(("paper", "language"), [("A1", "en"), ("A3", "ru")])
+def test_no_letter_touches_a_line_and_each_force_has_its_own(name: str, paper: str, language: str) -> None:
+    for k in range(0, len(forced(name).study.turn), 7):
+        drawn = sheet(name, k, paper, language)
+        assert collisions(drawn) == []
+        assert list(unlettered(drawn)) == []
+
+
+@pytest.mark.parametrize("name", sorted(CASES))
+def test_no_two_vectors_lie_on_one_another(name: str) -> None:
+    for k in range(0, len(forced(name).study.turn), 3):
+        for one in polygons(forced(name), k, A1):
+            lines = [(arrow.vector.name, arrow.ends) for arrow in one.arrows]
+            merged = [(a, b) for i, (a, x) in enumerate(lines) for b, y in lines[:i] if merging(x, y)]
+            assert merged == []
+
+
+def test_a_vector_beside_its_place_keeps_its_value_and_thin_lines_lead_to_it() -> None:
+    """Weights on a vertical guide: the reaction goes back over them, and is drawn in a lane of its own."""
+    down = (Vector("G_2", KNOWN, 0j, -40j), Vector("G_3", KNOWN, -40j, -60j), Vector("R_03", CLOSING, -100j, 100j))
+    shown = Polygon("2-3", True, 0, down, ())
+    measure_ = measured(shown, "forces-2-3-0", A1, "en")
+    placed = spot(measure_, Field(10, 10, 300, 300))
+    drawn = figure(shown, measure_, placed, "", A1, "en")
+    assert [arrow.vector.name for arrow in drawn.arrows if arrow.shift] == ["G_3", "G_2"]  # the longest keeps its place
+    assert len({arrow.shift for arrow in drawn.arrows if arrow.shift}) == 1  # both on one side, in one lane
+    for one in measure(svg(leaf([drawn], A1))).vectors:
+        assert abs(one.value - one.stated) <= 2e-3 * one.scale
+    for arrow in (arrow for arrow in drawn.arrows if arrow.shift):
+        for end in arrow.ends:
+            lead = [
+                line
+                for line in flat(drawn.lines)
+                if isinstance(line, Line) and abs(line.start - (end - arrow.shift)) < 1e-9
+            ]
+            assert any(abs(((line.end - line.start) * arrow.shift.conjugate()).imag) < 1e-9 for line in lead)
+
+
+def test_small_forces_among_huge_ones_are_named_for_the_table() -> None:
+    """The press: 4 MN on the ram, the links' weights are 10^4 times less and more; the polygon closes all the same."""
+    case = forced("press")
+    drawn = polygons(case, 3, A1)[0]
+    assert {"G_4", "G_5", "Φ_4", "Φ_5"} <= set(drawn.faint)
+    assert {arrow.vector.name for arrow in drawn.arrows}.isdisjoint(drawn.faint)
+    assert {"F_us", "R_05", "R_24"}.isdisjoint(drawn.faint)
+
+
+def test_a_force_that_is_zero_is_left_out() -> None:
+    case = Forced(CASES["shaper"]._replace(load=(5, "D", 0j)))
+    names = {one.name for one in polygon(case.plan, case.plan.cuts[0], 2).vectors}
+    assert "F_us" not in names
+    assert {"Φ_5", "G_5", "R_05"} <= names
+
+
+def test_a_polygon_without_any_force_says_so() -> None:
+    case = Forced(CASES["shaper"]._replace(load=(5, "D", 0j), bodies={}))
+    (first, *_) = polygons(case, 2, A1)
+    texts = [stroke.plain for stroke in flat(first.lines) if isinstance(stroke, Text)]
+    assert texts == ["Force plan of group 4-5, position 2", "no force acts: every reaction is zero"]
+
+
+def test_letters_follow_the_language_and_the_letter_of_reactions() -> None:
+    drawn = leaf(list(polygons(forced("shaper at 60"), 0, A1, "ru", "P")), A1)
+    plain = {stroke.plain for stroke in flat(drawn.groups) if isinstance(stroke, Text)}
+    assert {"Pτ34", "Pn34", "P05", "P54", "Fп.с", "Pур", "Φ4"} <= plain
+    assert "План сил группы 4-5, положение 0" in plain
+    assert list(unlettered(drawn)) == []
+
+
+def test_the_directions_of_closing_sides_run_past_their_meeting() -> None:
+    (drawn, *_) = polygons(forced("shaper at 60"), 0, A1)
+    closing = {arrow.vector.name: arrow.ends for arrow in drawn.arrows if arrow.vector.kind == CLOSING}
+    corner = closing["R_05"][1]
+    assert abs(closing["R^n_34"][0] - corner) < 1e-6
+    thin = [
+        line for group in drawn.lines if isinstance(group, Group) for line in flat((group,)) if isinstance(line, Line)
+    ]
+    for start, end in closing.values():
+        along = (end - start) / abs(end - start)
+        beyond = [
+            line for line in thin if line.style == A1.drafted
+            and abs(((line.end - corner) / along).imag) < 1e-6 and abs(line.end - corner) > 5
+        ]  # fmt: skip
+        assert beyond != []
+
+
+def test_lanes_keep_the_first_and_shift_what_runs_along_it() -> None:
+    segments = [(0j, 100 + 0j), (100 + 0j, 40 + 0.2j), (40 + 0.2j, 40 + 60j), (0j, 30 + 0j)]
+    shifts = lanes(segments, 4.0, 12 + 10j)
+    assert shifts[0] == 0
+    assert shifts[2] == 0
+    placed = [moved(one, shift) for one, shift in zip(segments, shifts, strict=True)]
+    assert not any(merging(one, other) for k, one in enumerate(placed) for other in placed[:k])
+    for one, shift in zip(segments, shifts, strict=True):
+        assert abs(((one[1] - one[0]) * shift.conjugate()).real) < 1e-9  # a shift is square to its line
+
+
+def test_an_unknown_position_is_not_finite_and_raises_nothing() -> None:
+    shown = replace_start(polygon(forced("shaper").plan, forced("shaper").plan.cuts[0], 0))
+    assert not np.isfinite(shown.points).all()
+
+
+def replace_start(shown: Polygon) -> Polygon:
+    first, *others = shown.vectors
+    return shown._replace(vectors=(first._replace(value=complex("nan")), *others))
