@@ -62,7 +62,8 @@ class Equations:
     def _moments(self, one: Moments) -> Iterator[Equation]:
         """Write an equation of moments, each force by its arm, and the force or the moment that it gives."""
         unknown = one.found.name
-        armed = [arm for arm in self.arms if arm.about == one.about.name]
+        named = {load.name for load in one.loads} | {unknown}
+        armed = [arm for arm in self.arms if arm.about == one.about.name and arm.name in named]
         terms = [self._term(arm) for arm in armed if arm.name != unknown]
         terms += [self._turning(couple) for couple in one.couples if at(couple.moment.point, self.column).real != 0]
         force = next((arm for arm in armed if arm.name == unknown), None)
@@ -72,8 +73,14 @@ class Equations:
             value, unit = self._size(one.found), "N"
             own = ("+", self.letter(unknown)) if force is None else self._term(force)
         if terms:
-            yield moments(one.about.name, [own, *terms])
+            yield moments(self._about(one), [own, *terms])
         yield plain(self.told(unknown, value, unit))
+
+    def _about(self, one: Moments) -> str:
+        """Name the point of an equation, and the link where both leads have equations about one point."""
+        links = {load.link for load in one.loads} | {couple.link for couple in one.couples}
+        several = len(self.cut.equations) > 1
+        return f"{one.about.name}({min(links)})" if several and links else one.about.name
 
     def _term(self, arm: Leverage) -> tuple[str, str]:
         return "+" if arm.sense > 0 else "−", f"{self.letter(arm.name)}·{arm.letter}"

@@ -20,6 +20,7 @@ class Load(NamedTuple):
     at: Mark
     force: Mark
     kind: str  # weight, inertia, load, or the reaction of a group that was cut off before
+    point: str = ""  # of a load the letter of its point
 
 
 class Couple(NamedTuple):
@@ -44,6 +45,7 @@ class Support(NamedTuple):
     parts: tuple[Mark, ...]  # tangential and normal to the lead, or along and square to the slot
     slide: Slide | None
     moment: Mark | None
+    point: str  # the letter of the hinge, or of the slider's point
 
 
 class Side(NamedTuple):

@@ -80,7 +80,7 @@ class ForcePlan:
     def image(self, load: Load) -> Mark:
         """Give the image of the point of a weight, an inertia force or a load on the velocity plan."""
         if load.kind == LOAD:
-            return self.velocities.point(load.at.name)
+            return self.velocities.point(load.point)
         return self.centre(self.velocities, self.machine.bodies[load.link])
 
     def _load(self, loading: Loading) -> None:
@@ -88,7 +88,8 @@ class ForcePlan:
             mark = self.board.given(load.name, load.force, "load")
             self.given.append(mark)
             if load.link != FRAME:
-                self.loads[load.link].append(Load(load.name, load.link, self.positions.point(load.point), mark, LOAD))
+                at = self.positions.point(load.point)
+                self.loads[load.link].append(Load(load.name, load.link, at, mark, LOAD, load.point))
         for twist in loading.moments:
             mark = self.board.given(twist.name, twist.moment, "load")
             self.given.append(mark)

@@ -125,10 +125,10 @@ def _reaction(places: _Places, numbers: list[Any], count: int) -> Reaction:
     force, r = _row(numbers[places.force], count), _row(numbers[places.r], count)
     force = force if places.told else -force
     if places.along is None:
-        return Reaction(*ends, support.at.name, r, force)
+        return Reaction(*ends, support.point, r, force)
     moment = _row(0.0 if places.moment is None else numbers[places.moment], count).real
     along = _row(numbers[places.along], count)
-    return Reaction(*ends, support.at.name, r, force, moment if places.told else -moment, along)
+    return Reaction(*ends, support.point, r, force, moment if places.told else -moment, along)
 
 
 def _row(value: Any, count: int) -> Any:

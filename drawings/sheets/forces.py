@@ -31,6 +31,7 @@ from plans.statics import Statics
 from plans.structure import formula
 from plans.study import Study
 
+SMALLEST = 1 / 3  # of the largest scheme's extent: the least that another is given room for
 STEPS = 720  # of a graph over a turn: half a degree, less than the width of a line on any sheet
 
 
@@ -153,6 +154,7 @@ class _Draft:
         """All figures, measured, by name."""
         hand, language = self.hand, self.language
         found = {name: loading_scheme.measured(one, name, hand, language) for name, one in self.schemes.items()}
+        found = alike(found)
         found |= {name: force_polygon.measured(one, name, hand, language) for name, one in self.polygons.items()}
         if self.hanging is not None:
             found["lever"] = lever_plan.measured(self.hanging, "lever", hand, language)
@@ -265,6 +267,12 @@ class _Draft:
             "number": number,
             "of": count,
         }
+
+
+def alike(schemes: dict[str, Picture]) -> dict[str, Picture]:
+    """Give small schemes more room than they fill, lest a crank be drawn larger than the mechanism."""
+    least = SMALLEST * max(max(one.wide, one.high) for one in schemes.values())
+    return {name: one._replace(wide=max(one.wide, least), high=max(one.high, least)) for name, one in schemes.items()}
 
 
 def _labels(names: Sequence[str] | dict[str, Spot]) -> list[str]:

@@ -228,12 +228,12 @@ def support(
 ) -> Support:  # fmt: skip
     """Keep the reaction of one link on another; of a sliding pair with the moment that holds the taker's others."""
     if isinstance(joint, str):
-        return Support(*pair, plan.positions.point(joint), force, tuple(parts), None, None)
+        return Support(*pair, plan.positions.point(joint), force, tuple(parts), None, None, joint)
     at = plan.positions.point(joint.point)
     terms = moments(plan, at, others, couples)
     name, why = f"M_{indices(*pair)}", f"moments about {at.name} of link {pair[1]}"
     moment = plan.board.close(name, *terms, why=why) if terms else None
-    return Support(*pair, at, force, tuple(parts), joint, moment)
+    return Support(*pair, at, force, tuple(parts), joint, moment, joint.point)
 
 
 def received(one: Support) -> tuple[list[Load], list[Couple]]:
