@@ -109,4 +109,6 @@ class Equations:
     def _found(self) -> Iterator[Equation]:
         """Tell the reactions that the polygon gives."""
         found = [self.told(one.force.name, self._size(one.force), "N") for one in self.cut.reactions]
+        moments = [one.moment for one in self.cut.reactions if one.moment is not None]
+        found += [self.told(one.name, at(one.point, self.column).real, "N*m") for one in moments if self._size(one) > 0]
         yield plain(*(f"{one}," for one in found[:-1]), found[-1])
