@@ -19,13 +19,19 @@ def run(options: argparse.Namespace) -> int:
     """Print the comparison; give the exit code."""
     study = Study(noted(read_scene(options.scene)))
     comparison = compare_extremes(study, compare(study))
+    if "forces" in study.scene.sheets:
+        from plans.force_comparison import compare_forces
+        from plans.statics import Statics
+
+        comparison = compare_forces(Statics(study), comparison)
     if options.json:
         print(json.dumps({"scene": study.scene.title, "findings": [_plain(f) for f in comparison.findings]}))
     else:
         print(_table(comparison))
     if not comparison.agrees:
         return FAILED
-    return GAPS if comparison.construction.gaps else 0
+    gaps = comparison.construction.gaps if comparison.forces is None else comparison.forces[0].gaps
+    return GAPS if gaps else 0
 
 
 def _table(comparison: Comparison) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import difflib
 import json
+import re
 
 import numpy as np
 
@@ -19,6 +20,7 @@ from plans.plan import Plan
 from plans.scene import read_scene
 from plans.study import Drafts, Study
 
+PAIR = re.compile(r"[RPF]_(?P<giver>\d+?),?(?P<taker>\d+)")  # a reaction: of the first link on the second
 UNITS = {**dict(zip(ORDERS, POINT_UNITS, strict=True)), "forces": "N", "lever": "m/s"}
 
 
@@ -31,7 +33,8 @@ def run(options: argparse.Namespace) -> int:
     study = Study(noted(read_scene(options.scene)))
     position = _position(study, options.position)
     drafts = study.drafts((position,))
-    targets = _force(study, position, options.mark) or find(study, drafts, options.mark)
+    forces, opposite = _force(study, position, options.mark)
+    targets = forces or find(study, drafts, options.mark)
     steps = behind(*targets)
     if options.json:
         print(json.dumps([_plain(mark) for mark in steps], allow_nan=False))
@@ -41,21 +44,31 @@ def run(options: argparse.Namespace) -> int:
     )
     for number, mark in enumerate(steps, 1):
         print(f"{number:>3}. {told(mark, steps)}")
+    if opposite:
+        print(f"     {opposite}")
     if len(targets) > 1:
         print(_rate(options.mark, *targets))
     return 0
 
 
-def _force(study: Study, position: int, name: str) -> list[Mark]:
-    """Find a mark of the force plan: R_34, its parts R^t_34, a load, M_bal; none where the scene has no forces."""
+def _force(study: Study, position: int, name: str) -> tuple[list[Mark], str]:
+    """Find a mark of the force plan: R_34, its parts R^t_34, a load, M_bal; and say so where its opposite was found."""
     if not (study.scene.masses or study.scene.loads) or name in _letters(study):
-        return []
+        return [], ""
+    from plans.cut import indices
     from plans.statics import Statics
 
     board = Statics(study).drafts([position]).plans.plan.board
-    told = name.replace("Phi", "Φ").replace("P_", "R_", 1) if name[:1] == "P" and name[2:3].isdigit() else name
-    told = told.replace("Phi", "Φ")
-    return [board[told]] if told in board else []
+    told = name.replace("Phi", "Φ")
+    if PAIR.fullmatch(told):
+        told = "R" + told[1:]  # whichever letter a sheet has for reactions
+    if told in board and board[told].step.inputs:
+        return [board[told]], ""
+    pair = PAIR.fullmatch(told)
+    opposite = f"R_{indices(int(pair['taker']), int(pair['giver']))}" if pair else ""
+    if opposite in board:
+        return [board[opposite]], f"{name} is the opposite of {opposite}"
+    return ([board[told]], "") if told in board and told != "0" else ([], "")
 
 
 def _letters(study: Study) -> set[str]:
@@ -104,7 +117,9 @@ def find(study: Study, drafts: Drafts, name: str) -> list[Mark]:
     known = [*points, *(f"v_{p}" for p in points), *(f"a_{p}" for p in points)]  # forces are found before
     near = difflib.get_close_matches(name, known, 1)
     hint = f"did you mean {near[0]}? " if near else ""
-    raise UnknownMark(f"no mark is named {name}: {hint}points are {', '.join(sorted(points))}; also v_B, a_B, omega_3")
+    forces = ", R_12, M_bal" if study.scene.masses or study.scene.loads else ""
+    told = f"points are {', '.join(sorted(points))}; also v_B, a_B, omega_3{forces}"
+    raise UnknownMark(f"no mark is named {name}: {hint}{told}")
 
 
 def _plan(drafts: Drafts, symbol: str) -> Plan:
