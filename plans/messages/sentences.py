@@ -235,7 +235,6 @@ SHEETS: Mapping[str, str] = {
     "no mark is named {mark}: {hint}points are {points}; also v_B, a_B, omega_3, R_12, M_bal": (
         "обозначения {mark} нет: {hint}точки: {points}; есть и v_B, a_B, omega_3, R_12, M_bal"
     ),
-    "did you mean {near}? ": "возможно, {near}? ",
     "no mark is named {mark}: points are {points}; also v_B, a_B, omega_3, R_12, M_bal": (
         "обозначения {mark} нет; точки: {points}; есть и v_B, a_B, omega_3, R_12, M_bal"
     ),
