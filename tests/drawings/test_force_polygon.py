@@ -13,7 +13,7 @@ from drawings.lanes import lanes, merging, moved
 from drawings.measure import Measured, MeasuredVector, check, measure
 from drawings.page import Field
 from drawings.pens.svg import svg
-from drawings.strokes import Group, Line, Text
+from drawings.strokes import Group, Line, Text, bounds
 from plans.cut import CLOSING, KNOWN
 from tests.drawings.collisions import collisions
 from tests.drawings.collisions import strokes as flat
@@ -119,6 +119,20 @@ def test_no_two_vectors_lie_on_one_another(name: str) -> None:
             lines = [(arrow.vector.name, arrow.ends) for arrow in one.arrows]
             merged = [(a, b) for i, (a, x) in enumerate(lines) for b, y in lines[:i] if merging(x, y)]
             assert merged == []
+
+
+@pytest.mark.parametrize("name", sorted(CASES))
+def test_the_lines_of_a_figure_stay_on_the_paper_that_it_asked_for(name: str) -> None:
+    case, hair = forced(name), 1e-6
+    for k in range(0, len(case.study.turn), 3):
+        hand = hand_of("A1")
+        cells = [Field(10 + 300 * number, 230, 300 + 300 * number, 450) for number in range(len(case.plan.cuts))]
+        for one, cell in zip(polygons(case, k, hand), cells, strict=True):
+            measure_ = measured(one.shown, "", hand, "en")
+            left, bottom, right, top = spot(measure_, cell).box
+            box = bounds(Group(one.lines))
+            assert left - hair <= box[0] < box[2] <= right + hair
+            assert bottom - hair <= box[1] < box[3] <= top + hair
 
 
 def test_a_vector_beside_its_place_keeps_its_value_and_thin_lines_lead_to_it() -> None:
