@@ -12,10 +12,11 @@ from drawings.figure import Place, Subject, heading
 from drawings.force_letters import REACTION, lettered
 from drawings.hand import Hand
 from drawings.labelled import SEEN
-from drawings.lanes import APART, Segment, lanes, moved
+from drawings.lanes import APART, Box, Segment, lanes, moved
 from drawings.layout import Labels
+from drawings.page import Field
 from drawings.picture import Margins, Picture, Spot, picture
-from drawings.strokes import Group, Line, LineStyle, Stroke, Text, text_width
+from drawings.strokes import LEAN, Group, Line, LineStyle, Stroke, Text, text_width
 from drawings.symbols import arrowhead
 from drawings.vector_plan import BEYOND, LEAST
 from drawings.words import word
@@ -141,7 +142,7 @@ class Figure:
 
 def measured(shown: Polygon, name: str, hand: Hand, language: str) -> Picture:
     """Measure the room that a polygon needs: its points, letters around them, lanes beside a flat one, its heading."""
-    title = text_width(Text(0j, _title(shown, language), hand.title))
+    title = text_width(Text(0j, _title(shown, language), hand.title)) + 2 * LEAN * hand.title
     points = np.array(shown.points)
     wide, high = float(np.ptp(points.real)), float(np.ptp(points.imag))
     beside = 2 * APART * hand.symbol if min(wide, high) < FLAT * max(wide, high) else 0.0
@@ -159,7 +160,7 @@ def figure(
     told = [one for one in shown.vectors if place.length(abs(one.value)) >= LEAST]
     order = sorted((one for one in told if place.length(abs(one.value)) >= SEEN), key=_rank)
     segments = [(place.on(one.start), place.on(one.end)) for one in order]
-    shifts = lanes(segments, APART * hand.symbol, ROOM * hand.letter)
+    shifts = lanes(segments, APART * hand.symbol, ROOM * hand.letter, _inside(spot.box, hand))
     placed = zip(order, segments, shifts, strict=True)
     arrows = tuple(Drawn(one, moved(line, shift), shift) for one, line, shift in placed)
     subject = Subject(shown.plan, SYMBOL, shown.column)
@@ -173,6 +174,12 @@ def figure(
     title = heading(spot.box, _title(shown, language), under, hand)
     lines = (title, *([Group(tuple(thin))] if thin else []), *drawn)
     return Figure(shown, place, lines, arrows, shown.faint(place.scale.mu), hand, language, reactions)
+
+
+def _inside(box: Field, hand: Hand) -> Box:
+    """Give the part of a figure's box that a lane may run in: its letter has room beside it, the heading above."""
+    wide, high = ROOM.real * hand.letter, ROOM.imag * hand.letter
+    return box.left + wide, box.bottom + high, box.right - wide, box.top - 2 * hand.title - hand.text - high
 
 
 def _rank(one: Vector) -> tuple[bool, float]:

@@ -7,6 +7,9 @@ from collections.abc import Sequence
 from typing import TypeAlias
 
 Segment: TypeAlias = tuple[complex, complex]
+Box: TypeAlias = tuple[float, float, float, float]  # left, bottom, right, top
+
+EVERYWHERE: Box = (-math.inf, -math.inf, math.inf, math.inf)
 
 APART = 3.2  # mm between two lanes: the arrowheads of both, 1.8 wide each on A1, and paper between them
 NEAR = 1.0  # mm: lines of 0.7 with their axes nearer than this are one to the eye
@@ -31,17 +34,21 @@ def merging(one: Segment, other: Segment) -> bool:
     return run > SHARE * shorter or (abreast and run > most)
 
 
-def lanes(segments: Sequence[Segment], apart: float = APART, room: complex = APART * (1 + 1j)) -> list[complex]:
+def lanes(
+    segments: Sequence[Segment], apart: float = APART, room: complex = APART * (1 + 1j), inside: Box = EVERYWHERE
+) -> list[complex]:
     """Give the shift of each line, mm, that keeps it from merging with those before it; most have none.
 
-    A shift is square to its line; the lanes are `apart`, but a line between two others has the room of a letter, given
-    as its width + 1j * its height, on one of its sides. Of two sides the one with fewer lines beside it is taken, or the outer one.
+    A shift is square to its line and leads nowhere outside a box; the lanes are `apart`, but a line between two others
+    has the room of a letter, given as its width + 1j * its height, on one of its sides. Of two sides the one with fewer
+    lines beside it is taken, or the outer one.
     """
     middle = sum(((start + end) / 2 for start, end in segments), 0j) / max(len(segments), 1)
     placed: list[Segment] = []
     shifts: list[complex] = []
     for segment in segments:
-        shifts.append(_shift(segment, placed, middle, (apart, room)))
+        merges = segment[0] != segment[1] and any(merging(segment, other) for other in placed)
+        shifts.append(_shift(segment, placed, _lanes(segment, middle, apart, room), inside) if merges else 0j)
         placed.append(moved(segment, shifts[-1]))
     return shifts
 
@@ -51,23 +58,42 @@ def moved(segment: Segment, shift: complex) -> Segment:
     return segment[0] + shift, segment[1] + shift
 
 
-def _shift(segment: Segment, placed: Sequence[Segment], middle: complex, steps: tuple[float, complex]) -> complex:
-    """Find the narrowest shift at which a line merges with no other; none where all merge."""
-    if segment[0] == segment[1] or not any(merging(segment, other) for other in placed):
-        return 0j
-    out, (apart, letter) = _outward(segment, middle), steps
+def _lanes(segment: Segment, middle: complex, apart: float, letter: complex) -> list[tuple[complex, complex, float]]:
+    """Give the shifts to try, the nearest first, the outer one of each pair first; and the room of a letter there."""
+    out = _outward(segment, middle)
     room = abs(out.real) * letter.real + abs(out.imag) * letter.imag
-    for lane in (apart, room, apart + room, 2 * room, apart + 2 * room, 3 * room):
-        free = [shift for shift in (lane * out, -lane * out) if _free(moved(segment, shift), placed, 0.95 * room)]
-        if free:
-            return min(free, key=lambda shift: _crowd(moved(segment, shift), placed))
+    steps = (apart, room, apart + room, 2 * room, apart + 2 * room, 3 * room)
+    return [(step * out, -step * out, room) for step in steps]
+
+
+def _shift(
+    segment: Segment, placed: Sequence[Segment], tries: Sequence[tuple[complex, complex, float]], inside: Box
+) -> complex:
+    """Find the nearest lane that is free, in the box if there is one, or else without room for a letter; or none."""
+    for kept, lettered in ((True, True), (True, False), (False, False)):
+        for *sides, room in tries:
+            free = [
+                (_crowd(line, placed), number, shift)
+                for number, shift in enumerate(sides)
+                if _clear(line := moved(segment, shift), placed)
+                and (not kept or _within(line, inside)) and (not lettered or _roomy(line, placed, 0.95 * room))
+            ]  # fmt: skip
+            if free:
+                return min(free)[2]
     return 0j
 
 
-def _free(segment: Segment, placed: Sequence[Segment], room: float) -> bool:
-    """Tell whether a line merges with no other, and leaves each and itself a side for its letter."""
-    if any(merging(segment, other) for other in placed):
-        return False
+def _clear(segment: Segment, placed: Sequence[Segment]) -> bool:
+    return not any(merging(segment, other) for other in placed)
+
+
+def _within(segment: Segment, inside: Box) -> bool:
+    left, bottom, right, top = inside
+    return all(left <= end.real <= right and bottom <= end.imag <= top for end in segment)
+
+
+def _roomy(segment: Segment, placed: Sequence[Segment], room: float) -> bool:
+    """Tell whether a line leaves each of those beside it, and itself, a side for its letter."""
     every = [segment, *placed]
     return not any(
         len({_left(one, other) for other in every if other is not one and _abreast(one, other, room)}) > 1

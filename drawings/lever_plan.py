@@ -16,9 +16,9 @@ from drawings.force_polygon import ZERO
 from drawings.hand import Hand
 from drawings.lanes import Segment
 from drawings.layout import Labels
-from drawings.lever_layout import BALANCE, LOAD, LONGEST, PAIR, SAME, Push, Reach, Taken, arms, downward, forces
+from drawings.lever_layout import BALANCE, LOAD, PAIR, SAME, Push, Reach, Taken, arms, downward, forces, reach
 from drawings.picture import Margins, Picture, Spot, picture
-from drawings.strokes import Circle, Group, Line, LineStyle, Stroke, Text, text_width
+from drawings.strokes import LEAN, Circle, Group, Line, LineStyle, Stroke, Text, text_width
 from drawings.symbols import HINGE, POINT, fixed_hinge
 from drawings.vector_plan import LEAST, diagram, written
 from drawings.words import word
@@ -132,8 +132,8 @@ class Figure:
 
 def measured(shown: Hanging, name: str, hand: Hand, language: str) -> Picture:
     """Measure the room that a lever needs: its images, the forces and letters around them, its heading."""
-    title = text_width(Text(0j, _title(shown, language), hand.title))
-    side, below, above = (size * hand.letter + LONGEST * hand.symbol for size in MARGINS)
+    title = text_width(Text(0j, _title(shown, language), hand.title)) + 2 * LEAN * hand.title
+    side, below, above = (size * hand.letter + reach(shown.pushes) * hand.symbol for size in MARGINS)
     margins = Margins(side, below, above + 2 * hand.title + hand.text)
     return picture(name, shown.points, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
 
@@ -146,7 +146,7 @@ def figure(
     subject = Subject(PLAN, SYMBOL, shown.column)
     rods = [(Line(place.on(start), place.on(end), _style(thin, hand))) for (start, end), thin in shown.rods]
     rods = [rod for rod in rods if abs(rod.end - rod.start) >= LEAST]
-    taken = Taken([(rod.start, rod.end) for rod in rods], [])
+    taken = Taken([(rod.start, rod.end) for rod in rods], [], spot.box)
     arrows = forces(shown.pushes, place, taken, hand, (language, reactions))
     first = {true: letters.split(" ")[0] for _, letters, true in shown.images}
     reaches = arms(shown.pushes, first, place, taken, language)

@@ -164,8 +164,11 @@ def forced(name: str) -> Forced:
 
 
 def spot(measure: Picture, cell: Field) -> Spot:
-    """Give a picture the largest standard scale at which it fits a cell."""
-    return Spot(cell, measure.ladder(cell.width, cell.height).rungs[0].scale)
+    """Give a picture the largest standard scale at which it fits a cell, and no more paper than it asks for."""
+    scale = measure.ladder(cell.width, cell.height).rungs[0].scale
+    half, centre = complex(*measure.size(scale)) / 2, cell.centre
+    low, high = centre - half, centre + half
+    return Spot(Field(low.real, low.imag, high.real, high.imag), scale)
 
 
 def polygons(

@@ -13,7 +13,7 @@ from drawings.lanes import lanes, merging, moved
 from drawings.measure import Measured, MeasuredVector, check, measure
 from drawings.page import Field
 from drawings.pens.svg import svg
-from drawings.strokes import Group, Line, Text
+from drawings.strokes import Fill, Group, Line, Text, bounds
 from plans.cut import CLOSING, KNOWN
 from tests.drawings.collisions import collisions
 from tests.drawings.collisions import strokes as flat
@@ -121,6 +121,20 @@ def test_no_two_vectors_lie_on_one_another(name: str) -> None:
             assert merged == []
 
 
+@pytest.mark.parametrize("name", sorted(CASES))
+def test_the_lines_of_a_figure_stay_on_the_paper_that_it_asked_for(name: str) -> None:
+    case, hair = forced(name), 1e-6
+    for k in range(0, len(case.study.turn), 3):
+        hand = hand_of("A1")
+        cells = [Field(10 + 300 * number, 230, 300 + 300 * number, 450) for number in range(len(case.plan.cuts))]
+        for one, cell in zip(polygons(case, k, hand), cells, strict=True):
+            measure_ = measured(one.shown, "", hand, "en")
+            left, bottom, right, top = spot(measure_, cell).box
+            box = bounds(Group(one.lines))
+            assert left - hair <= box[0] < box[2] <= right + hair
+            assert bottom - hair <= box[1] < box[3] <= top + hair
+
+
 def test_a_vector_beside_its_place_keeps_its_value_and_thin_lines_lead_to_it() -> None:
     """Weights on a vertical guide: the reaction goes back over them, and is drawn in a lane of its own."""
     down = (Vector("G_2", KNOWN, 0j, -40j), Vector("G_3", KNOWN, -40j, -60j), Vector("R_03", CLOSING, -100j, 100j))
@@ -181,13 +195,27 @@ def test_the_directions_of_closing_sides_run_past_their_meeting() -> None:
     thin = [
         line for group in drawn.lines if isinstance(group, Group) for line in flat((group,)) if isinstance(line, Line)
     ]
+    directions = [line for line in thin if line.style == A1.drafted and abs(line.end - corner) < 10]
     for start, end in closing.values():
         along = (end - start) / abs(end - start)
-        beyond = [
-            line for line in thin if line.style == A1.drafted
-            and abs(((line.end - corner) / along).imag) < 1e-6 and abs(line.end - corner) > 5
+        past = [
+            line for line in directions
+            if abs(((line.end - corner) / along).imag) < 1e-6
+            and ((line.end - corner) * (corner - line.start).conjugate()).real > 0
         ]  # fmt: skip
-        assert beyond != []
+        assert past != []
+
+
+def test_each_vector_ends_in_an_arrowhead() -> None:
+    (drawn, *_) = polygons(forced("shaper at 60"), 0, A1)
+    seen = 0
+    for group in drawn.lines:
+        match group:
+            case Group((Line() as line, Fill() as head)) if group.data.get("kind") == "vector":
+                assert head.points[0] == line.end
+                assert all(abs(corner - line.start) < abs(line.end - line.start) for corner in head.points[1:])
+                seen += 1
+    assert seen == len(drawn.arrows)
 
 
 def test_lanes_keep_the_first_and_shift_what_runs_along_it() -> None:
