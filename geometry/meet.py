@@ -230,14 +230,14 @@ def lever(arm: Vectors, along: Vectors, moment: Sizes) -> Meeting:
     3j
     """
     across = turn = cross(arm, along)
-    square, far, long = across * across, dot(arm, arm), dot(along, along)
+    far, long, off = np.abs(arm), np.abs(along), np.abs(across)
     most = np.maximum.reduce(far, None, initial=0.0) * np.maximum.reduce(long, None, initial=0.0)
-    clear = bool(np.minimum.reduce(square, None, initial=np.inf) > (TANGENCY * EPS) ** 2 * most)
+    clear = bool(np.minimum.reduce(off, None, initial=np.inf) > TANGENCY * EPS * most)
     if not clear:
-        through = square <= (TANGENCY * EPS) ** 2 * far * long
+        through = off <= TANGENCY * EPS * (far * long)
         across, turn = np.where(through, 0.0, across), np.where(through, np.nan, across)
     force = along * (-moment / turn)
-    return Meeting(force, force, across, (arm, along), 0.0, clear)
+    return Meeting(force, force, across, (far, long), 0.0, clear)
 
 
 def _sum(a: Sizes, b: Sizes) -> tuple[Sizes, Sizes]:

@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 
-from geometry.meet import dot
 from plans.kinetostatics import Applied, Loading, Twist
 from plans.machine import ALWAYS, WORKING, Force, Machine, Moment, Spring
 from plans.mechanism import FRAME
@@ -84,7 +83,7 @@ def _moving(speed: Any, growth: Any, motions: Collection[PointMotion | LinkMotio
 
 def _largest(rows: Iterable[Any]) -> float:
     """Give the largest of some vectors over all positions: what is less than its rounding is zero."""
-    return max((float(np.fmax.reduce(dot(row, row), initial=0.0)) for row in rows), default=0.0) ** 0.5
+    return max((float(np.fmax.reduce(np.abs(row), initial=0.0)) for row in rows), default=0.0)
 
 
 def _ends(spring: Spring, motion: Motion) -> Iterator[Applied]:

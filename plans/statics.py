@@ -146,7 +146,9 @@ class Statics:
         if len(self.study.turn) <= BLOCK:
             yield self.drafts()
         else:
-            yield from (ForceDrafts(self, drafts) for drafts, _ in self.study.blocks())  # no longer kept than they are read
+            yield from (
+                ForceDrafts(self, drafts) for drafts, _ in self.study.blocks()
+            )  # no longer kept than they are read
 
     def _gap(self, position: int) -> Gap:
         """Name a position that has a motion, but no forces."""
