@@ -229,12 +229,15 @@ def lever(arm: Vectors, along: Vectors, moment: Sizes) -> Meeting:
     >>> complex(lever(2 + 0j, 1j, -6.0).first)
     3j
     """
-    across = cross(arm, along)
-    through = across**2 <= (TANGENCY * EPS) ** 2 * dot(arm, arm) * dot(along, along)
-    clear = not np.logical_or.reduce(through, None)
-    turn = across if clear else np.where(through, np.nan, across)
+    across = turn = cross(arm, along)
+    far, long, off = np.abs(arm), np.abs(along), np.abs(across)
+    most = np.maximum.reduce(far, None, initial=0.0) * np.maximum.reduce(long, None, initial=0.0)
+    clear = bool(np.minimum.reduce(off, None, initial=np.inf) > TANGENCY * EPS * most)
+    if not clear:
+        through = off <= TANGENCY * EPS * (far * long)
+        across, turn = np.where(through, 0.0, across), np.where(through, np.nan, across)
     force = along * (-moment / turn)
-    return Meeting(force, force, across if clear else np.where(through, 0.0, across), (arm, along), 0.0, clear)
+    return Meeting(force, force, across, (far, long), 0.0, clear)
 
 
 def _sum(a: Sizes, b: Sizes) -> tuple[Sizes, Sizes]:

@@ -19,7 +19,7 @@ from plans.kinetostatics import Balancing, Kinetostatics, Loading, Reaction
 from plans.lever import Lever, lever
 from plans.machine import Machine
 from plans.motion import Floats
-from plans.pattern import Pattern
+from plans.pattern import Pattern, resting
 from plans.plan import Plan
 from plans.redrawing import remade
 from plans.structure import Dyad
@@ -134,4 +134,4 @@ def _reaction(places: _Places, numbers: list[Any], count: int) -> Reaction:
 def _row(value: Any, count: int) -> Any:
     """Give a number as a row: what is the same at all positions takes no room."""
     row = np.asarray(value)
-    return row if row.shape == (count,) else np.broadcast_to(row, count)
+    return row if row.shape == (count,) else resting(row, count)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import Any
 
 import numpy as np
@@ -10,7 +10,7 @@ import numpy as np
 from plans.kinetostatics import Applied, Loading, Twist
 from plans.machine import ALWAYS, WORKING, Force, Machine, Moment, Spring
 from plans.mechanism import FRAME
-from plans.motion import Complexes, Floats, Motion
+from plans.motion import Complexes, Floats, LinkMotion, Motion, PointMotion
 from plans.stroke import KAPPA, ROUNDING, Stroke, asks
 
 APART = 8 * 2.0**-52  # share of two places: points nearer to each other than their rounding are in one place
@@ -60,8 +60,7 @@ def _size(load: Force | Moment, motion: Motion, strokes: Mapping[str, Stroke]) -
 def _course(motion: Motion, point: str) -> Complexes:
     """Give the unit direction in which a point moves, from a rest that in which it will; 0 where it stands for good."""
     _, v, a = motion.points[point]
-    largest = (_largest(other[order] for other in motion.points.values()) for order in (1, 2))
-    along = _moving(v, a, *largest)
+    along = _moving(v, a, motion.points.values())
     with np.errstate(invalid="ignore"):  # a gap is NaN
         return np.asarray(along / np.where(along == 0, 1, np.abs(along)))
 
@@ -69,20 +68,22 @@ def _course(motion: Motion, point: str) -> Complexes:
 def _sense(motion: Motion, link: int) -> Floats:
     """Give the sense in which a link turns, +1 counter-clockwise, from a rest that in which it will."""
     _, omega, epsilon = motion.links[link]
-    largest = (_largest(other[order] for other in motion.links.values()) for order in (1, 2))
-    return np.asarray(np.sign(_moving(omega, epsilon, *largest)))
+    return np.asarray(np.sign(_moving(omega, epsilon, motion.links.values())))
 
 
-def _moving(speed: Any, growth: Any, fastest: float, greatest: float) -> Any:
+def _moving(speed: Any, growth: Any, motions: Collection[PointMotion | LinkMotion]) -> Any:
     """Give a velocity; where it is zero but for rounding, the acceleration, to which the next velocity is parallel."""
     assert speed is not None and growth is not None
-    stays = np.abs(growth) <= KAPPA * ROUNDING * greatest  # kappa once more for every order
-    return np.where(np.abs(speed) <= ROUNDING * fastest, np.where(stays, 0.0, growth), speed)
+    rests = np.abs(speed) <= ROUNDING * _largest(one[1] for one in motions)
+    if not rests.any():
+        return speed
+    stays = np.abs(growth) <= KAPPA * ROUNDING * _largest(one[2] for one in motions)  # kappa once more for every order
+    return np.where(rests, np.where(stays, 0.0, growth), speed)
 
 
 def _largest(rows: Iterable[Any]) -> float:
     """Give the largest of some vectors over all positions: what is less than its rounding is zero."""
-    return max((float(np.nanmax(np.abs(row), initial=0.0)) for row in rows), default=0.0)
+    return max((float(np.fmax.reduce(np.abs(row), initial=0.0)) for row in rows), default=0.0)
 
 
 def _ends(spring: Spring, motion: Motion) -> Iterator[Applied]:

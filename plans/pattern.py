@@ -80,11 +80,11 @@ class Pattern:
     def _resting(self, count: int) -> dict[int, npt.NDArray[Any]]:
         """Give what is the same at all positions as rows of as many."""
         if self._rows[0] != count:
-            self._rows = count, {place: _row(value, count) for place, value in self._still.items()}
+            self._rows = count, {place: resting(value, count) for place, value in self._still.items()}
         return self._rows[1]
 
 
-def _row(value: npt.NDArray[Any], count: int) -> npt.NDArray[Any]:
+def resting(value: npt.NDArray[Any], count: int) -> npt.NDArray[Any]:
     """See a value that is the same at all positions as a row, which takes no room and cannot be written in."""
     row: npt.NDArray[Any] = np.ndarray(count, value.dtype, value, strides=(0,))
     row.flags.writeable = False

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -20,8 +20,9 @@ from plans.machine import Machine
 from plans.mechanism import Output, StructureError
 from plans.motion import ORDERS, Extremes, Gap, Motion
 from plans.passage import CHANGE, at_angles
+from plans.pattern import Pattern
 from plans.stroke import Stroke, strokes
-from plans.study import Drafts, Study
+from plans.study import BLOCK, Drafts, Study
 
 if TYPE_CHECKING:
     from plans.friction import Friction
@@ -38,17 +39,21 @@ class ForceDrafts:
         self.statics, self.drafts = statics, drafts
 
     @cached_property
+    def _below(self) -> tuple[Pattern, list[Any]]:
+        return self.drafts.follow(2)
+
+    @cached_property
     def _followed(self) -> tuple[ForcePattern, list[Any]]:
-        pattern, numbers = self.drafts.follow(2)
-        load = self.loading
+        pattern, numbers = self._below
         found = self.statics.pattern
         assert found.pattern is pattern  # a sweep has one pattern of an order
-        return found, found.follow(numbers, load)
+        return found, found.follow(numbers, self.loading)
 
     @cached_property
     def motion(self) -> Motion:
         """The motion at these positions, reached or not."""
-        return self.drafts.motion(2)
+        pattern, numbers = self._below
+        return pattern.read(numbers, self.drafts.turn)
 
     @cached_property
     def loading(self) -> Loading:
@@ -134,10 +139,11 @@ class Statics:
     @cached_property
     def forces(self) -> Kinetostatics:
         """All reactions and the balancing moment over all positions, what has none left out and named."""
-        parts = [ForceDrafts(self, drafts) for drafts in self.study.parts()]
-        found = [part.read() for part in parts] if len(parts) > 1 else [self.drafts().read()]
-        whole = _joined([forces for forces, _ in found])
-        gaps = self.study.motion(2).gaps
+        found, free = [], True
+        for part in self._parts():
+            found.append(part.read())
+            free = free and part.drafts.free
+        whole, gaps = _joined([forces for forces, _ in found]), () if free else self.study.motion(2).gaps
         lost = np.zeros(len(whole.phi), dtype=bool)
         lost[[gap.position for gap in gaps]] = True
         none = np.concatenate([singular for _, singular in found]) & ~lost
@@ -145,6 +151,13 @@ class Statics:
         named = [*gaps, *(self._gap(k, still.get(k, "")) for k in (*still, *np.flatnonzero(none).tolist()))]
         gone = lost | none
         return replace(without(whole, gone) if gone.any() else whole, gaps=tuple(sorted(named, key=_number)))
+
+    def _parts(self) -> Iterator[ForceDrafts]:
+        """Give the force plans over all positions, in blocks where these are more than those of a sheet."""
+        if len(self.study.turn) <= BLOCK:
+            yield self.drafts()
+        else:  # a block is no longer kept than it is read
+            yield from (ForceDrafts(self, drafts) for drafts, _ in self.study.blocks())
 
     @cached_property
     def friction(self) -> Friction | None:

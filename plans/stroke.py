@@ -55,7 +55,7 @@ class Stroke(NamedTuple):
         else:
             r = motion.points[self.point].r - self.way.through
             beyond = (self.way.direction.conjugate() * r).real - middle
-        return np.asarray(np.clip(beyond / (high - low) + 0.5, 0.0, 1.0))
+        return np.asarray(np.minimum(np.maximum(beyond / (high - low) + 0.5, 0.0), 1.0))
 
 
 def asks(load: Force | Moment) -> bool:

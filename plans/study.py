@@ -200,13 +200,9 @@ class Study:
         """Positions that the mechanism does not reach, or in which it has no one place."""
         if len(self.turn) <= BLOCK:
             return self.drafts().lost
-        return np.concatenate([drafts.lost for drafts, _ in self._blocks()])
+        return np.concatenate([drafts.lost for drafts, _ in self.blocks()])
 
-    def parts(self) -> list[Drafts]:
-        """Give plans over all positions, in blocks where they are more than those of a sheet."""
-        return [self.drafts()] if len(self.turn) <= BLOCK else [drafts for drafts, _ in self._blocks()]
-
-    def _blocks(self) -> Iterator[tuple[Drafts, slice]]:
+    def blocks(self) -> Iterator[tuple[Drafts, slice]]:
         """Give plans block by block, where the positions are more than those of a sheet; they are not kept."""
         for start in range(0, len(self.turn), BLOCK):
             part = slice(start, start + BLOCK)
@@ -257,7 +253,7 @@ class Study:
             drawn = drafts.motion(order)
             return drawn if drafts.free else self._gapped(drawn, drafts.lost, drafts.clear)
         whole, lost, clear = self._unread(order), np.zeros(len(self.turn), dtype=bool), True
-        for drafts, part in self._blocks():
+        for drafts, part in self.blocks():
             _filled(whole, drafts.motion(order), part)
             lost[part] = drafts.lost
             clear = clear and drafts.clear
