@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from plans.extreme import extremes
+from plans.faults import SceneError
 from plans.force_pattern import Drawn, ForcePattern
 from plans.gaps import near_edge
 from plans.inventory import machine_of
@@ -83,7 +84,12 @@ class Statics:
     @cached_property
     def machine(self) -> Machine:
         """Masses, loads, drive and friction of the scene."""
-        return machine_of(self.study.scene, self.study.mechanism)
+        scene = self.study.scene
+        machine = machine_of(scene, self.study.mechanism)
+        borne = any(body.mass or body.inertia for body in machine.bodies.values())
+        if not (borne or machine.forces or machine.moments or machine.springs):
+            raise SceneError([scene.fault(("sheets",), "nothing_acts")])
+        return machine
 
     @cached_property
     def pairs(self) -> tuple[Pair, ...]:

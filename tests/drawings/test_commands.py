@@ -525,7 +525,7 @@ def test_measure_is_not_led_astray_by_moving_the_whole_drawing(run: Run, tmp_pat
         ["draw"],
         ["draw", SHAPER, "--fast"],
         ["solve", SHAPER, "--by", "magic"],
-        ["solve", SHAPER, "--only", "forces"],
+        ["solve", SHAPER, "--only", "moments"],
         ["solve", SHAPER, "--only", ""],
         ["explain", SHAPER],
         ["explain", SHAPER, "B", "--position", "two"],
