@@ -19,6 +19,7 @@ APART = 6.0  # mm between two bands or two parts of the table
 MOST_PARTS = 4  # side by side: more are wider than an A1 sheet
 COLUMNS = ("by plan", "by analysis", "difference")
 DIGITS = 5  # of the largest value of a row; the others keep its decimals
+PLAIN = 1e-3  # a smaller per cent is written by its power of ten
 NOISE = 9  # a difference below 10^-9 % is said to be below it: its own digits differ from machine to machine
 
 
@@ -75,7 +76,12 @@ def _cells(finding: Finding, position: int, language: str) -> tuple[str, str, st
 
 def _per_cent(value: float, language: str) -> str:
     """Write a difference in per cent; below what matters on any sheet its digits are rounding, not result."""
-    return f"<10^{{−{NOISE}}}" if value < 10.0**-NOISE else number(value, language, 2)
+    if value < 10.0**-NOISE:
+        return f"<10^{{−{NOISE}}}"
+    if value < PLAIN:
+        power = math.floor(math.log10(value))
+        return f"{number(value / 10.0**power, language, 2)}·10^{{−{-power}}}"
+    return number(value, language, 2)
 
 
 class Table(NamedTuple):

@@ -31,7 +31,7 @@ from plans.statics import Statics
 from plans.structure import formula
 from plans.study import Study
 
-SMALLEST = 1 / 3  # of the largest scheme's extent: the least that another is given room for
+SMALLEST = 0.6  # of the largest scheme's extent: the least that another is given room for
 STEPS = 720  # of a graph over a turn: half a degree, less than the width of a line on any sheet
 
 
