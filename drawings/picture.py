@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -33,6 +34,7 @@ class Picture(NamedTuple):
     margins: Margins
     heading: float  # mm, width of the heading
     least: float  # mm: lines drawn smaller are hidden by their letters
+    most: float = math.inf  # mm: lines drawn larger would be out of proportion
 
     def size(self, scale: Scale) -> tuple[float, float]:
         """Give width and height on paper, mm, margins and heading included."""
@@ -50,6 +52,7 @@ class Picture(NamedTuple):
         if across <= 0 or up <= 0 or self.heading > width:
             return Ladder(self.name, (), self.least)
         extent, room = (self.wide, across) if self.wide * up >= self.high * across else (self.high, up)
+        room = min(room, self.most)
         rungs: list[Rung] = []
         while len(rungs) < RUNGS and room > 0:
             scale = fitting(extent, room, self.letter, self.unit, standard)

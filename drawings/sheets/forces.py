@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -31,7 +32,7 @@ from plans.statics import Statics
 from plans.structure import formula
 from plans.study import Study
 
-SMALLEST = 0.6  # of the largest scheme's extent: the least that another is given room for
+LARGEST = 2.2  # times the least size at which it is legible: a crank is not drawn larger than the mechanism
 STEPS = 720  # of a graph over a turn: half a degree, less than the width of a line on any sheet
 
 
@@ -154,7 +155,8 @@ class _Draft:
         """All figures, measured, by name."""
         hand, language = self.hand, self.language
         found = {name: loading_scheme.measured(one, name, hand, language) for name, one in self.schemes.items()}
-        found = alike(found)
+        crank = f"scheme-{self.cuts[-1].label}"
+        found[crank] = found[crank]._replace(most=LARGEST * found[crank].least or math.inf)
         found |= {name: force_polygon.measured(one, name, hand, language) for name, one in self.polygons.items()}
         if self.hanging is not None:
             found["lever"] = lever_plan.measured(self.hanging, "lever", hand, language)
@@ -267,12 +269,6 @@ class _Draft:
             "number": number,
             "of": count,
         }
-
-
-def alike(schemes: dict[str, Picture]) -> dict[str, Picture]:
-    """Give small schemes more room than they fill, lest a crank be drawn larger than the mechanism."""
-    least = SMALLEST * max(max(one.wide, one.high) for one in schemes.values())
-    return {name: one._replace(wide=max(one.wide, least), high=max(one.high, least)) for name, one in schemes.items()}
 
 
 def _labels(names: Sequence[str] | dict[str, Spot]) -> list[str]:
