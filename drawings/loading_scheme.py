@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from drawings.figure import Place, heading
+from drawings.force_letters import REACTION
 from drawings.hand import Hand
 from drawings.layout import Labels
 from drawings.leverage import Leverage, leverages
@@ -74,11 +75,13 @@ def _title(shown: Scheme, language: str) -> str:
     return f"{word(language, key, group=shown.cut.label)}, {word(language, 'position', position=shown.column)}"
 
 
-def figure(shown: Scheme, measure: Picture, spot: Spot, scale: str, hand: Hand, language: str) -> Figure:
+def figure(
+    shown: Scheme, measure: Picture, spot: Spot, scale: str, hand: Hand, language: str, reactions: str = REACTION
+) -> Figure:
     """Draw the scheme in its spot, with its title and its written scale above it."""
     place = measure.placed(*spot)
     box = Field(spot.box.left, spot.box.bottom, spot.box.right, spot.box.top - _head(hand))
-    laid = Layout(shown, place, hand, language, box)
+    laid = Layout(shown, place, hand, language, box, reactions)
     title = heading(spot.box, _title(shown, language), f"{scale};  {word(language, 'not to scale')}", hand)
     return Figure(shown, laid, (title, *laid.strokes()), hand)
 

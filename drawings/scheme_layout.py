@@ -15,7 +15,7 @@ from drawings.couples import HALF, THREE_QUARTERS, Couple
 from drawings.dashes import fitted
 from drawings.figure import Place, Subject
 from drawings.force_fan import UNKNOWN, Held, Spoke, fanned, lengths
-from drawings.force_words import letter
+from drawings.force_letters import REACTION, lettered
 from drawings.hand import Hand
 from drawings.page import Field
 from drawings.pairs import Joints
@@ -23,7 +23,6 @@ from drawings.scheme import Scheme
 from drawings.strokes import INK, Circle, Group, Line, Stroke
 from drawings.symbols import ARROW_LENGTH, BLOCK, MASS, POINT, arrowhead, mass_centre
 from drawings.transmission import Gear
-from drawings.vector_plan import written
 
 GUIDE = 16.0  # mm of a guide's axis on either side of its slider
 RADIUS, BLOCKED, APART = 6.5, 9.0, 2.5  # mm: radius of a couple's arc, about a block, and what each further is wider
@@ -78,6 +77,7 @@ class Layout:
     sheet: Hand
     language: str
     box: Field | None  # None: as much room as is asked for
+    reactions: str = REACTION  # the sheet's letter for them
 
     @cached_property
     def joints(self) -> Joints:
@@ -91,7 +91,7 @@ class Layout:
 
     def letter(self, name: str) -> str:
         """Write a force's or a moment's letter as the sheet's language does."""
-        return letter(self.language, written(name))
+        return lettered(name, self.language, self.reactions)
 
     @cached_property
     def links(self) -> list[Stroke]:

@@ -229,10 +229,11 @@ class _Draft:
         for name, spot in composed.pictures.items():
             measure, scale = self.pictures[name], self._scale(spot)
             if name in self.schemes:
-                yield loading_scheme.figure(self.schemes[name], measure, spot, scale, hand, language)
+                shown = self.schemes[name]
+                yield loading_scheme.figure(shown, measure, spot, scale, hand, language, self.reactions)
             elif name in self.polygons:
-                shown = self.polygons[name]
-                yield force_polygon.figure(shown, measure, spot, scale, hand, language, self.reactions)
+                closed = self.polygons[name]
+                yield force_polygon.figure(closed, measure, spot, scale, hand, language, self.reactions)
             elif name in self.hodographs:
                 vector = self.hodographs[name]
                 title = word(language, "hodograph", letter=vector.letter)
