@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
+from hypothesis import settings
 from hypothesis import strategies as st
 
 from geometry.meet import EPS
@@ -33,6 +34,9 @@ from tests.plans.studies import study_of
 
 ROUNDINGS = 16.0  # of the plan's largest, in each of the equations: as of the motion, see chains.allowed
 GALLERY = sorted((Path(__file__).parents[2] / "drawings" / "gallery").glob("*.toml"))
+
+# As many machines as kill every fault of tests/cases/force_faults.toml that is a relation's to see.
+push = settings(max_examples=20)
 
 Joint = tuple[int, str, int]  # link, point, and of a sliding pair the other link, of a hinge -1
 

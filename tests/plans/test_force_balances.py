@@ -8,7 +8,7 @@ from __future__ import annotations
 from math import radians
 
 import numpy as np
-from hypothesis import given, settings
+from hypothesis import given
 
 from geometry.board import at
 from plans.compare import Finding, compare
@@ -20,9 +20,7 @@ from plans.motion import Complexes, Floats, Motion
 from plans.passage import at_angles
 from plans.study import Drafts
 from tests.plans.derivatives import REACH, derivative
-from tests.plans.loaded import Loaded, loaded
-
-push = settings(max_examples=20)
+from tests.plans.loaded import Loaded, loaded, push
 
 
 def findings(one: Loaded) -> tuple[Finding, ...]:

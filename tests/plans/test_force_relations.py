@@ -11,7 +11,7 @@ from dataclasses import replace
 from math import radians
 
 import numpy as np
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from plans.machine import FORCE, MOMENT
@@ -19,10 +19,7 @@ from plans.mechanism import FRAME, Link
 from plans.motion import Motion
 from tests.plans import machine_alterations as altered
 from tests.plans.chains import numbers
-from tests.plans.loaded import Loaded, Told, loaded
-
-# Each draws two machines: as many as kill every fault of tests/cases/force_faults.toml that is theirs to see.
-push = settings(max_examples=20)
+from tests.plans.loaded import Loaded, Told, loaded, push
 
 
 def alike(
