@@ -26,8 +26,9 @@ def positions(plan: Plan, dyad: Dyad, side: Sizes) -> None:
     plan.units[guide.key(inner)] = slot
     left = guide.offset(plan, inner, stone, dyad.hinge(0)).left
     through = guide.shifted(plan, a, slot, -left, f"slot of {dyad.hinge(0)}")
-    n = board.meet(f"N{yoke}", through, guide.line(plan, outer, dyad.hosts[1], 0.0), why="the slot crosses the guide")
-    local = _crossing(inner.way(yoke), outer.way(yoke))
+    local, own = _crossing(inner.way(yoke), outer.way(yoke)), plan.mechanism.links[yoke].points
+    name = next((point for point, place in own.items() if place == local), f"N{yoke}")
+    n = board.meet(name, through, guide.line(plan, outer, dyad.hosts[1], 0.0), why="the slot crosses the guide")
     plan.images[stone] = Image(a, slot, plan.mechanism.links[stone].points[dyad.hinge(0)], inner.way(stone).direction)
     plan.images[yoke] = Image(n, guided, local, outer.way(yoke).direction)
     _read(plan, dyad)

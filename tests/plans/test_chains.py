@@ -13,6 +13,7 @@ from plans.motion import Complexes, Floats, Motion
 from plans.plan import Plan
 from plans.structure import decompose
 from tests.plans.chains import Chain, allowed, chains, studied
+from tests.plans.derivatives import REACH, derivative
 from tests.plans.studies import study_of, value
 
 NEARBY = (0, "0.5", -3, 40)  # degrees from the first position; some are out of reach
@@ -99,19 +100,6 @@ def _images(plan: Plan, link: int, name: str, local: complex) -> tuple[complex, 
     return value(plan.point(name).point), value(plan.place(link, local, f"{name}'").point)
 
 
-STEP = 2.0**-9  # rad: the difference's remainder and the rounding over the step are both far below a wrong formula
-REACH = STEP * np.array([-4, -2, -1, 0, 1, 2, 4])
-
-
-def _derivative(values: Floats | Complexes, margin: float) -> tuple[complex, float]:
-    """Differentiate by the crank angle; what halving the step changes, and the rounding over it, bound the error."""
-    wide, close = (
-        (8 * (values[5] - values[1]) - (values[6] - values[0])) / (24 * STEP),
-        (8 * (values[4] - values[2]) - (values[5] - values[1])) / (12 * STEP),
-    )
-    return complex(close), abs(wide - close) + 2 * margin / STEP
-
-
 @given(chains())
 def test_velocities_and_accelerations_are_the_derivatives(chain):
     drive = chain.mechanism.drive
@@ -135,7 +123,7 @@ def test_velocities_and_accelerations_are_the_derivatives(chain):
 def _differentiated(
     omega: float, epsilon: float, values: tuple[Floats | Complexes, ...], margins: list[float], name: object
 ) -> None:
-    first, error = _derivative(values[0], margins[0])
+    first, error = derivative(values[0], margins[0])
     assert abs(values[1][3] - omega * first) <= abs(omega) * error, name
-    second, error = _derivative(values[1], margins[1])
+    second, error = derivative(values[1], margins[1])
     assert abs(values[2][3] - omega * second - epsilon / omega * values[1][3]) <= abs(omega) * error, name

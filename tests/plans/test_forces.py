@@ -165,3 +165,10 @@ def test_nothing_acts_where_nothing_is_loaded() -> None:
     told = of_road(compared(text), "construction")
     assert told.balancing.moment[0] == 0
     assert told.reactions["0-1"].force[0] == 0
+
+
+def test_a_load_where_the_slot_of_a_sliding_link_crosses_its_guide_has_a_place_on_the_lever() -> None:
+    """That point is found by the construction before it is looked at as the point N of the scene."""
+    comparison = compared(text_of("kind-5", ('point = "S3"', 'point = "N"')))
+    assert comparison.agrees
+    assert [of_road(comparison, road).reactions["0-3"].point for road in ROADS] == ["N", "N"]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import cmath
-from collections.abc import Callable, Mapping
 from dataclasses import replace
 from math import radians
 
@@ -11,14 +10,15 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from plans.mechanism import FRAME, Link, Mechanism, Slide, Way
+from plans.mechanism import FRAME
 from plans.motion import Complexes, Floats, Motion
 from plans.structure import decompose, formula
+from tests.plans import alterations
+from tests.plans.alterations import Map, renamed
 from tests.plans.chains import Chain, allowed, chains, numbers, studied
 from tests.plans.studies import driven
 
 ORDERS = (0, 1, 2)
-Map = Callable[[complex], complex]
 
 
 def vectors(motion: Motion, name: str) -> tuple[Complexes | None, ...]:
@@ -32,27 +32,7 @@ def turns(motion: Motion, link: int) -> tuple[Floats | None, ...]:
 
 def moved(chain: Chain, phi: float, frame: Map, own: Map | None = None) -> Chain:
     """Map the frame and the sketch, and where `own` says so, every link in its own frame."""
-    within = own or (lambda place: place)
-    maps: dict[int, Map] = dict.fromkeys(chain.mechanism.links, within) | {FRAME: frame}
-    old = chain.mechanism
-    links = {n: Link(n, {p: maps[n](z) for p, z in link.points.items()}) for n, link in old.links.items()}
-    slides = tuple(
-        Slide(
-            slide.slider,
-            slide.owner,
-            _way(slide.on_slider, maps[slide.slider]),
-            _way(slide.on_owner, maps[slide.owner]),
-            slide.point,
-            slide.label,
-        )
-        for slide in old.slides
-    )
-    sketch = {name: frame(place) for name, place in old.sketch.items()}
-    return replace(chain, mechanism=replace(old, links=links, slides=slides, sketch=sketch), phi=phi)
-
-
-def _way(way: Way, by: Map) -> Way:
-    return Way(by(way.through), by(way.direction) / abs(by(1 + 0j)))
+    return replace(chain, mechanism=alterations.moved(chain.mechanism, frame, own), phi=phi)
 
 
 @given(chains(), numbers(-180, 180))
@@ -117,30 +97,12 @@ def test_a_faster_crank_stretches_the_plans(chain, times):
             assert old is not None and np.array_equal(times**order * old, vectors(again, name)[order]), (name, order)
 
 
-def renamed(chain: Chain, points: Mapping[str, str], numbers: Mapping[int, int]) -> Mechanism:
-    """Give links other numbers and points other names, and list them all in the order of their new names."""
-    old = chain.mechanism
-    links = {
-        numbers[n]: Link(numbers[n], {points[p]: z for p, z in link.points.items()}) for n, link in old.links.items()
-    }
-    slides = [replace(s, slider=numbers[s.slider], owner=numbers[s.owner]) for s in old.slides]
-    drive = replace(old.drive, link=numbers[old.drive.link], pivot=points[old.drive.pivot], end=points[old.drive.end])
-    return replace(
-        old,
-        links=dict(sorted(links.items())),
-        slides=tuple(reversed(slides)),
-        drive=drive,
-        sketch={points[name]: place for name, place in sorted(old.sketch.items(), reverse=True)},
-        output=None,
-    )
-
-
 @given(chains(), st.randoms(use_true_random=False))
 def test_other_names_and_numbers_change_nothing(chain, chance):
     names, links = list(chain.places), [number for number in chain.mechanism.links if number != FRAME]
     points = dict(zip(names, chance.sample(names, len(names)), strict=True))
     numbers = {FRAME: FRAME} | dict(zip(links, chance.sample(links, len(links)), strict=True))
-    again = studied(replace(chain, mechanism=renamed(chain, points, numbers))).motion()
+    again = studied(replace(chain, mechanism=renamed(chain.mechanism, points, numbers))).motion()
     first = studied(chain).motion()
     for order in ORDERS:
         margin = 2 * allowed(chain, first, order)[0]

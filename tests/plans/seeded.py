@@ -1,0 +1,128 @@
+"""Faults seeded on purpose: a file of the packages is imported with one of its texts replaced, and tests run on it."""
+
+from __future__ import annotations
+
+import sys
+import tomllib
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from importlib.machinery import ModuleSpec, SourceFileLoader
+from importlib.util import spec_from_file_location
+from pathlib import Path
+from types import CodeType
+from typing import Any, NamedTuple
+
+import pytest
+from hypothesis import Phase, settings
+
+ROOT = Path(__file__).parents[2]
+FOLDER = "tests/plans"  # of the tests that the table names
+OWN = ("geometry", "plans", "drawings", "tests")
+# The first example that fails is enough: none is looked for that is smaller.
+settings.register_profile(
+    "seeded", derandomize=True, deadline=None, phases=(Phase.explicit, Phase.generate), report_multiple_bugs=False
+)
+# A run within a run: what is imported already stays as it is, and what the outer run keeps is left to it.
+QUIET = (
+    *("-q", "--hypothesis-profile=seeded", "-W", "ignore::pytest.PytestAssertRewriteWarning"),
+    *("-p", "no:cacheprovider", "-p", "no:faulthandler", "-p", "no:xdist"),
+)
+SEEN = (AssertionError, pytest.fail.Exception)  # a test says no; any other exception is a fault in the table
+
+
+class Fault(NamedTuple):
+    """A wrong formula: the text of a file, what replaces it, and the tests that must see it."""
+
+    name: str
+    file: str
+    right: str
+    wrong: str
+    seen_by: tuple[str, ...]
+
+    @property
+    def text(self) -> str:
+        """The file with the fault; its text must be there exactly once, or the table has been left behind."""
+        text = (ROOT / self.file).read_text(encoding="utf-8")
+        count = text.count(self.right)
+        assert count == 1, f"{self.file} has {count} times what the fault {self.name!r} replaces. Fix: renew its text"
+        return text.replace(self.right, self.wrong)
+
+    @property
+    def nodes(self) -> list[str]:
+        """The tests that must see it, as pytest names them."""
+        return [f"{FOLDER}/{test}" for test in self.seen_by]
+
+
+def faults(path: Path) -> list[Fault]:
+    """Read a table of faults."""
+    table = tomllib.loads(path.read_text(encoding="utf-8"))
+    return [Fault(**{**one, "seen_by": tuple(one["seen_by"])}) for one in table["faults"]]
+
+
+class _Loader(SourceFileLoader):
+    """Loads one module from another text than its file's."""
+
+    def __init__(self, fullname: str, fault: Fault) -> None:
+        super().__init__(fullname, str(ROOT / fault.file))
+        self.text = fault.text
+
+    def get_code(self, fullname: str) -> CodeType:
+        return self.source_to_code(self.text.encode(), self.path)
+
+
+class _Finder:
+    """Finds the module of a fault before anything else does."""
+
+    def __init__(self, fault: Fault) -> None:
+        self.name = fault.file.removesuffix(".py").replace("/", ".")
+        self.loader = _Loader(self.name, fault)
+
+    def find_spec(self, fullname: str, path: Any = None, target: Any = None) -> ModuleSpec | None:
+        if fullname != self.name:
+            return None
+        return spec_from_file_location(fullname, self.loader.path, loader=self.loader)
+
+
+@contextmanager
+def seeded(fault: Fault) -> Iterator[None]:
+    """Import all own modules afresh, one of them with the fault; afterwards those of before are back."""
+
+    def own() -> dict[str, Any]:
+        return {name: module for name, module in sys.modules.items() if name.partition(".")[0] in OWN}
+
+    finder, before = _Finder(fault), own()
+    for name in before:
+        del sys.modules[name]
+    sys.meta_path.insert(0, finder)
+    try:
+        yield
+    finally:
+        sys.meta_path.remove(finder)
+        for name in own():
+            del sys.modules[name]
+        sys.modules.update(before)
+        settings.load_profile("same")
+
+
+class _Verdicts:
+    """What became of each test: passed, red, or what else was raised."""
+
+    def __init__(self) -> None:
+        self.of: dict[str, str] = {}
+
+    def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
+        if report.when == "call":
+            self.of.setdefault(report.nodeid, report.outcome)
+
+    def pytest_exception_interact(self, node: Any, call: pytest.CallInfo[Any], report: Any) -> None:
+        assert call.excinfo is not None
+        raised = call.excinfo.value
+        self.of[node.nodeid] = "red" if isinstance(raised, SEEN) else f"{type(raised).__name__}: {raised}"
+
+
+def verdicts(fault: Fault, nodes: Sequence[str]) -> dict[str, str]:
+    """Run some tests on the packages with a fault: "passed" or "red", or what else was raised."""
+    told = _Verdicts()
+    with seeded(fault):
+        pytest.main([*QUIET, *(str(ROOT / node) for node in nodes)], plugins=[told])
+    return told.of

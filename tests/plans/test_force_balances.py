@@ -1,0 +1,140 @@
+"""Balances of the forces of any machine: links, groups and the whole, power, Zhukovsky's lever, energy, momentum.
+
+Power and lever use the plan's own inertia forces; energy and momentum are of masses and velocities alone.
+"""
+
+from __future__ import annotations
+
+from math import radians
+
+import numpy as np
+from hypothesis import given
+
+from geometry.board import at
+from plans.compare import Finding, compare
+from plans.equilibrium import EQUILIBRIUM
+from plans.force_comparison import compare_forces
+from plans.kinetostatics import Kinetostatics
+from plans.mechanism import FRAME
+from plans.motion import Complexes, Floats, Motion
+from plans.passage import at_angles
+from plans.study import Drafts
+from tests.plans.derivatives import REACH, derivative
+from tests.plans.loaded import Loaded, loaded, push
+
+
+def findings(one: Loaded) -> tuple[Finding, ...]:
+    """Give what is found of the forces beside what the analysis and the balances say."""
+    return compare_forces(one.statics, compare(one.study)).findings
+
+
+@push
+@given(loaded())
+def test_every_link_every_group_and_the_whole_are_in_equilibrium(one):
+    sums = [found for found in findings(one) if found.plan == EQUILIBRIUM and found.name != "power"]
+    assert len(sums) == 2 * (len(one.mechanism.links) - 1 + len(one.study.groups) + 1)
+    for found in sums:
+        assert found.excess[0] <= 1, found.name
+
+
+@push
+@given(loaded())
+def test_all_forces_together_have_no_power(one):
+    (found,) = (found for found in findings(one) if found.name == "power")
+    assert found.excess[0] <= 1
+
+
+@push
+@given(loaded())
+def test_the_energy_of_masses_and_weights_changes_by_the_work_of_drive_and_loads(one):
+    (found,) = (found for found in findings(one) if found.name == "M_bal energy")
+    assert found.excess[0] <= 1
+
+
+@push
+@given(loaded())
+def test_zhukovskys_lever_asks_of_the_drive_what_the_primary_link_does(one):
+    lever = one.statics.drafts().plans.lever
+    hung = 0.0 if lever is None else at(lever.moment.point, 0).real
+    assert abs(hung - one.told.balancing) <= one.told.turning
+
+
+@push
+@given(loaded())
+def test_a_slide_presses_square_to_its_line(one):
+    found = one.statics.forces
+    for key, reaction in found.reactions.items():
+        if reaction.along is not None:
+            assert abs((reaction.along.conj() * reaction.force).real[0]) <= one.told.slack, key
+
+
+# The whole machine: what acts on it from outside is the rate of its momentum
+
+
+@push
+@given(loaded())
+def test_outer_forces_and_moments_are_the_rate_of_momentum_of_the_whole(one):
+    """Sum F = d/dt sum m v_S, and about the shaft sum M = d/dt sum (r x m v_S + J omega), by differences."""
+    drive = one.mechanism.drive
+    motion = Drafts(one.study, at_angles(radians(one.phi) + REACH)).motion(1)
+    momentum, spin = _momentum(one, motion)
+    if not np.isfinite(momentum).all():
+        return  # a dead centre is as near as the step
+    force, moment = _outer(one)
+    fastest = max(float(np.abs(point.v).max()) for point in motion.points.values() if point.v is not None)
+    weight = sum((body.mass for body in one.machine.bodies.values()), 0.0)
+    told = one.told
+    for rows, sum_, slack, size in (
+        (momentum, force, told.slack, weight * fastest),
+        (spin, moment, told.turning, weight * fastest * one.size),
+    ):
+        slope, error = derivative(rows, one.margin * size)
+        rate = drive.omega * slope + drive.epsilon / drive.omega * rows[len(REACH) // 2]
+        assert abs(sum_ - rate) <= len(told.forces) * slack + abs(drive.omega) * error
+
+
+def _momentum(one: Loaded, motion: Motion) -> tuple[Complexes, Floats]:
+    """Give the momentum N*s, and its moment about the shaft, from places and velocities alone."""
+    momentum, spin = np.zeros(len(motion.phi), dtype=complex), np.zeros(len(motion.phi))
+    for body in one.machine.bodies.values():
+        link = motion.links[body.link]
+        place, v = _centre(one, motion, body.link, body.centre)
+        momentum = momentum + body.mass * v
+        spin = spin + body.mass * cross(place, v) + body.inertia * link.omega
+    return momentum, spin
+
+
+def _centre(one: Loaded, motion: Motion, link: int, own: complex) -> tuple[Complexes, Complexes]:
+    """Give place and velocity of a point of a link."""
+    name, first = next(iter(one.mechanism.links[link].points.items()))
+    point, turned = motion.points[name], motion.links[link]
+    arm = (own - first) * np.exp(1j * turned.angle)
+    return point.r + arm, point.v + 1j * turned.omega * arm
+
+
+def _outer(one: Loaded) -> tuple[complex, float]:
+    """Sum up what acts from outside: reactions of the frame, loads, weights, what drives; moments about the shaft."""
+    found, motion, loading = one.statics.forces, one.motion, one.loading
+    outer = [
+        (r.r[0], r.force[0], 0.0 if r.moment is None else r.moment[0])
+        for r in found.reactions.values()
+        if r.giver == FRAME
+    ]
+    outer += [(motion.points[load.point].r[0], load.force[0], 0.0) for load in loading.forces]
+    outer += [(0j, 0j, twist.moment[0]) for twist in loading.moments]
+    for body in one.machine.bodies.values():
+        place, _ = _centre(one, motion, body.link, body.centre)
+        outer.append((place[0], body.mass * one.machine.gravity, 0.0))
+    outer.append(_driven(found))
+    return sum(f for _, f, _ in outer), sum(float(cross(r, f)) + m for r, f, m in outer)
+
+
+def _driven(found: Kinetostatics) -> tuple[complex, complex, float]:
+    told = found.balancing
+    if told.force is None or told.r is None:
+        return 0j, 0j, told.moment[0]
+    return told.r[0], told.force[0], 0.0
+
+
+def cross(arm: Complexes, force: Complexes) -> Floats:
+    return np.asarray((np.conj(arm) * force).imag)

@@ -1,0 +1,36 @@
+"""Forty wrong formulas of force analysis, each of which must be seen by the tests that are named beside it.
+
+`python -m tests.plans.kill_matrix` prints which relation sees which of them.
+"""
+
+from __future__ import annotations
+
+import ast
+from pathlib import Path
+
+import pytest
+
+from tests.plans.seeded import FOLDER, ROOT, Fault, faults, verdicts
+
+FAULTS = faults(Path(__file__).parents[1] / "cases" / "force_faults.toml")
+HARMLESS = Fault(
+    "fewer examples", f"{FOLDER}/loaded.py", "push = settings(max_examples=20)", "push = settings(max_examples=2)", ()
+)
+
+
+@pytest.mark.parametrize("fault", FAULTS, ids=lambda fault: fault.name)
+def test_a_fault_is_seen_by_the_tests_named_beside_it(fault):
+    assert verdicts(fault, fault.nodes) == dict.fromkeys(fault.nodes, "red")
+
+
+def test_a_harmless_change_is_seen_by_none_of_them():
+    nodes = sorted({node for fault in FAULTS for node in fault.nodes})
+    assert verdicts(HARMLESS, nodes) == dict.fromkeys(nodes, "passed")
+
+
+def test_every_relation_and_every_balance_sees_a_fault():
+    named = {test.partition("[")[0] for fault in FAULTS for test in fault.seen_by}
+    for file in ("test_force_relations.py", "test_force_balances.py"):
+        for node in ast.parse((ROOT / FOLDER / file).read_text(encoding="utf-8")).body:
+            if isinstance(node, ast.FunctionDef) and node.name.startswith("test_"):
+                assert f"{file}::{node.name}" in named, node.name
