@@ -31,6 +31,7 @@ from plans.study import Study
 FORCES_CONSTRUCTED, FORCES_ANALYSED = "construction: forces", "analysis: forces"
 LEVER, POWER, ENERGY = CHECKS = ("check: lever", "check: power", "check: energy")
 TECHNIQUES = (FORCES_CONSTRUCTED, FORCES_ANALYSED, *CHECKS)
+ENERGY_MOST = 1000  # positions: each takes eight others solved around it
 WITH_MOTION, LOADED = "with its kinematics", "reactions and M_bal at once, with its kinematics"
 OVER_PLANS, OVER_MOTION = "M_bal alone, over the force plan", "M_bal alone, over the analysis's motion and loads"
 
@@ -76,8 +77,7 @@ class ForceGround:
 
     def analysed(self) -> Kinetostatics:
         """Solve the equations of all links at once."""
-        road = self._road()
-        motion = road.motion(self.study.turn.phi)
+        road, motion = self._marched()
         loads = loading(self.statics.machine, motion, self._strokes)
         return kinetostatics(road, self.statics.machine, motion, loads, self.statics.pairs)
 
@@ -95,6 +95,10 @@ class ForceGround:
 
     def energy(self) -> Floats:
         """Balance the energy; NaN where that is not judged."""
+        if len(self.study.turn) > ENERGY_MOST:
+            raise DraftError(
+                f"the energy balance of more than {ENERGY_MOST} positions, each a millisecond, tells no more"
+            )
         road, motion, loads = self._solved
         return energy_balance(road, self.statics.machine, motion, loads).moment
 
@@ -109,19 +113,20 @@ class ForceGround:
             return Errors({})
         return errors({(MOMENT, BALANCING): moment[judged]}, self.truth.at(judged), self.largest)
 
-    def _road(self) -> Analysis:
-        return Analysis(self.study.mechanism, first=self.study.scene.drive.first is not None)
+    def _marched(self) -> tuple[Analysis, Motion]:
+        road = Analysis(self.study.mechanism, first=self.study.scene.drive.first is not None)
+        return road, road.motion(self.study.turn.phi)
 
     @cached_property
     def _solved(self) -> tuple[Analysis, Motion, Loading]:
-        road = self._road()
-        motion = road.motion(self.study.turn.phi)
+        """What the checks stand on."""
+        road, motion = self._marched()
         return road, motion, loading(self.statics.machine, motion, self._strokes)
 
     @cached_property
     def _strokes(self) -> dict[str, Stroke]:
-        road = self._road()
-        road.motion(self.study.turn.phi)
+        """The strokes by analysis: once a scene, as those of the construction."""
+        road, _ = self._marched()
         return strokes(self.statics.machine, self.study.mechanism, self.study.output, road.extremes)
 
     @cached_property
@@ -132,11 +137,12 @@ class ForceGround:
         return parts
 
 
+# A way to the forces: its name, what is run, how that is judged, and a note.
 Way = tuple[str, Callable[[], Any], Callable[[Any], Errors], str]
 
 
 def ways(found: ForceGround) -> list[Way]:
-    """List the ways to the forces: name, what is run, how it is judged, and a note."""
+    """List the ways to the forces."""
     return [
         (FORCES_CONSTRUCTED, found.constructed, found.judge, WITH_MOTION),
         (FORCES_ANALYSED, found.analysed, found.judge, LOADED),
