@@ -73,6 +73,12 @@ class ForcePattern:
         """Work out the numbers of the lever over those of the force plan."""
         return self._hung.follow_on(numbers, {})
 
+    def hung(self, numbers: list[Any], count: int) -> Floats | None:
+        """Read the balancing moment off the lever."""
+        if self.lever is None:
+            return None
+        return np.asarray(_row(self.hang(numbers)[self._hung.place(self.lever.moment)], count).real)
+
     def _found(self, support: Support) -> _Places:
         place, along = self.tracing.place, None
         if support.slide is not None:

@@ -19,7 +19,7 @@ from plans.kinetostatics import Balancing, Kinetostatics, Loading, Pair, Reactio
 from plans.loading import loading
 from plans.machine import Machine
 from plans.mechanism import Output, StructureError
-from plans.motion import ORDERS, Extremes, Gap, Motion
+from plans.motion import ORDERS, Extremes, Floats, Gap, Motion
 from plans.passage import CHANGE, at_angles
 from plans.pattern import Pattern
 from plans.stroke import Stroke, strokes
@@ -73,6 +73,11 @@ class ForceDrafts:
         turn = self.drafts.turn
         found = pattern.read(numbers, turn.phi)
         return found, pattern.singular(numbers, len(turn))
+
+    def hung(self) -> Floats | None:
+        """Work out the balancing moment by the lever; None where nothing moves."""
+        pattern, numbers = self._followed
+        return pattern.hung(numbers, len(self.drafts.turn))
 
 
 class Statics:
@@ -146,7 +151,7 @@ class Statics:
     def forces(self) -> Kinetostatics:
         """All reactions and the balancing moment over all positions, what has none left out and named."""
         found, free = [], True
-        for part in self._parts():
+        for part in self.parts():
             found.append(part.read())
             free = free and part.drafts.free
         whole, gaps = _joined([forces for forces, _ in found]), () if free else self.study.motion(2).gaps
@@ -158,7 +163,7 @@ class Statics:
         gone = lost | none
         return replace(without(whole, gone) if gone.any() else whole, gaps=tuple(sorted(named, key=_number)))
 
-    def _parts(self) -> Iterator[ForceDrafts]:
+    def parts(self) -> Iterator[ForceDrafts]:
         """Give the force plans over all positions, in blocks where these are more than those of a sheet."""
         if len(self.study.turn) <= BLOCK:
             yield self.drafts()

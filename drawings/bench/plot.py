@@ -11,9 +11,11 @@ from collections.abc import Sequence
 from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from drawings.bench.force_sheet import FORCES_BY_HAND
 from drawings.bench.sheet import BY_HAND, MEASURED, PRINTED
 from geometry.meet import EPS
 from plans.bench.draughtsman import SLIPS
+from plans.bench.forces import ENERGY, FORCES_ANALYSED, FORCES_CONSTRUCTED, LEVER, POWER
 from plans.bench.peers import MECHANISM, PYLINKAGE
 from plans.bench.result import Bench, Row
 from plans.bench.roads import CONSTRUCTION, REPLAY, ROUNDING, TOLERANCES, newton
@@ -32,6 +34,7 @@ ERROR = (
     "Error: the largest difference from the 50-digit replay of r, v, a of points and angle, omega, epsilon of links, "
     "each relative to the largest of its plan."
 )
+OF_FORCES = "Of forces: of reactions and moments; F: forces by hand."
 
 
 class Look(NamedTuple):
@@ -61,6 +64,11 @@ LOOKS = {
     PRINTED: Look("D", True, "-."),
     PYLINKAGE: Look("P", False, "-"),
     MECHANISM: Look("X", True, "-"),
+    FORCES_CONSTRUCTED: Look("s", True, "-"),
+    FORCES_ANALYSED: Look("v", True, "-"),
+    LEVER: Look("<", False, ":"),
+    POWER: Look(">", False, "--"),
+    ENERGY: Look("d", False, "-."),
 }
 STYLE: Any = {  # matplotlib's own settings, named as it names them
     "svg.hashsalt": "plandraft",  # the same numbers, the same bytes
@@ -158,6 +166,7 @@ def _level(axes: Axes, error: float, text: str, above: float) -> None:
 def _untimed(axes: Axes, rows: Sequence[Row]) -> None:
     """Draw the hands beside: the median of the chance drawings, and up to where 95 of 100 are."""
     names = {BY_HAND.format(slip): f"{slip:g}" for slip in SLIPS}
+    names |= {FORCES_BY_HAND.format(slip): f"F {slip:g}" for slip in SLIPS}
     hands = [(names[r.technique], r.error, r.often) for r in rows if r.technique in names and r.error and r.often]
     for place, (_, middle, most) in enumerate(hands):
         axes.plot([place, place], [middle, most], color="black", linewidth=0.9)
@@ -183,7 +192,8 @@ def _spots(rows: Sequence[Row], name: str) -> list[Spot]:
 
 def _foot(bench: Bench, counts: Sequence[int]) -> str:
     told = ", ".join(f"{count:,}".replace(",", " ") for count in counts)
+    error = f"{ERROR} {OF_FORCES}" if any(row.technique == FORCES_CONSTRUCTED for row in bench.rows) else ERROR
     return (
-        f"{ERROR}\nMarkers from small to large: {told} positions. By hand: the median of chance drawings, and the bar "
+        f"{error}\nMarkers from small to large: {told} positions. By hand: the median of chance drawings, and the bar "
         f"that 95 of 100 keep under.\nMachine: {bench.machine.written()}"
     )

@@ -9,17 +9,20 @@ from pathlib import Path
 
 import numpy as np
 
-from drawings.bench import sheet
+from drawings.bench import force_sheet, sheet
+from drawings.bench.force_sheet import FORCES_BY_HAND, SCALED
 from drawings.bench.startup import startup
 from geometry.errors import DraftError
 from plans.bench import draughtsman
 from plans.bench.draughtsman import Toll
-from plans.bench.error import DEFINED, SIZED, TRUE, Errors, sizes
+from plans.bench.error import DEFINED, FORCES_DEFINED, SIZED, TRUE, Errors, sizes
+from plans.bench.forces import FORCES_ANALYSED, FORCES_CONSTRUCTED, asked
 from plans.bench.machine import machine
 from plans.bench.peers import MECHANISM, PYLINKAGE
 from plans.bench.result import Bench, Goal, Ratio, Row
 from plans.bench.roads import CONSTRUCTION, ROUNDING, compared, ground, prepared, roads, timed
 from plans.scene import Scene
+from plans.study import Study
 
 SAMPLE = 24  # positions at which the truth is found: each takes 10 ms and more, and more of them show no other error
 BUDGET = 1.0  # seconds of a row, after which it is repeated no more: the whole stays within a minute
@@ -33,6 +36,8 @@ GOALS: Mapping[tuple[str, int], Goal] = {
     (PYLINKAGE, 360): Goal(2.0),
     (PYLINKAGE, 100_000): Goal(8.0),
     (MECHANISM, 360): Goal(1000.0),
+    # Forces take about as many acts as the motion that they rest on, and are read and judged besides.
+    (FORCES_CONSTRUCTED, 360): Goal(3.0, least=False),
 }
 PENS, PENS_GOAL = "writing the sheet: svgwrite's defaults / ours", Goal(5.0)
 NO_SHEET = f"a sheet shows at most {sheet.DRAWN} positions"
@@ -70,6 +75,8 @@ def session(scene: Scene, order: Order, tell: Callable[[str], None]) -> Bench:
         rows += _at(scene, count, order, largest)
     tell("the sheet by pen and by hand")
     hands, ratio, told = _paper(scene, order, largest)
+    if asked(first):
+        told += [FORCES_DEFINED, SCALED]
     ratios = [*_ratios(rows, order.positions), ratio]
     if order.startup:
         tell("start-up")
@@ -104,8 +111,9 @@ def _paper(scene: Scene, order: Order, largest: Mapping[str, float]) -> tuple[li
         tolls = sheet.by_hand(study, drawn, largest)
     except DraftError as error:
         return _no_paper(f"left out: {error}")
-    note = f"median of {draughtsman.DRAWINGS} chance drawings; in brackets 95 of 100 are under"
-    rows = [_hand(name, toll, len(drawn.plans), note) for name, toll in tolls.items()]
+    rows = [_hand(name, toll, len(drawn.plans)) for name, toll in tolls.items()]
+    if asked(study):
+        rows += _forces_by_hand(study, drawn, largest)
     first, second = sheet.pens(max(drawn.leaves, key=lambda leaf: len(leaf.groups)), order.rounds, BUDGET)
     return rows, Ratio(PENS, count, first, second, PENS_GOAL), list(_told(tolls))
 
@@ -115,7 +123,19 @@ def _no_paper(why: str) -> tuple[list[Row], Ratio, list[str]]:
     return [Row(name, None, note=why) for name in names], Ratio(PENS, None, goal=PENS_GOAL, note=why), []
 
 
-def _hand(name: str, toll: Toll, count: int, note: str) -> Row:
+def _forces_by_hand(study: Study, drawn: sheet.Drawn, largest: Mapping[str, float]) -> list[Row]:
+    """Give the rows of forces drawn by hand, at the positions of the force sheets."""
+    try:
+        with tempfile.TemporaryDirectory(prefix="plandraft-bench-") as folder:
+            tolls, count = force_sheet.by_hand(study, drawn, largest, Path(folder))
+    except DraftError as error:
+        names = [FORCES_BY_HAND.format(slip) for slip in draughtsman.SLIPS]
+        return [Row(name, None, note=f"left out: {error}") for name in names]
+    return [_hand(name, toll, count) for name, toll in tolls.items()]
+
+
+def _hand(name: str, toll: Toll, count: int) -> Row:
+    note = f"median of {draughtsman.DRAWINGS} chance drawings; in brackets 95 of 100 are under"
     kinds = {kind: float(np.median(values)) for kind, values in toll.kinds.items()}
     worst = float(np.median(toll.worst))
     return Row(name, None, count, Errors(kinds, "", worst), float(np.quantile(toll.worst, 0.95)), note=note)
@@ -139,11 +159,13 @@ def _told(tolls: Mapping[str, Toll]) -> Iterator[str]:
 def _ratios(rows: list[Row], counts: tuple[int, ...]) -> Iterator[Ratio]:
     """Hold the techniques that answer the same question against each other."""
     found = {(row.technique, row.positions): row for row in rows}
-    pairs = [(CONSTRUCTION[0], "construction: positions / all")]
-    pairs += [(name, f"{name} / construction: all") for name in (PYLINKAGE, MECHANISM, ROUNDING)]
-    for name, text in pairs:
-        for count in counts:
-            first, second, goal = found[name, count], found[CONSTRUCTION[-1], count], GOALS.get((name, count))
+    pairs = [(CONSTRUCTION[0], CONSTRUCTION[-1], "construction: positions / all")]
+    pairs += [(name, CONSTRUCTION[-1], f"{name} / construction: all") for name in (PYLINKAGE, MECHANISM, ROUNDING)]
+    pairs.append((FORCES_CONSTRUCTED, CONSTRUCTION[-1], "construction: forces, kinematics in them / all"))
+    pairs.append((FORCES_ANALYSED, FORCES_CONSTRUCTED, f"{FORCES_ANALYSED} / {FORCES_CONSTRUCTED}"))
+    for name, under, text in pairs:
+        for count in counts if (name, counts[0]) in found else ():
+            first, second, goal = found[name, count], found[under, count], GOALS.get((name, count))
             if goal or first.times:
                 yield Ratio(text, count, first.times, second.times, goal, "" if first.times else first.note)
 

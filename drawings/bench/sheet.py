@@ -150,11 +150,11 @@ def by_hand(study: Study, drawn: Drawn, largest: Mapping[str, float]) -> dict[st
         raise DraftError(f"no plan can be drawn in positions {runs(list(drawn.plans))}")
     wanted = replay(study, tuple(whole))
     truth = wanted.truth()
-    scales = {plan: np.array([_scale(drawn.measured, plan, k) for k in whole]) for plan in ORDERS}
+    scales = {plan: np.array([scale(drawn.measured, plan, k) for k in whole]) for plan in ORDERS}
     return {BY_HAND.format(slip): toll(wanted, Hand(slip, scales), truth, largest) for slip in SLIPS}
 
 
-def _scale(measured: Measured, plan: str, position: int) -> float:
+def scale(measured: Measured, plan: str, position: int) -> float:
     """Give the scale of a plan in one position, true units a mm; the plan of positions has one for all."""
     own = [mark.scale for mark in measured.marks if mark.plan == plan and mark.position == position]
     return next(iter(own or [mark.scale for mark in measured.marks if mark.plan == plan]))

@@ -17,7 +17,7 @@ from geometry import meet as loci
 from geometry.board import Arc, Line, Mark, behind
 from geometry.meet import cross
 from plans.bench.error import shares
-from plans.bench.truth import Replay, Truth
+from plans.bench.truth import MOMENT, Replay, Truth
 from plans.motion import LINK_KEYS, POINT_KEYS, Complexes, Floats
 
 DRAWINGS = 200  # of which 5 % are ten: enough to tell where the worst of them begin
@@ -35,7 +35,7 @@ _PLACES = {
 
 @dataclass(frozen=True)
 class Hand:
-    """A hand that slips: scales of the three plans (true units a mm, one for each position), and where chance is."""
+    """A hand that slips: scales of the plans (true units a mm, one for each position), and where chance is."""
 
     slip: float  # mm
     scales: Mapping[str, Floats]
@@ -71,6 +71,8 @@ def _read(replay: Replay, done: Mapping[Mark, Any], shape: tuple[int, int]) -> d
     found |= {("angle", link): np.angle(done[arm] / span) for link, (arm, span) in replay.arms.items()}
     for key, (arm, turning) in replay.rates.items():
         found[key] = cross(done[arm], done[turning]) / np.abs(done[arm]) ** 2
+    for key, (mark, sense) in replay.forces.items():
+        found[key] = sense * (np.real(done[mark]) if key[0] == MOMENT else done[mark])
     return {key: np.broadcast_to(values, shape) for key, values in found.items()}
 
 

@@ -7,9 +7,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from plans.bench.truth import KINDS, Truth, Values
+from plans.bench.truth import KINDS, MOMENT, REACTION, Truth, Values
 from plans.mechanism import FRAME
 from plans.motion import LINK_KEYS, POINT_KEYS, Floats
+from plans.scene import FORCES
+from plans.statics import Statics
 from plans.study import Study
 
 SIZED = 360  # positions whose largest vector is the plan's largest: every degree of the turn
@@ -18,6 +20,11 @@ DEFINED = (
     "error: the largest difference from the truth over the positions looked at, of the pins' and points' r, v, a and "
     "the links' angle, omega, epsilon; each in shares of the largest of its own plan over the turn (an angle: of pi; "
     "an omega or epsilon: of the largest one, or of the largest v or a over the mechanism's size if that is more)"
+)
+FORCES_DEFINED = (
+    "of forces: the largest difference of the reactions and of the drive's force, in shares of the largest reaction "
+    "over the turn; of their moments and the balancing moment, in shares of that reaction times the mechanism's size. "
+    "The truth's loads follow its own motion; where a stroke ends it takes from the construction"
 )
 TRUE = "truth: the construction's record carried out in 50 digits, from exact crank angles, by formulas of its own"
 
@@ -54,6 +61,9 @@ def sizes(study: Study) -> dict[str, float]:
         # Rates of links that only translate are truly zero, and no share of themselves.
         slowest = found[vector] / extent if extent > 0 else 0.0
         found[key] = max(_largest([getattr(link, key) for link in motion.links.values()]), slowest)
+    if FORCES in study.scene.sheets:
+        found[REACTION] = _largest([one.force for one in Statics(study).forces.reactions.values()])
+        found[MOMENT] = found[REACTION] * extent
     return found
 
 

@@ -7,9 +7,12 @@ from copy import copy
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from geometry.errors import DraftError
 from plans.analytic.closure import EPS
 from plans.analytic.kinematics import solve
+from plans.bench import forces
 from plans.bench.clock import interleaved
 from plans.bench.error import Errors, errors
 from plans.bench.peers import Peer, peers
@@ -17,6 +20,7 @@ from plans.bench.result import Row
 from plans.bench.truth import NotInstalled, Replay, Truth, replay, sample, values
 from plans.motion import Motion
 from plans.scene import Scene
+from plans.statics import Statics
 from plans.study import Study
 
 CONSTRUCTION = ("construction: positions", "construction: + velocities", "construction: all")
@@ -50,6 +54,7 @@ class Ground:
     truth: Truth
     replay: Replay
     largest: Mapping[str, float]
+    statics: Statics | None = None  # of a scene that asks for forces
 
     def fresh(self) -> Study:
         """Give the study with empty boards: what was prepared is shared, every plan is drawn anew."""
@@ -73,10 +78,11 @@ def with_positions(scene: Scene, count: int) -> Scene:
     """Give a scene another number of positions, equal steps of a turn from its own first crank angle."""
     drive = scene.drive
     start = drive.positions[0] if isinstance(drive.positions, tuple) else drive.start
-    kept = tuple(k for k in scene.sheet.plans if k < count)
+    plans, loaded = (tuple(k for k in chosen if k < count) for chosen in (scene.sheet.plans, scene.sheet.forces))
     shown = scene.sheet.position if scene.sheet.position is not None and scene.sheet.position < count else None
     return scene.changed(
-        drive=drive.changed(positions=count, start=start), sheet=scene.sheet.changed(plans=kept, position=shown)
+        drive=drive.changed(positions=count, start=start),
+        sheet=scene.sheet.changed(plans=plans, forces=loaded, position=shown),
     )
 
 
@@ -91,8 +97,12 @@ def prepared(scene: Scene, count: int) -> Study:
 def ground(scene: Scene, count: int, sampled: int, largest: Mapping[str, float]) -> Ground:
     """Prepare a scene at a number of positions, and find the truth at a sample of them."""
     study = prepared(scene, count)
-    drawn = replay(study, sample(copy(study), sampled))
-    return Ground(study, drawn.truth(), replay(study, drawn.positions[:REPLAYED]), largest)
+    statics = forces.prepared(study)
+    lost = copy(study).lost
+    if statics is not None:
+        lost = lost | np.isnan(forces.over(study, statics).forces.balancing.moment)
+    drawn = replay(study, sample(lost, sampled), statics)
+    return Ground(study, drawn.truth(), replay(study, drawn.positions[:REPLAYED], statics), largest, statics)
 
 
 def roads(found: Ground) -> list[Road]:
@@ -102,7 +112,17 @@ def roads(found: Ground) -> list[Road]:
     drawn = [Road(_drawing(found, order), count, {name: found.judge}) for order, name in enumerate(CONSTRUCTION)]
     again = Road(found.replay.truth, len(found.replay.positions), {REPLAY: lambda _: Errors({})}, IS_TRUTH)
     solved = [Road(_solving(study, tol), count, {newton(tol): found.judge}) for tol in TOLERANCES]
-    return [set_up, *drawn, again, *solved, Road(_solving(study), count, {ROUNDING: found.judge})]
+    solved.append(Road(_solving(study), count, {ROUNDING: found.judge}))
+    return [set_up, *drawn, again, *solved, *_to_forces(found)]
+
+
+def _to_forces(found: Ground) -> list[Road]:
+    """List the roads to the forces of a scene that asks for them."""
+    if found.statics is None:
+        return []
+    ground = forces.ForceGround(found.study, found.statics, found.truth, found.largest)
+    count = len(found.study.turn)
+    return [Road(run, count, {name: judge}, note) for name, run, judge, note in forces.ways(ground)]
 
 
 def compared(found: Ground) -> tuple[list[Road], dict[str, str]]:

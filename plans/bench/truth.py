@@ -3,23 +3,31 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any, TypeAlias
 
 import numpy as np
+import numpy.typing as npt
 
 from geometry.board import Mark
 from geometry.errors import DraftError
 from geometry.replay import DIGITS, exact
+from plans.bench.loads import TrueLoads
+from plans.force import ForcePlan
+from plans.kinetostatics import Kinetostatics
 from plans.mechanism import FRAME
 from plans.motion import LINK_KEYS, ORDERS, POINT_KEYS, Complexes, Floats, Motion
+from plans.plan import Plan
+from plans.statics import ForceDrafts, Statics
 from plans.study import Drafts, Study
 
 Key: TypeAlias = tuple[str, str]  # kind of quantity and its point or link: ("v", "B"), ("omega", "3")
 Values: TypeAlias = Mapping[Key, Complexes | Floats]
 
-KINDS = (*POINT_KEYS, *LINK_KEYS)
+FORCE_KINDS = REACTION, MOMENT = "R", "M"  # of the pairs, and what the drive gives: M_bal, and the force R_bal
+KINDS = (*POINT_KEYS, *LINK_KEYS, *FORCE_KINDS)
+BALANCING = "bal"
 
 
 class NotInstalled(DraftError):  # noqa: N818  (the message's own word)
@@ -69,6 +77,15 @@ class Replay:
     rates: Mapping[Key, tuple[Mark, Mark]]
     wanted: list[Mark]
     crank: Mark
+    forces: Mapping[Key, tuple[Mark, float]] = field(default_factory=dict)  # with the sense in which they are told
+    loads: TrueLoads | None = None
+    loaded: Sequence[Mark] = ()  # the given marks of the loads
+
+    @property
+    def only_forces(self) -> Replay:
+        """This replay with nothing read off it but the forces."""
+        wanted = [mark for mark, _ in self.forces.values()]
+        return replace(self, points={}, arms={}, rates={}, wanted=wanted)
 
     def truth(self) -> Truth:
         """Carry the record out, position by position."""
@@ -83,13 +100,49 @@ class Replay:
         found |= {("angle", link): mp.arg(true[arm] / mp.mpc(span)) for link, (arm, span) in self.arms.items()}
         for key, (arm, turning) in self.rates.items():
             found[key] = (mp.conj(true[arm]) * true[turning]).imag / abs(true[arm]) ** 2
-        return found
+        return found | self._forces(mp, column, true, found)
+
+    def _forces(self, mp: Any, column: int, true: dict[Mark, Any], found: Mapping[Key, Any]) -> dict[Key, Any]:
+        """Give the true forces of one position over its true motion."""
+        if self.loads is None:
+            return {}
+        loads = dict(zip(self.loaded, self.loads.at(mp, column, found), strict=True))
+        true = exact([mark for mark, _ in self.forces.values()], column, true | loads)
+        told = {key: sense * true[mark] for key, (mark, sense) in self.forces.items()}
+        return {key: mp.re(value) if key[0] == MOMENT else value for key, value in told.items()}
 
 
-def replay(study: Study, positions: Sequence[int]) -> Replay:
-    """Draw the three plans at some positions of a study, to be replayed."""
+def replay(study: Study, positions: Sequence[int], statics: Statics | None = None) -> Replay:
+    """Draw the three plans at some positions of a study, to be replayed; with its statics the force plan as well."""
     drafts = Drafts(study, study.turn.part(list(positions)))
-    plans = [drafts.plan(order) for order in range(len(ORDERS))]
+    if statics is None:
+        return _of_motion(study, positions, [drafts.plan(order) for order in range(len(ORDERS))])
+    drawn = ForceDrafts(statics, drafts)
+    plan = drawn.plans.plan
+    machine, mechanism = statics.machine, study.mechanism
+    return replace(
+        _of_motion(study, positions, [plan.positions, plan.velocities, plan.accelerations]),
+        forces=dict(_of_forces(plan)),
+        loads=TrueLoads(machine, mechanism, statics.strokes, drawn.loading, drafts.turn.phi),
+        loaded=plan.given,
+    )
+
+
+def _of_forces(plan: ForcePlan) -> Iterator[tuple[Key, tuple[Mark, float]]]:
+    """Name the reactions, the moments of the sliding pairs, and what the drive gives."""
+    for support in (support for cut in plan.cuts for support in cut.reactions):
+        ends, sense = sorted((support.giver, support.taker)), 1.0 if support.giver < support.taker else -1.0
+        key = "-".join(map(str, ends))
+        yield (REACTION, key), (support.force, sense)
+        if support.moment is not None:
+            yield (MOMENT, key), (support.moment, sense)
+    yield (MOMENT, BALANCING), (plan.balancing, 1.0)
+    if plan.drive is not None:
+        yield (REACTION, BALANCING), (plan.drive, 1.0)
+
+
+def _of_motion(study: Study, positions: Sequence[int], plans: Sequence[Plan]) -> Replay:
+    """Name what the three plans tell of points and links."""
     links = {number: link for number, link in study.mechanism.links.items() if number != FRAME}
     fixed = study.mechanism.links[FRAME].points
     letters = sorted({name for link in links.values() for name in link.points} - set(fixed))
@@ -112,6 +165,8 @@ def values(motion: Motion, truth: Truth) -> dict[Key, Any]:
     chosen = list(truth.positions)
     found = {}
     for kind, name in truth.values:
+        if kind in FORCE_KINDS:
+            continue
         owners: Mapping[Any, Any] = motion.points if kind in POINT_KEYS else motion.links
         owner = owners.get(name if kind in POINT_KEYS else int(name))
         given = getattr(owner, kind, None)
@@ -120,13 +175,22 @@ def values(motion: Motion, truth: Truth) -> dict[Key, Any]:
     return found
 
 
-def sample(study: Study, count: int) -> list[int]:
-    """Choose positions that exist: all of them where they are no more than `count`, else spread over the turn.
+def of_forces(forces: Kinetostatics, truth: Truth) -> dict[Key, Any]:
+    """Read off forces what the truth knows, at the truth's positions."""
+    chosen, told = list(truth.positions), forces.balancing
+    found: dict[Key, Any] = {(REACTION, key): one.force for key, one in forces.reactions.items()}
+    found |= {(MOMENT, key): one.moment for key, one in forces.reactions.items() if one.moment is not None}
+    found |= {(MOMENT, BALANCING): told.moment, (REACTION, BALANCING): told.force}
+    return {key: found[key][chosen] for key in truth.values if key[0] in FORCE_KINDS}
+
+
+def sample(lost: npt.NDArray[np.bool_], count: int) -> list[int]:
+    """Choose positions that are not lost: all where they are no more than `count`, else spread over the turn.
 
     The chosen ones are evenly spaced but for a jitter (seeded by their number): a step that divides the turn would
     meet the quarter turns alone, where sines and cosines are exact.
     """
-    there = np.flatnonzero(~study.lost)
+    there = np.flatnonzero(~lost)
     if len(there) <= count:
         return [int(k) for k in there]
     edges = np.linspace(0, len(there), count + 1)
@@ -172,6 +236,6 @@ def _turned(mp: Any, share: Fraction) -> Any:
 
 def _exact(key: Key, numbers: Sequence[Any]) -> Exact:
     """Split numbers of 50 digits into what float64 holds and the rest."""
-    plain = complex if key[0] in POINT_KEYS else float
+    plain = complex if key[0] in (*POINT_KEYS, REACTION) else float
     near = [plain(number) for number in numbers]
     return Exact(np.array(near), np.array([plain(number - own) for number, own in zip(numbers, near, strict=True)]))
