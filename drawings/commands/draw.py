@@ -7,7 +7,7 @@ import contextlib
 import itertools
 import os
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -39,7 +39,7 @@ class Drawn(NamedTuple):
     study: Study
     comparison: Comparison
     statics: Statics | None  # where a force sheet asks for them
-    leaves: Mapping[str, tuple[Leaf, ...]]  # by the kind of the sheet
+    leaves: tuple[Leaf, ...]
     paths: tuple[Path, ...]
 
 
@@ -166,7 +166,7 @@ def _sheets(study: Study, comparison: Comparison, statics: Statics | None, folde
         with trace.stage("measuring"):
             for path, leaf in zip(written, sheets, strict=True):
                 verify(path, leaf, study, comparison, statics)
-    return Drawn(study, comparison, statics, leaves, (*paths, beside))
+    return Drawn(study, comparison, statics, tuple(sheets), (*paths, beside))
 
 
 def _leaves(kind: str, study: Study, comparison: Comparison, statics: Statics | None) -> tuple[Leaf, ...]:
@@ -188,8 +188,9 @@ def _earlier(drawn: Drawn, folder: Path) -> list[Path]:
     """Give following sheets that an earlier run left beside fewer new ones."""
     stem = Path(os.fspath(drawn.study.scene.file)).stem
     found = []
-    for kind, leaves in drawn.leaves.items():
-        further = (_named(folder, stem, kind, k) for k in range(len(leaves), SHEETS_MOST))
+    for kind in drawn.study.scene.sheets:
+        count = sum(leaf.metadata["sheet"] == kind for leaf in drawn.leaves)
+        further = (_named(folder, stem, kind, k) for k in range(count, SHEETS_MOST))
         found += list(itertools.takewhile(Path.exists, further))
     return found
 
