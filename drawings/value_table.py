@@ -13,7 +13,7 @@ from drawings.words import fixed, number, word
 from plans.compare import Comparison, Finding
 
 # In sizes of the letters: a row, how far a text stands above its row's line, and the least cell.
-ROW, UNDER, CELL = 2.0, 0.55, 4.0
+ROW, UNDER, CELL = 2.0, 0.65, 4.0
 HEADINGS = 2  # rows
 APART = 6.0  # mm between two bands or two parts of the table
 MOST_PARTS = 4  # side by side: more are wider than an A1 sheet

@@ -177,7 +177,8 @@ def small(tmp_path: Path) -> Path:
 
 def test_one_command_draws_a_gallery_and_removes_what_is_stale(small: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert command.main([str(small)]) == 0
-    made = ["slider-crank-kinematics.svg", "slider-crank-report.md", "alphabet.svg", "README.md"]
+    made = ["slider-crank-kinematics.svg", "slider-crank-forces.svg", "slider-crank-report.md"]
+    made += ["alphabet.svg", "README.md"]
     assert capsys.readouterr().out.splitlines() == [str(small / name) for name in made]
     others = {"slider-crank.toml", "slider-notes.md", "drawn-by-hand.svg"}
     assert {path.name for path in small.iterdir()} == {*made, *others}
