@@ -48,7 +48,7 @@ def _labels(strokes: tuple[Stroke, ...]) -> Iterator[Label]:
 
 
 def _marks(strokes: tuple[Stroke, ...]) -> Iterator[tuple[str, str, str, list[complex]]]:
-    """Give plan, name, letter and places on paper of every point, of the end of every vector of two letters, of every force.
+    """Give plan, name, letter and places of every point, of the end of every vector of two letters, of every force.
 
     A vector named by one letter of its own, as a force or an arm is, bears it anywhere along its line, as its title
     writes it; one that is too short to be seen as a vector has none.
