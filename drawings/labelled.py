@@ -29,10 +29,10 @@ def unlettered(leaf: Leaf) -> Iterator[str]:
     for label in _labels(leaf.groups):
         for letter in label.text.plain.split(", "):
             labels.setdefault(letter, []).append(label)
-    for plan, letter, spots in _marks(leaf.groups):
+    for plan, name, letter, spots in _marks(leaf.groups):
         plain = Text(0j, letter if "{" in letter else written(letter)).plain
         if not any(_distance(spot, label.place) <= NEAREST for label in labels.get(plain, ()) for spot in spots):
-            yield f"the letter {letter} on {plan}"
+            yield f"the letter {name} on {plan}"
 
 
 def _labels(strokes: tuple[Stroke, ...]) -> Iterator[Label]:
@@ -47,8 +47,8 @@ def _labels(strokes: tuple[Stroke, ...]) -> Iterator[Label]:
                 yield Label(stroke, bounds(stroke))
 
 
-def _marks(strokes: tuple[Stroke, ...]) -> Iterator[tuple[str, str, list[complex]]]:
-    """Give plan, letter and places on paper of every point, of the end of every vector of two letters, of every force.
+def _marks(strokes: tuple[Stroke, ...]) -> Iterator[tuple[str, str, str, list[complex]]]:
+    """Give plan, name, letter and places of every point, of the end of every vector of two letters, of every force.
 
     A vector named by one letter of its own, as a force or an arm is, bears it anywhere along its line, as its title
     writes it; one that is too short to be seen as a vector has none.
@@ -56,13 +56,14 @@ def _marks(strokes: tuple[Stroke, ...]) -> Iterator[tuple[str, str, list[complex
     for stroke in strokes:
         match stroke:
             case Group((Line() as line, *_)) if stroke.data.get("kind") == "vector":
-                *start, letter = stroke.data["name"].split(" ")
+                *start, name = stroke.data["name"].split(" ")
                 if start:
-                    yield stroke.data["plan"], letter, [line.end]
+                    yield stroke.data["plan"], name, name, [line.end]
                 elif abs(line.end - line.start) >= SEEN:
-                    yield stroke.data["plan"], stroke.title or letter, _along(line)
+                    yield stroke.data["plan"], name, stroke.title or name, _along(line)
             case Group((Circle() as circle, *_)) if stroke.data.get("kind") in ("point", "pole"):
-                yield stroke.data["plan"], stroke.data["name"], [circle.centre]
+                name = stroke.data["name"]
+                yield stroke.data["plan"], name, name, [circle.centre]
             case Group():
                 yield from _marks(stroke.strokes)
 
