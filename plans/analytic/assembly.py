@@ -160,7 +160,7 @@ class _Guess:
         """Two points seen: their join gives the turn."""
         seen, own = self._seen(number), self.mechanism.links[number].points
         for point in seen[1:]:
-            if self.places[point] != self.places[seen[0]]:
+            if self.places[point] != self.places[seen[0]] and own[point] != own[seen[0]]:
                 join = (self.places[point] - self.places[seen[0]]) / (own[point] - own[seen[0]])
                 return self._put(number, seen[0], cmath.phase(join))
         return False
