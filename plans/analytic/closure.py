@@ -17,6 +17,10 @@ EPS = float(np.finfo(np.float64).eps)
 # Newton squares the error: a correction of sqrt(eps) leaves eps. And at a Jacobian whose smallest singular value is
 # sqrt(eps), a pose is known to eps / sqrt(eps), so that the velocity found from it has no true digit left.
 SQRT_EPS = EPS**0.5
+# A rounding of the crank angle moves the reactions near a dead centre by eps over the square of the sharpness: where
+# less than a quarter of their digits would be true, there are none. A dead centre meant exactly may be told in radians
+# a few roundings beside it; with sqrt(eps) such a position would still pass, with reactions of any size.
+BLUNT = EPS**0.375
 NEWTON_ROUNDS = 12  # from one true digit four rounds make sixteen; the rest is for slow beginnings
 DAMPED_ROUNDS = 60
 HALVINGS = 8
@@ -46,10 +50,30 @@ def inverses(matrices: Floats) -> Floats:
         return found
 
 
+def sharpness(matrices: Floats, inverse: Floats) -> Floats:
+    """Give the reciprocal condition (Frobenius) of N matrices with columns of unit length; 0 where one is singular."""
+    lengths = np.sqrt((matrices**2).sum(axis=1))
+    norms = np.sqrt(((lengths[:, :, None] * inverse) ** 2).sum(axis=(1, 2)))
+    sharp = np.zeros(len(norms))
+    np.divide(1.0, np.sqrt(lengths.shape[1]) * norms, out=sharp, where=norms != 0.0)
+    return sharp
+
+
+def rank_loss(jacobian: Floats) -> tuple[float, bool]:
+    """Tell how faint the smallest singular value of a Jacobian is beside its largest, and whether the drive is in it.
+
+    The rank loss puts a condition on the right sides. The share of the drive in it is of order 1 at a dead centre,
+    where the crank cannot move; at a change point it is as faint as the singular value itself.
+    """
+    left, values, _ = np.linalg.svd(jacobian / np.sqrt((jacobian**2).sum(axis=0)))
+    faint = float(values[-1] / values[0])
+    return faint, bool(abs(left[-1, -1]) > np.sqrt(faint))
+
+
 def as_poses(columns: Floats) -> Floats:
     """Give rows of unknowns (N, 3 n) the shape of poses, (N, links, 3), with the frame at rest."""
     still = np.zeros((len(columns), 1, 3))
-    return np.concatenate((still, columns.reshape(len(columns), -1, 3)), axis=1)
+    return np.concatenate((still, columns.reshape(len(columns), columns.shape[1] // 3, 3)), axis=1)
 
 
 def close(constraints: Constraints, poses: Floats, phi: Floats, tolerance: float = EPS) -> tuple[Floats, Flags]:

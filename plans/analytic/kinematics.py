@@ -39,8 +39,8 @@ class Analysis:
         """Find the output's extreme positions on the way round."""
         return extremes(self.mechanism, output, self._turn)
 
-    def conditions(self, motion: Motion) -> Floats:
-        """Give the 2-norm condition of the scaled Jacobian at every position of either road's motion; NaN at gaps."""
+    def poses(self, motion: Motion) -> Floats:
+        """Read the poses of all links off either road's motion, (N, links, 3); NaN at gaps."""
         poses = np.zeros((len(motion.phi), len(self.constraints.numbers), 3))
         for place, number in enumerate(self.constraints.numbers):
             if number != FRAME:
@@ -48,6 +48,11 @@ class Analysis:
                 turn = motion.links[number].angle
                 origin = (motion.points[point].r - own * np.exp(1j * turn)) / self.constraints.size
                 poses[:, place] = np.stack((origin.real, origin.imag, turn), axis=1)
+        return poses
+
+    def conditions(self, motion: Motion) -> Floats:
+        """Give the 2-norm condition of the scaled Jacobian at every position of either road's motion; NaN at gaps."""
+        poses = self.poses(motion)
         found = np.full(len(poses), np.nan)
         whole = np.flatnonzero(np.isfinite(poses).all(axis=(1, 2)))
         for block in blocks(len(whole)):

@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from plans.analytic.assembly import Assembly
-from plans.analytic.closure import EPS, SQRT_EPS, as_poses, close, inverses, solutions
+from plans.analytic.closure import EPS, SQRT_EPS, as_poses, close, inverses, rank_loss, sharpness, solutions
 from plans.analytic.constraints import Constraints
 from plans.motion import Floats
 
@@ -193,16 +193,13 @@ def _stations(constraints: Constraints, poses: Floats, phi: Floats) -> list[Stat
     at = constraints.place(poses)
     jacobian = constraints.jacobian(at)
     inverse = inverses(jacobian)
-    lengths = np.sqrt((jacobian**2).sum(axis=1))
-    norms = np.sqrt(((lengths[:, :, None] * inverse) ** 2).sum(axis=(1, 2)))
     closed = poses - as_poses((inverse @ constraints.residual(at, phi)[..., None])[..., 0])
     first = as_poses(inverse[:, :, -1])
     second = as_poses(-(inverse @ constraints.convective(at, first)[..., None])[..., 0])
     det = np.linalg.det(jacobian)
-    root = np.sqrt(lengths.shape[1])
     return [
-        Station(float(phi[k]), closed[k], first[k], second[k], float(det[k]), float(1 / (root * norm)) if norm else 0.0)
-        for k, norm in enumerate(norms)
+        Station(float(phi[k]), closed[k], first[k], second[k], float(det[k]), float(sharp))
+        for k, sharp in enumerate(sharpness(jacobian, inverse))
     ]
 
 
@@ -210,11 +207,7 @@ def _end(constraints: Constraints, way: Sequence[Station]) -> End:
     """Say why a march ended, and where its singular position lies by the run of the determinant."""
     last = way[-1]
     jacobian = constraints.jacobian(constraints.place(last.poses[None]))[0]
-    left, values, _ = np.linalg.svd(jacobian / np.sqrt((jacobian**2).sum(axis=0)))
-    faint = values[-1] / values[0]
-    # The share of the drive in the condition that rank loss puts on the right sides: of order 1 at a dead centre, where
-    # the crank cannot move; at a change point as faint as the singular value itself.
-    dead = abs(left[-1, -1]) > np.sqrt(faint)
+    faint, dead = rank_loss(jacobian)
     if faint > EPS**0.25:
         return End(last.phi, last.phi, NOT_REACHABLE)
     singular = last.phi
