@@ -18,7 +18,8 @@ FORBIDDEN = {
     "plans/": ("drawings",),
     "plans/analytic/": ("geometry.meet", "geometry.board", "geometry.replay", "geometry.precision"),
 }
-SHARED = ("plans.analytic", "plans.mechanism", "plans.motion")  # all of plans that the analytic road may know
+# all of plans that the analytic road may know
+SHARED = ("plans.analytic", "plans.mechanism", "plans.motion", "plans.machine", "plans.kinetostatics")
 ONLY_IN = {
     "svgwrite": ("drawings/pens/svg.py", "drawings/bench/plain_pen.py"),  # the bench times its defaults beside our pen
     "mpmath": ("geometry/replay.py", "plans/bench/truth.py"),

@@ -8,6 +8,7 @@ from plans.analytic.turn import CHANGE_POINT, DEAD_CENTRE, NOT_REACHABLE, End
 from plans.motion import Gap
 
 OUT_OF_REACH, BEYOND = "out of reach", "beyond a change point"
+FORCES, INDETERMINATE = "forces", "statically indeterminate"
 
 ADVICE = {
     OUT_OF_REACH: "Lengthen the links that are too short here, or keep the crank within its dead centres.",
@@ -15,8 +16,10 @@ ADVICE = {
     CHANGE_POINT: "Leave this crank angle out, or change a length so that the links never fall into one line.",
     BEYOND: "Start the crank on this side of the change point, so that the sketch tells which assembly is meant.",
     NOT_REACHABLE: "Sketch the assembly meant at this position and start there: the first position does not lead here.",
+    INDETERMINATE: "Leave this crank angle out: the links can be strained against each other there, by any amount.",
 }
 UNASSEMBLED = "no assembly fits the sketch at any crank angle tried"
+UNBALANCED = "the equations of equilibrium lose rank"
 
 
 def gap(position: int, phi: float, plan: str, reason: str, end: End | None) -> Gap:
@@ -27,3 +30,9 @@ def gap(position: int, phi: float, plan: str, reason: str, end: End | None) -> G
         what = "the way round ends" if end.reason == NOT_REACHABLE else "the Jacobian loses rank"
         where = f"{what} near phi = {angle:g} deg"
     return Gap(position, phi, plan, reason, where, 0.0, ADVICE[reason])
+
+
+def without_forces(position: int, phi: float, dead: bool) -> Gap:
+    """Word the gap of a position whose reactions grow beyond all bounds, or are not told by equilibrium; phi in rad."""
+    reason = DEAD_CENTRE if dead else INDETERMINATE
+    return Gap(position, phi, FORCES, reason, UNBALANCED, 0.0, ADVICE[reason])

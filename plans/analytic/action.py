@@ -1,0 +1,63 @@
+"""How the drive acts on the crank: by a moment, or by a force along a line of action (линия действия)."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from plans.analytic.constraints import TURN, Constraints, X, Y
+from plans.analytic.points import place
+from plans.kinetostatics import Balancing
+from plans.machine import FORCE, GEAR, Transmission
+from plans.mechanism import Drive, Mechanism
+from plans.motion import Complexes, Floats
+
+
+class Action(NamedTuple):
+    """A line of action over the positions: a point of it, m, its unit direction, and the shaft's place."""
+
+    r: Complexes
+    along: Complexes
+    shaft: Complexes
+
+
+def action(transmission: Transmission, mechanism: Mechanism, constraints: Constraints, poses: Floats) -> Action | None:
+    """Give the line of action of a drive by force; None where a moment drives."""
+    drive, own = mechanism.drive, mechanism.links[mechanism.drive.link].points
+    shaft = place(constraints, poses, drive.link, own[drive.pivot])
+    if transmission.kind == FORCE:
+        end = place(constraints, poses, drive.link, own[drive.end])
+        return Action(end, 1j * (end - shaft) / np.abs(end - shaft), shaft)
+    if transmission.kind == GEAR:
+        towards, along = _mesh(transmission, drive)
+        return Action(shaft + transmission.radius * towards, np.full(len(poses), along), shaft)
+    return None
+
+
+def _mesh(gear: Transmission, drive: Drive) -> tuple[complex, complex]:
+    """Give the directions from the shaft to the pitch point, and of the teeth's push there (figure 6.17).
+
+    The push turns the wheel on, and is turned from the pitch tangent by the pressure angle towards the shaft.
+    """
+    sense = -1.0 if drive.omega < 0.0 else 1.0
+    towards = np.exp(1j * gear.at)
+    return complex(towards), complex(1j * towards * sense * np.exp(1j * sense * gear.pressure))
+
+
+def unit_force(constraints: Constraints, poses: Floats, line: Action) -> Floats:
+    """Give the generalised force of a unit force along the line on the crank, in place of the drive's equation."""
+    row = np.zeros((len(poses), len(constraints.numbers), 3))
+    x, y, _ = poses[:, constraints.crank].T
+    arm = line.r / constraints.size - (x + 1j * y)
+    row[:, constraints.crank, X], row[:, constraints.crank, Y] = line.along.real, line.along.imag
+    row[:, constraints.crank, TURN] = (arm.conj() * line.along).imag
+    return row[:, 1:].reshape(len(poses), -1)
+
+
+def balancing(constraints: Constraints, line: Action | None, multiplier: Floats) -> Balancing:
+    """Read the drive's multiplier, N*m: the moment itself, or the force times `size`."""
+    if line is None:
+        return Balancing(multiplier)
+    force = multiplier / constraints.size * line.along
+    return Balancing((np.conj(line.r - line.shaft) * force).imag, force, line.r)

@@ -1,0 +1,148 @@
+"""Reactions and the balancing moment by analysis: equilibrium of all links at once (кинетостатика, принцип Даламбера).
+
+The forces of the joints are the multipliers of the joints' equations: J^T lambda + Q = 0, where Q are the loads,
+weights and inertia forces as the poses of the links feel them; the drive's multiplier balances them. No groups here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from plans.analytic.action import action, balancing, unit_force
+from plans.analytic.closure import BLUNT, inverses, rank_loss, sharpness, solutions
+from plans.analytic.constraints import TURN, Constraints, Placement, X, Y
+from plans.analytic.gaps import without_forces
+from plans.analytic.inertia import borne
+from plans.analytic.kinematics import Analysis
+from plans.analytic.positions import blocks
+from plans.kinetostatics import Kinetostatics, Loading, Pair, Reaction
+from plans.machine import Machine
+from plans.mechanism import Mechanism
+from plans.motion import Complexes, Floats, Gap, Motion
+
+
+def kinetostatics(
+    road: Analysis, machine: Machine, motion: Motion, loading: Loading, pairs: tuple[Pair, ...]
+) -> Kinetostatics:
+    """Find the reactions of the pairs and the balancing moment at all positions of a motion of order 2."""
+    mechanism, constraints, poses = road.mechanism, road.constraints, road.poses(motion)
+    masses = borne(mechanism, machine, motion)
+    loads = Loading(loading.forces + masses.forces, loading.moments + masses.moments)
+    line = action(machine.transmission, mechanism, constraints, poses)
+    drive = None if line is None else unit_force(constraints, poses, line)
+    multipliers, singular = _balanced(constraints, poses, _generalised(constraints, poses, loads), drive)
+    multipliers[[gap.position for gap in motion.gaps]] = np.nan
+    forces = _Forces(mechanism, constraints, motion, poses, multipliers, constraints.place(poses))
+    return Kinetostatics(
+        by="analysis",
+        phi=motion.phi,
+        reactions=_in_order(pairs, _hinged(forces, pairs) | _sliding(forces, pairs)),
+        balancing=balancing(constraints, line, multipliers[:, -1]),
+        gaps=_gaps(motion, singular),
+    )
+
+
+class _Forces(NamedTuple):
+    """What the joints bear: multipliers N*m, (N, rows), of the equations laid out at the poses."""
+
+    mechanism: Mechanism
+    constraints: Constraints
+    motion: Motion
+    poses: Floats
+    multipliers: Floats
+    at: Placement
+
+
+def _generalised(constraints: Constraints, poses: Floats, loading: Loading) -> Floats:
+    """Reduce loads to the origins of their links: forces times `size` and moments, N*m, (N, 3 n)."""
+    reduced = np.zeros_like(poses)
+    for load in loading.forces:
+        on = constraints.numbers.index(load.link)
+        reduced[:, on, X] += constraints.size * load.force.real
+        reduced[:, on, Y] += constraints.size * load.force.imag
+        reduced[:, on, TURN] += (np.conj(load.at * np.exp(1j * poses[:, on, TURN])) * load.force).imag
+    for twist in loading.moments:
+        reduced[:, constraints.numbers.index(twist.link), TURN] += twist.moment
+    return reduced[:, 1:].reshape(len(poses), -1)
+
+
+def _balanced(
+    constraints: Constraints, poses: Floats, loads: Floats, drive: Floats | None
+) -> tuple[Floats, dict[int, bool]]:
+    """Solve the equations of equilibrium; name the singular positions, and whether each is a dead centre."""
+    multipliers = np.full((len(poses), len(constraints.pattern)), np.nan)
+    singular: dict[int, bool] = {}
+    known = np.flatnonzero(np.isfinite(poses).all(axis=(1, 2)))
+    for block in blocks(len(known)):
+        here = known[block]
+        matrices = constraints.jacobian(constraints.place(poses[here]))
+        if drive is not None:
+            matrices[:, -1] = drive[here]
+        blunt = sharpness(matrices, inverses(matrices)) <= BLUNT
+        singular |= {int(here[k]): rank_loss(matrices[k])[1] for k in np.flatnonzero(blunt)}
+        regular = here[~blunt]
+        multipliers[regular] = solutions(matrices[~blunt].transpose(0, 2, 1), -loads[regular])
+    return multipliers, singular
+
+
+def _gaps(motion: Motion, singular: dict[int, bool]) -> tuple[Gap, ...]:
+    """Name the singular positions, and carry over those of the motion that are lost for other reasons."""
+    found = [gap for gap in motion.gaps if gap.position not in singular]
+    found += [without_forces(k, float(motion.phi[k]), dead) for k, dead in singular.items()]
+    return tuple(sorted(found, key=lambda gap: gap.position))
+
+
+def _in_order(pairs: Sequence[Pair], found: dict[str, Reaction]) -> dict[str, Reaction]:
+    return {pair.key: found[pair.key] for pair in pairs}
+
+
+def _hinged(forces: _Forces, pairs: Sequence[Pair]) -> dict[str, Reaction]:
+    """Read the reactions of all hinges: the equations tie every link of a hinge to its lowest, x rows before y rows."""
+    found: dict[str, Reaction] = {}
+    hinges, row = forces.constraints.hinges, 0
+    for point, links in forces.mechanism.hinges.items():
+        rows = slice(row, row + len(links) - 1)
+        row = rows.stop
+        x, y = forces.multipliers[:, :hinges][:, rows].T, forces.multipliers[:, hinges : 2 * hinges][:, rows].T
+        on_lowest = (x + 1j * y) / forces.constraints.size
+        on_links = dict(zip(links, (on_lowest.sum(axis=0), *-on_lowest), strict=True))
+        r = forces.motion.points[point].r
+        for pair, force in _peeled([pair for pair in pairs if pair.joint == point], on_links):
+            found[pair.key] = Reaction(pair.giver, pair.taker, point, r, force)
+    return found
+
+
+def _peeled(tree: list[Pair], on_links: dict[int, Complexes]) -> list[tuple[Pair, Complexes]]:
+    """Share the forces of a pin on its links out to its pairs, a tree of links, from its leaves inward."""
+    told = []
+    while tree:
+        ends = [end for pair in tree for end in (pair.giver, pair.taker)]
+        pair, leaf = next((p, end) for p in tree for end in (p.taker, p.giver) if ends.count(end) == 1)
+        other, force = pair.giver + pair.taker - leaf, on_links[leaf]
+        told.append((pair, force if leaf == pair.taker else -force))
+        on_links = {**on_links, other: on_links[other] + force}
+        tree = [left for left in tree if left is not pair]
+    return told
+
+
+def _sliding(forces: _Forces, pairs: Sequence[Pair]) -> dict[str, Reaction]:
+    """Read the reactions of all slides: a force across the line, and a moment, told at the slider's point."""
+    constraints, slides = forces.constraints, forces.mechanism.slides
+    count, found = len(slides), {}
+    for pair in pairs:
+        if isinstance(pair.joint, str):
+            continue
+        k = slides.index(pair.joint)
+        turning, across = (forces.multipliers[:, 2 * constraints.hinges + row] for row in (k, count + k))
+        along = forces.at.ways[:, 1, k]
+        force, r = across / constraints.size * 1j * along, forces.motion.points[pair.point].r
+        # The multipliers are those on the slider, at the point of its line that its equation is written for.
+        x, y, _ = forces.poses[:, constraints.links[0, constraints.hinges + k]].T
+        foot = constraints.size * (x + 1j * y + forces.at.arms[:, 0, constraints.hinges + k])
+        moment = ((foot - r).conj() * force).imag - turning
+        sign = 1.0 if pair.taker == pair.joint.slider else -1.0
+        found[pair.key] = Reaction(pair.giver, pair.taker, pair.point, r, sign * force, sign * moment, along)
+    return found

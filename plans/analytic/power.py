@@ -1,0 +1,49 @@
+"""Forces reduced to the crank by their power: no reaction is needed (приведённый момент сил, рычаг Жуковского)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from plans.analytic.closure import BLUNT, as_poses, inverses, sharpness
+from plans.analytic.constraints import TURN, Constraints
+from plans.analytic.inertia import borne
+from plans.analytic.kinematics import Analysis
+from plans.analytic.points import speed
+from plans.analytic.positions import blocks
+from plans.kinetostatics import Loading
+from plans.machine import Machine
+from plans.motion import Floats, Motion
+
+
+def balancing_moment(road: Analysis, machine: Machine, motion: Motion, loading: Loading) -> Floats:
+    """Find the drive's moment N*m: with it, loads, weights and inertia forces have no power together (M5.8)."""
+    first = transfers(road.constraints, road.poses(motion))
+    masses = borne(road.mechanism, machine, motion)
+    return -sum((reduced_moment(road, motion, loads, first) for loads in (loading, masses)), np.zeros(len(first)))
+
+
+def reduced_moment(road: Analysis, motion: Motion, loading: Loading, first: Floats | None = None) -> Floats:
+    """Reduce loads to the crank, N*m: sum (F . dr/dphi + M dphi_i/dphi); a drive at rest has it all the same (M4.4)."""
+    constraints, poses = road.constraints, road.poses(motion)
+    first = transfers(constraints, poses) if first is None else first
+    total = np.zeros(len(poses))
+    for load in loading.forces:
+        total += (load.force.conj() * speed(constraints, poses, first, load.link, load.at)).real
+    for twist in loading.moments:
+        total += twist.moment * first[:, constraints.numbers.index(twist.link), TURN]
+    total[np.isnan(first[:, 0, 0])] = np.nan
+    total[[gap.position for gap in motion.gaps]] = np.nan
+    return total
+
+
+def transfers(constraints: Constraints, poses: Floats) -> Floats:
+    """Give the first transfer functions of all poses; NaN at gaps and where the Jacobian has lost its rank."""
+    first = np.full_like(poses, np.nan)
+    known = np.flatnonzero(np.isfinite(poses).all(axis=(1, 2)))
+    for block in blocks(len(known)):
+        here = known[block]
+        jacobian = constraints.jacobian(constraints.place(poses[here]))
+        inverse = inverses(jacobian)
+        sharp = sharpness(jacobian, inverse) > BLUNT
+        first[here[sharp]] = as_poses(inverse[sharp][:, :, -1])  # the drive is the last equation
+    return first
