@@ -1,0 +1,336 @@
+"""Three balances that share no unknown, equilibrium of every link, and what forces do when the machine is changed."""
+
+from __future__ import annotations
+
+import cmath
+from dataclasses import replace
+from math import pi, radians
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from plans.analytic.energy import energy_balance
+from plans.analytic.inertia import borne
+from plans.analytic.power import balancing_moment
+from plans.kinetostatics import Kinetostatics, Loading, Pair
+from plans.machine import FORCE, GEAR, Body, Machine, Transmission
+from plans.mechanism import FRAME, Link, Mechanism, Slide, Way
+from plans.motion import Complexes, Floats, Motion
+from tests.plans import linkages
+from tests.plans.chains import Chain, chains, numbers
+from tests.plans.machines import DOWN, SHAPER, Run, machine, pointed, steady
+from tests.plans.studies import driven
+
+EPS = float(np.finfo(float).eps)
+ROUNDINGS = 16.0
+TURN = np.arange(12) * (pi / 6)
+
+VECTORS = st.builds(complex, numbers(-1, 1), numbers(-1, 1))
+
+
+GRAVITY = st.just(0j) | VECTORS.map(lambda share: 9.81 * share)
+
+
+@st.composite
+def runs(draw: st.DrawFn) -> Run:
+    """Draw a mechanism with masses, loads and a drive, at its first position."""
+    chain: Chain = draw(chains(most=3))
+    mechanism = pointed(chain.mechanism)
+    moving = [number for number in mechanism.links if number != FRAME]
+    bodies = {
+        link: Body(link, draw(numbers(0, 20)), draw(numbers(0, 3)), draw(VECTORS))
+        for link in moving
+        if draw(st.booleans())
+    }
+    drive = draw(st.sampled_from((Transmission(), Transmission(FORCE), Transmission(GEAR, 0.2, 2.5, 0.35))))
+    forces = {(draw(st.sampled_from(moving)), draw(VECTORS)): 500 * draw(VECTORS) for _ in range(2)}
+    loads = steady(1, forces, {draw(st.sampled_from(moving)): draw(numbers(-100, 100))})
+    return Run(mechanism, machine(bodies, draw(GRAVITY), drive), np.array([radians(chain.phi)]), loads)
+
+
+def whole(run: Run) -> Loading:
+    masses = borne(run.mechanism, run.machine, run.motion)
+    return Loading(run.loading.forces + masses.forces, run.loading.moments + masses.moments)
+
+
+def largest(run: Run, found: Kinetostatics) -> Floats:
+    """Give the largest force N of all, with moments brought to forces by the mechanism's size."""
+    size, loads = run.road.constraints.size, whole(run)
+    sizes = [np.abs(load.force) for load in loads.forces] + [np.abs(twist.moment) / size for twist in loads.moments]
+    for reaction in found.reactions.values():
+        sizes.append(np.abs(reaction.force))
+        if reaction.moment is not None:
+            sizes.append(np.abs(reaction.moment) / size)
+    return np.max([*sizes, np.abs(found.balancing.moment) / size], axis=0)
+
+
+def torque(r: Complexes, force: Complexes) -> Floats:
+    return np.asarray((r.conj() * force).imag)
+
+
+def left_over(run: Run, found: Kinetostatics) -> dict[int, tuple[Complexes, Floats]]:
+    """Add up force and moment about the datum on every moving link: loads, inertia, reactions and the drive."""
+    count = len(run.motion.phi)
+    rest = {link: (np.zeros(count, complex), np.zeros(count)) for link in run.mechanism.links}
+
+    def add(link: int, force: Complexes, moment: Floats) -> None:
+        rest[link] = rest[link][0] + force, rest[link][1] + moment
+
+    for load in whole(run).forces:
+        point, own = next(iter(run.mechanism.links[load.link].points.items()))
+        r = run.motion.points[point].r + (load.at - own) * np.exp(1j * run.motion.links[load.link].angle)
+        add(load.link, load.force, torque(r, load.force))
+    for twist in whole(run).moments:
+        add(twist.link, np.zeros(count, complex), twist.moment)
+    for reaction in found.reactions.values():
+        moment = torque(reaction.r, reaction.force) + (0 if reaction.moment is None else reaction.moment)
+        add(reaction.taker, reaction.force, moment)
+        add(reaction.giver, -reaction.force, -moment)
+    drive, crank = found.balancing, run.mechanism.drive.link
+    if drive.force is None or drive.r is None:
+        add(crank, np.zeros(count, complex), drive.moment)
+    else:
+        add(crank, drive.force, torque(drive.r, drive.force))
+    return {link: sums for link, sums in rest.items() if link != FRAME}
+
+
+def in_balance(run: Run) -> None:
+    found = run.forces
+    allowed = ROUNDINGS * EPS * largest(run, found) * len(run.mechanism.links)
+    # Arms are no longer than the places themselves, measured from the datum.
+    reach = run.road.constraints.size + np.max([np.abs(point.r) for point in run.motion.points.values()], axis=0)
+    for link, (force, moment) in left_over(run, found).items():
+        assert (np.abs(force) <= allowed).all(), link
+        assert (np.abs(moment) <= allowed * reach).all(), link
+
+
+@settings(max_examples=50)
+@given(run=runs())
+def test_every_link_is_in_equilibrium_and_slides_push_square_to_their_line(run):
+    in_balance(run)
+    for key, reaction in run.forces.reactions.items():
+        if reaction.along is not None:
+            along = (reaction.along.conj() * reaction.force).real
+            assert np.abs(along) <= 4 * EPS * np.abs(reaction.force), key
+
+
+@settings(max_examples=50)
+@given(run=runs())
+def test_three_balances_agree(run):
+    found, kappa = run.forces, run.road.conditions(run.motion)
+    far = 1 + np.abs(run.road.poses(run.motion)).max()  # no arm is longer, in units of the mechanism's size
+    spins = [abs(row[0]) for motion in run.motion.links.values() if (row := motion.omega) is not None]
+    share = run.road.constraints.size * far * max(spins) / abs(run.mechanism.drive.omega)
+    solved, by_power = found.balancing.moment, balancing_moment(*run.case)
+    allowed = ROUNDINGS * EPS * kappa**2 * largest(run, found) * share
+    assert np.abs(solved - by_power) <= allowed
+    energy = energy_balance(*run.case)
+    # The energy balance knows no accelerations; theirs are known to kappa cubed.
+    lively = [np.abs(load.force).max() for load in borne(run.mechanism, run.machine, run.motion).forces]
+    inertial = ROUNDINGS * EPS * kappa**3 * sum(lively) * share
+    assert np.isfinite(energy.allowed) and np.abs(solved - energy.moment) <= energy.allowed + allowed + inertial
+
+
+# Faults planted in inertia, loads and levers: which balance sees them
+
+
+def shaper(forces: dict[tuple[int, complex], complex] | None = None, of: Machine = SHAPER) -> Run:
+    loads = steady(12, {(5, 0j): 1500 + 0j} if forces is None else forces, {3: 20.0})
+    return Run(linkages.shaper(), of, TURN + 0.2, loads)
+
+
+def seen(run: Run) -> tuple[bool, bool]:
+    """Tell whether the balances of power and of energy see that something is wrong with the moment solved for."""
+    moment, energy = run.forces.balancing.moment, energy_balance(*run.case)
+    by_power = np.abs(moment - balancing_moment(*run.case)) > 1e-9 * np.abs(moment).max()
+    return bool(by_power.any()), bool((np.abs(moment - energy.moment) > energy.allowed).any())
+
+
+def test_nothing_wrong_is_seen_where_nothing_is():
+    assert seen(shaper()) == (False, False)
+    assert (energy_balance(*shaper().case).allowed < 1e-5 * 285).all()
+
+
+def _about_the_hinge(mechanism: Mechanism, its: Machine, motion: Motion) -> Loading:
+    """Take the moments of inertia about the links' origins, with the mass counted twice."""
+    bodies = {n: b._replace(inertia=b.inertia + b.mass * abs(b.centre) ** 2) for n, b in its.bodies.items()}
+    return borne(mechanism, replace(its, bodies=bodies), motion)
+
+
+def _upside_down(mechanism: Mechanism, its: Machine, motion: Motion) -> Loading:
+    return borne(mechanism, replace(its, gravity=-its.gravity), motion)
+
+
+def _at_the_origin(mechanism: Mechanism, its: Machine, motion: Motion) -> Loading:
+    bodies = {n: b._replace(centre=0j) for n, b in its.bodies.items()}
+    return borne(mechanism, replace(its, bodies=bodies), motion)
+
+
+def _turned_the_wrong_way(mechanism: Mechanism, its: Machine, motion: Motion) -> Loading:
+    right = borne(mechanism, its, motion)
+    return Loading(right.forces, tuple(twist._replace(moment=-twist.moment) for twist in right.moments))
+
+
+@pytest.mark.parametrize("fault", [_about_the_hinge, _upside_down, _at_the_origin, _turned_the_wrong_way])
+def test_the_energy_balance_alone_sees_wrong_inertia(monkeypatch, fault):
+    for module in ("kinetostatics", "power"):
+        monkeypatch.setattr(f"plans.analytic.{module}.borne", fault)
+    assert seen(shaper()) == (False, True)
+
+
+# What the forces do when the machine is changed
+
+
+def close(found: Kinetostatics, other: Kinetostatics, factor: complex = 1.0, mirrored: bool = False) -> None:
+    """Compare all forces, turned and stretched by a factor, and the moments, stretched by its size; or mirrored."""
+    sign, size = (-1.0 if mirrored else 1.0), max(np.abs(r.force).max() for r in found.reactions.values())
+    for key, reaction in found.reactions.items():
+        theirs = other.reactions[key]
+        force = reaction.force.conj() if mirrored else reaction.force
+        assert theirs.force == pytest.approx(factor * force, abs=1e-10 * size * abs(factor)), key
+        if reaction.moment is not None:
+            assert theirs.moment == pytest.approx(sign * abs(factor) * reaction.moment, abs=1e-10 * size * abs(factor))
+    assert other.balancing.moment == pytest.approx(sign * abs(factor) * found.balancing.moment, rel=1e-10)
+
+
+def changed(run: Run, factor: complex, its: Machine | None = None) -> Run:
+    """Turn and stretch all loads."""
+    forces = tuple(load._replace(force=factor * load.force) for load in run.loading.forces)
+    moments = tuple(twist._replace(moment=abs(factor) * twist.moment) for twist in run.loading.moments)
+    return Run(run.mechanism, its or run.machine, run.motion.phi, Loading(forces, moments))
+
+
+def heavier(its: Machine, factor: float) -> Machine:
+    bodies = {n: b._replace(mass=factor * b.mass, inertia=factor * b.inertia) for n, b in its.bodies.items()}
+    return replace(its, bodies=bodies)
+
+
+def test_twice_the_mass_is_twice_the_force():
+    free = Run(linkages.shaper(), replace(SHAPER, gravity=0j), TURN + 0.2)
+    close(free.forces, Run(free.mechanism, heavier(free.machine, 2.0), free.motion.phi).forces, 2.0)
+
+
+def test_twice_the_speed_is_four_times_the_force():
+    slow = Run(driven(linkages.shaper(), 10, 5), replace(SHAPER, gravity=0j), TURN + 0.2)
+    fast = Run(driven(linkages.shaper(), 20, 20), slow.machine, slow.motion.phi)
+    back = Run(driven(linkages.shaper(), -10, 5), replace(slow.machine, transmission=Transmission()), slow.motion.phi)
+    close(slow.forces, fast.forces, 4.0)
+    close(Run(slow.mechanism, back.machine, slow.motion.phi).forces, back.forces)
+
+
+def test_loads_superpose():
+    still = machine()
+    one, other = shaper({(5, 0j): 1500 + 0j}, still), shaper({(4, 0.1 + 0.02j): 300 - 700j, (3, 0.2j): 90 + 5j}, still)
+    twists = one.loading.moments
+    both = Run(one.mechanism, still, one.motion.phi, Loading(one.loading.forces + other.loading.forces, twists))
+    alone = Run(one.mechanism, still, one.motion.phi, Loading(other.loading.forces, ()))
+    for key, reaction in both.forces.reactions.items():
+        parts = one.forces.reactions[key].force + alone.forces.reactions[key].force
+        assert reaction.force == pytest.approx(parts, abs=1e-9)
+    moments = one.forces.balancing.moment + alone.forces.balancing.moment
+    assert both.forces.balancing.moment == pytest.approx(moments, abs=1e-9)
+
+
+def moved(mechanism: Mechanism, turn: complex, mirrored: bool = False) -> Mechanism:
+    """Turn the whole machine with its frame; or mirror it, links and all."""
+
+    def image(place: complex) -> complex:
+        return place.conjugate() if mirrored else place
+
+    def way(line: Way, link: int) -> Way:
+        share = turn if link == FRAME else 1
+        return Way(share * image(line.through), share * image(line.direction))
+
+    links = {
+        n: Link(n, {name: (turn if n == FRAME else 1) * image(place) for name, place in link.points.items()})
+        for n, link in mechanism.links.items()
+    }
+    slides = tuple(
+        replace(s, on_slider=way(s.on_slider, s.slider), on_owner=way(s.on_owner, s.owner)) for s in mechanism.slides
+    )
+    sign = -1 if mirrored else 1
+    drive = replace(mechanism.drive, omega=sign * mechanism.drive.omega, epsilon=sign * mechanism.drive.epsilon)
+    sketch = {name: turn * image(place) for name, place in mechanism.sketch.items()}
+    return replace(mechanism, links=links, slides=slides, drive=drive, sketch=sketch)
+
+
+def test_the_machine_turned_turns_its_forces():
+    turn, run = cmath.rect(1, 0.7), shaper()
+    gear = run.machine.transmission
+    its = replace(run.machine, gravity=turn * DOWN, transmission=gear._replace(at=gear.at + 0.7))
+    loads = changed(run, turn).loading
+    close(run.forces, Run(moved(run.mechanism, turn), its, run.motion.phi + 0.7, loads).forces, turn)
+
+
+def test_the_machine_mirrored_mirrors_its_forces():
+    run = shaper()
+    upright = {n: body._replace(centre=body.centre.conjugate()) for n, body in run.machine.bodies.items()}
+    gear = run.machine.transmission
+    its = replace(run.machine, bodies=upright, gravity=DOWN.conjugate(), transmission=gear._replace(at=-gear.at))
+    forces = tuple(load._replace(at=load.at.conjugate(), force=load.force.conj()) for load in run.loading.forces)
+    moments = tuple(twist._replace(moment=-twist.moment) for twist in run.loading.moments)
+    image = Run(moved(run.mechanism, 1, mirrored=True), its, -run.motion.phi, Loading(forces, moments))
+    close(run.forces, image.forces, mirrored=True)
+
+
+def test_a_three_lead_group_is_no_obstacle():
+    told = [(0, 1, "O"), (1, 2, "A1"), (2, 3, "B1"), (0, 4, "A2"), (0, 5, "A3"), (3, 4, "B2"), (3, 5, "B3")]
+    bodies = {n: Body(n, 2.0 * n, 0.01 * n, 0.05 + 0.02j) for n in range(1, 6)}
+    loads = steady(1, {(3, 0.1 + 0.1j): 40 - 70j}, {3: 2.0})
+    run = Run(linkages.triad(), machine(bodies), np.array([0.4]), loads, tuple(Pair(*pair) for pair in told))
+    assert not run.forces.gaps
+    in_balance(run)
+    moment = run.forces.balancing.moment
+    assert balancing_moment(*run.case) == pytest.approx(moment, rel=1e-11)
+    energy = energy_balance(*run.case)
+    assert abs(energy.moment - moment) <= energy.allowed < 1e-4 * abs(moment)
+
+
+def test_a_pin_of_three_links_is_told_as_any_tree():
+    """Toggle press: links 2, 3 and 4 meet in one pin; whichever pairs are told, each link is in equilibrium."""
+    links = {
+        FRAME: {"O": 0j, "C": 0.3 - 0.1j},
+        1: {"O": 0j, "A": 0.05},
+        2: {"A": 0j, "B": 0.25},
+        3: {"C": 0j, "B": 0.2},
+        4: {"B": 0j, "D": 0.2},
+        5: {"D": 0j},
+    }
+    guide = Slide(5, FRAME, Way(0j, 1j), Way(0.3 + 0j, 1j), "D", "")
+    sketch = {"B": 0.22 + 0.08j, "D": 0.3 + 0.26j}
+    drive = linkages.shaper().drive
+    mechanism = linkages.mechanism("press", links, (guide,), drive, sketch, None)
+    bodies = {n: Body(n, 1.0 + n, 0.01, 0.02 + 0.01j) for n in (2, 3, 4, 5)}
+    loads = steady(12, {(5, 0j): -800j, (4, 0.1 + 0j): 20 + 0j})
+    rest = [(0, 1, "O"), (1, 2, "A"), (0, 3, "C"), (4, 5, "D"), (0, 5, guide)]
+    trees = ([(2, 3, "B"), (3, 4, "B")], [(2, 3, "B"), (2, 4, "B")], [(2, 4, "B"), (3, 4, "B")])
+    runs = [Run(mechanism, machine(bodies), TURN, loads, tuple(Pair(*p) for p in (*rest, *tree))) for tree in trees]
+    for run in runs:
+        in_balance(run)
+    alone, whole_pin = runs[0].forces.reactions, runs[1].forces.reactions
+    # Link 4 has but one pair in the pin in both: what it takes from it is the same.
+    assert alone["3-4"].force == pytest.approx(whole_pin["2-4"].force, rel=1e-12)
+    assert abs(alone["2-3"].force - whole_pin["2-3"].force).min() > 1.0
+
+
+@pytest.mark.parametrize("miss", [1e-2, 1e-4, 1e-6, 1e-10])
+def test_beside_a_near_change_point_the_energy_balance_stays_on_its_assembly(miss):
+    mechanism = linkages.four_bar(0.1, 0.3 + 0.1 * miss, 0.2, 0.4, sketch={"B": 0.35 + 0.15j})
+    beside = np.concatenate((-np.logspace(-6, -0.3, 60), np.logspace(-6, -0.3, 60)))
+    bodies = {2: Body(2, 1, 0.01, 0.1), 3: Body(3, 1, 0.01, 0.1)}
+    run = Run(mechanism, machine(bodies), np.array([1.0, *(pi + beside)]))
+    energy, moment = energy_balance(*run.case), run.forces.balancing.moment
+    judged = np.isfinite(energy.allowed)
+    assert (np.abs(energy.moment - moment) <= energy.allowed)[judged].all() and judged.sum() > 40
+
+
+def test_many_positions_agree_with_few():
+    few = shaper()
+    phi = few.motion.phi[0] + np.arange(2400) * (2 * pi / 2400)
+    many = Run(few.mechanism, few.machine, phi, steady(2400, {(5, 0j): 1500 + 0j}, {3: 20.0}))
+    for key, reaction in few.forces.reactions.items():
+        assert many.forces.reactions[key].force[::200] == pytest.approx(reaction.force, abs=1e-9), key
+    energy = energy_balance(*many.case)
+    assert (np.abs(energy.moment - many.forces.balancing.moment) <= energy.allowed).all()
