@@ -28,6 +28,7 @@ from plans.motion import Floats, Motion
 # mechanism changes. Where it changes faster, the differences of lower orders tell, and a shorter step is tried.
 STEPS = EPS ** (1.0 / 9.0) / np.array((1.0, 4.0, 16.0))
 ENOUGH = EPS ** (1.0 / 3.0)  # of the energy: five digits of a slope show any wrong mass; no shorter step is needed
+CONVERGING = 0.01  # where the orders differ by more than this share, what they leave out is anybody's guess
 ORDERS = np.array(
     (
         (4 / 5, -1 / 5, 4 / 105, -1 / 280),  # of order 8
@@ -58,33 +59,34 @@ def energy_balance(road: Analysis, machine: Machine, motion: Motion, loading: Lo
     inertia = reduced_inertia(constraints, machine, poses, first)
     loads = reduced_moment(road, motion, loading, first)
     plain, magnified = _rounding(road, machine, motion, loading, first)
-    enough = ENOUGH * _energy(constraints, machine, drive.omega, poses, first)[1]
     slope, allowed = np.full(len(poses), np.nan), np.full(len(poses), np.inf)
+    poor = np.flatnonzero(np.isfinite(loads))
     for step in STEPS:
-        poor = np.flatnonzero(np.isfinite(loads) & (allowed > enough))
+        if not poor.size:
+            break
         around = _around(constraints, poses[poor], first[poor], step)
-        energy, _ = _energy(constraints, machine, drive.omega, around, _rates(constraints, around))
-        found, doubt = _slope(energy, step)
-        doubt += plain[poor] + magnified[poor] / step
+        energy, size = _energy(constraints, machine, drive.omega, around)
+        found, doubt = _slope(energy, size, plain[poor] + magnified[poor] / step, step)
         better = doubt < allowed[poor]
         slope[poor[better]], allowed[poor[better]] = found[better], doubt[better]
+        poor = poor[~(allowed[poor] <= ENOUGH * size)]
     return EnergyBalance(slope + inertia * drive.epsilon - loads, allowed)
 
 
-def _energy(
-    constraints: Constraints, machine: Machine, omega: float, poses: Floats, first: Floats
-) -> tuple[Floats, Floats]:
-    """Give the energy J at constant speed, kinetic and potential, and the sum of the sizes of both."""
-    kinetic = omega**2 / 2.0 * reduced_inertia(constraints, machine, poses, first)
-    raised = potential(constraints, machine, poses)
-    return kinetic + raised, kinetic + np.abs(raised)
+def _energy(constraints: Constraints, machine: Machine, omega: float, around: Floats) -> tuple[Floats, Floats]:
+    """Give kinetic and potential energy J at the speed omega, (rings, 2, N), and the largest size of both together."""
+    kinetic = omega**2 / 2.0 * reduced_inertia(constraints, machine, around, _rates(constraints, around))
+    raised = potential(constraints, machine, around)
+    return kinetic + raised, (kinetic + np.abs(raised)).max(axis=(0, 1))
 
 
-def _slope(energy: Floats, step: float) -> tuple[Floats, Floats]:
-    """Differentiate what (rings, 2, N) holds by the crank angle; give the slope, and what its order may leave out."""
+def _slope(energy: Floats, size: Floats, rounding: Floats, step: float) -> tuple[Floats, Floats]:
+    """Differentiate the energy by the crank angle; give the slope, and by how much it may be off."""
     slopes = ORDERS @ (energy[:, 0] - energy[:, 1]) / step
     # Two differences, for one of them may vanish by chance.
-    return slopes[0], np.abs(np.diff(slopes, axis=0)).sum(axis=0)
+    doubt = np.abs(np.diff(slopes, axis=0)).sum(axis=0)
+    converging = doubt <= CONVERGING * (np.abs(slopes[0]) + size) + rounding
+    return slopes[0], np.where(converging, doubt + rounding, np.inf)
 
 
 def _around(constraints: Constraints, poses: Floats, first: Floats, step: float) -> Floats:
@@ -111,17 +113,23 @@ def _guess(rings: list[Floats]) -> Floats:
 
 
 def _closed(constraints: Constraints, guess: Floats, centre: Floats, phi: Floats) -> Floats:
-    """Close the guessed poses of a ring; what moves far from its guess belongs to another assembly."""
+    """Close the guessed poses of a ring; what moves far from its guess, or folds over, is another assembly."""
     closed, flat = np.full_like(guess, np.nan), guess.reshape(-1, *guess.shape[2:])
-    centres = np.concatenate((centre, centre))
+    centres, side = np.concatenate((centre, centre)), np.tile(_side(constraints, centre), 2)
     sound = np.flatnonzero(np.isfinite(flat).all(axis=(1, 2)))
     for block in blocks(len(sound)):
         here = sound[block]
         poses, reached = close(constraints, flat[here], phi.ravel()[here])
         moved = np.abs(poses - centres[here]).max(axis=(1, 2))
         reached &= np.abs(poses - flat[here]).max(axis=(1, 2)) <= TRUST * moved
+        reached &= _side(constraints, poses) == side[here]
         closed.reshape(flat.shape)[here[reached]] = poses[reached]
     return closed
+
+
+def _side(constraints: Constraints, poses: Floats) -> Floats:
+    """Tell assemblies that meet at a singular position apart, by the sign of the Jacobian's determinant."""
+    return np.asarray(np.sign(np.linalg.det(constraints.jacobian(constraints.place(poses)))))
 
 
 def _rates(constraints: Constraints, poses: Floats) -> Floats:

@@ -18,7 +18,7 @@ from plans.analytic.power import balancing_moment, reduced_moment, transfers
 from plans.kinetostatics import Kinetostatics, Loading
 from plans.machine import FORCE, Body, Transmission
 from plans.mechanism import FRAME, Drive, Slide, Way
-from plans.motion import Floats
+from plans.motion import Floats, Gap
 from tests.plans import linkages
 from tests.plans.machines import SHAPER, Run, machine, steady
 from tests.plans.studies import driven, study_of
@@ -358,6 +358,15 @@ def test_positions_out_of_reach_stay_gaps():
     run = Run(mechanism, machine(TWO), TURN)
     assert gaps(run.forces) == {6: ("positions", "out of reach")}
     assert run.forces.gaps == run.motion.gaps
+
+
+def test_a_gap_of_the_motion_has_no_forces_whatever_the_equations_say():
+    run = Run(ROCKER, machine(), TURN, steady(12, {(3, 0j): 100 + 0j, (2, 0.2 + 0j): 50j}))
+    told = Gap(4, float(TURN[4]), "velocities", "dead centre", "B", 0.0, "")
+    run.motion = replace(run.motion, gaps=(told,))
+    assert gaps(run.forces) == {4: ("velocities", "dead centre")}
+    assert np.flatnonzero(np.isnan(balancing_moment(*run.case))).tolist() == [4]
+    assert np.flatnonzero(np.isinf(energy_balance(*run.case).allowed)).tolist() == [4]
 
 
 def test_too_near_a_dead_centre_the_energy_balance_does_not_judge():

@@ -137,6 +137,12 @@ def test_a_sketch_may_leave_out_what_follows():
     assert bare.points["B"].r == pytest.approx(solve(SLOTTED, TURN).points["B"].r, abs=16 * EPS)
 
 
+def test_two_points_of_a_link_at_one_place_give_it_no_direction():
+    links = {**CRANK_ROCKER.links, 2: replace(CRANK_ROCKER.links[2], points={"A": 0j, "E": 0j, "B": 0.4 + 0j})}
+    doubled = replace(CRANK_ROCKER, links=links, sketch={"E": 0.02 + 0.1j, "B": 0.4 + 0.3j})
+    assert solve(doubled, TURN).points["B"].r == pytest.approx(solve(CRANK_ROCKER, TURN).points["B"].r, abs=16 * EPS)
+
+
 def test_conditions_of_either_road_and_at_gaps():
     mechanism = linkages.four_bar(0.1, 0.3, 0.145, 0.35, sketch={"B": 0.3 + 0.14j})
     kappa = conditions(mechanism, solve(mechanism, TURN, 0))
