@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from drawings import reading
 from drawings.labelled import unlettered
 from drawings.limits import Refused
 from drawings.measure import Measured, MeasuredVector, check, measure_file
-from drawings.strokes import Group, Leaf, Stroke, Text
+from drawings.strokes import Leaf
 from drawings.vector_plan import LEAST
-from drawings.words import number
 from geometry.errors import DraftError
 from plans.compare import Comparison
 from plans.expected import Expected
@@ -24,8 +23,6 @@ if TYPE_CHECKING:
     from plans.statics import Statics
 
 TOLD = 5  # mismatches told one by one
-_NUMBER = re.compile(r"[-−]?\d+(?:[.,]\d+)?")
-_SCALE = re.compile(r"(μ|K)\S+ = (\d+(?:[.,]\d+)?) ")  # of a plan, after its letter: mu_v, K_v
 
 
 class SelfCheckFailed(DraftError):  # noqa: N818  (the exit code's own word)
@@ -42,16 +39,19 @@ def verify(path: Path, leaf: Leaf, study: Study, comparison: Comparison, statics
         raise SelfCheckFailed(f"the written sheet cannot be measured: {refused}") from refused
     wrong = [f"{miss.key.name} on {miss.key.plan}" for miss in check(measured)]
     if leaf.metadata["sheet"] == "forces":
-        from drawings.verify_forces import forces_of  # noqa: PLC0415  (only a force sheet pays for it)
+        from drawings.verify_forces import forces_of, table_names  # noqa: PLC0415  (only a force sheet pays for it)
 
         assert statics is not None  # a force sheet is drawn from them
         wrong += forces_of(measured, leaf, comparison, statics)
+        names = table_names(comparison, statics)
     else:
         wrong += _kinematics(measured, leaf, study, comparison)
         wrong += _scales(leaf)
+        names = {finding.name.replace("_", ""): finding for finding in comparison.findings}
     for group in leaf.groups:
         if group.name.startswith("values"):
-            wrong += _table(group, comparison, tuple(int(k) for k in group.data["positions"].split()))
+            positions = tuple(int(k) for k in group.data["positions"].split())
+            wrong += reading.table(group, names, positions)
     wrong += unlettered(leaf)
     if wrong:
         more = f" and {len(wrong) - TOLD} more" if len(wrong) > TOLD else ""
@@ -108,64 +108,8 @@ def _points(measured: Measured, study: Study, comparison: Comparison, shown: int
             yield f"{name} on the plan of positions (against the analysis)"
 
 
-def _table(table: Group, comparison: Comparison, positions: tuple[int, ...]) -> Iterator[str]:
-    """Read a table's numbers back: each value is the analysis's, to the half of its last digit."""
-    rows: dict[float, list[Text]] = {}
-    for text in (stroke for stroke in _strokes(table) if isinstance(stroke, Text)):
-        rows.setdefault(round(text.at.imag, 3), []).append(text)
-    named = {finding.name.replace("_", ""): finding for finding in comparison.findings}
-    for row in rows.values():
-        finding, j = None, 0
-        for text in sorted(row, key=lambda text: text.at.real):
-            begins = named.get(text.plain.split(",")[0])
-            if begins is not None:  # a table of several blocks has several names in a line
-                finding, j = begins, 0
-                continue
-            if finding is not None and j < 3 * len(positions):
-                true, slack = finding.analysis[positions[j // 3]], float(finding.allowed[positions[j // 3]])
-                if j % 3 < 2 and not _reads(text.plain, abs(true) if isinstance(true, complex) else float(true), slack):
-                    yield f"{text.plain} for {finding.name} of position {positions[j // 3]} in the table"
-                j += 1
-
-
-def _reads(text: str, true: float, slack: float) -> bool:
-    """Tell whether a cell is a value to the half of its last digit, beside what the two roads may differ by."""
-    if text == "—":
-        return math.isnan(true)
-    if not _NUMBER.fullmatch(text):
-        return False
-    plain = text.replace("−", "-").replace(",", ".")
-    places = len(plain.partition(".")[2])
-    return abs(float(plain) - true) <= 0.5000001 * 10.0**-places + 1e-9 * abs(true) + slack
-
-
 def _scales(leaf: Leaf) -> Iterator[str]:
-    """Read each plan's written scale: mu is the one that its vectors are drawn to, and K is 1/mu to its own digits."""
+    """Read the written scale of each plan."""
     for group in leaf.groups:
-        stated = {float(s.data["scale"]) for s in _groups(group) if s.data.get("kind") in ("vector", "point")}
-        for text in (text.plain for text in _texts(leaf, group.name)):
-            found = _SCALE.match(text)
-            if found is None and not text.startswith("μ"):
-                continue
-            symbol, read = (found[1], found[2].replace(",", ".")) if found else ("", "")
-            if not all(read == number(1 / mu if symbol == "K" else mu) for mu in stated):
-                yield f"the scale {text}"
-
-
-def _texts(leaf: Leaf, name: str) -> list[Text]:
-    return [s for group in leaf.groups if group.name == name for s in _strokes(group) if isinstance(s, Text)]
-
-
-def _groups(group: Group) -> Iterator[Group]:
-    yield group
-    for stroke in group.strokes:
-        if isinstance(stroke, Group):
-            yield from _groups(stroke)
-
-
-def _strokes(group: Group) -> Iterator[Stroke]:
-    for stroke in group.strokes:
-        if isinstance(stroke, Group):
-            yield from _strokes(stroke)
-        else:
-            yield stroke
+        marked = (one.data for one in reading.groups(group) if one.data.get("kind") in ("vector", "point"))
+        yield from reading.scales(group, {float(data["scale"]) for data in marked})

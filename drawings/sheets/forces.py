@@ -10,7 +10,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from drawings import curve_graph, force_polygon, hodograph, lever_plan, loading_scheme, value_table
+from drawings import curve_graph, force_polygon, force_table, hodograph, lever_plan, loading_scheme, value_table
 from drawings.force_equations import Equations
 from drawings.force_letters import lettered
 from drawings.hand import Hand
@@ -177,22 +177,10 @@ class _Draft:
             for cut in self.cuts
         )
         named = [name for name in self.pictures if not name.startswith(("scheme-", "forces-"))]
-        lines = self._rows()
+        lines = force_table.rows(self.comparison, self.position, self.language, self.reactions)
         table = value_table.table(lines, (self.position,), self.hand.text, self.language)
         loose = tuple(self.pictures[name] for name in named)
         return Content(columns, loose, table, measured(self.said, self.hand.text))
-
-    def _rows(self) -> list[value_table.Row]:
-        """Give the rows of reactions, moments of sliding pairs, and what the drive gives by every road."""
-        rows = []
-        for finding in self.comparison.of("forces"):
-            name, _, how = finding.name.partition(" ")
-            if np.nanmax(np.abs(finding.construction), initial=0.0) > 0:
-                letter = lettered(name, self.language, self.reactions)
-                label = f"{letter} ({word(self.language, f'by {how}')})" if how else letter
-                unit = word(self.language, finding.unit)
-                rows.append(value_table.row(finding, f"{label}, {unit}", (self.position,), self.language))
-        return rows
 
     def leaf(self, composed: Composed, number: int, count: int) -> Leaf:
         """Draw one sheet: the lines of all its figures first, then the letters among them."""

@@ -1,0 +1,27 @@
+"""The table of a force sheet: reactions, moments of sliding pairs, what the drive gives (таблица реакций)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from drawings.force_letters import lettered
+from drawings.value_table import Row, row
+from drawings.words import word
+from plans.compare import Comparison, Finding
+
+
+def label(finding: Finding, language: str, reactions: str) -> str:
+    """Name a finding of the forces as the sheet does, with its unit: "R_{34}, N"."""
+    name, _, how = finding.name.partition(" ")
+    letter = lettered(name, language, reactions)
+    by = f" ({word(language, f'by {how}')})" if how else ""
+    return f"{letter}{by}, {word(language, finding.unit)}"
+
+
+def rows(comparison: Comparison, position: int, language: str, reactions: str) -> list[Row]:
+    """Give the rows of one position; what is zero over the whole turn has none."""
+    return [
+        row(finding, label(finding, language, reactions), (position,), language)
+        for finding in comparison.of("forces")
+        if np.nanmax(np.abs(finding.construction), initial=0.0) > 0
+    ]

@@ -1,0 +1,237 @@
+"""The force sheet: what it says can be checked with a ruler, and what a careless draughtsman would do withholds it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from drawings.commands.draw import draw
+from drawings.lettering import lettered
+from drawings.measure import measure_file
+from drawings.pens.svg import svg
+from drawings.reading import groups, texts
+from drawings.sheets import forces
+from drawings.strokes import Group, Leaf, Line, SheetError, Stroke, Text, stated
+from drawings.verify import SelfCheckFailed, verify
+from plans.compare import Comparison, compare
+from plans.force_comparison import compare_forces
+from plans.scene import parse_scene, read_scene
+from plans.statics import Statics
+from plans.study import Study
+from tests.drawings.collisions import collisions
+from tests.plans.force_cases import text_of
+
+GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
+Checked = tuple[Study, Comparison, Statics, Leaf]
+Change = Callable[[Stroke], Stroke | None]
+
+
+def sheets_of(study: Study) -> tuple[Comparison, Statics, tuple[Leaf, ...]]:
+    statics = Statics(study)
+    comparison = compare_forces(statics, compare(study))
+    return comparison, statics, forces.sheets(study, comparison, statics)
+
+
+@pytest.fixture(scope="module")
+def checked() -> Checked:
+    study = Study(read_scene(GALLERY / "shaper-loaded.toml"))
+    comparison, statics, leaves = sheets_of(study)
+    return study, comparison, statics, leaves[0]
+
+
+def walked(stroke: Stroke, change: Change) -> Stroke | None:
+    found = change(stroke)
+    if isinstance(found, Group):
+        kept = tuple(inner for s in found.strokes if (inner := walked(s, change)) is not None)
+        return replace(found, strokes=kept) if kept else None
+    return found
+
+
+def changed(leaf: Leaf, change: Change) -> Leaf:
+    return replace(leaf, groups=tuple(group for g in leaf.groups if isinstance(group := walked(g, change), Group)))
+
+
+def marked(kind: str, name: str, plan: str = "") -> Callable[[Stroke], bool]:
+    def is_it(stroke: Stroke) -> bool:
+        data = stroke.data if isinstance(stroke, Group) else {}
+        return data.get("kind") == kind and data.get("name") == name and data.get("plan", "") == plan
+
+    return is_it
+
+
+def dropped(name: str, plan: str) -> Change:
+    is_it = marked("vector", name, plan)
+    return lambda stroke: None if is_it(stroke) else stroke
+
+
+def stretched(name: str, plan: str, by: complex = 1.01) -> Change:
+    """Draw a vector otherwise than it is, and state it so: measuring alone cannot see it."""
+    is_it = marked("vector", name, plan)
+
+    def change(stroke: Stroke) -> Stroke:
+        if isinstance(stroke, Group) and is_it(stroke):
+            line = stroke.strokes[0]
+            assert isinstance(line, Line)
+            x, y = (float(part) for part in stroke.data["value"].split())
+            longer = replace(line, end=line.start + by * (line.end - line.start))
+            return replace(stroke, strokes=(longer,), data={**stroke.data, "value": stated(by * complex(x, y))})
+        return stroke
+
+    return change
+
+
+def reversed_arrow(name: str) -> Change:
+    is_it = marked("force", name)
+
+    def change(stroke: Stroke) -> Stroke:
+        if isinstance(stroke, Group) and is_it(stroke) and isinstance(stroke.strokes[0], Line):
+            shaft = stroke.strokes[0]
+            return replace(stroke, strokes=(replace(shaft, start=shaft.end, end=shaft.start), *stroke.strokes[1:]))
+        return stroke
+
+    return change
+
+
+def rewritten(old: str, new: str) -> Change:
+    return lambda stroke: replace(stroke, content=new) if isinstance(stroke, Text) and stroke.plain == old else stroke
+
+
+FAULTS: dict[str, Change] = {
+    "a known force is dropped": dropped("F_us", "forces-4-5"),
+    "a closing side is dropped": dropped("R_05", "forces-4-5"),
+    "a reaction is too long": stretched("R_34", "forces-4-5"),
+    "an inner reaction is turned about": stretched("R_32", "forces-2-3", -1.0),
+    "a tangential part is turned about": stretched("R^t_34", "forces-4-5", -1.0),
+    "an inertia force is too long": stretched("Φ_3", "forces-2-3"),
+    "the gear force is askew": stretched("P_bal", "forces-1", 1 + 0.01j),
+    "a weight on a scheme points up": reversed_arrow("G_4"),
+    "a reaction on the scheme of the crank points backwards": reversed_arrow("R_21"),
+    "an ordinate of the balancing moment is too long": stretched("3", "balancing"),
+    "the hodograph's vector is too long": stretched("R_03", "hodograph-0-3"),
+    "a value of the table is wrong in its last digit": rewritten("1736.7", "1736.8"),
+    "a force in the equations is wrong": rewritten("G4 = 29.43 N,", "G_4 = 29.34 N,"),
+    "a reaction in the equations is wrong": rewritten("R05 = 211.58 N,", "R_{05} = 212.58 N,"),
+    "a force plan's scale is written wrong": rewritten("μF = 10 N/mm", "μ_F = 5 N/mm"),
+    "a letter of a force is missing": rewritten("Fus", ""),
+}
+
+
+def test_the_force_sheet_as_drawn_passes(checked: Checked, tmp_path: Path) -> None:
+    study, comparison, statics, leaf = checked
+    (tmp_path / "sheet.svg").write_bytes(svg(lettered(leaf)))
+    assert verify(tmp_path / "sheet.svg", leaf, study, comparison, statics).vectors
+
+
+@pytest.mark.parametrize("fault", FAULTS.values(), ids=FAULTS.keys())
+def test_a_fault_withholds_the_force_sheet(checked: Checked, tmp_path: Path, fault: Change) -> None:
+    study, comparison, statics, leaf = checked
+    wrong = changed(leaf, fault)
+    assert wrong != leaf, "the fault must be there to be seen"
+    (tmp_path / "sheet.svg").write_bytes(svg(lettered(wrong)))
+    with pytest.raises(SelfCheckFailed):
+        verify(tmp_path / "sheet.svg", wrong, study, comparison, statics)
+
+
+# With a ruler
+
+
+def test_a_force_plan_closes_on_the_paper_and_each_side_is_its_force_over_the_scale(
+    checked: Checked, tmp_path: Path
+) -> None:
+    """Lay the ruler on every side of group 4-5: its millimetres times mu_F are the newtons of the equations."""
+    leaf = checked[3]
+    (tmp_path / "sheet.svg").write_bytes(svg(lettered(leaf)))
+    measured = measure_file(tmp_path / "sheet.svg")
+    sides = {one.name: one for one in measured.vectors if one.plan == "forces-4-5"}
+    told = " ".join(text.plain for group in leaf.groups if group.name == "equations-4-5" for text in texts(group))
+    for name, plain in (("F_us", "Fus"), ("G_5", "G5"), ("R_05", "R05"), ("R_34", "R34"), ("R_54", "R54")):
+        found = re.search(rf"{plain} = ([\d.]+) N", told)
+        assert found is not None, name
+        millimetres = abs(sides[name].end - sides[name].start)
+        assert millimetres * sides[name].scale == pytest.approx(float(found[1]), abs=0.01 * sides[name].scale + 0.05)
+    outer = ("R^n_34", "R^t_34", "Φ_4", "G_4", "Φ_5", "G_5", "F_us", "R_05")
+    assert abs(sum(sides[name].value for name in outer)) < 0.1  # N, of 1700
+
+
+def test_the_moments_of_the_equation_with_the_arms_as_stated_cancel(checked: Checked) -> None:
+    """ΣM_D of rod 4: the stated forces by the stated arms and the stated couple give zero."""
+    leaf = checked[3]
+    told = " ".join(text.plain for group in leaf.groups if group.name == "equations-4-5" for text in texts(group))
+    value = {name: float(number) for name, number in re.findall(r"(\S+) = (-?[\d.]+)", told.replace("−", "-"))}
+    arms = {"h1": value["h1"] / 1000, "h2": value["h2"] / 1000, "lBD": 0.2}
+    total = 0.0
+    equation = told[told.index("ΣMD") : told.index("=0") if "=0" in told else told.index("Rt34 = ")]
+    for sign, force, arm in re.findall(r"([-−+]?) ?(Rt34|Φ4|G4) ?· ?(lBD|h1|h2)", equation):
+        total += (-1 if sign in ("-", "−") else 1) * value[force] * arms[arm]
+    couple = re.search(r"([-−+]) ?\|MΦ4\|", equation)
+    assert couple is not None
+    total += (-1 if couple[1] in ("-", "−") else 1) * abs(value["MΦ4"])
+    assert total == pytest.approx(0, abs=2e-3)  # five digits of three newton metres
+
+
+# Positions, languages, mechanisms
+
+
+def test_two_positions_get_a_sheet_each_and_hodographs_are_drawn(checked: Checked) -> None:
+    _, _, leaves = sheets_of(checked[0])
+    assert [leaf.metadata["position"] for leaf in leaves] == [2, 9]
+    assert [leaf.metadata["number"] for leaf in leaves] == [1, 2]
+    for leaf in leaves:
+        assert leaf.metadata["groups"] == ["4-5", "2-3", "1"]
+        names = [group.name for group in leaf.groups]
+        assert {"balancing", "hodograph-0-3"} <= set(names)
+
+
+def test_a_russian_sheet_letters_reactions_as_it_is_told_and_has_decimal_commas() -> None:
+    text = text_of("shaper", ("[friction]", '[sheet]\nlanguage = "ru"\nreactions = "P"\n\n[friction]'))
+    _, _, (leaf,) = sheets_of(Study(parse_scene(text)))
+    told = [text.plain for group in leaf.groups for text in texts(group)]
+    assert "Pτ34" in told
+    assert not any(re.fullmatch(r"R[nτtu]?\d\d", one) for one in told)
+    assert any(one.startswith("План сил группы 4-5") for one in told)
+    assert any("1644,1" in one for one in told)
+
+
+def test_a_position_without_forces_is_refused_with_those_that_have_them() -> None:
+    text = text_of("kind-1", ("positions = [0]", "start = 0\npositions = 12"), ("AB = 0.30", "AB = 0.12"))
+    text = text.replace("[0.15, 0]", "[0.06, 0]").replace("B = [0.336, 0.236]", "B = [0.2, 0.1]")
+    study = Study(parse_scene(text + "\n[sheet]\nforces = [0]\n"))
+    comparison, statics, _ = sheets_of(study)
+    gone = sorted({gap.position for gap in statics.forces.gaps})
+    assert gone, "the dyad of kind 1 cannot follow the crank all the way round"
+    wanted = Study(parse_scene(text + f"\n[sheet]\nforces = [{gone[0]}]\n"))
+    with pytest.raises(SheetError, match=rf"position {gone[0]} has no forces. Fix: choose one of 0, "):
+        sheets_of(wanted)
+    assert comparison.agrees
+
+
+@pytest.mark.parametrize("name", ["kind-1", "kind-2", "kind-3", "kind-4", "kind-5"])
+def test_the_force_sheet_of_each_kind_of_dyad_has_no_collisions(name: str, tmp_path: Path) -> None:
+    study = Study(parse_scene(text_of(name)))
+    comparison, statics, leaves = sheets_of(study)
+    for k, leaf in enumerate(leaves):
+        assert collisions(leaf) == []
+        path = tmp_path / f"{k}.svg"
+        path.write_bytes(svg(lettered(leaf)))
+        verify(path, leaf, study, comparison, statics)
+
+
+def test_every_force_on_a_scheme_has_one_arrow(checked: Checked) -> None:
+    leaf = checked[3]
+    (scheme,) = (group for group in leaf.groups if group.name.startswith("scheme-4-5"))
+    arrows = [one.data["name"] for one in groups(scheme) if one.data.get("kind") == "force"]
+    assert sorted(arrows) == sorted(["Φ_4", "G_4", "Φ_5", "G_5", "F_us", "R^n_34", "R^t_34", "R_05"])
+
+
+def test_a_force_sheet_alone_draws_no_kinematics(tmp_path: Path) -> None:
+    scene = tmp_path / "forces.toml"
+    scene.write_text(text_of("shaper"), "utf-8")
+    drawn = draw(scene, tmp_path / "out")
+    assert sorted(path.name for path in drawn.paths) == ["forces-forces.svg", "forces-report.md"]
+    report = (tmp_path / "out" / "forces-report.md").read_text("utf-8")
+    for said in ("## Reactions", "## Friction and efficiency", "ΣF 4-5, N", "ΣM whole, N*m", "M_bal energy"):
+        assert said in report
