@@ -1,0 +1,185 @@
+"""Forces by the command: numbers of both roads, the steps behind a reaction, what is said of jams and of nothing."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from drawings import cli
+from tests.plans.force_cases import ROADS, WORKED, text_of
+
+GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
+LOADED = GALLERY / "shaper-loaded.toml"
+SHAPER = WORKED["shaper"]
+Run = Callable[..., tuple[int, str, str]]
+
+
+@pytest.fixture
+def run(capsys: pytest.CaptureFixture[str]) -> Run:
+    def command(*arguments: object) -> tuple[int, str, str]:
+        code = cli.main([str(argument) for argument in arguments])
+        said = capsys.readouterr()
+        return code, said.out, said.err
+
+    return command
+
+
+@pytest.fixture
+def worked(tmp_path: Path) -> Path:
+    scene = tmp_path / "shaper.toml"
+    scene.write_text(text_of("shaper"), "utf-8")
+    return scene
+
+
+def numbers(run: Run, *arguments: object) -> dict[str, Any]:
+    code, out, _ = run("solve", *arguments)
+    assert code == 0
+    found: dict[str, Any] = json.loads(out)
+    return found
+
+
+@pytest.mark.parametrize("road", ROADS)
+def test_the_worked_example_as_json(run: Run, worked: Path, road: str) -> None:
+    told = numbers(run, worked, "--by", road)
+    assert told["by"] == road
+    assert list(told["reactions"]) == ["0-1", "0-3", "0-5", "1-2", "2-3", "3-4", "4-5"]
+    assert told["reactions"]["3-4"]["force"][0] == pytest.approx(SHAPER["3-4"], rel=1e-8)
+    assert told["reactions"]["3-4"]["at"][0] == pytest.approx([0.09172883154, 0.3439638474], rel=1e-8)
+    assert "moment" not in told["reactions"]["3-4"]  # a hinge has none
+    assert told["reactions"]["0-5"]["moment"] == [pytest.approx(0, abs=1e-9)]
+    assert told["reactions"]["0-5"]["point"] == "D"
+    assert told["balancing"]["moment"] == pytest.approx([SHAPER["moment"]], rel=1e-9)
+    assert told["balancing"]["force"][0] == pytest.approx(SHAPER["force"], rel=1e-8)
+    assert told["friction"]["2-3"]["power"] == pytest.approx([140.8512356], rel=1e-8)
+    assert told["friction"]["2-3"]["share"] == pytest.approx(0.4185536972, rel=1e-8)
+    assert told["efficiency"]["instantaneous"] == pytest.approx([0.8832703562], rel=1e-8)
+    assert told["efficiency"]["cycle"] is None  # a list of one position is no cycle
+    assert told["jams"] == []
+
+
+def test_the_two_roads_tell_the_same_over_a_turn(run: Run) -> None:
+    one, other = (numbers(run, LOADED, "--by", road, "--only", "forces") for road in ROADS)
+    assert set(one) == set(other)
+    assert "friction" not in one
+    for key, told in one["reactions"].items():
+        largest = max(abs(complex(*force)) for force in told["force"])
+        for ours, theirs in zip(told["force"], other["reactions"][key]["force"], strict=True):
+            assert complex(*ours) == pytest.approx(complex(*theirs), abs=1e-9 * largest)
+
+
+def test_places_are_those_of_the_scene_wherever_it_lies(run: Run, worked: Path, tmp_path: Path) -> None:
+    moved = tmp_path / "moved.toml"
+    text = text_of("shaper", ("O = [0, 0]", "O = [100, 20]"), ("C = [0, -0.350]", "C = [100, 19.650]"))
+    text = text.replace("through = [0, 0.3287", "through = [0, 20.3287").replace(
+        "B = [0.20, 0.32]", "B = [100.2, 20.32]"
+    )
+    moved.write_text(text.replace("D = [0.40, 0.33]", "D = [100.4, 20.33]"), "utf-8")
+    here, there = (numbers(run, scene, "--only", "forces") for scene in (worked, moved))
+    at = [complex(*told["reactions"]["1-2"]["at"][0]) for told in (here, there)]
+    assert at[1] - at[0] == pytest.approx(100 + 20j)
+    assert here["balancing"]["moment"] == pytest.approx(there["balancing"]["moment"], rel=1e-9)
+
+
+def test_only_forces_of_a_scene_on_which_nothing_acts_is_refused_with_advice(run: Run) -> None:
+    code, out, err = run("solve", GALLERY / "shaper.toml", "--only", "forces")
+    assert (code, out) == (3, "")
+    assert "nothing acts on the mechanism. Fix: add [masses]" in err
+
+
+@pytest.mark.parametrize(
+    ("mark", "last"),
+    [
+        ("R_34", "R_34 [forces]: join"),
+        ("P_34", "R_34 [forces]: join"),
+        ("R^t_34", "R^t_34 [forces]: balance"),
+        ("R_12", "R_12 [forces]: balance"),
+        ("Phi_3", "Φ_3 [forces]: turn"),
+        ("M^Phi_3", "M^Φ_3 [forces]: couple"),
+        ("G_5", "G_5 [forces]: given = (0, -245.25) N"),
+        ("M_bal", "M_bal [forces]: moment"),
+    ],
+)
+def test_the_steps_behind_a_force_end_with_it(run: Run, worked: Path, mark: str, last: str) -> None:
+    code, out, _ = run("explain", worked, mark)
+    assert code == 0
+    assert last in out.splitlines()[-1]
+
+
+def test_a_reaction_the_other_way_round_is_the_opposite_of_the_one_that_was_found(run: Run, worked: Path) -> None:
+    code, out, _ = run("explain", worked, "R_23")
+    assert code == 0
+    assert out.rstrip().endswith("R_23 is the opposite of R_32")
+
+
+def test_a_force_that_there_is_not_is_refused_with_what_there_is(run: Run, worked: Path) -> None:
+    code, _, err = run("explain", worked, "R_35")
+    assert code == 3
+    assert "also v_B, a_B, omega_3, R_12, M_bal" in err
+
+
+def test_compare_tells_every_sum_that_must_vanish(run: Run, worked: Path) -> None:
+    code, out, _ = run("compare", worked)
+    assert code == 0
+    for said in ("ΣF 3", "ΣM 2-3", "ΣF whole", "power", "M_bal lever", "M_bal energy", "agree"):
+        assert said in out
+
+
+def test_a_pair_that_jams_is_named_and_ends_with_4(run: Run, tmp_path: Path) -> None:
+    """A short rod leans up to 51 degrees to the guide: with f = 1 a force along it cannot drive the slider."""
+    scene = tmp_path / "steep.toml"
+    scene.write_text(
+        """
+title = "Steep rod"
+sheets = ["forces"]
+[mechanism.frame]
+O = [0, 0]
+[mechanism.links]
+1 = "OA"
+2 = "AB"
+3 = "B"
+[mechanism.lengths]
+OA = 0.07
+AB = 0.09
+[[mechanism.slides]]
+link = 3
+along = { through = [0, 0], angle = 0 }
+[mechanism.sketch]
+B = [0.16, 0]
+[drive]
+link = 1
+speed = 1
+positions = 12
+[[loads.forces]]
+on = 3
+point = "B"
+against = "motion"
+value = 100
+[friction]
+coefficient = 1.0
+radius = "1 mm"
+""",
+        "utf-8",
+    )
+    code, _, err = run("draw", scene, "-o", tmp_path / "out")
+    assert code == 4
+    assert "pair 0-3 jams by friction in positions" in err
+    assert "make the rod longer" in err
+
+
+def test_a_failed_balance_withholds_the_sheet(run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from plans import force_comparison
+
+    found = force_comparison.balancing_moment
+
+    def wrong(*given: Any) -> Any:
+        return found(*given) * 1.00001
+
+    monkeypatch.setattr(force_comparison, "balancing_moment", wrong)
+    code, _, err = run("draw", LOADED, "-o", tmp_path / "out")
+    assert code == 5
+    assert "M_bal power" in err
+    assert not (tmp_path / "out").exists()
