@@ -62,7 +62,7 @@ def sizes(study: Study) -> dict[str, float]:
         slowest = found[vector] / extent if extent > 0 else 0.0
         found[key] = max(_largest([getattr(link, key) for link in motion.links.values()]), slowest)
     if FORCES in study.scene.sheets:
-        found[REACTION] = _largest([one.force for one in Statics(study).forces.reactions.values()])
+        found[REACTION] = _largest([np.abs(one.force) for one in Statics(study).forces.reactions.values()])
         found[MOMENT] = found[REACTION] * extent
     return found
 
