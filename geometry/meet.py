@@ -230,11 +230,10 @@ def lever(arm: Vectors, along: Vectors, moment: Sizes) -> Meeting:
     3j
     """
     across = turn = cross(arm, along)
-    far, long, off = np.abs(arm), np.abs(along), np.abs(across)
-    most = np.maximum.reduce(far, None, initial=0.0) * np.maximum.reduce(long, None, initial=0.0)
-    clear = bool(np.minimum.reduce(off, None, initial=np.inf) > TANGENCY * EPS * most)
+    far, long = np.abs(arm), np.abs(along)
+    through = np.abs(across) <= TANGENCY * EPS * (far * long)
+    clear = not np.logical_or.reduce(through, None)
     if not clear:
-        through = off <= TANGENCY * EPS * (far * long)
         across, turn = np.where(through, 0.0, across), np.where(through, np.nan, across)
     force = along * (-moment / turn)
     return Meeting(force, force, across, (far, long), 0.0, clear)

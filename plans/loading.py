@@ -61,8 +61,9 @@ def _course(motion: Motion, point: str) -> Complexes:
     """Give the unit direction in which a point moves, from a rest that in which it will; 0 where it stands for good."""
     _, v, a = motion.points[point]
     along = _moving(v, a, motion.points.values())
+    speed = np.abs(along)
     with np.errstate(invalid="ignore"):  # a gap is NaN
-        return np.asarray(along / np.where(along == 0, 1, np.abs(along)))
+        return np.asarray(along / np.where(speed == 0, 1, speed))
 
 
 def _sense(motion: Motion, link: int) -> Floats:

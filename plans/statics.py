@@ -154,14 +154,15 @@ class Statics:
         for part in self.parts():
             found.append(part.read())
             free = free and part.drafts.free
-        whole, gaps = _joined([forces for forces, _ in found]), () if free else self.study.motion(2).gaps
-        lost = np.zeros(len(whole.phi), dtype=bool)
+        whole, none = _joined([forces for forces, _ in found]), np.concatenate([singular for _, singular in found])
+        if free and not none.any():
+            return whole
+        gaps, lost = self.study.motion(2).gaps, np.zeros(len(whole.phi), dtype=bool)
         lost[[gap.position for gap in gaps]] = True
-        none = np.concatenate([singular for _, singular in found]) & ~lost
+        none &= ~lost
         still = {gap.position: gap.where for gap in gaps if gap.plan == ORDERS[1]}  # held, but in no one way
         named = [*gaps, *(self._gap(k, still.get(k, "")) for k in (*still, *np.flatnonzero(none).tolist()))]
-        gone = lost | none
-        return replace(without(whole, gone) if gone.any() else whole, gaps=tuple(sorted(named, key=_number)))
+        return replace(without(whole, lost | none), gaps=tuple(sorted(named, key=_number)))
 
     def parts(self) -> Iterator[ForceDrafts]:
         """Give the force plans over all positions, in blocks where these are more than those of a sheet."""

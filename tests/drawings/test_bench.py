@@ -8,6 +8,7 @@ import sys
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 from xml.etree import ElementTree
 
@@ -15,16 +16,18 @@ import numpy as np
 import pytest
 
 from drawings import cli, press
-from drawings.bench import plain_pen, plot, session, sheet, startup
+from drawings.bench import force_sheet, plain_pen, plot, record, session, sheet, startup
+from drawings.bench.force_sheet import FORCES_BY_HAND
 from drawings.bench.session import Order
 from drawings.commands import bench as command
 from drawings.lettering import lettered, outline
 from drawings.limits import QUANTUM
 from drawings.strokes import Arc, Circle, Group, Leaf, Line, LineStyle, Polyline, Text
-from plans.bench import draughtsman
+from geometry.errors import DraftError
+from plans.bench import draughtsman, forces
 from plans.bench.error import sizes
 from plans.bench.peers import PYLINKAGE
-from plans.bench.result import Bench
+from plans.bench.result import Bench, Goal
 from plans.bench.roads import CONSTRUCTION, ground, newton, prepared
 from plans.scene import Scene, parse_scene, read_scene
 from tests.drawings.test_bench_report import TECHNIQUES, invented, lines
@@ -168,6 +171,64 @@ def test_a_start_up_draws_the_scene_in_processes_of_its_own(monkeypatch: pytest.
         "pass",
     ]  # once to compile, twice to be timed
     assert ran[0][3:5] == ["draw", str((GALLERY / "shaper.toml").resolve())]
+
+
+@pytest.fixture(scope="module")
+def loaded() -> Bench:
+    """Run a short session on a shaper whose forces are asked for."""
+    return session.session(of_forces(), Order((12, 360), 1, startup=False, drawn=12), lambda what: None)
+
+
+def of_forces() -> Scene:
+    return read_scene(GALLERY.parent.parent / "tests/cases/forces/shaper.toml")
+
+
+def test_a_scene_of_forces_has_rows_for_them(loaded: Bench) -> None:
+    for count in (12, 360):
+        rows = {row.technique: row for row in loaded.rows if row.positions == count}
+        assert set(forces.TECHNIQUES) <= set(rows)
+        assert all(rows[name].times and rows[name].error is not None for name in forces.TECHNIQUES)
+        assert rows[forces.FORCES_CONSTRUCTED].error < 1e-14
+    hands = {row.technique: row for row in loaded.rows if row.positions is None}
+    one, two = (hands[FORCES_BY_HAND.format(slip)] for slip in draughtsman.SLIPS)
+    assert one.error is not None and two.error == pytest.approx(2 * one.error, rel=0.1)
+    assert 1e-4 < one.error < one.often < 0.05
+
+
+def test_forces_are_held_against_the_motion_they_rest_on(loaded: Bench) -> None:
+    (ratio,) = (r for r in loaded.ratios if r.name.startswith("construction: forces") and r.positions == 360)
+    assert ratio.goal == Goal(3.0, least=False)
+    assert ratio.times is not None
+    told = " ".join(loaded.words)
+    assert "largest reaction" in told and "coarsest scale" in told
+
+
+def test_a_scene_of_motion_alone_says_nothing_of_forces(quick: Bench) -> None:
+    assert not [row.technique for row in quick.rows if "forces" in row.technique or "check" in row.technique]
+    assert not [ratio.name for ratio in quick.ratios if "forces" in ratio.name]
+    assert "reaction" not in " ".join(quick.words)
+
+
+def test_the_plot_and_the_csv_show_the_forces(loaded: Bench) -> None:
+    drawn = plot.svg(loaded).decode("utf-8")
+    for text in (*forces.TECHNIQUES, "F 0.1"):
+        assert f"<!-- {text} -->" in drawn
+    found = {line["technique"]: line for line in lines(record.csv_bytes(loaded)) if line["positions"] == "360"}
+    row = found[forces.FORCES_CONSTRUCTED]
+    assert 0 < float(row["error_R"]) < 1e-14 and 0 < float(row["error_M"]) < 1e-14
+    assert row["error_v"] == "" and row["accepted"] == "True"
+
+
+def test_a_force_sheet_that_is_refused_leaves_its_hands_out_with_the_reason(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refused(*_: Any) -> Any:
+        raise DraftError("no room for the lever")
+
+    monkeypatch.setattr(force_sheet.sheets, "sheets", refused)
+    study = prepared(of_forces(), 12)
+    with TemporaryDirectory() as folder:
+        drawn = sheet.draw(study, Path(folder))
+    rows = session._forces_by_hand(study, drawn, sizes(study))
+    assert [row.note for row in rows] == ["left out: no room for the lever"] * 2
 
 
 Run = Callable[..., tuple[int, str, str]]

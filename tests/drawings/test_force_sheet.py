@@ -186,6 +186,19 @@ def test_two_positions_get_a_sheet_each_and_hodographs_are_drawn(checked: Checke
         assert {"balancing", "hodograph-0-3"} <= set(names)
 
 
+def test_each_force_plan_states_the_scale_that_it_is_drawn_to(checked: Checked, tmp_path: Path) -> None:
+    """Of two positions the forces differ, and so may the scales; a drawn vector times the written one is its value."""
+    _, _, leaves = sheets_of(checked[0])
+    for k, leaf in enumerate(leaves):
+        path = tmp_path / f"{k}.svg"
+        path.write_bytes(svg(lettered(leaf)))
+        measured = measure_file(path)
+        for group in leaf.groups:
+            if group.name.startswith("forces-"):
+                (scale,) = {one.scale for one in measured.vectors if group.name.startswith(f"{one.plan}-")}
+                assert any(text.plain == f"μF = {scale:g} N/mm" for text in texts(group))
+
+
 def test_a_russian_sheet_letters_reactions_as_it_is_told_and_has_decimal_commas() -> None:
     text = text_of("shaper", ("[friction]", '[sheet]\nlanguage = "ru"\nreactions = "P"\n\n[friction]'))
     _, _, (leaf,) = sheets_of(Study(parse_scene(text)))

@@ -129,8 +129,8 @@ def test_links_that_do_not_turn_have_no_rate_to_be_wrong() -> None:
 
 
 def test_few_positions_are_all_looked_at_and_many_all_over_the_turn() -> None:
-    assert sample(bar(12), 24) == list(range(12))
-    chosen = sample(bar(1000), 24)
+    assert sample(bar(12).lost, 24) == list(range(12))
+    chosen = sample(bar(1000).lost, 24)
     assert len(set(chosen)) == 24
     assert chosen == sorted(chosen)
     assert np.diff([*chosen, chosen[0] + 1000]).max() <= 2 * 1000 / 24
@@ -139,7 +139,7 @@ def test_few_positions_are_all_looked_at_and_many_all_over_the_turn() -> None:
 
 def test_gaps_are_not_looked_at() -> None:
     gapped = study_of(linkages.four_bar(0.2, 0.15, 0.15, 0.3, sketch={"B": 0.25 + 0.14j}), 60, 90)
-    chosen = sample(gapped, 24)
+    chosen = sample(gapped.lost, 24)
     assert chosen
     assert not gapped.lost[chosen].any()
 

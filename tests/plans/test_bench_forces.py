@@ -1,0 +1,219 @@
+"""The forces on the bench: their truth, the errors of both roads and of the checks, and what a hand makes of them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+
+from geometry.errors import DraftError
+from geometry.meet import EPS
+from plans.bench import forces
+from plans.bench.draughtsman import Hand, drawn, toll
+from plans.bench.error import Errors, errors, sizes
+from plans.bench.forces import CHECKS, ENERGY, FORCES_ANALYSED, FORCES_CONSTRUCTED, LEVER, TECHNIQUES, ForceGround
+from plans.bench.roads import Ground, ground, prepared, roads, with_positions
+from plans.bench.truth import FORCE_KINDS, Truth, of_forces, replay
+from plans.compare import notches
+from plans.force_pattern import ForcePattern
+from plans.scene import Scene, parse_scene, read_scene
+from tests.plans.force_cases import WORKED
+
+ROOT = Path(__file__).parent.parent.parent
+SHAPER = ROOT / "tests/cases/forces/shaper.toml"
+GOAL = 8.0  # eps kappa: as of the motion, whose accelerations are the inertia forces
+ANALYSIS_GOAL = 64.0  # eps: of Newton's motion, and as much again of a linear system for the multipliers
+LEVERS = 64.0  # eps of a hand's plain formulas, a chain of some sixty acts
+SPRUNG = """
+[[loads.springs]]
+between = ["O", { on = 4, point = "D" }]
+stiffness = 900
+free = 0.15
+[[loads.forces]]
+on = 3
+point = "B"
+against = "motion"
+diagram = { travel = [0, 0.3, 1], force = [100, 400, 250] }
+overrun = 0.05
+"""
+
+
+def scene(text: str = "") -> Scene:
+    return parse_scene(SHAPER.read_text("utf-8").replace("[friction]", f"{text}[friction]"))
+
+
+def stood(count: int, text: str = "") -> Ground:
+    asked = scene(text)
+    return ground(asked, count, 12, sizes(prepared(asked, 360)))
+
+
+def judged(found: Ground) -> dict[str, Errors]:
+    ways = [road for road in roads(found) if set(road.judged) & set(TECHNIQUES)]
+    return {name: judge(road.run()) for road in ways for name, judge in road.judged.items()}
+
+
+def force_ground(found: Ground) -> ForceGround:
+    assert found.statics is not None
+    return ForceGround(found.study, found.statics, found.truth, found.largest)
+
+
+@pytest.mark.parametrize("text", ["", SPRUNG], ids=["resistance", "spring and diagram"])
+@pytest.mark.parametrize("count", [12, 360, 10_000])
+def test_all_forces_are_constructed_to_a_few_roundings(count: int, text: str) -> None:
+    found = stood(count, text)
+    kappa = float(notches(prepared(scene(), 360)).max())
+    told = force_ground(found)
+    error = told.judge(told.constructed())
+    assert set(error.kinds) == set(FORCE_KINDS)
+    assert 0 < error.largest <= GOAL * EPS * kappa
+    if count == 360:
+        assert told.judge(told.analysed()).largest <= ANALYSIS_GOAL * EPS * kappa
+
+
+def test_the_three_checks_give_the_balancing_moment() -> None:
+    found = judged(stood(12))
+    assert set(found) == set(TECHNIQUES)
+    assert all(set(found[name].kinds) == {"M"} and found[name].worst == "M_bal" for name in CHECKS)
+    assert found[LEVER].largest <= GOAL * EPS
+    assert found["check: power"].largest <= ANALYSIS_GOAL * EPS
+    assert found[ENERGY].largest <= EPS ** (1 / 3)  # five digits of a slope are all that it asks for
+
+
+def test_the_truth_is_the_worked_example() -> None:
+    """The book's six-link machine at 60 degrees, ten digits."""
+    study = prepared(scene(), 6)
+    truth = replay(study, [0], forces.prepared(study)).truth()
+    for key, (x, y) in ((key, WORKED["shaper"][key]) for key in ("0-3", "3-4", "4-5")):
+        assert complex(truth.values["R", key].near[0]) == pytest.approx(complex(x, y), rel=1e-9)
+    assert truth.values["M", "bal"].near[0] == pytest.approx(WORKED["shaper"]["moment"], rel=1e-9)
+
+
+def test_the_true_forces_on_the_ram_are_in_balance_to_thirty_digits() -> None:
+    """R_45 + R_05 - m a + G - F = 0, F square against the velocity: no rounding of the construction is left in it."""
+    mp = mpmath.mp.clone()
+    mp.dps = 40
+    study = prepared(scene(), 12)
+    statics = forces.prepared(study)
+    assert statics is not None
+    truth = replay(study, range(12), statics).truth()
+
+    def whole(kind: str, name: str, k: int) -> Any:
+        exact = truth.values[kind, name]
+        return mp.mpc(complex(exact.near[k])) + mp.mpc(complex(exact.rest[k]))
+
+    working = statics.strokes[""].working(study.turn.phi)
+    for k in range(12):
+        v, weight = whole("v", "D", k), 25 * mp.mpc(complex(0, -9.81))
+        load = -1500 * v / abs(v) if working[k] else 0
+        left = whole("R", "4-5", k) + whole("R", "0-5", k) - 25 * whole("a", "D", k) + load
+        # The weight is a given of the record, 25 times 9.81 rounded once.
+        assert abs(left + mp.mpc(complex(25 * complex(0, -9.81)))) < 1e-27
+        assert abs(left + weight) < 1e-12
+    assert working.any() and not working.all()
+
+
+def test_true_loads_are_the_constructed_ones_but_for_roundings() -> None:
+    study = prepared(scene(SPRUNG), 36)
+    wanted = replay(study, range(36), forces.prepared(study))
+    truth, loads = wanted.truth(), wanted.loads
+    assert loads is not None
+    mp = mpmath.mp.clone()
+    for k in range(36):
+        true = {key: mp.mpmathify(value.near[k]) for key, value in truth.values.items()}
+        for own, exact in zip(loads.loading.forces, loads.at(mp, k, true), strict=True):
+            assert abs(complex(own.force[k]) - complex(exact)) <= 64 * EPS * 1500, (own.name, k)
+
+
+def test_a_planted_error_of_a_reaction_is_counted_and_named() -> None:
+    told = force_ground(stood(12))
+    found = told.constructed()
+    spoilt = found.reactions["3-4"]._replace(force=found.reactions["3-4"].force + 1e-6 * told.largest["R"])
+    error = told.judge(replace(found, reactions={**found.reactions, "3-4": spoilt}))
+    assert error.worst == "R_3-4"
+    assert error.largest == pytest.approx(1e-6)
+    assert error.kinds["M"] < GOAL * EPS
+
+
+def test_forces_are_constructed_anew_in_every_run(monkeypatch: pytest.MonkeyPatch) -> None:
+    told = force_ground(stood(12))
+    followed: list[int] = []
+    real = ForcePattern.follow
+    monkeypatch.setattr(ForcePattern, "follow", lambda *given: followed.append(1) or real(*given))
+    told.constructed()
+    told.constructed()
+    assert len(followed) == 2
+
+
+def test_a_scene_without_forces_has_nothing_of_them() -> None:
+    plain = read_scene(ROOT / "drawings/gallery/shaper.toml")
+    largest = sizes(prepared(plain, 360))
+    found = ground(plain, 12, 12, largest)
+    assert found.statics is None
+    assert not set(largest) & set(FORCE_KINDS)
+    assert not {kind for kind, _ in found.truth.values} & set(FORCE_KINDS)
+    assert not {name for road in roads(found) for name in road.judged} & set(TECHNIQUES)
+
+
+def test_positions_of_force_sheets_that_are_not_there_are_left_out() -> None:
+    asked = scene().changed(sheet=scene().sheet.changed(forces=(0, 8, 20)))
+    assert with_positions(asked, 12).sheet.forces == (0, 8)
+
+
+def test_a_long_energy_balance_is_left_out_and_says_why() -> None:
+    told = force_ground(stood(forces.ENERGY_MOST + 1))
+    with pytest.raises(DraftError, match="energy balance"):
+        told.energy()
+
+
+def test_a_balancing_moment_that_is_not_judged_has_no_error() -> None:
+    told = force_ground(stood(12))
+    moment = told.constructed().balancing.moment.copy()
+    moment[3] = np.nan
+    assert told.judge_moment(moment).largest <= GOAL * EPS
+    assert told.judge_moment(np.full(12, np.nan)) == Errors({})
+    assert told.judge(told.constructed()).largest < float("inf")
+
+
+def by_hand(slip: float, drawings: int = 400) -> tuple[Any, Truth, dict[str, float]]:
+    study = prepared(scene(), 12)
+    wanted = replay(study, [0, 4, 8], forces.prepared(study))
+    largest = sizes(prepared(scene(), 360))
+    scales = {"positions": np.full(3, 0.002), "forces": np.full(3, largest["R"] / 150)}
+    scales |= {"velocities": np.full(3, largest["v"] / 150), "accelerations": np.full(3, largest["a"] / 150)}
+    truth = wanted.truth()
+    return toll(wanted.only_forces, Hand(slip, scales, drawings), truth, largest), truth, largest
+
+
+def test_a_hand_that_does_not_slip_draws_the_forces() -> None:
+    found, _, _ = by_hand(0.0, 1)
+    assert set(found.kinds) == set(FORCE_KINDS)
+    assert found.worst.max() <= LEVERS * EPS
+
+
+def test_twice_the_slip_is_about_twice_the_error_of_forces() -> None:
+    one, two = by_hand(0.1)[0], by_hand(0.2)[0]
+    assert np.median(two.worst) / np.median(one.worst) == pytest.approx(2.0, rel=0.05)
+    assert 1e-4 < np.median(one.worst) < 0.05  # a hair's breadth of 150 mm, and what arms and plans add to it
+
+
+def test_a_hand_reads_every_reaction_in_the_sense_in_which_it_is_told() -> None:
+    study = prepared(scene(), 12)
+    statics = forces.prepared(study)
+    wanted = replay(study, [0], statics)
+    scales = {plan: np.ones(1) for plan in ("positions", "velocities", "accelerations", "forces")}
+    found = drawn(wanted.only_forces, Hand(0.0, scales, 1))
+    told = of_forces(forces.over(study, statics).forces, wanted.truth()) if statics else {}
+    assert set(found) == set(told)
+    for key, value in told.items():
+        assert found[key][0, 0] == pytest.approx(value[0], rel=1e-10), key
+
+
+def test_both_roads_to_the_forces_have_a_row_of_their_own() -> None:
+    names = [name for road in roads(stood(12)) for name in road.judged]
+    assert names.index(FORCES_CONSTRUCTED) == names.index("construction: all") + 1
+    assert FORCES_ANALYSED in names
+    assert errors({}, Truth((), {}), {}) == Errors({})

@@ -1,0 +1,104 @@
+"""Positions in which a mechanism has no forces: said, and never a number beyond all bounds."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from plans.scene import parse_scene
+from plans.statics import Statics
+from plans.study import Study
+from tests.plans.force_cases import compared
+
+PARALLELOGRAM = """
+title = "Parallelogram"
+sheets = ["forces"]
+[mechanism.frame]
+O = [0, 0]
+C = [0.3, 0]
+[mechanism.links]
+1 = "OA"
+2 = "AB"
+3 = "CB"
+[mechanism.lengths]
+OA = 0.1
+AB = 0.3
+CB = 0.1
+[mechanism.sketch]
+B = [0.35, 0.087]
+[drive]
+link = 1
+speed = 10
+start = 60
+positions = 12
+[masses]
+2 = { mass = 3, inertia = 0.01, centre = "middle" }
+[loads]
+gravity = 9.81
+"""
+
+# The pins A and C are 0.5 m apart where the crank stands at 90 degrees: rod and rocker, 0.2 and 0.3, lie in one line.
+DEAD = """
+title = "Dead centre"
+sheets = ["forces"]
+[mechanism.frame]
+O = [0, 0]
+C = [0.4, 0]
+[mechanism.links]
+1 = "OA"
+2 = "AB"
+3 = "CB"
+[mechanism.lengths]
+OA = 0.3
+AB = 0.2
+CB = 0.3
+[mechanism.sketch]
+B = [0.34, 0.29]
+[drive]
+link = 1
+speed = 1
+positions = [60, 90]
+[mechanism.points]
+S = { on = 2, at = [0.1, 0] }
+[[loads.forces]]
+on = 2
+point = "S"
+value = [0, -10]
+"""
+
+
+def of(text: str) -> Statics:
+    return Statics(Study(parse_scene(text)))
+
+
+def test_a_parallelogram_in_one_line_is_statically_indeterminate_and_says_so() -> None:
+    """The rods share forces along their common line in any way; the equations leave one of them open."""
+    statics = of(PARALLELOGRAM)
+    found = statics.forces
+    flat = [gap for gap in found.gaps if gap.plan == "forces"]
+    assert [gap.position for gap in flat] == [4, 10]  # 180 and 360 degrees
+    assert {gap.reason for gap in flat} == {"statically indeterminate"}
+    assert all("share forces in many ways" in gap.advice for gap in flat)
+    assert np.isnan(found.balancing.moment[[4, 10]]).all()
+    assert np.isfinite(found.balancing.moment[:4]).all()
+
+
+def test_a_dead_centre_has_no_reactions_and_says_so() -> None:
+    statics = of(DEAD)
+    found = statics.forces
+    (gap,) = (gap for gap in found.gaps if gap.plan == "forces")
+    assert (gap.position, gap.reason) == (1, "dead centre")
+    assert "beyond all bounds" in gap.advice
+    for reaction in found.reactions.values():
+        assert np.isnan(reaction.force[1])
+        assert np.isfinite(reaction.force[0])
+
+
+@pytest.mark.parametrize("near", [1e-3, 1e-6])
+def test_near_a_dead_centre_reactions_grow_as_kappa_and_both_roads_agree(near: float) -> None:
+    """A static load: kappa is one over the angle between rod and rocker, the root of the crank's distance."""
+    comparison = compared(DEAD.replace("[60, 90]", f"[60, {90 - near:.12g}]"))
+    assert comparison.forces is not None
+    force = abs(comparison.forces[0].reactions["2-3"].force)
+    assert 1e-3 < force[1] * np.sqrt(np.radians(near)) / force[0] < 1e3
+    assert comparison.agrees
