@@ -34,7 +34,7 @@ ERROR = (
     "Error: the largest difference from the 50-digit replay of r, v, a of points and angle, omega, epsilon of links, "
     "each relative to the largest of its plan."
 )
-OF_FORCES = "Of forces: of reactions and moments; F: forces by hand."
+OF_FORCES = "Of forces: of reactions and moments; F: by hand. "
 
 
 class Look(NamedTuple):
@@ -166,7 +166,7 @@ def _level(axes: Axes, error: float, text: str, above: float) -> None:
 def _untimed(axes: Axes, rows: Sequence[Row]) -> None:
     """Draw the hands beside: the median of the chance drawings, and up to where 95 of 100 are."""
     names = {BY_HAND.format(slip): f"{slip:g}" for slip in SLIPS}
-    names |= {FORCES_BY_HAND.format(slip): f"F {slip:g}" for slip in SLIPS}
+    names |= {FORCES_BY_HAND.format(slip): f"{slip:g}\nF" for slip in SLIPS}
     hands = [(names[r.technique], r.error, r.often) for r in rows if r.technique in names and r.error and r.often]
     for place, (_, middle, most) in enumerate(hands):
         axes.plot([place, place], [middle, most], color="black", linewidth=0.9)
@@ -192,8 +192,8 @@ def _spots(rows: Sequence[Row], name: str) -> list[Spot]:
 
 def _foot(bench: Bench, counts: Sequence[int]) -> str:
     told = ", ".join(f"{count:,}".replace(",", " ") for count in counts)
-    error = f"{ERROR} {OF_FORCES}" if any(row.technique == FORCES_CONSTRUCTED for row in bench.rows) else ERROR
+    forces = OF_FORCES if any(row.technique == FORCES_CONSTRUCTED for row in bench.rows) else ""
     return (
-        f"{error}\nMarkers from small to large: {told} positions. By hand: the median of chance drawings, and the bar "
-        f"that 95 of 100 keep under.\nMachine: {bench.machine.written()}"
+        f"{ERROR}\nMarkers from small to large: {told} positions. By hand: the median of chance drawings, and the bar "
+        f"that 95 of 100 keep under.\n{forces}Machine: {bench.machine.written()}"
     )

@@ -211,7 +211,7 @@ def test_a_scene_of_motion_alone_says_nothing_of_forces(quick: Bench) -> None:
 
 def test_the_plot_and_the_csv_show_the_forces(loaded: Bench) -> None:
     drawn = plot.svg(loaded).decode("utf-8")
-    for text in (*forces.TECHNIQUES, "F 0.1"):
+    for text in (*forces.TECHNIQUES, "F"):
         assert f"<!-- {text} -->" in drawn
     found = {line["technique"]: line for line in lines(record.csv_bytes(loaded)) if line["positions"] == "360"}
     row = found[forces.FORCES_CONSTRUCTED]
