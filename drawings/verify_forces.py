@@ -108,15 +108,16 @@ class _Check:
     def told(self) -> Iterator[str]:
         """Read the sizes of forces that the equations state."""
         for group in self.leaf.groups:
-            if not group.name.startswith("equations-"):
+            label = group.name.removeprefix("equations-")
+            if label == group.name or label not in self._labels():
                 continue
-            known = {plain(name): value for name, value in self.forces(group.name.removeprefix("equations-")).items()}
+            known = {plain(name): value for name, value in self.forces(label).items()}
             for text in texts(group):
                 found = _TOLD.fullmatch(text.plain)
                 if found is None or found["name"] not in known or found["unit"] not in self._newton:
                     continue
                 if not reads(found["value"].rstrip(","), abs(known[found["name"]]), self.slack):
-                    yield f"{text.plain} in the equations of {group.name.removeprefix('equations-')}"
+                    yield f"{text.plain} in the equations of {label}"
 
     @property
     def _newton(self) -> tuple[str, ...]:
