@@ -24,7 +24,7 @@ settings.register_profile(
 )
 # A run within a run: what is imported already stays as it is, and what the outer run keeps is left to it.
 QUIET = (
-    *("-q", "--hypothesis-profile=seeded", "-W", "ignore::pytest.PytestAssertRewriteWarning"),
+    *("-q", "--tb=no", "--hypothesis-profile=seeded", "-W", "ignore::pytest.PytestAssertRewriteWarning"),
     *("-p", "no:cacheprovider", "-p", "no:faulthandler", "-p", "no:xdist"),
 )
 SEEN = (AssertionError, pytest.fail.Exception)  # a test says no; any other exception is a fault in the table

@@ -18,6 +18,7 @@ from plans.kinetostatics import Kinetostatics
 from plans.mechanism import FRAME
 from plans.motion import Complexes, Floats, Motion
 from plans.passage import at_angles
+from plans.rubbing import rate
 from plans.study import Drafts
 from tests.plans.derivatives import REACH, derivative
 from tests.plans.loaded import Loaded, loaded, push
@@ -89,8 +90,8 @@ def test_outer_forces_and_moments_are_the_rate_of_momentum_of_the_whole(one):
         (spin, moment, told.turning, weight * fastest * one.size),
     ):
         slope, error = derivative(rows, one.margin * size)
-        rate = drive.omega * slope + drive.epsilon / drive.omega * rows[len(REACH) // 2]
-        assert abs(sum_ - rate) <= len(told.forces) * slack + abs(drive.omega) * error
+        slope = drive.omega * slope + drive.epsilon / drive.omega * rows[len(REACH) // 2]
+        assert abs(sum_ - slope) <= len(told.forces) * slack + abs(drive.omega) * error
 
 
 def _momentum(one: Loaded, motion: Motion) -> tuple[Complexes, Floats]:
@@ -138,3 +139,29 @@ def _driven(found: Kinetostatics) -> tuple[complex, complex, float]:
 
 def cross(arm: Complexes, force: Complexes) -> Floats:
     return np.asarray((np.conj(arm) * force).imag)
+
+
+@push
+@given(loaded())
+def test_the_slip_of_a_slide_is_how_fast_its_point_goes_along_the_line(one):
+    """The line turns with its owner: what is told is the place along it, differentiated."""
+    places = Drafts(one.study, at_angles(radians(one.phi) + REACH)).motion(0)
+    if not np.isfinite([point.r for point in places.points.values()]).all():
+        return  # a dead centre is as near as the step
+    for slide in one.mechanism.slides:
+        (reaction,) = (
+            found
+            for found in one.statics.forces.reactions.values()
+            if {found.giver, found.taker} == {slide.slider, slide.owner} and found.along is not None
+        )
+        name = next(iter(one.mechanism.links[slide.owner].points))
+        turn = 1.0 if slide.owner == FRAME else np.exp(1j * places.links[slide.owner].angle)
+        along = np.conj(turn * slide.way(slide.owner).direction)
+        travel = (along * (places.points[slide.point].r - places.points[name].r)).real
+        slope, error = derivative(travel, one.margin * one.size)
+        sense = 1.0 if reaction.taker == slide.slider else -1.0
+        told = rate(one.mechanism, one.motion, reaction)[0]
+        rounding = one.margin * max(abs(point.v[0]) for point in one.motion.points.values())
+        assert abs(told - sense * one.mechanism.drive.omega * slope.real) <= (
+            rounding + abs(one.mechanism.drive.omega) * error
+        )
