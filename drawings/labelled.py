@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from drawings.layout import CELL, CLEAR, NEAR
+from drawings.limits import QUANTUM
 from drawings.strokes import Box, Circle, Group, Leaf, Line, Stroke, Text, bounds
 from drawings.vector_plan import written
 
@@ -59,7 +60,7 @@ def _marks(strokes: tuple[Stroke, ...]) -> Iterator[tuple[str, str, str, list[co
                 *start, name = stroke.data["name"].split(" ")
                 if start:
                     yield stroke.data["plan"], name, name, [line.end]
-                elif abs(line.end - line.start) >= SEEN:
+                elif abs(line.end - line.start) > SEEN + QUANTUM:  # one that is just so long may bear a letter or not
                     yield stroke.data["plan"], name, stroke.title or name, _along(line)
             case Group((Circle() as circle, *_)) if stroke.data.get("kind") in ("point", "pole"):
                 name = stroke.data["name"]

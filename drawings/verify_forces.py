@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from drawings.force_arrow import named
+from drawings.force_equations import DIGITS
 from drawings.force_letters import lettered
 from drawings.force_marks import lever_marks, polygon_marks
 from drawings.force_table import label
@@ -43,6 +45,11 @@ def table_names(comparison: Comparison, statics: Statics) -> dict[str, Finding]:
         written = label(finding, sheet.language, sheet.reactions)
         found[Text(0j, written).plain.rsplit(", ", 1)[0]] = finding
     return found
+
+
+def _half(size: float) -> float:
+    """Give the half of the last digit of a number that has more digits before its point than the equations write."""
+    return 0.5 * 10.0 ** (math.floor(math.log10(size)) + 1 - DIGITS) if size >= 10.0**DIGITS else 0.0
 
 
 @dataclass(frozen=True)
@@ -116,7 +123,8 @@ class _Check:
                 found = _TOLD.fullmatch(text.plain)
                 if found is None or found["name"] not in known or found["unit"] not in self._newton:
                     continue
-                if not reads(found["value"].rstrip(","), abs(known[found["name"]]), self.slack):
+                size = abs(known[found["name"]])
+                if not reads(found["value"].rstrip(","), size, self.slack + _half(size)):
                     yield f"{text.plain} in the equations of {label}"
 
     @property
