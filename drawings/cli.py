@@ -62,6 +62,7 @@ def parser() -> argparse.ArgumentParser:
     explain = _command(commands, "explain", "print the drafting steps behind a mark")
     explain.add_argument("mark", metavar="MARK", help="B, v_B, a_B, omega_3, epsilon_3, or a plan's letter such as a3")
     explain.add_argument("--position", type=int, default=0, metavar="K", help="number of the position (default: 0)")
+    explain.add_argument("--all", action="store_true", help="of a force also the plans that it rests on")
     explain.add_argument("--json", action="store_true", help="as JSON")
     measure = commands.add_parser("measure", help="read the vectors of an SVG sheet back in true units")
     measure.add_argument("sheet", type=Path, metavar="SHEET.svg", help="a sheet of plandraft, edited or not")

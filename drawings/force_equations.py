@@ -50,7 +50,7 @@ class Equations:
         told = [*loads, *couples]
         if told:
             yield plain(*(f"{one}," if k < len(told) - 1 else one for k, one in enumerate(told)))
-        arms = {arm.letter: arm.length for arm in self.arms if arm.dimensioned}
+        arms = {arm.letter: arm.length for arm in self.arms}
         if arms:
             mm = word(self.language, "mm")
             parts = [f"{letter} = {number(1000 * arm, self.language, DIGITS)}" for letter, arm in arms.items()]

@@ -117,7 +117,7 @@ def arms(
         arm, letter = every[one.name], ""
         if one.name in drawn:
             index = "bal" if one.kind == BALANCE else str(next(numbers))
-            letter = letter_of(language, f"h_{{{index}}}")
+            letter = letter_of(language, f"h′_{{{index}}}")
         elif _ray(arm):
             letter = "p" + written(images[min(images, key=lambda true: abs(true - one.at))])
         kept = replace(arm, letter=letter) if one.name in drawn else None

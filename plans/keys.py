@@ -133,7 +133,10 @@ KEYS: Mapping[Path, Mapping[str, tuple[str, Form]]] = {
     ("masses", "*"): {
         "mass": ("Mass, kg.", quantity(units.MASS, minimum=0)),
         "inertia": ("Moment of inertia about the mass centre, kg*m2.", quantity(units.INERTIA, minimum=0)),
-        "centre": ('Mass centre in the link\'s own frame, m, or "middle".', {"anyOf": [{"const": "middle"}, PLACE]}),
+        "centre": (
+            'Mass centre in the link\'s own frame, m; "middle", or a point of the link.',
+            {"anyOf": [NAME, PLACE]},
+        ),
     },
     ("loads",): {
         "gravity": (

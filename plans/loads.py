@@ -27,15 +27,20 @@ class GearTable(Table):
     pressure_angle: Decimal = key(f.PRESSURE_ANGLE, Decimal(20))
 
 
+MIDDLE = "middle"  # of a link's first two points: where its mass centre is
+
+
 class MassTable(Table):
-    """Mass kg, moment of inertia about the mass centre kg*m2, and the centre in the link's own frame."""
+    """Mass kg, moment of inertia about the mass centre kg*m2, and the centre in its frame, or by a point."""
 
     mass: Decimal = key(f.MASS)
     inertia: Decimal = key(f.INERTIA, Decimal(0))
-    centre: str | Vector = key(either(list, f.PLACE, one(f.choice, choices=("middle",))), (Decimal(0), Decimal(0)))
+    centre: str | Vector = key(either(list, f.PLACE, f.POINT), (Decimal(0), Decimal(0)))
 
     def place(self, link: Link) -> complex:
         """Give the mass centre in the frame of its link; the middle is that of the link's first two points."""
+        if isinstance(self.centre, str) and self.centre != MIDDLE:
+            return link.points[self.centre]
         if isinstance(self.centre, str):
             first, second = list(link.points.values())[:2]
             return (first + second) / 2

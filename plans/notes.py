@@ -115,6 +115,8 @@ def _spare_points(scene: Scene) -> Iterator[Fault]:
         used.update(() if isinstance(slide.along, FrameLine) else slide.along)
     for key in scene.mechanism.lengths:
         used.update(split_line(key))
+    for spring in scene.loads.springs if scene.loads else ():
+        used.update(end for end in spring.between if isinstance(end, str))
     for name in scene.mechanism.frame:
         if name not in used:
             yield scene.fault(("mechanism", "frame", name), "spare_point", name=name)

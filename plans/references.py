@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from itertools import combinations
 
 from plans.faults import Path
-from plans.loads import EndTable, ForceTable, LoadsTable, MomentTable, PairTable, SpringTable, holders
+from plans.loads import MIDDLE, EndTable, ForceTable, LoadsTable, MomentTable, PairTable, SpringTable, holders
 from plans.mechanism import FRAME, Slide
 from plans.scene import FORCES
 from plans.survey import Survey
@@ -45,7 +45,11 @@ def joints(points_of: Mapping[int, tuple[str, ...]], slides: tuple[Slide, ...]) 
 def _check_masses(survey: Survey) -> None:
     for link, mass in survey.scene.masses.items():
         path: Path = ("masses", str(link))
-        if survey.know_link(path, link) and mass.centre == "middle" and len(survey.points_of[link]) < 2:
+        if not survey.know_link(path, link) or not isinstance(mass.centre, str):
+            continue
+        if mass.centre != MIDDLE:
+            survey.on_link((*path, "centre"), link, mass.centre)
+        elif len(survey.points_of[link]) < 2:
             survey.report((*path, "centre"), "no_line")
 
 

@@ -94,13 +94,24 @@ def _joints(mechanism: Mechanism, link: int, others: set[int], solved: set[int])
     for point, owners in mechanism.hinges.items():
         partners = [owner for owner in owners if owner in others]
         if link in owners and partners and not (solved & set(owners)):
-            found.append((partners[0], point))
+            found.append((_bearing(mechanism, partners), point))
     for slide in mechanism.slides:
         if link == slide.slider and slide.owner in others:
             found.append((slide.owner, slide))
         elif link == slide.owner and slide.slider in others:
             found.append((slide.slider, slide))
     return found
+
+
+def _bearing(mechanism: Mechanism, partners: list[int]) -> int:
+    """Choose on which of the links that share a pin a group hangs: one borne by the frame, as crank or rocker are.
+
+    Positions are the same on any of them; reactions are told as the textbook does, of the rocker on the rod.
+    """
+    fixed = mechanism.links[FRAME].points
+    borne = {slide.slider for slide in mechanism.slides if slide.owner == FRAME}
+    grounded = [one for one in partners if one in borne or fixed.keys() & mechanism.links[one].points.keys()]
+    return min(grounded or partners)
 
 
 def _named(links: tuple[int, int], hosts: tuple[int, int], outer: tuple[Joint, Joint], inner: Joint) -> Dyad:

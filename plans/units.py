@@ -65,7 +65,12 @@ ACCELERATION = _kind("acceleration", "m/s2", **{"cm/s2": "0.01", "mm/s2": "0.001
 MASS = _kind("mass", "kg", g="0.001", t="1000", кг="1", г="0.001", т="1000")
 INERTIA = _kind("moment of inertia", "kg*m2", **{"kg*cm2": "0.0001", "kg*mm2": "0.000001", "кг*м2": "1"})
 FORCE = _kind("force", "N", kN="1000", Н="1", кН="1000")
-MOMENT = _kind("moment", "N*m", **{"kN*m": "1000", "N*mm": "0.001", "Н*м": "1", "кН*м": "1000"})
+MOMENT = _kind(
+    "moment",
+    "N*m",
+    **{"kN*m": "1000", "N*mm": "0.001", "Nm": "1", "Nmm": "0.001"},
+    **{"Н*м": "1", "кН*м": "1000", "Н*мм": "0.001", "Нм": "1", "Нмм": "0.001"},
+)
 STIFFNESS = _kind("stiffness", "N/m", **{"kN/m": "1000", "N/cm": "100", "N/mm": "1000", "Н/м": "1", "Н/мм": "1000"})
 NUMBER = Kind("number", "", {})
 

@@ -35,7 +35,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _table(comparison: Comparison) -> str:
-    lines = [f"{'plan':<14} {'quantity':<10} {'largest':>14} {'worst difference':>17} {'%':>10} {'of allowed':>11}"]
+    lines = [f"{'plan':<14} {'quantity':<10} {'of its plan':>14} {'worst difference':>17} {'%':>10} {'of allowed':>11}"]
     for finding in comparison.findings:
         worst = _worst(finding)
         lines.append(

@@ -24,6 +24,10 @@ PAIR = re.compile(r"[RPF]_(?P<giver>\d+?),?(?P<taker>\d+)")  # a reaction: of th
 UNITS = {**dict(zip(ORDERS, POINT_UNITS, strict=True)), "forces": "N", "lever": "m/s"}
 
 
+# What a reaction rests on besides the forces: the plans that it is found over.
+LEFT_OUT = "{count} steps of positions, velocities and accelerations are left out: --all tells them"
+
+
 class UnknownMark(DraftError, ValueError):  # noqa: N818  (the message's own word)
     """A name that no plan of the scene has."""
 
@@ -36,6 +40,10 @@ def run(options: argparse.Namespace) -> int:
     forces, opposite = _force(study, position, options.mark)
     targets = forces or find(study, drafts, options.mark)
     steps = behind(*targets)
+    if forces and not options.all:
+        whole, steps = len(steps), [mark for mark in steps if mark.subject == "forces" and mark.step.op != "transfer"]
+        left = LEFT_OUT.format(count=whole - len(steps)) if len(steps) < whole else ""
+        opposite = "\n     ".join(filter(None, (opposite, left)))
     if options.json:
         print(json.dumps([_plain(mark) for mark in steps], allow_nan=False))
         return 0
@@ -117,9 +125,10 @@ def find(study: Study, drafts: Drafts, name: str) -> list[Mark]:
     known = [*points, *(f"v_{p}" for p in points), *(f"a_{p}" for p in points)]  # forces are found before
     near = difflib.get_close_matches(name, known, 1)
     hint = f"did you mean {near[0]}? " if near else ""
-    forces = ", R_12, M_bal" if study.scene.masses or study.scene.loads else ""
-    told = f"points are {', '.join(sorted(points))}; also v_B, a_B, omega_3{forces}"
-    raise UnknownMark(f"no mark is named {name}: {hint}{told}")
+    listed = ", ".join(sorted(points))
+    if study.scene.masses or study.scene.loads:
+        raise UnknownMark(f"no mark is named {name}: {hint}points are {listed}; also v_B, a_B, omega_3, R_12, M_bal")
+    raise UnknownMark(f"no mark is named {name}: {hint}points are {listed}; also v_B, a_B, omega_3")
 
 
 def _plan(drafts: Drafts, symbol: str) -> Plan:
@@ -145,10 +154,18 @@ def _value(mark: Mark) -> str:
     if isinstance(mark.value, Line):
         return f"line through {_pair(at(mark.value.through, 0))}, direction {_pair(at(mark.value.direction, 0))}"
     if mark.is_moment:
-        return f"{at(mark.point, 0).real + 0.0:.10g} N*m"
+        return f"{at(mark.point, 0).real + 0.0:.10g} N*m{_armed(mark)}"
     if isinstance(mark.value, Arc):
         return f"arc about {_pair(at(mark.value.centre, 0))}, radius {at(mark.value.radius, 0).real:.10g} {unit}"
     return f"{_pair(at(mark.value, 0))} {unit}"
+
+
+def _armed(mark: Mark) -> str:
+    """Tell the arm of a force's moment: the moment over the force."""
+    if mark.step.op != "moment":
+        return ""
+    force, moment = abs(at(mark.step.inputs[2].point, 0)), abs(at(mark.point, 0))
+    return f" ({force:.6g} N with an arm of {moment / force:.6g} m)" if force else ""
 
 
 def _drawn_on(mark: Mark) -> str:

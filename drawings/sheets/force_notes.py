@@ -6,7 +6,12 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from drawings.force_letters import lettered
+from drawings.sheets.notes import lengths
 from drawings.words import number, runs, word
+from geometry.board import at
+from plans.machine import ALWAYS, GEAR, Force, Moment
+from plans.primary import DRIVING
 from plans.statics import Statics
 
 NBSP = "\N{NO-BREAK SPACE}"
@@ -14,12 +19,73 @@ INDEX = ("friction index", "useful index")  # of powers
 
 
 def notes(statics: Statics, position: int, language: str) -> list[str]:
-    """Write what the sheet says in words."""
+    """Write what the sheet says in words: what is given, what the lever carries, what friction takes."""
     drive = statics.study.mechanism.drive
     crank = word(
         language, "crank", link=drive.link, omega=number(drive.omega, language), epsilon=number(drive.epsilon, language)
     )
-    return [crank, *_masses(statics, language), *_friction(statics, position, language)]
+    given = [crank, *lengths(statics.study, language), *_masses(statics, language), *_loads(statics, language)]
+    return [
+        *given,
+        word(language, "known lines"),
+        *_lever(statics, position, language),
+        *_friction(statics, position, language),
+    ]
+
+
+def _loads(statics: Statics, language: str) -> Iterator[str]:
+    """Tell the loads by their laws, the springs, and the wheel that drives the crank."""
+    machine = statics.machine
+    told = [
+        _load(load, f"{number(load.size, language)}{NBSP}{word(language, 'N')}", language) for load in machine.forces
+    ]
+    told += [
+        _load(one, f"{number(one.size, language)}{NBSP}{word(language, 'N*m')}", language) for one in machine.moments
+    ]
+    for spring in machine.springs:
+        stiffness = f"{number(spring.stiffness, language)}{NBSP}{word(language, 'N/m')}"
+        free = f"{number(spring.free, language)}{NBSP}{word(language, 'm')}"
+        told.append(
+            word(language, "spring given", name=lettered(spring.name, language), stiffness=stiffness, free=free)
+        )
+    how = machine.transmission
+    if how.kind == GEAR:
+        radius = f"{number(1000 * how.radius, language)}{NBSP}{word(language, 'mm')}"
+        angles = {
+            "at": number(float(np.degrees(how.at)), language),
+            "pressure": number(float(np.degrees(how.pressure)), language),
+        }
+        told.append(word(language, "gear given", radius=radius, **angles))
+    yield from told
+
+
+def _load(load: Force | Moment, size: str, language: str) -> str:
+    """Tell one load: its size and law, on which stroke, with what overrun."""
+    name = lettered(load.name, language)
+    if isinstance(load, Force) and load.diagram is not None:
+        said = word(language, "load diagram", name=name)
+    elif isinstance(load, Force) and load.direction is None:
+        said = word(language, "load against", name=name, size=size, point=load.point)
+    else:
+        said = word(language, "load always", name=name, size=size)
+    during = [] if load.during == ALWAYS else [word(language, load.during)]
+    if load.overrun != (0.0, 0.0):
+        shares = dict.fromkeys(number(share, language) for share in load.overrun)
+        during.append(word(language, "overrun", share="; ".join(shares)))
+    return ", ".join([said, *during])
+
+
+def _lever(statics: Statics, position: int, language: str) -> Iterator[str]:
+    """Tell the power of everything that hangs on the lever, and that of the force that balances it."""
+    lever = statics.drafts().plans.lever
+    if lever is None:
+        return
+    told = [(one.name, at(one.moment.point, position).real) for one in lever.hung]
+    told += [(one.name, at(one.moment.point, position).real) for one in lever.pairs]
+    total = sum(power for _, power in told)
+    powers = ", ".join(f"{lettered(name, language)}{NBSP}{number(power, language)}" for name, power in told if power)
+    both = {"total": number(total, language, 5), "drive": number(-total, language, 5)}
+    yield word(language, "forces of lever", force=lettered(DRIVING, language), powers=powers, **both)
 
 
 def _masses(statics: Statics, language: str) -> Iterator[str]:
@@ -40,14 +106,16 @@ def _friction(statics: Statics, position: int, language: str) -> Iterator[str]:
         return
     watt, power = word(language, "W"), (float(found.lost[position]), float(found.useful[position]))
     told = [
-        f"N_{{{word(language, symbol)}}} = {number(one, language)}{NBSP}{watt}"
-        for symbol, one in zip(INDEX, power, strict=True)
+        word(language, said, power=f"{number(one, language)}{NBSP}{watt}")
+        for said, one in zip(INDEX, power, strict=True)
     ]
     if np.isfinite(found.efficiency[position]):
         told.append(f"η = {number(float(found.efficiency[position]), language, 3)}")
     if found.cycle is not None:
         told.append(word(language, "cycle efficiency", eta=number(found.cycle, language, 3)))
-    yield f"{word(language, 'friction')}: {', '.join(told)}"
+    coefficients = sorted({one.coefficient for one in statics.machine.friction.values()})
+    given = "; ".join(number(one, language) for one in coefficients)
+    yield f"{word(language, 'coefficients', f=given)}: {', '.join(told)}"
     if found.wear:
         worn = [f"{key}{NBSP}{number(100 * share, language, 3)}{NBSP}%" for key, share in found.wear.items()]
         yield f"{word(language, 'wear')}: {', '.join(worn)}"

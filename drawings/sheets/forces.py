@@ -221,6 +221,7 @@ class _Draft:
                 yield loading_scheme.figure(shown, measure, spot, scale, hand, language, self.reactions)
             elif name in self.polygons:
                 closed = self.polygons[name]
+                scale = self._with_faint(scale, closed.faint(spot.scale.mu))
                 yield force_polygon.figure(closed, measure, spot, scale, hand, language, self.reactions)
             elif name in self.hodographs:
                 vector = self.hodographs[name]
@@ -232,6 +233,11 @@ class _Draft:
             else:
                 standard, title = self.study.scene.sheet.standard, word(language, "balancing graph")
                 yield curve_graph.figure(self.curve, measure, spot, title, standard, hand, language)
+
+    def _with_faint(self, scale: str, names: Sequence[str]) -> str:
+        """Name beside its scale the forces of a plan that are too short to bear a letter."""
+        letters = ", ".join(lettered(name, self.language, self.reactions) for name in names)
+        return f"{scale};  {word(self.language, 'unlettered', names=letters)}" if names else scale
 
     def _scale(self, spot: Spot) -> str:
         return spot.scale.written(self.language, self.study.scene.sheet.notation)

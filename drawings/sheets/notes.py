@@ -35,10 +35,7 @@ def notes(study: Study, comparison: Comparison, language: str) -> list[str]:
             epsilon=number(drive.epsilon, language),
         ),
     ]  # fmt: skip
-    given = study.scene.mechanism.lengths
-    if 0 < len(given) <= MOST_LENGTHS:
-        told = (f"l_{{{name}}} = {number(1000 * float(length), language)}" for name, length in given.items())
-        said.append(word(language, "lengths", lengths=",  ".join(told)))
+    said += lengths(study, language)
     if study.found is not None:
         said.append(_travel(study, language))
     for group in study.groups:
@@ -47,6 +44,15 @@ def notes(study: Study, comparison: Comparison, language: str) -> list[str]:
         if low != high:
             said.append(word(language, "pressure", group=group.label, low=low, high=high))
     return [*said, *_gaps(comparison, language), *_why(study, comparison)]
+
+
+def lengths(study: Study, language: str) -> list[str]:
+    """Tell the lengths of the scene, where they are not too many."""
+    given = study.scene.mechanism.lengths
+    if not 0 < len(given) <= MOST_LENGTHS:
+        return []
+    told = (f"l_{{{name}}} = {number(1000 * float(length), language)}" for name, length in given.items())
+    return [word(language, "lengths", lengths=",  ".join(told))]
 
 
 def _gaps(comparison: Comparison, language: str) -> list[str]:

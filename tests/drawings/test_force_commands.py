@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -106,13 +107,22 @@ def test_only_forces_of_a_scene_on_which_nothing_acts_is_refused_with_advice(run
 def test_the_steps_behind_a_force_end_with_it(run: Run, worked: Path, mark: str, last: str) -> None:
     code, out, _ = run("explain", worked, mark)
     assert code == 0
-    assert last in out.splitlines()[-1]
+    steps = [line for line in out.splitlines() if re.match(r" *\d+\. ", line)]
+    assert last in steps[-1]
+    assert not any(": meet (" in step and "[forces]" not in step for step in steps)  # the plans below are left out
+
+
+def test_all_steps_behind_a_force_go_back_to_the_fixed_points(run: Run, worked: Path) -> None:
+    code, out, _ = run("explain", worked, "R_34", "--all")
+    assert code == 0
+    assert "O: given = (0, 0) m. fixed point" in out
+    assert "R_34 [forces]: join" in out.splitlines()[-1]
 
 
 def test_a_reaction_the_other_way_round_is_the_opposite_of_the_one_that_was_found(run: Run, worked: Path) -> None:
     code, out, _ = run("explain", worked, "R_23")
     assert code == 0
-    assert out.rstrip().endswith("R_23 is the opposite of R_32")
+    assert "R_23 is the opposite of R_32" in out
 
 
 def test_a_force_that_there_is_not_is_refused_with_what_there_is(run: Run, worked: Path) -> None:

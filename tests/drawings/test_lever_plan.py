@@ -155,4 +155,4 @@ def test_a_couple_is_two_opposite_forces_square_to_its_link_and_none_is_at_the_h
 def test_the_title_and_the_letters_are_russian_on_a_russian_sheet() -> None:
     drawn = leaf([hung(forced("shaper at 60"), 0, A1, "ru")], A1)
     plain = {stroke.plain for stroke in flat(drawn.groups) if isinstance(stroke, Text)}
-    assert {"Рычаг Жуковского, положение 0", "Pур", "Fп.с", "hур", "MΦ4/BD", "p"} <= plain
+    assert {"Рычаг Жуковского, положение 0", "Pур", "Fп.с", "h′ур", "MΦ4/BD", "p"} <= plain
