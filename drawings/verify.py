@@ -117,7 +117,7 @@ def _table(table: Group, comparison: Comparison, positions: tuple[int, ...]) -> 
     for row in rows.values():
         finding, j = None, 0
         for text in sorted(row, key=lambda text: text.at.real):
-            begins = named.get(text.plain.split(",")[0])
+            begins = named.get(text.plain.rpartition(", ")[0])
             if begins is not None:  # a table of several blocks has several names in a line
                 finding, j = begins, 0
                 continue
