@@ -124,7 +124,7 @@ class Table(NamedTuple):
 
     def drawn(self, corner: complex, setting: Setting, hand: Hand, language: str) -> list[Group]:
         """Draw the table from its upper left corner, each band and part a group that says its positions."""
-        per_part = math.ceil(len(self.lines) / setting.parts)
+        per_part = max(1, math.ceil(len(self.lines) / setting.parts))  # where no force acts at all there are no lines
         width = self.names + 3 * self.cell * min(setting.across, len(self.positions)) + APART
         height = (per_part + HEADINGS) * self.row + APART
         groups: list[Group] = []

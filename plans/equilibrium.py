@@ -82,8 +82,13 @@ def _drive(mechanism: Mechanism, forces: Kinetostatics, bound: tuple[Floats, Flo
     return Acting(link, told.r, told.force, zero, bound[0], zero)
 
 
-def balance(name: str, parts: Sequence[Acting], own: Floats) -> tuple[Finding, Finding]:
-    """Sum forces and moments about the shaft; `own` is the bound m of the places."""
+def balance(
+    name: str, parts: Sequence[Acting], own: Floats, most: tuple[float, float] | None = None
+) -> tuple[Finding, Finding]:
+    """Sum forces and moments about the shaft; `own` is the bound m of the places.
+
+    `most` are the largest force N and moment N*m of the machine: on a link that nothing loads rounding alone is left.
+    """
     force = np.sum([one.force for one in parts], axis=0)
     moment = np.sum([cross(one.r, one.force) + one.couple for one in parts], axis=0)
     sizes, arms = np.array([np.abs(one.force) for one in parts]), np.array([np.abs(one.r) for one in parts])
@@ -91,20 +96,28 @@ def balance(name: str, parts: Sequence[Acting], own: Floats) -> tuple[Finding, F
     slack = off.sum(axis=0) + len(parts) * EPS * sizes.max(axis=0)
     turned = np.array([one.off_couple + EPS * np.abs(one.couple) for one in parts]).sum(axis=0)
     lever = (arms * off).sum(axis=0) + (sizes * own).sum(axis=0) + len(parts) * EPS * (arms * sizes).sum(axis=0)
+    most = largest(parts) if most is None else most
     return (
-        vanishing(f"ΣF {name}", "N", np.abs(force), slack, largest_of([sizes])),
-        vanishing(f"ΣM {name}", "N*m", np.abs(moment), turned + lever, largest_of([arms * sizes])),
+        vanishing(f"ΣF {name}", "N", np.abs(force), slack, most[0]),
+        vanishing(f"ΣM {name}", "N*m", np.abs(moment), turned + lever, most[1]),
     )
+
+
+def largest(parts: Sequence[Acting]) -> tuple[float, float]:
+    """Give the largest force N and the largest moment N*m about the shaft that act anywhere, over all positions."""
+    moments = [np.abs(one.r) * np.abs(one.force) + np.abs(one.couple) for one in parts]
+    return largest_of([np.abs(one.force) for one in parts]), largest_of(moments)
 
 
 def balances(mechanism: Mechanism, groups: Sequence[Dyad], parts: Sequence[Acting], own: Floats) -> list[Finding]:
     """Check each link, each group and the whole; reactions within a group and within the whole cancel."""
     found: list[Finding] = []
+    most = largest(parts)
     for link in sorted(set(mechanism.links) - {FRAME}):
-        found += balance(str(link), [one for one in parts if one.link == link], own)
+        found += balance(str(link), [one for one in parts if one.link == link], own, most)
     for group in groups:
-        found += balance("-".join(map(str, group.links)), [one for one in parts if one.link in group.links], own)
-    return [*found, *balance("whole", parts, own)]
+        found += balance("-".join(map(str, group.links)), [one for one in parts if one.link in group.links], own, most)
+    return [*found, *balance("whole", parts, own, most)]
 
 
 def power(mechanism: Mechanism, motion: Motion, parts: Sequence[Acting], slack: Floats, turning: Floats) -> Finding:
@@ -127,7 +140,9 @@ def power(mechanism: Mechanism, motion: Motion, parts: Sequence[Acting], slack: 
         )
     sizes = np.array([np.abs(term) for term in terms])
     allowed = np.sum(bounds, axis=0) + len(terms) * EPS * sizes.sum(axis=0)
-    return vanishing("power", "W", np.abs(np.sum(terms, axis=0)), allowed, largest_of([sizes]))
+    fastest = [np.abs(point.v) for point in motion.points.values() if point.v is not None]
+    most = max(largest_of([sizes]), largest(parts)[0] * largest_of(fastest))
+    return vanishing("power", "W", np.abs(np.sum(terms, axis=0)), allowed, most)
 
 
 def vanishing(name: str, unit: str, left: Floats, allowed: Floats, largest: float) -> Finding:

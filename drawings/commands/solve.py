@@ -41,7 +41,7 @@ def run(options: argparse.Namespace) -> int:
         print(json.dumps({**told, **found.told}, allow_nan=False))
     if options.trace:
         print(trace.told(study.made), file=sys.stderr)
-    return GAPS if found.gaps else 0
+    return GAPS if found.gaps or found.told.get("jams") else 0
 
 
 def wanted_of(study: Study) -> list[str]:
