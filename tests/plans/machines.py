@@ -42,10 +42,10 @@ def steady(
 
 
 def pointed(mechanism: Mechanism) -> Mechanism:
-    """Let every slide name a point of its slider, as a scene's do."""
+    """Let every slide name a point of its slider, as a scene's do: the last one, mostly not the link's origin."""
 
     def named(slide: Slide) -> Slide:
-        return replace(slide, point=next(iter(mechanism.links[slide.slider].points)))
+        return replace(slide, point=list(mechanism.links[slide.slider].points)[-1])
 
     return replace(mechanism, slides=tuple(map(named, mechanism.slides)))
 
