@@ -42,7 +42,7 @@ def steady(
 
 
 def pointed(mechanism: Mechanism) -> Mechanism:
-    """Let every slide name a point of its slider, as a scene's do: the last, which may lie beside its line."""
+    """Let every slide name a point of its slider, as a scene's do: the last one, mostly not the link's origin."""
 
     def named(slide: Slide) -> Slide:
         return replace(slide, point=list(mechanism.links[slide.slider].points)[-1])

@@ -6,8 +6,8 @@ import sys
 import tomllib
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from importlib.machinery import ModuleSpec, SourceFileLoader
-from importlib.util import spec_from_file_location
+from functools import cache
+from importlib.machinery import ModuleSpec, PathFinder, SourceFileLoader
 from pathlib import Path
 from types import CodeType
 from typing import Any, NamedTuple
@@ -22,10 +22,11 @@ OWN = ("geometry", "plans", "drawings", "tests")
 settings.register_profile(
     "seeded", derandomize=True, deadline=None, phases=(Phase.explicit, Phase.generate), report_multiple_bugs=False
 )
-# A run within a run: what is imported already stays as it is, and what the outer run keeps is left to it.
-QUIET = (
-    *("-q", "--tb=no", "--hypothesis-profile=seeded", "-W", "ignore::pytest.PytestAssertRewriteWarning"),
-    *("-p", "no:cacheprovider", "-p", "no:faulthandler", "-p", "no:xdist"),
+# A run within a run, as bare as it can be; what is imported already stays as it is.
+BARE = (
+    *("-q", "--tb=no", "--assert=plain", "--hypothesis-profile=seeded", "-o", "addopts=--import-mode=importlib"),
+    *("-W", "ignore::pytest.PytestAssertRewriteWarning"),
+    *(f"-pno:{plugin}" for plugin in ("cacheprovider", "faulthandler", "unraisableexception", "threadexception")),
 )
 SEEN = (AssertionError, pytest.fail.Exception)  # a test says no; any other exception is a fault in the table
 
@@ -59,28 +60,37 @@ def faults(path: Path) -> list[Fault]:
     return [Fault(**{**one, "seen_by": tuple(one["seen_by"])}) for one in table["faults"]]
 
 
-class _Loader(SourceFileLoader):
-    """Loads one module from another text than its file's."""
+@cache
+def _compiled(path: str) -> CodeType:
+    """Compile a file that has no fault, once for all runs."""
+    return compile(Path(path).read_bytes(), path, "exec", dont_inherit=True)
 
-    def __init__(self, fullname: str, fault: Fault) -> None:
-        super().__init__(fullname, str(ROOT / fault.file))
-        self.text = fault.text
+
+class _Loader(SourceFileLoader):
+    """Loads a module, the faulty one from its other text."""
+
+    def __init__(self, fullname: str, path: str, text: str | None) -> None:
+        super().__init__(fullname, path)
+        self.text = text
 
     def get_code(self, fullname: str) -> CodeType:
-        return self.source_to_code(self.text.encode(), self.path)
+        return _compiled(self.path) if self.text is None else self.source_to_code(self.text.encode(), self.path)
 
 
 class _Finder:
-    """Finds the module of a fault before anything else does."""
+    """Finds our own modules before anything else does."""
 
     def __init__(self, fault: Fault) -> None:
-        self.name = fault.file.removesuffix(".py").replace("/", ".")
-        self.loader = _Loader(self.name, fault)
+        self.path, self.text = str(ROOT / fault.file), fault.text
 
-    def find_spec(self, fullname: str, path: Any = None, target: Any = None) -> ModuleSpec | None:
-        if fullname != self.name:
+    def find_spec(self, fullname: str, path: Sequence[str] | None = None, target: Any = None) -> ModuleSpec | None:
+        if fullname.partition(".")[0] not in OWN:
             return None
-        return spec_from_file_location(fullname, self.loader.path, loader=self.loader)
+        spec = PathFinder.find_spec(fullname, path)
+        if spec is not None and isinstance(spec.loader, SourceFileLoader):
+            file = spec.loader.path
+            spec.loader = _Loader(fullname, file, self.text if file == self.path else None)
+        return spec
 
 
 @contextmanager
@@ -124,5 +134,5 @@ def verdicts(fault: Fault, nodes: Sequence[str]) -> dict[str, str]:
     """Run some tests on the packages with a fault: "passed" or "red", or what else was raised."""
     told = _Verdicts()
     with seeded(fault):
-        pytest.main([*QUIET, *(str(ROOT / node) for node in nodes)], plugins=[told])
+        pytest.main([*BARE, *(str(ROOT / node) for node in nodes)], plugins=[told])
     return told.of

@@ -63,10 +63,15 @@ def test_zhukovskys_lever_asks_of_the_drive_what_the_primary_link_does(one):
 @push
 @given(loaded())
 def test_a_slide_presses_square_to_its_line(one):
-    found = one.statics.forces
+    """And its line of action passes the arm away: there it has the moment that is told about the point."""
+    found, told = one.statics.forces, one.told
     for key, reaction in found.reactions.items():
-        if reaction.along is not None:
-            assert abs((reaction.along.conj() * reaction.force).real[0]) <= one.told.slack, key
+        if reaction.along is None:
+            continue
+        assert abs((reaction.along.conj() * reaction.force).real[0]) <= told.slack, key
+        arm, moment = reaction.arm[0], reaction.moment[0]
+        if np.isfinite(arm):
+            assert abs(cross(arm * reaction.along[0], reaction.force[0]) - moment) <= told.turning, key
 
 
 # The whole machine: what acts on it from outside is the rate of its momentum

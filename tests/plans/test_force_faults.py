@@ -1,6 +1,6 @@
-"""Forty wrong formulas of force analysis, each of which must be seen by the tests that are named beside it.
+"""Wrong formulas of force analysis, each of which must be seen by the tests that are named beside it.
 
-`python -m tests.plans.kill_matrix` prints which relation sees which of them.
+The table is tests/cases/force_faults.toml; `python -m tests.plans.kill_matrix` prints which relation sees which fault.
 """
 
 from __future__ import annotations
