@@ -6,10 +6,11 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from drawings.cut_links import CutLinks
-from drawings.leverage import NOTHING, largest
+from drawings.leverage import largest
 from geometry.board import at
 from plans.cut import REACTION, Cut, Support
 from plans.force import ForcePlan
+from plans.kinetostatics import NOTHING
 from plans.mechanism import Slide
 from plans.primary import BALANCING, DRIVING
 

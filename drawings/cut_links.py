@@ -9,10 +9,10 @@ from functools import cached_property
 
 import numpy as np
 
-from drawings.leverage import NOTHING
 from drawings.skeleton import Poses, poses
 from plans.cut import INERTIA, WEIGHT, Cut
 from plans.force import ForcePlan
+from plans.kinetostatics import NOTHING
 from plans.mechanism import FRAME, Link, Mechanism, Slide, Way
 
 AWAY = -1  # stands for the links that were taken away: an open hinge is one with them

@@ -20,13 +20,16 @@ DIGITS = 5
 class Equations:
     """What a sheet writes beside a cut in one position."""
 
-    def __init__(self, plan: ForcePlan, cut: Cut, column: int, language: str, reactions: str) -> None:
+    def __init__(
+        self, plan: ForcePlan, cut: Cut, column: int, language: str, reactions: str, nothing: tuple[float, float]
+    ) -> None:
         self.plan, self.cut, self.column, self.language, self.reactions = plan, cut, column, language, reactions
+        self.nothing = nothing  # force N and moment N*m below which there is none
         self.arms = leverages(plan, cut, column)
 
     def passage(self, name: str, hand: Hand) -> Passage:
         """Write arms, equations of moments with what they give, and the equation of forces."""
-        lines = [*self._given(), *(line for one in self.cut.equations for line in self._moments(one))]
+        lines = [*self._given(), *self._slotted(), *(line for one in self.cut.equations for line in self._moments(one))]
         lines += [*self._forces(), *self._found()]
         return Passage(name, tuple(lines), hand.text)
 
@@ -39,7 +42,12 @@ class Equations:
         return f"{self.letter(name)} = {number(value, self.language, DIGITS)} {word(self.language, unit)}"
 
     def _size(self, mark: Mark) -> float:
-        return abs(at(mark.point, self.column))
+        return abs(self._value(mark))
+
+    def _value(self, mark: Mark) -> complex:
+        """Give a force or a moment; one that is but rounding is none."""
+        value = at(mark.point, self.column)
+        return value if abs(value) > self.nothing[mark.is_moment] else 0j
 
     def _given(self) -> Iterator[Equation]:
         """Tell the known forces and moments, and the arms."""
@@ -56,8 +64,16 @@ class Equations:
             parts = [f"{letter} = {number(1000 * arm, self.language, DIGITS)}" for letter, arm in arms.items()]
             yield plain(*(f"{one}," for one in parts[:-1]), f"{parts[-1]} {mm}")
 
+    def _slotted(self) -> Iterator[Equation]:
+        """Tell the part along a slot: what is left of the stone's forces there, since a slot holds nothing along it."""
+        for part in (part for one in self.cut.supports for part in one.parts if part.name.startswith("R^u")):
+            terms = [self.letter(load.name) for load in self.cut.loads if load.link == self.cut.links[0]]
+            yield plain(
+                f"{self.letter(part.name)} = −({' + '.join(terms)})_u,", self.told(part.name, self._size(part), "N")
+            )
+
     def _couple(self, one: Couple) -> str:
-        return self.told(one.name, at(one.moment.point, self.column).real, "N*m")
+        return self.told(one.name, self._value(one.moment).real, "N*m")
 
     def _moments(self, one: Moments) -> Iterator[Equation]:
         """Write an equation of moments, each force by its arm, and the force or the moment that it gives."""
@@ -65,10 +81,10 @@ class Equations:
         named = {load.name for load in one.loads} | {unknown}
         armed = [arm for arm in self.arms if arm.about == one.about.name and arm.name in named]
         terms = [self._term(arm) for arm in armed if arm.name != unknown]
-        terms += [self._turning(couple) for couple in one.couples if at(couple.moment.point, self.column).real != 0]
+        terms += [self._turning(couple) for couple in one.couples if self._size(couple.moment) > 0]
         force = next((arm for arm in armed if arm.name == unknown), None)
         if one.line is None:
-            value, unit, own = at(one.found.point, self.column).real, "N*m", ("+", self.letter(unknown))
+            value, unit, own = self._value(one.found).real, "N*m", ("+", self.letter(unknown))
         else:
             value, unit = self._size(one.found), "N"
             own = ("+", self.letter(unknown)) if force is None else self._term(force)
@@ -104,11 +120,11 @@ class Equations:
     def _seen(self, name: str) -> bool:
         """Tell whether a force acts in this position."""
         side = next(one for one in self.cut.sides if one.name == name)
-        return abs(at(side.end.point, self.column) - at(side.start.point, self.column)) > 0
+        return abs(at(side.end.point, self.column) - at(side.start.point, self.column)) > self.nothing[0]
 
     def _found(self) -> Iterator[Equation]:
         """Tell the reactions that the polygon gives."""
         found = [self.told(one.force.name, self._size(one.force), "N") for one in self.cut.reactions]
         moments = [one.moment for one in self.cut.reactions if one.moment is not None]
-        found += [self.told(one.name, at(one.point, self.column).real, "N*m") for one in moments if self._size(one) > 0]
+        found += [self.told(one.name, self._value(one).real, "N*m") for one in moments if self._size(one) > 0]
         yield plain(*(f"{one}," for one in found[:-1]), found[-1])

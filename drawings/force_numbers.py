@@ -20,14 +20,14 @@ def described(forces: Kinetostatics, datum: complex) -> dict[str, Any]:
     if balancing.force is not None and balancing.r is not None:
         drive |= {"force": pairs(balancing.force), "at": pairs(balancing.r + datum)}
     reactions = sorted(forces.reactions.items(), key=lambda item: (item[1].giver, item[1].taker))
-    return {"reactions": {key: _reaction(one, datum) for key, one in reactions}, "balancing": drive}
+    return {"reactions": {key: _reaction(one, forces.arm(key), datum) for key, one in reactions}, "balancing": drive}
 
 
-def _reaction(one: Reaction, datum: complex) -> dict[str, Any]:
+def _reaction(one: Reaction, arm: Any, datum: complex) -> dict[str, Any]:
     """Give a reaction where it is told; of a sliding pair its moment there, and the arm along the slide."""
     told: dict[str, Any] = {"point": one.point, "force": pairs(one.force), "at": pairs(one.r + datum)}
-    if one.moment is not None and one.arm is not None:
-        told |= {"moment": plain(one.moment), "arm": plain(one.arm)}
+    if one.moment is not None:
+        told |= {"moment": plain(one.moment), "arm": plain(arm)}
     return told
 
 

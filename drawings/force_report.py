@@ -48,17 +48,23 @@ def _reactions(found: Kinetostatics) -> Iterator[str]:
     yield "R_ab is the force of link a on link b, N, as x; y; of a sliding pair M is its moment, N·m, about the point."
     yield "M_bal is the moment that the drive must give, N·m.\n"
     told = sorted(found.reactions.values(), key=lambda one: (one.giver, one.taker))
-    heads, rows = ["M_bal"], list[Any]([found.balancing.moment])
+    force, moment = found.nothing
+    heads, rows = ["M_bal"], list[Any]([_sized(found.balancing.moment, moment)])
     for one in told:
         heads.append(f"R_{one.giver}-{one.taker} at {one.point}")
-        rows.append(one.force)
-        if one.moment is not None and np.nanmax(np.abs(one.moment), initial=0.0) > 0:
+        rows.append(_sized(one.force, force))
+        if one.moment is not None and np.nanmax(np.abs(one.moment), initial=0.0) > moment:
             heads.append(f"M_{one.giver}-{one.taker}")
-            rows.append(one.moment)
+            rows.append(_sized(one.moment, moment))
     yield "| position | " + " | ".join(heads) + " |"
     yield "|---|" + "---|" * len(heads)
     for k in range(len(found.phi)):
         yield f"| {k} | " + " | ".join(_cell(row[k]) for row in rows) + " |"
+
+
+def _sized(row: Any, nothing: float) -> Any:
+    """Give what is but rounding as zero."""
+    return np.where(np.abs(row) <= nothing, 0.0, row)
 
 
 def _cell(value: complex | float) -> str:

@@ -20,8 +20,10 @@ def label(finding: Finding, language: str, reactions: str) -> str:
 
 def rows(comparison: Comparison, position: int, language: str, reactions: str) -> list[Row]:
     """Give the rows of one position; what is zero over the whole turn has none."""
+    assert comparison.forces is not None  # a force sheet compares them
+    nothing = dict(zip(("N", "N*m"), comparison.forces[0].nothing, strict=True))
     return [
         row(finding, label(finding, language, reactions), (position,), language)
         for finding in comparison.of("forces")
-        if np.nanmax(np.abs(finding.construction), initial=0.0) > 0
+        if np.nanmax(np.abs(finding.construction), initial=0.0) > nothing[finding.unit]
     ]

@@ -9,10 +9,7 @@ from drawings.masses import is_centre
 from geometry.board import Mark, at
 from plans.cut import Cut, Equation
 from plans.force import ForcePlan
-
-# Share of a cut's largest force, or of its size: what is smaller is rounding of numbers that a scene gives with twelve
-# digits, and no force, or no arm, on any paper.
-NOTHING = 1e-9
+from plans.kinetostatics import NOTHING
 
 
 class Leverage(NamedTuple):

@@ -7,6 +7,8 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
+import numpy as np
+
 from drawings.force_arrow import named
 from drawings.force_equations import DIGITS
 from drawings.force_letters import lettered
@@ -143,8 +145,8 @@ class _Check:
         assert self.comparison.forces is not None  # a force sheet compares them
         told = self.comparison.forces[1]
         moments = {str(k): complex(0, value) for k, value in enumerate(told.balancing.moment)}
-        largest = max(abs(one.allowed).max() for one in self.comparison.of("forces") if one.name.startswith("M_bal"))
-        yield from self._held("balancing", moments, 2 * float(largest))
+        largest = max(np.nanmax(one.allowed) for one in self.comparison.of("forces") if one.name.startswith("M_bal"))
+        yield from self._held("balancing", moments, 2 * float(largest) + told.nothing[1])
         sheet = self.statics.study.scene.sheet
         for key in sheet.hodographs:
             one = told.reactions[key]

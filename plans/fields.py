@@ -26,6 +26,8 @@ LETTER = re.compile(r"[A-ZА-ЯЁ][0-9]*[′']*")
 NAME = re.compile(r"[^\W\d_]\w*[′']*")
 LINK = re.compile(r"[1-9][0-9]{0,5}")
 LINKS_OF_PAIR = re.compile(r"(0|[1-9][0-9]{0,5})-(0|[1-9][0-9]{0,5})")
+# What a force sheet letters itself: reactions, weights, inertia forces, moments of sliding pairs, what the drive gives.
+TAKEN = re.compile(r"[RPF]_?\d+,?\d+|[GΦ]_?\d+|M_?\d\d+|[MP]_?bal")
 SYMBOL_SIGNS = re.compile(r"[^\W\d_][\w.′'-]*")
 
 
@@ -104,6 +106,8 @@ def check_symbol(value: object) -> str:
         raise wrong("wrong_type", wanted="the letters of a load", found=type_name(value), example='text: "F_us"')
     if not SYMBOL_SIGNS.fullmatch(value) or len(value) > NAME_LIMIT or value != unicodedata.normalize("NFC", value):
         raise wrong("symbol")
+    if TAKEN.fullmatch(value):
+        raise wrong("symbol_taken", name=value)
     return value
 
 

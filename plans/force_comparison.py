@@ -54,7 +54,7 @@ class _Compared:
     def __init__(self, statics: Statics, comparison: Comparison, ours: Kinetostatics, theirs: Kinetostatics) -> None:
         self.statics, self.comparison, self.ours, self.theirs = statics, comparison, ours, theirs
         self.plans = statics.drafts().plans
-        self.largest = largest_of([np.abs(one.force) for one in ours.reactions.values()])
+        self.largest = ours.largest
         places = np.array([point.r for point in comparison.construction.points.values()])
         self.size = largest_of([np.abs(places)])  # m: the longest arm about the shaft
         self.supports = {_key(one): one for cut in self.plans.plan.cuts for one in cut.reactions}

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -17,6 +17,10 @@ from plans.motion import Complexes, Floats, Gap
 
 if TYPE_CHECKING:
     from plans.structure import Dyad
+
+
+# Share of a machine's largest force: less is the rounding of numbers that a scene gives with twelve digits.
+NOTHING = 1e-9
 
 
 class Pair(NamedTuple):
@@ -108,6 +112,36 @@ class Kinetostatics:
     reactions: Mapping[str, Reaction]
     balancing: Balancing
     gaps: tuple[Gap, ...]
+
+    @property
+    def size(self) -> float:
+        """The longest arm about the shaft, m, of the pairs over all positions."""
+        return _largest([one.r for one in self.reactions.values()])
+
+    @property
+    def largest(self) -> float:
+        """The largest force N: of the reactions, or of the moments on the longest arm where that is more."""
+        told = self.reactions.values()
+        turning = [one.moment for one in told if one.moment is not None]
+        most = _largest([*turning, self.balancing.moment]) / self.size if self.size else 0.0
+        return max(_largest([one.force for one in told]), most)
+
+    @property
+    def nothing(self) -> tuple[float, float]:
+        """The force N and the moment N*m below which there is none, but rounding of the data that a scene gives."""
+        return NOTHING * self.largest, NOTHING * self.largest * self.size
+
+    def arm(self, key: str) -> Floats | None:
+        """Give the arm m of a sliding pair's reaction: 0 where it bears nothing, NaN where it bears a moment alone."""
+        one, (force, moment) = self.reactions[key], self.nothing
+        if one.arm is None or one.moment is None:
+            return None
+        alone = np.where(np.abs(one.moment) <= moment, 0.0, np.nan)
+        return np.where(np.abs(one.force) <= force, alone, one.arm)
+
+
+def _largest(rows: Sequence[Any]) -> float:
+    return max((float(np.fmax.reduce(np.abs(row), initial=0.0)) for row in rows), default=0.0)
 
 
 def pair(one: int, other: int, joint: str | Slide) -> Pair:

@@ -77,8 +77,11 @@ def _check_moves(survey: Survey, path: Path, name: str) -> None:
 def _check_spring(survey: Survey, path: Path, spring: SpringTable) -> None:
     """See that each end is a point of one link, and that the links are two."""
     links = [_end(survey, (*path, "between", k), end) for k, end in enumerate(spring.between)]
+    first, second = (end if isinstance(end, str) else end.point for end in spring.between)
     if links[0] is not None and links[0] == links[1]:
         survey.report((*path, "between"), "one_link", link=links[0])
+    elif None not in links and first == second:
+        survey.report((*path, "between"), "one_hinge", name=first)
 
 
 def _end(survey: Survey, path: Path, end: str | EndTable) -> int | None:

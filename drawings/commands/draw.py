@@ -123,6 +123,9 @@ def _own_words(scene: Scene) -> Iterator[tuple[tuple[str | int, ...], str]]:
         yield ("sheet", key), getattr(sheet, key)
     for table in ("frame", "points"):
         yield from ((("mechanism", table, name), name) for name in getattr(mechanism, table))
+    for kind in ("forces", "moments", "springs") if scene.loads else ():
+        loads = enumerate(getattr(scene.loads, kind))
+        yield from ((("loads", kind, k, "name"), load.name) for k, load in loads if load.name)
     for link, letters in mechanism.links.items():
         yield from ((("mechanism", "links", str(link)), point) for point in letters)
 

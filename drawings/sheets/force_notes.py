@@ -10,6 +10,7 @@ from drawings.force_letters import lettered
 from drawings.sheets.notes import lengths
 from drawings.words import number, runs, word
 from geometry.board import at
+from plans.kinetostatics import NOTHING
 from plans.machine import ALWAYS, GEAR, Force, Moment
 from plans.primary import DRIVING
 from plans.statics import Statics
@@ -83,7 +84,11 @@ def _lever(statics: Statics, position: int, language: str) -> Iterator[str]:
     told = [(one.name, at(one.moment.point, position).real) for one in lever.hung]
     told += [(one.name, at(one.moment.point, position).real) for one in lever.pairs]
     total = sum(power for _, power in told)
-    powers = ", ".join(f"{lettered(name, language)}{NBSP}{number(power, language)}" for name, power in told if power)
+    least = NOTHING * max((abs(power) for _, power in told), default=0.0)
+    seen = [(name, power) for name, power in told if abs(power) > least]
+    if not seen:
+        return
+    powers = ", ".join(f"{lettered(name, language)}{NBSP}{number(power, language)}" for name, power in seen)
     both = {"total": number(total, language, 5), "drive": number(-total, language, 5)}
     yield word(language, "forces of lever", force=lettered(DRIVING, language), powers=powers, **both)
 
@@ -117,7 +122,11 @@ def _friction(statics: Statics, position: int, language: str) -> Iterator[str]:
     given = "; ".join(number(one, language) for one in coefficients)
     yield f"{word(language, 'coefficients', f=given)}: {', '.join(told)}"
     if found.wear:
-        worn = [f"{key}{NBSP}{number(100 * share, language, 3)}{NBSP}%" for key, share in found.wear.items()]
+        worn = [
+            f"{key}{NBSP}{number(100 * share, language, 3)}{NBSP}%"
+            for key, share in found.wear.items()
+            if share > NOTHING
+        ]
         yield f"{word(language, 'wear')}: {', '.join(worn)}"
     if found.jams:
         pairs = ", ".join(dict.fromkeys(jam.pair for jam in found.jams))

@@ -111,9 +111,9 @@ class _Draft:
 
     @cached_property
     def equations(self) -> dict[str, Equations]:
-        plan = self.statics.drafts().plans.plan
+        plan, nothing = self.statics.drafts().plans.plan, self.statics.forces.nothing
         return {
-            f"equations-{cut.label}": Equations(plan, cut, self.position, self.language, self.reactions)
+            f"equations-{cut.label}": Equations(plan, cut, self.position, self.language, self.reactions, nothing)
             for cut in self.cuts
         }
 
@@ -131,10 +131,13 @@ class _Draft:
     def curve(self) -> curve_graph.Curve:
         """The balancing moment over the turn."""
         letter = lettered(BALANCING, self.language)
-        own = self.statics.forces
+        own, least = self.statics.forces, self.statics.forces.nothing[1]
         stations = np.degrees(self.study.sense * (own.phi - own.phi[0])) % 360
         angles = np.arange(STEPS + 1) * 360 / STEPS
-        return curve_graph.Curve(letter, "N*m", angles, self.turned.balancing.moment, stations, own.balancing.moment)
+        dense, told = (
+            np.where(np.abs(row) <= least, 0.0, row) for row in (self.turned.balancing.moment, own.balancing.moment)
+        )
+        return curve_graph.Curve(letter, "N*m", angles, dense, stations, told)
 
     @cached_property
     def hodographs(self) -> dict[str, hodograph.Hodograph]:

@@ -94,6 +94,10 @@ FAULTS: Mapping[str, tuple[str, str]] = {
         "the letters of a load: a letter, then letters, digits, _, points or primes, as F_us, M_3",
         "rename the load",
     ),
+    "symbol_taken": (
+        "letters of its own: a force sheet writes {name} for a reaction, a weight, an inertia force or the drive's",
+        "rename the load, as F_us or F_1",
+    ),
     "loaded_frame": ("a moving link: a load on the frame moves nothing", "name the link that it acts on"),
     "pair_name": ('a pair by its two links, the lower number first, as "0-1"', 'write "{example}"'),
     "two_ends": ("the two ends of a spring, but found {found}", 'write between = ["B", "O"]'),
@@ -163,6 +167,7 @@ FAULTS: Mapping[str, tuple[str, str]] = {
         "a point of one link, but links {links} have {name}",
         'write {{ on = {first}, point = "{name}" }}',
     ),
+    "one_hinge": ("ends that come apart, but {name} is a hinge of both links", "name points that are apart"),
     "one_link": ("ends on two different links, but both are on link {link}", "name points of two links"),
     "unknown_pair": ("a pair of the mechanism, but there is no pair {name}", "{suggestion}"),
     "pair_form": ("{thing}, which alone has a {name}, but pair {pair} is none", "leave {name} out"),

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from drawings.commands.draw import draw
@@ -18,12 +19,14 @@ from drawings.sheets import forces
 from drawings.strokes import Group, Leaf, Line, SheetError, Stroke, Text, stated
 from drawings.verify import SelfCheckFailed, verify
 from plans.compare import Comparison, compare
+from plans.faults import SceneError
 from plans.force_comparison import compare_forces
 from plans.scene import parse_scene, read_scene
 from plans.statics import Statics
 from plans.study import Study
 from tests.drawings.collisions import collisions
 from tests.plans.force_cases import text_of
+from tests.plans.test_statics import YOKE
 
 GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
 Checked = tuple[Study, Comparison, Statics, Leaf]
@@ -248,3 +251,61 @@ def test_a_force_sheet_alone_draws_no_kinematics(tmp_path: Path) -> None:
     report = (tmp_path / "out" / "forces-report.md").read_text("utf-8")
     for said in ("## Reactions", "## Friction and efficiency", "ΣF 4-5, N", "ΣM whole, N*m", "M_bal energy"):
         assert said in report
+
+
+def test_a_balancing_moment_that_is_but_rounding_is_drawn_and_written_as_none() -> None:
+    """A yoke twisted in its guide takes nothing from the crank: no diagram of roundings, no 0.0000000000002 N."""
+    comparison, _, leaves = sheets_of(Study(parse_scene(YOKE)))
+    told = [text.plain for leaf in leaves for group in leaf.groups for text in texts(group)]
+    assert not any(re.search(r"0\.00000000", one) for one in told)
+    assert "Mbal = 0 N·m" in told
+    assert comparison.agrees
+
+
+@pytest.mark.parametrize("load", ["value = [0, 0]", 'against = "motion"\nvalue = 5'])
+def test_a_load_that_is_nothing_all_the_way_round_gets_a_sheet(load: str) -> None:
+    still = YOKE.partition("[[loads.moments]]")[0] + f'[[loads.forces]]\non = 1\npoint = "O"\n{load}\n'
+    _, _, leaves = sheets_of(Study(parse_scene(still)))
+    assert leaves
+
+
+@pytest.mark.parametrize("name", ["R_12", "G_2", "Φ_3", "M_bal", "P_bal", "M_03", "F_12"])
+def test_a_load_may_not_bear_a_letter_that_the_sheet_gives_itself(name: str) -> None:
+    text = YOKE.replace("value = 5", f'value = 5\nname = "{name}"')
+    with pytest.raises(SceneError, match="Fix: rename the load"):
+        parse_scene(text)
+
+
+def test_a_spring_between_the_two_links_of_a_hinge_is_refused() -> None:
+    text = YOKE + '\n[[loads.springs]]\nbetween = [{ on = 1, point = "A" }, { on = 2, point = "A" }]\nstiffness = 5\n'
+    with pytest.raises(SceneError, match="A is a hinge of both links"):
+        sheets_of(Study(parse_scene(text + "free = 0.01\n")))
+
+
+def test_thirteen_links_have_indices_apart_and_their_rows_are_read() -> None:
+    links, slides = ['1 = "OA"'], []
+    frame, lengths, sketch = ["O = [0, 0]"], ["OA = 0.1"], []
+    for k in range(1, 7):  # six slider-cranks on one crank pin
+        links += [f'{2 * k} = ["A", "B{k}"]', f'{2 * k + 1} = ["B{k}"]']
+        lengths.append(f"AB{k} = 0.4")
+        slides.append(f"[[mechanism.slides]]\nlink = {2 * k + 1}\nalong = {{ through = [0, 0], angle = {60 * k} }}")
+        sketch.append(f"B{k} = [{0.4 * np.cos(np.radians(60 * k)):.3f}, {0.4 * np.sin(np.radians(60 * k)):.3f}]")
+    text = "\n".join(
+        [
+            *('title = "Star"', 'sheets = ["forces"]', "[mechanism.frame]", *frame, "[mechanism.links]", *links),
+            *("[mechanism.lengths]", *lengths, *slides, "[mechanism.sketch]", *sketch),
+            *("[drive]", "link = 1", "speed = 10", "positions = [20]", "[masses]"),
+            *(f"{2 * k + 1} = {{ mass = {k} }}" for k in range(1, 7)),
+        ]
+    )
+    comparison, _, leaves = sheets_of(Study(parse_scene(text)))
+    names = [
+        text.plain
+        for leaf in leaves
+        for group in leaf.groups
+        if group.name.startswith("values")
+        for text in texts(group)
+    ]
+    assert "R12,13, N" in names
+    assert "R1,12, N" in names
+    assert comparison.agrees

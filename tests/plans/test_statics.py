@@ -102,3 +102,92 @@ def test_near_a_dead_centre_reactions_grow_as_kappa_and_both_roads_agree(near: f
     force = abs(comparison.forces[0].reactions["2-3"].force)
     assert 1e-3 < force[1] * np.sqrt(np.radians(near)) / force[0] < 1e3
     assert comparison.agrees
+
+
+# Machines on which little acts
+
+SLOTTED = """
+title = "Unloaded slotted link"
+sheets = ["forces"]
+[mechanism.frame]
+O = [0, 0]
+B = [0.4, -0.19]
+[mechanism.links]
+1 = "OA"
+2 = "A"
+3 = "BC"
+[mechanism.lengths]
+OA = 0.1
+BC = 0.28
+[[mechanism.slides]]
+link = 2
+along = "BC"
+offset = 0.2
+[mechanism.sketch]
+C = [0.2, 0.0]
+[drive]
+link = 1
+speed = 10
+positions = 12
+[[loads.forces]]
+on = 2
+point = "A"
+value = [30, 40]
+"""
+
+YOKE = """
+title = "A couple alone"
+sheets = ["forces"]
+[mechanism.frame]
+O = [0, 0]
+[mechanism.links]
+1 = "OA"
+2 = "A"
+3 = "BC"
+[mechanism.lengths]
+OA = 0.06
+BC = 0.16
+[[mechanism.slides]]
+link = 2
+along = "BC"
+[[mechanism.slides]]
+link = 3
+along = { through = [0, -0.08], angle = 0 }
+angle = 90
+[mechanism.sketch]
+B = [0.06, -0.08]
+[drive]
+link = 1
+speed = 10
+positions = 12
+[[loads.moments]]
+on = 3
+value = 5
+"""
+
+
+def test_sums_on_a_link_that_bears_nothing_are_judged_by_the_machine() -> None:
+    """A massless slotted link whose stone is pushed: its own forces are roundings, and no measure of themselves."""
+    comparison = compared(SLOTTED)
+    assert comparison.agrees
+    (third,) = (one for one in comparison.findings if one.name == "ΣM 3")
+    assert third.largest > 0.1  # N*m, of the machine: 50 N at 0.1 m
+
+
+def test_a_slide_that_bears_a_moment_alone_has_no_arm_and_one_that_bears_nothing_none() -> None:
+    """A yoke twisted in its guide: the guide answers with a couple, and the stone is not pressed at all."""
+    found = of(YOKE).forces
+    assert found.reactions["0-3"].moment == pytest.approx(np.full(12, -5.0))
+    arms = found.arm("0-3")
+    assert arms is not None
+    assert np.isnan(arms).all()
+    stone = found.arm("2-3")
+    assert stone is not None
+    assert (stone == 0).all()
+    assert abs(found.balancing.moment).max() <= found.nothing[1]
+
+
+def test_what_is_but_rounding_is_no_force_beside_the_largest() -> None:
+    force, moment = of(SLOTTED).forces.nothing
+    assert force == pytest.approx(5e-8, rel=0.5)  # 1e-9 of some 50 N
+    assert 0 < moment < force
