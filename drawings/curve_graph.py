@@ -1,11 +1,11 @@
-"""The graph of a quantity over one turn of the crank: axes, positions, ordinates and a smooth curve (график)."""
+"""The graph of a quantity over the angle of the crank: axes, positions, ordinates and a smooth curve (график)."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -21,7 +21,8 @@ from drawings.words import word
 from plans.motion import Floats
 
 TURN = 360.0  # degrees
-RATIO = 1.6  # a turn is drawn so many times as long as the graph is high
+RATIO = 1.6  # a graph is drawn so many times as long as it is high
+TALLEST = 2.0  # times the largest of the positions: towards a dead centre of a drive forces have no limit
 BEYOND = 9.0  # mm that an axis goes beyond the graph, for its arrowhead
 MARGINS = Margins(3.2, 1.6, 1.0)  # paper around the graph for letters and numbers, in sizes of a letter
 LETTERS = 18.0  # a graph is drawn at least so many of its letters long: its positions are numbered
@@ -31,11 +32,14 @@ LEAST = 0.05  # mm: a shorter ordinate is a point
 
 
 class Curve(NamedTuple):
-    """A quantity over a turn from position 0 on, angles in degrees in the sense of rotation; NaN is a gap."""
+    """A quantity over the angle of the crank, degrees in the sense of rotation; NaN is a gap.
+
+    A crank that turns fully is followed over a turn from position 0 on, any other one through its positions.
+    """
 
     letter: str  # marked up: "M_{bal}"
     unit: str
-    angles: Floats  # dense, from 0 to 360
+    angles: Floats  # dense, from 0 on
     values: Floats
     stations: Floats  # of the positions
     ordinates: Floats
@@ -46,14 +50,47 @@ class Curve(NamedTuple):
         found = np.concatenate([self.values, self.ordinates])
         return float(np.nanmin(found, initial=0.0)), float(np.nanmax(found, initial=0.0))
 
+    @property
+    def length(self) -> float:
+        """The angle in degrees that the graph goes through."""
+        return float(self.angles[-1])
+
+    @property
+    def closed(self) -> bool:
+        """Does the graph end where it began, at position 0 after a turn?"""
+        return self.length == TURN
+
+
+def swing(curve: Curve) -> Curve:
+    """Give the part of a curve over a turn that a crank which cannot turn fully passes through in its positions."""
+    held = np.unique(curve.stations[~np.isnan(curve.ordinates)])
+    if not np.isnan(curve.values).any() or len(held) < 2:
+        return curve
+    apart = np.diff(held, append=held[0] + TURN)
+    start, length = np.roll(held, -1)[apart.argmax()], TURN - apart.max()
+    stations, angles = (np.mod(row - start, TURN) for row in (curve.stations, curve.angles[:-1]))
+    values, found = np.concatenate([curve.values[:-1], curve.ordinates]), np.concatenate([angles, stations])
+    order = np.argsort(found, kind="stable")
+    order = order[found[order] <= length]
+    return curve._replace(angles=found[order], values=values[order], stations=stations)
+
+
+def bounded(dense: Any, own: Any) -> Any:
+    """Break a dense curve with gaps where it outgrows its positions: it goes to infinity beside a gap."""
+    if not np.isnan(dense).any():
+        return dense
+    return np.where(np.abs(dense) > TALLEST * np.nanmax(np.abs(own), initial=0.0), np.nan, dense)
+
 
 def measured(curve: Curve, name: str, title: str, hand: Hand) -> Picture:
     """Measure the room of a graph: its scale is that of the angle, the quantity's own follows from the height."""
     side, below, above = (size * hand.letter for size in MARGINS)
     margins = Margins(side + BEYOND / 2, below, above + BEYOND + 2 * hand.title + hand.text)
-    high = TURN / RATIO
+    high = curve.length / RATIO
     heading = text_width(Text(0j, title, hand.title))
-    return Picture(name, TURN, high, complex(TURN, high) / 2, "φ", "°", margins, heading, LETTERS * hand.letter)
+    return Picture(
+        name, curve.length, high, complex(curve.length, high) / 2, "φ", "°", margins, heading, LETTERS * hand.letter
+    )
 
 
 def scale_of(curve: Curve, spot: Spot, measure: Picture, standard: str) -> Scale:
@@ -103,16 +140,18 @@ def figure(curve: Curve, measure: Picture, spot: Spot, title: str, standard: str
     scales = f"{spot.scale.written(language)};  {scale.written(language)}"
     ordinates, stations = _ordinates(curve, measure.name, frame, hand)
     lines = (heading(spot.box, title, scales, hand), *_axes(curve, frame, hand), *ordinates, *_line(curve, frame, hand))
-    last = frame.on(TURN)
+    last = frame.on(curve.length)
     ends = (frame.on(0.0).real + 1j * (frame.on(0.0, high).imag + BEYOND), last + BEYOND)
     axes = ((f"{curve.letter}, {word(language, curve.unit)}", ends[0], 0.0), ("φ", ends[1], math.pi / 2))
-    return Graph(curve, measure.name, lines, (*stations, ("0", last, BELOW)), axes, hand)
+    if curve.closed:
+        stations.append(("0", last, BELOW))
+    return Graph(curve, measure.name, lines, tuple(stations), axes, hand)
 
 
 def _axes(curve: Curve, frame: _Frame, hand: Hand) -> Iterator[Stroke]:
-    """Draw both axes with their arrowheads, and a tick at the end of the turn."""
+    """Draw both axes with their arrowheads, and a tick at their end."""
     low, high = curve.span
-    first, last = frame.on(0.0), frame.on(TURN)
+    first, last = frame.on(0.0), frame.on(curve.length)
     for start, end in ((first, last + BEYOND), (frame.on(0.0, low), frame.on(0.0, high) + 1j * BEYOND)):
         yield Line(start, end, hand.other)
         head = arrowhead(start, end, hand.symbol)
@@ -129,6 +168,8 @@ def _ordinates(
     stations: list[tuple[str, complex, float]] = []
     quantity = frame.scale.letter
     for k, (angle, value) in enumerate(zip(curve.stations, curve.ordinates, strict=True)):
+        if angle > curve.length:  # a gap beyond the last position that is held
+            continue
         foot = frame.on(float(angle))
         stations.append((str(k), foot, -BELOW if value < 0 else BELOW))
         drawn.append(Line(foot - 1j * TICK, foot + 1j * TICK, hand.drafted))

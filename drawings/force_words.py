@@ -15,6 +15,7 @@ FORCES: Final[dict[str, tuple[str, str]]] = {
     "primary link": ("primary link", "начальное звено"),
     "balancing moment": ("balancing moment", "уравновешивающий момент"),
     "balancing force": ("balancing force", "уравновешивающая сила"),
+    "balancing swing": ("Balancing moment over the swing", "График уравновешивающего момента"),
     "balancing graph": ("Balancing moment over a turn", "График уравновешивающего момента"),
     "lever": ("Zhukovsky's lever", "Рычаг Жуковского"),
     "turned velocity plan": ("turned velocity plan", "повёрнутый план скоростей"),

@@ -129,7 +129,7 @@ class _Draft:
 
     @cached_property
     def curve(self) -> curve_graph.Curve:
-        """The balancing moment over the turn."""
+        """The balancing moment over the turn, or the swing, of the crank."""
         letter = lettered(BALANCING, self.language)
         own, least = self.statics.forces, self.statics.forces.nothing[1]
         stations = np.degrees(self.study.sense * (own.phi - own.phi[0])) % 360
@@ -137,7 +137,13 @@ class _Draft:
         dense, told = (
             np.where(np.abs(row) <= least, 0.0, row) for row in (self.turned.balancing.moment, own.balancing.moment)
         )
-        return curve_graph.Curve(letter, "N*m", angles, dense, stations, told)
+        dense = curve_graph.bounded(dense, told)
+        return curve_graph.swing(curve_graph.Curve(letter, "N*m", angles, dense, stations, told))
+
+    @property
+    def graphed(self) -> str:
+        """The title of the balancing moment's graph."""
+        return word(self.language, "balancing graph" if self.curve.closed else "balancing swing")
 
     @cached_property
     def hodographs(self) -> dict[str, hodograph.Hodograph]:
@@ -146,7 +152,8 @@ class _Draft:
         for key in self.study.scene.sheet.hodographs:
             dense, own = self.turned.reactions[key], self.statics.forces.reactions[key]
             letter = lettered(f"R_{indices(own.giver, own.taker)}", self.language, self.reactions)
-            found[f"hodograph-{key}"] = hodograph.Hodograph(letter, "F", "N", dense.force, own.force, self.position)
+            around = curve_graph.bounded(dense.force, own.force)
+            found[f"hodograph-{key}"] = hodograph.Hodograph(letter, "F", "N", around, own.force, self.position)
         return found
 
     @cached_property
@@ -163,7 +170,7 @@ class _Draft:
         found |= {name: force_polygon.measured(one, name, hand, language) for name, one in self.polygons.items()}
         if self.hanging is not None:
             found["lever"] = lever_plan.measured(self.hanging, "lever", hand, language)
-        found["balancing"] = curve_graph.measured(self.curve, "balancing", word(language, "balancing graph"), hand)
+        found["balancing"] = curve_graph.measured(self.curve, "balancing", self.graphed, hand)
         for name, one in self.hodographs.items():
             found[name] = hodograph.measured(one, name, word(language, "hodograph", letter=one.letter), hand)
         return found
@@ -234,8 +241,8 @@ class _Draft:
                 assert self.hanging is not None  # else it is not measured
                 yield lever_plan.figure(self.hanging, measure, spot, scale, hand, language, self.reactions)
             else:
-                standard, title = self.study.scene.sheet.standard, word(language, "balancing graph")
-                yield curve_graph.figure(self.curve, measure, spot, title, standard, hand, language)
+                standard = self.study.scene.sheet.standard
+                yield curve_graph.figure(self.curve, measure, spot, self.graphed, standard, hand, language)
 
     def _with_faint(self, scale: str, names: Sequence[str]) -> str:
         """Name beside its scale the forces of a plan that are too short to bear a letter."""

@@ -95,6 +95,38 @@ def test_a_constant_quantity_is_a_straight_line_over_its_axis(level: float) -> N
     assert len(measured(drawn).vectors) == (12 if level else 0)
 
 
+def rocking(phi: np.ndarray) -> np.ndarray:
+    """A moment that goes to infinity where a crank stops 130 degrees on from position 0."""
+    return np.where(np.minimum(phi, 310 - phi) < 0, -1.0, 1.0) / np.where((phi < 130) | (phi > 310), 130 - phi, np.nan)
+
+
+def test_a_crank_that_cannot_turn_fully_is_followed_through_its_positions() -> None:
+    stations = np.array([20.0, 50.0, 80.0, 350.0])
+    whole = Curve("M_{bal}", "N*m", DENSE, rocking(DENSE), stations, rocking(stations))
+    part = curve_graph.swing(whole)
+    assert part.length == 90  # from 350 through 0 to 80 degrees
+    assert not part.closed
+    assert part.stations.tolist() == [30, 60, 90, 0]
+    assert np.isfinite(part.values).all()
+    assert np.interp(part.stations, part.angles, part.values) == pytest.approx(whole.ordinates)
+    vectors = measured(graph(part)).vectors
+    assert sorted(vector.position or 0 for vector in vectors) == [0, 1, 2, 3]
+
+
+def test_a_crank_that_turns_fully_is_followed_over_its_turn_whatever_its_positions() -> None:
+    few = CURVE._replace(stations=AT[:3], ordinates=CURVE.ordinates[:3])
+    assert curve_graph.swing(few) is few
+    assert few.closed
+
+
+def test_a_curve_that_outgrows_its_positions_beside_a_gap_is_broken_there() -> None:
+    dense, own = rocking(DENSE), rocking(np.array([20.0, 50.0, 80.0]))
+    kept = curve_graph.bounded(dense, own)
+    assert np.nanmax(np.abs(kept)) <= 2 * np.max(np.abs(own))
+    assert np.nanmax(np.abs(dense)) > 10 * np.max(np.abs(own))
+    assert curve_graph.bounded(CURVE.values, 0.0 * CURVE.ordinates) is CURVE.values
+
+
 def force(phi: np.ndarray) -> np.ndarray:
     return 900 * np.exp(1j * np.radians(phi)) + 400 * np.exp(-2j * np.radians(phi)) + 200j
 
