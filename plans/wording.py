@@ -53,6 +53,8 @@ def said(text: str, language: str) -> str:
 
     >>> said("scene.toml:4:1: mechanism.links: did you mean \\"AB\\"?", "ru")
     'scene.toml:4:1: mechanism.links: возможно, "AB"?'
+    >>> said('Fix: did you mean "working stroke"?', "ru")
+    'Fix: возможно, "working stroke"?'
     """
     if language != "ru":
         return text
@@ -95,10 +97,11 @@ def _match(sentence: str, text: str) -> Mapping[str, str] | None:
 
 @cache
 def _form(sentence: str) -> re.Pattern[str]:
-    """Turn a sentence into a pattern; a placeholder of one letter stands for one word."""
+    """Turn a sentence into a pattern; a placeholder of one letter stands for one word, or for what is in quotes."""
     form = ""
     for literal, name, _, _ in string.Formatter().parse(sentence):
         form += re.escape(literal)
         if name:
-            form += f"(?P<{name}>{r'[^ ]+' if len(name) == 1 else '.+?'})"
+            word = '[^"]+' if literal.endswith('"') else "[^ ]+"
+            form += f"(?P<{name}>{word if len(name) == 1 else '.+?'})"
     return re.compile(form, re.DOTALL)

@@ -111,7 +111,7 @@ class _Draft:
 
     @cached_property
     def equations(self) -> dict[str, Equations]:
-        plan, nothing = self.statics.drafts().plans.plan, self.statics.forces.nothing
+        plan, nothing = self.statics.drafts().plans.plan, self.forces.nothing
         return {
             f"equations-{cut.label}": Equations(plan, cut, self.position, self.language, self.reactions, nothing)
             for cut in self.cuts
@@ -122,6 +122,12 @@ class _Draft:
         plans = self.statics.drafts().plans
         return None if plans.lever is None else lever_plan.hanging(plans.plan, plans.lever, self.position)
 
+    @property
+    def forces(self) -> Kinetostatics:
+        """The forces of the construction in the positions in which the analysis has them too."""
+        assert self.comparison.forces is not None  # a force sheet compares them
+        return self.comparison.forces[0]
+
     @cached_property
     def turned(self) -> Kinetostatics:
         """The forces over a whole turn, dense enough for curves."""
@@ -131,7 +137,7 @@ class _Draft:
     def curve(self) -> curve_graph.Curve:
         """The balancing moment over the turn, or the swing, of the crank."""
         letter = lettered(BALANCING, self.language)
-        own, least = self.statics.forces, self.statics.forces.nothing[1]
+        own, least = self.forces, self.forces.nothing[1]
         stations = np.degrees(self.study.sense * (own.phi - own.phi[0])) % 360
         angles = np.arange(STEPS + 1) * 360 / STEPS
         dense, told = (
@@ -150,7 +156,7 @@ class _Draft:
         """The reactions whose hodographs the scene asks for."""
         found = {}
         for key in self.study.scene.sheet.hodographs:
-            dense, own = self.turned.reactions[key], self.statics.forces.reactions[key]
+            dense, own = self.turned.reactions[key], self.forces.reactions[key]
             letter = lettered(f"R_{indices(own.giver, own.taker)}", self.language, self.reactions)
             around = curve_graph.bounded(dense.force, own.force)
             found[f"hodograph-{key}"] = hodograph.Hodograph(letter, "F", "N", around, own.force, self.position)

@@ -22,7 +22,7 @@ from plans.compare import Comparison, compare
 from plans.faults import SceneError
 from plans.force_comparison import compare_forces
 from plans.scene import parse_scene, read_scene
-from plans.statics import Statics
+from plans.statics import Statics, without
 from plans.study import Study
 from tests.drawings.collisions import collisions
 from tests.plans.force_cases import text_of
@@ -260,6 +260,22 @@ def test_a_balancing_moment_that_is_but_rounding_is_drawn_and_written_as_none() 
     assert not any(re.search(r"0\.00000000", one) for one in told)
     assert "Mbal = 0 N·m" in told
     assert comparison.agrees
+
+
+def test_a_position_that_the_analysis_alone_gives_up_has_no_ordinate(checked: Checked, tmp_path: Path) -> None:
+    study, comparison, statics, whole = checked
+    assert comparison.forces is not None
+    gone = np.arange(len(study.turn.phi)) == 5
+    one, other = (without(road, gone) for road in comparison.forces)
+    less = comparison._replace(forces=(one, other))
+    leaf = forces.sheets(study, less, statics)[0]
+
+    def ordinates(shown: Leaf, against: Comparison) -> set[int | None]:
+        (tmp_path / "sheet.svg").write_bytes(svg(lettered(shown)))
+        told = verify(tmp_path / "sheet.svg", shown, study, against, statics)
+        return {vector.position for vector in told.vectors if vector.plan == "balancing"}
+
+    assert ordinates(whole, comparison) - ordinates(leaf, less) == {5}
 
 
 @pytest.mark.parametrize("load", ["value = [0, 0]", 'against = "motion"\nvalue = 5'])

@@ -61,7 +61,8 @@ def test_construction_and_analysis_agree_in_every_position(scene: Path) -> None:
 
 @pytest.mark.parametrize("scene", SCENES, ids=lambda path: path.stem)
 def test_no_plan_of_a_named_position_is_one_line(scene: Path) -> None:
-    points, named = motion(scene.stem).points.values(), study(scene.stem).scene.sheet.plans
+    points, sheet = motion(scene.stem).points.values(), study(scene.stem).scene.sheet
+    named = sheet.plans or sheet.forces
     assert named
     for k in named:
         for ends in ([0, *(p.v[k] for p in points)], [0, *(p.a[k] for p in points)]):

@@ -362,7 +362,8 @@ def test_a_spring_between_moving_links_acts_on_both_along_its_line(by: str) -> N
 
 
 def test_a_spring_whose_ends_are_in_one_place_has_no_direction() -> None:
-    spring = "[[loads.springs]]\nbetween = [{ on = 1, point = 'A' }, { on = 2, point = 'A' }]\nstiffness = 200\n"
+    named = "[mechanism.points]\nE = { on = 2, at = [0, 0] }\n"  # of the rod, in the crank pin
+    spring = named + "[[loads.springs]]\nbetween = [{ on = 1, point = 'A' }, 'E']\nstiffness = 200\n"
     assert [end.force.tolist() for end in loaded(ENGINE + spring + "free = 0\n").loading.forces] == [[0] * 6] * 2
     assert all(np.isnan(end.force).all() for end in loaded(ENGINE + spring + "free = 0.1\n").loading.forces)
 
