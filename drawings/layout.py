@@ -192,6 +192,22 @@ class Labels:
         return found
 
 
+def free_side(spot: complex, lines: Iterable[Stroke], near: float) -> float:
+    """Give the middle of the widest angle that the lines ending near a spot leave free; π/4 where none ends."""
+    turns = sorted(
+        cmath.phase(far - spot)
+        for line in lines
+        if isinstance(line, Line)
+        for end, far in ((line.start, line.end), (line.end, line.start))
+        if abs(end - spot) < near
+    )
+    if not turns:
+        return math.pi / 4
+    gaps = [(b - a, a) for a, b in zip(turns, [*turns[1:], turns[0] + 2 * math.pi], strict=True)]
+    wide, start = max(gaps)
+    return start + wide / 2
+
+
 def _fan(prefer: float, count: int) -> Iterator[tuple[int, float]]:
     """Give directions to all sides, the preferred one first, with how many steps each is off it."""
     for turn in range(count):

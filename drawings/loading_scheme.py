@@ -6,14 +6,13 @@ The links are to scale, the forces are not: an arrow is true in direction, a lar
 from __future__ import annotations
 
 import cmath
-import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
 from drawings.figure import Place, heading
 from drawings.force_letters import REACTION
 from drawings.hand import Hand
-from drawings.layout import Labels
+from drawings.layout import Labels, free_side
 from drawings.leverage import Leverage, leverages
 from drawings.link_numbers import numbered
 from drawings.page import Field
@@ -27,6 +26,7 @@ from drawings.words import word
 
 __all__ = ["Figure", "Leverage", "Scheme", "figure", "leverages", "measured", "scheme"]
 
+NEAR = 4.0  # mm beyond its letter: lines that end so near to a point are lines at it
 LEAST = 14.0  # a scheme is drawn at least so many of its letters large: below, its forces hide it
 LETTERS, BESIDE = 1.6, 2.4  # letters' sizes below and above the lines of a scheme, and beside them
 
@@ -108,23 +108,8 @@ def _points(laid: Layout, labels: Labels, hand: Hand) -> Iterator[Stroke]:
     lines = [*_lines(laid.links), *(held.shaft for held in laid.arrows)]
     for name, value in laid.shown.named.items():
         spot, gap = laid.place.on(value), laid.clear(name) + 1.0
-        yield labels.beside(spot, written(name), hand.letter, gap, _free(spot, gap, lines))
+        yield labels.beside(spot, written(name), hand.letter, gap, free_side(spot, lines, gap + NEAR))
 
 
 def _lines(strokes: list[Stroke]) -> Iterator[Line]:
     return (stroke for stroke in strokes if isinstance(stroke, Line))
-
-
-def _free(spot: complex, gap: float, lines: list[Line]) -> float:
-    near = gap + 4.0
-    turns = sorted(
-        cmath.phase(far - spot)
-        for line in lines
-        for end, far in ((line.start, line.end), (line.end, line.start))
-        if abs(end - spot) < near
-    )
-    if not turns:
-        return math.pi / 4
-    gaps = [(b - a, a) for a, b in zip(turns, [*turns[1:], turns[0] + 2 * math.pi], strict=True)]
-    wide, start = max(gaps)
-    return start + wide / 2

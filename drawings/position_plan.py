@@ -14,7 +14,7 @@ from drawings.figure import Place
 from drawings.formats import Field
 from drawings.guides import axes, grounds
 from drawings.hand import Hand
-from drawings.layout import Labels
+from drawings.layout import Labels, free_side
 from drawings.limits import MANY
 from drawings.numbering import numbers, same
 from drawings.outlines import outlines, reach_of
@@ -176,18 +176,6 @@ def letters(pairs: Pairs, labels: Labels) -> Group:
 
 
 def _free(pairs: Pairs, name: str) -> float:
-    """Give the middle of the widest angle that the bars at a point leave free; up and to the right where none ends."""
+    """Give the side of a point that the bars leave free."""
     spot = pairs.place.on(pairs.bones.spot(name, pairs.bones.shown))
-    near = pairs.clear(name) + ARROW_LENGTH
-    turns = sorted(
-        cmath.phase(far - spot)
-        for line in pairs.bars()
-        if isinstance(line, Line)
-        for end, far in ((line.start, line.end), (line.end, line.start))
-        if abs(end - spot) < near
-    )
-    if not turns:
-        return math.pi / 4
-    gaps = [(b - a, a) for a, b in zip(turns, [*turns[1:], turns[0] + 2 * math.pi], strict=True)]
-    wide, start = max(gaps)
-    return start + wide / 2
+    return free_side(spot, pairs.bars(), pairs.clear(name) + ARROW_LENGTH)
