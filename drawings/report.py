@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from drawings.limits import MANY
-from drawings.words import number
+from drawings.words import number, runs
 from plans.compare import NOT_GRADED, Comparison, Finding, notches
 from plans.mechanism import FRAME
 from plans.motion import ORDERS
@@ -36,7 +36,20 @@ def summary(comparison: Comparison) -> str:
                 f"{plan:<14} {_peak(worst.difference):>13.2e} {worst.unit:<4} {per_cent:>18.2e} "
                 f"{_peak(worst.excess):>15.3f}   {worst.name}"
             )
-    return "\n".join(lines)
+    return "\n".join([*lines, *left_out(comparison)])
+
+
+def left_out(comparison: Comparison) -> list[str]:
+    """Tell which positions the comparison leaves out, as both roads give them up, and how many they are."""
+    return [
+        f"left out, as both roads say {what}: {count_of(positions)} ({runs(positions, '-')})"
+        for what, positions in comparison.left_out.items()
+    ]
+
+
+def count_of(positions: Sequence[int]) -> str:
+    """Count positions in words."""
+    return f"{len(positions)} position{'s' if len(positions) != 1 else ''}"
 
 
 def shallow(study: Study) -> list[int]:

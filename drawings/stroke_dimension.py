@@ -14,7 +14,7 @@ from drawings.skeleton import Skeletons
 from drawings.strokes import Box, Group, Line, Stroke, Text, bounds, text_reach, text_width
 from drawings.symbols import ARROW_LENGTH, arrowhead
 from drawings.words import fixed
-from plans.extreme import frame_slide
+from plans.travel import frame_slide
 
 # mm from the stroke's line to its dimension: at least what leaves room for numbers and ground, then by steps.
 DISTANCES = (15.0, 18.0, 21.0, 24.0, 28.0, 32.0, 37.0, 42.0, 48.0, 55.0, 63.0)

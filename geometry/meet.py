@@ -18,13 +18,16 @@ EPS = float(np.finfo(np.float64).eps)
 # A distance reaches a meeting with a few roundings of its own: two coordinates, a difference, a root. Loci that touch
 # within this many eps of the triangle's perimeter cannot be told from tangent ones, and are called a dead centre.
 TANGENCY = 4.0
+# Where the squared sine of a crossing is less, a rounding of a length or of the crank angle moves the velocities found
+# from it by a thousandth of themselves, which can be seen on a plan: the condition does not bear them.
+UNBORNE = 1000.0 * EPS
 
 
 class Meeting(NamedTuple):
     """Where two loci meet: vectors to it from each locus's point, how they cross, and by how much they miss (metres).
 
     `across` is the moment of two vectors of the sizes `sides` that cross as the loci do: 0 at a dead centre. A miss
-    above 0 makes the vectors NaN. A `clear` meeting has at no position a miss, a dead centre or anything unknown.
+    above 0 makes the vectors NaN. A `clear` meeting is at all positions well away from a miss and a dead centre.
     `into_first` and `into_second` tell how many times the directions of two lines go into the vectors.
     """
 
@@ -81,7 +84,7 @@ class Radii(NamedTuple):
     spare: Sizes
     less: Sizes
     skew: Sizes  # half the difference of their squares
-    limit: Sizes  # of the product of both margins: above it neither of them is touching
+    limit: Sizes  # of the product of both margins: above it neither is near touching
 
 
 def radii(first: Sizes, second: Sizes) -> Radii:
@@ -89,7 +92,7 @@ def radii(first: Sizes, second: Sizes) -> Radii:
     total, more = _sum(first, second)
     spare, less = _sum(np.maximum(first, second), -np.minimum(first, second))
     # Both margins together are twice the shorter radius, so that each is at most as large.
-    limit = np.max((total - spare) * (2 * TANGENCY * EPS * total))
+    limit = np.max((total - spare) * (2 * UNBORNE * total))
     return Radii(first, second, total, more, spare, less, 0.5 * (first - second) * (first + second), limit)
 
 
@@ -143,7 +146,7 @@ def line_arc(base: Vectors, direction: Vectors, radius: Sizes, side: Sizes) -> M
     centre = seen_from(direction, base)
     offset = np.abs(centre.imag)
     margin, span = radius - offset, radius + offset
-    clear = _all(margin > 2 * TANGENCY * EPS * radius)
+    clear = _all(margin > 2 * UNBORNE * radius)
     miss: Sizes = 0.0
     if not clear:
         margin, miss = _settled(margin, span, margin)
@@ -170,9 +173,7 @@ def crossing(first: Vectors, second: Vectors) -> Crossing:
     turned = seen_from(first, second)
     across = turn = turned.imag
     off, along = np.abs(turn), np.abs(turned.real)
-    clear = bool(
-        np.minimum.reduce(off, None, initial=np.inf) > TANGENCY * EPS * np.maximum.reduce(along, None, initial=0.0)
-    )
+    clear = bool(np.minimum.reduce(off, None, initial=np.inf) > UNBORNE * np.maximum.reduce(along, None, initial=0.0))
     if not clear:
         parallel = off <= TANGENCY * EPS * along
         across, turn = np.where(parallel, 0.0, turn), np.where(parallel, np.nan, turn)
@@ -210,7 +211,7 @@ def tangent_direction(base: Vectors, offset: Sizes, side: Sizes) -> Meeting:
     """
     distance, size = np.abs(base), np.abs(offset)
     margin, span = distance - size, distance + size
-    clear = _all(margin > 2 * TANGENCY * EPS * distance)
+    clear = _all(margin > 2 * UNBORNE * distance)
     miss: Sizes = 0.0
     if not clear:
         margin, miss = _settled(margin, span, margin)

@@ -26,6 +26,7 @@ from plans.motion import (
     Complexes,
     Extremes,
     Floats,
+    Gap,
     Motion,
 )
 from plans.passage import margins
@@ -43,7 +44,6 @@ MOST_ALLOWED = 1e-6
 NOT_GRADED = 600.0  # kappa of a notch of 6 minutes of arc: 0.01 mm in a length moves such a point by 6 mm
 
 EXTREMES = ("φ_start", "φ_end", "H", "θ")
-SINGULAR = ("dead centre", "change point")
 
 
 class Finding(NamedTuple):
@@ -84,6 +84,26 @@ class Comparison(NamedTuple):
     road: Analysis  # by which the analysis was made
     forces: tuple[Kinetostatics, Kinetostatics] | None = None  # by construction and by analysis, where asked for
 
+    @property
+    def alone(self) -> tuple[tuple[Motion, Gap], ...]:
+        """Gaps that one road names and the other does not, or for another reason; each with the road that names it."""
+        roads = self.construction, self.analysis
+        named = [{(gap.position, gap.plan, gap.reason) for gap in road.gaps} for road in roads]
+        return tuple(
+            (road, gap)
+            for road, other in zip(roads, reversed(named), strict=True)
+            for gap in road.gaps
+            if (gap.position, gap.plan, gap.reason) not in other
+        )
+
+    @property
+    def left_out(self) -> dict[str, list[int]]:
+        """Positions left out of the comparison, by what both roads say of them: "positions: out of reach"."""
+        found: dict[str, list[int]] = {}
+        for gap in self.construction.gaps:
+            found.setdefault(f"{gap.plan}: {gap.reason}", []).append(gap.position)
+        return found
+
     def of(self, plan: str) -> tuple[Finding, ...]:
         """Give the findings of one plan."""
         return tuple(finding for finding in self.findings if finding.plan == plan)
@@ -95,17 +115,16 @@ class Comparison(NamedTuple):
 
     @property
     def agrees(self) -> bool:
-        """Whether every difference is within its allowed one."""
-        return self.worst <= 1.0
+        """Whether every difference is within its allowed one, and both roads name the same gaps."""
+        return self.worst <= 1.0 and not self.alone
 
 
 @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN on both roads
 def compare(study: Study, order: int = 2) -> Comparison:
     """Compare construction and analysis over all positions of a study, up to an order of derivative."""
-    drawn = study.motion(order).own()
-    road = Analysis(study.mechanism, first=study.scene.drive.first is not None)
+    drawn = study.motion(order)
+    road = Analysis(study.mechanism, first=study.scene.drive.first is not None, looks=study.looks.phi)
     solved = road.motion(study.turn.phi, order)
-    _leave_out(drawn, solved)
     kappa = road.conditions(solved)
     drafts = study.drafts()
     findings: list[Finding] = []
@@ -152,23 +171,6 @@ def compare_extremes(study: Study, comparison: Comparison) -> Comparison:
 
 def _told(found: Extremes) -> Floats:
     return np.array([*found.phi, found.stroke, found.overlap])
-
-
-def _leave_out(drawn: Motion, solved: Motion) -> None:
-    """Leave out what one road gives at a dead centre or change point, a single place, that the other names there."""
-    named = {gap.position for road in (drawn, solved) for gap in road.gaps if gap.reason in SINGULAR}
-    places = sorted(named)
-    for name, ours in drawn.points.items():
-        _both(places, *((getattr(ours, key), getattr(solved.points[name], key)) for key in POINT_KEYS))
-    for number, turned in drawn.links.items():
-        _both(places, *((getattr(turned, key), getattr(solved.links[number], key)) for key in LINK_KEYS))
-
-
-def _both(places: list[int], *pairs: tuple[Floats | Complexes | None, Floats | Complexes | None]) -> None:
-    for ours, theirs in pairs:
-        if ours is not None and theirs is not None:
-            none = [k for k in places if np.isnan(ours[k]) or np.isnan(theirs[k])]
-            ours[none] = theirs[none] = np.nan
 
 
 def _points(

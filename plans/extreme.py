@@ -13,21 +13,19 @@ from typing import NamedTuple
 import numpy as np
 
 from geometry.board import Mark, at
-from geometry.meet import dot
 from plans.groups import guide, lead
-from plans.mechanism import FRAME, Mechanism, Output, Slide
+from plans.mechanism import FRAME, Mechanism, Output
 from plans.motion import Extremes, Floats
-from plans.passage import FAN, LOOKS, NODES, Sweep, at_angles
+from plans.passage import Sweep
 from plans.plan import Plan
 from plans.position import crank
 from plans.structure import Dyad
+from plans.travel import Travel, frame_slide
 from plans.turn import Turn
 
 # A notched extreme and a velocity of zero are one position when their crank angles agree to half the digits: the
 # coordinate of an extreme is stationary, so half its digits is all that a root found by its value could tell.
 SAME = 1e-7
-# An output slower than this, m/s or rad/s with the crank at 1 rad/s, stands: what is left are roundings of a true zero.
-STILL = 1e-12
 # Strokes whose crank arcs differ by less than this (rad) are equal: rounding of two notches, each with a root.
 EQUAL = 1e-7
 
@@ -48,11 +46,6 @@ def output(mechanism: Mechanism, groups: Sequence[Dyad]) -> Output:
     link = max(groups[-1].links) if groups else mechanism.drive.link
     slide = frame_slide(mechanism, link)
     return Output(link, slide.point if slide else None)
-
-
-def frame_slide(mechanism: Mechanism, link: int) -> Slide | None:
-    """Give the slide of a link on the frame, if it has one."""
-    return next((s for s in mechanism.slides if {s.slider, s.owner} == {link, FRAME}), None)
 
 
 def notches(mechanism: Mechanism, groups: Sequence[Dyad], sides: Sequence[float]) -> tuple[Plan, list[Mark]] | None:
@@ -131,63 +124,6 @@ def _end(plan: Plan) -> complex:
     return points[drive.end] - points[drive.pivot]
 
 
-class Travel:
-    """The output's coordinate and velocity over the crank angle: along the frame's guide, or the output link's turn."""
-
-    def __init__(self, sweep: Sweep, out: Output) -> None:
-        self.sweep, self.out = sweep, out
-        self.slide = frame_slide(sweep.mechanism, out.link)
-
-    @property
-    def sliding(self) -> bool:
-        """Whether the output slides on the frame."""
-        return self.slide is not None
-
-    def coordinate(self, turn: Turn) -> Floats:
-        """Read off the plan of positions: metres along the guide from its own point, or radians."""
-        seen = self.sweep.motion(turn, 0)
-        if self.slide is None:
-            return seen.links[self.out.link].angle
-        way = self.slide.way(FRAME)
-        return np.asarray(dot(way.direction, seen.points[self._pin(self.slide)].r - way.through))
-
-    def speed(self, turn: Turn) -> Floats:
-        """Read off the velocity plan the output's velocity, or its omega."""
-        seen = self.sweep.motion(turn, 1)
-        if self.slide is None:
-            omega = seen.links[self.out.link].omega
-            assert omega is not None  # velocities were asked for
-            return omega
-        along = seen.points[self._pin(self.slide)].v
-        assert along is not None
-        return np.asarray(dot(self.slide.way(FRAME).direction, along))
-
-    def _pin(self, slide: Slide) -> str:
-        return self.out.point or slide.point
-
-    def rests(self) -> Floats:
-        """Find the crank angles, rad in [0, 2 pi), in which the output stands: its velocity changes sign."""
-        step = 2 * np.pi / NODES
-        nodes = step * np.arange(NODES, dtype=np.float64)
-        speeds = self.speed(at_angles(nodes))
-        if not np.abs(speeds).max() > STILL:
-            return np.zeros(0)
-        turns = np.flatnonzero((speeds >= 0) != (np.roll(speeds, -1) >= 0))  # the last node is followed by the first
-        low, high = nodes[turns], nodes[turns] + step
-        for _ in range(LOOKS if turns.size else 0):
-            low, high = self._closer(low, high)
-        return np.asarray(np.mod((low + high) / 2, 2 * np.pi))
-
-    def _closer(self, low: Floats, high: Floats) -> tuple[Floats, Floats]:
-        """Look closer at every change of sign between two angles, at all of them together."""
-        fan = np.linspace(low, high, FAN)
-        rising = self.speed(at_angles(fan.ravel())).reshape(fan.shape) >= 0
-        changed = rising != rising[0]
-        change = np.where(changed.any(axis=0), np.argmax(changed, axis=0), FAN - 1)
-        each = np.arange(len(low))
-        return fan[change - 1, each], fan[change, each]
-
-
 def extremes(sweep: Sweep, out: Output) -> Found | None:
     """Find the output's two extreme positions over a free turn; None where it has none, as a link that turns fully.
 
@@ -197,7 +133,7 @@ def extremes(sweep: Sweep, out: Output) -> Found | None:
         return None
     travel = Travel(_resting(sweep), out)
     rests = travel.rests()
-    if len(rests) < 2:
+    if len(rests) < 2 or travel.turns_fully:
         return None
     drawn = notches(sweep.mechanism, sweep.groups, sweep.sides)
     directions = [_notched(drawn, rest) for rest in rests.tolist()]
@@ -244,9 +180,7 @@ def _reaches(travel: Travel, turn: Turn) -> Floats:
     reach = travel.coordinate(turn)
     if travel.sliding:
         return reach
-    nodes = 2 * np.pi * np.arange(NODES + 1) / NODES
-    path = np.unwrap(travel.coordinate(at_angles(nodes)))
-    near = np.interp(np.mod(turn.phi, 2 * np.pi), nodes, path)
+    near = np.interp(np.mod(turn.phi, 2 * np.pi), *travel.path)
     return np.asarray(near + np.angle(np.exp(1j * (reach - near))))
 
 

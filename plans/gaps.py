@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from geometry.board import Arc, Mark, at, between
+from geometry.meet import UNBORNE
 from plans.motion import Floats, Gap, Motion
 from plans.passage import CHANGE, GAP, PARALLEL, Barrier, Sweep, bounding, crossing, margins, undefined
 from plans.plan import Plan
@@ -16,11 +17,12 @@ from plans.turn import Turn
 # A position this near to a barrier's edge, rad, whose group is exactly at its dead centre, is the limit itself: half
 # the digits of an angle, for near a dead centre a margin is known to all digits but its angle to half of them.
 LIMIT = 1e-7
+BESIDE = 1e-6  # rad: a position so near to a barrier is told by its angle from it, others by how sharply groups meet
 
 
 def lost(sweep: Sweep, plan: Plan, turn: Turn, home: float, barriers: Sequence[Barrier]) -> npt.NDArray[np.bool_]:
     """Tell the positions that are not reached from `home`, or in which a group has no one place; limits are reached."""
-    gone = ~reached(turn.phi, home, barriers)
+    gone = ~reached(turn.phi, home, barriers) | near_edge(turn.phi, _kind(barriers, PARALLEL), UNBORNE)
     if not sweep.groups or (plan.board.clear and not gone.any()):
         return gone
     field, _ = margins(plan, sweep.groups, sweep.sides)
@@ -49,15 +51,32 @@ def _far_edge(near: float, barrier: Barrier) -> float:
     return near + (barrier.end - barrier.start if barrier.kind == CHANGE else 0.0)
 
 
-def near_edge(phi: Floats, barriers: Sequence[Barrier]) -> npt.NDArray[np.bool_]:
+def near_edge(phi: Floats, barriers: Sequence[Barrier], within: float = LIMIT) -> npt.NDArray[np.bool_]:
     """Tell which crank angles lie at a barrier's edge, or within a change point's own rounding."""
     near = np.zeros(len(phi), dtype=bool)
     for barrier in barriers:
         edges = (barrier.start, barrier.end, (barrier.start + barrier.end) / 2)
-        wide = LIMIT + (barrier.end - barrier.start if barrier.kind == CHANGE else 0.0)
+        wide = within + (barrier.end - barrier.start if barrier.kind == CHANGE else 0.0)
         for edge in edges if barrier.kind == CHANGE else edges[:2]:
             near |= np.abs(np.angle(np.exp(1j * (phi - edge)))) < wide
     return near
+
+
+def unborne(sweep: Sweep, plan: Plan, turn: Turn, barriers: Sequence[Barrier]) -> npt.NDArray[np.bool_]:
+    """Tell the positions whose velocities the condition does not bear.
+
+    A dead centre is told by the crank's angle from it; elsewhere a group must not meet too bluntly.
+    """
+    if not sweep.groups or plan.board.clear:
+        return np.zeros(len(turn), dtype=bool)
+    field, _ = margins(plan, sweep.groups, sweep.sides)
+    told = near_edge(turn.phi, [b for b in barriers if b.kind != CHANGE], BESIDE)
+    blunt = (field < UNBORNE).any(axis=0) & ~told
+    return np.asarray(blunt | near_edge(turn.phi, _kind(barriers, GAP), UNBORNE))
+
+
+def _kind(barriers: Sequence[Barrier], kind: str) -> list[Barrier]:
+    return [barrier for barrier in barriers if barrier.kind == kind]
 
 
 def of_positions(
@@ -82,10 +101,8 @@ def _unplaced(
     for share, mark, miss in zip(margin, marks, misses, strict=True):
         if share < 0 and crossing(mark) is None:
             return Gap(position, phi, "positions", GAP, mark.name, miss, _reach(mark, miss, k))
-        if np.isnan(at(mark.point, k)):
-            advice = (
-                f"the lines that meet in {mark.name} fall into one there, or are parallel: take a position beside it"
-            )
+        if np.isnan(at(mark.point, k)) and crossing(mark) is None:
+            advice = f"the lines that meet in {mark.name} fall into one there: take a position beside it"
             return Gap(position, phi, "positions", "dead centre", mark.name, 0.0, advice)
     return None
 
@@ -98,6 +115,9 @@ def _beyond(position: int, phi: float, barrier: Barrier | None) -> Gap:
             "the mechanism may go on in two ways there: start the drive beyond the change point, or change a length"
         )
         return Gap(position, phi, "positions", "beyond a change point", where, 0.0, advice)
+    if barrier is not None and near_edge(np.array([phi]), _kind([barrier], PARALLEL), UNBORNE).any():
+        advice = f"the lines that meet in {where} are parallel there: take a position beside it"
+        return Gap(position, phi, "positions", PARALLEL, where, 0.0, advice)
     if barrier is not None and barrier.kind == PARALLEL:
         advice = (
             f"the guides of {where} are parallel on the way and their pin runs to infinity: keep the crank this side"
@@ -132,15 +152,17 @@ def _reach(mark: Mark, miss: float, k: int) -> str:
     )
 
 
-def without_velocity(drawn: Motion, gone: npt.NDArray[np.bool_], barriers: Sequence[Barrier]) -> list[Gap]:
+def without_velocity(
+    drawn: Motion, gone: npt.NDArray[np.bool_], blunt: npt.NDArray[np.bool_], barriers: Sequence[Barrier]
+) -> list[Gap]:
     """Name the positions that are assembled but have no velocities, and leave none there for any point or link."""
     letters = [name for name, motion in drawn.points.items() if motion.v is not None]
     if not letters:
         return []
     none = np.isnan(np.array([drawn.points[name].v for name in letters]))
-    dead = none.any(axis=0) & ~gone
+    dead = (none.any(axis=0) | blunt) & ~gone
     forget(drawn, dead)
-    change = near_edge(drawn.phi, [b for b in barriers if b.kind == CHANGE])
+    change = near_edge(drawn.phi, _kind(barriers, CHANGE), BESIDE)
     advice = "a group is at its dead centre: its velocities have no one value; take a position beside it"
     return [
         Gap(

@@ -214,9 +214,12 @@ class Sweep:
         return Barrier(start, end, kind, group, mark.name, miss)
 
 
-def bounding(phi: float, first: float, barriers: Sequence[Barrier]) -> Barrier | None:
-    """Give the barrier next to an angle that is not reached, on the way to it from the first one."""
+def bounding(phi: float, home: float, barriers: Sequence[Barrier]) -> Barrier | None:
+    """Give the barrier that keeps the crank from an angle, rad: of the two that bound its way from home, the nearer."""
+    if not barriers:
+        return None
     turn = 2 * np.pi
-    ways = [(float(np.mod(phi - b.start, turn)), b) for b in barriers]
-    ways += [(float(np.mod(b.end - phi, turn)), b) for b in barriers]
-    return min(ways, key=lambda way: way[0])[1] if ways else None
+    ahead = min(barriers, key=lambda b: float(np.mod(b.start - home, turn)))
+    behind = min(barriers, key=lambda b: float(np.mod(home - b.end, turn)))
+    ways = (abs(float(np.angle(np.exp(1j * (phi - edge))))) for edge in (ahead.start, behind.end))
+    return ahead if next(ways) <= next(ways) else behind

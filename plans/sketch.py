@@ -19,6 +19,9 @@ from plans.turn import Turn
 
 # A hand sketch is trusted to 2 % of the distance between the two assemblies: what hands reach on textbook drawings.
 CLARITY = 0.02
+# Positions that fit a sketch as well as the best but for this share fit it alike: a symmetric mechanism has two, and
+# rounding must not choose between them.
+ALIKE = 1e-9
 
 
 class SketchError(DraftError, ValueError):
@@ -57,7 +60,7 @@ def assembly(mechanism: Mechanism, groups: Sequence[Dyad], first: Turn | None, w
         choices = _choices(mechanism, groups, turn)
         misfit = sum((choice.misfit for choice in choices), np.zeros(len(turn)))
         if np.isfinite(misfit).any():
-            best = int(np.nanargmin(misfit))
+            best = int(np.argmax(misfit <= np.nanmin(misfit) * (1.0 + ALIKE)))
             sides = [_decided(mechanism, group, c, best) for group, c in zip(groups, choices, strict=True)]
             return Assembly(_crossed(mechanism, groups, sides, turn.part([best])), float(turn.phi[best]))
         if turn is first:

@@ -27,6 +27,8 @@ from plans.structure import Dyad, decompose
 from plans.turn import Turn, even, from_direction, listed
 from plans.velocity import velocities
 
+Flags = npt.NDArray[np.bool_]
+
 BLOCK = 8000  # positions constructed together: enough to hide the calls, few enough for the processor's cache
 
 # The C library hands memory back to the system, to ask for it again at every block, until it has once seen a piece of
@@ -109,6 +111,13 @@ class Drafts:
             return np.zeros(len(self.turn), dtype=bool)
         return gaps.lost(study.sweep, self.positions, self.turn, study.assembly.phi, study.barriers)
 
+    @cached_property
+    def unborne(self) -> npt.NDArray[np.bool_]:
+        """Positions whose velocities the condition does not bear."""
+        if self.free or self.study.assembly.phi is None:
+            return np.zeros(len(self.turn), dtype=bool)
+        return gaps.unborne(self.study.sweep, self.positions, self.turn, self.study.barriers)
+
 
 class Study:
     """A scene with its mechanism, groups, assembly, turn and plans; nothing is made before it is asked for."""
@@ -147,9 +156,21 @@ class Study:
         first = self.scene.drive.first
         start = None if first is None else listed([Fraction(first)])
         try:
-            return assembly(self.mechanism, self.groups, start, even(Fraction(0), 360, 1))
+            return assembly(self.mechanism, self.groups, start, self.looks)
         except SketchError as error:
             raise SketchError(f"{self._at('sketch')}: {error}", error.points) from None
+
+    @cached_property
+    def looks(self) -> Turn:
+        """Where the mechanism that the sketch shows is sought if it is not at the first position: at whole degrees.
+
+        Of a scene with as many positions at most also at all of them: one may be assembled where no whole degree is.
+        """
+        degrees = even(Fraction(0), 360, 1)
+        if self.scene.drive.first is None or len(self.turn) > len(degrees):
+            return degrees
+        phi = np.concatenate((degrees.phi, self.turn.phi))
+        return Turn(phi, np.concatenate((degrees.directions, self.turn.directions)))
 
     @cached_property
     def sweep(self) -> Sweep:
@@ -251,13 +272,14 @@ class Study:
         if len(self.turn) <= BLOCK:
             drafts = self.drafts()
             drawn = drafts.motion(order)
-            return drawn if drafts.free else self._gapped(drawn, drafts.lost, drafts.clear)
+            return drawn if drafts.free else self._gapped(drawn, drafts.lost, drafts.unborne, drafts.clear)
         whole, lost, clear = self._unread(order), np.zeros(len(self.turn), dtype=bool), True
+        blunt = lost.copy()
         for drafts, part in self.blocks():
             _filled(whole, drafts.motion(order), part)
-            lost[part] = drafts.lost
+            lost[part], blunt[part] = drafts.lost, drafts.unborne
             clear = clear and drafts.clear
-        return self._gapped(whole, lost, clear)
+        return self._gapped(whole, lost, blunt, clear)
 
     def _unread(self, order: int) -> Motion:
         """Rule the table of a long motion; what is the same at all positions takes no room."""
@@ -268,9 +290,9 @@ class Study:
 
         return one.made(phi, room)
 
-    def _gapped(self, drawn: Motion, lost: npt.NDArray[np.bool_], clear: bool) -> Motion:
+    def _gapped(self, drawn: Motion, lost: Flags, blunt: Flags, clear: bool) -> Motion:
         """Make the positions that are not reached, and what has no value in the rest, named gaps."""
-        if clear and not lost.any():
+        if clear and not (lost | blunt).any():
             return drawn
         drawn = drawn.own()
         gone = np.flatnonzero(lost).tolist()
@@ -280,7 +302,7 @@ class Study:
         for links in drawn.links.values():
             links.angle[lost] = np.nan
         gaps.forget(drawn, lost)
-        named += gaps.without_velocity(drawn, lost, self.barriers)
+        named += gaps.without_velocity(drawn, lost, blunt, self.barriers)
         return replace(drawn, gaps=tuple(sorted(named, key=_number)))
 
 

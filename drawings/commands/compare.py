@@ -7,6 +7,7 @@ import json
 
 import numpy as np
 
+from drawings.report import left_out
 from drawings.talk import noted
 from plans.compare import Comparison, Finding, compare, compare_extremes
 from plans.scene import read_scene
@@ -25,13 +26,26 @@ def run(options: argparse.Namespace) -> int:
 
         comparison = compare_forces(Statics(study), comparison)
     if options.json:
-        print(json.dumps({"scene": study.scene.title, "findings": [_plain(f) for f in comparison.findings]}))
+        print(json.dumps(_told(study, comparison)))
     else:
         print(_table(comparison))
     if not comparison.agrees:
         return FAILED
     gaps = comparison.construction.gaps if comparison.forces is None else comparison.forces[0].gaps
     return GAPS if gaps else 0
+
+
+def _told(study: Study, comparison: Comparison) -> dict[str, object]:
+    alone = [
+        {"position": gap.position, "by": road.by, "plan": gap.plan, "reason": gap.reason}
+        for road, gap in comparison.alone
+    ]
+    return {
+        "scene": study.scene.title,
+        "findings": [_plain(finding) for finding in comparison.findings],
+        "left_out": comparison.left_out,
+        "alone": alone,
+    }
 
 
 def _table(comparison: Comparison) -> str:
@@ -42,6 +56,10 @@ def _table(comparison: Comparison) -> str:
             f"{finding.plan:<14} {finding.name:<10} {finding.largest:>14.6g} {worst:>12.2e} {finding.unit:<6}"
             f"{finding.per_cent:>8.1e} {float(finding.excess.max()):>11.3f}"
         )
+    lines += left_out(comparison)
+    lines += [
+        f"position {gap.position}: the {road.by} alone says {gap.plan}: {gap.reason}" for road, gap in comparison.alone
+    ]
     verdict = "agree" if comparison.agrees else "DIFFER"
     lines.append(f"construction and analysis {verdict}: worst {comparison.worst:.3f} of the allowed difference")
     return "\n".join(lines)

@@ -133,6 +133,13 @@ def _own_words(scene: Scene) -> Iterator[tuple[tuple[str | int, ...], str]]:
 def _agree(comparison: Comparison) -> None:
     from drawings.verify import SelfCheckFailed
 
+    for road, gap in comparison.alone[:1]:
+        said_of = f"position {gap.position} ({gap.plan}: {gap.reason})"
+        raise SelfCheckFailed(
+            f"construction gives up {said_of} and analysis does not; the sheet is withheld"
+            if road is comparison.construction
+            else f"analysis gives up {said_of} and construction does not; the sheet is withheld"
+        )
     if not comparison.agrees:
         worst = max(comparison.findings, key=lambda finding: float(finding.excess.max()))
         if worst.plan == ORDERS[0]:

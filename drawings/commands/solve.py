@@ -77,7 +77,7 @@ def _analysis(study: Study, order: int, forces: Sequence[str]) -> Numbers:
     """Solve by analysis alone: a start at an extreme is found by analysis too."""
     from plans.analytic.kinematics import Analysis
 
-    road = Analysis(study.mechanism, first=study.scene.drive.first is not None)
+    road = Analysis(study.mechanism, first=study.scene.drive.first is not None, looks=study.looks.phi)
     found, phi = None, None
     if not road.first:
         found = road.extremes(study.output)

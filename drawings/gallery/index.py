@@ -11,9 +11,9 @@ import numpy as np
 
 from drawings.gallery.catalogue import Entry
 from drawings.words import number
-from plans.extreme import frame_slide
 from plans.structure import Dyad, formula, mechanism_class
 from plans.study import Study
+from plans.travel import frame_slide
 
 PAGE = "README.md"
 

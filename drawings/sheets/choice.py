@@ -8,8 +8,8 @@ import numpy as np
 
 from drawings.strokes import SheetError
 from plans.compare import Comparison
-from plans.extreme import frame_slide
 from plans.study import Study
+from plans.travel import frame_slide
 
 
 def position(study: Study, comparison: Comparison) -> int:

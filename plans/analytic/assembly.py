@@ -1,27 +1,31 @@
-"""Assembling the mechanism at one position as its sketch shows it (сборка механизма).
+"""Assembling the mechanism as its sketch shows it (сборка механизма).
 
-No structural groups here: rough poses of all links are read off the sketch and brought together by the equations of all
-joints; of the assemblies found, the one nearest to the sketch is taken.
+Block after block of the equations is solved from rough poses turned in all quarters; of the two ways in which a block
+can be assembled, told apart by the sign of its determinant, the one nearer to the sketch is taken.
 """
 
 from __future__ import annotations
 
-import cmath
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
-from random import Random  # numpy's own is slow to import, and not needed for a few numbers
+from collections.abc import Sequence
+from itertools import product
 from typing import NamedTuple
 
 import numpy as np
 
-from plans.analytic.closure import EPS, SQRT_EPS, settle
-from plans.analytic.constraints import TURN, Constraints, X, Y
-from plans.mechanism import FRAME, Mechanism, Slide
+from plans.analytic.blocks import Block
+from plans.analytic.closure import Flags, close, closed, inverses, settle, sharpness
+from plans.analytic.constraints import TURN, Constraints, Indices
+from plans.analytic.guess import Guess
+from plans.mechanism import Mechanism
 from plans.motion import Floats
 
-GRID = 24  # crank angles tried where the first one is not given: every 15 degrees
-SCATTERED, SCATTER = 8, 0.5  # scattered starts; share of the mechanism's size by which links are thrown about
-Pose = tuple[complex, float]  # origin m and turn rad of a link's own frame
+QUARTERS = np.pi / 2 * np.array([0.0, 1.0, -1.0, 2.0])
+COARSE = 24  # crank angles among many that are solved from rough poses; the others are from their neighbours
+PROBES = 720  # crank angles, of those without an assembly beside them, that are tried from rough poses all the same
+BOTH = np.array([1.0, -1.0])  # signs of a determinant
+# Positions that fit a sketch as well as the best but for this share fit it alike: a symmetric mechanism has two, and
+# rounding must not choose between them.
+ALIKE = 1e-9
 
 
 class Assembly(NamedTuple):
@@ -31,161 +35,148 @@ class Assembly(NamedTuple):
     poses: Floats
 
 
-def assemble(mechanism: Mechanism, constraints: Constraints, phi: float) -> Assembly | None:
-    """Assemble at a given crank angle, or None if the links cannot be joined there."""
-    base = _Guess(mechanism, phi).poses(constraints)
-    starts = [base]
-    for place, number in enumerate(constraints.numbers):
-        # A link of one point (a block) takes its direction from its guide; others may be sketched badly or not at all.
-        if number not in (FRAME, mechanism.drive.link) and len(mechanism.links[number].points) > 1:
-            starts += [_turned(base, place, quarter * np.pi / 2) for quarter in (1, -1, 2)]
-    starts += _scattered(base)
-    poses, misfits = _settled(mechanism, constraints, np.array(starts), np.full(len(starts), phi))
-    misfits = _regular(constraints, poses, misfits)
-    # Assemblies that differ only where the sketch is silent fit it equally: then the first start decides.
-    near = np.flatnonzero(misfits <= np.min(misfits) + SQRT_EPS)
-    return Assembly(phi, poses[near[0]]) if np.isfinite(misfits[near[0]]) else None
+class Shape(NamedTuple):
+    """A mechanism with its equations in blocks, and its rough poses (links, 3)."""
+
+    mechanism: Mechanism
+    constraints: Constraints
+    blocks: tuple[Block, ...]
+
+    def rough(self, phi: float) -> Floats:
+        """Guess the poses at a crank angle."""
+        return Guess(self.mechanism, phi).poses(self.constraints)
+
+    def misfits(self, poses: Floats, links: Sequence[int]) -> Floats:
+        """Give the squared distances of the sketched points of some links from the sketch, summed, (N,)."""
+        constraints, total = self.constraints, np.zeros(len(poses))
+        for point, shown in self.mechanism.sketch.items():
+            owners = [k for k in links if point in self.mechanism.links[constraints.numbers[k]].points]
+            for k in owners[:1]:
+                own = self.mechanism.links[constraints.numbers[k]].points[point]
+                x, y, turn = poses[:, k].T
+                place = x + 1j * y + own / constraints.size * np.exp(1j * turn)
+                total += np.abs(place - shown / constraints.size) ** 2
+        return total
+
+    def whole_misfits(self, poses: Floats) -> Floats:
+        """Sum up the misfits of all blocks but the crank's; a point that two blocks share counts in both."""
+        own = [block.links.tolist() for block in self.blocks if self.constraints.crank not in block.links]
+        return np.asarray(sum((self.misfits(poses, links) for links in own), np.zeros(len(poses))))
 
 
-def assemble_anywhere(mechanism: Mechanism, constraints: Constraints) -> Assembly | None:
-    """Assemble at whichever crank angle of a coarse grid fits the sketch best, or None if there is none."""
-    grid = np.linspace(0.0, 2.0 * np.pi, GRID, endpoint=False)
-    starts = np.array([_Guess(mechanism, float(phi)).poses(constraints) for phi in grid])
-    _, misfits = _settled(mechanism, constraints, starts, grid)
-    for place in np.argsort(misfits, kind="stable"):
-        assembly = assemble(mechanism, constraints, float(grid[place])) if np.isfinite(misfits[place]) else None
-        if assembly:
-            return assembly
+def home(shape: Shape, first: float | None, looks: Floats) -> Assembly | None:
+    """Assemble at the first crank angle; where that is unknown or cannot be, at the one that fits the sketch best.
+
+    None if the links can be joined at none of the angles `looks`, rad.
+    """
+    for phi in ([] if first is None else [np.array([first])]) + [looks]:
+        poses = assemblies(shape, phi)
+        misfits = shape.whole_misfits(poses)
+        if np.isfinite(misfits).any():
+            best = int(np.argmax(misfits <= np.nanmin(misfits) * (1.0 + ALIKE)))
+            return Assembly(float(phi[best]), poses[best])
     return None
 
 
-def _regular(constraints: Constraints, poses: Floats, misfits: Floats) -> Floats:
-    """Pass over singular assemblies, such as two rods of a rhombus on each other, where there are regular ones."""
-    known = np.flatnonzero(np.isfinite(misfits))
-    kappa = np.linalg.cond(constraints.jacobian(constraints.place(poses[known])))
-    regular = kappa * SQRT_EPS < 1.0
-    if not regular.any():
-        return misfits
-    passed = np.full_like(misfits, np.inf)
-    passed[known[regular]] = misfits[known[regular]]
-    return passed
+def assemblies(shape: Shape, phi: Floats, signs: Floats | None = None) -> Floats:
+    """Assemble at crank angles rad, (N,): poses (N, links, 3), NaN where the links cannot be joined.
+
+    The sketch chooses, or the `signs` of the blocks' determinants where they are given.
+    """
+    poses = np.repeat(shape.rough(float(phi[0]))[None], len(phi), axis=0)
+    for place, block in enumerate(shape.blocks):
+        there = np.flatnonzero(np.isfinite(poses).all(axis=(1, 2)))
+        found = np.full((len(BOTH), *poses.shape), np.nan)
+        if there.size:
+            found[:, there] = _both(shape, block, poses[there], phi[there])
+        if signs is None:
+            poses = _nearer(shape, block, found, poses)
+        else:
+            poses = found[int(signs[place] < 0.0)]
+            if block.linear:  # of either sign, as the guides cross
+                poses = np.where(np.isnan(found[0]), found[1], found[0])
+    return poses
 
 
-def _scattered(base: Floats) -> list[Floats]:
-    """Scatter the rough poses: a rough sketch alone may lie in the basin of an assembly that is not the nearest one."""
-    chance = Random(0)  # the same scatter each time
-    spread = np.array((SCATTER, SCATTER, np.pi / 2))
-    found = []
-    for _ in range(SCATTERED):
-        thrown = np.array([chance.uniform(-1.0, 1.0) for _ in range(base.size)]).reshape(base.shape)
-        thrown[0] = 0.0  # the frame stays
-        found.append(base + spread * thrown)
+def signs_of(blocks: Sequence[Block], jacobian: Floats) -> Floats:
+    """Give the signs of the blocks' determinants at one position."""
+    return np.array([np.sign(np.linalg.det(block.of(jacobian[None]))[0]) for block in blocks])
+
+
+def _nearer(shape: Shape, block: Block, found: Floats, rough: Floats) -> Floats:
+    """Take at each angle that of two assemblies of a block which is nearer to the sketch.
+
+    Where the sketch is silent, the one whose links are turned less from their rough poses.
+    """
+    misfits = np.array([shape.misfits(poses, block.links.tolist()) for poses in found])
+    turned = 1.0 - np.cos(found[:, :, block.links, TURN] - rough[None, :, block.links, TURN])
+    silent = np.abs(misfits[1] - misfits[0]) <= ALIKE * misfits[0]
+    grade = np.where(silent, turned.sum(axis=2), misfits)
+    grade[np.isnan(found).any(axis=(2, 3))] = np.inf
+    return np.asarray(np.where((grade[1] < grade[0])[:, None, None], found[1], found[0]))
+
+
+def _both(shape: Shape, block: Block, poses: Floats, phi: Floats) -> Floats:
+    """Solve a block at N crank angles: assemblies of determinants above and below zero, (2, N, links, 3)."""
+    found = np.full((len(BOTH), *poses.shape), np.nan)
+    step = max(1, len(phi) // COARSE)
+    done = np.arange(0, len(phi), step)
+    found[:, done] = _from_rough(block, poses[done], phi[done])
+    while step > 1:
+        step = max(1, step // 4)
+        here = np.setdiff1d(np.arange(0, len(phi), step), done)
+        near = done[np.clip(np.searchsorted(done, here), 0, len(done) - 1)]
+        found[:, here] = _from_others(block, found[:, near], poses[here], phi[here])
+        done = np.union1d(done, here)
+    lost = np.flatnonzero(np.isnan(found[:, :, 0, 0]).all(axis=0))
+    lost = np.setdiff1d(lost, np.arange(0, len(phi), max(1, len(phi) // COARSE)))
+    probes = (
+        np.unique(lost[np.linspace(0, lost.size - 1, min(PROBES, lost.size)).astype(np.intp)]) if lost.size else lost
+    )
+    if probes.size:
+        found[:, probes] = _from_rough(block, poses[probes], phi[probes])
+    rest = np.setdiff1d(lost, probes)
+    if rest.size:
+        near = probes[np.clip(np.searchsorted(probes, rest), 0, len(probes) - 1)]
+        found[:, rest] = _from_others(block, found[:, near], poses[rest], phi[rest])
     return found
 
 
-def _settled(mechanism: Mechanism, constraints: Constraints, starts: Floats, phi: Floats) -> tuple[Floats, Floats]:
-    """Settle all starts; give their poses and squared distances from the sketch, infinite where nothing was found."""
-    poses, reached = settle(constraints, starts, phi)
+def _from_rough(block: Block, poses: Floats, phi: Floats) -> Floats:
+    """Solve a block from rough poses, with each of its links turned in all quarters."""
+    turns = np.array(list(product(QUARTERS, repeat=len(block.links))))
+    starts = np.repeat(poses[None], len(turns), axis=0)
+    starts[:, :, block.links, TURN] += turns[:, None, :]
+    shape = starts.shape
+    angles = np.tile(phi, len(turns))
+    there, reached = settle(block.equations, starts.reshape(-1, *shape[2:]), angles)
     # At a singular position Newton's method is slow, but the joints are closed all the same.
-    rounding = EPS * constraints.pattern.shape[0]
-    reached |= np.abs(constraints.residual(constraints.place(poses), phi)).max(axis=1) <= rounding
-    misfits = np.zeros(len(poses))
-    for point, place in mechanism.sketch.items():
-        number = mechanism.link_of(point)
-        own = mechanism.links[number].points[point] / constraints.size
-        x, y, turn = poses[:, constraints.numbers.index(number)].T
-        misfits += np.abs(x + 1j * y + own * np.exp(1j * turn) - place / constraints.size) ** 2
-    return poses, np.where(reached, misfits, np.inf)
+    reached |= closed(block.equations, there, angles)
+    return _by_sign(block, there.reshape(shape), reached.reshape(shape[:2]))
 
 
-def _turned(poses: Floats, place: int, angle: float) -> Floats:
-    turned = poses.copy()
-    turned[place, TURN] += angle
-    return turned
+def _from_others(block: Block, near: Floats, poses: Floats, phi: Floats) -> Floats:
+    """Solve a block from its assemblies at crank angles close by, (2, N, links, 3)."""
+    starts = np.repeat(poses[None], len(near), axis=0)
+    starts[:, :, block.links] = near[:, :, block.links]
+    known = np.isfinite(starts).all(axis=(2, 3))
+    reached = np.zeros(known.shape, dtype=bool)
+    angles = np.broadcast_to(phi, known.shape)
+    starts[known], reached[known] = close(block.equations, starts[known], angles[known])
+    return _by_sign(block, starts, reached)
 
 
-@dataclass
-class _Guess:
-    """Rough poses of all links, found link by link from the places of points known so far."""
-
-    mechanism: Mechanism
-    phi: float
-    places: dict[str, complex] = field(default_factory=dict)
-    known: dict[int, Pose] = field(default_factory=dict)
-
-    def poses(self, constraints: Constraints) -> Floats:
-        """Guess all poses, (links, 3), in the units of the constraints."""
-        links, drive = self.mechanism.links, self.mechanism.drive
-        self.places |= {**self.mechanism.sketch, **links[FRAME].points}
-        self.known[FRAME] = (0j, 0.0)
-        arm = links[drive.link].points[drive.end] - links[drive.link].points[drive.pivot]
-        self._put(drive.link, drive.pivot, self.phi - cmath.phase(arm))
-        while len(self.known) < len(links):
-            self._next()
-        poses = np.zeros((len(links), 3))
-        for place, number in enumerate(constraints.numbers):
-            origin, turn = self.known[number]
-            poses[place, [X, Y]] = np.array((origin.real, origin.imag)) / constraints.size
-            poses[place, TURN] = turn
-        return poses
-
-    def _next(self) -> None:
-        """Place one more link by the surest rule that applies to any."""
-        rules: tuple[Callable[[int], bool], ...] = (self._by_points, self._by_guide, self._by_slot, self._by_default)
-        for rule in rules:
-            for number in self.mechanism.links:
-                if number not in self.known and rule(number):
-                    return
-
-    def _seen(self, number: int) -> list[str]:
-        return [point for point in self.mechanism.links[number].points if point in self.places]
-
-    def _slides(self, number: int) -> list[tuple[Slide, int]]:
-        """List the slides of a link, each with the link at its other side."""
-        slides = self.mechanism.slides
-        return [(s, s.owner if s.slider == number else s.slider) for s in slides if number in (s.slider, s.owner)]
-
-    def _put(self, number: int, point: str, turn: float) -> bool:
-        """Place a link by one point and its turn, and with it those points of the link that nobody sketched."""
-        own = self.mechanism.links[number].points
-        origin = self.places[point] - own[point] * cmath.rect(1, turn)
-        self.known[number] = (origin, turn)
-        sure = number == self.mechanism.drive.link
-        for name, place in own.items():
-            if sure or name not in self.places:
-                self.places[name] = origin + place * cmath.rect(1, turn)
-        return True
-
-    def _by_points(self, number: int) -> bool:
-        """Two points seen: their join gives the turn."""
-        seen, own = self._seen(number), self.mechanism.links[number].points
-        for point in seen[1:]:
-            if self.places[point] != self.places[seen[0]] and own[point] != own[seen[0]]:
-                join = (self.places[point] - self.places[seen[0]]) / (own[point] - own[seen[0]])
-                return self._put(number, seen[0], cmath.phase(join))
-        return False
-
-    def _by_guide(self, number: int) -> bool:
-        """One point seen, and a slide on a link already placed: the guide gives the turn."""
-        for slide, other in self._slides(number):
-            if other in self.known and self._seen(number):
-                turn = self.known[other][1] + cmath.phase(slide.way(other).direction / slide.way(number).direction)
-                return self._put(number, self._seen(number)[0], turn)
-        return False
-
-    def _by_slot(self, number: int) -> bool:
-        """One point seen, and one of the link it slides on: the slot runs from the pivot through the block."""
-        for slide, other in self._slides(number):
-            mine, theirs = self._seen(number), self._seen(other)
-            if number == slide.owner and mine and theirs and self.places[mine[0]] != self.places[theirs[0]]:
-                join = (self.places[theirs[0]] - self.places[mine[0]]) / slide.on_owner.direction
-                return self._put(number, mine[0], cmath.phase(join))
-        return False
-
-    def _by_default(self, number: int) -> bool:
-        """Nothing better is known: lay the link along x, from its point seen or amid all that is placed."""
-        own: Mapping[str, complex] = self.mechanism.links[number].points
-        seen = self._seen(number)
-        first = seen[0] if seen else next(iter(own))
-        self.places.setdefault(first, complex(np.mean(list(self.places.values()))))
-        return self._put(number, first, 0.0)
+def _by_sign(block: Block, tried: Floats, reached: Flags) -> Floats:
+    """Sort what was tried at N angles, (tries, N, links, 3), by the sign of the determinant; the sharpest of each."""
+    flat = tried.reshape(-1, *tried.shape[2:])
+    jacobian = block.equations.jacobian(block.equations.place(np.nan_to_num(flat)))
+    det = np.linalg.det(jacobian).reshape(reached.shape)
+    sharp = np.where(reached, sharpness(jacobian, inverses(jacobian)).reshape(reached.shape), -1.0)
+    found = np.full((len(BOTH), *tried.shape[1:]), np.nan)
+    each: Indices = np.arange(tried.shape[1])
+    for row, sign in zip(found, BOTH, strict=True):
+        grade = np.where(np.where(det >= 0.0, 1.0, -1.0) == sign, sharp, -1.0)
+        best = np.argmax(grade, axis=0)
+        known = grade[best, each] >= 0.0
+        row[known] = tried[best, each][known]
+    return found

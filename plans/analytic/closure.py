@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from plans.analytic.constraints import Constraints
+from plans.analytic.constraints import TURN, Constraints
 from plans.motion import Floats
 
 Flags = npt.NDArray[np.bool_]
@@ -24,6 +24,7 @@ BLUNT = EPS**0.375
 NEWTON_ROUNDS = 12  # from one true digit four rounds make sixteen; the rest is for slow beginnings
 DAMPED_ROUNDS = 60
 HALVINGS = 8
+ROUNDINGS = 64.0  # of the farthest coordinate: what a dozen products and sums leave of a joint that is closed
 
 
 def solutions(matrices: Floats, right: Floats) -> Floats:
@@ -87,8 +88,8 @@ def close(constraints: Constraints, poses: Floats, phi: Floats, tolerance: float
         for rounds in range(NEWTON_ROUNDS):
             at = constraints.place(poses[busy])
             step = solutions(constraints.jacobian(at), constraints.residual(at, phi[busy]))
-            poses[busy] -= as_poses(step)
-            size = np.abs(step).max(axis=1)
+            poses[busy] = constraints.moved(poses[busy], -step)
+            size = np.abs(step).max(axis=1) / far(poses[busy])
             # What Newton's law leaves after two corrections; before the second, nothing is known of it.
             left = size * (size / last[busy]) ** 2 if rounds else size
             # The law holds near a solution only; far from any, two corrections may happen to look like it.
@@ -98,14 +99,25 @@ def close(constraints: Constraints, poses: Floats, phi: Floats, tolerance: float
             busy = busy[more]
             if not busy.size:
                 break
-    return poses, reached
+        return poses, reached & closed(constraints, poses, phi, tolerance)
+
+
+def closed(constraints: Constraints, poses: Floats, phi: Floats, tolerance: float = EPS) -> Flags:
+    """Tell whether the joints are closed but for rounding: corrections that shrink may run away all the same."""
+    miss = np.abs(constraints.residual(constraints.place(poses), phi)).max(axis=1, initial=0.0)
+    return np.asarray(miss <= ROUNDINGS * tolerance * far(poses))
+
+
+def far(poses: Floats) -> Floats:
+    """Give the farthest coordinate of every pose, at least 1: a pin that runs to infinity has its roundings with it."""
+    return np.asarray(np.maximum(np.abs(poses[:, :, :TURN]).max(axis=(1, 2), initial=1.0), 1.0))
 
 
 def close_singular(constraints: Constraints, poses: Floats, phi: Floats) -> Floats:
     """Close poses at singular positions, leaving alone the direction in which the links are free to move."""
     at = constraints.place(poses)
     jacobian, miss = constraints.jacobian(at), constraints.residual(at, phi)
-    return poses - as_poses((np.linalg.pinv(jacobian, rcond=SQRT_EPS) @ miss[..., None])[..., 0])
+    return constraints.moved(poses, -(np.linalg.pinv(jacobian, rcond=SQRT_EPS) @ miss[..., None])[..., 0])
 
 
 def settle(constraints: Constraints, poses: Floats, phi: Floats) -> tuple[Floats, Flags]:
@@ -148,13 +160,13 @@ def _damped_step(jacobian: Floats, miss: Floats, size: Floats) -> Floats:
 
 def _descend(constraints: Constraints, poses: Floats, phi: Floats, step: Floats, size: Floats) -> tuple[Floats, Floats]:
     """Go along the step by the first of 1, 1/2, 1/4, ... of it that lessens the miss."""
-    whole, share = as_poses(np.nan_to_num(step)), np.ones(len(poses))
-    moved = poses + whole
+    whole, share = np.nan_to_num(step), np.ones(len(poses))
+    moved = constraints.moved(poses, whole)
     for _ in range(HALVINGS):
         miss = constraints.residual(constraints.place(moved), phi)
         worse = np.linalg.norm(miss, axis=1) >= size
         if not worse.any():
             break
         share[worse] *= 0.5
-        moved = poses + share[:, None, None] * whole
+        moved = constraints.moved(poses, share[:, None] * whole)
     return moved, miss

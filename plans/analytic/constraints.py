@@ -7,7 +7,7 @@ of two metres near the largest length of the mechanism: the equations are of one
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -31,7 +31,10 @@ class Placement(NamedTuple):
 
 
 class Constraints(NamedTuple):
-    """The joints of a mechanism as equations of the poses, rows: hinges x, hinges y, directions, lines, drive."""
+    """The joints of a mechanism, or of some of its links, as equations of the poses.
+
+    Rows: hinges x, hinges y, directions, lines, and the drive where the crank is among the links that are sought.
+    """
 
     size: float  # m, the unit of length
     numbers: tuple[int, ...]  # the links in order of number, the frame first
@@ -43,6 +46,7 @@ class Constraints(NamedTuple):
     crank_way: complex  # unit direction from pivot to end in the crank's own frame
     pattern: Floats  # (rows, 3 links): the entries of the Jacobian that never change
     changing: Indices  # the places of those that do, in the order in which `jacobian` makes them
+    sought: Indices  # places of the links whose poses the equations are to give
 
     @classmethod
     def of(cls, mechanism: Mechanism) -> Constraints:
@@ -70,7 +74,34 @@ class Constraints(NamedTuple):
             crank_way=arm / abs(arm),
             pattern=_pattern(len(numbers), links, count, crank),
             changing=_changing(len(numbers), links, count),
+            sought=np.arange(1, len(numbers)),
         )
+
+    def part(self, sought: Sequence[int], joints: Sequence[int]) -> Constraints:
+        """Give the equations of some joints alone, for the poses of some links; the others are given."""
+        chosen = np.array(sorted(joints), dtype=np.intp)
+        count, links = int((chosen < self.hinges).sum()), self.links[:, chosen]
+        pattern = _pattern(len(self.numbers), links, count, self.crank)
+        return self._replace(
+            hinges=count,
+            links=links,
+            points=self.points[:, chosen],
+            slide_ways=self.slide_ways[:, chosen[count:] - self.hinges],
+            pattern=pattern if self.crank in sought else pattern[:-1],
+            changing=_changing(len(self.numbers), links, count),
+            sought=np.array(sorted(sought), dtype=np.intp),
+        )
+
+    @property
+    def columns(self) -> Indices:
+        """Places of the unknowns among the entries of all poses."""
+        return np.asarray((3 * self.sought[:, None] + np.arange(3)).ravel())
+
+    def moved(self, poses: Floats, step: Floats) -> Floats:
+        """Move poses (N, links, 3) by a step of the unknowns (N, 3 sought)."""
+        there = poses.reshape(len(poses), 3 * len(self.numbers)).copy()
+        there[:, self.columns] += step
+        return there.reshape(poses.shape)
 
     def place(self, poses: Floats) -> Placement:
         """Lay out the joints of N poses."""
@@ -86,11 +117,14 @@ class Constraints(NamedTuple):
         slider, owner = at.ways[:, 0], at.ways[:, 1].conj()
         # The angle between the two directions, not its sine: a slider turned end for end is no solution.
         askew = -np.angle(slider * owner)
+        joints = (apart.real, apart.imag, askew, (owner * off).imag)
+        if len(self.pattern) == 2 * self.links.shape[1]:
+            return np.concatenate(joints, axis=1)
         lag = np.angle(at.turns[:, self.crank] * self.crank_way * np.exp(-1j * phi))
-        return np.concatenate((apart.real, apart.imag, askew, (owner * off).imag, lag[:, None]), axis=1)
+        return np.concatenate((*joints, lag[:, None]), axis=1)
 
     def jacobian(self, at: Placement) -> Floats:
-        """Differentiate the equations by the poses of the moving links, (N, rows, 3 n)."""
+        """Differentiate the equations by the poses that are sought, (N, rows, 3 sought)."""
         count = len(at.turns)
         hinged = (_SIGNS * at.arms[:, :, : self.hinges]).reshape(count, 2 * self.hinges)
         arms, off, way = at.arms[:, :, self.hinges :], at.apart[:, self.hinges :], at.ways[:, 1]
@@ -101,7 +135,8 @@ class Constraints(NamedTuple):
         full[:, self.changing] = np.concatenate(
             (-hinged.imag, hinged.real, -way.imag, way.real, way.imag, -way.real, *levers), axis=1
         )
-        return full.reshape(count, *self.pattern.shape)[:, :, 3:]
+        shaped = full.reshape(count, *self.pattern.shape)
+        return shaped[:, :, 3:] if len(self.sought) == len(self.numbers) - 1 else shaped[:, :, self.columns]
 
     def convective(self, at: Placement, rates: Floats) -> Floats:
         """Give the part of the equations' second derivative that is quadratic in the rates, (N, rows)."""

@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 
-from plans.analytic.assembly import assemble_anywhere
-from plans.analytic.closure import SQRT_EPS
+from plans.analytic.assembly import Shape, home
+from plans.analytic.closure import EPS, SQRT_EPS, Flags
 from plans.analytic.constraints import TURN, Constraints, X, Y
-from plans.analytic.turn import FULL, Station, Turn, station, stations_at, whole_turn
+from plans.analytic.ends import Station
+from plans.analytic.turn import FULL, Blocks, Turn, station, stations_at, whole_turn
 from plans.mechanism import FRAME, Mechanism, Output, Slide
 from plans.motion import Extremes, Floats
 
 ROUNDS = 64  # bisection alone makes 53 digits of a stride
+ROUNDINGS = 2.0  # of a crank angle: a step of so much is none
+CLOSEST = 1e-6  # rad: two rests that are closer are one, in which the output only touches its extreme
 EQUAL = 1e-7  # rad: strokes whose crank arcs differ by less are equal on paper and in any machine
 
 
@@ -51,32 +56,33 @@ class _Rest:
         self.coordinate, self.bottom, self.top = coordinate, low.phi, high.phi
         self.rising = coordinate.at(high)[1] >= 0.0
         self.near = min(low, high, key=lambda end: abs(float(coordinate.at(end)[1])))
-        self.step, self.marched = np.inf, True
+        self.step, self.newton = np.inf, False
 
     def aims(self) -> bool:
         """Find the next step: Newton's, or the middle where that leads out; none where only rounding is left."""
-        here, last = self.near.phi, abs(self.step)
-        if self.marched and np.isfinite(last):  # rates on the march are less exact than poses: its step proves nothing
-            last, self.marched = np.inf, False
+        here, last = self.near.phi, abs(self.step) if self.newton else np.inf
         _, speed, growth = map(float, self.coordinate.at(self.near))
         self.bottom, self.top = (self.bottom, here) if (speed >= 0.0) == self.rising else (here, self.top)
-        self.step = -speed / growth if growth else np.inf
-        fine = abs(self.step) <= SQRT_EPS  # Newton squares the error: after such a step only rounding is left
-        if not fine and not self.bottom <= here + self.step <= self.top:
-            self.step = (self.bottom + self.top) / 2.0 - here
-        return not (fine and abs(self.step) >= last / 2.0)
+        self.step, self.newton = (-speed / growth if growth else np.inf), True
+        if abs(self.step) <= ROUNDINGS * EPS * max(abs(here), 1.0):
+            return False
+        if abs(self.step) <= SQRT_EPS and abs(self.step) >= last / 2.0:
+            return bool(last > SQRT_EPS)  # Newton squares the error: what does not shrink from there on is rounding
+        if abs(self.step) > SQRT_EPS and not self.bottom <= here + self.step <= self.top:
+            self.step, self.newton = (self.bottom + self.top) / 2.0 - here, False
+        return True
 
 
-def extremes(mechanism: Mechanism, output: Output, turn: Turn | None = None) -> Extremes | None:
+def extremes(shape: Shape, output: Output, looks: Floats, turn: Turn | None = None) -> Extremes | None:
     """Find the extreme positions; None if the output link turns fully or stands still, or the crank cannot turn fully.
 
     What of the `turn` has been marched already is not marched again. A slider's reach is counted along the frame's
     guide from the point that gives the guide. Strokes that take equal crank angles have no slower one: then the working
     stroke is taken to begin at the smaller crank angle.
     """
-    constraints = Constraints.of(mechanism)
-    begun = turn or _begun(mechanism, constraints)
-    turn = whole_turn(constraints, begun) if begun else None
+    mechanism, constraints, blocks = shape
+    begun = turn or _begun(shape, looks)
+    turn = whole_turn(constraints, blocks, begun) if begun else None
     if turn is None:
         return None
     coordinate = _coordinate(mechanism, constraints, output)
@@ -84,17 +90,61 @@ def extremes(mechanism: Mechanism, output: Output, turn: Turn | None = None) -> 
     full_turn = abs(coordinates[-1] - coordinates[0]) > np.pi and coordinate.guide is None
     if full_turn or np.abs(speed).max() <= SQRT_EPS:
         return None
+    turn = _dense(constraints, blocks, turn, coordinate)
+    speed = coordinate.along(turn.taylor)[1]
     signs = np.where(speed >= 0.0, 1.0, -1.0)
     signs[-1] = signs[0]  # one position: a rounding of a rest there is no second rest
     changes = np.flatnonzero(signs[1:] != signs[:-1])
-    found = _refined(constraints, [_Rest(coordinate, turn.stations[k], turn.stations[k + 1]) for k in changes])
+    found = _refined(constraints, blocks, [_Rest(coordinate, turn.stations[k], turn.stations[k + 1]) for k in changes])
     sense = -1.0 if mechanism.drive.omega < 0.0 else 1.0
     return _strokes(found, sense, coordinate)
 
 
-def _begun(mechanism: Mechanism, constraints: Constraints) -> Turn | None:
-    start = assemble_anywhere(mechanism, constraints)
-    return Turn((station(constraints, start),), None, None) if start else None
+def _begun(shape: Shape, looks: Floats) -> Turn | None:
+    start = home(shape, None, looks)
+    return Turn((station(shape.constraints, shape.blocks, start),), None, None) if start else None
+
+
+def _dense(constraints: Constraints, blocks: Blocks, turn: Turn, coordinate: _Coordinate) -> Turn:
+    """Put stations between those of a turn until the speed has at most one zero between any two of them."""
+    stations, pending = list(turn.stations), list(pairwise(turn.stations))
+    while pending:
+        lows, highs = zip(*pending, strict=True)
+        phi = np.array([(low.phi + high.phi) / 2.0 for low, high in pending])
+        middles = stations_at(constraints, blocks, lows, phi)
+        low, middle, high = (coordinate.along(_taylor(row))[1:] for row in (lows, middles, highs))
+        step = np.array([high.phi - low.phi for low, high in pending])
+        doubtful = _doubtful(low, middle, high, step) & (step > CLOSEST)
+        halves = [((low, k), (k, high)) for (low, high), k in zip(pending, middles, strict=True)]
+        pending = [half for both, more in zip(halves, doubtful.tolist(), strict=True) if more for half in both]
+        stations += middles
+    return Turn(tuple(sorted(stations, key=lambda station: station.phi)), turn.lower, turn.upper)
+
+
+def _doubtful(low: Floats, middle: Floats, high: Floats, step: Floats) -> Flags:
+    """Tell between which stations a speed may have more zeros than its signs at the ends and in the middle show.
+
+    Speeds and growths, (2, N), of both ends make a cubic (Hermite); how far the speed is from it, the middle tells. A
+    zero is plain where the cubic passes it steeply.
+    """
+    share = np.linspace(0.0, 1.0, 9)[:, None]
+    (first, rise), (last, fall) = (low[0], low[1] * step), (high[0], high[1] * step)
+    bend, twist = 3.0 * (last - first) - 2.0 * rise - fall, rise + fall - 2.0 * (last - first)
+    cubic = first + share * (rise + share * (bend + share * twist))
+    slope = rise + share * (2.0 * bend + share * 3.0 * twist)
+    away = np.abs(middle[0] - cubic[4]) * 4.0 + np.maximum(np.abs(bend), np.abs(bend + 3.0 * twist)) / 32.0
+    blunt = (np.abs(cubic) + np.abs(slope) / 4.0).min(axis=0) <= away
+    return np.asarray(blunt | (_changes(cubic) != _changes(np.array((first, middle[0], last)))))
+
+
+def _changes(values: Floats) -> Floats:
+    """Count the changes of sign along each column."""
+    return np.asarray(((values[1:] >= 0.0) != (values[:-1] >= 0.0)).sum(axis=0))
+
+
+def _taylor(stations: Sequence[Station]) -> Floats:
+    """Give poses, first and second transfer functions of some stations, (3, stations, links, 3)."""
+    return np.array([(s.poses, s.first, s.second) for s in stations]).swapaxes(0, 1)
 
 
 def _coordinate(mechanism: Mechanism, constraints: Constraints, output: Output) -> _Coordinate:
@@ -107,14 +157,20 @@ def _coordinate(mechanism: Mechanism, constraints: Constraints, output: Output) 
     return _Coordinate(constraints.numbers.index(output.link), guide, own, constraints.size)
 
 
-def _refined(constraints: Constraints, rests: list[_Rest]) -> list[tuple[float, float]]:
+def _refined(constraints: Constraints, blocks: Blocks, rests: list[_Rest]) -> list[tuple[float, float]]:
     """Close in on all rests together: their crank angles and the coordinate there."""
+    if not rests:
+        return []
+    # The rates of a marched station are less exact than its poses.
+    exact = stations_at(constraints, blocks, [rest.near for rest in rests], np.array([rest.near.phi for rest in rests]))
+    for rest, reached in zip(rests, exact, strict=True):
+        rest.near = reached
     for _ in range(ROUNDS):
         moving = [rest for rest in rests if rest.aims()]
         if not moving:
             break
         phi = np.array([rest.near.phi + rest.step for rest in moving])
-        stations = stations_at(constraints, [rest.near for rest in moving], phi)
+        stations = stations_at(constraints, blocks, [rest.near for rest in moving], phi)
         for rest, reached in zip(moving, stations, strict=True):
             rest.near = reached
     return [(rest.near.phi, float(rest.coordinate.at(rest.near)[0])) for rest in rests]

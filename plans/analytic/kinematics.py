@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from plans.analytic.assembly import Shape
+from plans.analytic.blocks import triangular
 from plans.analytic.closure import EPS, transfer
 from plans.analytic.constraints import TURN, Constraints, X, Y
 from plans.analytic.extremes import extremes
@@ -12,19 +14,25 @@ from plans.analytic.turn import Turn
 from plans.mechanism import FRAME, Mechanism, Output
 from plans.motion import Extremes, Floats, Gap, LinkMotion, Motion, PointMotion
 
+DEGREES = np.radians(np.arange(360.0))  # the whole degrees of a turn
+
 
 class Analysis:
     """The analytic road of one mechanism: its equations, and the way round the turn, marched once for all questions."""
 
-    def __init__(self, mechanism: Mechanism, tolerance: float = EPS, first: bool = True) -> None:
+    def __init__(
+        self, mechanism: Mechanism, tolerance: float = EPS, first: bool = True, looks: Floats = DEGREES
+    ) -> None:
         self.mechanism, self.constraints = mechanism, Constraints.of(mechanism)
         self.tolerance, self.first = tolerance, first  # whether the sketch shows the first position asked for
+        self.looks = looks  # crank angles rad among which the one is sought that the sketch shows, if not the first
+        self.shape = Shape(mechanism, self.constraints, triangular(self.constraints))
         self._turn: Turn | None = None
 
     def motion(self, phi: Floats, order: int = 2) -> Motion:
         """Solve all positions phi rad: order 0 positions, 1 and velocities, 2 and accelerations; from the datum, SI."""
         phi = np.asarray(phi, dtype=np.float64)
-        found = find(self.mechanism, self.constraints, phi, self.tolerance, self.first)
+        found = find(self.shape, phi, self.first, self.looks, self.tolerance)
         self._turn = found.turn
         rates = [np.full_like(found.poses, np.nan) for _ in range(order)]
         moving = np.flatnonzero(found.regular)
@@ -37,7 +45,7 @@ class Analysis:
 
     def extremes(self, output: Output) -> Extremes | None:
         """Find the output's extreme positions on the way round."""
-        return extremes(self.mechanism, output, self._turn)
+        return extremes(self.shape, output, self.looks, self._turn)
 
     def poses(self, motion: Motion) -> Floats:
         """Read the poses of all links off either road's motion, (N, links, 3); NaN at gaps."""

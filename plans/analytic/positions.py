@@ -4,24 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from itertools import zip_longest
 
 import numpy as np
 
-from plans.analytic.assembly import assemble, assemble_anywhere
-from plans.analytic.closure import EPS, Flags, close, close_singular, settle
-from plans.analytic.constraints import TURN, Constraints
+from plans.analytic.assembly import Shape, assemblies, home, signs_of
+from plans.analytic.closure import EPS, Flags, close, close_singular
+from plans.analytic.constraints import TURN, Indices
+from plans.analytic.ends import CHANGE_POINT, CLEAR, DEAD_CENTRE, NOT_REACHABLE, PARALLEL, SHORTEST, End
 from plans.analytic.gaps import BEYOND, OUT_OF_REACH, gap
-from plans.analytic.turn import CHANGE_POINT, DEAD_CENTRE, FULL, NOT_REACHABLE, SHORTEST, End, Turn, survey
-from plans.mechanism import Mechanism
+from plans.analytic.sharpness import least
+from plans.analytic.turn import FULL, Turn, survey
 from plans.motion import Floats, Gap
 
 BLOCK = 2048  # positions solved together: their matrices stay in the cache
-PROBES = 64  # lost positions at which other assemblies are looked for,
-STARTS = 4  # and poses of the march that each is tried from
-# Taylor's polynomial from this distance misses by its cube, and the poses there are known to eps over the distance:
-# both come to eps^(3/4) at the fourth root of eps.
-CLEAR = EPS**0.25
+# So near to a dead centre, rad, that a rounding of the crank angle moves a velocity by a thousandth of itself: more
+# than can be seen on a plan. There is a position, but no velocity is told.
+UNBORNE = 1000.0 * EPS
+BESIDE = 1e-6  # rad from a singular position: wider than the square root of UNBORNE, in which sharpness tells
 
 
 @dataclass
@@ -38,34 +37,34 @@ class Positions:
         """Note a gap."""
         self.gaps.append(gap(position, float(self.phi[position]), plan, reason, end))
 
+    def known(self) -> set[int]:
+        """Give the positions of which a gap is noted."""
+        return {missing.position for missing in self.gaps}
 
-def find(
-    mechanism: Mechanism, constraints: Constraints, phi: Floats, tolerance: float = EPS, first: bool = True
-) -> Positions:
+
+def find(shape: Shape, phi: Floats, first: bool, looks: Floats, tolerance: float = EPS) -> Positions:
     """Find the poses at crank angles phi rad, (N,), starting at the first of them if the links can be joined there.
 
-    Where the sketch does not show the `first` one, the march starts where the mechanism fits the sketch best.
-    The way round the turn is always marched to rounding level; `tolerance` is for the positions asked for.
+    Where the sketch does not show the `first` one, or it cannot be assembled, the march starts where the mechanism fits
+    the sketch best among the crank angles `looks`, rad. The way round the turn is always marched to rounding level;
+    `tolerance` is for the positions asked for.
     """
-    found = Positions(phi, np.full((len(phi), len(constraints.numbers), 3), np.nan), np.zeros(len(phi), dtype=bool))
-    if not phi.size:
-        return found
-    start = assemble(mechanism, constraints, float(phi[0])) if first else None
-    start = start or assemble_anywhere(mechanism, constraints)
+    found = Positions(phi, np.full((len(phi), len(shape.constraints.numbers), 3), np.nan), np.zeros(len(phi), bool))
+    start = home(shape, float(phi[0]) if first else None, looks) if phi.size else None
     if start is None:
         for k in range(len(phi)):
             found.miss(k, "positions", OUT_OF_REACH, None)
         return found
     ahead = (phi - start.phi) % FULL
-    turn = found.turn = survey(constraints, start, ahead)
+    turn = found.turn = survey(shape.constraints, shape.blocks, start, ahead)
     crank = start.phi + ahead
     behind = (crank > turn.angles[-1] + SHORTEST) & (crank - FULL >= turn.angles[0] - SHORTEST)
     crank[behind] -= FULL
     passed = behind | (crank <= turn.angles[-1] + SHORTEST)
     for end in turn.ends:
-        passed &= ~_at_the_end(found, constraints, turn, end)
-    _along(found, constraints, turn, crank, passed, tolerance)
-    _lost(found, constraints, turn)
+        passed &= ~_at_the_end(found, shape, turn, end)
+    _along(found, shape, turn, crank, passed, tolerance)
+    _lost(found, shape, turn)
     found.gaps.sort(key=lambda missing: missing.position)
     return found
 
@@ -82,71 +81,107 @@ def wrapped(poses: Floats) -> Floats:
     return within
 
 
-def _along(
-    found: Positions, constraints: Constraints, turn: Turn, crank: Floats, passed: Flags, tolerance: float
-) -> None:
+def _along(found: Positions, shape: Shape, turn: Turn, crank: Floats, passed: Flags, tolerance: float) -> None:
     """Close the poses at the positions that the march has passed."""
     places = np.flatnonzero(passed)
     for block in blocks(len(places)):
         here = places[block]
-        poses, reached = close(constraints, wrapped(turn.predict(crank[here])), found.phi[here], tolerance)
+        poses, reached = close(shape.constraints, wrapped(turn.predict(crank[here])), found.phi[here], tolerance)
         found.poses[here[reached]] = poses[reached]
         found.regular[here[reached]] = True
+        if min(station.sharp for station in turn.stations) < 1.0:
+            _unborne(found, shape, turn, here[reached])
 
 
-def _at_the_end(found: Positions, constraints: Constraints, turn: Turn, end: End) -> Flags:
+def _unborne(found: Positions, shape: Shape, turn: Turn, here: Indices) -> None:
+    """Tell no velocities right beside a change point, or where a block all but comes to its dead centre."""
+    jacobian = shape.constraints.jacobian(shape.constraints.place(found.poses[here]))
+    for k in here[least(shape.blocks, jacobian, found.poses[here]) ** 2 < UNBORNE].tolist():
+        near = [end for end in turn.ends if abs(_apart(found.phi[[k]], end)[0]) < BESIDE]
+        if near and near[0].reason != CHANGE_POINT:
+            continue  # a dead centre or parallel guides are told by the angle
+        found.regular[k] = False
+        found.miss(k, "velocities", CHANGE_POINT if near else DEAD_CENTRE, near[0] if near else None)
+
+
+def _at_the_end(found: Positions, shape: Shape, turn: Turn, end: End) -> Flags:
     """Treat the positions that the march cannot tell from the singular one; tell which they are."""
     apart = _apart(found.phi, end)
     at = np.abs(apart) <= end.blind
-    untold = at.copy()
-    untold[[missing.position for missing in found.gaps]] = False  # both marches may end at one position
-    places = np.flatnonzero(untold)
-    if end.reason == CHANGE_POINT and places.size:
-        clear = [s for s in turn.stations if abs(s.phi - end.singular) >= CLEAR] or list(turn.stations)
-        station = min(clear, key=lambda s: abs(s.phi - end.singular))
-        guess = np.array([station.predict(end.singular + offset) for offset in apart[places]])
-        found.poses[places] = close_singular(constraints, wrapped(guess), found.phi[places])
-        for k in places:
-            found.miss(int(k), "velocities", CHANGE_POINT, end)
-    elif end.reason == DEAD_CENTRE and places.size:
-        station = turn.stations[-1 if end is turn.upper else 0]
-        poses, reached = close(constraints, np.repeat(station.poses[None], len(places), axis=0), found.phi[places])
-        # Two assemblies merge here; the sign of the determinant tells them apart.
-        reached &= np.linalg.det(constraints.jacobian(constraints.place(poses))) * station.det > 0.0
-        found.poses[places[reached]], found.regular[places[reached]] = wrapped(poses[reached]), True
-        for k in places[~reached]:
-            found.miss(int(k), "positions", DEAD_CENTRE, end)
+    places = [k for k in np.flatnonzero(at).tolist() if k not in found.known()]  # both may end at one position
+    treat = {CHANGE_POINT: _at_change, DEAD_CENTRE: _at_dead_centre, PARALLEL: _at_parallel}.get(end.reason)
+    if treat is None or not places:
+        return np.zeros_like(at)
+    treat(found, shape, turn, end, places, apart[places])
     return at
 
 
-def _lost(found: Positions, constraints: Constraints, turn: Turn) -> None:
+def _at_change(found: Positions, shape: Shape, turn: Turn, end: End, places: list[int], apart: Floats) -> None:
+    """Place the links at a change point, where they have one place but no one velocity."""
+    if end.loose:
+        for k in places:
+            found.miss(k, "positions", DEAD_CENTRE, end)
+        return
+    clear = [s for s in turn.stations if abs(s.phi - end.singular) >= CLEAR] or list(turn.stations)
+    near = min(clear, key=lambda s: abs(s.phi - end.singular))
+    guess = np.array([near.predict(end.singular + offset) for offset in apart])
+    found.poses[places] = close_singular(shape.constraints, wrapped(guess), found.phi[places])
+    for k in places:
+        found.miss(k, "velocities", CHANGE_POINT, end)
+
+
+def _at_dead_centre(found: Positions, shape: Shape, turn: Turn, end: End, places: list[int], apart: Floats) -> None:
+    """Place the links beside a dead centre, by their path there; at it they have no velocity, beyond it no place."""
+    before = -end.sense * apart  # rad on this side of it
+    for k, left in zip(places, before.tolist(), strict=True):
+        if end.fold is None or left < -end.limit:
+            continue  # lost, for whatever reason
+        guess = wrapped(end.fold.predict(-end.sense * max(left, 0.0))[None])
+        poses, reached = close(shape.constraints, guess, found.phi[[k]])
+        if left >= UNBORNE and reached[0] and _same(shape, turn, poses[0]):
+            found.poses[k], found.regular[k] = wrapped(poses)[0], True
+        else:
+            found.poses[k] = guess[0]
+            found.miss(k, "velocities", DEAD_CENTRE, end)
+
+
+def _at_parallel(found: Positions, shape: Shape, turn: Turn, end: End, places: list[int], apart: Floats) -> None:
+    """Place the links where guides are nearly parallel, far away; where they are parallel there is no place."""
+    last = turn.stations[-1 if end is turn.upper else 0]
+    for k, left in zip(places, (-end.sense * apart).tolist(), strict=True):
+        poses, reached = close(shape.constraints, wrapped(last.poses[None]), found.phi[[k]])
+        if left >= UNBORNE and reached[0] and _same(shape, turn, poses[0]):
+            found.poses[k], found.regular[k] = wrapped(poses)[0], True
+        elif abs(left) < UNBORNE:
+            found.miss(k, "positions", PARALLEL, end)
+
+
+def _same(shape: Shape, turn: Turn, poses: Floats) -> bool:
+    """Tell whether poses are of the assembly that the march follows."""
+    jacobian = shape.constraints.jacobian(shape.constraints.place(poses[None]))[0]
+    return bool((signs_of(shape.blocks, jacobian) == np.sign(turn.stations[0].dets)).all())
+
+
+def _lost(found: Positions, shape: Shape, turn: Turn) -> None:
     """Say of every position not found why that is."""
     untold = np.isnan(found.poses[:, 0, 0])
-    untold[[missing.position for missing in found.gaps]] = False
+    untold[list(found.known())] = False
     lost = np.flatnonzero(untold)
-    folds = any(end.reason == DEAD_CENTRE for end in turn.ends)
-    exists = _assembles(constraints, turn, found.phi[lost]).tolist() if folds and lost.size else []
-    for k, other in zip_longest(lost.tolist(), exists, fillvalue=False):
+    if not lost.size:
+        return
+    for k, exists in zip(lost.tolist(), _assembles(shape, turn, found.phi[lost]).tolist(), strict=True):
         end = min(turn.ends, key=lambda e: float(abs(_apart(found.phi[k], e))), default=None)
-        if end and end.reason == CHANGE_POINT:
-            found.miss(k, "positions", BEYOND, end)
-        elif end and end.reason == DEAD_CENTRE and not other:
+        if not exists:
             found.miss(k, "positions", OUT_OF_REACH, end)
+        elif end and end.reason == CHANGE_POINT:
+            found.miss(k, "positions", BEYOND, end)
         else:
             found.miss(k, "positions", NOT_REACHABLE, end)
 
 
-def _assembles(constraints: Constraints, turn: Turn, phi: Floats) -> Flags:
-    """Tell whether the links can be joined at all at these crank angles, tried from poses all along the march.
-
-    Of many angles a sample is tried, and each of the others takes the answer of a neighbour.
-    """
-    sample = np.array(sorted(set(np.linspace(0, len(phi) - 1, PROBES).round().astype(np.intp).tolist())))
-    stations = turn.stations[:: max(1, len(turn.stations) // STARTS)]
-    starts = np.array([station.poses for station in stations])
-    _, reached = settle(constraints, np.tile(starts, (len(sample), 1, 1)), np.repeat(phi[sample], len(starts)))
-    exists = np.logical_or.reduce(reached.reshape(len(sample), -1), axis=1)
-    return np.asarray(exists[np.searchsorted(sample, np.arange(len(phi)))])
+def _assembles(shape: Shape, turn: Turn, phi: Floats) -> Flags:
+    """Tell whether the links can be joined at these crank angles in the assembly that the march follows."""
+    return np.asarray(np.isfinite(assemblies(shape, phi, np.sign(turn.stations[0].dets))).all(axis=(1, 2)))
 
 
 def _apart(phi: Floats, end: End) -> Floats:

@@ -2,7 +2,7 @@
 
 The march goes from the assembled position in both senses abreast, never across a singular position. A step is taken
 only if the second-order Taylor polynomial lands close to the closed poses, Newton's corrections shrink fast, and the
-determinant of the Jacobian keeps its sign and at least half its size; otherwise the step is halved.
+determinant of every block of the Jacobian keeps its sign and at least half its size; otherwise the step is halved.
 """
 
 from __future__ import annotations
@@ -10,52 +10,27 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
 
 import numpy as np
 
 from plans.analytic.assembly import Assembly
-from plans.analytic.closure import EPS, SQRT_EPS, as_poses, close, inverses, rank_loss, sharpness, solutions
+from plans.analytic.blocks import Block
+from plans.analytic.closure import EPS, ROUNDINGS, SQRT_EPS, as_poses, close, inverses, solutions
 from plans.analytic.constraints import Constraints
+from plans.analytic.ends import NOT_REACHABLE, SHORTEST, End, Station, end_of
+from plans.analytic.sharpness import MERGED, least
 from plans.motion import Floats
+
+Blocks = Sequence[Block]
 
 FULL = 2.0 * np.pi
 STRIDE = FULL / 48  # rad, the longest step: 7.5 degrees
 FIRST_STRIDE = STRIDE / 8  # the start may lie beside a singular position that a whole step would jump
-SHORTEST = 2.0**-30  # rad, 1e-9: a dead centre is located this closely
+LEAST = 2.0**-46  # rad, 1e-14: a few roundings of an angle
+THERE = 64.0 * EPS  # rad: a few roundings of an angle of several turns
 STEPS = 4096  # a march longer than this is given up
 # A correction of this share of the way gone: the pose arrived at belongs to the pose left, not to another assembly.
 TRUST = 1.0 / 16.0
-DEAD_CENTRE, CHANGE_POINT, NOT_REACHABLE = "dead centre", "change point", "not reachable"
-
-
-class Station(NamedTuple):
-    """A closed position: crank angle, poses (links, 3), their two transfer functions, and the state of the Jacobian."""
-
-    phi: float  # rad, continuous along the march
-    poses: Floats
-    first: Floats
-    second: Floats
-    det: float
-    sharpness: float  # reciprocal condition (Frobenius) of the Jacobian with columns of unit length
-
-    def predict(self, phi: float) -> Floats:
-        """Predict the poses at a crank angle close by, rad, by Taylor's polynomial."""
-        step = phi - self.phi
-        return self.poses + step * (self.first + step / 2.0 * self.second)
-
-
-class End(NamedTuple):
-    """Where a march could go no further: the last crank angle reached, and where the Jacobian loses rank, rad."""
-
-    reached: float
-    singular: float
-    reason: str
-
-    @property
-    def blind(self) -> float:
-        """Angle rad on either side of the singular position within which the march could not step."""
-        return max(abs(self.singular - self.reached), SHORTEST)
 
 
 @dataclass(frozen=True)
@@ -92,20 +67,21 @@ class Turn:
 class _March:
     """A march under way: its stations, the crank angle where it is to end, its sense and its next stride, rad."""
 
-    def __init__(self, way: list[Station], goal: float) -> None:
+    def __init__(self, way: list[Station], goal: float, sense: float) -> None:
         self.way, self.goal, self.stride = way, goal, FIRST_STRIDE
-        self.sense = 1.0 if goal >= way[-1].phi else -1.0
+        self.sense = sense
+        self.shortest = LEAST  # the start may lie right beside a singular position, and leads away from it
 
     @property
     def left(self) -> float:
-        """The angle still to go, rad; one rounding short of the goal is there."""
+        """The angle still to go, rad; a few roundings short of the goal is there."""
         left = self.sense * (self.goal - self.way[-1].phi)
-        return left if left > SHORTEST else 0.0
+        return left if left > THERE else 0.0
 
     @property
     def stuck(self) -> bool:
         """Whether no step is short enough."""
-        return self.stride < SHORTEST or self.way[-1].sharpness <= SQRT_EPS
+        return self.stride < self.shortest
 
     @property
     def next(self) -> float:
@@ -117,57 +93,69 @@ class _March:
         if reached is None:
             self.stride /= 2.0
         else:
+            self.shortest = min(max(abs(reached.phi - self.way[-1].phi) / 64.0, LEAST), SHORTEST)
             self.way.append(reached)
             self.stride = min(2.0 * self.stride, STRIDE)
 
 
-def survey(constraints: Constraints, start: Assembly, ahead: Floats) -> Turn:
+def survey(constraints: Constraints, blocks: Blocks, start: Assembly, ahead: Floats) -> Turn:
     """March from the assembly until all angles `ahead` of it, rad in [0, 2 pi), are passed in either sense."""
-    first = station(constraints, start)
+    first = station(constraints, blocks, start)
     up, down = [first], [first]
     most = start.phi + float(np.max(ahead, where=ahead <= np.pi, initial=0.0))
     least = start.phi - float(np.max(FULL - ahead, where=ahead > np.pi, initial=0.0))
-    upper, lower = _march(constraints, _March(up, most), _March(down, least))
+    upper, lower = _march(constraints, blocks, _March(up, most, 1.0), _March(down, least, -1.0))
     # What lies beyond one end may be reached the other way round.
     if upper and not lower:
         lost = ahead > upper.reached - start.phi
         least = start.phi - (FULL - float(np.min(ahead, where=lost, initial=FULL)))
-        (lower,) = _march(constraints, _March(down, least))
+        (lower,) = _march(constraints, blocks, _March(down, least, -1.0))
     elif lower and not upper:
         lost = ahead < FULL + lower.reached - start.phi
-        (upper,) = _march(constraints, _March(up, start.phi + float(np.max(ahead, where=lost, initial=0.0))))
+        most = start.phi + float(np.max(ahead, where=lost, initial=0.0))
+        (upper,) = _march(constraints, blocks, _March(up, most, 1.0))
     return Turn((*reversed(down[1:]), *up), lower, upper)
 
 
-def whole_turn(constraints: Constraints, turn: Turn) -> Turn | None:
+def whole_turn(constraints: Constraints, blocks: Blocks, turn: Turn) -> Turn | None:
     """Lengthen a march on both sides until it comes round; None where the crank cannot make a full turn."""
     if turn.ends:
         return None
     up, down = [*turn.stations], [*reversed(turn.stations)]
     half = (FULL - (up[-1].phi - down[-1].phi)) / 2.0
-    ends = _march(constraints, _March(up, up[-1].phi + half), _March(down, down[-1].phi - half))
+    ends = _march(constraints, blocks, _March(up, up[-1].phi + half, 1.0), _March(down, down[-1].phi - half, -1.0))
     return None if any(ends) else Turn((*reversed(down[len(turn.stations) :]), *up), None, None)
 
 
-def station(constraints: Constraints, start: Assembly) -> Station:
+def station(constraints: Constraints, blocks: Blocks, start: Assembly) -> Station:
     """Begin a march at an assembly."""
-    return _stations(constraints, start.poses[None], np.array([start.phi]))[0]
+    return _stations(constraints, blocks, start.poses[None], np.array([start.phi]))[0]
 
 
-def _march(constraints: Constraints, *marches: _March) -> list[End | None]:
-    """Lengthen all ways to their goals, abreast; tell what ended each of them earlier."""
+def _march(constraints: Constraints, blocks: Blocks, *marches: _March) -> list[End | None]:
+    """Lengthen all ways to their goals, abreast; tell what ended each of them, where it could go no further."""
+    for march in marches:
+        if march.way[-1].sharp <= MERGED:
+            march.stride = 0.0
     for _ in range(STEPS):
         under_way = [march for march in marches if march.left and not march.stuck]
         if not under_way:
             break
         here = [march.way[-1] for march in under_way]
-        stations = _steps(constraints, here, np.array([march.next for march in under_way]))
+        stations = _steps(constraints, blocks, here, np.array([march.next for march in under_way]))
         for march, reached in zip(under_way, stations, strict=True):
             march.take(reached)
-    return [_end(constraints, march.way) if march.left else None for march in marches]
+    return [_end(constraints, blocks, march) for march in marches]
 
 
-def _steps(constraints: Constraints, here: Sequence[Station], phi: Floats) -> list[Station | None]:
+def _end(constraints: Constraints, blocks: Blocks, march: _March) -> End | None:
+    last = march.way[-1]
+    if march.stuck or last.sharp <= MERGED:
+        return end_of(constraints, blocks, march.way, march.sense)
+    return End(last.phi, last.phi, NOT_REACHABLE, march.sense) if march.left else None
+
+
+def _steps(constraints: Constraints, blocks: Blocks, here: Sequence[Station], phi: Floats) -> list[Station | None]:
     """Step from each station to its crank angle, or refuse."""
     guess = np.array([left.predict(angle) for left, angle in zip(here, phi, strict=True)])
     at = constraints.place(guess)
@@ -179,16 +167,17 @@ def _steps(constraints: Constraints, here: Sequence[Station], phi: Floats) -> li
     near = np.flatnonzero(size <= TRUST * moved).tolist()
     if not near:
         return found
-    for k, reached in zip(near, _stations(constraints, there[near], phi[near]), strict=True):
+    for k, reached in zip(near, _stations(constraints, blocks, there[near], phi[near]), strict=True):
         again = np.abs(reached.poses - there[k]).max()
-        shrinks = again <= TRUST * size[k] + SQRT_EPS * moved[k]
-        same = reached.det * np.sign(here[k].det) >= abs(here[k].det) / 2.0
-        if shrinks and same and reached.sharpness > SQRT_EPS:
+        noise = ROUNDINGS * EPS / reached.sharp  # how well the poses are known at all
+        shrinks = again <= TRUST * size[k] + SQRT_EPS * moved[k] + noise
+        same = (reached.dets * np.sign(here[k].dets) >= np.abs(here[k].dets) / 2.0).all()
+        if shrinks and same and reached.sharp > MERGED:
             found[k] = reached
     return found
 
 
-def _stations(constraints: Constraints, poses: Floats, phi: Floats) -> list[Station]:
+def _stations(constraints: Constraints, blocks: Blocks, poses: Floats, phi: Floats) -> list[Station]:
     """Close nearly closed poses by one Newton correction and differentiate them with the same Jacobians."""
     at = constraints.place(poses)
     jacobian = constraints.jacobian(at)
@@ -196,29 +185,12 @@ def _stations(constraints: Constraints, poses: Floats, phi: Floats) -> list[Stat
     closed = poses - as_poses((inverse @ constraints.residual(at, phi)[..., None])[..., 0])
     first = as_poses(inverse[:, :, -1])
     second = as_poses(-(inverse @ constraints.convective(at, first)[..., None])[..., 0])
-    det = np.linalg.det(jacobian)
-    return [
-        Station(float(phi[k]), closed[k], first[k], second[k], float(det[k]), float(sharp))
-        for k, sharp in enumerate(sharpness(jacobian, inverse))
-    ]
+    dets = np.array([np.linalg.det(block.of(jacobian)) for block in blocks]).T
+    sharp = least(blocks, jacobian, closed)
+    return [Station(float(phi[k]), closed[k], first[k], second[k], dets[k], float(sharp[k])) for k in range(len(phi))]
 
 
-def _end(constraints: Constraints, way: Sequence[Station]) -> End:
-    """Say why a march ended, and where its singular position lies by the run of the determinant."""
-    last = way[-1]
-    jacobian = constraints.jacobian(constraints.place(last.poses[None]))[0]
-    faint, dead = rank_loss(jacobian)
-    if faint > EPS**0.25:
-        return End(last.phi, last.phi, NOT_REACHABLE)
-    singular = last.phi
-    if len(way) > 1 and last.det:
-        before, power = way[-2], 2 if dead else 1  # det falls as the root of the distance at a dead centre
-        fall = (before.det / last.det) ** power - 1.0
-        singular += (last.phi - before.phi) / fall if fall > 0.0 else 0.0
-    return End(last.phi, float(singular), DEAD_CENTRE if dead else CHANGE_POINT)
-
-
-def stations_at(constraints: Constraints, near: Sequence[Station], phi: Floats) -> list[Station]:
+def stations_at(constraints: Constraints, blocks: Blocks, near: Sequence[Station], phi: Floats) -> list[Station]:
     """Move from stations to crank angles close by, closed to rounding level."""
     guess = np.array([left.predict(angle) for left, angle in zip(near, phi, strict=True)])
-    return _stations(constraints, close(constraints, guess, phi)[0], phi)
+    return _stations(constraints, blocks, close(constraints, guess, phi)[0], phi)

@@ -54,6 +54,9 @@ FILES: Mapping[str, str] = {
     "standard output is closed: there is nowhere to print": "стандартный вывод закрыт, печатать некуда",
 }
 STRUCTURE: Mapping[str, str] = {
+    "some links have more equations than unknowns: they form a truss": (
+        "у некоторых звеньев уравнений больше, чем неизвестных: это ферма"
+    ),
     "links {links} form no two-lead group with the links before them: a group of class III or higher (triad), "
     "which this version does not construct": (
         "звенья {links} не составляют двухповодковой группы со звеньями до них: это группа Ассура III класса или выше, "
@@ -91,8 +94,11 @@ STRUCTURE: Mapping[str, str] = {
     ),
 }
 GAPS: Mapping[str, str] = {
-    "the lines that meet in {point} fall into one there, or are parallel: take a position beside it": (
-        "линии засечки {point} там совпадают или параллельны: возьмите соседнее положение"
+    "the lines that meet in {point} fall into one there: take a position beside it": (
+        "линии, которые пересекаются в {point}, там совпадают: возьмите положение рядом"
+    ),
+    "the lines that meet in {point} are parallel there: take a position beside it": (
+        "линии, которые пересекаются в {point}, там параллельны: возьмите положение рядом"
     ),
     "the mechanism may go on in two ways there: start the drive beyond the change point, or change a length": (
         "дальше механизм может пойти двумя путями: начните за точкой ветвления или измените одну из длин"
@@ -212,6 +218,12 @@ SHEETS: Mapping[str, str] = {
     'out, or write standard = "GOST"': (
         "sheet.orientation = {given}: ожидается {way}: иначе {standard} не располагает {format}. "
         'Исправьте: уберите orientation или напишите standard = "GOST"'
+    ),
+    "construction gives up position {a} ({plan}: {reason}) and analysis does not; the sheet is withheld": (
+        "построение отказывается от положения {a} ({plan}: {reason}), а расчёт нет; лист не выдан"
+    ),
+    "analysis gives up position {a} ({plan}: {reason}) and construction does not; the sheet is withheld": (
+        "расчёт отказывается от положения {a} ({plan}: {reason}), а построение нет; лист не выдан"
     ),
     "construction and analysis differ in {name}: {times} times the allowed difference; the sheet is withheld": (
         "построение и аналитический расчёт расходятся в {name}: в {times} раз больше допустимого; лист не выдан"

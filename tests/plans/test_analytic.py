@@ -11,8 +11,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from plans.analytic.extremes import extremes
-from plans.analytic.kinematics import solve
+from plans.analytic.kinematics import Analysis, solve
 from plans.mechanism import Mechanism, Output
 from plans.motion import Motion
 from tests.plans import linkages
@@ -115,18 +114,18 @@ def test_six_link_shaper():
 
 
 def test_extremes_of_the_crank_rocker():
-    found = extremes(crank_rocker(), Output(3, None))
+    found = Analysis(crank_rocker()).extremes(Output(3, None))
     assert found is not None and not found.sliding
     assert np.degrees(found.phi) == printed(36.18228722, 234.3146653)
     assert (np.degrees(found.overlap), np.degrees(found.stroke)) == printed(18.13237807, 45.97189532)
     assert found.ratio == pytest.approx(1.224039593, rel=DIGITS)
-    backward = extremes(crank_rocker(omega=-1.0), Output(3, None))
+    backward = Analysis(crank_rocker(omega=-1.0)).extremes(Output(3, None))
     assert backward is not None
     assert backward.phi == found.phi[::-1] and backward.overlap == found.overlap
 
 
 def test_extremes_of_the_slider_crank():
-    found = extremes(linkages.slider_crank(0.06, 0.20, 0.02), Output(3, "B"))
+    found = Analysis(linkages.slider_crank(0.06, 0.20, 0.02)).extremes(Output(3, "B"))
     assert found is not None and found.sliding
     assert found.reach == printed(0.2592296279, 0.1385640646)
     assert (found.stroke, np.degrees(found.overlap)) == printed(0.1206655633, 3.801484916)
@@ -134,7 +133,7 @@ def test_extremes_of_the_slider_crank():
 
 
 def test_extremes_of_the_slotted_link():
-    found = extremes(linkages.slotted_link(0.12, 0.35, 0.70), Output(3, None))
+    found = Analysis(linkages.slotted_link(0.12, 0.35, 0.70)).extremes(Output(3, None))
     assert found is not None
     assert np.degrees(found.phi) == pytest.approx((360 - 20.05104257, 360 - 159.9489574), rel=1e-9)
     assert np.degrees(found.stroke) == pytest.approx(40.10208513, rel=DIGITS)
@@ -144,7 +143,7 @@ def test_extremes_of_the_slotted_link():
 
 def test_extremes_are_exact():
     a, b, e = 0.06, 0.20, 0.02
-    found = extremes(linkages.slider_crank(a, b, e), Output(3, "B"))
+    found = Analysis(linkages.slider_crank(a, b, e)).extremes(Output(3, "B"))
     assert found is not None
     assert found.phi[0] == pytest.approx(asin(e / (a + b)), abs=8 * EPS)
     assert found.phi[1] == pytest.approx(pi + asin(e / (b - a)), abs=8 * EPS)
@@ -152,7 +151,7 @@ def test_extremes_are_exact():
 
 
 def test_equal_strokes_begin_at_the_smaller_crank_angle():
-    found = extremes(linkages.slider_crank(0.1, 0.3), Output(3, "B"))
+    found = Analysis(linkages.slider_crank(0.1, 0.3)).extremes(Output(3, "B"))
     assert found is not None
     assert found.phi == pytest.approx((0, pi), abs=8 * EPS)
     assert found.overlap == pytest.approx(0, abs=16 * EPS)
@@ -168,7 +167,7 @@ def test_equal_strokes_begin_at_the_smaller_crank_angle():
     ],
 )
 def test_an_output_without_extremes(mechanism, link):
-    assert extremes(mechanism, Output(link, None)) is None
+    assert Analysis(mechanism).extremes(Output(link, None)) is None
 
 
 # Textbook cases; the values are computed independently of any drawing

@@ -317,11 +317,15 @@ def test_a_flat_parallelogram_is_statically_indeterminate(omega):
 
 
 @pytest.mark.parametrize(
-    ("mechanism", "degrees"), [(linkages.slider_crank(0.1, 0.1), 90), (linkages.slotted_link(0.2, 0.2, 0.5), 270)]
+    ("mechanism", "degrees", "gap"),
+    [
+        (linkages.slider_crank(0.1, 0.1), 90, ("forces", "statically indeterminate")),
+        (linkages.slotted_link(0.2, 0.2, 0.5), 270, ("positions", "dead centre")),  # the slot has no one direction
+    ],
 )
-def test_other_change_points(mechanism, degrees):
+def test_other_change_points(mechanism, degrees, gap):
     run = Run(mechanism, machine(TWO), np.radians([degrees - 30, degrees]))
-    assert gaps(run.forces) == {1: ("forces", "statically indeterminate")}
+    assert gaps(run.forces) == {1: gap}
 
 
 # Coupler and rocker, 0.2 and 0.3 m, are in line at exactly 90 degrees: 0.3, 0.4 and 0.5 m make a right angle.

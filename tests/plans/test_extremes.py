@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from plans.analytic.extremes import extremes as analysed
+from plans.analytic.kinematics import Analysis
 from plans.extreme import Found
 from plans.linkage import mechanism_of
 from plans.mechanism import Mechanism
@@ -80,7 +80,7 @@ def test_extremes_of_the_slotted_link():
 def test_notches_and_analysis_agree(name, omega):
     mechanism = driven(ALL[name], omega, 0)
     study = study_of(mechanism, None)
-    ours, theirs = found(mechanism).extremes, analysed(mechanism, study.output)
+    ours, theirs = found(mechanism).extremes, Analysis(mechanism).extremes(study.output)
     assert theirs is not None and ours.sliding == theirs.sliding
     assert ours.phi == pytest.approx(theirs.phi, abs=AGREED)
     assert ours.reach == pytest.approx(theirs.reach, abs=AGREED)

@@ -1,0 +1,214 @@
+"""Where the way round ends: the singular position of one block of the equations, found to rounding (особые положения).
+
+At a dead centre two assemblies merge and the crank turns back: the crank angle has a maximum along the path of the
+mechanism, and the path itself goes on smoothly. At a change point two paths cross. Where guides become parallel, links
+that only translate run to infinity.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from plans.analytic.blocks import Block
+from plans.analytic.closure import EPS, SQRT_EPS, closed
+from plans.analytic.constraints import TURN, Constraints
+from plans.motion import Floats
+
+DEAD_CENTRE, CHANGE_POINT, PARALLEL, NOT_REACHABLE = "dead centre", "change point", "parallel guides", "not reachable"
+SHORTEST = 2.0**-30  # rad, 1e-9: the shortest step of a march
+ROUNDS = 24  # Newton squares the error; the rest is for slow beginnings
+# Taylor's polynomial from this distance misses by its cube, and the poses there are known to eps over the distance:
+# both come to eps^(3/4) at the fourth root of eps.
+CLEAR = EPS**0.25
+TOUCHING = 4.0  # roundings of all arms of a block together by which its joints may miss each other and yet meet
+
+
+class Station(NamedTuple):
+    """A closed position: crank angle, poses (links, 3), their two transfer functions, and the state of the blocks."""
+
+    phi: float  # rad, continuous along the march
+    poses: Floats
+    first: Floats
+    second: Floats
+    dets: Floats  # determinants of the blocks' Jacobians
+    sharp: float  # sharpness of the bluntest block; 1 where all are plainly sharp
+
+    def predict(self, phi: float) -> Floats:
+        """Predict the poses at a crank angle close by, rad, by Taylor's polynomial."""
+        step = phi - self.phi
+        return self.poses + step * (self.first + step / 2.0 * self.second)
+
+
+class Fold(NamedTuple):
+    """A dead centre: the poses there, and how poses and crank angle go on along the path s, which is the march's."""
+
+    poses: Floats
+    first: Floats  # by s
+    second: Floats
+    bend: float  # second derivative of the crank angle by s
+
+    def predict(self, apart: float) -> Floats:
+        """Predict the poses where the crank is `apart` rad from the dead centre, on the side from which we came."""
+        s = -float(np.sqrt(max(2.0 * apart / self.bend, 0.0)))
+        return self.poses + s * (self.first + s / 2.0 * self.second)
+
+
+class End(NamedTuple):
+    """Where a march could go no further: the last crank angle reached, where the Jacobian loses rank, rad, and why."""
+
+    reached: float
+    singular: float
+    reason: str
+    sense: float  # of the march
+    fold: Fold | None = None
+    limit: float = 0.0  # rad beyond a dead centre by which a crank angle is still that of the dead centre
+    loose: bool = False  # whether a block has no place of its own there: a slot whose pin lies in its pivot
+
+    @property
+    def blind(self) -> float:
+        """Angle rad on either side of the singular position within which the march could not step."""
+        return max(abs(self.singular - self.reached), SHORTEST)
+
+
+class _Loss(NamedTuple):
+    """The loss of rank of a block: how the block's input strains its joints, and the poses that are free to move."""
+
+    strain: float  # of unit rows, by a radian of the crank
+    share: float  # of the whole input
+    faint: float
+    free: Floats  # (k,)
+    strained: Floats  # (k,)
+
+
+def end_of(constraints: Constraints, blocks: Sequence[Block], way: Sequence[Station], sense: float) -> End:
+    """Say why a march ended, and where its singular position lies."""
+    last = way[-1]
+    block = blocks[_failing(constraints, blocks, way)]
+    loss = _loss(constraints, block, last)
+    turning = np.abs(loss.free.reshape(-1, 3)[:, TURN]).max()
+    if loss.share <= np.sqrt(loss.faint):
+        singular = _crossing(block, blocks, way)
+        return End(last.phi, singular, CHANGE_POINT, sense, loose=_loose(block, last, loss))
+    if turning <= SQRT_EPS:
+        return End(last.phi, _root(way, _place(block, blocks), 0.0), PARALLEL, sense)
+    fold = _fold(constraints, last, sense)
+    if fold is None:
+        return End(last.phi, _root(way, _place(block, blocks), 0.0, power=2), DEAD_CENTRE, sense)
+    turned = float(fold.poses[constraints.crank, TURN] - last.poses[constraints.crank, TURN])
+    arms = np.abs(block.equations.place(fold.poses[None]).arms).sum()
+    limit = TOUCHING * EPS * max(float(arms) / loss.strain, 1.0)
+    return End(last.phi, last.phi + turned, DEAD_CENTRE, sense, fold, limit)
+
+
+def _place(block: Block, blocks: Sequence[Block]) -> int:
+    return next(k for k, other in enumerate(blocks) if other is block)
+
+
+def _failing(constraints: Constraints, blocks: Sequence[Block], way: Sequence[Station]) -> int:
+    """Tell which block's determinant runs to zero first, or is nearest to it."""
+    last = way[-1]
+    if len(way) > 1:
+        fall = np.abs(way[-2].dets / last.dets)
+        return int(np.argmax(fall))
+    jacobian = constraints.jacobian(constraints.place(last.poses[None]))
+    return int(np.argmin([_faint(block.of(jacobian)[0]) for block in blocks]))
+
+
+def _faint(matrix: Floats) -> float:
+    values = np.linalg.svd(matrix / np.sqrt((matrix**2).sum(axis=0)), compute_uv=False)
+    return float(values[-1] / values[0])
+
+
+def _loss(constraints: Constraints, block: Block, last: Station) -> _Loss:
+    """Look at the smallest singular value of a block: an input that strains it makes a dead centre."""
+    jacobian = constraints.jacobian(constraints.place(last.poses[None]))
+    own = block.of(jacobian)[0]
+    left, values, right = np.linalg.svd(own / np.sqrt((own**2).sum(axis=0)))
+    rates = last.first[1:].ravel().copy()
+    rates[block.columns] = 0.0
+    drive = np.zeros(len(jacobian[0]))
+    drive[-1] = -1.0
+    pushed = (jacobian[0] @ rates + drive)[block.rows]
+    strain, whole = abs(float(left[:, -1] @ pushed)), float(np.linalg.norm(pushed))
+    return _Loss(strain, strain / whole if whole else 0.0, float(values[-1] / values[0]), right[-1], left[:, -1])
+
+
+def _loose(block: Block, last: Station, loss: _Loss) -> bool:
+    """Tell whether a block may move on while the crank stands: its joints stay closed to the second order too."""
+    rates = np.zeros_like(last.poses)[None]
+    scaled = loss.free / np.sqrt((block.of_own(last.poses) ** 2).sum(axis=0))
+    rates.reshape(1, -1)[:, block.equations.columns] = scaled / np.abs(scaled).max()
+    bent = block.equations.convective(block.equations.place(last.poses[None]), rates)[0, : len(loss.strained)]
+    return bool(abs(float(loss.strained @ bent)) <= SQRT_EPS)
+
+
+def _root(way: Sequence[Station], place: int, least: float, power: int = 1) -> float:
+    """Carry a block's determinant on to zero from the last two stations, `least` rad and more before the end."""
+    last = way[-1]
+    clear = [s for s in way if abs(s.phi - last.phi) >= least][-2:] if least else way[-2:]
+    if len(clear) < 2:
+        return last.phi
+    before, after = clear
+    fall = (before.dets[place] / after.dets[place]) ** power - 1.0
+    return float(after.phi + ((after.phi - before.phi) / fall if fall > 0.0 else 0.0))
+
+
+def _crossing(block: Block, blocks: Sequence[Block], way: Sequence[Station]) -> float:
+    """Find a change point from stations clear of it: beside it the poses themselves are not known well."""
+    place, last = _place(block, blocks), way[-1]
+    clear = [s for s in way if abs(s.phi - last.phi) >= CLEAR / 4][-3:]
+    if len(clear) < 3:
+        return _root(way, place, 0.0)
+    phi, det = np.array([s.phi for s in clear]), np.array([s.dets[place] for s in clear])
+    # The angle as a polynomial of the determinant, at zero (inverse interpolation).
+    shares = [np.prod([det[j] / (det[j] - det[i]) for j in range(3) if j != i]) for i in range(3)]
+    return float(np.dot(shares, phi))
+
+
+def _fold(constraints: Constraints, last: Station, sense: float) -> Fold | None:
+    """Follow the path of the mechanism, not the crank, to where the crank angle has its maximum."""
+    along = sense * last.first[1:].ravel()
+    along /= np.linalg.norm(along)
+    poses, crank = last.poses, 3 * (constraints.crank - 1) + TURN
+    step = np.inf
+    for _ in range(ROUNDS):
+        try:
+            poses, rates, bends = _on_path(constraints, poses, along)
+        except np.linalg.LinAlgError:
+            return None
+        if not bends[crank] * sense < 0.0:
+            return None
+        before, step = step, -rates[crank] / bends[crank]
+        fine = abs(step) <= SQRT_EPS
+        if fine and abs(step) >= abs(before) / 2.0:
+            break
+        poses = poses + _as_poses(step * (rates + step / 2.0 * bends))
+    if not closed(constraints, poses[None], poses[None, constraints.crank, TURN] + np.angle(constraints.crank_way))[0]:
+        return None
+    return Fold(poses, _as_poses(rates), _as_poses(bends), float(bends[crank]))
+
+
+def _on_path(constraints: Constraints, poses: Floats, along: Floats) -> tuple[Floats, Floats, Floats]:
+    """Close poses square to a direction, and differentiate them by the way along it, twice."""
+    phi = np.zeros(1)  # the drive's equation gives way to the direction
+    for _ in range(3):
+        at = constraints.place(poses[None])
+        matrix, miss = constraints.jacobian(at)[0], constraints.residual(at, phi)[0]
+        matrix[-1], miss[-1] = along, 0.0
+        poses = poses - _as_poses(np.linalg.solve(matrix, miss))
+    at = constraints.place(poses[None])
+    matrix = constraints.jacobian(at)[0]
+    matrix[-1] = along
+    unit = np.zeros(len(matrix))
+    unit[-1] = 1.0
+    rates = np.linalg.solve(matrix, unit)
+    bent = constraints.convective(at, _as_poses(rates)[None])[0]
+    bent[-1] = 0.0
+    return poses, rates, -np.linalg.solve(matrix, bent)
+
+
+def _as_poses(column: Floats) -> Floats:
+    return np.concatenate((np.zeros((1, 3)), column.reshape(-1, 3)))
