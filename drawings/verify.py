@@ -59,6 +59,15 @@ def verify(path: Path, leaf: Leaf, study: Study, comparison: Comparison, statics
     return measured
 
 
+def check_report(text: str, comparison: Comparison) -> None:
+    """Read the friction that a report tells against the analysis."""
+    from drawings.verify_friction import report_of  # noqa: PLC0415  (only a scene with friction pays for it)
+
+    wrong = list(report_of(text, comparison))
+    if wrong:
+        raise SelfCheckFailed(f"the report does not tell what the analysis gives: {', '.join(wrong[:TOLD])}")
+
+
 def _kinematics(measured: Measured, leaf: Leaf, study: Study, comparison: Comparison) -> Iterator[str]:
     """Hold the plans and the points of a kinematics sheet against the analysis."""
     for k in leaf.metadata["plans"]:
