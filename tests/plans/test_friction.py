@@ -358,3 +358,14 @@ def test_a_slider_driven_by_a_moving_guide() -> None:
     now = found(linkages.tangent_mechanism(0.2), machine, against(3, "A", 100), 0, [10, 50, 63, 64, 70])
     assert now.locking["0-3"] == pytest.approx([0.5 * tan(radians(k)) for k in (10, 50, 63, 64, 70)])
     assert [jam.position for jam in now.jams] == [3, 4]  # arctan 2 = 63.43 degrees
+
+
+def test_a_contact_may_be_far_from_the_origin_of_its_link() -> None:
+    """The yoke's contact is about E, 1 m from D: the block's force passes it at the distance 1 - 0.1 cos(phi)."""
+    yoke = linkages.scotch_yoke(0.1)
+    slot, guide = yoke.slides
+    guide = replace(guide, on_slider=Way(1 + 0j, 1j), on_owner=Way(1 + 0j, 1j), point="E")
+    machine = replace(LIGHT, friction={"0-3": Rubbing(0.3, 0, 1.5)})
+    now = found(replace(yoke, slides=(slot, guide)), machine, against(3, "D", 500), 0, [20, 60, 150, 200])
+    wanted = [0.3 * 2 * (1 - 0.1 * cos(radians(k))) / 1.5 for k in (20, 60, 150, 200)]
+    assert now.locking["0-3"] == pytest.approx(wanted)
