@@ -9,8 +9,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from drawings.numbers import pairs, plain
-from plans.friction import Friction
 from plans.kinetostatics import Kinetostatics, Reaction
+from plans.losses import Friction
 
 
 def described(forces: Kinetostatics, datum: complex) -> dict[str, Any]:

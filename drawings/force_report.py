@@ -9,8 +9,8 @@ import numpy as np
 
 from drawings.words import number
 from plans.compare import Comparison
-from plans.friction import Friction
 from plans.kinetostatics import Kinetostatics
+from plans.losses import Friction
 from plans.statics import Statics
 
 DIGITS = 10

@@ -27,7 +27,7 @@ NOTE, WARNING = 10.0, 60.0  # kappa = 1/sin of a notch: 6 degrees, 1 degree
 def summary(comparison: Comparison) -> str:
     """Give the short comparison: the worst difference of each plan in per cent of its largest, and of the allowed."""
     lines = [f"{'plan':<14} {'worst difference':>18} {'% of the largest':>18} {'of the allowed':>15}   in"]
-    for plan in (*ORDERS, "extremes", "forces", "equilibrium"):
+    for plan in (*ORDERS, "extremes", "forces", "equilibrium", "friction"):
         findings = comparison.of(plan)
         if findings:
             worst = max(findings, key=lambda finding: (_peak(finding.excess), _peak(finding.difference)))

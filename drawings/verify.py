@@ -59,6 +59,15 @@ def verify(path: Path, leaf: Leaf, study: Study, comparison: Comparison, statics
     return measured
 
 
+def check_report(text: str, comparison: Comparison) -> None:
+    """Read the friction that a report tells against the analysis."""
+    from drawings.verify_friction import report_of  # noqa: PLC0415  (only a scene with friction pays for it)
+
+    wrong = list(report_of(text, comparison))
+    if wrong:
+        raise SelfCheckFailed(f"the report does not tell what the analysis gives: {', '.join(wrong[:TOLD])}")
+
+
 def _kinematics(measured: Measured, leaf: Leaf, study: Study, comparison: Comparison) -> Iterator[str]:
     """Hold the plans and the points of a kinematics sheet against the analysis."""
     for k in leaf.metadata["plans"]:
@@ -71,14 +80,14 @@ def _kinematics(measured: Measured, leaf: Leaf, study: Study, comparison: Compar
 def _plans(measured: Measured, study: Study, comparison: Comparison, k: int) -> Iterator[str]:
     """Hold the arrows of one position's plans against the analysis: each that must be there, each that is."""
     drafts = study.drafts()
-    letters = {name: drafts.velocities.point(name).name for name in comparison.analysis.points}
-    expected = Expected(study.mechanism, comparison.analysis, k, letters)
+    expected = Expected(study.mechanism, comparison.analysis, k, drafts.velocities.written)
+    letters = {drafts.velocities.point(name).name for name in expected.moving()}  # one image may have several letters
     arrows = expected.arrows(study.groups)
     seen = {(v.plan, *v.name.split(" ")): v for v in measured.vectors if v.position == k}
     scales = {v.plan: v.scale for v in measured.vectors if v.position == k}
     for (plan, start, end), value in arrows.items():
         found = seen.get((plan, start, end))
-        must = start in ("p", "π") and end in letters.values()
+        must = start in ("p", "π") and end in letters
         if found is not None:
             if not abs(found.value - value) <= _allowed(comparison, found, measured):
                 yield f"{start} {end} on {plan} in position {k} (against the analysis)"

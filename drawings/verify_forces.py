@@ -17,6 +17,7 @@ from drawings.force_table import label
 from drawings.measure import Measured
 from drawings.reading import groups, plain, reads, scales, texts
 from drawings.strokes import Leaf, Line, Text
+from drawings.verify_friction import friction_of
 from drawings.words import word
 from plans.compare import Comparison, Finding
 from plans.cut import indices
@@ -37,6 +38,7 @@ def forces_of(measured: Measured, leaf: Leaf, comparison: Comparison, statics: S
     yield from check.told()
     yield from check.scales()
     yield from check.curves()
+    yield from friction_of(leaf, comparison, check.position, statics.study.scene.sheet.language)
 
 
 def table_names(comparison: Comparison, statics: Statics) -> dict[str, Finding]:

@@ -34,6 +34,7 @@ from plans.study import Drafts, Study
 
 if TYPE_CHECKING:
     from plans.kinetostatics import Kinetostatics
+    from plans.losses import Friction
 
 # A Newton step or a linear solution at rest leaves a few roundings of the largest term in each of its rows.
 ANALYSIS = 8.0
@@ -83,6 +84,7 @@ class Comparison(NamedTuple):
     kappa: Floats  # condition of the scaled Jacobian at every position
     road: Analysis  # by which the analysis was made
     forces: tuple[Kinetostatics, Kinetostatics] | None = None  # by construction and by analysis, where asked for
+    friction: tuple[Friction, Friction] | None = None  # likewise
 
     @property
     def alone(self) -> tuple[tuple[Motion, Gap], ...]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from plans.letters import Letters
 from plans.mechanism import FRAME, Mechanism
 from plans.motion import Motion
 from plans.structure import Dyad
@@ -15,7 +16,7 @@ Arrow = tuple[str, str, str]
 class Expected:
     """The vectors of the plans of one position, from the motion by analysis; the relative-motion formulas are M3.1."""
 
-    def __init__(self, mechanism: Mechanism, motion: Motion, position: int, letters: dict[str, str]) -> None:
+    def __init__(self, mechanism: Mechanism, motion: Motion, position: int, letters: Letters) -> None:
         self.mechanism, self.motion, self.k, self.letters = mechanism, motion, position, letters
 
     def arrows(self, groups: Sequence[Dyad]) -> dict[Arrow, complex]:
@@ -38,8 +39,8 @@ class Expected:
 
     def _absolute(self) -> Iterator[tuple[Arrow, complex]]:
         for name in self.moving():
-            yield ("velocities", "p", self.letters[name]), self.v(name)
-            yield ("accelerations", "π", self.letters[name]), self.a(name)
+            yield ("velocities", "p", self.letters.small(name)), self.v(name)
+            yield ("accelerations", "π", self.letters.small(name)), self.a(name)
 
     def r(self, name: str) -> complex:
         """Place of a point, m."""
@@ -65,30 +66,30 @@ class Expected:
 
     def image(self, name: str, pole: str) -> str:
         """Name a point's image on a plan: the pole for a fixed point."""
-        return pole if name in self.mechanism.links[FRAME].points else self.letters[name]
+        return pole if name in self.mechanism.links[FRAME].points else self.letters.small(name)
 
     def _normal(self, link: int, start: str, tip: str) -> Iterator[tuple[Arrow, complex]]:
         """The normal part of a tip's acceleration about a start, and the tangential one from its end."""
         image = self.image(start, "π")
-        end = f"n_{tip}" if image == "π" else f"n_{tip}{start}"
+        end = self.letters.normal(tip, "" if image == "π" else start)
         normal = -(self.omega(link) ** 2) * (self.r(tip) - self.r(start))
         yield ("accelerations", image, end), normal
-        yield ("accelerations", end, self.letters[tip]), self.a(tip) - self.a(start) - normal
+        yield ("accelerations", end, self.letters.small(tip)), self.a(tip) - self.a(start) - normal
 
     def _lead(self, group: Dyad, end: int) -> Iterator[tuple[Arrow, complex]]:
         start, tip = group.hinge(end), group.pin
-        yield ("velocities", self.image(start, "p"), self.letters[tip]), self.v(tip) - self.v(start)
+        yield ("velocities", self.image(start, "p"), self.letters.small(tip)), self.v(tip) - self.v(start)
         yield from self._normal(group.links[end], start, tip)
 
     def _slotted(self, group: Dyad) -> Iterator[tuple[Arrow, complex]]:
         """The point of the slotted link under the pin: its velocity, the slip, Coriolis and normal parts (M3.4)."""
         pin, pivot, link = group.hinge(0), group.hinge(1), group.links[1]
-        under, spin = f"{self.letters[pin]}{link}", self.omega(link)
+        under, spin = self.letters.under(pin, link), self.omega(link)
         arm = self.r(pin) - self.r(pivot)
         turning = 1j * spin * arm
         slip = self.v(pivot) + turning - self.v(pin)
         yield ("velocities", self.image(pivot, "p"), under), turning
         yield ("velocities", self.image(pin, "p"), under), slip
         yield ("velocities", "p", under), self.v(pivot) + turning
-        yield ("accelerations", self.image(pin, "π"), f"k_{pin}"), 2j * spin * slip
-        yield ("accelerations", self.image(pivot, "π"), f"n_{under.upper()}"), -(spin**2) * arm
+        yield ("accelerations", self.image(pin, "π"), self.letters.coriolis(pin, link)), 2j * spin * slip
+        yield ("accelerations", self.image(pivot, "π"), self.letters.normal(under.upper())), -(spin**2) * arm

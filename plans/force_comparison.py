@@ -38,7 +38,18 @@ def compare_forces(statics: Statics, comparison: Comparison) -> Comparison:
     both = _Compared(statics, comparison, ours, theirs)
     forces = *capped(study, [*both.reactions(), *both.balancing(loads)]), both.energy(loads)
     findings = *comparison.findings, *forces, *capped(study, [*both.sums()])
-    return comparison._replace(findings=findings, forces=(ours, theirs))
+    compared = comparison._replace(findings=findings, forces=(ours, theirs))
+    return _with_friction(statics, compared, loads) if machine.friction else compared
+
+
+def _with_friction(statics: Statics, comparison: Comparison, loads: Loading) -> Comparison:
+    """Add friction, where the scene gives coefficients."""
+    from plans.analytic.friction import friction  # noqa: PLC0415  (only a scene with friction pays for it)
+    from plans.friction_comparison import compare_friction  # noqa: PLC0415
+
+    assert comparison.forces is not None  # they are compared before
+    theirs = friction(comparison.road, statics.machine, comparison.analysis, loads, comparison.forces[1], statics.pairs)
+    return compare_friction(statics, comparison, statics.loading(comparison.construction), theirs)
 
 
 def _left_out(ours: Kinetostatics, theirs: Kinetostatics) -> tuple[Kinetostatics, Kinetostatics]:

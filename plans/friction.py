@@ -1,21 +1,19 @@
-"""Friction of a machine: powers lost in its pairs, efficiency, wear, and where it jams (трение, кпд, износ; chapter 7).
+"""Friction of a machine by construction: powers lost in its pairs, efficiency, wear, jams (chapter 7).
 
-Whichever road found motion and reactions; these are without friction, so that errors of the order f^2 are left in the
-powers lost and in the efficiency, and of the order f in the shares of wear (M6.2).
+It rests on reactions without friction, so that errors of the order f^2 are left in the powers lost and in the
+efficiency, and of the order f in the shares of wear (M6.2). The other road is plans.analytic.friction.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 import numpy.typing as npt
 
 from plans import locking, rubbing
 from plans.kinetostatics import Kinetostatics, Loading
-from plans.locking import Jam
+from plans.losses import Friction
 from plans.machine import Machine
 from plans.mechanism import Mechanism
 from plans.motion import Floats, Motion
@@ -24,75 +22,6 @@ from plans.structure import Dyad
 EPS = float(np.finfo(float).eps)
 # Two angles of a turn, each rounded once where it was divided, once where it was started and once as radians.
 ROUNDINGS = 6
-
-
-@dataclass(frozen=True)
-class Friction:
-    """What friction takes from a machine over its positions; NaN at gaps. Pairs without friction data are left out.
-
-    The driving force of a pair is really 1/(1 - `locking`) times the one without friction: powers are told well while
-    `locking` is small, and where the machine jams they tell nothing.
-    """
-
-    by: str  # "construction" or "analysis"
-    phi: Floats  # rad
-    powers: Mapping[str, Floats]  # W lost in each pair, "a-b", in the order of the scene
-    useful: Floats  # W that the useful loads take; 0 in idle positions
-    locking: Mapping[str, Floats]  # of pairs that a group drives: friction over driving force, see plans.locking
-    jams: tuple[Jam, ...]
-
-    @cached_property
-    def lost(self) -> Floats:
-        """Power W lost in all pairs together (7.2)."""
-        return np.asarray(sum(self.powers.values(), np.where(np.isnan(self.useful), np.nan, 0.0)))
-
-    @property
-    def efficiency(self) -> Floats:
-        """Instantaneous efficiency N_us/(N_us + N_fr) (мгновенный кпд; 7.1): idle 0, and NaN where both are 0."""
-        with np.errstate(invalid="ignore"):
-            return np.asarray(self.useful / (self.useful + self.lost))
-
-    @property
-    def loss(self) -> Floats:
-        """Loss coefficient xi = 1 - efficiency (коэффициент потерь)."""
-        return 1.0 - self.efficiency
-
-    @property
-    def known(self) -> npt.NDArray[np.bool_]:
-        """Positions that are no gaps."""
-        return np.isfinite(self.useful + self.lost)
-
-    @property
-    def whole(self) -> bool:
-        """Whether the positions divide a full turn evenly and none is a gap: at a steady omega, equal times apart."""
-        if len(self.phi) < 2 or not self.known.all():
-            return False
-        steps = np.diff(self.phi)
-        off = np.abs(steps - np.copysign(2 * np.pi / len(self.phi), steps[0])).max()
-        return bool(off <= ROUNDINGS * EPS * (np.abs(self.phi).max() + 2 * np.pi))
-
-    @property
-    def cycle(self) -> float | None:
-        """Efficiency over a cycle: of the mean powers, not the mean of efficiencies (цикловой кпд); None: no cycle."""
-        used, all_power = float(self.useful.sum()), float((self.useful + self.lost).sum())
-        return used / all_power if self.whole and all_power > 0 else None
-
-    @cached_property
-    def shares(self) -> Mapping[str, Floats]:
-        """Share of each pair in the power lost, position by position (износ); NaN where nothing is lost."""
-        with np.errstate(invalid="ignore"):
-            return {key: power / self.lost for key, power in self.powers.items()}
-
-    @cached_property
-    def wear(self) -> Mapping[str, float]:
-        """Share of each pair in the work of friction over all positions that have it, the most worn pair first.
-
-        It is empty where nothing is lost.
-        """
-        known = self.known
-        total = float(self.lost[known].sum())
-        parts = {key: float(power[known].sum()) / total for key, power in self.powers.items()} if total > 0 else {}
-        return dict(sorted(parts.items(), key=lambda part: -part[1]))
 
 
 @np.errstate(divide="ignore", invalid="ignore")  # a gap is NaN inside; a ray without effect is a dead centre
@@ -114,7 +43,40 @@ def friction(
         for key, rubs in pairs.items()
     }
     useful = np.where(gone, np.nan, rubbing.useful(mechanism, motion, loading))
+    lost = np.asarray(sum(powers.values(), np.where(np.isnan(useful), np.nan, 0.0)))
     driven = {key: drive for key, drive in locking.drives(groups, statics.reactions) if key in pairs}
     jams = [jam for key, drive in driven.items() for jam in locking.jams(drive, pairs[key], rates[key], motion.phi)]
-    ratios = {key: drive.ratio(pairs[key]) for key, drive in driven.items()}
-    return Friction(statics.by, motion.phi, powers, useful, ratios, tuple(sorted(jams, key=lambda jam: jam.position)))
+    return Friction(
+        by=statics.by,
+        phi=motion.phi,
+        powers=powers,
+        useful=useful,
+        lost=lost,
+        efficiency=np.asarray(useful / (useful + lost)),
+        cycle=_cycle(motion.phi, useful, lost),
+        wear=_wear(powers, lost),
+        locking={key: drive.ratio(pairs[key]) for key, drive in driven.items()},
+        driving={key: drive.power(pairs[key], rates[key]) for key, drive in driven.items()},
+        jams=tuple(sorted(jams, key=lambda jam: jam.position)),
+    )
+
+
+def whole(phi: Floats, known: npt.NDArray[np.bool_]) -> bool:
+    """Tell whether positions divide a full turn evenly and none is a gap: at a steady omega, equal times apart."""
+    if len(phi) < 2 or not known.all():
+        return False
+    steps = np.diff(phi)
+    off = np.abs(steps - np.copysign(2 * np.pi / len(phi), steps[0])).max()
+    return bool(off <= ROUNDINGS * EPS * (np.abs(phi).max() + 2 * np.pi))
+
+
+def _cycle(phi: Floats, useful: Floats, lost: Floats) -> float | None:
+    used, all_power = float(useful.sum()), float((useful + lost).sum())
+    return used / all_power if whole(phi, np.isfinite(useful + lost)) and all_power > 0 else None
+
+
+def _wear(powers: Mapping[str, Floats], lost: Floats) -> dict[str, float]:
+    known = np.isfinite(lost)
+    total = float(lost[known].sum())
+    parts = {key: float(power[known].sum()) / total for key, power in powers.items()} if total > 0 else {}
+    return dict(sorted(parts.items(), key=lambda part: -part[1]))

@@ -26,38 +26,15 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
 from geometry.meet import cross, dot
 from plans.kinetostatics import Reaction, pair
+from plans.losses import CENTRAL, SLANTED, TILTED, Jam
 from plans.machine import Rubbing
 from plans.mechanism import FRAME
 from plans.motion import Complexes, Floats
 from plans.rubbing import lost, pressing
 from plans.structure import Dyad
-
-SLANTED = (
-    "the ray of transmission is too steep to the guide: make the rod longer, bring the guide nearer to its line of "
-    "force, or lower the coefficient of friction"
-)
-TILTED = (
-    "the ray of transmission passes too far from the middle of the contact: make the contact longer, bring it nearer "
-    "to the ray, or lower the coefficient of friction"
-)
-CENTRAL = (
-    "the ray of transmission cuts the friction circle of the hinge: make the arm of the driven link longer, or the "
-    "journal's radius or the coefficient of friction smaller"
-)
-
-
-class Jam(NamedTuple):
-    """A position in which a pair jams (заклинивание): the friction is `ratio` >= 1 times the part that drives."""
-
-    pair: str
-    position: int
-    phi: float  # rad
-    ratio: float
-    advice: str
 
 
 class Driven(NamedTuple):
@@ -105,12 +82,12 @@ class Driven(NamedTuple):
             caused = pressing(np.asarray(cross(self.outer.along, self.ray)), moment, rubbing.length)
         return np.asarray(rubbing.coefficient * caused / np.abs(self.effect))
 
-    def moves(self, rubbing: Rubbing, rate: Floats) -> npt.NDArray[np.bool_]:
-        """Tell where the group moves the link: what it brings and what friction would take without it are power to it.
+    def power(self, rubbing: Rubbing, rate: Floats) -> Floats:
+        """Give the power W that the group brings to the link, and that friction would take without it.
 
-        Elsewhere the link stands, or drives the group.
+        Where it is above zero the group moves the link; elsewhere the link stands, or drives the group.
         """
-        return np.asarray((rate != 0) & (self.brought * rate + lost(rubbing, self.rest, rate) > 0))
+        return np.asarray(self.brought * rate + lost(rubbing, self.rest, rate))
 
     def advice(self, rubbing: Rubbing, position: int) -> str:
         """Say what would free the pair."""
@@ -144,5 +121,5 @@ def drives(groups: Sequence[Dyad], reactions: Mapping[str, Reaction]) -> Iterato
 def jams(driven: Driven, rubbing: Rubbing, rate: Floats, phi: Floats) -> list[Jam]:
     """Find the positions in which a driven link jams; `rate` is its own over the frame."""
     key, ratio = f"{driven.outer.giver}-{driven.outer.taker}", driven.ratio(rubbing)
-    jammed = np.flatnonzero(driven.moves(rubbing, rate) & (ratio >= 1)).tolist()
+    jammed = np.flatnonzero((driven.power(rubbing, rate) > 0) & (ratio >= 1)).tolist()
     return [Jam(key, k, float(phi[k]), float(ratio[k]), driven.advice(rubbing, k)) for k in jammed]

@@ -7,6 +7,7 @@ from copy import copy
 from typing import NamedTuple, TypeVar
 
 from geometry.board import Board, Mark
+from plans.letters import POLES, Letters
 from plans.mechanism import FRAME, Mechanism
 
 Key = TypeVar("Key")
@@ -44,8 +45,8 @@ class Plan:
         self.units: dict[tuple[int, int], Mark | None] = {}  # sliding line of (slider, owner): image of its direction
         self.slips: dict[tuple[int, int], Mark] = {}  # velocity of the pin along that line
         self.reaches: dict[tuple[int, int], Mark] = {}  # vector from the pivot of a slotted group to its pin
-        self._small: dict[str, str] = below[0]._small if below else {}  # letters of the points, as far as written
-        self.pole = self.board.given(_POLES[subject], 0j, _POLE_WHY[subject])
+        self.written: Letters = below[0].written if below else Letters(mechanism)
+        self.pole = self.board.given(POLES[subject], 0j, _POLE_WHY[subject])
 
     @property
     def positions(self) -> Plan:
@@ -85,21 +86,7 @@ class Plan:
 
     def letter(self, point: str) -> str:
         """Write a point as this plan does: B on the plan of positions, b on the others."""
-        return self._write_small(point) if self.below else point
-
-    def coincident(self, point: str, link: int) -> str:
-        """Name the point of a link that lies under another's, such as a3; a_(3) where a point A3 has that letter."""
-        name = f"{self._write_small(point)}{link}"
-        taken = (self._write_small(other) for links in self.mechanism.links.values() for other in links.points)
-        return f"{self._write_small(point)}_({link})" if name in taken else name
-
-    def _write_small(self, point: str) -> str:
-        """Write a point's letter small, with a prime where another point has that letter."""
-        if point not in self._small:
-            small = point.lower()
-            taken = small != point and any(small in link.points for link in self.mechanism.links.values())
-            self._small[point] = f"{small}'" if taken else small
-        return self._small[point]
+        return self.written.small(point) if self.below else point
 
     def name(self, point: str, mark: Mark) -> Mark:
         """Keep a mark as the image of a named point."""
@@ -159,7 +146,6 @@ class Plan:
         return self.board.transfer(mark.name, mark, f"parallel transfer from the plan of {mark.subject}")
 
 
-_POLES = {"positions": "datum", "velocities": "p", "accelerations": "π"}
 _POLE_WHY = {
     "positions": "the drive's fixed hinge",
     "velocities": "pole: points at rest",

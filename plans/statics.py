@@ -26,7 +26,7 @@ from plans.stroke import Stroke, strokes
 from plans.study import BLOCK, Drafts, Study
 
 if TYPE_CHECKING:
-    from plans.friction import Friction
+    from plans.losses import Friction
 
 INDETERMINATE, DEAD = "statically indeterminate", "dead centre"
 SHARED = "the links lie in one line there and may share forces in many ways: take a position beside it"

@@ -23,7 +23,7 @@ FORBIDDEN = {
     "plans/stroke.py": EITHER,
 }
 # all of plans that the analytic road may know
-SHARED = ("plans.analytic", "plans.mechanism", "plans.motion", "plans.machine", "plans.kinetostatics")
+SHARED = ("plans.analytic", "plans.mechanism", "plans.motion", "plans.machine", "plans.kinetostatics", "plans.losses")
 ONLY_IN = {
     "svgwrite": ("drawings/pens/svg.py", "drawings/bench/plain_pen.py"),  # the bench times its defaults beside our pen
     "mpmath": ("geometry/replay.py", "plans/bench/truth.py"),
@@ -92,6 +92,8 @@ def test_all_three_layers_are_examined() -> None:
         ("plans/analytic/closure.py", "from geometry import board"),
         ("plans/analytic/closure.py", "from plans.groups.rrr import positions"),
         ("plans/analytic/closure.py", "from plans import velocity"),
+        ("plans/analytic/friction.py", "from plans.rubbing import lost"),
+        ("plans/analytic/friction.py", "from plans import locking, friction"),
         ("plans/loading.py", "from plans.study import Study"),
         ("drawings/page.py", "import svgwrite"),
         ("drawings/pens/svg.py", "from .strokes import Line"),

@@ -159,7 +159,7 @@ def _sheets(study: Study, comparison: Comparison, statics: Statics | None, folde
     with trace.stage("imports"):
         from drawings import press
         from drawings.pens.svg import svg
-        from drawings.verify import verify
+        from drawings.verify import check_report, verify
 
     with trace.stage("layout"):
         leaves = {kind: _leaves(kind, study, comparison, statics) for kind in study.scene.sheets}
@@ -174,6 +174,8 @@ def _sheets(study: Study, comparison: Comparison, statics: Statics | None, folde
         stack.enter_context(press.fresh(beside, text.encode("utf-8")))
         written = [stack.enter_context(press.fresh(*one)) for one in zip(paths, contents, strict=True)]
         with trace.stage("measuring"):
+            if comparison.friction is not None:
+                check_report(text, comparison)
             for path, leaf in zip(written, sheets, strict=True):
                 verify(path, leaf, study, comparison, statics)
     return Drawn(study, comparison, statics, tuple(sheets), (*paths, beside))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import json
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -18,8 +18,8 @@ from plans.scene import read_scene
 from plans.study import Study
 
 if TYPE_CHECKING:
-    from plans.kinetostatics import Kinetostatics, Loading
-    from plans.statics import Statics
+    from plans.kinetostatics import Kinetostatics
+    from plans.losses import Friction
 
 GAPS = 4
 FORCES = ("forces", "friction")
@@ -69,7 +69,13 @@ def _construction(study: Study, order: int, forces: Sequence[str]) -> Numbers:
     from plans.statics import Statics
 
     statics = Statics(study)
-    told = _forces(study, statics, forces, motion, statics.forces, statics.loading(motion))
+
+    def rubbed() -> Friction:
+        from plans.friction import friction
+
+        return friction(study.mechanism, study.groups, statics.machine, motion, statics.loading(motion), statics.forces)
+
+    told = _forces(study, forces, statics.forces, rubbed)
     return Numbers(motion, extremes, told, bool(statics.forces.gaps))
 
 
@@ -95,11 +101,17 @@ def _analysis(study: Study, order: int, forces: Sequence[str]) -> Numbers:
     statics = Statics(study)
     loads = loading(statics.machine, motion, strokes(statics.machine, study.mechanism, study.output, road.extremes))
     solved = kinetostatics(road, statics.machine, motion, loads, statics.pairs)
-    return Numbers(motion, found, _forces(study, statics, forces, motion, solved, loads), bool(solved.gaps))
+
+    def rubbed() -> Friction:
+        from plans.analytic.friction import friction
+
+        return friction(road, statics.machine, motion, loads, solved, statics.pairs)
+
+    return Numbers(motion, found, _forces(study, forces, solved, rubbed), bool(solved.gaps))
 
 
 def _forces(
-    study: Study, statics: Statics, wanted: Sequence[str], motion: Motion, forces: Kinetostatics, loads: Loading
+    study: Study, wanted: Sequence[str], forces: Kinetostatics, friction: Callable[[], Friction]
 ) -> dict[str, Any]:
     """Give what is wanted of the forces of one road as plain data; their gaps stand beside those of the motion."""
     from drawings.force_numbers import described as described_forces
@@ -109,9 +121,7 @@ def _forces(
     if "forces" in wanted:
         told |= described_forces(forces, complex(*(float(x) for x in study.mechanism.datum)))
     if "friction" in wanted:
-        from plans.friction import friction
-
-        told |= rubbed(friction(study.mechanism, study.groups, statics.machine, motion, loads, forces))
+        told |= rubbed(friction())
     return told
 
 

@@ -61,24 +61,27 @@ def line(plan: Plan, slide: Slide, host: int, left: float) -> Mark:
 
 def sliding_line(plan: Plan, slide: Slide, host: int, over: Mark) -> Mark:
     """Draw on a velocity plan the line of a pin's velocity over a guide: from the guide's own point, along it."""
-    start = plan.transport(host, over, plan.coincident(over.name, host))
+    start = plan.transport(host, over, plan.written.under(over.name, host))
     along = plan.carry(direction(plan, slide, host))
     return plan.board.parallel(f"∥{along.name}", start, along, "along the guide")
 
 
-def slip(plan: Plan, slide: Slide, along: Mark, pin: Mark) -> Mark:
-    """Keep the velocity of a pin along its guide: from the start of the line `along` to the pin (относительная)."""
+def slip(plan: Plan, slide: Slide, along: Mark, end: Mark, pin: str) -> Mark:
+    """Keep the velocity of a pin along its guide: from the start of the line `along` to its end (относительная)."""
     start = along.step.inputs[0]
-    found = plan.board.join(f"{start.name}{pin.name}", start, pin, "velocity along the guide")
+    found = plan.board.join(f"{start.name}{end.name}", start, end, "velocity along the guide")
     plan.slips[key(slide)] = found
+    plan.written.slides(key(slide), pin)
     return found
 
 
 def coriolis_line(plan: Plan, slide: Slide, host: int, over: Mark) -> Mark:
     """Draw on an acceleration plan the line of a pin's acceleration over a guide: its point, Coriolis, along it."""
-    start = plan.transport(host, over, plan.coincident(over.name, host))
+    start = plan.transport(host, over, plan.written.under(over.name, host))
     along = direction(plan, slide, host)
-    start = coriolis(plan, slide, start, along, unit(plan.velocities, slide, host), f"k_{over.name}")
+    start = coriolis(
+        plan, slide, start, along, unit(plan.velocities, slide, host), plan.written.coriolis(over.name, host)
+    )
     return plan.board.parallel(f"∥{along.name}", start, plan.carry(along), "along the guide")
 
 

@@ -39,7 +39,7 @@ def normal(plan: Plan, link: int, start: Mark, ends: tuple[str, str]) -> Mark:
     `ends` are the letters of the lead's start and tip: on the plan a start that translates may share another's image.
     """
     along, turning = arm(plan, link), plan.carry(plan.velocities.readings[link].turning)
-    name = f"n_{ends[1]}" if start is plan.pole else f"n_{ends[1]}{ends[0]}"
+    name = plan.written.normal(ends[1], "" if start is plan.pole else ends[0])
     part = plan.board.similar(f"a^{name}", turning, along, turning, why=f"normal part: v squared over {along.name}")
     return plan.board.lay_off(name, start, part, "directed to the centre of rotation")
 

@@ -40,8 +40,8 @@ def velocities(plan: Plan, dyad: Dyad) -> None:
     along = board.parallel(f"∥{slot.name}", a, plan.carry(slot), "slip along the slot")
     guided = guide.sliding_line(plan, dyad.slide(1), dyad.hosts[1], plan.positions.point(dyad.hinge(0)))
     under = _met(plan, dyad, along, guided)
-    guide.slip(plan, dyad.slide(), along, under)
-    guide.slip(plan, dyad.slide(1), guided, under)
+    guide.slip(plan, dyad.slide(), along, under, dyad.hinge(0))
+    guide.slip(plan, dyad.slide(1), guided, under, dyad.hinge(0))
 
 
 def accelerations(plan: Plan, dyad: Dyad) -> None:
@@ -49,7 +49,7 @@ def accelerations(plan: Plan, dyad: Dyad) -> None:
     board, a, inner = plan.board, plan.point(dyad.hinge(0)), dyad.slide()
     slot = guide.direction(plan, inner, dyad.links[1])
     spun = plan.velocities.units.get(guide.key(inner))
-    k = guide.coriolis(plan, inner, a, slot, spun, f"k_{dyad.hinge(0)}")
+    k = guide.coriolis(plan, inner, a, slot, spun, plan.written.coriolis(dyad.hinge(0), dyad.links[1]))
     along = board.parallel(f"∥{slot.name}", k, plan.carry(slot), "slip along the slot")
     guided = guide.coriolis_line(plan, dyad.slide(1), dyad.hosts[1], plan.positions.point(dyad.hinge(0)))
     _met(plan, dyad, along, guided)
@@ -80,7 +80,7 @@ def _met(plan: Plan, dyad: Dyad, along: Mark, guided: Mark) -> Mark:
     board, base, (stone, yoke) = plan.board, plan.positions, dyad.links
     a, inner, outer = plan.point(dyad.hinge(0)), dyad.slide(), dyad.slide(1)
     under = board.meet(
-        plan.coincident(dyad.hinge(0), yoke), along, guided, why=f"the point of link {yoke} under the pin"
+        plan.written.under(dyad.hinge(0), yoke), along, guided, why=f"the point of link {yoke} under the pin"
     )
     turned = guide.unit(plan, outer, dyad.hosts[1])
     n, slot = under, None
@@ -88,7 +88,7 @@ def _met(plan: Plan, dyad: Dyad, along: Mark, guided: Mark) -> Mark:
         still = guide.direction(plan, outer, dyad.hosts[1])
         back = base.board.join(f"{a.name}N", base.point(dyad.hinge(0)), base.images[yoke].origin)
         carried = board.similar(f"{under.name}n", turned, plan.carry(still), plan.carry(back), why=f"link {yoke} turns")
-        n = board.lay_off(f"n{yoke}", under, carried, f"N by similarity on link {yoke}")
+        n = board.lay_off(plan.written.own("n", yoke), under, carried, f"N by similarity on link {yoke}")
         slot = board.turn(f"u{yoke}", turned, inner.way(yoke).direction / outer.way(yoke).direction, "the slot turns")
     plan.units[guide.key(inner)] = slot
     plan.images[stone] = Image(a, slot, base.images[stone].at, base.images[stone].span)

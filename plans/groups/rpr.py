@@ -36,7 +36,7 @@ def velocities(plan: Plan, dyad: Dyad) -> None:
     along = board.parallel(f"∥{slot.name}", a, slot, "slip along the slot")
     around = board.square(f"⊥{reach.name}", c, reach, f"turning about {dyad.hinge(1)}")
     under = board.meet(_under(plan, dyad), along, around, why=f"the point of link {dyad.links[1]} under the pin")
-    guide.slip(plan, slide, along, under)
+    guide.slip(plan, slide, along, under, dyad.hinge(0))
     turning = board.join(f"{c.name}{under.name}", c, under)
     _keep(plan, dyad, (a, c), board.similar(f"{slot.name}'", turning, reach, slot, why="the slot turns with link"))
     for link in dyad.links:
@@ -48,9 +48,9 @@ def accelerations(plan: Plan, dyad: Dyad) -> None:
     board, (a, c), slide = plan.board, _outer(plan, dyad), dyad.slide()
     reach, slot = _reach(plan, dyad), guide.direction(plan, slide, slide.owner)
     spun = guide.unit(plan.velocities, slide, slide.owner)
-    k = guide.coriolis(plan, slide, a, slot, spun, f"k_{dyad.hinge(0)}")
+    k = guide.coriolis(plan, slide, a, slot, spun, plan.written.coriolis(dyad.hinge(0), dyad.links[1]))
     turning = plan.carry(plan.velocities.readings[dyad.links[1]].turning)
-    name = f"n_{_under(plan, dyad).upper()}"
+    name = plan.written.normal(_under(plan, dyad).upper())
     part = board.similar(f"a^{name}", turning, reach, turning, why=f"normal part: v squared over {reach.name}")
     n = board.lay_off(name, c, part, "directed to the centre of rotation")
     along = board.parallel(f"∥{slot.name}", k, plan.carry(slot), "slip along the slot")
@@ -86,7 +86,7 @@ def _outer(plan: Plan, dyad: Dyad) -> tuple[Mark, Mark]:
 
 def _under(plan: Plan, dyad: Dyad) -> str:
     """Name the point of the pivoted link that lies under the pin, such as a3."""
-    return plan.coincident(dyad.hinge(0), dyad.links[1])
+    return plan.written.under(dyad.hinge(0), dyad.links[1])
 
 
 def _reach(plan: Plan, dyad: Dyad) -> Mark:

@@ -230,6 +230,7 @@ SHEETS: Mapping[str, str] = {
     ),
     "the written sheet cannot be measured: {refusal}": "записанный лист не удаётся измерить: {refusal}",
     "the written sheet does not measure back: {marks}": "измеренное по листу не совпадает с расчётом: {marks}",
+    "the report does not tell what the analysis gives: {marks}": "отчёт не совпадает с расчётом: {marks}",
     "position {position} is none of 0 to {last}": "положения {position} нет: они идут от 0 до {last}",
     "position {position} is a gap: {reason} at {where}; {advice}": (
         "положение {position} - разрыв: {reason}, {where}; {advice}"

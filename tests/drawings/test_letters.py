@@ -1,0 +1,275 @@
+"""Points may have any letters: none is taken for a pole, for the end of a part, or for another point (буквы планов)."""
+
+from __future__ import annotations
+
+import string
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from drawings.commands.draw import draw
+from drawings.commands.explain import find
+from drawings.lettering import lettered
+from drawings.lever_plan import hanging
+from drawings.measure import measure_file
+from drawings.pens.svg import svg
+from drawings.sheets.kinematics import sheet
+from drawings.strokes import Group, Line, Stroke, stated
+from drawings.vector_plan import diagram
+from drawings.verify import SelfCheckFailed, verify
+from plans.compare import compare
+from plans.expected import Expected
+from plans.force_comparison import compare_forces
+from plans.letters import Letters
+from plans.machine import Body
+from plans.mechanism import Mechanism
+from plans.scene import parse_scene
+from plans.study import Study
+from tests.plans import linkages
+from tests.plans.alterations import renamed
+from tests.plans.loaded import Loaded
+from tests.plans.machines import machine
+
+SIGNED = (
+    "P'",
+    "P''",
+    "A3",
+    "A'",
+    "B1",
+    "B2",
+    "K2",
+    "N3",
+    "S2",
+    "S3",
+    "O1",
+    "p",
+    "p'",
+    "π",
+    "a",
+    "n_B",
+    "k_A",
+    "Π",
+    "Р",
+)
+NAMES = (*string.ascii_uppercase, *SIGNED)
+TWO_STONES = """
+[mechanism.frame]
+O = [0, 0]
+C = [0, -0.3]
+D = [0.4, 0]
+[mechanism.links]
+1 = "OA"
+2 = "A"
+3 = "CB"
+4 = "A"
+5 = "DE"
+[mechanism.lengths]
+OA = 0.1
+CB = 0.5
+DE = 0.6
+[[mechanism.slides]]
+link = 2
+along = "CB"
+[[mechanism.slides]]
+link = 4
+along = "DE"
+[mechanism.sketch]
+B = [0.1, 0.2]
+E = [-0.2, 0.1]
+[drive]
+link = 1
+speed = 10
+positions = 12
+"""
+ENGINE = """
+sheets = ["kinematics", "forces"]
+[mechanism.frame]
+O = [0, 0]
+[mechanism.links]
+1 = "OC"
+2 = "CP"
+3 = "P"
+[mechanism.lengths]
+OC = 0.3
+CP = 1.2
+[[mechanism.slides]]
+link = 3
+along = { through = [0, 0], angle = 0 }
+[mechanism.sketch]
+P = [1.3, 0]
+[drive]
+link = 1
+speed = "250 rpm"
+positions = [60]
+[masses]
+2 = { mass = 50, inertia = 6, centre = "middle" }
+3 = { mass = 250 }
+[loads]
+gravity = 9.81
+"""
+YOKE = """
+[mechanism.frame]
+O = [0, 0]
+C = [0, -0.35]
+[mechanism.links]
+1 = "OA"
+2 = "A"
+3 = "CB"
+4 = "B"
+5 = "DE"
+[mechanism.lengths]
+OA = 0.12
+CB = 0.7
+DE = 0.3
+[[mechanism.slides]]
+link = 2
+along = "CB"
+[[mechanism.slides]]
+link = 4
+along = "DE"
+[[mechanism.slides]]
+link = 5
+along = "OA"
+angle = 90
+[mechanism.sketch]
+B = [0.1, 0.3]
+[drive]
+link = 1
+speed = 10
+positions = 12
+"""
+MECHANISMS = {
+    "slider-crank": linkages.slider_crank(0.06, 0.2, 0.02),
+    "slotted lever": linkages.slotted_link(0.12, 0.35, 0.7),
+}
+POINTS = [
+    (name, point) for name, points in {"slider-crank": "OAB", "slotted lever": "OCAB"}.items() for point in points
+]
+
+
+def called(mechanism: Mechanism, point: str, name: str) -> Loaded:
+    """Give one point another name, and the links masses; a point that has that name takes the old one."""
+    names = {one: one for link in mechanism.links.values() for one in link.points}
+    other = {**names, **({name: point} if name in names else {}), point: name}
+    bodies = {link: Body(link, 2.0, 0.01, 0.05 + 0.01j) for link in mechanism.links if link}
+    return Loaded(renamed(mechanism, other, {link: link for link in mechanism.links}), machine(bodies), 40.0)
+
+
+def wrong(one: Loaded) -> list[str]:
+    """Name what the two roads, or the arrows by analysis, do not agree in, and what is lettered twice."""
+    statics = one.statics
+    comparison = compare_forces(statics, compare(one.study))
+    found = [finding.name for finding in comparison.findings if not (finding.excess <= 1).all()]
+    drafts, plans = one.study.drafts(), statics.drafts().plans
+    expected = Expected(one.mechanism, comparison.analysis, 0, drafts.velocities.written)
+    arrows = expected.arrows(one.study.groups)
+    for plan in (drafts.velocities, drafts.accelerations):
+        drawn = diagram(plan, 0).arrows
+        found += twice([arrow.name for arrow in drawn])
+        for arrow in drawn:
+            true = arrows.get((plan.board.subject, arrow.start.name, arrow.end.name))
+            shown = arrow.ends[1] - arrow.ends[0]
+            if true is not None and abs(shown - true) > 1e-9 * max(abs(value) for value in arrows.values()):
+                found.append(arrow.name)
+    assert plans.lever is not None
+    images = [name for name, _, _ in hanging(plans.plan, plans.lever, 0).images]
+    return found + twice([plans.lever.pole.name, *images])
+
+
+def twice(names: list[str]) -> list[str]:
+    return [name for name in dict.fromkeys(names) if names.count(name) > 1]
+
+
+@pytest.mark.parametrize(("mechanism", "point"), POINTS)
+def test_any_letter_may_name_a_point(mechanism: str, point: str) -> None:
+    seen = {name: wrong(called(MECHANISMS[mechanism], point, name)) for name in NAMES}
+    assert {name: found for name, found in seen.items() if found} == {}
+
+
+def test_a_point_named_as_the_pole_has_a_primed_letter() -> None:
+    letters = Letters(called(MECHANISMS["slider-crank"], "B", "P").mechanism)
+    assert (letters.small("P"), letters.under("P", 3), letters.small("A")) == ("p'", "p'3", "a")
+
+
+def test_no_two_points_share_a_letter() -> None:
+    points = dict.fromkeys(("P", "P'", "p", "B", "b", "Π", "A3"), 0j)
+    letters = Letters(linkages.mechanism("", {0: points}, (), linkages.shaper().drive, {}, None))
+    small = {point: letters.small(point) for point in (*points, "S2")}
+    assert (small["b"], small["p"], small["A3"]) == ("b", "p'", "a3")
+    assert len({*small.values(), "p", "π"}) == len(small) + 2
+
+
+def study(text: str) -> Study:
+    return Study(parse_scene(text))
+
+
+def test_two_stones_on_one_pin_have_two_coriolis_parts_by_the_links_that_they_slide_in() -> None:
+    drafts = study(TWO_STONES).drafts([1])
+    names = [arrow.name for arrow in diagram(drafts.accelerations, 0).arrows]
+    assert {"a k_A3", "a k_A5", "k_A3 a3", "k_A5 a5", "π a3", "π a5"} <= {*names}
+    assert twice(names) == []
+    parts = [complex(drafts.accelerations.board[f"a^k_A{link}"].point[0]) for link in (3, 5)]
+    assert parts == pytest.approx([coriolis(-0.3j), coriolis(0.4 + 0j)])
+
+
+def coriolis(pivot: complex, phi: float = np.pi / 6) -> complex:
+    """2 omega times the velocity of the slot's point over the pin, turned by a quarter: |OA| = 0.1 m, 10 rad/s."""
+    arm = 0.1 * np.exp(1j * phi) - pivot
+    v, unit = 1j * np.exp(1j * phi), arm / abs(arm)
+    omega = (unit.conjugate() * v).imag / abs(arm)
+    slip = -unit * (unit.conjugate() * v).real
+    return complex(2j * omega * slip)
+
+
+def test_a_pin_that_slides_over_two_turning_guides_has_two_coriolis_parts() -> None:
+    """RPP: stone 4 at B of the slotted lever, in the slot of yoke 5, which slides along the crank."""
+    drafts = study(YOKE).drafts([1])
+    names = [arrow.name for arrow in diagram(drafts.accelerations, 0).arrows]
+    assert {"b k_B5", "b1 k_B1"} <= {*names}
+    assert twice(names) == []
+
+
+@pytest.mark.parametrize("part", ["a k_A3", "a k_A5"])
+def test_either_coriolis_part_is_on_the_sheet_and_held_against_the_analysis(part: str, tmp_path: Path) -> None:
+    one = study(TWO_STONES)
+    comparison = compare(one)
+    leaf = sheet(one, comparison)
+    (tmp_path / "right.svg").write_bytes(svg(lettered(leaf)))
+    assert part in {vector.name for vector in verify(tmp_path / "right.svg", leaf, one, comparison).vectors}
+    longer = replace(leaf, groups=tuple(_group(_longer(group, part)) for group in leaf.groups))
+    (tmp_path / "wrong.svg").write_bytes(svg(lettered(longer)))
+    with pytest.raises(SelfCheckFailed, match=f"{part} on accelerations"):
+        verify(tmp_path / "wrong.svg", longer, one, comparison)
+
+
+def _longer(stroke: Stroke, name: str) -> Stroke:
+    """Draw a vector 1 % too long, and state it so."""
+    if not isinstance(stroke, Group):
+        return stroke
+    line = stroke.strokes[0] if stroke.strokes else None
+    if stroke.data.get("name") != name or not isinstance(line, Line):
+        return replace(stroke, strokes=tuple(_longer(inner, name) for inner in stroke.strokes))
+    x, y = (1.01 * float(part) for part in stroke.data["value"].split())
+    line = replace(line, end=line.start + 1.01 * (line.end - line.start))
+    return replace(stroke, strokes=(line,), data={**stroke.data, "value": stated(complex(x, y))})
+
+
+def _group(stroke: Stroke) -> Group:
+    assert isinstance(stroke, Group)
+    return stroke
+
+
+def test_a_piston_named_p_is_drawn_lettered_checked_and_explained(tmp_path: Path) -> None:
+    scene = tmp_path / "engine.toml"
+    scene.write_text(ENGINE, encoding="utf-8")
+    drawn = draw(scene, tmp_path)
+    kinematics, forces = (measure_file(path) for path in drawn.paths if path.suffix == ".svg")
+    assert {"p p'", "π p'", "c p'"} <= {vector.name for vector in kinematics.vectors}
+    images = {point.name: point.value for point in forces.points if point.plan == "lever"}
+    speed = drawn.comparison.analysis.points["P"].v
+    assert speed is not None
+    assert images["p'"] == pytest.approx(-1j * complex(speed[0]), rel=1e-3)
+    found = find(drawn.study, drawn.study.drafts([0]), "p'")
+    assert found == find(drawn.study, drawn.study.drafts([0]), "v_P")

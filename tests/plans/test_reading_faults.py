@@ -1,0 +1,31 @@
+"""Wrong signs in what both roads read alike, each of which must be seen by the hand values that are named beside it.
+
+The table is tests/cases/reading_faults.toml; a shared file in which no sign is planted is not guarded.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.plans.seeded import Fault, faults, verdicts
+
+FAULTS = faults(Path(__file__).parents[1] / "cases" / "reading_faults.toml")
+# What both roads have in common and carries a sign; plans/machine.py holds values alone.
+SHARED = ("linkage", "shapes", "inventory", "loads", "loading", "stroke")
+HARMLESS = Fault("another word", "plans/linkage.py", '"add a hinge or a slide; no link', '"add a slide; no link', ())
+
+
+@pytest.mark.parametrize("fault", FAULTS, ids=lambda fault: fault.name)
+def test_a_wrong_sign_is_seen_by_the_hand_values_named_beside_it(fault):
+    assert verdicts(fault, fault.nodes) == dict.fromkeys(fault.nodes, "red")
+
+
+def test_a_harmless_change_is_seen_by_none_of_them():
+    nodes = sorted({node for fault in FAULTS for node in fault.nodes})
+    assert verdicts(HARMLESS, nodes) == dict.fromkeys(nodes, "passed")
+
+
+def test_every_file_that_both_roads_share_has_wrong_signs_planted():
+    assert {fault.file for fault in FAULTS} == {f"plans/{name}.py" for name in SHARED}
