@@ -99,7 +99,8 @@ def _drive_ends(survey: Survey) -> tuple[str, str] | None:
         survey.report(path, "many_hinges", points=", ".join(fixed), link=link)
         survey.doubts.add(("mechanism", "links", str(link)))
     elif not fixed:
-        survey.report(path, "no_hinge", link=link)
+        advice = f"give link {link} a point of [mechanism.frame]"
+        survey.report(path, "no_hinge", suggestion=survey.twin(points, survey.points_of[FRAME]) or advice)
     elif not free:
         survey.report(path, "no_end", link=link, pivot=fixed[0])
     return (fixed[0], free[0]) if fixed and free else None
@@ -110,8 +111,8 @@ def _sketch(survey: Survey, datum: Spot) -> dict[str, complex]:
     for name, place in sorted(survey.scene.mechanism.sketch.items(), key=lambda item: natural(item[0])):
         path: Path = ("mechanism", "sketch", name)
         if name in survey.points_of[FRAME]:
-            survey.report(path, "fixed_sketch", name=name)
-        elif survey.know(path, (name,)):
+            continue  # it stands in its own place; where the sketch shows another, a note says so
+        if survey.know(path, (name,)):
             sketch[name] = as_complex(_from_datum(place, datum))
     return sketch
 

@@ -27,6 +27,7 @@ TURN_IN_RADIANS = Decimal("6.3")
 FEW_ANGLES = 3  # a shorter list tells nothing
 # Gravity of the Earth, m/s2, and how many times it a machine stands at most: the Sun's is 28 times.
 EARTH, MOST_EARTHS = Decimal("9.81"), 30
+ROUGH = 1  # rubber on a dry road; a larger coefficient of friction is mostly a lost decimal point
 RADIANS = re.compile(r"""["'].*\b(?:rad|рад)\s*["']""")
 
 
@@ -53,7 +54,8 @@ def spread(lengths: Mapping[str, Decimal]) -> Spread | None:
 def notes_of(scene: Scene) -> list[Fault]:
     """Give the notes on a scene, in the order of its file."""
     found = [*_mark(scene), *_lengths(scene), *_angles(scene), *_twins(scene), *_spare_points(scene)]
-    found += [*_masses(scene), *_gravity(scene), *_diagrams(scene)]
+    found += [*_sketch(scene), *_rest(scene), *_unused(scene)]
+    found += [*_masses(scene), *_gravity(scene), *_friction(scene), *_diagrams(scene)]
     return sorted(found, key=lambda note: (note.line, note.column))
 
 
@@ -120,6 +122,37 @@ def _spare_points(scene: Scene) -> Iterator[Fault]:
     for name in scene.mechanism.frame:
         if name not in used:
             yield scene.fault(("mechanism", "frame", name), "spare_point", name=name)
+
+
+def _sketch(scene: Scene) -> Iterator[Fault]:
+    """Find fixed points that the sketch shows in another place."""
+    for name, place in scene.mechanism.sketch.items():
+        if scene.mechanism.frame.get(name, place) != place:
+            yield scene.fault(("mechanism", "sketch", name), "fixed_sketch", name=name)
+
+
+def _rest(scene: Scene) -> Iterator[Fault]:
+    if not scene.drive.speed and not scene.drive.acceleration:
+        yield scene.fault(("drive", "speed"), "at_rest")
+
+
+def _unused(scene: Scene) -> Iterator[Fault]:
+    """Find what forces alone need, where no sheet tells any."""
+    if FORCES in scene.sheets:
+        return
+    given = {(name,): getattr(scene, name) for name in ("masses", "loads", "friction")}
+    asked: dict[Path, object] = {("drive", name): name in scene.drive.given for name in ("gear", "balancing")}
+    asked |= {("sheet", name): name in scene.sheet.given for name in ("forces", "hodographs", "reactions")}
+    yield from (scene.fault(path, "unused") for path, there in (given | asked).items() if there)
+
+
+def _friction(scene: Scene) -> Iterator[Fault]:
+    if scene.friction is None:
+        return
+    path: Path = ("friction",)
+    found = {path: scene.friction.coefficient}
+    found |= {(*path, "pairs", name): pair.coefficient or Decimal(0) for name, pair in scene.friction.pairs.items()}
+    yield from (scene.fault((*path, "coefficient"), "rough") for path, value in found.items() if value > ROUGH)
 
 
 def _masses(scene: Scene) -> Iterator[Fault]:

@@ -119,6 +119,7 @@ ADVICE: Mapping[str, str] = {
     ),
     "add the link, or correct the letters": "добавьте звено или исправьте буквы",
     "name two points of the link it slides along": "назовите две точки звена, вдоль которого оно скользит",
+    "give link {a} a point of [mechanism.frame]": "дайте звену {a} точку из [mechanism.frame]",
     "name a point of link {a}": "назовите точку звена {a}",
     "the points are {points}": "назовите одну из точек {points}",
 }
