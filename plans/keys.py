@@ -71,7 +71,7 @@ KEYS: Mapping[Path, Mapping[str, tuple[str, Form]]] = {
         "sheets": ("The sheets that are wanted.", entries(choice(SHEETS), 1, uniqueItems=True)),
         "mechanism": ("The linkage: frame, links, lengths, slides and a rough sketch.", {}),
         "drive": ("The drive (начальное звено): crank, speed and positions.", {}),
-        "output": ("The output link (выходное звено); default: the last link of the last group.", {}),
+        "output": ("The output link (выходное звено); default: the last link on the frame of the last group.", {}),
         "masses": ("Masses of links, by their numbers.", {}),
         "loads": ("Gravity, forces, moments and springs.", {}),
         "friction": ("Friction of the pairs (трение).", {}),

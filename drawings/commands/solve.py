@@ -90,10 +90,9 @@ def _analysis(study: Study, order: int, forces: Sequence[str]) -> Numbers:
     from plans.analytic.kinetostatics import kinetostatics
     from plans.loading import loading
     from plans.statics import Statics
-    from plans.stroke import strokes
 
     statics = Statics(study)
-    loads = loading(statics.machine, motion, strokes(statics.machine, study.mechanism, study.output, road.extremes))
+    loads = loading(statics.machine, motion, statics.over(road.extremes))
     solved = kinetostatics(road, statics.machine, motion, loads, statics.pairs)
     return Numbers(motion, found, _forces(study, statics, forces, motion, solved, loads), bool(solved.gaps))
 
