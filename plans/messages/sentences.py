@@ -19,6 +19,10 @@ LIMITS: Mapping[str, str] = {
         "в имени с точками больше частей, чем PARTS_LIMIT = {limit}"
     ),
     "brackets nested deeper than NESTING_LIMIT = {limit}": "скобки вложены глубже, чем NESTING_LIMIT = {limit}",
+    "links times positions, {a} x {count}, is more than {b} = {limit}. Fix: {most} positions at most": (
+        "число звеньев на число положений, {a} x {count}, больше, чем {b} = {limit}. Исправьте: не больше {most} "
+        "положений"
+    ),
     "more than {a} = {limit}": "больше, чем {a} = {limit}",
     "more than {a} = {limit}. Fix: fewer": "больше, чем {a} = {limit}. Исправьте: возьмите меньше",
     "a table or list of {count} entries: more than {a} = {limit}": (
