@@ -416,9 +416,7 @@ def test_links_times_positions_are_limited_by_name(sheets: str, most: int) -> No
     """59 links at 100,000 positions once took 9.4 GB, and running out of memory was called a bug."""
     text = f"sheets = {sheets}\n{CHAIN_OF_FIFTY}[drive]\nlink = 1\nspeed = 1\npositions = "
     assert parse_scene(f"{text}{most}").drive.count == most
-    with pytest.raises(
-        LimitError, match=rf"50 links: more than \w+_POSITIONS_LIMIT = .* Fix: {most} positions at most"
-    ):
+    with pytest.raises(LimitError, match=f"_POSITIONS_LIMIT = .* Fix: {most} positions at most") as refused:
         parse_scene(f"{text}{most + 1}")
     assert "links times positions, 50 x" in str(refused.value)
     assert "Исправьте: не больше" in said(str(refused.value), "ru")
