@@ -75,6 +75,9 @@ def check_letters(value: object) -> tuple[str, ...]:
 
 def check_line(value: object) -> tuple[str, ...]:
     """Read a line named by two points, as along = "CB"; equal points have no direction."""
+    if isinstance(value, int | Decimal) and not isinstance(value, bool):
+        wanted, example = "letters of points", f"along = {{ through = [0, 0], angle = {value} }}"
+        raise wrong("wrong_type", wanted=wanted, found=type_name(value), example=example)
     if isinstance(value, str) and len(set(split_letters(value))) == 1 == len(split_letters(value)) - 1:
         raise wrong("no_direction", first=value[: len(value) // 2], second=value[len(value) // 2 :])
     names = check_letters(value)

@@ -10,6 +10,7 @@ from math import pi
 
 from plans.faults import Fault, Path, SceneError, suggestion
 from plans.fields import split_line
+from plans.joining import check_joining
 from plans.mechanism import FRAME, Drive, Link, Mechanism, Output, Slide, StructureError, Way
 from plans.notes import RATIO_LIMIT, spread
 from plans.references import check_references
@@ -70,7 +71,7 @@ def _build(survey: Survey) -> Mechanism | None:
     _check_points(survey)
     slides = Guides(survey, shapes, datum).slides()
     check_references(survey, slides)
-    _check_islands(survey, slides)
+    check_joining(survey, slides)
     output = _output(survey, slides)
     if survey.faults or not ends:
         return None
@@ -258,28 +259,6 @@ def _output(survey: Survey, slides: tuple[Slide, ...]) -> Output | None:
     return Output(sliders[-1] if sliders else owners[-1], point)
 
 
-def _check_islands(survey: Survey, slides: tuple[Slide, ...]) -> None:
-    """See that every link is joined to the frame, if only through others."""
-    if len(slides) < len(survey.scene.mechanism.slides):
-        return  # a faulty slide may be the very connection that is missing
-    if survey.doubtful(*(("mechanism", name) for name in ("frame", "links", "points", "slides"))):
-        return
-    joined, points = {FRAME}, set(survey.points_of[FRAME])
-    pairs = [(slide.slider, slide.owner) for slide in slides]
-    waiting = set(survey.scene.mechanism.links)
-    while reached := {
-        link
-        for link in waiting
-        if points & set(survey.points_of[link]) or any(link in pair and joined & set(pair) for pair in pairs)
-    }:
-        joined |= reached
-        waiting -= reached
-        points = points.union(*(survey.points_of[link] for link in reached))
-    if waiting:
-        links = ("link " if len(waiting) == 1 else "links ") + ", ".join(map(str, sorted(waiting)))
-        survey.report(("mechanism", "links", str(min(waiting))), "island", links=links)
-
-
 def _wrong_mobility(scene: Scene, mechanism: Mechanism) -> StructureError:
     hinges = sum(len(links) - 1 for links in mechanism.hinges.values())
     details = {
@@ -288,15 +267,26 @@ def _wrong_mobility(scene: Scene, mechanism: Mechanism) -> StructureError:
         "found": mechanism.mobility,
         "hinges": hinges,
         "slides": len(mechanism.slides),
-        "advice": _mobility_advice(mechanism),
+        "advice": _mobility_advice(scene, mechanism),
     }
     links = tuple(sorted(scene.mechanism.links))
     return StructureError(str(scene.fault(("mechanism", "links"), "mobility", **details)), links, mechanism.mobility)
 
 
-def _mobility_advice(mechanism: Mechanism) -> str:
+def _mobility_advice(scene: Scene, mechanism: Mechanism) -> str:
     fixed = mechanism.links[FRAME].points
     unused = [name for name in fixed if name not in mechanism.hinges]
     if mechanism.mobility > 1 and unused:
         return f"add a hinge or a slide; no link has the fixed point {', '.join(unused)}"
+    ends = _free_ends(scene, mechanism)
+    if mechanism.mobility > 1 and ends:
+        link, name = ends[0]
+        return f"add a hinge or a slide; point {name} is of link {link} alone: is it fixed, or of another link?"
     return "add a hinge or a slide" if mechanism.mobility > 1 else "take out a link that is held twice, or a slide"
+
+
+def _free_ends(scene: Scene, mechanism: Mechanism) -> list[tuple[int, str]]:
+    """Give the ends of links that hang on nothing: of a lead, one of its first two points is of no other link."""
+    slid = {link for slide in mechanism.slides for link in (slide.slider, slide.owner)}
+    leads = {link: points[:2] for link, points in scene.mechanism.links.items() if link not in slid}
+    return [(link, name) for link, names in leads.items() for name in names if name not in mechanism.hinges]

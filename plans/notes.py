@@ -24,6 +24,7 @@ RATIO_LIMIT = Decimal(10_000_000)
 METRES = Decimal(20)
 # Where all angles of a list are smaller than a turn in radians, they were perhaps meant so.
 TURN_IN_RADIANS = Decimal("6.3")
+HUNDREDS = 100  # times as much as anything else of its kind: mostly another unit
 FEW_ANGLES = 3  # a shorter list tells nothing
 # Gravity of the Earth, m/s2, and how many times it a machine stands at most: the Sun's is 28 times.
 EARTH, MOST_EARTHS = Decimal("9.81"), 30
@@ -72,10 +73,23 @@ def _lengths(scene: Scene) -> Iterator[Fault]:
         if bare and all(lengths[key] >= METRES for key in bare):
             details = {"least": METRES, "example": notes[bare[0]].value}
             yield scene.fault(("mechanism", "lengths", bare[0]), "metres", **details)
+        else:
+            yield from _enormous(scene, bare)
     apart = spread(lengths)
     if apart and apart.ratio > SPREAD:
         path = ("mechanism", "lengths", apart.longest)
         yield scene.fault(path, "spread", name=apart.longest, other=apart.shortest, ratio=f"{apart.ratio:.3g}")
+
+
+def _enormous(scene: Scene, bare: list[str]) -> Iterator[Fault]:
+    """Find bare lengths a hundred times as long as the longest of the others."""
+    lengths = scene.mechanism.lengths
+    for key in bare:
+        others = max((size for other, size in lengths.items() if other != key), default=lengths[key])
+        if lengths[key] >= METRES and lengths[key] >= HUNDREDS * others:
+            details = {"name": key, "ratio": f"{lengths[key] / others:.3g}"}
+            note = scene.fault(("mechanism", "lengths", key), "enormous", **details)
+            yield scene.fault(note.path, "enormous", example=note.value, **details)
 
 
 def _angles(scene: Scene) -> Iterator[Fault]:
@@ -168,7 +182,22 @@ def _masses(scene: Scene) -> Iterator[Fault]:
         # A crank has its gear or flywheel in its inertia, and a block no length.
         if number != mechanism.drive.link and _length(link) and float(mass.inertia) > most:
             details = {"inertia": f"{mass.inertia:.4g}", "most": f"{most:.4g}", "link": number}
-            yield scene.fault((*path, "inertia"), "large_inertia", **details)
+            kind = "large_inertia" if float(mass.inertia) < HUNDREDS * most else "inertia_unit"
+            yield scene.fault((*path, "inertia"), kind, **details)
+    yield from _radii(scene, float(longest))
+
+
+def _radii(scene: Scene, longest: float) -> Iterator[Fault]:
+    """Find journals and gears that are larger than machines with such links have."""
+    given: dict[Path, tuple[Decimal | None, float]] = {}
+    if scene.friction is not None:
+        given["friction", "radius"] = scene.friction.radius, longest
+    if scene.drive.gear is not None:
+        given["drive", "gear", "radius"] = scene.drive.gear.radius, HUNDREDS * longest
+    for path, (radius, most) in given.items():
+        if radius is not None and float(radius) > most > 0:
+            note = scene.fault(path, "large_radius", longest=f"{longest:.4g}", example="")
+            yield scene.fault(path, "large_radius", longest=f"{longest:.4g}", example=note.value)
 
 
 def _centre(scene: Scene, path: Path, mass: MassTable, link: Link, size: float) -> Iterator[Fault]:

@@ -172,6 +172,14 @@ FAULTS: Mapping[str, tuple[str, str]] = {
         "every link to be joined to the frame; not joined: {links}",
         "give it a common point with another link, or a slide",
     ),
+    "loose": (
+        "a second joint of link {link}, which only turns about {name}",
+        "give it a slide, [[mechanism.slides]] link = {link}, or a second point",
+    ),
+    "one_body": (
+        "one joint between two links, but {how} join links {first} and {second} twice, so that they are one body",
+        "correct the letters, or leave one of the two out",
+    ),
     "mobility": (
         "mobility 1, but W = 3n - 2p = 3*{n} - 2*{p} = {found} ({hinges} hinges, {slides} slides; a hinge of k links "
         "counts k - 1)",

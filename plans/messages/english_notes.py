@@ -11,6 +11,18 @@ NOTES: Mapping[str, tuple[str, str]] = {
         "no length without a unit is under {least} m, and a bare number is in metres",
         'if millimetres are meant, write "{example} mm"',
     ),
+    "enormous": (
+        "{name} is {ratio} times as long as any other length, and a bare number is in metres",
+        'if millimetres are meant, write "{example} mm"',
+    ),
+    "inertia_unit": (
+        "{inertia} kg*m2 is far more than m*L2 = {most} kg*m2 of link {link}",
+        "check the unit: kg*mm2 and kg*cm2 are written with the number, in quotes",
+    ),
+    "large_radius": (
+        "a bare number is in metres, and this radius is large beside the longest link, {longest} m",
+        "if millimetres are meant, write them with the number, in quotes: {example} mm",
+    ),
     "spread": ("{name} is {ratio} times {other}", "check the units of both"),
     "degrees": ("{turns} turns of the crank", "if degrees are meant, write the bare number"),
     "radians": (

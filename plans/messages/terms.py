@@ -82,6 +82,7 @@ TERMS: Mapping[str, str] = {
 ADVICE: Mapping[str, str] = {
     "a bare number": "число без единицы",
     "a table of key = value lines": "таблица из строк «ключ = значение»",
+    "[[{name}]], in double brackets": "[[{name}]] в двойных скобках",
     "text: {written}": "текст: {written}",
     "text in quotes: {written}": "текст в кавычках: {written}",
     "[mechanism.frame] with O = [0, 0]": "[mechanism.frame] со строкой O = [0, 0]",
@@ -102,6 +103,10 @@ ADVICE: Mapping[str, str] = {
     "add a hinge or a slide": "добавьте шарнир или поступательную пару",
     "add a hinge or a slide; no link has the fixed point {points}": (
         "добавьте шарнир или поступательную пару; неподвижной точки {points} нет ни у одного звена"
+    ),
+    "add a hinge or a slide; point {name} is of link {a} alone: is it fixed, or of another link?": (
+        "добавьте шарнир или поступательную пару; точка {name} есть только у звена {a}: она неподвижна или принадлежит "
+        "и другому звену?"
     ),
     "take out a link that is held twice, or a slide": "уберите дважды закреплённое звено или поступательную пару",
     'did you mean "{a}"?': 'возможно, "{a}"?',
