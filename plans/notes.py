@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator, Mapping
 from decimal import Decimal
 from itertools import combinations
+from math import pi
 from typing import NamedTuple
 
 from geometry.errors import DraftError
@@ -25,6 +26,7 @@ METRES = Decimal(20)
 # Where all angles of a list are smaller than a turn in radians, they were perhaps meant so.
 TURN_IN_RADIANS = Decimal("6.3")
 HUNDREDS = 100  # times as much as anything else of its kind: mostly another unit
+TWELFTH, ROUNDED = pi / 12, 0.002  # an angle of the drawing board, 15 degrees, in radians, to three figures
 FEW_ANGLES = 3  # a shorter list tells nothing
 # Gravity of the Earth, m/s2, and how many times it a machine stands at most: the Sun's is 28 times.
 EARTH, MOST_EARTHS = Decimal("9.81"), 30
@@ -99,6 +101,10 @@ def _angles(scene: Scene) -> Iterator[Fault]:
         note = scene.fault(("drive", "start"), "degrees", turns=f"{start / 360:.3g}")
         if RADIANS.fullmatch(note.value):
             yield note
+    for path, angle in _single(scene):
+        share = round(float(angle) / TWELFTH)
+        if share and abs(angle) < TURN_IN_RADIANS and abs(float(angle) - share * TWELFTH) < ROUNDED:
+            yield scene.fault(path, "radian", example=f"{angle:f}", degrees=15 * share)
     if not isinstance(drive.positions, tuple):
         return
     whole = all(angle == angle.to_integral_value() for angle in drive.positions)
@@ -106,6 +112,17 @@ def _angles(scene: Scene) -> Iterator[Fault]:
     if small and not whole and len(drive.positions) >= FEW_ANGLES:
         example = next(angle for angle in drive.positions if angle)
         yield scene.fault(("drive", "positions"), "radians", most=TURN_IN_RADIANS, example=f"{example:f}")
+
+
+def _single(scene: Scene) -> Iterator[tuple[Path, Decimal]]:
+    """Give the angles that stand alone, as bare numbers or not."""
+    if isinstance(scene.drive.start, Decimal):
+        yield ("drive", "start"), scene.drive.start
+    for index, slide in enumerate(scene.mechanism.slides):
+        path: Path = ("mechanism", "slides", index)
+        yield (*path, "angle"), slide.angle
+        if isinstance(slide.along, FrameLine):
+            yield (*path, "along", "angle"), slide.along.angle
 
 
 def _twins(scene: Scene) -> Iterator[Fault]:

@@ -23,6 +23,10 @@ NOTES: Mapping[str, tuple[str, str]] = {
         "a bare number is in metres, and this radius is large beside the longest link, {longest} m",
         "if millimetres are meant, write them with the number, in quotes: {example} mm",
     ),
+    "radian": (
+        "{example} degrees are hardly an angle, but {example} radians are {degrees} degrees",
+        "if they are meant, write {degrees}",
+    ),
     "spread": ("{name} is {ratio} times {other}", "check the units of both"),
     "degrees": ("{turns} turns of the crank", "if degrees are meant, write the bare number"),
     "radians": (

@@ -104,9 +104,9 @@ ADVICE: Mapping[str, str] = {
     "add a hinge or a slide; no link has the fixed point {points}": (
         "добавьте шарнир или поступательную пару; неподвижной точки {points} нет ни у одного звена"
     ),
-    "add a hinge or a slide; point {name} is of link {a} alone: is it fixed, or of another link?": (
-        "добавьте шарнир или поступательную пару; точка {name} есть только у звена {a}: она неподвижна или принадлежит "
-        "и другому звену?"
+    "add a hinge or a slide; point {name} is of link {a} alone: give it to [mechanism.frame] or to another link": (
+        "добавьте шарнир или поступательную пару; точка {name} есть только у звена {a}: внесите её в [mechanism.frame] "
+        "или в другое звено"
     ),
     "take out a link that is held twice, or a slide": "уберите дважды закреплённое звено или поступательную пару",
     'did you mean "{a}"?': 'возможно, "{a}"?',
