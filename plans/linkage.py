@@ -281,7 +281,8 @@ def _mobility_advice(scene: Scene, mechanism: Mechanism) -> str:
     ends = _free_ends(scene, mechanism)
     if mechanism.mobility > 1 and ends:
         link, name = ends[0]
-        return f"add a hinge or a slide; point {name} is of link {link} alone: give it to [mechanism.frame] or to another link"
+        where = f"point {name} is of link {link} alone: give it to [mechanism.frame] or to another link"
+        return f"add a hinge or a slide; {where}"
     return "add a hinge or a slide" if mechanism.mobility > 1 else "take out a link that is held twice, or a slide"
 
 

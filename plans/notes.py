@@ -54,10 +54,10 @@ def spread(lengths: Mapping[str, Decimal]) -> Spread | None:
     return Spread(longest, shortest, WORKING.divide(lengths[longest], lengths[shortest]))
 
 
-def notes_of(scene: Scene) -> list[Fault]:
-    """Give the notes on a scene, in the order of its file."""
+def notes_of(scene: Scene, forces: bool = False) -> list[Fault]:
+    """Give the notes on a scene, in the order of its file; `forces` are asked for whatever its sheets are."""
     found = [*_mark(scene), *_lengths(scene), *_angles(scene), *_twins(scene), *_spare_points(scene)]
-    found += [*_sketch(scene), *_rest(scene), *_unused(scene)]
+    found += [*_sketch(scene), *_rest(scene), *(() if forces else _unused(scene))]
     found += [*_masses(scene), *_gravity(scene), *_friction(scene), *_diagrams(scene)]
     return sorted(found, key=lambda note: (note.line, note.column))
 

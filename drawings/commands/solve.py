@@ -29,7 +29,7 @@ def run(options: argparse.Namespace) -> int:
     """Print the numbers; give the exit code."""
     trace: Trace = options.trace or Trace()
     with trace.stage("reading the scene"):
-        study = Study(noted(read_scene(options.scene)))
+        study = Study(noted(read_scene(options.scene), forces=not {*FORCES}.isdisjoint(options.only or ())))
     wanted = options.only or wanted_of(study)
     orders = [k for k, order in enumerate(ORDERS) if order in wanted]
     forces = [name for name in FORCES if name in wanted]
