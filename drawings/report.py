@@ -52,6 +52,15 @@ def count_of(positions: Sequence[int]) -> str:
     return f"{len(positions)} position{'s' if len(positions) != 1 else ''}"
 
 
+def shown(study: Study) -> str:
+    """Say which link is the output, and who chose it."""
+    out, named = study.output, study.mechanism.output is not None
+    chosen = "as [output] names it" if named else "the last link on the frame; [output] names another"
+    if not named and not any(FRAME in group.hosts for group in study.groups[-1:]):
+        chosen = "the last link; [output] names another"
+    return f"output: link {out.link}{f' by its point {out.point}' if out.point else ''}, {chosen}"
+
+
 def shallow(study: Study) -> list[int]:
     """Give the assembled positions in which some group is too near a dead centre to be graded."""
     if not study.groups:
@@ -94,8 +103,9 @@ def _structure(study: Study) -> Iterator[str]:
 
 def _extremes(study: Study) -> Iterator[str]:
     yield "\n## Extreme positions\n"
+    yield f"- O{shown(study)[1:]}"
     if study.found is None:
-        yield f"Output link {study.output.link} has no extreme positions over the turn."
+        yield f"- Output link {study.output.link} has no extreme positions over the turn."
     else:
         found = study.found.extremes
         way = "by notches" if study.found.notched else "where the velocity plan gives the output no velocity"
@@ -110,7 +120,9 @@ def _extremes(study: Study) -> Iterator[str]:
             yield f"- The output reverses {len(study.found.rests)} times in a turn, at {rests}: no one time ratio"
         else:
             yield f"- Time-ratio angle θ = {np.degrees(found.overlap):.8f}°, K = {number(found.ratio, digits=10)}"
-    for group in study.groups:
+    if study.groups and not study.nodes.size:
+        yield "- Pressure angles: none, for no position is assembled"
+    for group in study.groups if study.nodes.size else ():
         seen = interval(study.sweep, group, study.nodes)
         low, high = np.degrees(seen.low), np.degrees(seen.high)
         yield f"- Pressure angle of group {group.label}: {low:.6f}° to {high:.6f}°"

@@ -27,9 +27,9 @@ def worded(error: Exception, language: str) -> str:
     return "\n".join(said(line, language) for line in text.splitlines())
 
 
-def noted(scene: Scene) -> Scene:
-    """Say what is odd about a scene, and give it back."""
-    for note in notes_of(scene):
+def noted(scene: Scene, forces: bool = False) -> Scene:
+    """Say what is odd about a scene, and give it back; `forces` are asked for whatever its sheets are."""
+    for note in notes_of(scene, forces):
         print(note.worded(scene.sheet.language), file=sys.stderr)
     return scene
 

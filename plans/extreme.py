@@ -40,10 +40,13 @@ class Found(NamedTuple):
 
 
 def output(mechanism: Mechanism, groups: Sequence[Dyad]) -> Output:
-    """Give the output link: the scene's own, or the last link of the last group."""
+    """Give the output link: the scene's own, or the last link on the frame of the last group, or else its last link."""
     if mechanism.output is not None:
         return mechanism.output
-    link = max(groups[-1].links) if groups else mechanism.drive.link
+    link = mechanism.drive.link
+    if groups:
+        leads = list(zip(groups[-1].links, groups[-1].hosts, strict=True))
+        link = max([lead for lead, host in leads if host == FRAME] or groups[-1].links)
     slide = frame_slide(mechanism, link)
     return Output(link, slide.point if slide else None)
 

@@ -75,6 +75,9 @@ def check_letters(value: object) -> tuple[str, ...]:
 
 def check_line(value: object) -> tuple[str, ...]:
     """Read a line named by two points, as along = "CB"; equal points have no direction."""
+    if isinstance(value, int | Decimal) and not isinstance(value, bool):
+        wanted, example = "letters of points", f"along = {{ through = [0, 0], angle = {value} }}"
+        raise wrong("wrong_type", wanted=wanted, found=type_name(value), example=example)
     if isinstance(value, str) and len(set(split_letters(value))) == 1 == len(split_letters(value)) - 1:
         raise wrong("no_direction", first=value[: len(value) // 2], second=value[len(value) // 2 :])
     names = check_letters(value)
@@ -161,9 +164,18 @@ def choice(value: object, choices: tuple[str, ...], kind: str = "choice") -> str
 
 def whole(value: object, least: int) -> int:
     """Read a whole number from `least`."""
-    if isinstance(value, bool) or not isinstance(value, int) or value < least:
+    if isinstance(value, bool) or not isinstance(value, int):
         raise wrong("not_whole", least=least)
+    if value < least:
+        raise wrong("too_low", least=least)
     return value
+
+
+def moving_link(value: object) -> int:
+    """Read the number of a moving link."""
+    if value == 0 and not isinstance(value, bool):
+        raise wrong("frame_moves")
+    return whole(value, 1)
 
 
 def link_key(key: object) -> int:
@@ -194,9 +206,9 @@ def start_angle(value: object) -> Decimal | Literal["extreme"]:
 
 def count_positions(value: object) -> int:
     """Read the number of positions, before anything of that size is made."""
-    if not isinstance(value, int) or isinstance(value, bool) or value < 1:
-        if isinstance(value, int | Decimal) and not isinstance(value, bool):
-            raise wrong("not_whole", least=1)
+    if isinstance(value, Decimal) or (isinstance(value, int) and not isinstance(value, bool)):
+        value = whole(value, 1)
+    else:
         wanted = "a whole number, or a list of crank angles"
         raise wrong("wrong_type", wanted=wanted, found=type_name(value), example="positions = 12")
     if value > POSITIONS_LIMIT:
@@ -255,15 +267,15 @@ ANGULAR_SPEED = one(units.rate, kind=units.SPEED)
 ANGULAR_ACCELERATION = one(units.rate, kind=units.ANGULAR_ACCELERATION)
 GRAVITY = one(units.quantity, kind=units.ACCELERATION)
 STIFFNESS = one(units.positive, kind=units.STIFFNESS)
-FREE_LENGTH = one(units.not_negative, kind=units.LENGTH)
-FRICTION = one(units.not_negative, kind=units.NUMBER)
+FREE_LENGTH = one(units.free_length)
+FRICTION = one(units.friction)
 PRESSURE_ANGLE = one(units.pressure_angle)
 SHARE, FLAG, SYMBOL, PAIR = one(share), one(flag), one(check_symbol), one(check_pair_name)
 MASS, INERTIA = one(units.not_negative, kind=units.MASS), one(units.not_negative, kind=units.INERTIA)
 FORCE, MOMENT = one(units.quantity, kind=units.FORCE), one(units.quantity, kind=units.MOMENT)
 NUMBER = one(units.quantity, kind=units.NUMBER)
 LINK_NUMBER = one(link_key)  # as a key
-MOVING_LINK, LOADED_LINK = one(whole, least=1), one(loaded_link)
+MOVING_LINK, LOADED_LINK = one(moving_link), one(loaded_link)
 ANY_LINK = POSITION_NUMBER = one(whole, least=0)
 START = one(start_angle)
 POSITIONS = either(list, many(ANGLE, position_list), one(count_positions))

@@ -21,7 +21,6 @@ from plans.motion import ORDERS, Floats
 from plans.primary import BALANCING as BALANCED
 from plans.primary import DRIVING
 from plans.statics import Statics, without
-from plans.stroke import strokes
 
 FORCES = "forces"  # the plan of the findings
 ORDER = 3  # forces magnify the analysis's rounding once more than the accelerations that they rest on
@@ -31,7 +30,7 @@ ORDER = 3  # forces magnify the analysis's rounding once more than the accelerat
 def compare_forces(statics: Statics, comparison: Comparison) -> Comparison:
     """Add the forces of a study to the comparison of its motion."""
     machine, study = statics.machine, statics.study
-    found = strokes(machine, study.mechanism, study.output, comparison.road.extremes)
+    found = statics.over(comparison.road.extremes)
     loads = loading(machine, comparison.analysis, found)
     theirs = kinetostatics(comparison.road, machine, comparison.analysis, loads, statics.pairs)
     ours, theirs = _left_out(statics.forces, theirs)

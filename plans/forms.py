@@ -6,7 +6,7 @@ from typing import Any
 
 from plans import units
 from plans.fields import ENTRIES_LIMIT, LINKS_LIMIT, NAME_LIMIT, TITLE_LIMIT
-from plans.units import ANGLE_LIMIT, LENGTH_LEAST, LENGTH_LIMIT, RATE_LIMIT, Kind
+from plans.units import ANGLE_LIMIT, COEFFICIENT_LIMIT, LARGEST, LENGTH_LEAST, LENGTH_LIMIT, RATE_LIMIT, Kind
 
 Form = dict[str, Any]
 
@@ -34,7 +34,9 @@ def text_with_unit(kind: Kind) -> str:
 
 def quantity(kind: Kind, **bounds: float) -> Form:
     """Give the form of a quantity: a bare number in SI units (angles: degrees), or text with a unit."""
-    number: Form = {"type": "number", **bounds}
+    most = {} if kind.most == LARGEST else {"maximum": float(kind.most)}
+    least = {"minimum": -most["maximum"]} if most else {}
+    number: Form = {"type": "number", **least, **most, **bounds}
     if not kind.units:
         return number
     return {"anyOf": [number, {"type": "string", "pattern": text_with_unit(kind)}]}
@@ -70,7 +72,7 @@ LENGTH = quantity(units.LENGTH, exclusiveMinimum=0, minimum=float(LENGTH_LEAST),
 COORDINATE = quantity(units.LENGTH, minimum=-float(LENGTH_LIMIT), maximum=float(LENGTH_LIMIT))
 ANGLE = quantity(units.ANGLE, minimum=-float(ANGLE_LIMIT), maximum=float(ANGLE_LIMIT))
 FORCE, GRAVITY = quantity(units.FORCE), quantity(units.ACCELERATION)
-FRICTION = quantity(units.NUMBER, minimum=0)
+FRICTION = quantity(units.NUMBER, minimum=0, maximum=float(COEFFICIENT_LIMIT))
 PLACE = pair(COORDINATE)
 NAME = {"type": "string", "pattern": f"^{POINT}$", "maxLength": NAME_LIMIT}
 NAMES = entries(NAME, 1, LINKS_LIMIT, uniqueItems=True)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from decimal import Decimal
+from fractions import Fraction
 from math import radians
 
 from plans import references
@@ -28,6 +29,7 @@ from plans.machine import GEAR, Body, Diagram, Force, Machine, Moment, Rubbing, 
 from plans.mechanism import Mechanism
 from plans.scene import Scene
 from plans.structure import decompose
+from plans.turn import within
 
 # Letters of a lone useful force against the motion (полезное сопротивление) and of a spring, where the scene has none.
 USEFUL, SPRING = "F_us", "F_s"
@@ -123,7 +125,8 @@ def _spring(name: str, spring: SpringTable, mechanism: Mechanism) -> Spring:
 def _transmission(balancing: str, gear: GearTable | None) -> Transmission:
     if gear is None:
         return Transmission(balancing)
-    return Transmission(GEAR, float(gear.radius), radians(gear.at), radians(gear.pressure_angle))
+    at = within(Fraction(gear.at))
+    return Transmission(GEAR, float(gear.radius), radians(at), radians(gear.pressure_angle))
 
 
 def _rubbing(friction: FrictionTable | None, mechanism: Mechanism) -> dict[str, Rubbing]:

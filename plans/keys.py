@@ -71,7 +71,7 @@ KEYS: Mapping[Path, Mapping[str, tuple[str, Form]]] = {
         "sheets": ("The sheets that are wanted.", entries(choice(SHEETS), 1, uniqueItems=True)),
         "mechanism": ("The linkage: frame, links, lengths, slides and a rough sketch.", {}),
         "drive": ("The drive (начальное звено): crank, speed and positions.", {}),
-        "output": ("The output link (выходное звено); default: the last link of the last group.", {}),
+        "output": ("The output link (выходное звено); default: the last link on the frame of the last group.", {}),
         "masses": ("Masses of links, by their numbers.", {}),
         "loads": ("Gravity, forces, moments and springs.", {}),
         "friction": ("Friction of the pairs (трение).", {}),
@@ -162,7 +162,7 @@ KEYS: Mapping[Path, Mapping[str, tuple[str, Form]]] = {
     ("loads", "forces", "*", "diagram"): {
         "travel": (
             "Shares of the stroke, rising from 0, where the working stroke begins, to 1.",
-            entries({"type": "number"}, 2),
+            entries({"type": "number", "minimum": 0, "maximum": 1}, 2),
         ),
         "force": ("The force at each, N.", entries(FORCE, 2)),
         "back": ("The force at each on the idle stroke, N, as of an indicator diagram.", entries(FORCE, 2)),
@@ -179,7 +179,7 @@ KEYS: Mapping[Path, Mapping[str, tuple[str, Form]]] = {
     ("loads", "springs", "*"): {
         "between": ('Its two ends: points of two links, ["B", "O"].', NAME),
         "stiffness": ("Stiffness, N/m.", quantity(units.STIFFNESS, exclusiveMinimum=0)),
-        "free": ("Free length, m.", quantity(units.LENGTH, minimum=0)),
+        "free": ("Free length, m.", quantity(units.LENGTH, minimum=0, maximum=float(units.LENGTH_LIMIT))),
         "name": LETTERED,
     },
     ("loads", "springs", "*", "between", "*"): {

@@ -10,6 +10,7 @@ from math import pi
 
 from plans.faults import Fault, Path, SceneError, suggestion
 from plans.fields import split_line
+from plans.joining import check_joining
 from plans.mechanism import FRAME, Drive, Link, Mechanism, Output, Slide, StructureError, Way
 from plans.notes import RATIO_LIMIT, spread
 from plans.references import check_references
@@ -70,7 +71,7 @@ def _build(survey: Survey) -> Mechanism | None:
     _check_points(survey)
     slides = Guides(survey, shapes, datum).slides()
     check_references(survey, slides)
-    _check_islands(survey, slides)
+    check_joining(survey, slides)
     output = _output(survey, slides)
     if survey.faults or not ends:
         return None
@@ -99,7 +100,8 @@ def _drive_ends(survey: Survey) -> tuple[str, str] | None:
         survey.report(path, "many_hinges", points=", ".join(fixed), link=link)
         survey.doubts.add(("mechanism", "links", str(link)))
     elif not fixed:
-        survey.report(path, "no_hinge", link=link)
+        advice = f"give link {link} a point of [mechanism.frame]"
+        survey.report(path, "no_hinge", suggestion=survey.twin(points, survey.points_of[FRAME]) or advice)
     elif not free:
         survey.report(path, "no_end", link=link, pivot=fixed[0])
     return (fixed[0], free[0]) if fixed and free else None
@@ -110,8 +112,8 @@ def _sketch(survey: Survey, datum: Spot) -> dict[str, complex]:
     for name, place in sorted(survey.scene.mechanism.sketch.items(), key=lambda item: natural(item[0])):
         path: Path = ("mechanism", "sketch", name)
         if name in survey.points_of[FRAME]:
-            survey.report(path, "fixed_sketch", name=name)
-        elif survey.know(path, (name,)):
+            continue  # it stands in its own place; where the sketch shows another, a note says so
+        if survey.know(path, (name,)):
             sketch[name] = as_complex(_from_datum(place, datum))
     return sketch
 
@@ -257,28 +259,6 @@ def _output(survey: Survey, slides: tuple[Slide, ...]) -> Output | None:
     return Output(sliders[-1] if sliders else owners[-1], point)
 
 
-def _check_islands(survey: Survey, slides: tuple[Slide, ...]) -> None:
-    """See that every link is joined to the frame, if only through others."""
-    if len(slides) < len(survey.scene.mechanism.slides):
-        return  # a faulty slide may be the very connection that is missing
-    if survey.doubtful(*(("mechanism", name) for name in ("frame", "links", "points", "slides"))):
-        return
-    joined, points = {FRAME}, set(survey.points_of[FRAME])
-    pairs = [(slide.slider, slide.owner) for slide in slides]
-    waiting = set(survey.scene.mechanism.links)
-    while reached := {
-        link
-        for link in waiting
-        if points & set(survey.points_of[link]) or any(link in pair and joined & set(pair) for pair in pairs)
-    }:
-        joined |= reached
-        waiting -= reached
-        points = points.union(*(survey.points_of[link] for link in reached))
-    if waiting:
-        links = ("link " if len(waiting) == 1 else "links ") + ", ".join(map(str, sorted(waiting)))
-        survey.report(("mechanism", "links", str(min(waiting))), "island", links=links)
-
-
 def _wrong_mobility(scene: Scene, mechanism: Mechanism) -> StructureError:
     hinges = sum(len(links) - 1 for links in mechanism.hinges.values())
     details = {
@@ -287,15 +267,27 @@ def _wrong_mobility(scene: Scene, mechanism: Mechanism) -> StructureError:
         "found": mechanism.mobility,
         "hinges": hinges,
         "slides": len(mechanism.slides),
-        "advice": _mobility_advice(mechanism),
+        "advice": _mobility_advice(scene, mechanism),
     }
     links = tuple(sorted(scene.mechanism.links))
     return StructureError(str(scene.fault(("mechanism", "links"), "mobility", **details)), links, mechanism.mobility)
 
 
-def _mobility_advice(mechanism: Mechanism) -> str:
+def _mobility_advice(scene: Scene, mechanism: Mechanism) -> str:
     fixed = mechanism.links[FRAME].points
     unused = [name for name in fixed if name not in mechanism.hinges]
     if mechanism.mobility > 1 and unused:
         return f"add a hinge or a slide; no link has the fixed point {', '.join(unused)}"
+    ends = _free_ends(scene, mechanism)
+    if mechanism.mobility > 1 and ends:
+        link, name = ends[0]
+        where = f"point {name} is of link {link} alone: give it to [mechanism.frame] or to another link"
+        return f"add a hinge or a slide; {where}"
     return "add a hinge or a slide" if mechanism.mobility > 1 else "take out a link that is held twice, or a slide"
+
+
+def _free_ends(scene: Scene, mechanism: Mechanism) -> list[tuple[int, str]]:
+    """Give the ends of links that hang on nothing: of a lead, one of its first two points is of no other link."""
+    slid = {link for slide in mechanism.slides for link in (slide.slider, slide.owner)}
+    leads = {link: points[:2] for link, points in scene.mechanism.links.items() if link not in slid}
+    return [(link, name) for link, names in leads.items() for name in names if name not in mechanism.hinges]

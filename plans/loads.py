@@ -56,6 +56,9 @@ class DiagramTable(Table):
 
     def check(self) -> None:
         """See that travel rises from 0 to 1 with one force each, on the idle stroke too where it is given."""
+        beyond = next((k for k, share in enumerate(self.travel) if not 0 <= share <= 1), None)
+        if beyond is not None:
+            raise wrong("travel_share", found=f"{self.travel[beyond]:f}", at=("travel", beyond))
         rises = all(low <= high for low, high in zip(self.travel, self.travel[1:], strict=False))
         for name in ("force", "back") if "back" in self.given else ("force",):
             if not rises or len(self.travel) != len(getattr(self, name)):

@@ -85,7 +85,7 @@ class Mechanism:
     slides: tuple[Slide, ...]
     drive: Drive
     sketch: Mapping[str, complex]  # rough places, measured from the datum
-    output: Output | None  # None: the last link of the last group
+    output: Output | None  # None: the last link on the frame of the last group
 
     @cached_property
     def hinges(self) -> dict[str, tuple[int, ...]]:

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator, Mapping
 from decimal import Decimal
 from itertools import combinations
+from math import pi
 from typing import NamedTuple
 
 from geometry.errors import DraftError
@@ -24,9 +25,12 @@ RATIO_LIMIT = Decimal(10_000_000)
 METRES = Decimal(20)
 # Where all angles of a list are smaller than a turn in radians, they were perhaps meant so.
 TURN_IN_RADIANS = Decimal("6.3")
+HUNDREDS = 100  # times as much as anything else of its kind: mostly another unit
+TWELFTH, ROUNDED = pi / 12, 0.002  # an angle of the drawing board, 15 degrees, in radians, to three figures
 FEW_ANGLES = 3  # a shorter list tells nothing
 # Gravity of the Earth, m/s2, and how many times it a machine stands at most: the Sun's is 28 times.
 EARTH, MOST_EARTHS = Decimal("9.81"), 30
+ROUGH = 1  # rubber on a dry road; a larger coefficient of friction is mostly a lost decimal point
 RADIANS = re.compile(r"""["'].*\b(?:rad|рад)\s*["']""")
 
 
@@ -50,10 +54,11 @@ def spread(lengths: Mapping[str, Decimal]) -> Spread | None:
     return Spread(longest, shortest, WORKING.divide(lengths[longest], lengths[shortest]))
 
 
-def notes_of(scene: Scene) -> list[Fault]:
-    """Give the notes on a scene, in the order of its file."""
+def notes_of(scene: Scene, forces: bool = False) -> list[Fault]:
+    """Give the notes on a scene, in the order of its file; `forces` are asked for whatever its sheets are."""
     found = [*_mark(scene), *_lengths(scene), *_angles(scene), *_twins(scene), *_spare_points(scene)]
-    found += [*_masses(scene), *_gravity(scene), *_diagrams(scene)]
+    found += [*_sketch(scene), *_rest(scene), *(() if forces else _unused(scene))]
+    found += [*_masses(scene), *_gravity(scene), *_friction(scene), *_diagrams(scene)]
     return sorted(found, key=lambda note: (note.line, note.column))
 
 
@@ -70,10 +75,23 @@ def _lengths(scene: Scene) -> Iterator[Fault]:
         if bare and all(lengths[key] >= METRES for key in bare):
             details = {"least": METRES, "example": notes[bare[0]].value}
             yield scene.fault(("mechanism", "lengths", bare[0]), "metres", **details)
+        else:
+            yield from _enormous(scene, bare)
     apart = spread(lengths)
     if apart and apart.ratio > SPREAD:
         path = ("mechanism", "lengths", apart.longest)
         yield scene.fault(path, "spread", name=apart.longest, other=apart.shortest, ratio=f"{apart.ratio:.3g}")
+
+
+def _enormous(scene: Scene, bare: list[str]) -> Iterator[Fault]:
+    """Find bare lengths a hundred times as long as the longest of the others."""
+    lengths = scene.mechanism.lengths
+    for key in bare:
+        others = max((size for other, size in lengths.items() if other != key), default=lengths[key])
+        if lengths[key] >= METRES and lengths[key] >= HUNDREDS * others:
+            details = {"name": key, "ratio": f"{lengths[key] / others:.3g}"}
+            note = scene.fault(("mechanism", "lengths", key), "enormous", **details)
+            yield scene.fault(note.path, "enormous", example=note.value, **details)
 
 
 def _angles(scene: Scene) -> Iterator[Fault]:
@@ -83,6 +101,10 @@ def _angles(scene: Scene) -> Iterator[Fault]:
         note = scene.fault(("drive", "start"), "degrees", turns=f"{start / 360:.3g}")
         if RADIANS.fullmatch(note.value):
             yield note
+    for path, angle in _single(scene):
+        share = round(float(angle) / TWELFTH)
+        if share and abs(angle) < TURN_IN_RADIANS and abs(float(angle) - share * TWELFTH) < ROUNDED:
+            yield scene.fault(path, "radian", example=f"{angle:f}", degrees=15 * share)
     if not isinstance(drive.positions, tuple):
         return
     whole = all(angle == angle.to_integral_value() for angle in drive.positions)
@@ -90,6 +112,17 @@ def _angles(scene: Scene) -> Iterator[Fault]:
     if small and not whole and len(drive.positions) >= FEW_ANGLES:
         example = next(angle for angle in drive.positions if angle)
         yield scene.fault(("drive", "positions"), "radians", most=TURN_IN_RADIANS, example=f"{example:f}")
+
+
+def _single(scene: Scene) -> Iterator[tuple[Path, Decimal]]:
+    """Give the angles that stand alone, as bare numbers or not."""
+    if isinstance(scene.drive.start, Decimal):
+        yield ("drive", "start"), scene.drive.start
+    for index, slide in enumerate(scene.mechanism.slides):
+        path: Path = ("mechanism", "slides", index)
+        yield (*path, "angle"), slide.angle
+        if isinstance(slide.along, FrameLine):
+            yield (*path, "along", "angle"), slide.along.angle
 
 
 def _twins(scene: Scene) -> Iterator[Fault]:
@@ -122,6 +155,37 @@ def _spare_points(scene: Scene) -> Iterator[Fault]:
             yield scene.fault(("mechanism", "frame", name), "spare_point", name=name)
 
 
+def _sketch(scene: Scene) -> Iterator[Fault]:
+    """Find fixed points that the sketch shows in another place."""
+    for name, place in scene.mechanism.sketch.items():
+        if scene.mechanism.frame.get(name, place) != place:
+            yield scene.fault(("mechanism", "sketch", name), "fixed_sketch", name=name)
+
+
+def _rest(scene: Scene) -> Iterator[Fault]:
+    if not scene.drive.speed and not scene.drive.acceleration:
+        yield scene.fault(("drive", "speed"), "at_rest")
+
+
+def _unused(scene: Scene) -> Iterator[Fault]:
+    """Find what forces alone need, where no sheet tells any."""
+    if FORCES in scene.sheets:
+        return
+    given = {(name,): getattr(scene, name) for name in ("masses", "loads", "friction")}
+    asked: dict[Path, object] = {("drive", name): name in scene.drive.given for name in ("gear", "balancing")}
+    asked |= {("sheet", name): name in scene.sheet.given for name in ("forces", "hodographs", "reactions")}
+    yield from (scene.fault(path, "unused") for path, there in (given | asked).items() if there)
+
+
+def _friction(scene: Scene) -> Iterator[Fault]:
+    if scene.friction is None:
+        return
+    path: Path = ("friction",)
+    found = {path: scene.friction.coefficient}
+    found |= {(*path, "pairs", name): pair.coefficient or Decimal(0) for name, pair in scene.friction.pairs.items()}
+    yield from (scene.fault((*path, "coefficient"), "rough") for path, value in found.items() if value > ROUGH)
+
+
 def _masses(scene: Scene) -> Iterator[Fault]:
     """Find mass centres far outside their links, and inertia about a hinge given for that about the centre."""
     mechanism = _mechanism(scene) if scene.masses else None
@@ -135,7 +199,22 @@ def _masses(scene: Scene) -> Iterator[Fault]:
         # A crank has its gear or flywheel in its inertia, and a block no length.
         if number != mechanism.drive.link and _length(link) and float(mass.inertia) > most:
             details = {"inertia": f"{mass.inertia:.4g}", "most": f"{most:.4g}", "link": number}
-            yield scene.fault((*path, "inertia"), "large_inertia", **details)
+            kind = "large_inertia" if float(mass.inertia) < HUNDREDS * most else "inertia_unit"
+            yield scene.fault((*path, "inertia"), kind, **details)
+    yield from _radii(scene, float(longest))
+
+
+def _radii(scene: Scene, longest: float) -> Iterator[Fault]:
+    """Find journals and gears that are larger than machines with such links have."""
+    given: dict[Path, tuple[Decimal | None, float]] = {}
+    if scene.friction is not None:
+        given["friction", "radius"] = scene.friction.radius, longest
+    if scene.drive.gear is not None:
+        given["drive", "gear", "radius"] = scene.drive.gear.radius, HUNDREDS * longest
+    for path, (radius, most) in given.items():
+        if radius is not None and float(radius) > most > 0:
+            note = scene.fault(path, "large_radius", longest=f"{longest:.4g}", example="")
+            yield scene.fault(path, "large_radius", longest=f"{longest:.4g}", example=note.value)
 
 
 def _centre(scene: Scene, path: Path, mass: MassTable, link: Link, size: float) -> Iterator[Fault]:

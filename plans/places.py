@@ -37,7 +37,7 @@ class Places:
         self._values: dict[Path, tuple[int, int]] = {}
         self._arrays: dict[Path, int] = {}  # arrays of tables, with the index of the last one
         self._headers: dict[Path, int] = {}
-        self.duplicate: tuple[int, int] | None = None  # offsets of the first name that is defined twice
+        self.duplicate: tuple[Path, int, int] | None = None  # the first name that is defined twice, and its offsets
         self._tokens = self._scan()
         self._kind, self._start, self._end = "line", 0, 0
         self._next()
@@ -100,7 +100,7 @@ class Places:
         earlier = self._headers.get(path)
         if path in self._values or (path in self._arrays and not array):
             earlier = self._keys[path]
-        self._repeat(earlier, start)
+        self._repeat(path, earlier, start)
         self._keys.setdefault(path, start)
         if array:
             self._arrays[path] = self._arrays.get(path, -1) + 1
@@ -113,9 +113,9 @@ class Places:
         """Lead into the last table of an array of tables."""
         return (*path, self._arrays[path]) if path in self._arrays else path
 
-    def _repeat(self, first: int | None, second: int) -> None:
+    def _repeat(self, path: Path, first: int | None, second: int) -> None:
         if first is not None and first != second and self.duplicate is None:
-            self.duplicate = (first, second)
+            self.duplicate = (path, first, second)
 
     def _key(self) -> Path:
         parts: list[str] = []
@@ -145,7 +145,7 @@ class Places:
             first = self._keys.setdefault(path, start)
         if not parts or not self._is("="):
             return
-        self._repeat(first, start)
+        self._repeat(path, first, start)
         self._next()
         self._value(path)
 

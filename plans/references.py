@@ -2,21 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from itertools import combinations
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from decimal import Decimal
+from itertools import combinations, pairwise
 
 from plans.faults import Path
 from plans.loads import MIDDLE, EndTable, ForceTable, LoadsTable, MomentTable, PairTable, SpringTable, holders
 from plans.mechanism import FRAME, Slide
 from plans.scene import FORCES
-from plans.survey import Survey
+from plans.survey import Survey, natural
 
 HINGE, SLIDE = "a hinge", "a sliding pair"
+# Whole numbers some of which a comma without a space joins in pairs, while a space follows the others.
+COMMAS = re.compile(r"\[\s*[+-]?\d+(?:,\d+)?(?:\s*,\s+[+-]?\d+(?:,\d+)?)+\s*,?\s*\]")
 ALONE = {"radius": HINGE, "length": SLIDE}  # which kind of pair alone has it
 
 
 def check_references(survey: Survey, slides: tuple[Slide, ...]) -> None:
     """See that masses, loads, friction and the sheet name links, points, pairs and positions that exist."""
+    _check_places(survey)
     _check_masses(survey)
     if survey.scene.loads is not None:
         _check_loads(survey, survey.scene.loads)
@@ -25,6 +30,7 @@ def check_references(survey: Survey, slides: tuple[Slide, ...]) -> None:
         _check_pairs(survey, joints(survey.points_of, slides))
     _check_acting(survey)
     _check_positions(survey)
+    _check_commas(survey)
 
 
 def joints(points_of: Mapping[int, tuple[str, ...]], slides: tuple[Slide, ...]) -> dict[str, str]:
@@ -42,6 +48,13 @@ def joints(points_of: Mapping[int, tuple[str, ...]], slides: tuple[Slide, ...]) 
     return {f"{one}-{other}": found[one, other] for one, other in sorted(found)}
 
 
+def _check_places(survey: Survey) -> None:
+    """See that no point of a link bears the letter of a fixed one."""
+    form = survey.scene.mechanism
+    for name in sorted(form.points.keys() & form.frame.keys(), key=natural):
+        survey.report(("mechanism", "points", name), "two_places", name=name, link=form.points[name].on)
+
+
 def _check_masses(survey: Survey) -> None:
     for link, mass in survey.scene.masses.items():
         path: Path = ("masses", str(link))
@@ -49,8 +62,8 @@ def _check_masses(survey: Survey) -> None:
             continue
         if mass.centre != MIDDLE:
             survey.on_link((*path, "centre"), link, mass.centre)
-        elif len(survey.points_of[link]) < 2:
-            survey.report((*path, "centre"), "no_line")
+        elif len(survey.scene.mechanism.links[link]) < 2:  # points that have a place of their own come in no order
+            survey.report((*path, "centre"), "no_line", link=link)
 
 
 def _check_loads(survey: Survey, loads: LoadsTable) -> None:
@@ -145,3 +158,22 @@ def _check_positions(survey: Survey) -> None:
                 survey.report(("sheet", name, index), "position_number", **details)
     if (survey.scene.sheet.position or 0) >= count:
         survey.report(("sheet", "position"), "position_number", **details)
+
+
+def _check_commas(survey: Survey) -> None:
+    """See that a list of crank angles is none of numbers with decimal commas: [0,5, 30,2] reads as four numbers."""
+    path: Path = ("drive", "positions")
+    given = survey.scene.drive.positions
+    if not isinstance(given, tuple) or _one_way(given):
+        return
+    written = survey.scene.fault(path, "comma_list").value
+    pointed = re.sub(r"(?<=\d),(?=\d)", ".", written)
+    meant = [Decimal(part) for part in pointed.strip("[] ,").split(",")] if COMMAS.fullmatch(written) else []
+    if len(meant) < len(given) and meant and _one_way(meant):
+        survey.report(path, "comma_list", written=pointed)
+
+
+def _one_way(angles: Sequence[Decimal]) -> bool:
+    """Tell whether angles only rise or only fall."""
+    steps = [low < high for low, high in pairwise(angles)]
+    return all(steps) or not any(steps)

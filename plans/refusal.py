@@ -79,7 +79,8 @@ def _fault(refusal: Refusal, source: Source, tables: Tables) -> Fault:
         return _unknown_key(path, source, tables)
     if refusal.kind in ("not_a_list", "not_a_table"):
         table = ("a table", "a table of key = value lines")
-        wanted, example = table if refusal.kind == "not_a_table" else ("a list", f"{path[-1]} = [...]")
+        several = f"[[{dotted(path)}]], in double brackets" if (*path, "*") in tables else f"{path[-1]} = [...]"
+        wanted, example = table if refusal.kind == "not_a_table" else ("a list", several)
         return source.fault(path, "wrong_type", wanted=wanted, found=type_name(refusal.value), example=example)
     return source.fault(path, refusal.kind, **refusal.details)
 

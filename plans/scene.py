@@ -9,6 +9,7 @@ from pathlib import Path as FilePath
 
 from geometry.errors import LimitError
 from plans import fields as f
+from plans.capacity import check_capacity
 from plans.faults import Fault, Path, SceneError, wrong
 from plans.loads import (
     MASSES,
@@ -216,7 +217,7 @@ def parse_scene(text: str, file: str = "scene.toml") -> Scene:
 
 def _scene(source: Source) -> Scene:
     try:
-        return _with_source(read(Scene, source.tables), source)
+        return _bounded(_with_source(read(Scene, source.tables), source))
     except Refused as error:
         faults = refusals(error, source, TABLES)
         unlisted = max(0, len(error.refusals) - REFUSALS_LIMIT)
@@ -224,6 +225,11 @@ def _scene(source: Source) -> Scene:
         raise SceneError([*faults, *meaning], unlisted) from None
     except LimitError as error:
         raise LimitError(f"{source.file}: {error}") from None
+
+
+def _bounded(scene: Scene) -> Scene:
+    check_capacity(len(scene.mechanism.links), scene.drive.count, FORCES in scene.sheets)
+    return scene
 
 
 def _with_source(scene: Scene, source: Source) -> Scene:

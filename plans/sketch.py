@@ -65,7 +65,8 @@ def assembly(mechanism: Mechanism, groups: Sequence[Dyad], first: Turn | None, w
             return Assembly(_crossed(mechanism, groups, sides, turn.part([best])), float(turn.phi[best]))
         if turn is first:
             _out_of_reach(mechanism, groups, choices, turn)
-    return Assembly(tuple(1.0 for _ in groups), None)  # no angle can be assembled: every position is a gap
+    # No angle can be assembled: every position is a gap.
+    return Assembly(_crossed(mechanism, groups, [1.0] * len(groups), whole), None)
 
 
 def _crossed(mechanism: Mechanism, groups: Sequence[Dyad], sides: Sequence[float], turn: Turn) -> tuple[float, ...]:

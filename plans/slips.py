@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 
-from plans.faults import Fault
+from plans.faults import TWINS, Fault, dotted
 from plans.guard import GUARD, STRING
 from plans.places import Places, line_column
 
@@ -63,8 +63,8 @@ def _duplicate(text: str, line: int) -> Hint:
     duplicate = Places(text).duplicate
     if not duplicate:
         return None
-    first, second = (line_column(text, offset) for offset in duplicate)
-    return second, "duplicate", {"line": first[0]}
+    path, first, second = duplicate
+    return line_column(text, second), "duplicate", {"name": dotted(path), "line": line_column(text, first)[0]}
 
 
 def _open_mark(text: str, line: int) -> Hint:
@@ -107,7 +107,9 @@ def _line_hints(line: str, column: int) -> Iterator[tuple[int, str, dict[str, ob
         yield match.start(1), "comma", {"written": f"{match[1]}.{match[2]}"}
     yield from _number_hints(code)
     if match := re.match(r"\s*([^\s=\[\]\"'.]*[^\sA-Za-z0-9_=\[\]\"'.-][^\s=\[\]\".]*)\s*=", line):
-        yield match.start(1), "bare_key", {"text": match[1]}
+        latin = match[1].translate(TWINS)
+        twin = ("bare_twin", {"text": match[1], "twin": latin}) if latin.isascii() else None
+        yield match.start(1), *(twin or ("bare_key", {"text": match[1]}))
     if match := re.search(r"=\s*(\w[\w/ .-]*?)\s*$", code):
         yield match.start(1), "bare_text", {"text": match[1]}
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -20,9 +20,10 @@ from plans.loading import loading
 from plans.machine import Machine
 from plans.mechanism import Output, StructureError
 from plans.motion import ORDERS, Extremes, Floats, Gap, Motion
+from plans.obstruction import obstruction
 from plans.passage import CHANGE, at_angles
 from plans.pattern import Pattern
-from plans.stroke import Stroke, strokes
+from plans.stroke import NoStroke, Stroke, strokes
 from plans.study import BLOCK, Drafts, Study
 
 if TYPE_CHECKING:
@@ -104,12 +105,19 @@ class Statics:
     @cached_property
     def strokes(self) -> Mapping[str, Stroke]:
         """The strokes over which loads change, by construction."""
-        scene = self.study.scene
+        return self.over(self._extremes)
+
+    def over(self, extremes: Callable[[Output], Extremes | None]) -> dict[str, Stroke]:
+        """Find the strokes over which loads change by the extreme positions of either road."""
+        study, scene = self.study, self.study.scene
         try:
-            return strokes(self.machine, self.study.mechanism, self.study.output, self._extremes)
-        except StructureError as error:
+            return strokes(self.machine, study.mechanism, study.output, extremes)
+        except NoStroke as error:
+            why = str(error)
+            if study.barriers:
+                why = f"{error.load} acts over the stroke of {error.thing}, but {obstruction(study.sweep)}"
             line, column = scene.place(("loads",))
-            raise StructureError(f"{scene.file}:{line}:{column}: loads: {error}", error.links) from None
+            raise StructureError(f"{scene.file}:{line}:{column}: loads: {why}") from None
 
     def _extremes(self, output: Output) -> Extremes | None:
         """Find the extreme positions of an output by construction."""

@@ -58,6 +58,17 @@ class Stroke(NamedTuple):
         return np.asarray(np.minimum(np.maximum(beyond / (high - low) + 0.5, 0.0), 1.0))
 
 
+class NoStroke(StructureError):  # noqa: N818  (the exception tree's own word)
+    """A load that changes over the stroke of a link or a point which has no two extreme positions."""
+
+    def __init__(self, load: str, thing: str) -> None:
+        super().__init__(
+            f"{load} acts over the stroke of {thing}, which has no two extreme positions. Fix: let it act always and "
+            "without overrun or diagram, or name another point by stroke"
+        )
+        self.load, self.thing = load, thing
+
+
 def asks(load: Force | Moment) -> bool:
     """Tell whether a load changes over a stroke."""
     changes = load.during != ALWAYS or load.overrun != (0.0, 0.0)
@@ -76,10 +87,7 @@ def strokes(
             reached = extremes(shown) if shown else None
             if shown is None or reached is None or not (reached.sliding or reached.stroke < TURN):
                 thing = f"point {load.stroke}" if load.stroke else f"link {output.link}"
-                raise StructureError(
-                    f"{load.name} acts over the stroke of {thing}, which has no two extreme positions. Fix: let it act "
-                    "always and without overrun or diagram, or name another point by stroke"
-                )
+                raise NoStroke(load.name, thing)
             found[load.stroke] = _stroke(mechanism, shown, reached)
     return found
 

@@ -18,6 +18,7 @@ from plans.extreme import Found, extremes, output
 from plans.linkage import mechanism_of
 from plans.mechanism import Mechanism, Output, StructureError
 from plans.motion import ORDERS, Floats, Gap, Motion
+from plans.obstruction import obstruction
 from plans.passage import Barrier, Sweep
 from plans.pattern import Pattern
 from plans.plan import Plan
@@ -206,11 +207,9 @@ class Study:
         return from_direction(self.found.directions[0], self.found.extremes.phi[0], drive.positions, self.sense)
 
     def _no_extreme(self) -> str:
-        why = "it turns fully or stands still"
-        if self.barriers:
-            barrier = self.barriers[0]
-            edges = f"{np.degrees(barrier.start):.2f} to {np.degrees(barrier.end):.2f} degrees"
-            why = f"the crank does not turn fully ({barrier.kind} at {barrier.where}, {edges})"
+        if self.assembly.phi is None:
+            return f'drive.start = "extreme", but {obstruction(self.sweep)}'
+        why = obstruction(self.sweep) if self.barriers else "it turns fully or stands still"
         return (
             f'drive.start = "extreme", but output link {self.output.link} has no extreme position: {why}. '
             "Fix: give the first crank angle in degrees, or name another [output]"

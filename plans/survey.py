@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from plans.faults import SHOWN, Fault, Path, suggestion
+from plans.faults import SHOWN, TWINS, Fault, Path, suggestion
 from plans.fields import split_line
 from plans.mechanism import FRAME
 from plans.scene import Scene
@@ -99,6 +99,12 @@ class Survey:
             return "check the spelling"  # nobody reads it, and comparing a thousand names takes its time
         otherwise = "the points are " + ", ".join(sorted(self.names, key=natural))
         return suggestion(name, self.names, otherwise)
+
+    def twin(self, names: Iterable[str], known: Iterable[str]) -> str:
+        """Advise the letter of the other alphabet where a name only looks like a known one; else nothing."""
+        alike = {other.translate(TWINS): other for other in known}
+        found = [name for name in names if alike.get(name.translate(TWINS), name) != name]
+        return suggestion(found[0], alike.values()) if found else ""
 
     def know_link(self, path: Path, link: int) -> bool:
         """See that a moving link exists; report it if not."""

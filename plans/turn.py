@@ -18,7 +18,7 @@ _INT64 = 2**62  # numerators of whole turns stay exact below this
 
 @dataclass(frozen=True)
 class Turn:
-    """Crank positions: angles phi, rad, not reduced, and the crank's unit directions."""
+    """Crank positions: angles phi, rad, that go on from each other, and the crank's unit directions."""
 
     phi: Floats
     directions: Complexes
@@ -44,6 +44,7 @@ def even(start: Fraction, count: int, sense: int) -> Turn:
     >>> even(Fraction(0), 4, +1).directions.tolist()
     [(1+0j), 1j, (-1+0j), -1j]
     """
+    start = within(start)
     denominator = start.denominator * count
     first, step = start.numerator * count, sense * 360 * start.denominator
     phi = np.radians(float(start)) + sense * (2 * np.pi / count) * np.arange(count)
@@ -54,8 +55,26 @@ def even(start: Fraction, count: int, sense: int) -> Turn:
 
 
 def listed(angles: Sequence[Fraction]) -> Turn:
-    """Take crank angles in degrees as the scene lists them."""
-    return Turn(np.radians(np.array([float(angle) for angle in angles])), directions_of(angles))
+    """Take crank angles in degrees as the scene lists them, less the whole turns that they have in common.
+
+    Of a list that spans more than a turn each angle is taken within one.
+
+    >>> np.degrees(listed([Fraction(3950), Fraction(3970)]).phi).round(9).tolist()
+    [350.0, 370.0]
+    """
+    least = min(angles, key=abs, default=Fraction(0))
+    wide = max(angles, default=least) - min(angles, default=least) > 360
+    near = [within(angle) if wide else angle - least + within(least) for angle in angles]
+    return Turn(np.radians(np.array([float(angle) for angle in near])), directions_of(near))
+
+
+def within(angle: Fraction) -> Fraction:
+    """Take whole turns off an angle in degrees, exactly: as a float it would lose a digit with every ten of them.
+
+    >>> within(Fraction(100_000)), within(Fraction(-725))
+    (Fraction(280, 1), Fraction(-5, 1))
+    """
+    return angle - 360 * int(angle / 360)
 
 
 def from_direction(first: complex, phi: float, count: int, sense: int) -> Turn:

@@ -21,6 +21,7 @@ LENGTH_LEAST = Decimal("1e-9")  # m
 ANGLE_LIMIT = Decimal("1e9")  # degrees
 RATE_LIMIT = Decimal("1e9")  # rad/s, rad/s2: no machine turns a thousandth as fast
 RATE_LEAST = Decimal("1e-9")  # above zero: a turn in two centuries
+COEFFICIENT_LIMIT = Decimal(3)  # rubber on a dry road has 1, and the groove of a V-belt makes it three times as much
 PRESSURE_LIMIT = Decimal(45)  # degrees: beyond it the teeth of a gear press the shafts apart more than they turn them
 
 # An ASCII number with digits on both sides of the point, then whatever stands for a unit.
@@ -29,11 +30,16 @@ DECIMAL_COMMA = re.compile(r"\s*([+-]?[0-9]+),([0-9]+)\b")
 
 
 class Kind(NamedTuple):
-    """A kind of quantity: its name, its unit in SI, and the other units with what one of them is in that unit."""
+    """A kind of quantity: its name, its unit in SI, and the other units with what one of them is in that unit.
+
+    Its sizes in SI are zero, or lie between `least` and `most`: no machine has others.
+    """
 
     name: str
     si: str
     units: Mapping[str, Decimal]
+    least: Decimal = SMALLEST
+    most: Decimal = LARGEST
 
     @property
     def allowed(self) -> str:
@@ -41,8 +47,9 @@ class Kind(NamedTuple):
         return ", ".join(unit for unit in self.units if unit.isascii()) or "none"
 
 
-def _kind(name: str, si: str, **russian_or_other: str) -> Kind:
-    return Kind(name, si, {si: Decimal(1), **{unit: Decimal(size) for unit, size in russian_or_other.items()}})
+def _kind(name: str, si: str, *sizes: str, **russian_or_other: str) -> Kind:
+    units = {si: Decimal(1), **{unit: Decimal(size) for unit, size in russian_or_other.items()}}
+    return Kind(name, si, units, *map(Decimal, sizes))
 
 
 LENGTH = _kind("length", "m", dm="0.1", cm="0.01", mm="0.001", м="1", дм="0.1", см="0.01", мм="0.001")
@@ -61,17 +68,24 @@ ANGULAR_ACCELERATION = Kind(
     "rad/s2",
     {"rad/s2": _ONE, "deg/s2": _RADIANS, "рад/с2": _ONE, "°/s2": _RADIANS},
 )
-ACCELERATION = _kind("acceleration", "m/s2", **{"cm/s2": "0.01", "mm/s2": "0.001", "м/с2": "1", "мм/с2": "0.001"})
-MASS = _kind("mass", "kg", g="0.001", t="1000", кг="1", г="0.001", т="1000")
-INERTIA = _kind("moment of inertia", "kg*m2", **{"kg*cm2": "0.0001", "kg*mm2": "0.000001", "кг*м2": "1"})
-FORCE = _kind("force", "N", kN="1000", Н="1", кН="1000")
+ACCELERATION = _kind(
+    "acceleration", "m/s2", "1e-9", "1e9", **{"cm/s2": "0.01", "mm/s2": "0.001", "м/с2": "1", "мм/с2": "0.001"}
+)
+MASS = _kind("mass", "kg", "1e-12", "1e12", g="0.001", t="1000", кг="1", г="0.001", т="1000")
+INERTIA = _kind(
+    "moment of inertia", "kg*m2", "1e-24", "1e18", **{"kg*cm2": "0.0001", "kg*mm2": "0.000001", "кг*м2": "1"}
+)
+FORCE = _kind("force", "N", "1e-12", "1e12", kN="1000", Н="1", кН="1000")
 MOMENT = _kind(
     "moment",
     "N*m",
+    *("1e-15", "1e15"),
     **{"kN*m": "1000", "N*mm": "0.001", "Nm": "1", "Nmm": "0.001"},
     **{"Н*м": "1", "кН*м": "1000", "Н*мм": "0.001", "Нм": "1", "Нмм": "0.001"},
 )
-STIFFNESS = _kind("stiffness", "N/m", **{"kN/m": "1000", "N/cm": "100", "N/mm": "1000", "Н/м": "1", "Н/мм": "1000"})
+STIFFNESS = _kind(
+    "stiffness", "N/m", "1e-9", "1e15", **{"kN/m": "1000", "N/cm": "100", "N/mm": "1000", "Н/м": "1", "Н/мм": "1000"}
+)
 NUMBER = Kind("number", "", {})
 
 
@@ -92,9 +106,9 @@ def quantity(value: object, kind: Kind) -> Decimal:
     if isinstance(value, bool):
         raise wrong("not_a_number", kind=kind.name, found="true or false")
     if isinstance(value, int | Decimal):
-        return _finite(Decimal(value), kind)
+        return _ranged(_finite(Decimal(value), kind), kind)
     if isinstance(value, str):
-        return _written(value, kind)
+        return _ranged(_written(value, kind), kind)
     raise wrong("not_a_number", kind=kind.name, found=type_name(value))
 
 
@@ -148,6 +162,19 @@ def positive(value: object, kind: Kind) -> Decimal:
     return result
 
 
+def free_length(value: object) -> Decimal:
+    """Give the free length of a spring in metres: zero, or a length."""
+    return length(value) if quantity(value, LENGTH) else Decimal(0)
+
+
+def friction(value: object) -> Decimal:
+    """Give a coefficient of friction, at most COEFFICIENT_LIMIT."""
+    result = not_negative(value, NUMBER)
+    if result > COEFFICIENT_LIMIT:
+        raise wrong("coefficient", most=str(COEFFICIENT_LIMIT))
+    return result
+
+
 def not_negative(value: object, kind: Kind) -> Decimal:
     """Give a quantity of zero or above: a mass, a moment of inertia, a coefficient of friction."""
     result = quantity(value, kind)
@@ -182,6 +209,12 @@ def _written(text: str, kind: Kind) -> Decimal:
     if unit not in kind.units:
         raise wrong("wrong_unit", kind=kind.name, units=kind.allowed, unit=unit, example=_example(kind))
     return WORKING.multiply(number, kind.units[unit]) if kind.units[unit] != 1 else number
+
+
+def _ranged(number: Decimal, kind: Kind) -> Decimal:
+    if number and not kind.least <= abs(number) <= kind.most:
+        raise wrong("out_of_range", kind=kind.name, least=f"±{kind.least}", most=f"±{kind.most}", unit=kind.si)
+    return number
 
 
 def _example(kind: Kind) -> str:

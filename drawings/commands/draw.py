@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from drawings.lettering import UnknownLetter, demand, lettered
-from drawings.report import report, shallow, summary
+from drawings.report import report, shallow, shown, summary
 from drawings.strokes import Run, SheetError, Text
 from drawings.talk import noted, verdict
 from drawings.trace import Trace
@@ -48,6 +48,7 @@ def run(options: argparse.Namespace) -> int:
     trace: Trace = options.trace or Trace()
     drawn = draw(options.scene, options.output, trace)
     print(summary(drawn.comparison))
+    print(shown(drawn.study))
     for path in drawn.paths:
         print(path)
     for path in _earlier(drawn, options.output):

@@ -34,7 +34,7 @@ class UnknownMark(DraftError, ValueError):  # noqa: N818  (the message's own wor
 
 def run(options: argparse.Namespace) -> int:
     """Print the steps behind a mark at one position; give the exit code."""
-    study = Study(noted(read_scene(options.scene)))
+    study = Study(noted(read_scene(options.scene), forces=True))
     position = _position(study, options.position)
     drafts = study.drafts((position,))
     forces, opposite = _force(study, position, options.mark)

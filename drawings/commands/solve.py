@@ -29,7 +29,7 @@ def run(options: argparse.Namespace) -> int:
     """Print the numbers; give the exit code."""
     trace: Trace = options.trace or Trace()
     with trace.stage("reading the scene"):
-        study = Study(noted(read_scene(options.scene)))
+        study = Study(noted(read_scene(options.scene), forces=not {*FORCES}.isdisjoint(options.only or ())))
     wanted = options.only or wanted_of(study)
     orders = [k for k, order in enumerate(ORDERS) if order in wanted]
     forces = [name for name in FORCES if name in wanted]
@@ -96,10 +96,9 @@ def _analysis(study: Study, order: int, forces: Sequence[str]) -> Numbers:
     from plans.analytic.kinetostatics import kinetostatics
     from plans.loading import loading
     from plans.statics import Statics
-    from plans.stroke import strokes
 
     statics = Statics(study)
-    loads = loading(statics.machine, motion, strokes(statics.machine, study.mechanism, study.output, road.extremes))
+    loads = loading(statics.machine, motion, statics.over(road.extremes))
     solved = kinetostatics(road, statics.machine, motion, loads, statics.pairs)
 
     def rubbed() -> Friction:

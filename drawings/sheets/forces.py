@@ -32,6 +32,7 @@ from plans.statics import Statics
 from plans.structure import formula
 from plans.study import Study
 
+CHOICES = 12  # positions that a message offers at most
 LARGEST = 2.2  # times the least size at which it is legible: a crank is not drawn larger than the mechanism
 STEPS = 720  # of a graph over a turn: half a degree, less than the width of a line on any sheet
 
@@ -54,20 +55,25 @@ def sheets(study: Study, comparison: Comparison, statics: Statics) -> tuple[Leaf
 def positions(study: Study, comparison: Comparison) -> tuple[int, ...]:
     """Give the positions whose forces are drawn: the scene's own, or the one that is shown in full lines."""
     assert comparison.forces is not None  # a force sheet compares them
-    gone = {gap.position for road in comparison.forces for gap in road.gaps}
-    for k in study.scene.sheet.forces:
+    gone = {gap.position: gap for road in reversed(comparison.forces) for gap in road.gaps}
+    have = [k for k in range(len(study.turn)) if k not in gone]
+    if not have:
+        first = gone[min(gone)]
+        raise SheetError(
+            f"{study.scene.file}: no position has forces: {first.reason} at {first.where}, in position "
+            f"{first.position}: {first.advice}"
+        )
+    for index, k in enumerate(study.scene.sheet.forces):
         if k in gone:
+            line, column = study.scene.place(("sheet", "forces", index))
             raise SheetError(
-                f"{study.scene.file}: sheet.forces: position {k} has no forces. "
-                f"Fix: choose one of {', '.join(str(n) for n in range(len(study.turn)) if n not in gone)}"
+                f"{study.scene.file}:{line}:{column}: sheet.forces: {gone[k].reason} at {gone[k].where}, so that "
+                f"position {k} has no forces. Fix: choose one of {', '.join(map(str, have[:CHOICES]))}"
             )
     if study.scene.sheet.forces:
         return tuple(study.scene.sheet.forces)
     shown = position(study, comparison)
-    free = [k for k in (shown, *range(len(study.turn))) if k not in gone]
-    if not free:
-        raise SheetError(f"{study.scene.file}: no position has forces. {next(iter(comparison.forces[0].gaps)).advice}")
-    return (free[0],)
+    return (shown if shown in have else have[0],)
 
 
 @dataclass(frozen=True)

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from plans.messages import english_notes
+
 CODE = "en"
 FAULT = "expected {expected}. Fix: {advice}"
 NOTE = "note: {expected}; {advice}"
 MORE = "and {count} more"
+NOTES = english_notes.NOTES
 
 # Each kind of fault: what was expected, and the advice.
 FAULTS: Mapping[str, tuple[str, str]] = {
@@ -34,9 +37,13 @@ FAULTS: Mapping[str, tuple[str, str]] = {
     "huge_integer": ("a number of reasonable length", "round it to the digits that you know"),
     "bare_text": ("a number, or text in quotes", 'put text in quotes: "{text}"'),
     "bare_key": ("a name of Latin letters, digits, - and _, or a name in quotes", 'write "{text}" = ... in quotes'),
+    "bare_twin": (
+        "a Latin letter, but {text} has a Cyrillic one that looks Latin",
+        'write "{twin}" in Latin letters, here and wherever the point is named',
+    ),
     "open_bracket": ("the bracket {bracket} that opens here to be closed", "add the closing bracket"),
     "open_quote": ("the quote that opens here to be closed", "add the closing quote"),
-    "duplicate": ("each name once, but it is written here and on line {line}", "keep one of the two"),
+    "duplicate": ("each name once, but it is written here and on line {line}: {name}", "keep one of the two"),
     # single values
     "missing": ("this {thing}", "add it: {example}"),
     "unknown_key": ("a key of {table}: {known}", "{suggestion}"),
@@ -57,6 +64,16 @@ FAULTS: Mapping[str, tuple[str, str]] = {
     "negative": ("this {kind} not to be negative", "check the sign"),
     "out_of_range": ("this {kind} to be between {least} and {most} {unit}", "check the value and its unit"),
     "not_whole": ("a whole number from {least}", "write it without a fraction and without quotes"),
+    "too_low": ("a whole number from {least}", "write {least} or more"),
+    "frame_moves": ("a moving link, from 1: link 0 is the frame", "name a link of [mechanism.links]"),
+    "coefficient": (
+        "a coefficient of friction from 0 to {most}",
+        "check the decimal point: oiled steel has about 0.1, which is 10 per cent",
+    ),
+    "comma_list": (
+        "numbers with decimal points, but found commas that a space follows and commas that none follows",
+        "use points: {written}",
+    ),
     "pair": ("2 numbers {what}, but found {found}", "{advice}"),
     "choice": ("one of {choices}", "{suggestion}"),
     "sheet_name": ("a sheet that this version draws: {choices}", "{suggestion}"),
@@ -82,6 +99,10 @@ FAULTS: Mapping[str, tuple[str, str]] = {
     "travel": (
         "travel from 0 to 1, but it covers {first} to {last}",
         "give the force from the beginning of the stroke to its end: 0 N where it rests",
+    ),
+    "travel_share": (
+        "shares of the stroke from 0 to 1, but found {found}",
+        "divide by the stroke; a decimal comma is a point: 0.5",
     ),
     "share": ("a share of the stroke from 0 to less than 1", "write 0.1 for a tenth of it"),
     "no_stroke_left": ("overruns that leave a part of the stroke between them", "write smaller shares"),
@@ -131,13 +152,16 @@ FAULTS: Mapping[str, tuple[str, str]] = {
         "a third point: {name} is among the first two of link {link}, which make its own axis",
         "give the length {line} instead",
     ),
+    "two_places": (
+        "one place for {name}: it is a fixed point of [mechanism.frame] too",
+        "give the point of link {link} a letter of its own",
+    ),
     "on_frame": ("a moving link: link 0 is the frame", "put fixed points into [mechanism.frame]"),
     "placed_twice": ("one way to place {name}: it has a place in [mechanism.points]", "leave out this length"),
-    "fixed_sketch": ("a moving point: {name} is fixed", "leave it out, its place is in [mechanism.frame]"),
     "not_itself": ("a line of another link", "the slide joins two different links"),
     "many_owners": ("a line of one link, but links {links} have both points", "name two points of one of them"),
     "no_direction": ("two points apart from each other, but {first} and {second} are in one place", "move one of them"),
-    "no_hinge": ("a drive link with a fixed hinge", "give link {link} a point of [mechanism.frame]"),
+    "no_hinge": ("a drive link with a fixed hinge", "{suggestion}"),
     "many_hinges": (
         "a drive link with one fixed hinge, but {points} are all fixed",
         "leave one of them in link {link}",
@@ -148,6 +172,14 @@ FAULTS: Mapping[str, tuple[str, str]] = {
         "every link to be joined to the frame; not joined: {links}",
         "give it a common point with another link, or a slide",
     ),
+    "loose": (
+        "a second joint of link {link}, which only turns about {name}",
+        "give it a slide, [[mechanism.slides]] link = {link}, or a second point",
+    ),
+    "one_body": (
+        "one joint between two links, but {how} join links {first} and {second} twice, so that they are one body",
+        "correct the letters, or leave one of the two out",
+    ),
     "mobility": (
         "mobility 1, but W = 3n - 2p = 3*{n} - 2*{p} = {found} ({hinges} hinges, {slides} slides; a hinge of k links "
         "counts k - 1)",
@@ -157,7 +189,10 @@ FAULTS: Mapping[str, tuple[str, str]] = {
         "a ratio of the longest to the shortest length up to {most}, but {name} is {ratio} times {other}",
         "check the units of both",
     ),
-    "no_line": ("a link with two points, for its middle", "give the centre as [x, y]"),
+    "no_line": (
+        "a link with two points, for its middle: two letters of link {link} in [mechanism.links]",
+        "give the centre as [x, y], or by the letter of a point",
+    ),
     # masses, loads, friction
     "nothing_acts": (
         "masses or loads for the sheet of forces, but nothing acts on the mechanism",
@@ -171,40 +206,4 @@ FAULTS: Mapping[str, tuple[str, str]] = {
     "one_link": ("ends on two different links, but both are on link {link}", "name points of two links"),
     "unknown_pair": ("a pair of the mechanism, but there is no pair {name}", "{suggestion}"),
     "pair_form": ("{thing}, which alone has a {name}, but pair {pair} is none", "leave {name} out"),
-}
-
-
-# Each kind of note: what is odd though allowed, and the advice.
-NOTES: Mapping[str, tuple[str, str]] = {
-    "byte_order_mark": ("the file begins with a byte order mark (BOM)", "it was left aside"),
-    "metres": (
-        "no length without a unit is under {least} m, and a bare number is in metres",
-        'if millimetres are meant, write "{example} mm"',
-    ),
-    "spread": ("{name} is {ratio} times {other}", "check the units of both"),
-    "degrees": ("{turns} turns of the crank", "if degrees are meant, write the bare number"),
-    "radians": (
-        "all angles are under {most}, and a bare number is in degrees",
-        'if radians are meant, write "{example} rad"',
-    ),
-    "twins": ("{name} and {other} look alike, but one has a Cyrillic letter", "rename one of them"),
-    "spare_point": ("no link and no slide uses the fixed point {name}", "leave it out, or give it to a link"),
-    "far_centre": (
-        "the mass centre is {far} m from the nearest point of link {link}",
-        "check its place and unit: the link's own frame has its first point as origin and its second on +x",
-    ),
-    "large_inertia": (
-        "{inertia} kg*m2 is more than m*L2 = {most} kg*m2 of link {link}",
-        "if it is the inertia about a hinge, give that about the mass centre: less by m*r2",
-    ),
-    "heavy": ("{ratio} times the gravity of the Earth", 'if millimetres are meant, write "{example} mm/s2"'),
-    "upward": ("gravity as a number is downward, and this one acts upward", "leave out its sign, or write [gx, gy]"),
-    "weightless": (
-        "links have masses but no weights, because no gravity is given",
-        "write gravity = 9.81 in [loads], or 0 where it is meant so",
-    ),
-    "open_diagram": (
-        "the diagram does not close: at {travel} of the stroke force and back differ by {jump} N",
-        "give both one value there, unless the jump is meant",
-    ),
 }

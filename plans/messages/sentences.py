@@ -19,6 +19,10 @@ LIMITS: Mapping[str, str] = {
         "в имени с точками больше частей, чем PARTS_LIMIT = {limit}"
     ),
     "brackets nested deeper than NESTING_LIMIT = {limit}": "скобки вложены глубже, чем NESTING_LIMIT = {limit}",
+    "links times positions, {a} x {count}, is more than {b} = {limit}. Fix: {most} positions at most": (
+        "число звеньев на число положений, {a} x {count}, больше, чем {b} = {limit}. Исправьте: не больше {most} "
+        "положений"
+    ),
     "more than {a} = {limit}": "больше, чем {a} = {limit}",
     "more than {a} = {limit}. Fix: fewer": "больше, чем {a} = {limit}. Исправьте: возьмите меньше",
     "a table or list of {count} entries: more than {a} = {limit}": (
@@ -161,7 +165,18 @@ GAPS: Mapping[str, str] = {
         'drive.start = "extreme", но у выходного звена {a} нет крайнего положения: {why}. '
         "Исправьте: задайте первый угол кривошипа в градусах или другое звено в [output]"
     ),
+    'drive.start = "extreme", but {why}': 'drive.start = "extreme", но {why}',
     "it turns fully or stands still": "оно делает полный оборот или неподвижно",
+    "the crank does not turn fully ({reason} at {where}, {low} to {high} degrees): {advice}": (
+        "кривошип не делает полного оборота ({reason}, {where}, от {low} до {high} градусов): {advice}"
+    ),
+    "the mechanism cannot be assembled at any crank angle: {reason} at {where}: {advice}": (
+        "механизм не собирается ни при каком угле кривошипа: {reason}, {where}: {advice}"
+    ),
+    "the mechanism cannot be assembled at any crank angle: {reason} at {where}": (
+        "механизм не собирается ни при каком угле кривошипа: {reason}, {where}"
+    ),
+    "{a} acts over the stroke of {thing}, but {why}": "{a} действует по ходу: {thing}; но {why}",
     "the crank does not turn fully ({reason} at {where}, {low} to {high} degrees)": (
         "кривошип не делает полного оборота ({reason}, {where}, от {low} до {high} градусов)"
     ),
@@ -183,10 +198,13 @@ GAPS: Mapping[str, str] = {
     ),
 }
 SHEETS: Mapping[str, str] = {
-    "sheet.forces: position {position} has no forces. Fix: choose one of {positions}": (
-        "sheet.forces: в положении {position} сил нет. Исправьте: выберите одно из {positions}"
+    "sheet.forces: {reason} at {where}, so that position {position} has no forces. Fix: choose one of {positions}": (
+        "sheet.forces: {reason}, {where}, поэтому в положении {position} сил нет. Исправьте: выберите одно из "
+        "{positions}"
     ),
-    "no position has forces. {advice}": "ни в одном положении нет сил. {advice}",
+    "no position has forces: {reason} at {where}, in position {position}: {advice}": (
+        "ни в одном положении нет сил: {reason}, {where}; в положении {position}: {advice}"
+    ),
     "sheet.format = {format}: not drawn yet. Fix: {either}": (
         "sheet.format = {format}: этот формат пока не чертится. Исправьте: {either}"
     ),

@@ -82,6 +82,7 @@ TERMS: Mapping[str, str] = {
 ADVICE: Mapping[str, str] = {
     "a bare number": "число без единицы",
     "a table of key = value lines": "таблица из строк «ключ = значение»",
+    "[[{name}]], in double brackets": "[[{name}]] в двойных скобках",
     "text: {written}": "текст: {written}",
     "text in quotes: {written}": "текст в кавычках: {written}",
     "[mechanism.frame] with O = [0, 0]": "[mechanism.frame] со строкой O = [0, 0]",
@@ -103,6 +104,10 @@ ADVICE: Mapping[str, str] = {
     "add a hinge or a slide; no link has the fixed point {points}": (
         "добавьте шарнир или поступательную пару; неподвижной точки {points} нет ни у одного звена"
     ),
+    "add a hinge or a slide; point {name} is of link {a} alone: give it to [mechanism.frame] or to another link": (
+        "добавьте шарнир или поступательную пару; точка {name} есть только у звена {a}: внесите её в [mechanism.frame] "
+        "или в другое звено"
+    ),
     "take out a link that is held twice, or a slide": "уберите дважды закреплённое звено или поступательную пару",
     'did you mean "{a}"?': 'возможно, "{a}"?',
     'did you mean "{a}" or "{b}"?': 'возможно, "{a}" или "{b}"?',
@@ -119,6 +124,7 @@ ADVICE: Mapping[str, str] = {
     ),
     "add the link, or correct the letters": "добавьте звено или исправьте буквы",
     "name two points of the link it slides along": "назовите две точки звена, вдоль которого оно скользит",
+    "give link {a} a point of [mechanism.frame]": "дайте звену {a} точку из [mechanism.frame]",
     "name a point of link {a}": "назовите точку звена {a}",
     "the points are {points}": "назовите одну из точек {points}",
 }

@@ -116,6 +116,16 @@ def test_draw_writes_the_sheet_and_the_report_and_prints_the_comparison(run: Run
     assert beside.read_text("utf-8").startswith("# Crank shaper: kinematics\n")
 
 
+def test_the_output_is_told_and_who_chose_it(run: Run, tmp_path: Path) -> None:
+    _, out, _ = run("draw", SHAPER, "-o", tmp_path)
+    report = (tmp_path / "shaper-report.md").read_text("utf-8")
+    chosen = "utput: link 5 by its point D, the last link on the frame; [output] names another\n"
+    assert f"\no{chosen}" in out
+    assert f"\n- O{chosen}" in report
+    named = edited(tmp_path, "[sheet]", "[output]\nlink = 3\n[sheet]")
+    assert "\noutput: link 3, as [output] names it\n" in run("draw", named, "-o", tmp_path)[1]
+
+
 def test_every_vector_and_point_of_the_drawn_sheet_measures_back(run: Run, tmp_path: Path) -> None:
     run("draw", SHAPER, "-o", tmp_path)
     sheet = tmp_path / "shaper-kinematics.svg"

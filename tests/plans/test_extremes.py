@@ -160,3 +160,41 @@ def test_extremes_of_a_scene_with_its_guide_drawn_backwards():
     assert printed(*reach) == (-0.1385640646, -0.2592296279)
     assert value(study.drafts().positions.point("B").point).real == pytest.approx(0.1385640646, abs=5e-11)
     assert mechanism_of(study.scene).datum == (1, 2)
+
+
+ROD_LAST = """
+[mechanism.frame]
+O = [0, 0]
+C = [0.350, 0]
+[mechanism.links]
+1 = "OA"
+2 = "CB"
+3 = "AB"
+[mechanism.lengths]
+OA = 0.1
+AB = 0.4
+CB = 0.3
+[mechanism.sketch]
+B = [0.39, 0.30]
+[drive]
+link = 1
+speed = 10
+"""
+
+
+def test_the_output_of_a_four_bar_is_its_rocker_whatever_its_number() -> None:
+    study = Study(parse_scene(ROD_LAST))
+    assert study.output.link == 2
+    assert study.found is not None
+    assert study.found.extremes.stroke < np.pi
+
+
+def test_the_output_that_the_scene_names_is_the_output() -> None:
+    assert Study(parse_scene(ROD_LAST + "[output]\nlink = 3\n")).output.link == 3
+
+
+def test_of_a_group_that_does_not_touch_the_frame_the_last_link_is_the_output() -> None:
+    further = ROD_LAST.replace('3 = "AB"', '3 = "AB"\n4 = "AD"\n5 = "BD"').replace(
+        "CB = 0.3\n", "CB = 0.3\nAD = 0.3\nBD = 0.3\n"
+    )
+    assert Study(parse_scene(further.replace("B = [0.39, 0.30]", "B = [0.39, 0.30]\nD = [0.1, 0.3]"))).output.link == 5

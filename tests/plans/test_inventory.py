@@ -417,7 +417,7 @@ def test_weights_left_out_are_noted_where_forces_are_wanted_and_zero_says_that_i
     masses = "[masses]\n5 = { mass = 1 }\n"
     assert noted(SHAPER + masses) == [("weightless", "masses")]
     assert noted(SHAPER + masses + "[loads]\ngravity = 0\n") == []
-    assert noted(SHAPER.replace('["forces"]', '["kinematics"]') + masses) == []
+    assert noted(SHAPER.replace('["forces"]', '["kinematics"]') + masses) == [("unused", "masses")]
     assert noted(SHAPER + LOADED) == []
 
 
@@ -457,3 +457,11 @@ def test_an_exact_free_length_is_no_float_before_it_must_be() -> None:
     found = parse_scene(text).loads
     assert found is not None
     assert found.springs[0].free == Decimal("0.0805")
+
+
+def test_the_middle_is_that_of_the_two_letters_wherever_the_second_has_its_place() -> None:
+    """Link 4's second letter D is a point of the ram too, and a point of its own is named before both."""
+    placed = '[mechanism.points]\nA1 = { on = 4, at = [0.5, 0.5] }\n[masses]\n4 = { mass = 1, centre = "middle" }\n'
+    scene = parse_scene(SHAPER + placed)
+    found = machine_of(scene, mechanism_of(scene)).bodies[4].centre
+    assert found == pytest.approx(0.1, abs=1e-15)  # half of BD = 0.2, on the link's own x axis

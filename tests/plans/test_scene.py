@@ -16,6 +16,7 @@ from plans.linkage import mechanism_of
 from plans.mechanism import Drive, Mechanism, Output, StructureError
 from plans.scene import FrameLine, parse_scene
 from plans.shapes import triangle
+from plans.wording import said
 
 SHAPER = """title = "Crank shaper"
 sheets = ["kinematics"]
@@ -403,3 +404,19 @@ def test_a_hostile_scene_is_refused_at_once(text: str) -> None:
 def test_a_hundred_thousand_positions_are_no_trouble() -> None:
     listed = ", ".join(str(number / 400) for number in range(100_000))
     assert parse_scene(FOUR_BAR.replace("start = 30", f"positions = [{listed}]")).drive.count == 100_000
+
+
+CHAIN_OF_FIFTY = "[mechanism.frame]\nO = [0, 0]\n[mechanism.links]\n" + "".join(
+    f'{k} = "A{k - 1}A{k}"\n' for k in range(1, 51)
+)
+
+
+@pytest.mark.parametrize(("sheets", "most"), [('["kinematics"]', 20_000), ('["forces"]', 10_000)])
+def test_links_times_positions_are_limited_by_name(sheets: str, most: int) -> None:
+    """59 links at 100,000 positions once took 9.4 GB, and running out of memory was called a bug."""
+    text = f"sheets = {sheets}\n{CHAIN_OF_FIFTY}[drive]\nlink = 1\nspeed = 1\npositions = "
+    assert parse_scene(f"{text}{most}").drive.count == most
+    with pytest.raises(LimitError, match=f"_POSITIONS_LIMIT = .* Fix: {most} positions at most") as refused:
+        parse_scene(f"{text}{most + 1}")
+    assert "links times positions, 50 x" in str(refused.value)
+    assert "Исправьте: не больше" in said(str(refused.value), "ru")

@@ -126,3 +126,35 @@ def test_a_speed_of_no_machine_is_refused(written: str) -> None:
 
 def test_a_machine_may_stand_still_or_turn_either_way() -> None:
     assert [units.rate(Decimal(text), units.SPEED) for text in ("0", "-10", "1e9")] == [0, -10, Decimal("1e9")]
+
+
+# Each kind of quantity with a size above all of its machines, in a unit of its own.
+ENORMOUS = [
+    (units.FORCE, "1e10 kN"), (units.MOMENT, "1e13 kN*m"), (units.MASS, "1e10 t"), (units.INERTIA, "-1e19 kg*m2"),
+    (units.STIFFNESS, "-1e13 N/mm"), (units.ACCELERATION, "1e12 cm/s2"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("kind", "written"), ENORMOUS, ids=lambda given: getattr(given, "name", given))
+def test_a_quantity_of_no_machine_is_refused_in_any_unit(kind: Kind, written: str) -> None:
+    assert units.quantity(kind.most, kind) == kind.most
+    assert units.quantity(-kind.least, kind) == -kind.least
+    for value in (written, kind.most * 2, kind.least / 2):
+        with pytest.raises(Wrong) as caught:
+            units.quantity(value, kind)
+        assert caught.value.kind == "out_of_range"
+        assert caught.value.details["most"] == f"±{kind.most}"
+
+
+def test_the_coefficient_of_friction_ends_where_a_wedge_of_rubber_does() -> None:
+    assert units.friction(Decimal(3)) == 3
+    with pytest.raises(Wrong) as caught:
+        units.friction(Decimal("3.01"))
+    assert caught.value.kind == "coefficient"
+
+
+def test_a_free_length_is_none_or_a_length() -> None:
+    assert units.free_length(0) == 0
+    assert units.free_length("80 mm") == Decimal("0.08")
+    with pytest.raises(Wrong):
+        units.free_length(Decimal("1e10"))

@@ -1,0 +1,45 @@
+"""The crank's turn: whole turns are taken off exactly, so that any angle of a scene is as sharp as a small one."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+from fractions import Fraction
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from plans.compare import compare
+from plans.scene import parse_scene
+from plans.study import Study
+from plans.turn import even, listed, within
+
+CRANK_ROCKER = (Path(__file__).parent.parent / "catalogue" / "plain.toml").read_text("utf-8")
+
+
+@pytest.mark.parametrize("turns", [1, -2, 277, 2_777_777])
+@pytest.mark.parametrize("angle", ["0", "280", "-30", "0.1"])
+def test_whole_turns_change_nothing(turns: int, angle: str) -> None:
+    small = Fraction(Decimal(angle))
+    large = small + 360 * turns
+    assert even(large, 12, 1).phi.tolist() == even(within(large), 12, 1).phi.tolist()
+    assert np.exp(1j * even(large, 12, 1).phi) == pytest.approx(even(small, 12, 1).directions, abs=4e-15)
+    assert listed([large]).directions.tolist() == listed([small]).directions.tolist()
+
+
+def test_listed_angles_stay_as_far_apart_as_they_are() -> None:
+    assert np.degrees(listed([Fraction(350), Fraction(370)]).phi) == pytest.approx([350, 370], abs=1e-12)
+    assert np.degrees(listed([Fraction(-7210), Fraction(-7190)]).phi) == pytest.approx([-370, -350], abs=1e-12)
+
+
+def test_a_list_that_spans_several_turns_is_taken_within_one() -> None:
+    assert np.degrees(listed([Fraction(0), Fraction(100_000)]).phi) == pytest.approx([0, 280], abs=1e-12)
+
+
+@pytest.mark.parametrize("drive", ["start = 1e5", "start = -123456789.5", "positions = [1e8, 30]"])
+def test_both_roads_agree_however_many_turns_the_start_has(drive: str) -> None:
+    comparison = compare(Study(parse_scene(CRANK_ROCKER.replace("start = 0", drive))))
+    assert comparison.agrees
+    assert (
+        comparison.worst < 0.2
+    )  # as of a small angle: a rounding of the whole turns would take several of the allowed
