@@ -1,4 +1,4 @@
-"""The long trials: `python -m tests.trials [--kind chains] [--share 50] [--only 1234 [--show]] [--draw]`."""
+"""The long trials: `python -m tests.trials [--kind chains] [--share 50] [--only 1234 [--show]] [--draw] [--judge 100]`."""
 
 from __future__ import annotations
 
@@ -6,7 +6,8 @@ import argparse
 import sys
 from collections.abc import Sequence
 
-from tests.trials.series import trials
+from tests.trials.judgement import BORNE, judgement_table
+from tests.trials.series import judgements, trials
 from tests.trials.table import failing, table
 from tests.trials.trial import KINDS, text_of
 
@@ -18,6 +19,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if wanted.show:
         print(text_of(kinds[0], wanted.only))
         return 0
+    if wanted.judge:
+        judged = [*judgements(kinds, wanted.judge, wanted.only)]
+        print(judgement_table(judged))
+        return 1 if any(not one.roundings <= BORNE for one in judged) else 0
     verdicts = [*trials(kinds, wanted.share, wanted.draw, wanted.only)]
     print(table(verdicts))
     print(*failing(verdicts), sep="\n")
@@ -31,6 +36,7 @@ def _wanted(arguments: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument("--only", type=int, metavar="NUMBER", help="one scene of a kind")
     parser.add_argument("--show", action="store_true", help="print that scene instead")
     parser.add_argument("--draw", action="store_true", help="lay out, write and verify the sheets as well")
+    parser.add_argument("--judge", type=int, metavar="N", help="hold N scenes of each kind against 60 digits instead")
     wanted = parser.parse_args(arguments)
     if (wanted.only is not None or wanted.show) and not (wanted.kind and wanted.only is not None):
         parser.error("--only and --show want a --kind and --only NUMBER")

@@ -6,6 +6,7 @@ import sys
 from collections.abc import Iterator, Sequence
 from multiprocessing import get_context
 
+from tests.trials.judgement import Judgement, judged
 from tests.trials.trial import KINDS, Verdict, tried
 
 WORKERS = 2
@@ -27,6 +28,20 @@ def trials(kinds: Sequence[str], share: int = 1, draw: bool = False, only: int |
 
 def _tried(case: tuple[str, int, bool]) -> Verdict:
     return tried(*case)
+
+
+def judgements(kinds: Sequence[str], count: int, only: int | None = None) -> Iterator[Judgement]:
+    """Judge so many scenes of each kind, spread over all, or one by its number."""
+    spread = {kind: range(0, KINDS[kind][1], max(1, KINDS[kind][1] // count)) for kind in kinds}
+    cases = [(kind, number) for kind in kinds for number in (spread[kind][:count] if only is None else [only])]
+    with get_context("spawn").Pool(WORKERS) as pool:
+        for done, found in enumerate(pool.imap(_judged, cases, CHUNK), 1):
+            _progress(done, len(cases))
+            yield from found
+
+
+def _judged(case: tuple[str, int]) -> list[Judgement]:
+    return judged(*case)
 
 
 def _progress(count: int, of: int) -> None:

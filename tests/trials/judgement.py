@@ -1,0 +1,119 @@
+"""What the judge says of both roads: their errors in roundings of the data (приговор)."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Iterator, Mapping, Sequence
+from random import Random
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from geometry.errors import DraftError
+from plans.compare import Comparison, compare
+from plans.motion import LINK_KEYS, POINT_KEYS, Motion
+from plans.scene import parse_scene
+from plans.study import Study
+from tests.trials.judge import EPS, MP, Answers, Lost, answers, case, guess, roundings, solved
+from tests.trials.trial import text_of
+
+POSITIONS = 2  # judged of every scene
+BORNE = 10.0  # roundings of the data: what an answer may be off
+KEYS = (*POINT_KEYS, *LINK_KEYS)
+
+
+class Judgement(NamedTuple):
+    """The worst error of one road in one kind of quantity at one position, in roundings of the data."""
+
+    kind: str
+    number: int
+    position: int
+    road: str
+    key: str  # "v", "epsilon"; "nothing" where the judge found no solution near the road's
+    name: str  # of the point or link
+    roundings: float
+    kappa: float  # condition of the analysis's Jacobian there
+
+
+def judged(kind: str, number: int) -> list[Judgement]:
+    """Judge some positions of one scene; those that a road gives up are not judged, they are the trial's matter."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        try:
+            study = Study(parse_scene(text_of(kind, number)))
+            comparison = compare(study)
+        except DraftError:
+            return []
+        rows = [*comparison.construction.rows(), *comparison.analysis.rows()]
+        whole = np.flatnonzero(
+            np.all([np.isfinite(np.broadcast_to(r, len(study.turn))) for r in rows], axis=0)
+        ).tolist()
+        chosen = sorted(Random(number).sample(whole, min(POSITIONS, len(whole))))
+        return [Judgement(kind, number, k, *told) for k in chosen for told in _at(study, comparison, k)]
+
+
+def _at(study: Study, comparison: Comparison, position: int) -> Iterator[tuple[str, str, str, float, float]]:
+    """Judge both roads at one position, each by the solution nearest to it."""
+    own, kappa = case(study.mechanism, float(study.turn.phi[position])), float(comparison.kappa[position])
+    for road in (comparison.construction, comparison.analysis):
+        try:
+            found = solved(own, guess(own, road, study.mechanism, position))
+        except Lost:
+            yield road.by, "nothing", "", np.inf, kappa
+            continue
+        true = answers(own, [MP.mpc(z) for z in own.data], found)
+        off = _off(road, position, true, roundings(own, found))
+        for key in KEYS:
+            name = max((n for k, n in off if k == key), key=lambda n: off[key, n])
+            yield road.by, key, name, off[key, name], kappa
+
+
+def _off(
+    road: Motion, position: int, true: Answers, one: Mapping[tuple[str, str], float]
+) -> dict[tuple[str, str], float]:
+    """Give every error in roundings; what no datum moves, such as the turn of a block in a guide, in its kind's largest."""
+    most = {key: max(value for (k, _), value in one.items() if k == key) for key in KEYS}
+    errors = {key: float(abs(MP.mpc(_read(road, key, position)) - value)) for key, value in true.items()}
+    return {(k, n): _share(error, one[k, n] or most[k] or EPS) for (k, n), error in errors.items()}
+
+
+def _share(error: float, one: float) -> float:
+    return error / one if error else 0.0
+
+
+def _read(road: Motion, key: tuple[str, str], position: int) -> complex:
+    """Read a quantity off a road; of a link's direction its unit vector."""
+    kind, name = key
+    owner: Any = road.points[name] if kind in POINT_KEYS else road.links[int(name)]
+    value = complex(getattr(owner, kind)[position])
+    return complex(MP.expj(MP.mpf(value.real))) if kind == "angle" else value
+
+
+def judgement_table(judged: Sequence[Judgement]) -> str:
+    """Tell the worst of every kind by either road, how many are more than may be, and which scenes these are."""
+    roads = ("construction", "analysis")
+    places = {(one.kind, one.number, one.position) for one in judged}
+    scenes = {place[:2] for place in places}
+    lines = [
+        f"{len(scenes)} scenes judged at {len(places)} positions, in roundings of the data; at most {BORNE:g} are borne"
+    ]
+    lines += [f"{'':<10}" + "".join(f"{road + ': median, worst':>32}{'too many':>10}" for road in roads)]
+    for key in (*KEYS, "nothing"):
+        own = [[one.roundings for one in judged if one.key == key and one.road == road] for road in roads]
+        if any(own):
+            lines.append(f"{key:<10}" + "".join(_cells(values) for values in own))
+    wrong = sorted((one for one in judged if not one.roundings <= BORNE), key=lambda one: -one.roundings)
+    return "\n".join([*lines, *(_named(one) for one in wrong)])
+
+
+def _cells(values: Sequence[float]) -> str:
+    if not values:
+        return f"{'-':>32}{'-':>10}"
+    return f"{np.median(values):>20.2f}{max(values):>12.4g}{sum(not value <= BORNE for value in values):>10}"
+
+
+def _named(one: Judgement) -> str:
+    what = f"{one.key}_{one.name} {one.roundings:.4g} roundings"
+    return (
+        f"  --kind {one.kind} --only {one.number}: position {one.position}: {one.road}: {what}, kappa {one.kappa:.3g}"
+    )
