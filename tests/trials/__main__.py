@@ -1,4 +1,7 @@
-"""The long trials: `python -m tests.trials [--kind chains] [--share 50] [--only 1234 [--show]] [--draw] [--judge 100]`."""
+"""The long trials: `python -m tests.trials`; one scene: `--kind chains --only 1234`, its TOML: `--show`.
+
+`--share 50` tries every fiftieth, `--draw` draws the sheets as well, `--judge 100` holds 100 of each against 60 digits.
+"""
 
 from __future__ import annotations
 

@@ -25,6 +25,7 @@ ROUNDS = 12  # each gains 16 digits less those of the condition: enough up to a 
 CLOSED = MP.mpf(10) ** -50
 SAME = 1e-6  # of the mechanism's size: a solution farther than this from the road's is another assembly's
 STEP = 2.0**-20  # of a datum: by a central difference a yardstick is true to some percent up to a condition of 1e5
+NOTHING = 1e-7  # of the most of its kind: such a difference is the rounding of numbers that do not move
 EPS = float(np.finfo(np.float64).eps)
 
 Answers = dict[tuple[str, str], Any]
@@ -45,10 +46,11 @@ class Case(NamedTuple):
     crank: int
     arm: tuple[int, int]  # pivot and end
     drive: tuple[int, int, int]  # crank angle, omega, epsilon
+    e: Any  # the crank's direction, of 60 digits, where its angle is as it is given
 
 
-def case(mechanism: Mechanism, phi: float) -> Case:
-    """List the data of a mechanism at a crank angle, rad."""
+def case(mechanism: Mechanism, e: Any, phi: float) -> Case:
+    """List the data of a mechanism at a crank direction; one rounding of its angle is eps of phi, rad."""
     data: list[complex] = []
 
     def put(number: complex) -> int:
@@ -64,11 +66,13 @@ def case(mechanism: Mechanism, phi: float) -> Case:
     ]  # fmt: skip
     drive, links = mechanism.drive, [n for n in mechanism.links if n != FRAME]
     arm = points[drive.link, drive.pivot], points[drive.link, drive.end]
-    return Case(data, links, points, hinges, slides, drive.link, arm, (put(phi), put(drive.omega), put(drive.epsilon)))
+    return Case(
+        data, links, points, hinges, slides, drive.link, arm, (put(phi), put(drive.omega), put(drive.epsilon)), e
+    )
 
 
 def lead(case: Case, data: Sequence[Any], e: Any, size: Any) -> Series:
-    """Give the crank's arm as the drive turns it; e is the direction of the crank angle."""
+    """Give the crank's arm of a size as the drive turns it; e is the crank's direction."""
     arm, (_, omega, epsilon) = size * e, (data[k].real for k in case.drive)
     return Series(arm, 1j * omega * arm, (1j * epsilon - omega * omega) * arm / 2)
 
@@ -128,11 +132,11 @@ def _digits(value: Any) -> Any:
     return value if np.ndim(value) else MP.mpc(complex(value))
 
 
-def solved(case: Case, guess: Sequence[complex]) -> list[Series]:
+def solved(case: Case, guess: Sequence[complex], same: float = SAME) -> list[Series]:
     """Solve the equations near a guess, to 50 digits, up to accelerations."""
     back = inverse(case, guess)
     data = [MP.mpc(z) for z in case.data]
-    led = lead(case, data, MP.expj(data[case.drive[0]].real), abs(data[case.arm[1]] - data[case.arm[0]]))
+    led = lead(case, data, case.e, abs(data[case.arm[1]] - data[case.arm[0]]))
     q = [Series(MP.mpc(z), MP.mpc(0), MP.mpc(0)) for z in guess]
     for order in range(ORDERS):
         for _ in range(ROUNDS):
@@ -143,7 +147,7 @@ def solved(case: Case, guess: Sequence[complex]) -> list[Series]:
         else:
             raise Lost(f"the corrections of order {order} do not end")
     apart = max(float(abs(z.z - own)) for z, own in zip(q, guess, strict=True))
-    if not apart <= SAME * max(1.0, *map(abs, guess)):
+    if not apart <= same * max(1.0, *map(abs, guess)):
         raise Lost(f"the solution is {apart:.3g} from the road's")
     return q
 
@@ -173,14 +177,25 @@ def answers(case: Case, data: Sequence[Any], q: Sequence[Series]) -> Answers:
 
 
 def roundings(case: Case, q: Sequence[Series]) -> dict[tuple[str, str], float]:
-    """Tell what one rounding of the data does to every answer: eps of each, their effects added up."""
+    """Tell what one rounding of the data does to every answer: eps of each, their effects added up.
+
+    What no datum moves, as the turn of a block in a guide of the frame, is moved as much as the most of its kind: its
+    true nought is the difference of such numbers. And an answer is itself rounded: a direction to eps.
+    """
     moved = np.array([*_moved(case)]).T  # (data, twice the number of coordinates that are not nought)
     back = inverse(case, [complex(z.z) for z in q])
-    led = lead(case, moved, np.exp(1j * moved[case.drive[0]].real), np.abs(moved[case.arm[1]] - moved[case.arm[0]]))
+    e = complex(case.e) * np.exp(1j * (moved[case.drive[0]] - case.data[case.drive[0]]))
+    led = lead(case, moved, e, np.abs(moved[case.arm[1]] - moved[case.arm[0]]))
     still = [Series(*(np.full(moved.shape[1], complex(c)) for c in z)) for z in q]
     for order in range(ORDERS):
         still = _corrected(still, order, back @ _columns(case, failures(case, moved, still, led), order))
-    return {key: _summed(values) for key, values in answers(case, moved, still).items()}
+    found = answers(case, moved, still)
+    one = {key: _summed(values) for key, values in found.items()}
+    most = {kind: max(value for (k, _), value in one.items() if k == kind) for kind, _ in one}
+    # A link that gains no speed is found to gain none by differences of numbers of the size of omega squared.
+    most["epsilon"] = max(most["epsilon"], EPS * abs(case.data[case.drive[1]]) ** 2)
+    own = {key: EPS * float(np.abs(values).mean()) for key, values in found.items()}
+    return {key: own[key] + (value if value > NOTHING * most[key[0]] else most[key[0]]) for key, value in one.items()}
 
 
 def _moved(case: Case) -> Iterator[list[complex]]:

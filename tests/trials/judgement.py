@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
 from random import Random
 from typing import Any, NamedTuple
 
@@ -14,7 +15,7 @@ from plans.compare import Comparison, compare
 from plans.motion import LINK_KEYS, POINT_KEYS, Motion
 from plans.scene import parse_scene
 from plans.study import Study
-from tests.trials.judge import EPS, MP, Answers, Lost, answers, case, guess, roundings, solved
+from tests.trials.judge import MP, Lost, answers, case, guess, roundings, solved
 from tests.trials.trial import text_of
 
 POSITIONS = 2  # judged of every scene
@@ -54,7 +55,8 @@ def judged(kind: str, number: int) -> list[Judgement]:
 
 def _at(study: Study, comparison: Comparison, position: int) -> Iterator[tuple[str, str, str, float, float]]:
     """Judge both roads at one position, each by the solution nearest to it."""
-    own, kappa = case(study.mechanism, float(study.turn.phi[position])), float(comparison.kappa[position])
+    phi = max(abs(float(study.turn.phi[k])) for k in (0, position))  # a position counted on from the first
+    own, kappa = case(study.mechanism, _direction(study, position), phi), float(comparison.kappa[position])
     for road in (comparison.construction, comparison.analysis):
         try:
             found = solved(own, guess(own, road, study.mechanism, position))
@@ -62,23 +64,27 @@ def _at(study: Study, comparison: Comparison, position: int) -> Iterator[tuple[s
             yield road.by, "nothing", "", np.inf, kappa
             continue
         true = answers(own, [MP.mpc(z) for z in own.data], found)
-        off = _off(road, position, true, roundings(own, found))
+        one = roundings(own, found)
+        off = {key: float(abs(MP.mpc(_read(road, key, position)) - true[key])) / one[key] for key in true}
         for key in KEYS:
             name = max((n for k, n in off if k == key), key=lambda n: off[key, n])
             yield road.by, key, name, off[key, name], kappa
 
 
-def _off(
-    road: Motion, position: int, true: Answers, one: Mapping[tuple[str, str], float]
-) -> dict[tuple[str, str], float]:
-    """Give every error in roundings; what no datum moves, such as the turn of a block in a guide, in its kind's largest."""
-    most = {key: max(value for (k, _), value in one.items() if k == key) for key in KEYS}
-    errors = {key: float(abs(MP.mpc(_read(road, key, position)) - value)) for key, value in true.items()}
-    return {(k, n): _share(error, one[k, n] or most[k] or EPS) for (k, n), error in errors.items()}
+def _direction(study: Study, position: int) -> Any:
+    """Give the crank's direction as the scene means it: listed, or a share of a turn from the first position."""
+    drive = study.scene.drive
+    if isinstance(drive.positions, tuple):
+        return _turned(Fraction(drive.positions[position]) / 360)
+    share = Fraction(study.sense * position, drive.positions)
+    if drive.first is not None:
+        return _turned(Fraction(drive.first) / 360 + share)
+    first = MP.mpc(complex(study.turn.directions[0]))  # an extreme position is where it was found
+    return first / abs(first) * _turned(share)
 
 
-def _share(error: float, one: float) -> float:
-    return error / one if error else 0.0
+def _turned(share: Fraction) -> Any:
+    return MP.expjpi(2 * MP.mpf(share.numerator) / share.denominator)
 
 
 def _read(road: Motion, key: tuple[str, str], position: int) -> complex:
