@@ -16,11 +16,13 @@ from plans.motion import LINK_KEYS, POINT_KEYS, Motion
 from plans.scene import parse_scene
 from plans.study import Study
 from tests.trials.judge import MP, Lost, answers, case, guess, roundings, solved
+from tests.trials.rests import off
 from tests.trials.trial import text_of
 
 POSITIONS = 2  # judged of every scene
 BORNE = 10.0  # roundings of the data: what an answer may be off
 KEYS = (*POINT_KEYS, *LINK_KEYS)
+EXTREME = "extreme"
 
 
 class Judgement(NamedTuple):
@@ -50,7 +52,8 @@ def judged(kind: str, number: int) -> list[Judgement]:
             np.all([np.isfinite(np.broadcast_to(r, len(study.turn))) for r in rows], axis=0)
         ).tolist()
         chosen = sorted(Random(number).sample(whole, min(POSITIONS, len(whole))))
-        return [Judgement(kind, number, k, *told) for k in chosen for told in _at(study, comparison, k)]
+        found = [Judgement(kind, number, k, *told) for k in chosen for told in _at(study, comparison, k)]
+        return found + [Judgement(kind, number, 0, *told) for told in _extremes(study, comparison)]
 
 
 def _at(study: Study, comparison: Comparison, position: int) -> Iterator[tuple[str, str, str, float, float]]:
@@ -65,10 +68,23 @@ def _at(study: Study, comparison: Comparison, position: int) -> Iterator[tuple[s
             continue
         true = answers(own, [MP.mpc(z) for z in own.data], found)
         one = roundings(own, found)
-        off = {key: float(abs(MP.mpc(_read(road, key, position)) - true[key])) / one[key] for key in true}
+        apart = {key: float(abs(MP.mpc(_read(road, key, position)) - true[key])) / one[key] for key in true}
         for key in KEYS:
-            name = max((n for k, n in off if k == key), key=lambda n: off[key, n])
-            yield road.by, key, name, off[key, name], kappa
+            name = max((n for k, n in apart if k == key), key=lambda n: apart[key, n])
+            yield road.by, key, name, apart[key, name], kappa
+
+
+def _extremes(study: Study, comparison: Comparison) -> Iterator[tuple[str, str, str, float, float]]:
+    """Judge the extreme positions of the output by both roads."""
+    roads = {"construction": study.found.extremes if study.found else None}
+    roads["analysis"] = comparison.road.extremes(study.output) if study.found else None
+    for road, told in roads.items():
+        for name, phi in zip(("start", "end"), told.phi if told else (), strict=False):
+            try:
+                wrong = off(study.mechanism, study.output, phi)
+            except Lost:
+                wrong = np.inf
+            yield road, EXTREME, name, wrong, np.nan
 
 
 def _direction(study: Study, position: int) -> Any:
@@ -104,7 +120,7 @@ def judgement_table(judged: Sequence[Judgement]) -> str:
         f"{len(scenes)} scenes judged at {len(places)} positions, in roundings of the data; at most {BORNE:g} are borne"
     ]
     lines += [f"{'':<10}" + "".join(f"{road + ': median, worst':>32}{'too many':>10}" for road in roads)]
-    for key in (*KEYS, "nothing"):
+    for key in (*KEYS, EXTREME, "nothing"):
         own = [[one.roundings for one in judged if one.key == key and one.road == road] for road in roads]
         if any(own):
             lines.append(f"{key:<10}" + "".join(_cells(values) for values in own))

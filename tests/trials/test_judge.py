@@ -7,12 +7,13 @@ from dataclasses import replace
 import pytest
 
 from plans.analytic.kinematics import Analysis
-from plans.mechanism import Mechanism
+from plans.mechanism import Mechanism, Output
 from plans.motion import Motion
-from tests.plans.linkages import shaper, slider_crank
+from tests.plans.linkages import four_bar, shaper, slider_crank
 from tests.plans.studies import study_of
 from tests.trials.judge import EPS, MP, Case, Lost, Series, answers, case, guess, roundings, solved
 from tests.trials.judgement import BORNE, judged, judgement_table
+from tests.trials.rests import off
 from tests.trials.trial import KINDS
 
 PHI = 40.0  # degrees
@@ -108,3 +109,21 @@ def test_a_road_that_is_wrong_in_the_last_digits_is_told(monkeypatch):
     wrong = [one for one in judged("crank-rockers", 1) if not one.roundings <= BORNE]
     assert wrong and {(one.road, one.key, one.name) for one in wrong} == {("analysis", "v", "B")}
     assert "analysis: v_B" in judgement_table(wrong)
+
+
+def test_the_extreme_of_a_slider_crank_is_crank_and_rod_in_one_line():
+    a, b, e = 0.1, 0.35, 0.02
+    mechanism = slider_crank(a, b, e)
+    stretched, folded = float(MP.asin(MP.mpf(e) / (a + b))), float(MP.pi + MP.asin(MP.mpf(e) / (b - a)))
+    for phi in (stretched, folded):
+        assert off(mechanism, Output(3, "B"), phi) <= 1.0
+        assert off(mechanism, Output(3, "B"), phi + 1e-12) > BORNE
+
+
+def test_the_extreme_of_a_rocker_is_judged_by_its_turning():
+    a, b, c, d = 0.1, 0.4, 0.3, 0.35
+    mechanism = four_bar(a, b, c, d, sketch={"B": complex(d, c)})
+    rod = MP.mpf(a) + MP.mpf(b)
+    stretched = float(MP.acos((MP.mpf(d) ** 2 + rod**2 - MP.mpf(c) ** 2) / (2 * MP.mpf(d) * rod)))
+    assert off(mechanism, Output(3, None), stretched) <= 1.0
+    assert off(mechanism, Output(3, None), stretched + 1e-12) > BORNE
