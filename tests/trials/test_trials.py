@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections import Counter
 from collections.abc import Callable
 from dataclasses import replace
@@ -13,7 +14,7 @@ from geometry.errors import DraftError
 from plans.analytic.kinematics import Analysis
 from plans.mechanism import FRAME
 from plans.motion import Motion
-from plans.scene import parse_scene
+from plans.scene import Scene, parse_scene
 from plans.structure import decompose
 from plans.study import Study
 from tests.trials import trial
@@ -22,7 +23,7 @@ from tests.trials.chains import KINDS as DYADS
 from tests.trials.changes import GALLERY
 from tests.trials.series import trials
 from tests.trials.table import failing, table
-from tests.trials.trial import ALONE, APART, KINDS, TRACEBACK, WITHHELD, Verdict, text_of, tried
+from tests.trials.trial import ALONE, APART, KINDS, SLOW, TRACEBACK, WARNED, WITHHELD, Verdict, text_of, tried
 
 SHARE = 50
 
@@ -119,3 +120,17 @@ def test_a_crank_rocker_that_is_refused_fails_the_trial(monkeypatch):
 def test_one_scene_is_shown_by_its_number(capsys):
     assert main(["--kind", "chains", "--only", "12", "--show"]) == 0
     assert capsys.readouterr().out == text_of("chains", 12) + "\n"
+
+
+def test_a_scene_that_takes_too_long_is_ended(monkeypatch):
+    monkeypatch.setattr(trial, "LONGEST", 1e-3)
+    assert tried("chains", GAPPED).outcome == SLOW
+
+
+def test_a_warning_is_told(monkeypatch):
+    def warns(scene: Scene) -> Study:
+        warnings.warn("overflow", RuntimeWarning, stacklevel=1)
+        return Study(scene)
+
+    monkeypatch.setattr(trial, "_study", warns)
+    assert tried("crank-rockers", 0).faults == ((WARNED, "overflow"),)
