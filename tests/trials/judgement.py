@@ -114,7 +114,7 @@ def _read(road: Motion, key: tuple[str, str], position: int) -> complex:
 def judgement_table(judged: Sequence[Judgement]) -> str:
     """Tell the worst of every kind by either road, how many are more than may be, and which scenes these are."""
     roads = ("construction", "analysis")
-    places = {(one.kind, one.number, one.position) for one in judged}
+    places = {(one.kind, one.number, one.position) for one in judged if one.key != EXTREME}
     scenes = {place[:2] for place in places}
     lines = [
         f"{len(scenes)} scenes judged at {len(places)} positions, in roundings of the data; at most {BORNE:g} are borne"
