@@ -1,0 +1,141 @@
+"""What the judge says of both roads: their errors in roundings of the data (приговор)."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from random import Random
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from geometry.errors import DraftError
+from plans.compare import Comparison, compare
+from plans.motion import LINK_KEYS, POINT_KEYS, Motion
+from plans.scene import parse_scene
+from plans.study import Study
+from tests.trials.judge import MP, Lost, answers, case, guess, roundings, solved
+from tests.trials.rests import off
+from tests.trials.trial import text_of
+
+POSITIONS = 2  # judged of every scene
+BORNE = 10.0  # roundings of the data: what an answer may be off
+KEYS = (*POINT_KEYS, *LINK_KEYS)
+EXTREME = "extreme"
+
+
+class Judgement(NamedTuple):
+    """The worst error of one road in one kind of quantity at one position, in roundings of the data."""
+
+    kind: str
+    number: int
+    position: int
+    road: str
+    key: str  # "v", "epsilon"; "nothing" where the judge found no solution near the road's
+    name: str  # of the point or link
+    roundings: float
+    kappa: float  # condition of the analysis's Jacobian there
+
+
+def judged(kind: str, number: int) -> list[Judgement]:
+    """Judge some positions of one scene; those that a road gives up are not judged, they are the trial's matter."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        try:
+            study = Study(parse_scene(text_of(kind, number)))
+            comparison = compare(study)
+        except DraftError:
+            return []
+        rows = [*comparison.construction.rows(), *comparison.analysis.rows()]
+        whole = np.flatnonzero(
+            np.all([np.isfinite(np.broadcast_to(r, len(study.turn))) for r in rows], axis=0)
+        ).tolist()
+        chosen = sorted(Random(number).sample(whole, min(POSITIONS, len(whole))))
+        found = [Judgement(kind, number, k, *told) for k in chosen for told in _at(study, comparison, k)]
+        return found + [Judgement(kind, number, 0, *told) for told in _extremes(study, comparison)]
+
+
+def _at(study: Study, comparison: Comparison, position: int) -> Iterator[tuple[str, str, str, float, float]]:
+    """Judge both roads at one position, each by the solution nearest to it."""
+    phi = max(abs(float(study.turn.phi[k])) for k in (0, position))  # a position counted on from the first
+    own, kappa = case(study.mechanism, _direction(study, position), phi), float(comparison.kappa[position])
+    for road in (comparison.construction, comparison.analysis):
+        try:
+            found = solved(own, guess(own, road, study.mechanism, position))
+        except Lost:
+            yield road.by, "nothing", "", np.inf, kappa
+            continue
+        true = answers(own, [MP.mpc(z) for z in own.data], found)
+        one = roundings(own, found)
+        apart = {key: float(abs(MP.mpc(_read(road, key, position)) - true[key])) / one[key] for key in true}
+        for key in KEYS:
+            name = max((n for k, n in apart if k == key), key=lambda n: apart[key, n])
+            yield road.by, key, name, apart[key, name], kappa
+
+
+def _extremes(study: Study, comparison: Comparison) -> Iterator[tuple[str, str, str, float, float]]:
+    """Judge the extreme positions of the output by both roads."""
+    roads = {"construction": study.found.extremes if study.found else None}
+    roads["analysis"] = comparison.road.extremes(study.output) if study.found else None
+    for road, told in roads.items():
+        for name, phi in zip(("start", "end"), told.phi if told else (), strict=False):
+            try:
+                wrong = off(study.mechanism, study.output, phi)
+            except Lost:
+                wrong = np.inf
+            yield road, EXTREME, name, wrong, np.nan
+
+
+def _direction(study: Study, position: int) -> Any:
+    """Give the crank's direction as the scene means it: listed, or a share of a turn from the first position."""
+    drive = study.scene.drive
+    if isinstance(drive.positions, tuple):
+        return _turned(Fraction(drive.positions[position]) / 360)
+    share = Fraction(study.sense * position, drive.positions)
+    if drive.first is not None:
+        return _turned(Fraction(drive.first) / 360 + share)
+    first = MP.mpc(complex(study.turn.directions[0]))  # an extreme position is where it was found
+    return first / abs(first) * _turned(share)
+
+
+def _turned(share: Fraction) -> Any:
+    return MP.expjpi(2 * MP.mpf(share.numerator) / share.denominator)
+
+
+def _read(road: Motion, key: tuple[str, str], position: int) -> complex:
+    """Read a quantity off a road; of a link's direction its unit vector."""
+    kind, name = key
+    owner: Any = road.points[name] if kind in POINT_KEYS else road.links[int(name)]
+    value = complex(getattr(owner, kind)[position])
+    return complex(MP.expj(MP.mpf(value.real))) if kind == "angle" else value
+
+
+def judgement_table(judged: Sequence[Judgement]) -> str:
+    """Tell the worst of every kind by either road, how many are more than may be, and which scenes these are."""
+    roads = ("construction", "analysis")
+    places = {(one.kind, one.number, one.position) for one in judged if one.key != EXTREME}
+    scenes = {place[:2] for place in places}
+    lines = [
+        f"{len(scenes)} scenes judged at {len(places)} positions, in roundings of the data; at most {BORNE:g} are borne"
+    ]
+    lines += [f"{'':<10}" + "".join(f"{road + ': median, worst':>32}{'too many':>10}" for road in roads)]
+    for key in (*KEYS, EXTREME, "nothing"):
+        own = [[one.roundings for one in judged if one.key == key and one.road == road] for road in roads]
+        if any(own):
+            lines.append(f"{key:<10}" + "".join(_cells(values) for values in own))
+    wrong = sorted((one for one in judged if not one.roundings <= BORNE), key=lambda one: -one.roundings)
+    return "\n".join([*lines, *(_named(one) for one in wrong)])
+
+
+def _cells(values: Sequence[float]) -> str:
+    if not values:
+        return f"{'-':>32}{'-':>10}"
+    return f"{np.median(values):>20.2f}{max(values):>12.4g}{sum(not value <= BORNE for value in values):>10}"
+
+
+def _named(one: Judgement) -> str:
+    what = f"{one.key}_{one.name} {one.roundings:.4g} roundings"
+    return (
+        f"  --kind {one.kind} --only {one.number}: position {one.position}: {one.road}: {what}, kappa {one.kappa:.3g}"
+    )
