@@ -126,7 +126,7 @@ class _Compared:
     def _driving(self, key: str) -> Finding:
         one, rubs = self.forces.reactions[key], self.machine.friction[key]
         arm = (self.forces.size if one.along is None else 1.0) * (1.0 + self.ours.locking[key])
-        most = max((finding.allowed for finding in self.comparison.of("forces") if finding.unit == "N"), key=np.nanmax)
+        most = max((finding.allowed for finding in self.comparison.of("forces") if finding.unit == "N"), key=_most)
         largest = largest_of([arm * self.forces.largest]) * self._fast(key) + self._largest(key)
         turning = self._pressed(key) * rubs.coefficient
         own = (arm * most + turning) * self.rates[key] + arm * self.forces.largest * self._off_rate(one)
@@ -175,3 +175,7 @@ def _jammed(found: Friction, key: str) -> Floats:
 def _index(key: str) -> str:
     giver, taker = map(int, key.split("-"))
     return indices(giver, taker)
+
+
+def _most(allowed: Floats) -> float:
+    return float(np.nanmax(allowed, initial=0.0))

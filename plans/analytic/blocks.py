@@ -41,7 +41,7 @@ class Block(NamedTuple):
 
     def of_own(self, poses: Floats) -> Floats:
         """Differentiate the block's own equations at poses (links, 3), (k, k)."""
-        return self.equations.jacobian(self.equations.place(poses[None]))[0]
+        return np.asarray(self.equations.jacobian(self.equations.place(poses[None]))[0])
 
 
 def triangular(constraints: Constraints) -> tuple[Block, ...]:
