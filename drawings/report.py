@@ -130,9 +130,12 @@ def _extremes(study: Study) -> Iterator[str]:
 
 def _passage(study: Study, comparison: Comparison) -> Iterator[str]:
     gaps = comparison.construction.gaps
-    if not study.met and not gaps:
+    if not study.met and not gaps and not study.passed:
         return
     yield "\n## Gaps and dead centres\n"
+    for barrier in study.passed:
+        at = number(float(np.degrees((barrier.start + barrier.end) / 2)) % 360.0)
+        yield f'- change point at {barrier.where}, φ = {at}°: carried through (through = "{study.mechanism.through}")'
     for barrier in study.met:
         low, high = np.degrees(barrier.start), np.degrees(barrier.end)
         miss = f", the loci miss by up to {barrier.miss:.6g} m" if barrier.miss else ""

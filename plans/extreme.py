@@ -132,7 +132,7 @@ def extremes(sweep: Sweep, out: Output) -> Found | None:
 
     The working stroke, to which the crank gives the larger angle, comes first (рабочий ход).
     """
-    if out.link == sweep.mechanism.drive.link or sweep.barriers:
+    if out.link == sweep.mechanism.drive.link or sweep.barred:
         return None
     travel = Travel(_resting(sweep), out)
     rests = travel.rests()
@@ -162,7 +162,7 @@ def _resting(sweep: Sweep) -> Sweep:
     mechanism = sweep.mechanism
     if abs(mechanism.drive.omega) == 1:
         return sweep
-    return Sweep(replace(mechanism, drive=replace(mechanism.drive, omega=1.0, epsilon=0.0)), sweep.groups, sweep.sides)
+    return sweep.over(replace(mechanism, drive=replace(mechanism.drive, omega=1.0, epsilon=0.0)))
 
 
 def _notched(drawn: tuple[Plan, list[Mark]] | None, rest: float) -> tuple[complex, bool]:

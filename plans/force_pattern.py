@@ -37,10 +37,9 @@ class Drawn(NamedTuple):
 
 
 class _Places(NamedTuple):
-    """Where the numbers of a reaction are among those of the pattern; not `told`: its opposite was found."""
+    """Where the numbers of a reaction are among those of the pattern."""
 
     support: Support
-    told: bool
     r: int
     force: int
     moment: int | None
@@ -77,14 +76,14 @@ class ForcePattern:
         """Read the balancing moment off the lever."""
         if self.lever is None:
             return None
-        return np.asarray(_row(self.hang(numbers)[self._hung.place(self.lever.moment)], count).real)
+        return np.asarray(row(self.hang(numbers)[self._hung.place(self.lever.moment)], count).real)
 
     def _found(self, support: Support) -> _Places:
         place, along = self.tracing.place, None
         if support.slide is not None:
             along = place(guide.direction(self.plan.positions, support.slide, support.slide.owner))
         moment = None if support.moment is None else place(support.moment)
-        return _Places(support, support.giver < support.taker, place(support.at), place(support.force), moment, along)
+        return _Places(support, place(support.at), place(support.force), moment, along)
 
     @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, and is named outside
     def follow(self, numbers: list[Any], loading: Loading) -> list[Any]:
@@ -103,17 +102,18 @@ class ForcePattern:
         """Read all reactions and the balancing moment off the force plan."""
         reactions = {}
         for places in self._reactions:
-            found = _reaction(places, numbers, len(phi))
+            values = (None if place is None else numbers[place] for place in places[1:])
+            found = reaction_of(places.support, *values, count=len(phi))
             reactions[f"{found.giver}-{found.taker}"] = found
         return Kinetostatics("construction", phi, reactions, self._balancing(numbers, len(phi)), ())
 
     def _balancing(self, numbers: list[Any], count: int) -> Balancing:
         plan = self.plan
-        moment = _row(numbers[self.tracing.place(plan.balancing)], count).real.copy()
+        moment = row(numbers[self.tracing.place(plan.balancing)], count).real.copy()
         if plan.drive is None or plan.driven is None:
             return Balancing(moment)
         force, r = (numbers[self.tracing.place(mark)] for mark in (plan.drive, plan.driven))
-        return Balancing(moment, _row(force, count), _row(r, count))
+        return Balancing(moment, row(force, count), row(r, count))
 
     def drawn(self, numbers: list[Any]) -> Drawn:
         """Make the plans that have these numbers of the force plan, and the lever."""
@@ -125,19 +125,19 @@ class ForcePattern:
         return Drawn(found, remade(self.lever, made, boards))
 
 
-def _reaction(places: _Places, numbers: list[Any], count: int) -> Reaction:
-    support = places.support
+def reaction_of(support: Support, r: Any, force: Any, moment: Any, along: Any, *, count: int) -> Reaction:
+    """Make a reaction of its numbers, told from the lower link on; it may have been found as the opposite one."""
+    told = support.giver < support.taker
     ends = min(support.giver, support.taker), max(support.giver, support.taker)
-    force, r = _row(numbers[places.force], count), _row(numbers[places.r], count)
-    force = force if places.told else -force
-    if places.along is None:
+    force, r = row(force, count), row(r, count)
+    force = force if told else -force
+    if along is None:
         return Reaction(*ends, support.point, r, force)
-    moment = _row(0.0 if places.moment is None else numbers[places.moment], count).real
-    along = _row(numbers[places.along], count)
-    return Reaction(*ends, support.point, r, force, moment if places.told else -moment, along)
+    moment = row(0.0 if moment is None else moment, count).real
+    return Reaction(*ends, support.point, r, force, moment if told else -moment, row(along, count))
 
 
-def _row(value: Any, count: int) -> Any:
+def row(value: Any, count: int) -> Any:
     """Give a number as a row: what is the same at all positions takes no room."""
     row = np.asarray(value)
     return row if row.shape == (count,) else resting(row, count)

@@ -112,7 +112,8 @@ def _beyond(position: int, phi: float, barrier: Barrier | None) -> Gap:
     where = barrier.where if barrier else ""
     if barrier is not None and barrier.kind == CHANGE:
         advice = (
-            "the mechanism may go on in two ways there: start the drive beyond the change point, or change a length"
+            "the mechanism may go on in two ways there: start the drive beyond the change point, change a length, or "
+            'say in [mechanism] what carries it through: through = "parallel" (another linkage beside it) or "inertia"'
         )
         return Gap(position, phi, "positions", "beyond a change point", where, 0.0, advice)
     if barrier is not None and near_edge(np.array([phi]), _kind([barrier], PARALLEL), UNBORNE).any():

@@ -39,6 +39,7 @@ from plans.forms import (
 )
 from plans.loads import DURING
 from plans.machine import IDLE, WORKING
+from plans.mechanism import THROUGH
 from plans.scene import (
     BALANCINGS,
     FORMATS,
@@ -87,6 +88,7 @@ KEYS: Mapping[Path, Mapping[str, tuple[str, Form]]] = {
         "points": ("Points by their place in a link's own frame: first point 0, second on +x.", {}),
         "slides": ("Sliding pairs (поступательные пары).", {}),
         "sketch": ("Rough places at the first position, m: they choose the assembly.", named(PLACE, f"^{POINT}$")),
+        "through": ("What carries the linkage through its change points; default: nothing.", choice(THROUGH)),
     },
     ("mechanism", "slides", "*"): {
         "link": ("Number of the sliding link.", MOVING),

@@ -79,7 +79,7 @@ def _build(survey: Survey) -> Mechanism | None:
         number: Link(number, {name: as_complex(s) for name, s in shape.items()}) for number, shape in shapes.items()
     }
     drive = Drive(scene.drive.link, *ends, float(scene.drive.speed), float(scene.drive.acceleration))
-    return Mechanism(scene.title, datum, links, slides, drive, sketch, output)
+    return Mechanism(scene.title, datum, links, slides, drive, sketch, output, scene.mechanism.through)
 
 
 def _from_datum(place: Spot, datum: Spot) -> Spot:

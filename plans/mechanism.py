@@ -14,6 +14,9 @@ from functools import cached_property
 from geometry.errors import DraftError
 
 FRAME = 0
+# What may carry a linkage through its change points: another one beside it, set at another angle, or its inertia.
+PARALLEL, INERTIA = "parallel", "inertia"
+THROUGH = (PARALLEL, INERTIA)
 
 
 class StructureError(DraftError, ValueError):
@@ -86,6 +89,7 @@ class Mechanism:
     drive: Drive
     sketch: Mapping[str, complex]  # rough places, measured from the datum
     output: Output | None  # None: the last link on the frame of the last group
+    through: str | None = None  # what carries the links through change points: PARALLEL, INERTIA; None: nothing
 
     @cached_property
     def hinges(self) -> dict[str, tuple[int, ...]]:

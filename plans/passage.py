@@ -16,6 +16,7 @@ import numpy.typing as npt
 from geometry.board import Line, Mark
 from geometry.meet import cross
 from plans.acceleration import accelerations
+from plans.carrying import Drawing, Passed, carried
 from plans.mechanism import Mechanism
 from plans.motion import Floats, Motion
 from plans.pattern import Pattern
@@ -30,6 +31,7 @@ FAN = 129  # angles of one closer look between two nodes
 LOOKS = 8  # 64**8 of half a degree is below the rounding of an angle
 # A lowest margin is looked at more closely where it may hide a touch: below the sine squared of a 6 degree notch.
 SHALLOW = 0.01
+SAME = 1e-6  # rad
 CHANGE, GAP, PARALLEL = "change point", "out of reach", "parallel guides"
 
 
@@ -103,12 +105,48 @@ def _deciding(plan: Plan, group: Dyad) -> Mark:
 class Sweep:
     """A mechanism with its chosen sides, looked at over any crank angles."""
 
-    def __init__(self, mechanism: Mechanism, groups: Sequence[Dyad], sides: Sequence[float]) -> None:
+    def __init__(
+        self,
+        mechanism: Mechanism,
+        groups: Sequence[Dyad],
+        sides: Sequence[float],
+        home: float = 0.0,
+        passed: tuple[Passed, ...] = (),
+    ) -> None:
         self.mechanism, self.groups, self.sides = mechanism, groups, sides
+        self.home, self.passed = home, passed  # crank angle, rad, of the sketch; change points that are carried through
         self._patterns: dict[int, Pattern] = {}
 
-    def pattern(self, order: int) -> Pattern:
+    def over(self, mechanism: Mechanism) -> Sweep:
+        """Give the sweep of the same mechanism driven in another way."""
+        return Sweep(mechanism, self.groups, self.sides, self.home, self.passed)
+
+    def through(self) -> Sweep:
+        """Give the sweep that is carried through all change points; group after group, for one moves the next."""
+        sweep = self
+        while True:
+            met = [Passed(b.group, (b.start + b.end) / 2) for b in sweep.barriers if b.kind == CHANGE]
+            new = [one for one in met if not any(_alike(one, other) for other in sweep.passed)]
+            if not new:
+                return sweep
+            first = [one for one in new if one.group == min(new).group]
+            kept = [one for one in sweep.passed if one.group < first[0].group]
+            sweep = Sweep(self.mechanism, self.groups, self.sides, self.home, (*kept, *first))
+
+    @cached_property
+    def barred(self) -> tuple[Barrier, ...]:
+        """What bars the crank though the linkage is carried through its change points."""
+        return tuple(b for b in self.barriers if not self.passes(b))
+
+    def passes(self, barrier: Barrier) -> bool:
+        """Tell whether a barrier is a change point that the linkage is carried through."""
+        here = Passed(barrier.group, (barrier.start + barrier.end) / 2)
+        return barrier.kind == CHANGE and any(_alike(here, other) for other in self.passed)
+
+    def pattern(self, order: int) -> Pattern | Drawing:
         """Give the pattern of the plans up to an order: 0 positions, 1 velocities, 2 accelerations."""
+        if self.passed:
+            return Drawing(self.drawn, self.groups, order)
         if order not in self._patterns:
             plans = [self.plan(np.zeros(1))]
             if order > 0:
@@ -129,7 +167,8 @@ class Sweep:
 
     def drawn(self, turn: Turn) -> Plan:
         """Draw the plan of positions at the crank positions of a turn."""
-        return positions(self.mechanism, self.groups, self.sides, turn)
+        sides = carried(self.sides, self.passed, turn.phi, self.home) if self.passed else self.sides
+        return positions(self.mechanism, self.groups, sides, turn)
 
     def margins(self, phi: Floats) -> Floats:
         """Give every group's margin at some crank angles."""
@@ -212,6 +251,11 @@ class Sweep:
         kind = CHANGE if not missing.any() else GAP if crossing(mark) is None else PARALLEL
         miss = float(np.nanmax(np.asarray(mark.miss, dtype=float))) if kind == GAP else 0.0
         return Barrier(start, end, kind, group, mark.name, miss)
+
+
+def _alike(one: Passed, other: Passed) -> bool:
+    """Tell whether two change points are one: each is known to half the digits of an angle."""
+    return one.group == other.group and abs(np.angle(np.exp(1j * (one.phi - other.phi)))) < SAME
 
 
 def bounding(phi: float, home: float, barriers: Sequence[Barrier]) -> Barrier | None:

@@ -59,6 +59,10 @@ class Pattern:
         """Work out all numbers of the plans at other crank positions."""
         return self.tracing.follow(turn.directions)
 
+    def clear(self, numbers: list[Any]) -> bool:
+        """Tell whether no meeting of the plans is near a miss or a dead centre."""
+        return self.tracing.clear(numbers)
+
     def drawn(self, numbers: list[Any]) -> list[Plan]:
         """Make the plans that have these numbers."""
         boards, made = self.tracing.boards(numbers)

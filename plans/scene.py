@@ -25,6 +25,7 @@ from plans.loads import (
     SpringTable,
 )
 from plans.machine import COUPLING, FORCE, MOMENT
+from plans.mechanism import THROUGH
 from plans.refusal import REFUSALS_LIMIT, doubts_of, refusals, spare
 from plans.source import Source, parse_source, read_source
 from plans.tables import Refused, Table, either, key, many, named, one, read, table
@@ -68,6 +69,7 @@ class MechanismTable(Table):
     points: Mapping[str, PointTable] = key(named(f.POINT, table(PointTable), first=f.FEW), {})
     slides: tuple[SlideTable, ...] = key(many(table(SlideTable), first=f.FEW), ())
     sketch: Mapping[str, Place] = key(named(f.POINT, f.PLACE, first=f.FEW), {})
+    through: str | None = key(one(f.choice, choices=THROUGH), None)  # what carries it through change points
 
 
 class DriveTable(Table):

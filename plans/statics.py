@@ -10,8 +10,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from plans.carrying import Drawing
 from plans.extreme import extremes
 from plans.faults import SceneError
+from plans.force_drawing import ForceDrawing
 from plans.force_pattern import Drawn, ForcePattern
 from plans.gaps import near_edge
 from plans.inventory import machine_of
@@ -41,14 +43,13 @@ class ForceDrafts:
         self.statics, self.drafts = statics, drafts
 
     @cached_property
-    def _below(self) -> tuple[Pattern, list[Any]]:
+    def _below(self) -> tuple[Pattern | Drawing, list[Any]]:
         return self.drafts.follow(2)
 
     @cached_property
-    def _followed(self) -> tuple[ForcePattern, list[Any]]:
-        pattern, numbers = self._below
+    def _followed(self) -> tuple[ForcePattern | ForceDrawing, Any]:
+        _, numbers = self._below
         found = self.statics.pattern
-        assert found.pattern is pattern  # a sweep has one pattern of an order
         return found, found.follow(numbers, self.loading)
 
     @cached_property
@@ -129,11 +130,13 @@ class Statics:
         return loading(self.machine, motion, self.strokes)
 
     @cached_property
-    def pattern(self) -> ForcePattern:
+    def pattern(self) -> ForcePattern | ForceDrawing:
         """The force plan drawn at one position, to be followed at all."""
         self.study.made.setdefault("forces")
         one = self.study.drafts([0])
         pattern, _ = one.follow(2)
+        if isinstance(pattern, Drawing):
+            return ForceDrawing(self.study.groups, self.machine)
         return ForcePattern(pattern, self.study.groups, self.machine, self.loading(one.motion(2)))
 
     def drafts(self, chosen: slice | Sequence[int] = slice(None)) -> ForceDrafts:
@@ -193,7 +196,7 @@ class Statics:
     def _gap(self, position: int, where: str) -> Gap:
         """Name a position that can be assembled, but has no forces."""
         phi = float(self.study.turn.phi[position])
-        changes = [barrier for barrier in self.study.barriers if barrier.kind == CHANGE]
+        changes = [b for b in (*self.study.barriers, *self.study.passed) if b.kind == CHANGE]
         at = where or "the force plan"
         if near_edge(np.array([phi]), changes).any():
             return Gap(position, phi, "forces", INDETERMINATE, at, 0.0, SHARED)

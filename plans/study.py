@@ -14,6 +14,7 @@ import numpy.typing as npt
 from geometry.errors import ConstructionError
 from plans import gaps, passage
 from plans.acceleration import accelerations
+from plans.carrying import Drawing
 from plans.extreme import Found, extremes, output
 from plans.linkage import mechanism_of
 from plans.mechanism import Mechanism, Output, StructureError
@@ -50,9 +51,9 @@ class Drafts:
     def __init__(self, study: Study, turn: Turn) -> None:
         self.study, self.turn = study, turn
         self._plans: list[Plan] = []
-        self._record: tuple[Pattern, list[Any]] | None = None
+        self._record: tuple[Pattern | Drawing, list[Any]] | None = None
 
-    def follow(self, order: int) -> tuple[Pattern, list[Any]]:
+    def follow(self, order: int) -> tuple[Pattern | Drawing, list[Any]]:
         """Work out the numbers of the plans up to an order by their pattern."""
         for subject in ORDERS[: order + 1]:
             self.study.made.setdefault(subject)
@@ -64,7 +65,7 @@ class Drafts:
     def clear(self) -> bool:
         """Whether no meeting of the plans followed last has a miss, a dead centre or anything unknown."""
         pattern, numbers = self._record or self.follow(0)
-        return pattern.tracing.clear(numbers)
+        return pattern.clear(numbers)
 
     @property
     def free(self) -> bool:
@@ -176,12 +177,18 @@ class Study:
     @cached_property
     def sweep(self) -> Sweep:
         """The mechanism with its chosen assembly, ready to be drawn at any crank angle."""
-        return Sweep(self.mechanism, self.groups, self.assembly.sides)
+        sweep = Sweep(self.mechanism, self.groups, self.assembly.sides, self.assembly.phi or 0.0)
+        return sweep.through() if self.mechanism.through and self.assembly.phi is not None else sweep
 
     @cached_property
     def barriers(self) -> tuple[Barrier, ...]:
         """What bars a full turn of the crank."""
-        return self.sweep.barriers
+        return self.sweep.barred
+
+    @cached_property
+    def passed(self) -> tuple[Barrier, ...]:
+        """The change points that the linkage is carried through; it has no one velocity in them."""
+        return tuple(barrier for barrier in self.sweep.barriers if self.sweep.passes(barrier))
 
     @cached_property
     def output(self) -> Output:
@@ -301,7 +308,7 @@ class Study:
         for links in drawn.links.values():
             links.angle[lost] = np.nan
         gaps.forget(drawn, lost)
-        named += gaps.without_velocity(drawn, lost, blunt, self.barriers)
+        named += gaps.without_velocity(drawn, lost, blunt, (*self.barriers, *self.passed))
         return replace(drawn, gaps=tuple(sorted(named, key=_number)))
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -82,7 +83,7 @@ def extremes(shape: Shape, output: Output, looks: Floats, turn: Turn | None = No
     """
     mechanism, constraints, blocks = shape
     begun = turn or _begun(shape, looks)
-    turn = whole_turn(constraints, blocks, begun) if begun else None
+    turn = whole_turn(shape, begun) if begun else None
     if turn is None:
         return None
     coordinate = _coordinate(mechanism, constraints, output)
@@ -118,7 +119,7 @@ def _dense(constraints: Constraints, blocks: Blocks, turn: Turn, coordinate: _Co
         halves = [((low, k), (k, high)) for (low, high), k in zip(pending, middles, strict=True)]
         pending = [half for both, more in zip(halves, doubtful.tolist(), strict=True) if more for half in both]
         stations += middles
-    return Turn(tuple(sorted(stations, key=lambda station: station.phi)), turn.lower, turn.upper)
+    return replace(turn, stations=tuple(sorted(stations, key=lambda station: station.phi)))
 
 
 def _doubtful(low: Floats, middle: Floats, high: Floats, step: Floats) -> Flags:

@@ -10,7 +10,7 @@ import numpy as np
 from plans.analytic.assembly import Shape, assemblies, home, signs_of
 from plans.analytic.closure import EPS, Flags, close, close_singular
 from plans.analytic.constraints import TURN, Indices
-from plans.analytic.ends import CHANGE_POINT, CLEAR, DEAD_CENTRE, NOT_REACHABLE, PARALLEL, SHORTEST, End
+from plans.analytic.ends import CHANGE_POINT, CLEAR, DEAD_CENTRE, NOT_REACHABLE, PARALLEL, SHORTEST, End, Station
 from plans.analytic.gaps import BEYOND, OUT_OF_REACH, gap
 from plans.analytic.sharpness import least
 from plans.analytic.turn import FULL, Turn, survey
@@ -56,12 +56,12 @@ def find(shape: Shape, phi: Floats, first: bool, looks: Floats, tolerance: float
             found.miss(k, "positions", OUT_OF_REACH, None)
         return found
     ahead = (phi - start.phi) % FULL
-    turn = found.turn = survey(shape.constraints, shape.blocks, start, ahead)
+    turn = found.turn = survey(shape, start, ahead)
     crank = start.phi + ahead
     behind = (crank > turn.angles[-1] + SHORTEST) & (crank - FULL >= turn.angles[0] - SHORTEST)
     crank[behind] -= FULL
     passed = behind | (crank <= turn.angles[-1] + SHORTEST)
-    for end in turn.ends:
+    for end in (*turn.ends, *turn.passed):
         passed &= ~_at_the_end(found, shape, turn, end)
     _along(found, shape, turn, crank, passed, tolerance)
     _lost(found, shape, turn)
@@ -97,7 +97,7 @@ def _unborne(found: Positions, shape: Shape, turn: Turn, here: Indices) -> None:
     """Tell no velocities right beside a change point, or where a block all but comes to its dead centre."""
     jacobian = shape.constraints.jacobian(shape.constraints.place(found.poses[here]))
     for k in here[least(shape.blocks, jacobian, found.poses[here]) ** 2 < UNBORNE].tolist():
-        near = [end for end in turn.ends if abs(_apart(found.phi[[k]], end)[0]) < BESIDE]
+        near = [end for end in (*turn.ends, *turn.passed) if abs(_apart(found.phi[[k]], end)[0]) < BESIDE]
         if near and near[0].reason != CHANGE_POINT:
             continue  # a dead centre or parallel guides are told by the angle
         found.regular[k] = False
@@ -138,7 +138,7 @@ def _at_dead_centre(found: Positions, shape: Shape, turn: Turn, end: End, places
             continue  # lost, for whatever reason
         guess = wrapped(end.fold.predict(-end.sense * max(left, 0.0))[None])
         poses, reached = close(shape.constraints, guess, found.phi[[k]])
-        if left >= UNBORNE and reached[0] and _same(shape, turn, poses[0]):
+        if left >= UNBORNE and reached[0] and _same(shape, turn.near(end.reached), poses[0]):
             found.poses[k], found.regular[k] = wrapped(poses)[0], True
         else:
             found.poses[k] = guess[0]
@@ -150,16 +150,16 @@ def _at_parallel(found: Positions, shape: Shape, turn: Turn, end: End, places: l
     last = turn.stations[-1 if end is turn.upper else 0]
     for k, left in zip(places, (-end.sense * apart).tolist(), strict=True):
         poses, reached = close(shape.constraints, wrapped(last.poses[None]), found.phi[[k]])
-        if left >= UNBORNE and reached[0] and _same(shape, turn, poses[0]):
+        if left >= UNBORNE and reached[0] and _same(shape, turn.near(end.reached), poses[0]):
             found.poses[k], found.regular[k] = wrapped(poses)[0], True
         elif abs(left) < UNBORNE:
             found.miss(k, "positions", PARALLEL, end)
 
 
-def _same(shape: Shape, turn: Turn, poses: Floats) -> bool:
-    """Tell whether poses are of the assembly that the march follows."""
+def _same(shape: Shape, near: Station, poses: Floats) -> bool:
+    """Tell whether poses are of the assembly of a station."""
     jacobian = shape.constraints.jacobian(shape.constraints.place(poses[None]))[0]
-    return bool((signs_of(shape.blocks, jacobian) == np.sign(turn.stations[0].dets)).all())
+    return bool((signs_of(shape.blocks, jacobian) == np.sign(near.dets)).all())
 
 
 def _lost(found: Positions, shape: Shape, turn: Turn) -> None:

@@ -13,11 +13,11 @@ from functools import cached_property
 
 import numpy as np
 
-from plans.analytic.assembly import Assembly
+from plans.analytic.assembly import Assembly, Shape
 from plans.analytic.blocks import Block
 from plans.analytic.closure import EPS, ROUNDINGS, SQRT_EPS, as_poses, close, inverses, solutions
 from plans.analytic.constraints import Constraints
-from plans.analytic.ends import NOT_REACHABLE, SHORTEST, End, Station, end_of
+from plans.analytic.ends import CHANGE_POINT, CLEAR, NOT_REACHABLE, SHORTEST, End, Station, end_of
 from plans.analytic.sharpness import MERGED, least
 from plans.motion import Floats
 
@@ -40,11 +40,16 @@ class Turn:
     stations: tuple[Station, ...]
     lower: End | None
     upper: End | None
+    passed: tuple[End, ...] = ()  # change points on the way that the linkage is carried through
 
     @property
     def ends(self) -> tuple[End, ...]:
         """List the ends that the march met."""
         return tuple(end for end in (self.lower, self.upper) if end)
+
+    def near(self, phi: float) -> Station:
+        """Give the station nearest to a crank angle of the march, rad."""
+        return self.stations[int(np.argmin(np.abs(self.angles - phi)))]
 
     @cached_property
     def angles(self) -> Floats:
@@ -71,6 +76,7 @@ class _March:
         self.way, self.goal, self.stride = way, goal, FIRST_STRIDE
         self.sense = sense
         self.shortest = LEAST  # the start may lie right beside a singular position, and leads away from it
+        self.passed: list[End] = []
 
     @property
     def left(self) -> float:
@@ -97,34 +103,43 @@ class _March:
             self.way.append(reached)
             self.stride = min(2.0 * self.stride, STRIDE)
 
+    def carry(self, beyond: Station, end: End) -> None:
+        """Go on beyond a change point."""
+        self.way.append(beyond)
+        self.passed.append(end)
+        self.stride = CLEAR
 
-def survey(constraints: Constraints, blocks: Blocks, start: Assembly, ahead: Floats) -> Turn:
+
+def survey(shape: Shape, start: Assembly, ahead: Floats) -> Turn:
     """March from the assembly until all angles `ahead` of it, rad in [0, 2 pi), are passed in either sense."""
-    first = station(constraints, blocks, start)
-    up, down = [first], [first]
+    first = station(shape.constraints, shape.blocks, start)
     most = start.phi + float(np.max(ahead, where=ahead <= np.pi, initial=0.0))
     least = start.phi - float(np.max(FULL - ahead, where=ahead > np.pi, initial=0.0))
-    upper, lower = _march(constraints, blocks, _March(up, most, 1.0), _March(down, least, -1.0))
+    up, down = _March([first], most, 1.0), _March([first], least, -1.0)
+    upper, lower = _march(shape, up, down)
     # What lies beyond one end may be reached the other way round.
     if upper and not lower:
         lost = ahead > upper.reached - start.phi
-        least = start.phi - (FULL - float(np.min(ahead, where=lost, initial=FULL)))
-        (lower,) = _march(constraints, blocks, _March(down, least, -1.0))
+        down.goal = start.phi - (FULL - float(np.min(ahead, where=lost, initial=FULL)))
+        (lower,) = _march(shape, down)
     elif lower and not upper:
         lost = ahead < FULL + lower.reached - start.phi
-        most = start.phi + float(np.max(ahead, where=lost, initial=0.0))
-        (upper,) = _march(constraints, blocks, _March(up, most, 1.0))
-    return Turn((*reversed(down[1:]), *up), lower, upper)
+        up.goal = start.phi + float(np.max(ahead, where=lost, initial=0.0))
+        (upper,) = _march(shape, up)
+    return Turn((*reversed(down.way[1:]), *up.way), lower, upper, (*down.passed, *up.passed))
 
 
-def whole_turn(constraints: Constraints, blocks: Blocks, turn: Turn) -> Turn | None:
+def whole_turn(shape: Shape, turn: Turn) -> Turn | None:
     """Lengthen a march on both sides until it comes round; None where the crank cannot make a full turn."""
     if turn.ends:
         return None
-    up, down = [*turn.stations], [*reversed(turn.stations)]
-    half = (FULL - (up[-1].phi - down[-1].phi)) / 2.0
-    ends = _march(constraints, blocks, _March(up, up[-1].phi + half, 1.0), _March(down, down[-1].phi - half, -1.0))
-    return None if any(ends) else Turn((*reversed(down[len(turn.stations) :]), *up), None, None)
+    low, high = turn.stations[0].phi, turn.stations[-1].phi
+    half = (FULL - (high - low)) / 2.0
+    up, down = _March([*turn.stations], high + half, 1.0), _March([*reversed(turn.stations)], low - half, -1.0)
+    if any(_march(shape, up, down)):
+        return None
+    added = down.way[len(turn.stations) :]
+    return Turn((*reversed(added), *up.way), None, None, (*down.passed, *turn.passed, *up.passed))
 
 
 def station(constraints: Constraints, blocks: Blocks, start: Assembly) -> Station:
@@ -132,13 +147,14 @@ def station(constraints: Constraints, blocks: Blocks, start: Assembly) -> Statio
     return _stations(constraints, blocks, start.poses[None], np.array([start.phi]))[0]
 
 
-def _march(constraints: Constraints, blocks: Blocks, *marches: _March) -> list[End | None]:
+def _march(shape: Shape, *marches: _March) -> list[End | None]:
     """Lengthen all ways to their goals, abreast; tell what ended each of them, where it could go no further."""
+    constraints, blocks = shape.constraints, shape.blocks
     for march in marches:
         if march.way[-1].sharp <= MERGED:
             march.stride = 0.0
     for _ in range(STEPS):
-        under_way = [march for march in marches if march.left and not march.stuck]
+        under_way = [march for march in marches if march.left and (not march.stuck or _carried(shape, march))]
         if not under_way:
             break
         here = [march.way[-1] for march in under_way]
@@ -146,6 +162,24 @@ def _march(constraints: Constraints, blocks: Blocks, *marches: _March) -> list[E
         for march, reached in zip(under_way, stations, strict=True):
             march.take(reached)
     return [_end(constraints, blocks, march) for march in marches]
+
+
+def _carried(shape: Shape, march: _March) -> bool:
+    """Carry a linkage smoothly through a change point, if something does; tell whether it is beyond."""
+    constraints, blocks = shape.constraints, shape.blocks
+    if not shape.mechanism.through or len(march.way) < 2:
+        return False
+    end = end_of(constraints, blocks, march.way, march.sense)
+    if end.reason != CHANGE_POINT or end.loose:
+        return False
+    before = [s for s in march.way if abs(s.phi - end.singular) >= CLEAR]
+    phi = np.array([end.singular + march.sense * CLEAR])
+    (beyond,) = stations_at(constraints, blocks, before[-1:] or march.way[:1], phi)
+    over = (beyond.dets * march.way[-1].dets < 0.0).sum()
+    if over != 1 or beyond.sharp <= MERGED:
+        return False
+    march.carry(beyond, end)
+    return True
 
 
 def _end(constraints: Constraints, blocks: Blocks, march: _March) -> End | None:

@@ -104,8 +104,10 @@ GAPS: Mapping[str, str] = {
     "the lines that meet in {point} are parallel there: take a position beside it": (
         "линии, которые пересекаются в {point}, там параллельны: возьмите положение рядом"
     ),
-    "the mechanism may go on in two ways there: start the drive beyond the change point, or change a length": (
-        "дальше механизм может пойти двумя путями: начните за точкой ветвления или измените одну из длин"
+    "the mechanism may go on in two ways there: start the drive beyond the change point, change a length, or say in "
+    '[mechanism] what carries it through: through = "parallel" (another linkage beside it) or "inertia"': (
+        "дальше механизм может пойти двумя путями: начните за точкой ветвления, измените одну из длин или скажите в "
+        '[mechanism], что проводит его через неё: through = "parallel" (второй такой же механизм рядом) или "inertia"'
     ),
     "the guides of {point} are parallel on the way and their pin runs to infinity: keep the crank this side": (
         "направляющие точки {point} на этом пути становятся параллельны, и она уходит в бесконечность: "
