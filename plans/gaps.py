@@ -17,52 +17,79 @@ from plans.turn import Turn
 # A position this near to a barrier's edge, rad, whose group is exactly at its dead centre, is the limit itself: half
 # the digits of an angle, for near a dead centre a margin is known to all digits but its angle to half of them.
 LIMIT = 1e-7
-BESIDE = 1e-6  # rad: a position so near to a barrier is told by its angle from it, others by how sharply groups meet
+# A position so near to a barrier, rad, is told by its angle from it, others by how sharply their groups meet.
+BESIDE = 2.0**-20
+# So near to a change point, rad, that a position is that of the change point: two ways part there by as much, and
+# places are known to eps over it.
+AT_CHANGE = 2.0**-23
+
+Flags = npt.NDArray[np.bool_]
 
 
-def lost(sweep: Sweep, plan: Plan, turn: Turn, home: float, barriers: Sequence[Barrier]) -> npt.NDArray[np.bool_]:
+def lost(sweep: Sweep, plan: Plan, turn: Turn, home: float, barriers: Sequence[Barrier]) -> Flags:
     """Tell the positions that are not reached from `home`, or in which a group has no one place; limits are reached."""
     gone = ~reached(turn.phi, home, barriers) | near_edge(turn.phi, _kind(barriers, PARALLEL), UNBORNE)
     if not sweep.groups or (plan.board.clear and not gone.any()):
         return gone
     field, _ = margins(plan, sweep.groups, sweep.sides)
-    nowhere = np.broadcast_to(undefined(plan, sweep.groups), gone.shape)
+    nowhere = np.broadcast_to(undefined(plan, sweep.groups), gone.shape) | loose(sweep, turn.phi)
     with np.errstate(invalid="ignore"):
-        limit = (field == 0).any(axis=0) & (field >= 0).all(axis=0) & near_edge(turn.phi, barriers)
+        limit = (field == 0).any(axis=0) & (field >= 0).all(axis=0) & _near(turn.phi, _ends(home, barriers), LIMIT)
     return np.asarray((gone & ~limit) | nowhere)
 
 
-def reached(phi: Floats, first: float, barriers: Sequence[Barrier]) -> npt.NDArray[np.bool_]:
-    """Tell which crank angles are reached from the first one, in either sense, without passing a barrier.
+def reached(phi: Floats, home: float, barriers: Sequence[Barrier]) -> Flags:
+    """Tell which crank angles are reached from home, rad, in either sense, without passing a barrier.
 
     An angle within a change point's own rounding is reached: the mechanism gets there, but no further.
     """
     if not barriers:
         return np.ones(len(phi), dtype=bool)
     turn = 2 * np.pi
-    ahead = np.mod(phi - first, turn)
-    on = min((_far_edge(b.start - first, b) for b in barriers), default=turn)
-    back = min((_far_edge(first - b.end, b) for b in barriers), default=turn)
+    ahead = np.mod(phi - home, turn)
+    on = min(float(np.mod(edges(b)[0] - home, turn)) + _blur(b) for b in barriers)
+    back = min(float(np.mod(home - edges(b)[1], turn)) + _blur(b) for b in barriers)
     return np.asarray((ahead <= on) | (np.mod(turn - ahead, turn) <= back))
 
 
-def _far_edge(near: float, barrier: Barrier) -> float:
-    near = float(np.mod(near, 2 * np.pi))
-    return near + (barrier.end - barrier.start if barrier.kind == CHANGE else 0.0)
+def edges(barrier: Barrier) -> tuple[float, float]:
+    """Give the two edges of a barrier, rad; a change point is one angle, unless links stay in one line for a while."""
+    if barrier.kind == CHANGE and barrier.end - barrier.start < BESIDE:
+        return (barrier.middle, barrier.middle)
+    return (barrier.start, barrier.end)
 
 
-def near_edge(phi: Floats, barriers: Sequence[Barrier], within: float = LIMIT) -> npt.NDArray[np.bool_]:
-    """Tell which crank angles lie at a barrier's edge, or within a change point's own rounding."""
+def _blur(barrier: Barrier) -> float:
+    return AT_CHANGE if barrier.kind == CHANGE else 0.0
+
+
+def _ends(home: float, barriers: Sequence[Barrier]) -> list[float]:
+    """Give the two angles, rad, that bound the way of the crank from home."""
+    if not barriers:
+        return []
+    turn = 2 * np.pi
+    firsts, lasts = ([edges(b)[side] for b in barriers] for side in (0, 1))
+    return [min(firsts, key=lambda e: float(np.mod(e - home, turn))), min(lasts, key=lambda e: np.mod(home - e, turn))]
+
+
+def _near(phi: Floats, angles: Sequence[float], within: float) -> Flags:
     near = np.zeros(len(phi), dtype=bool)
-    for barrier in barriers:
-        edges = (barrier.start, barrier.end, (barrier.start + barrier.end) / 2)
-        wide = within + (barrier.end - barrier.start if barrier.kind == CHANGE else 0.0)
-        for edge in edges if barrier.kind == CHANGE else edges[:2]:
-            near |= np.abs(np.angle(np.exp(1j * (phi - edge)))) < wide
+    for angle in angles:
+        near |= np.abs(np.angle(np.exp(1j * (phi - angle)))) < within
     return near
 
 
-def unborne(sweep: Sweep, plan: Plan, turn: Turn, barriers: Sequence[Barrier]) -> npt.NDArray[np.bool_]:
+def near_edge(phi: Floats, barriers: Sequence[Barrier], within: float = LIMIT) -> Flags:
+    """Tell which crank angles lie at a barrier's edge, rad."""
+    return _near(phi, [edge for barrier in barriers for edge in edges(barrier)], within)
+
+
+def loose(sweep: Sweep, phi: Floats) -> Flags:
+    """Tell which crank angles are change points in which a group has any place: a pin in its slot's own pivot."""
+    return near_edge(phi, [b for b in _kind(sweep.barriers, CHANGE) if sweep.loose(b)], UNBORNE)
+
+
+def unborne(sweep: Sweep, plan: Plan, turn: Turn) -> Flags:
     """Tell the positions whose velocities the condition does not bear.
 
     A dead centre is told by the crank's angle from it; elsewhere a group must not meet too bluntly.
@@ -70,9 +97,10 @@ def unborne(sweep: Sweep, plan: Plan, turn: Turn, barriers: Sequence[Barrier]) -
     if not sweep.groups or plan.board.clear:
         return np.zeros(len(turn), dtype=bool)
     field, _ = margins(plan, sweep.groups, sweep.sides)
-    told = near_edge(turn.phi, [b for b in barriers if b.kind != CHANGE], BESIDE)
+    told = near_edge(turn.phi, [b for b in sweep.barriers if b.kind != CHANGE], BESIDE)
     blunt = (field < UNBORNE).any(axis=0) & ~told
-    return np.asarray(blunt | near_edge(turn.phi, _kind(barriers, GAP), UNBORNE))
+    dead = near_edge(turn.phi, _kind(sweep.barriers, GAP), UNBORNE)
+    return np.asarray(blunt | dead | near_edge(turn.phi, _kind(sweep.barriers, CHANGE), AT_CHANGE))
 
 
 def _kind(barriers: Sequence[Barrier], kind: str) -> list[Barrier]:
@@ -87,8 +115,10 @@ def of_positions(
         return []
     field, marks = margins(sweep.drawn(turn), sweep.groups, sweep.sides)
     misses = [np.broadcast_to(0.0 if mark.miss is None else mark.miss, len(turn)) for mark in marks]
+    anywhere = loose(sweep, turn.phi)
     return [
-        _unplaced(field[:, k], marks, [float(miss[k]) for miss in misses], k, position, float(turn.phi[k]))
+        (_anywhere(position, float(turn.phi[k]), home, barriers) if anywhere[k] else None)
+        or _unplaced(field[:, k], marks, [float(miss[k]) for miss in misses], k, position, float(turn.phi[k]))
         or _beyond(position, float(turn.phi[k]), None if home is None else bounding(float(turn.phi[k]), home, barriers))
         for k, position in enumerate(positions)
     ]
@@ -102,9 +132,19 @@ def _unplaced(
         if share < 0 and crossing(mark) is None:
             return Gap(position, phi, "positions", GAP, mark.name, miss, _reach(mark, miss, k))
         if np.isnan(at(mark.point, k)) and crossing(mark) is None:
-            advice = f"the lines that meet in {mark.name} fall into one there: take a position beside it"
-            return Gap(position, phi, "positions", "dead centre", mark.name, 0.0, advice)
+            return _in_one(position, phi, mark.name)
     return None
+
+
+def _in_one(position: int, phi: float, where: str) -> Gap:
+    advice = f"the lines that meet in {where} fall into one there: take a position beside it"
+    return Gap(position, phi, "positions", "dead centre", where, 0.0, advice)
+
+
+def _anywhere(position: int, phi: float, home: float | None, barriers: Sequence[Barrier]) -> Gap:
+    """Name a position in which a group has any place."""
+    barrier = None if home is None else bounding(phi, home, barriers)
+    return _in_one(position, phi, barrier.where if barrier else "")
 
 
 def _beyond(position: int, phi: float, barrier: Barrier | None) -> Gap:

@@ -46,6 +46,11 @@ class Barrier:
     where: str  # the mark whose loci miss or touch
     miss: float  # m, the largest miss seen
 
+    @property
+    def middle(self) -> float:
+        """The angle in the middle of it, rad."""
+        return (self.start + self.end) / 2
+
 
 def at_angles(phi: Floats) -> Turn:
     """Take any crank angles, rad, for a turn."""
@@ -125,7 +130,7 @@ class Sweep:
         """Give the sweep that is carried through all change points; group after group, for one moves the next."""
         sweep = self
         while True:
-            met = [Passed(b.group, (b.start + b.end) / 2) for b in sweep.barriers if b.kind == CHANGE]
+            met = [Passed(b.group, b.middle) for b in sweep.barriers if b.kind == CHANGE]
             new = [one for one in met if not any(_alike(one, other) for other in sweep.passed)]
             if not new:
                 return sweep
@@ -140,8 +145,14 @@ class Sweep:
 
     def passes(self, barrier: Barrier) -> bool:
         """Tell whether a barrier is a change point that the linkage is carried through."""
-        here = Passed(barrier.group, (barrier.start + barrier.end) / 2)
+        here = Passed(barrier.group, barrier.middle)
         return barrier.kind == CHANGE and any(_alike(here, other) for other in self.passed)
+
+    def loose(self, barrier: Barrier) -> bool:
+        """Tell whether a group has any place in a change point: then it jumps as the crank passes there."""
+        plan = self.plan(barrier.middle + SAME * np.array((-1.0, 1.0)))
+        before, after = np.broadcast_to(np.asarray(_deciding(plan, self.groups[barrier.group]).point), 2)
+        return bool(abs(after - before) > np.sqrt(SAME) * (abs(before) + abs(after)))
 
     def pattern(self, order: int) -> Pattern | Drawing:
         """Give the pattern of the plans up to an order: 0 positions, 1 velocities, 2 accelerations."""

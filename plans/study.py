@@ -118,7 +118,7 @@ class Drafts:
         """Positions whose velocities the condition does not bear."""
         if self.free or self.study.assembly.phi is None:
             return np.zeros(len(self.turn), dtype=bool)
-        return gaps.unborne(self.study.sweep, self.positions, self.turn, self.study.barriers)
+        return gaps.unborne(self.study.sweep, self.positions, self.turn)
 
 
 class Study:

@@ -15,6 +15,7 @@ import numpy as np
 from plans.analytic.blocks import Block
 from plans.analytic.closure import EPS, SQRT_EPS, closed
 from plans.analytic.constraints import TURN, Constraints
+from plans.analytic.sharpness import sharpness
 from plans.motion import Floats
 
 DEAD_CENTRE, CHANGE_POINT, PARALLEL, NOT_REACHABLE = "dead centre", "change point", "parallel guides", "not reachable"
@@ -23,7 +24,8 @@ ROUNDS = 24  # Newton squares the error; the rest is for slow beginnings
 # Taylor's polynomial from this distance misses by its cube, and the poses there are known to eps over the distance:
 # both come to eps^(3/4) at the fourth root of eps.
 CLEAR = EPS**0.25
-TOUCHING = 4.0  # roundings of all arms of a block together by which its joints may miss each other and yet meet
+TOUCHING = 4.0  # roundings of a block's perimeter by which its joints may miss each other and yet meet
+ALIKE = 64.0  # times as sharp as the bluntest block: a dead centre is blunt from farther away than a change point
 
 
 class Station(NamedTuple):
@@ -86,7 +88,7 @@ class _Loss(NamedTuple):
 def end_of(constraints: Constraints, blocks: Sequence[Block], way: Sequence[Station], sense: float) -> End:
     """Say why a march ended, and where its singular position lies."""
     last = way[-1]
-    block = blocks[_failing(constraints, blocks, way)]
+    block = blocks[_failing(blocks, way)]
     loss = _loss(constraints, block, last)
     turning = np.abs(loss.free.reshape(-1, 3)[:, TURN]).max()
     if loss.share <= np.sqrt(loss.faint):
@@ -98,8 +100,7 @@ def end_of(constraints: Constraints, blocks: Sequence[Block], way: Sequence[Stat
     if fold is None:
         return End(last.phi, _root(way, _place(block, blocks), 0.0, power=2), DEAD_CENTRE, sense)
     turned = float(fold.poses[constraints.crank, TURN] - last.poses[constraints.crank, TURN])
-    arms = np.abs(block.equations.place(fold.poses[None]).arms).sum()
-    limit = TOUCHING * EPS * max(float(arms) / loss.strain, 1.0)
+    limit = TOUCHING * EPS * _perimeter(block, fold.poses) / _parting(block, loss)
     return End(last.phi, last.phi + turned, DEAD_CENTRE, sense, fold, limit)
 
 
@@ -107,19 +108,15 @@ def _place(block: Block, blocks: Sequence[Block]) -> int:
     return next(k for k, other in enumerate(blocks) if other is block)
 
 
-def _failing(constraints: Constraints, blocks: Sequence[Block], way: Sequence[Station]) -> int:
-    """Tell which block's determinant runs to zero first, or is nearest to it."""
+def _failing(blocks: Sequence[Block], way: Sequence[Station]) -> int:
+    """Tell which block loses its rank: of the bluntest ones, that whose determinant falls fastest."""
     last = way[-1]
-    if len(way) > 1:
-        fall = np.abs(way[-2].dets / last.dets)
-        return int(np.argmax(fall))
-    jacobian = constraints.jacobian(constraints.place(last.poses[None]))
-    return int(np.argmin([_faint(block.of(jacobian)[0]) for block in blocks]))
-
-
-def _faint(matrix: Floats) -> float:
-    values = np.linalg.svd(matrix / np.sqrt((matrix**2).sum(axis=0)), compute_uv=False)
-    return float(values[-1] / values[0])
+    sharp = np.array([sharpness(block, last.poses[None])[0] for block in blocks])
+    if len(way) == 1:
+        return int(np.argmin(sharp))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        fall = np.nan_to_num(np.abs(way[-2].dets / last.dets), posinf=np.inf)
+    return int(np.argmax(np.where(sharp <= ALIKE * sharp.min(), fall, -1.0)))
 
 
 def _loss(constraints: Constraints, block: Block, last: Station) -> _Loss:
@@ -134,6 +131,35 @@ def _loss(constraints: Constraints, block: Block, last: Station) -> _Loss:
     pushed = (jacobian[0] @ rates + drive)[block.rows]
     strain, whole = abs(float(left[:, -1] @ pushed)), float(np.linalg.norm(pushed))
     return _Loss(strain, strain / whole if whole else 0.0, float(values[-1] / values[0]), right[-1], left[:, -1])
+
+
+def _parting(block: Block, loss: _Loss) -> float:
+    """Tell how fast the joints of a block part beyond its dead centre, by a radian of the crank."""
+    hinges, count = block.equations.hinges, len(block.equations.slide_ways[0])
+    pushed = np.hypot(loss.strained[:hinges], loss.strained[hinges : 2 * hinges])
+    lines = np.abs(loss.strained[2 * hinges + count : 2 * (hinges + count)])
+    return loss.strain / float(max(pushed.max(initial=0.0), lines.max(initial=0.0)))
+
+
+def _perimeter(block: Block, poses: Floats) -> float:
+    """Measure round the joints of a block: along its links, and from one joint with other links to the next."""
+    equations = block.equations
+    at = equations.place(poses[None])
+    own: dict[int, list[complex]] = {link: [] for link in equations.sought.tolist()}
+    outer = []
+    for joint, links in enumerate(equations.links.T.tolist()):
+        off = 0.0 if joint < equations.hinges else complex(at.apart[0, joint])
+        for side, link in enumerate(links):
+            if link in own:
+                x, y, _ = poses[link]
+                own[link].append(complex(x, y) + complex(at.arms[0, side, joint]) + (off if side else 0.0))
+        if not set(links) <= set(own):
+            outer.append(next(own[link][-1] for link in links if link in own))
+    return float(sum(_extent(places) for places in own.values()) + _extent(outer))
+
+
+def _extent(places: Sequence[complex]) -> float:
+    return max((abs(one - other) for one in places for other in places), default=0.0)
 
 
 def _loose(block: Block, last: Station, loss: _Loss) -> bool:
@@ -163,6 +189,8 @@ def _crossing(block: Block, blocks: Sequence[Block], way: Sequence[Station]) -> 
     if len(clear) < 3:
         return _root(way, place, 0.0)
     phi, det = np.array([s.phi for s in clear]), np.array([s.dets[place] for s in clear])
+    if len(set(det.tolist())) < len(det):
+        return last.phi
     # The angle as a polynomial of the determinant, at zero (inverse interpolation).
     shares = [np.prod([det[j] / (det[j] - det[i]) for j in range(3) if j != i]) for i in range(3)]
     return float(np.dot(shares, phi))

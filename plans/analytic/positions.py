@@ -20,7 +20,11 @@ BLOCK = 2048  # positions solved together: their matrices stay in the cache
 # So near to a dead centre, rad, that a rounding of the crank angle moves a velocity by a thousandth of itself: more
 # than can be seen on a plan. There is a position, but no velocity is told.
 UNBORNE = 1000.0 * EPS
-BESIDE = 1e-6  # rad from a singular position: wider than the square root of UNBORNE, in which sharpness tells
+DOUBTFUL = 1e-4  # sharpness of a station beside which there may be positions whose velocities are not borne
+BESIDE = 2.0**-20  # rad from a singular position: wider than the square root of UNBORNE, in which sharpness tells
+# So near to a change point, rad, that a position is that of the change point: two ways part there by as much, and the
+# poses are known to eps over it.
+AT_CHANGE = 2.0**-23
 
 
 @dataclass
@@ -89,7 +93,7 @@ def _along(found: Positions, shape: Shape, turn: Turn, crank: Floats, passed: Fl
         poses, reached = close(shape.constraints, wrapped(turn.predict(crank[here])), found.phi[here], tolerance)
         found.poses[here[reached]] = poses[reached]
         found.regular[here[reached]] = True
-        if min(station.sharp for station in turn.stations) < 1.0:
+        if min(station.sharp for station in turn.stations) < DOUBTFUL:
             _unborne(found, shape, turn, here[reached])
 
 
@@ -117,17 +121,28 @@ def _at_the_end(found: Positions, shape: Shape, turn: Turn, end: End) -> Flags:
 
 
 def _at_change(found: Positions, shape: Shape, turn: Turn, end: End, places: list[int], apart: Floats) -> None:
-    """Place the links at a change point, where they have one place but no one velocity."""
-    if end.loose:
-        for k in places:
-            found.miss(k, "positions", DEAD_CENTRE, end)
-        return
+    """Place the links at a change point, where they have one place but no one velocity, and right beside it."""
     clear = [s for s in turn.stations if abs(s.phi - end.singular) >= CLEAR] or list(turn.stations)
     near = min(clear, key=lambda s: abs(s.phi - end.singular))
-    guess = np.array([near.predict(end.singular + offset) for offset in apart])
-    found.poses[places] = close_singular(shape.constraints, wrapped(guess), found.phi[places])
-    for k in places:
-        found.miss(k, "velocities", CHANGE_POINT, end)
+    for k, beyond in zip(places, (end.sense * apart).tolist(), strict=True):
+        if beyond > AT_CHANGE and end not in turn.passed:
+            continue  # lost
+        if end.loose and abs(beyond) < UNBORNE:
+            found.miss(k, "positions", DEAD_CENTRE, end)
+            continue
+        guess = wrapped(near.predict(end.singular + end.sense * beyond)[None])
+        poses, reached = close(shape.constraints, guess, found.phi[[k]])
+        flat = abs(beyond) <= AT_CHANGE or not reached[0] or not _borne(shape, poses)
+        found.poses[k] = poses[0] if reached[0] else close_singular(shape.constraints, guess, found.phi[[k]])[0]
+        found.regular[k] = not flat
+        if flat:
+            found.miss(k, "velocities", CHANGE_POINT, end)
+
+
+def _borne(shape: Shape, poses: Floats) -> bool:
+    """Tell whether the condition bears the velocities at poses (1, links, 3)."""
+    jacobian = shape.constraints.jacobian(shape.constraints.place(poses))
+    return bool(least(shape.blocks, jacobian, poses)[0] ** 2 >= UNBORNE)
 
 
 def _at_dead_centre(found: Positions, shape: Shape, turn: Turn, end: End, places: list[int], apart: Floats) -> None:
@@ -171,7 +186,8 @@ def _lost(found: Positions, shape: Shape, turn: Turn) -> None:
         return
     for k, exists in zip(lost.tolist(), _assembles(shape, turn, found.phi[lost]).tolist(), strict=True):
         end = min(turn.ends, key=lambda e: float(abs(_apart(found.phi[k], e))), default=None)
-        if not exists:
+        folded = end is not None and end.reason == DEAD_CENTRE and abs(float(_apart(found.phi[k], end))) < BESIDE
+        if folded or not exists:
             found.miss(k, "positions", OUT_OF_REACH, end)
         elif end and end.reason == CHANGE_POINT:
             found.miss(k, "positions", BEYOND, end)

@@ -22,13 +22,15 @@ PLAIN = 1e-5
 
 
 def least(blocks: Sequence[Block], jacobian: Floats, poses: Floats) -> Floats:
-    """Give the sharpness of the bluntest block at N poses, (N,); 1 where all are plainly sharp."""
+    """Give the sharpness of the bluntest block at N poses, (N,); above PLAIN it is a bound from below."""
     found = np.ones(len(poses))
     for block in blocks:
         own = block.of(jacobian)
-        doubtful = np.flatnonzero(np.abs(np.linalg.det(own)) < PLAIN * np.sqrt((own**2).sum(axis=1)).prod(axis=1))
+        sharp = np.abs(np.linalg.det(own)) / np.sqrt((own**2).sum(axis=1)).prod(axis=1)
+        doubtful = np.flatnonzero(sharp < PLAIN)
         if doubtful.size:
-            found[doubtful] = np.minimum(found[doubtful], sharpness(block, poses[doubtful]))
+            sharp[doubtful] = sharpness(block, poses[doubtful])
+        found = np.minimum(found, sharp)
     return found
 
 

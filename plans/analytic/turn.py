@@ -15,7 +15,7 @@ import numpy as np
 
 from plans.analytic.assembly import Assembly, Shape
 from plans.analytic.blocks import Block
-from plans.analytic.closure import EPS, ROUNDINGS, SQRT_EPS, as_poses, close, inverses, solutions
+from plans.analytic.closure import EPS, ROUNDINGS, SQRT_EPS, as_poses, close, closed, inverses, solutions
 from plans.analytic.constraints import Constraints
 from plans.analytic.ends import CHANGE_POINT, CLEAR, NOT_REACHABLE, SHORTEST, End, Station, end_of
 from plans.analytic.sharpness import MERGED, least
@@ -201,14 +201,21 @@ def _steps(constraints: Constraints, blocks: Blocks, here: Sequence[Station], ph
     near = np.flatnonzero(size <= TRUST * moved).tolist()
     if not near:
         return found
-    for k, reached in zip(near, _stations(constraints, blocks, there[near], phi[near]), strict=True):
-        again = np.abs(reached.poses - there[k]).max()
-        noise = ROUNDINGS * EPS / reached.sharp  # how well the poses are known at all
-        shrinks = again <= TRUST * size[k] + SQRT_EPS * moved[k] + noise
-        same = (reached.dets * np.sign(here[k].dets) >= np.abs(here[k].dets) / 2.0).all()
-        if shrinks and same and reached.sharp > MERGED:
+    stations = _stations(constraints, blocks, there[near], phi[near])
+    # A step from right beside a singular position may lead far away, where small corrections mean nothing.
+    whole = closed(constraints, np.array([reached.poses for reached in stations]), phi[near], SQRT_EPS)
+    for k, reached, joined in zip(near, stations, whole.tolist(), strict=True):
+        if joined and reached.sharp > MERGED and _follows(here[k], reached, there[k], size[k], moved[k]):
             found[k] = reached
     return found
+
+
+def _follows(left: Station, reached: Station, there: Floats, size: float, moved: float) -> bool:
+    """Tell whether a station is of the assembly left: corrections shrink fast, determinants keep sign and half size."""
+    again = np.abs(reached.poses - there).max()
+    noise = ROUNDINGS * EPS / reached.sharp  # how well the poses are known at all
+    same = (reached.dets * np.sign(left.dets) >= np.abs(left.dets) / 2.0).all()
+    return bool(same and again <= TRUST * size + SQRT_EPS * moved + noise)
 
 
 def _stations(constraints: Constraints, blocks: Blocks, poses: Floats, phi: Floats) -> list[Station]:
