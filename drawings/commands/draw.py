@@ -150,7 +150,7 @@ def _agree(comparison: Comparison) -> None:
 def _sheets(study: Study, comparison: Comparison, statics: Statics | None, folder: Path, trace: Trace) -> Drawn:
     """Lay out, write beside, measure back, and only then give the sheets their names: all of them or none."""
     with trace.stage("imports"):
-        from drawings import press
+        from drawings.files import atomic_files
         from drawings.pens.svg import svg
         from drawings.verify import verify
 
@@ -162,10 +162,10 @@ def _sheets(study: Study, comparison: Comparison, statics: Statics | None, folde
     with trace.stage("writing"):
         contents = [svg(lettered(leaf, study.scene.sheet.lettering)) for leaf in sheets]
         text = report(study, comparison, leaves, statics)
-        press.prepare(folder)
+        atomic_files.prepare(folder)
     with contextlib.ExitStack() as stack:
-        stack.enter_context(press.fresh(beside, text.encode("utf-8")))
-        written = [stack.enter_context(press.fresh(*one)) for one in zip(paths, contents, strict=True)]
+        stack.enter_context(atomic_files.fresh(beside, text.encode("utf-8")))
+        written = [stack.enter_context(atomic_files.fresh(*one)) for one in zip(paths, contents, strict=True)]
         with trace.stage("measuring"):
             for path, leaf in zip(written, sheets, strict=True):
                 verify(path, leaf, study, comparison, statics)

@@ -7,8 +7,8 @@ import sys
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
-from drawings import press
 from drawings.commands.draw import draw
+from drawings.files import atomic_files
 from drawings.gallery.catalogue import GALLERY, catalogue
 from drawings.gallery.index import PAGE, Exhibit, index
 from drawings.lettering import lettered
@@ -39,7 +39,7 @@ def redraw(folder: Path) -> Iterator[Path]:
     """Draw every scene of a folder into it, then the alphabet and the index; yield the files as they are written."""
     entries, exhibits = catalogue(folder), list[Exhibit]()
     if not entries:
-        raise press.PressError(folder, "holds no scenes (*.toml) to draw")
+        raise atomic_files.FileError(folder, "holds no scenes (*.toml) to draw")
     for entry in entries:
         drawn = draw(entry.path, folder)
         exhibits.append(Exhibit(entry, drawn.study, drawn.paths))
@@ -48,7 +48,7 @@ def redraw(folder: Path) -> Iterator[Path]:
         (folder / ALPHABET, svg(lettered(specimen()))),
         (folder / PAGE, index(exhibits).encode("utf-8")),
     ):
-        press.write(path, content)
+        atomic_files.write(path, content)
         yield path
     for path in stale(folder, exhibits):
         path.unlink()

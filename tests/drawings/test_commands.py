@@ -18,9 +18,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from drawings import cli, press
+from drawings import cli
 from drawings.commands import draw as draw_command
 from drawings.commands import solve as solve_command
+from drawings.files import atomic_files
 from drawings.limits import QUANTUM
 from drawings.measure import check, measure_file
 from drawings.pens import svg as pen
@@ -633,7 +634,7 @@ def test_a_full_disk_ends_with_7_and_leaves_the_old_sheet(
     def full(*_: object) -> int:
         raise OSError(errno.ENOSPC, "No space left on device")
 
-    monkeypatch.setattr(press.os, "write", full)
+    monkeypatch.setattr(atomic_files.os, "write", full)
     code, _, err = run("draw", SHAPER, "-o", before)
     monkeypatch.undo()
     assert code == 7

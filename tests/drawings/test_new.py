@@ -9,8 +9,9 @@ from pathlib import Path
 
 import pytest
 
-from drawings import cli, press
+from drawings import cli
 from drawings.commands import new
+from drawings.files import atomic_files
 from drawings.gallery.catalogue import GALLERY, catalogue
 from geometry.errors import DraftError
 
@@ -77,9 +78,9 @@ def test_new_leaves_no_empty_file_where_the_disk_is_full(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def full(path: Path, _: bytes) -> None:
-        raise press.PressError(path, "No space left on device")
+        raise atomic_files.FileError(path, "No space left on device")
 
-    monkeypatch.setattr(new.press, "write", full)
+    monkeypatch.setattr(new.atomic_files, "write", full)
     assert run("new", "shaper", "-o", tmp_path)[0] == 7
     assert list(tmp_path.iterdir()) == []
 

@@ -1,4 +1,4 @@
-"""The press: a file is either the whole old one or the whole new one, whatever happens in between.
+"""Atomic files: a file is either the whole old one or the whole new one, whatever happens in between.
 
 A temporary file in the same folder is written, forced to the disk and closed before it takes the final name.
 """
@@ -23,7 +23,7 @@ _CREATE = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0) | ge
 _PATIENCE = (0.1, 0.2, 0.4, 0.8, 1.0) if os.name == "nt" else ()
 
 
-class PressError(DraftError, OSError):
+class FileError(DraftError, OSError):
     """A file that could not be written; the old file of that name is whole unless the reason says otherwise."""
 
     exit_code = 7
@@ -77,9 +77,9 @@ def _told(path: Path, what: str) -> Iterator[None]:
     try:
         yield
     except OSError as error:
-        raise PressError(path, f"{what}: {error.strerror or error}") from error
+        raise FileError(path, f"{what}: {error.strerror or error}") from error
     except ValueError as error:  # a NUL in a path
-        raise PressError(path, f"{what}: {error}") from error
+        raise FileError(path, f"{what}: {error}") from error
 
 
 def _written(path: Path, content: bytes) -> Path:
