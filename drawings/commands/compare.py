@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import argparse
-import json
 
 import numpy as np
 
+from drawings.json_text import print_json
 from drawings.talk import noted
 from plans.compare import Comparison, Finding, compare, compare_extremes
 from plans.scene import read_scene
@@ -25,7 +25,7 @@ def run(options: argparse.Namespace) -> int:
 
         comparison = compare_forces(Statics(study), comparison)
     if options.json:
-        print(json.dumps({"scene": study.scene.title, "findings": [_plain(f) for f in comparison.findings]}))
+        print_json({"scene": study.scene.title, "findings": [_plain(f) for f in comparison.findings]})
     else:
         print(_table(comparison))
     if not comparison.agrees:

@@ -6,15 +6,17 @@ A temporary file in the same folder is written, forced to the disk and closed be
 from __future__ import annotations
 
 import contextlib
+import errno
 import os
 import stat
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from itertools import islice
 from pathlib import Path
 
+from drawings.files.file_error import FileError, told
+from drawings.files.lock import locked
 from drawings.limits import ORPHAN_AGE, SWEEP_ENTRIES
-from geometry.errors import DraftError
 
 PREFIX = ".plandraft-"
 
@@ -23,74 +25,117 @@ _CREATE = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0) | ge
 _PATIENCE = (0.1, 0.2, 0.4, 0.8, 1.0) if os.name == "nt" else ()
 
 
-class FileError(DraftError, OSError):
-    """A file that could not be written; the old file of that name is whole unless the reason says otherwise."""
-
-    exit_code = 7
-
-    def __init__(self, path: Path, reason: str) -> None:
-        super().__init__(f"{path}: {reason}")
-        self.path = path
-        self.reason = reason
-
-
 def write(path: Path, content: bytes) -> None:
     """Write a file whole or not at all; a symlink of that name is replaced, what it points to is not touched."""
-    with fresh(path, content):
-        pass
+    with locked(path.parent), staged({path: content}) as temporaries:
+        with told(path, "cannot take its name"):
+            rename(temporaries[path], path)
+        with told(path, "is written and whole, but its folder could not be forced to the disk"):
+            force_folder(path.parent)
+
+
+def write_new(path: Path, content: bytes) -> bool:
+    """Write a file whole under a name that nothing has yet; tell whether the name was free."""
+    with locked(path.parent), staged({path: content}) as temporaries, told(path, "cannot be written"):
+        return _take(temporaries[path], path)
+
+
+def _take(temporary: Path, path: Path) -> bool:
+    """Give a file a name that nothing has, so that no other file can come between the look and the naming."""
+    try:
+        os.link(temporary, path)
+    except FileExistsError:
+        return False
+    except OSError:  # a file system without links: an empty file takes the name first
+        return _take_first(temporary, path)
+    return True
+
+
+def _take_first(temporary: Path, path: Path) -> bool:
+    try:
+        os.close(os.open(path, _CREATE, 0o600))
+    except FileExistsError:
+        return False
+    try:
+        rename(temporary, path)
+    except BaseException:
+        discard(path)
+        raise
+    return True
 
 
 @contextlib.contextmanager
-def fresh(path: Path, content: bytes) -> Iterator[Path]:
-    """Write a temporary file for inspection; it takes its final name if the block ends well, and vanishes if not."""
-    with _told(path, "cannot be written"):
-        temporary = _written(path, content)
+def staged(contents: Mapping[Path, bytes]) -> Iterator[dict[Path, Path]]:
+    """Write files under temporary names beside their own, given by these; those left when the block ends vanish."""
+    temporaries = {path: temporary_name(path.parent) for path in contents}
     try:
-        yield temporary
-        with _told(path, "cannot take its name"):
-            _rename(temporary, path)
-    except BaseException:
-        _discard(temporary)
-        raise
-    with _told(path, "is written and whole, but its folder could not be forced to the disk"):
-        _force_folder(path.parent)
+        for path, content in contents.items():
+            with told(path, "cannot be written"):
+                check_replaceable(path)
+                create(temporaries[path], content)
+        yield temporaries
+    finally:
+        for temporary in temporaries.values():
+            discard(temporary)
+
+
+def check_replaceable(path: Path) -> None:
+    """Refuse a name under which there is a device, a pipe or a folder, also through a symlink; OSError says so."""
+    with contextlib.suppress(FileNotFoundError):
+        regular = stat.S_ISREG(path.stat().st_mode)
+        stream = path.is_symlink() and str(path.readlink()).startswith("/proc/")  # /dev/stdout, even into a file
+        if stream or not regular:
+            raise OSError(errno.EINVAL, "not a regular file")
 
 
 def prepare(folder: Path) -> int:
-    """Make an output folder (one level) if there is none, and sweep it; give the number of orphans swept."""
-    with _told(folder, "cannot be the output folder"):
-        folder.mkdir(exist_ok=True)
-    return sweep(folder)
+    """Make an output folder if there is none, with those above it, and sweep it; give the number of orphans swept."""
+    make_folder(folder)
+    with locked(folder) as alone:
+        return sum(discard(orphan) for orphan in orphans(folder, alone))
 
 
-def sweep(folder: Path) -> int:
-    """Remove temporary files of our own that killed runs left behind over an hour ago; give their number."""
-    with _told(folder, "cannot be read"), os.scandir(folder) as entries:
+def make_folder(folder: Path) -> None:
+    """Make a folder and those above it, where there are none."""
+    with told(folder, "cannot be the output folder"):
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+        except FileExistsError:
+            raise FileError(folder, "is a file, and cannot be the output folder. Fix: give a folder with -o") from None
+
+
+def orphans(folder: Path, alone: bool) -> list[Path]:
+    """List the temporary files that interrupted runs left; where others may be at work, those of over an hour ago."""
+    with told(folder, "cannot be read"), os.scandir(folder) as entries:
         found = list(islice(entries, SWEEP_ENTRIES + 1))
     if len(found) > SWEEP_ENTRIES:
-        return 0
-    return sum(_discard(Path(entry.path)) for entry in found if _orphan(entry))
+        return []
+    return sorted(Path(entry.path) for entry in found if _is_orphan(entry, 0.0 if alone else ORPHAN_AGE))
 
 
-@contextlib.contextmanager
-def _told(path: Path, what: str) -> Iterator[None]:
+def _is_orphan(entry: os.DirEntry[str], age: float) -> bool:
+    if not entry.name.startswith(PREFIX):
+        return False
     try:
-        yield
-    except OSError as error:
-        raise FileError(path, f"{what}: {error.strerror or error}") from error
-    except ValueError as error:  # a NUL in a path
-        raise FileError(path, f"{what}: {error}") from error
+        found = entry.stat(follow_symlinks=False)
+    except OSError:
+        return False
+    ours = not hasattr(os, "getuid") or found.st_uid == os.getuid()
+    return stat.S_ISREG(found.st_mode) and ours and (not age or time.time() - found.st_mtime > age)
 
 
-def _written(path: Path, content: bytes) -> Path:
-    temporary = path.parent / f"{PREFIX}{os.urandom(8).hex()}"
-    handle = os.open(temporary, _CREATE, 0o600)
+def temporary_name(folder: Path) -> Path:
+    """Give a name that no file of the folder has, short enough for every file system."""
+    return folder / f"{PREFIX}{os.urandom(8).hex()}"
+
+
+def create(temporary: Path, content: bytes) -> None:
+    """Write a file that is not there yet and force it to the disk; where that fails, there is none."""
     try:
-        _fill(handle, content)
+        _fill(os.open(temporary, _CREATE, 0o600), content)
     except BaseException:
-        _discard(temporary)
+        discard(temporary)
         raise
-    return temporary
 
 
 def _fill(handle: int, content: bytes) -> None:
@@ -116,7 +161,8 @@ def _umask() -> int:
     return mask
 
 
-def _rename(temporary: Path, path: Path) -> None:
+def rename(temporary: Path, path: Path) -> None:
+    """Give a file its name, in place of the file that has it."""
     for pause in _PATIENCE:
         with contextlib.suppress(PermissionError):
             temporary.replace(path)
@@ -125,7 +171,7 @@ def _rename(temporary: Path, path: Path) -> None:
     temporary.replace(path)
 
 
-def _force_folder(folder: Path) -> None:
+def force_folder(folder: Path) -> None:
     """A rename is safe from a power cut only when the folder itself is on the disk; Windows has no such call."""
     if os.name != "posix":
         return
@@ -136,21 +182,10 @@ def _force_folder(folder: Path) -> None:
         os.close(handle)
 
 
-def _discard(temporary: Path) -> bool:
-    """Remove a temporary file if it is still there."""
+def discard(temporary: Path) -> bool:
+    """Remove a temporary file if it is still there, and tell whether it was."""
     try:
         temporary.unlink()
     except OSError:
         return False
     return True
-
-
-def _orphan(entry: os.DirEntry[str]) -> bool:
-    if not entry.name.startswith(PREFIX):
-        return False
-    try:
-        found = entry.stat(follow_symlinks=False)
-    except OSError:
-        return False
-    ours = not hasattr(os, "getuid") or found.st_uid == os.getuid()
-    return stat.S_ISREG(found.st_mode) and ours and time.time() - found.st_mtime > ORPHAN_AGE

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from drawings.commands.draw import draw
 from drawings.files import atomic_files
+from drawings.files.file_error import FileError
 from drawings.gallery.catalogue import GALLERY, catalogue
 from drawings.gallery.index import PAGE, Exhibit, index
 from drawings.lettering import lettered
@@ -39,7 +40,7 @@ def redraw(folder: Path) -> Iterator[Path]:
     """Draw every scene of a folder into it, then the alphabet and the index; yield the files as they are written."""
     entries, exhibits = catalogue(folder), list[Exhibit]()
     if not entries:
-        raise atomic_files.FileError(folder, "holds no scenes (*.toml) to draw")
+        raise FileError(folder, "holds no scenes (*.toml) to draw")
     for entry in entries:
         drawn = draw(entry.path, folder)
         exhibits.append(Exhibit(entry, drawn.study, drawn.paths))

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from drawings.files import atomic_files
+from drawings.files import atomic_files, lock
 from geometry.errors import DraftError
 
 OLD, NEW = b"old" * 1000, b"new" * 2000
@@ -78,7 +78,7 @@ def test_a_folder_that_cannot_be_forced_says_that_the_file_is_new(sheet: Path, m
     def fail(_: Path) -> None:
         raise OSError(errno.EIO, "Input/output error")
 
-    monkeypatch.setattr(atomic_files, "_force_folder", fail)
+    monkeypatch.setattr(atomic_files, "force_folder", fail)
     with pytest.raises(atomic_files.FileError, match="is written and whole"):
         atomic_files.write(sheet, NEW)
     assert sheet.read_bytes() == NEW
@@ -91,15 +91,15 @@ def test_an_inspection_that_fails_withholds_the_file(sheet: Path) -> None:
         assert sheet.read_bytes() == OLD
         raise ValueError("a vector is off")
 
-    with pytest.raises(ValueError, match="a vector is off"), atomic_files.fresh(sheet, NEW) as temporary:
-        inspect(temporary)
+    with pytest.raises(ValueError, match="a vector is off"), atomic_files.staged({sheet: NEW}) as temporaries:
+        inspect(temporaries[sheet])
     assert sheet.read_bytes() == OLD
     assert beside(sheet) == []
 
 
 @pytest.mark.parametrize("interruption", [KeyboardInterrupt, SystemExit])
 def test_an_interruption_leaves_nothing(sheet: Path, interruption: type[BaseException]) -> None:
-    with pytest.raises(interruption), atomic_files.fresh(sheet, NEW):
+    with pytest.raises(interruption), atomic_files.staged({sheet: NEW}):
         raise interruption
     assert sheet.read_bytes() == OLD
     assert beside(sheet) == []
@@ -151,17 +151,22 @@ def test_a_place_that_cannot_be_written_is_said(tmp_path: Path, place: str) -> N
     assert sorted(entry.name for entry in tmp_path.iterdir()) == ["file", "folder"]
 
 
-def test_prepare_makes_one_level(tmp_path: Path) -> None:
-    assert atomic_files.prepare(tmp_path / "out") == 0
-    assert atomic_files.prepare(tmp_path / "out") == 0
-    with pytest.raises(atomic_files.FileError):
-        atomic_files.prepare(tmp_path / "a" / "b")
+def test_prepare_makes_all_levels(tmp_path: Path) -> None:
+    assert atomic_files.prepare(tmp_path / "a" / "b") == 0
+    assert atomic_files.prepare(tmp_path / "a" / "b") == 0
     (tmp_path / "file").touch()
-    with pytest.raises(atomic_files.FileError):
+    with pytest.raises(atomic_files.FileError, match=r"file: is a file, and cannot be .* Fix: give a folder"):
         atomic_files.prepare(tmp_path / "file")
+    with pytest.raises(atomic_files.FileError, match="Not a directory"):
+        atomic_files.prepare(tmp_path / "file" / "b")
 
 
-def test_sweep_takes_only_old_files_of_our_own(tmp_path: Path) -> None:
+@pytest.mark.parametrize(("alone", "left"), [(True, 4), (False, 5)])
+def test_sweep_takes_only_files_of_our_own_and_young_ones_only_where_nobody_else_is(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, alone: bool, left: int
+) -> None:
+    if not alone:
+        monkeypatch.setattr(lock, "_hold", lambda _: os.open(tmp_path / "no lock", os.O_RDONLY))
     old = time.time() - 2 * atomic_files.ORPHAN_AGE
     for name in (f"{atomic_files.PREFIX}old", f"{atomic_files.PREFIX}young", "plandraft-old", ".other-old"):
         (tmp_path / name).touch()
@@ -169,10 +174,10 @@ def test_sweep_takes_only_old_files_of_our_own(tmp_path: Path) -> None:
             os.utime(tmp_path / name, (old, old))
     (tmp_path / f"{atomic_files.PREFIX}folder").mkdir()
     (tmp_path / f"{atomic_files.PREFIX}link").symlink_to("plandraft-old")
-    assert atomic_files.prepare(tmp_path) == 1
-    left = {entry.name for entry in tmp_path.iterdir()}
-    assert f"{atomic_files.PREFIX}old" not in left
-    assert len(left) == 5
+    assert atomic_files.prepare(tmp_path) == 6 - left
+    names = {entry.name for entry in tmp_path.iterdir()}
+    assert f"{atomic_files.PREFIX}old" not in names
+    assert len(names) == left
 
 
 def test_a_crowded_folder_is_not_swept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -181,7 +186,37 @@ def test_a_crowded_folder_is_not_swept(tmp_path: Path, monkeypatch: pytest.Monke
         orphan = tmp_path / f"{atomic_files.PREFIX}{name}"
         orphan.touch()
         os.utime(orphan, (0, 0))
-    assert atomic_files.sweep(tmp_path) == 0
+    assert atomic_files.prepare(tmp_path) == 0
+
+
+@pytest.mark.parametrize("kind", ["pipe", "device", "folder", "link to a device", "own stdout"])
+def test_what_is_no_regular_file_is_never_replaced(tmp_path: Path, kind: str) -> None:
+    place = tmp_path / "schema.json"
+    match kind:
+        case "pipe":
+            os.mkfifo(place)
+        case "device":
+            place = Path("/dev/null")
+        case "folder":
+            place.mkdir()
+        case "link to a device":
+            place.symlink_to("/dev/null")
+        case _:
+            place.symlink_to("/proc/self/fd/1")
+    before = place.lstat()
+    with pytest.raises(atomic_files.FileError, match="not a regular file"):
+        atomic_files.write(place, NEW)
+    assert place.lstat().st_ino == before.st_ino
+
+
+def test_only_one_run_writes_into_a_folder(sheet: Path) -> None:
+    with lock.locked(sheet.parent) as alone:
+        assert alone
+        with pytest.raises(atomic_files.FileError, match=r"another run of plandraft .* Fix: wait until it ends"):
+            atomic_files.write(sheet, NEW)
+        assert sheet.read_bytes() == OLD
+    atomic_files.write(sheet, NEW)
+    assert sheet.read_bytes() == NEW
 
 
 KILLED = """
@@ -210,7 +245,5 @@ def test_killed_at_any_moment_the_file_is_whole(tmp_path: Path) -> None:
             content = sheet.read_bytes()
             assert len(content) == 300_000
             assert content == content[:1] * 300_000
-    for orphan in tmp_path.glob(f"{atomic_files.PREFIX}*"):
-        os.utime(orphan, (0, 0))
     atomic_files.prepare(tmp_path)
     assert [entry.name for entry in tmp_path.iterdir()] == ["sheet.svg"]

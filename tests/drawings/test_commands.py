@@ -109,7 +109,11 @@ def test_draw_writes_the_sheet_and_the_report_and_prints_the_comparison(run: Run
     code, out, err = run("draw", SHAPER, "-o", tmp_path / "out")
     assert (code, err) == (0, "")
     sheet, beside = tmp_path / "out/shaper-kinematics.svg", tmp_path / "out/shaper-report.md"
-    assert {file.name for file in (tmp_path / "out").iterdir()} == {sheet.name, beside.name}
+    assert {file.name for file in (tmp_path / "out").iterdir()} == {
+        sheet.name,
+        beside.name,
+        "shaper-manifest.json",
+    }
     lines = out.splitlines()
     assert lines[-2:] == [str(sheet), str(beside)]
     assert [line.split()[0] for line in lines[1:4]] == ["positions", "velocities", "accelerations"]
@@ -300,7 +304,7 @@ def before(run: Run, tmp_path: Path) -> Iterator[Path]:
     """A folder with a good sheet, which must be left as it is; and nothing beside it."""
     run("draw", SHAPER, "-o", tmp_path)
     old = {file.name: file.read_bytes() for file in tmp_path.iterdir()}
-    assert len(old) == 2
+    assert len(old) == 3
     yield tmp_path
     assert {file.name: file.read_bytes() for file in tmp_path.iterdir()} == old
 
@@ -619,13 +623,18 @@ def test_a_file_that_cannot_be_read_ends_with_7_and_its_name(run: Run, tmp_path:
         assert len(err.splitlines()) == 1
 
 
-@pytest.mark.parametrize("folder", ["not/made/yet", "taken"])
+@pytest.mark.parametrize("folder", ["taken", "taken/below"])
 def test_a_folder_that_cannot_be_made_ends_with_7(run: Run, tmp_path: Path, folder: str) -> None:
     (tmp_path / "taken").write_text("a file")
     code, out, err = run("draw", SHAPER, "-o", tmp_path / folder)
     assert (code, out) == (7, "")
     assert str(tmp_path / folder) in err
     assert (tmp_path / "taken").read_text() == "a file"
+
+
+def test_a_folder_is_made_with_all_those_above_it(run: Run, tmp_path: Path) -> None:
+    assert run("draw", SHAPER, "-o", tmp_path / "not/made/yet")[0] == 0
+    assert (tmp_path / "not/made/yet/shaper-kinematics.svg").exists()
 
 
 def test_a_full_disk_ends_with_7_and_leaves_the_old_sheet(
