@@ -9,6 +9,7 @@ import sys
 from collections.abc import Sequence
 from importlib import import_module
 from pathlib import Path
+from typing import Any
 
 from drawings import VERSION
 from drawings.files.signals import Stopped
@@ -28,9 +29,19 @@ start from a scene of the gallery (plandraft new) and change it; every mistake i
 """
 
 
+class _Parser(argparse.ArgumentParser):
+    """A parser that does not pass over a stdout that is full."""
+
+    def _print_message(self, message: str, file: Any = None) -> None:
+        if file is sys.stdout:
+            file.write(message)
+        else:
+            tell(message.rstrip("\n"))
+
+
 def parser() -> argparse.ArgumentParser:
     """Make the parser of the command line."""
-    top = argparse.ArgumentParser(
+    top = _Parser(
         prog="plandraft",
         description="Draw a mechanism's plans as exact constructions on a scaled sheet, and check every number.",
         epilog=EPILOG,
@@ -72,7 +83,7 @@ def parser() -> argparse.ArgumentParser:
     return top
 
 
-def _bench(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def _bench(commands: argparse._SubParsersAction[_Parser]) -> None:
     bench = _command(commands, "bench", "measure error against run time of every technique on the scene")
     bench.add_argument("-o", "--output", type=Path, metavar="DIR", help="folder for the table (CSV) and the plot (SVG)")
     bench.add_argument(
@@ -109,9 +120,7 @@ def _counts(text: str) -> list[int]:
     return [_count(part.strip()) for part in text.split(",")]
 
 
-def _command(
-    commands: argparse._SubParsersAction[argparse.ArgumentParser], name: str, text: str
-) -> argparse.ArgumentParser:
+def _command(commands: argparse._SubParsersAction[_Parser], name: str, text: str) -> argparse.ArgumentParser:
     command = commands.add_parser(name, help=text, description=text[0].upper() + text[1:] + ".")
     command.add_argument("scene", type=Path, metavar="SCENE", help="the scene, a TOML file")
     return command
@@ -180,11 +189,10 @@ def _open_stdout() -> None:
 
 def _told(error: Exception, options: argparse.Namespace) -> str:
     """Word an error in the language of the scene, which may be named in a file that is otherwise at fault."""
-    if not hasattr(options, "scene"):
-        return str(error)  # the vectors of a sheet are measured without any scene
     from drawings.talk import language_of, worded  # noqa: PLC0415  (only an error pays for it)
 
-    return worded(error, language_of(options.scene))
+    scene = getattr(options, "scene", None)  # the vectors of a sheet are measured without any scene
+    return worded(error, language_of(scene) if scene else "en")
 
 
 def _code(error: Exception) -> int:

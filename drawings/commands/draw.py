@@ -214,7 +214,7 @@ def _earlier(drawn: Drawn, folder: Path) -> list[Path]:
     for kind in drawn.study.scene.sheets:
         count = sum(leaf.metadata["sheet"] == kind for leaf in drawn.leaves)
         further = (_named(folder, stem, kind, k) for k in range(count, SHEETS_MOST))
-        found += list(takewhile(Path.exists, further))
+        found += list(takewhile(os.path.lexists, further))
     return found
 
 

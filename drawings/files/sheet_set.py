@@ -68,7 +68,7 @@ def publish(folder: Path, manifest: Manifest, temporaries: Mapping[Path, Path]) 
             except BaseException:
                 discard(journal)
                 raise
-        return _place(folder, manifest, {**temporaries, path: journal})
+        return _place(folder, manifest, temporaries, journal)
 
 
 def recover(folder: Path, alone: bool) -> Left:
@@ -78,7 +78,7 @@ def recover(folder: Path, alone: bool) -> Left:
     finished, torn = [], []
     for journal, manifest in journals.items():
         if (temporaries := _whole(folder, manifest, found)) is not None:
-            _place(folder, manifest, {**temporaries, folder / manifest.name: journal})
+            _place(folder, manifest, temporaries, journal)
             finished.append(folder / manifest.name)
         elif (last := read_manifest(folder / manifest.name)) is None or last.strangers(folder):
             torn.append(folder / manifest.name)
@@ -94,7 +94,7 @@ def _whole(folder: Path, manifest: Manifest, found: list[Path]) -> dict[Path, Pa
     return {folder / name: digests[manifest.files[name]] for name in missing}
 
 
-def _place(folder: Path, manifest: Manifest, temporaries: Mapping[Path, Path]) -> list[Path]:
+def _place(folder: Path, manifest: Manifest, temporaries: Mapping[Path, Path], journal: Path) -> list[Path]:
     """Give files their names, the manifest last; where one cannot have it, all is put back as it was."""
     path = folder / manifest.name
     surplus = _surplus(folder, read_manifest(path), manifest)
@@ -102,9 +102,11 @@ def _place(folder: Path, manifest: Manifest, temporaries: Mapping[Path, Path]) -
     with unstopped():
         try:
             _exchange(surplus, temporaries, kept)
+            with told(path, "cannot take its name"):
+                rename(journal, path)  # in one step: the old one is not set aside, for it could be taken for a new one
         except BaseException:
             if _put_back(kept):
-                discard(temporaries[path])
+                discard(journal)
             raise
         for former in filter(None, kept.values()):
             discard(former)
