@@ -13,10 +13,10 @@ from typing import Any
 
 from drawings import VERSION
 from drawings.files.signals import Stopped
-from drawings.process import run, tell
+from drawings.process import FILES, UNREADABLE, run, tell
 from geometry.errors import DraftError
 
-BUG, SCENE, FILES, STOPPED = 1, 3, 7, 130
+BUG, SCENE, STOPPED = 1, 3, 130
 
 TRACED = "tell on stderr what was made, imported and left out, and how long each stage took"
 EPILOG = """\
@@ -162,7 +162,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         tell(_told(error, options))
         return _code(error)
     except ImportError as error:
-        tell(f"plandraft itself cannot be read: {error}. Fix: install it again")
+        tell(UNREADABLE.format(error=error))
         return FILES
     except Exception:  # whatever else happens is a bug of ours, and is said to be one
         tell(f"plandraft: internal error, a bug of plandraft; please report {_bug_report()}")

@@ -9,10 +9,12 @@ import signal
 import sys
 from typing import NoReturn
 
-from drawings.files.signals import ENDING, raise_signals
+from drawings.files.signals import ENDING, Stopped, raise_signals
 
 COLLECTED = 100_000  # new objects between two collections: a sheet makes few more, and hardly any of them in rings
 STREAMS = 3  # stdin, stdout, stderr
+FILES = 7
+UNREADABLE = "plandraft itself cannot be read: {error}. Fix: install it again"
 
 
 def run() -> NoReturn:
@@ -24,14 +26,27 @@ def run() -> NoReturn:
     # Our matrices are small: a second thread of the linear algebra would cost more than it does.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     gc.set_threshold(COLLECTED)
-    from drawings import cli  # noqa: PLC0415  (its imports take most of the time in which Ctrl-C may come)
-
-    raise_signals()
-    code = cli.main()
+    code = _code()
     for stream in (sys.stdout, sys.stderr):
         with contextlib.suppress(AttributeError, OSError, ValueError):  # closed, or none from the beginning
             stream.flush()
     os._exit(code)
+
+
+def _code() -> int:
+    try:
+        from drawings import cli  # noqa: PLC0415  (its imports take most of the time in which Ctrl-C may come)
+    except (ImportError, OSError) as error:
+        tell(UNREADABLE.format(error=error))
+        return FILES
+    try:
+        raise_signals()
+        return cli.main()
+    except Stopped as stopped:
+        return stopped.exit_code
+    finally:
+        for number in ENDING:  # there is nothing left to stop
+            signal.signal(number, signal.SIG_IGN)
 
 
 def _fill_streams() -> None:
