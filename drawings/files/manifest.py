@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 from collections.abc import Mapping
 from pathlib import Path
@@ -52,13 +53,22 @@ def manifest_of(scene: str, scene_content: bytes, contents: Mapping[Path, bytes]
 
 
 def read_manifest(path: Path) -> Manifest | None:
-    """Read a manifest; None where there is none, or one whose names are not all of its scene and in its folder."""
-    try:
+    """Read a manifest; None where there is none, or none that can be read."""
+    with contextlib.suppress(OSError):
+        return existing_manifest(path)
+    return None
+
+
+def existing_manifest(path: Path) -> Manifest | None:
+    """Read a manifest; None where there is none of ours: all its names are of its scene, and in its folder.
+
+    An OSError says that there is a file that the system does not give.
+    """
+    with contextlib.suppress(FileNotFoundError, ValueError, LookupError, TypeError, RecursionError):
         found = _parsed(json.loads(regular_bytes(path, MOST_BYTES)))
-    except (OSError, ValueError, LookupError, TypeError, RecursionError):
-        return None
-    stem = found.name.removesuffix(SUFFIX)
-    return found if all(_plain(name) and name.startswith(f"{stem}-") for name in (found.name, *found.files)) else None
+        names, start = (found.name, *found.files), f"{found.name.removesuffix(SUFFIX)}-"
+        return found if all(_plain(name) and name.startswith(start) for name in names) else None
+    return None
 
 
 def manifest_beside(sheet: Path) -> Manifest | None:
@@ -71,10 +81,16 @@ def manifest_beside(sheet: Path) -> Manifest | None:
 
 def digest_of(path: Path) -> str | None:
     """Give the checksum of a file; None where there is none that can be read."""
-    try:
+    with contextlib.suppress(OSError):
+        return existing_digest(path)
+    return None
+
+
+def existing_digest(path: Path) -> str | None:
+    """Give the checksum of a file; None where there is none. An OSError says that the system does not give it."""
+    with contextlib.suppress(FileNotFoundError):
         return digest(regular_bytes(path, 1 << 62))
-    except OSError:
-        return None
+    return None
 
 
 def _entry(name: str, digest: str, seal: str | None) -> dict[str, str]:

@@ -17,7 +17,7 @@ from drawings.files.atomic_files import check_replaceable, create, discard, forc
 from drawings.files.atomic_files import temporary_name as new_name
 from drawings.files.file_error import told
 from drawings.files.lock import locked
-from drawings.files.manifest import Manifest, digest_of, read_manifest
+from drawings.files.manifest import Manifest, digest_of, existing_digest, existing_manifest, read_manifest
 from drawings.files.signals import unstopped
 
 
@@ -57,18 +57,25 @@ def output_folder(folder: Path) -> Iterator[Left]:
 
 
 def publish(folder: Path, manifest: Manifest, temporaries: Mapping[Path, Path]) -> list[Path]:
-    """Give the files of a set their names; give those that only the last set had, which are removed."""
+    """Give the files of a set their names; give those that only the last set had, which are removed.
+
+    Where one cannot have its name, all is put back as it was.
+    """
     path, journal = folder / manifest.name, new_name(folder)
+    kept: dict[Path, Path | None] = {}
     with unstopped():
-        with told(path, "cannot be written"):
-            check_replaceable(path)
-            create(journal, manifest.content())
-            try:
+        try:
+            with told(path, "cannot be written"):
+                check_replaceable(path)
+                create(journal, manifest.content())
                 force_folder(folder)
-            except BaseException:
+            surplus = _exchange(folder, manifest, temporaries, journal, kept)
+        except BaseException:
+            if _put_back(kept):
                 discard(journal)
-                raise
-        return _place(folder, manifest, temporaries, journal)
+            raise
+        _finish(path, kept)
+    return surplus
 
 
 def recover(folder: Path, alone: bool) -> Left:
@@ -78,7 +85,7 @@ def recover(folder: Path, alone: bool) -> Left:
     finished, torn = [], []
     for journal, manifest in journals.items():
         if (temporaries := _whole(folder, manifest, found)) is not None:
-            _place(folder, manifest, temporaries, journal)
+            _go_on(folder, manifest, temporaries, journal)
             finished.append(folder / manifest.name)
         elif (last := read_manifest(folder / manifest.name)) is None or last.strangers(folder):
             torn.append(folder / manifest.name)
@@ -94,37 +101,19 @@ def _whole(folder: Path, manifest: Manifest, found: list[Path]) -> dict[Path, Pa
     return {folder / name: digests[manifest.files[name]] for name in missing}
 
 
-def _place(folder: Path, manifest: Manifest, temporaries: Mapping[Path, Path], journal: Path) -> list[Path]:
-    """Give files their names, the manifest last; where one cannot have it, all is put back as it was."""
-    path = folder / manifest.name
-    surplus = _surplus(folder, read_manifest(path), manifest)
+def _go_on(folder: Path, manifest: Manifest, temporaries: Mapping[Path, Path], journal: Path) -> None:
+    """Finish a set; where that fails nothing is put back, so that the next run can go on."""
     kept: dict[Path, Path | None] = {}
     with unstopped():
-        try:
-            _exchange(surplus, temporaries, kept)
-            with told(path, "cannot take its name"):
-                rename(journal, path)  # in one step: the old one is not set aside, for it could be taken for a new one
-        except BaseException:
-            if _put_back(kept):
-                discard(journal)
-            raise
-        for former in filter(None, kept.values()):
-            discard(former)
-        with told(path, "is written and whole, but its folder could not be forced to the disk"):
-            force_folder(folder)
-    return surplus
+        _exchange(folder, manifest, temporaries, journal, kept)
+        _finish(folder / manifest.name, kept)
 
 
-def _surplus(folder: Path, last: Manifest | None, manifest: Manifest) -> list[Path]:
-    """List the files that only the last set has, and that are still as they were written."""
-    if last is None:
-        return []
-    names = set(last.files) - set(manifest.files) - set(last.strangers(folder))
-    return sorted(folder / name for name in names)
-
-
-def _exchange(surplus: list[Path], temporaries: Mapping[Path, Path], kept: dict[Path, Path | None]) -> None:
-    """Set aside what is no longer of the set; put files in place of those of their names, which are kept as well."""
+def _exchange(
+    folder: Path, manifest: Manifest, temporaries: Mapping[Path, Path], journal: Path, kept: dict[Path, Path | None]
+) -> list[Path]:
+    """Set aside and give what is no longer of the set; put files in place of those of their names, which are kept."""
+    surplus = _surplus(folder, manifest)
     for path in surplus:
         with told(path, "cannot be removed"):
             kept[path] = _set_aside(path, stays=False)
@@ -132,6 +121,29 @@ def _exchange(surplus: list[Path], temporaries: Mapping[Path, Path], kept: dict[
         with told(path, "cannot take its name"):
             kept[path] = _set_aside(path, stays=True)
             rename(temporary, path)
+    path = folder / manifest.name
+    with told(path, "cannot take its name"):
+        rename(journal, path)  # in one step: the old one is not set aside, for it could be taken for a new one
+    return surplus
+
+
+def _finish(path: Path, kept: Mapping[Path, Path | None]) -> None:
+    for former in filter(None, kept.values()):
+        discard(former)
+    with told(path, "is written and whole, but its folder could not be forced to the disk"):
+        force_folder(path.parent)
+
+
+def _surplus(folder: Path, manifest: Manifest) -> list[Path]:
+    """List the files that only the last set has, and that are still as they were written."""
+    with told(folder / manifest.name, "cannot be read"):
+        last = existing_manifest(folder / manifest.name)
+    found = []
+    for name in sorted(set(last.files) - set(manifest.files)) if last is not None else ():
+        with told(folder / name, "cannot be read"):
+            if last is not None and existing_digest(folder / name) == last.files[name]:
+                found.append(folder / name)
+    return found
 
 
 def _set_aside(path: Path, stays: bool) -> Path | None:
