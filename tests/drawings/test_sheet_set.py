@@ -129,6 +129,21 @@ def test_a_set_takes_the_place_of_the_last_and_its_surplus_sheet_goes(tmp_path: 
     assert fits(tmp_path)
 
 
+@pytest.mark.parametrize("lost", ["existing_manifest", "existing_digest"])
+def test_where_the_last_set_cannot_be_read_it_stays(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, lost: str) -> None:
+    """Otherwise its surplus sheets would stay beside the new set, and nothing would say that they are not of it."""
+    put(tmp_path, OLD)
+
+    def unread(_: Path) -> None:
+        raise OSError(5, "Input/output error")
+
+    monkeypatch.setattr(sheet_set, lost, unread)
+    with pytest.raises(FileError, match="cannot be read: Input/output error"):
+        put(tmp_path, NEW)
+    assert there(tmp_path) == OLD
+    assert fits(tmp_path)
+
+
 def test_a_surplus_sheet_that_was_changed_is_kept(tmp_path: Path) -> None:
     put(tmp_path, OLD)
     (tmp_path / "shaper-kinematics-2.svg").write_bytes(b"with my own notes")
@@ -208,6 +223,18 @@ def test_a_set_that_was_killed_among_its_names_is_finished_by_the_next_run(tmp_p
         assert fits(tmp_path)
         (said, *_) = left.told(tmp_path)
         assert "a run was stopped before all files of this set had their names; they have them now" in said
+
+
+def test_finishing_that_fails_is_gone_on_with_by_the_run_after(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    put(tmp_path, OLD)
+    subprocess.run([sys.executable, "-c", KILLED, str(tmp_path), "2"], cwd=ROOT, check=False)
+    with monkeypatch.context() as patched:
+        patched.setattr(sheet_set, "rename", failing(2))
+        with pytest.raises(FileError), output_folder(tmp_path):
+            pass
+    with output_folder(tmp_path) as left:
+        assert left.finished == (tmp_path / "shaper-manifest.json",)
+    assert there(tmp_path) == NEW
 
 
 # By the command
