@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 import argparse
-import contextlib
-import gc
 import io
 import os
 import sys
 from collections.abc import Sequence
 from importlib import import_module
 from pathlib import Path
-from typing import NoReturn
+from typing import Any
 
+from drawings import VERSION
+from drawings.files.signals import Stopped
+from drawings.process import FILES, UNREADABLE, run, tell
 from geometry.errors import DraftError
 
-BUG, SCENE, FILES, STOPPED = 1, 3, 7, 130
-COLLECTED = 100_000  # new objects between two collections: a sheet makes few more, and hardly any of them in rings
+BUG, SCENE, STOPPED = 1, 3, 130
 
 TRACED = "tell on stderr what was made, imported and left out, and how long each stage took"
 EPILOG = """\
@@ -29,15 +29,25 @@ start from a scene of the gallery (plandraft new) and change it; every mistake i
 """
 
 
+class _Parser(argparse.ArgumentParser):
+    """A parser that does not pass over a stdout that is full."""
+
+    def _print_message(self, message: str, file: Any = None) -> None:
+        if file is sys.stdout:
+            file.write(message)
+        else:
+            tell(message.rstrip("\n"))
+
+
 def parser() -> argparse.ArgumentParser:
     """Make the parser of the command line."""
-    top = argparse.ArgumentParser(
+    top = _Parser(
         prog="plandraft",
         description="Draw a mechanism's plans as exact constructions on a scaled sheet, and check every number.",
         epilog=EPILOG,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    top.add_argument("--version", action=_Version, nargs=0, help="show the version and stop")
+    top.add_argument("--version", action="version", version=f"plandraft {VERSION}", help="show the version and stop")
     # The name of the program is given, for argparse would import shutil to find out how it is written.
     commands = top.add_subparsers(dest="command", metavar="COMMAND", required=True, prog=top.prog)
     draw = _command(commands, "draw", "draw the scene's sheets, compare, and write the report beside them")
@@ -73,7 +83,7 @@ def parser() -> argparse.ArgumentParser:
     return top
 
 
-def _bench(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def _bench(commands: argparse._SubParsersAction[_Parser]) -> None:
     bench = _command(commands, "bench", "measure error against run time of every technique on the scene")
     bench.add_argument("-o", "--output", type=Path, metavar="DIR", help="folder for the table (CSV) and the plot (SVG)")
     bench.add_argument(
@@ -110,9 +120,7 @@ def _counts(text: str) -> list[int]:
     return [_count(part.strip()) for part in text.split(",")]
 
 
-def _command(
-    commands: argparse._SubParsersAction[argparse.ArgumentParser], name: str, text: str
-) -> argparse.ArgumentParser:
+def _command(commands: argparse._SubParsersAction[_Parser], name: str, text: str) -> argparse.ArgumentParser:
     command = commands.add_parser(name, help=text, description=text[0].upper() + text[1:] + ".")
     command.add_argument("scene", type=Path, metavar="SCENE", help="the scene, a TOML file")
     return command
@@ -127,14 +135,6 @@ def _orders(text: str) -> list[str]:
     return names
 
 
-class _Version(argparse.Action):
-    """Looks the version up only when it is asked for: reading the package's metadata costs more than most commands."""
-
-    def __call__(self, parser: argparse.ArgumentParser, *_: object) -> None:
-        print(f"plandraft {_version()}")
-        parser.exit()
-
-
 class _Trace(argparse.Action):
     """Begins the trace at once, before the command's libraries are imported."""
 
@@ -144,46 +144,39 @@ class _Trace(argparse.Action):
         setattr(namespace, self.dest, begin())
 
 
-def _version() -> str:
-    from importlib import metadata  # noqa: PLC0415  (see _Version)
-
-    try:
-        return metadata.version("plandraft")
-    except metadata.PackageNotFoundError:
-        return "(not installed)"
-
-
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command; give its exit code."""
-    options = parser().parse_args(arguments)
+    options = argparse.Namespace()
     try:
         _open_stdout()
-        code: int = import_module(f"drawings.commands.{options.command}").run(options)
+        code = _run(arguments, options)
         sys.stdout.flush()
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return FILES
     except KeyboardInterrupt:
         return STOPPED
+    except Stopped as stopped:
+        return stopped.exit_code
     except (DraftError, OSError) as error:
-        print(_told(error, options), file=sys.stderr)
+        tell(_told(error, options))
         return _code(error)
+    except ImportError as error:
+        tell(UNREADABLE.format(error=error))
+        return FILES
     except Exception:  # whatever else happens is a bug of ours, and is said to be one
-        print(f"plandraft: internal error, a bug of plandraft; please report {_bug_report()}", file=sys.stderr)
+        tell(f"plandraft: internal error, a bug of plandraft; please report {_bug_report()}")
         return BUG
     return code
 
 
-def run() -> NoReturn:
-    """Be the command plandraft: a process that ends with it, and so need not be tidied up after it."""
-    # Our matrices are small: a second thread of the linear algebra would cost more than it does.
-    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-    gc.set_threshold(COLLECTED)
-    code = main()
-    for stream in (sys.stdout, sys.stderr):
-        with contextlib.suppress(AttributeError, OSError, ValueError):  # closed, or none from the beginning
-            stream.flush()
-    os._exit(code)
+def _run(arguments: Sequence[str] | None, options: argparse.Namespace) -> int:
+    try:
+        parser().parse_args(arguments, options)
+    except SystemExit as end:  # help, the version, or a wrong command line
+        return int(end.code or 0)
+    code: int = import_module(f"drawings.commands.{options.command}").run(options)
+    return code
 
 
 def _open_stdout() -> None:
@@ -196,11 +189,10 @@ def _open_stdout() -> None:
 
 def _told(error: Exception, options: argparse.Namespace) -> str:
     """Word an error in the language of the scene, which may be named in a file that is otherwise at fault."""
-    if not hasattr(options, "scene"):
-        return str(error)  # the vectors of a sheet are measured without any scene
     from drawings.talk import language_of, worded  # noqa: PLC0415  (only an error pays for it)
 
-    return worded(error, language_of(options.scene))
+    scene = getattr(options, "scene", None)  # the vectors of a sheet are measured without any scene
+    return worded(error, language_of(scene) if scene else "en")
 
 
 def _code(error: Exception) -> int:
@@ -210,13 +202,17 @@ def _code(error: Exception) -> int:
 
 
 def _bug_report() -> str:
-    """Keep the traceback in a file of its own, so that the user's screen stays readable."""
+    """Keep the traceback in a file of its own, so that the user's screen stays readable; without a disk, give it."""
     import tempfile  # noqa: PLC0415  (only a bug pays for it)
     import traceback  # noqa: PLC0415
 
-    handle, name = tempfile.mkstemp(prefix="plandraft-bug-", suffix=".txt")
-    with os.fdopen(handle, "w", encoding="utf-8") as file:
-        file.write(f"plandraft {_version()}, Python {sys.version}\n\n{traceback.format_exc()}")
+    report = f"plandraft {VERSION}, Python {sys.version}\n\n{traceback.format_exc()}"
+    try:
+        handle, name = tempfile.mkstemp(prefix="plandraft-bug-", suffix=".txt")
+        with os.fdopen(handle, "w", encoding="utf-8") as file:
+            file.write(report)
+    except OSError:
+        return report
     return name
 
 

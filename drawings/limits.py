@@ -43,7 +43,7 @@ ENTITY_LENGTH = 200
 # Wall seconds for one sheet; the byte limit alone keeps honest files under one second.
 READING_SECONDS = 20.0
 
-# A press that lasts longer than this (seconds) was killed, and its temporary file is an orphan.
+# A writing that lasts longer than this (seconds) was killed, and its temporary file is an orphan.
 ORPHAN_AGE = 3600.0
 # A folder with more entries is not only ours; listing it would cost more than an orphan does.
 SWEEP_ENTRIES = 10_000

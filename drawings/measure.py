@@ -16,6 +16,7 @@ from drawings.marks import Mark
 from drawings.pathdata import number, pair
 from drawings.reader import read
 from drawings.transform import STAY, Affine, placing
+from geometry.regular_file import regular_bytes
 
 CORNERS = 3
 
@@ -110,15 +111,8 @@ _Pole: TypeAlias = tuple[complex, complex]  # its place on the sheet, and the tr
 
 
 def measure_file(path: Path) -> Measured:
-    """Measure a sheet in a file."""
-    try:
-        if not path.is_file():
-            raise Refused(f"{path} is not a file")
-        with path.open("rb") as file:
-            source = file.read(SHEET_BYTES + 1)
-    except OSError as error:
-        raise Refused(f"{path} cannot be read: {error.strerror}") from error
-    return measure(source)
+    """Measure a sheet in a file; an OSError where the system does not give the file."""
+    return measure(regular_bytes(path, SHEET_BYTES + 1))
 
 
 def measure(source: bytes) -> Measured:

@@ -42,8 +42,8 @@ def summary(comparison: Comparison) -> str:
 def left_out(comparison: Comparison) -> list[str]:
     """Tell which positions the comparison leaves out, as both roads give them up, and how many they are."""
     return [
-        f"left out, as both roads say {what}: {count_of(positions)} ({runs(positions, '-')})"
-        for what, positions in comparison.left_out.items()
+        f"left out, given up by both roads ({plan}): {count_of(positions)} ({runs(positions, '-')})"
+        for plan, positions in comparison.left_out.items()
     ]
 
 

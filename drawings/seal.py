@@ -11,8 +11,23 @@ _SEAL = re.compile(rb'<metadata id="seal">(\{[^<>]*\})</metadata>\n</svg>\n\Z')
 
 def seal(body: bytes, elements: int) -> bytes:
     """Give the end of a sheet whose elements are all in `body`: its seal and the closing of the root."""
-    content = json.dumps({"elements": elements, "sha256": hashlib.sha256(body).hexdigest()}, sort_keys=True)
+    content = json.dumps({"elements": elements, "sha256": digest(body)}, sort_keys=True)
     return f'<metadata id="seal">{content}</metadata>\n</svg>\n'.encode("ascii")
+
+
+def digest(content: bytes) -> str:
+    """Give the checksum of a file or of a part of it."""
+    return hashlib.sha256(content).hexdigest()
+
+
+def seal_of(source: bytes) -> str | None:
+    """Give the checksum that a whole sheet states of itself; None of what is torn, or is no sheet.
+
+    >>> seal_of(b"<svg>" + seal(b"<svg>", 1)) == digest(b"<svg>"), seal_of(b"# Report")
+    (True, None)
+    """
+    found = _SEAL.search(source)
+    return digest(source[: found.start()]) if found is not None and sealed(source) else None
 
 
 def sealed(source: bytes) -> bool:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterable, Sequence
 
+from drawings.process import tell
 from drawings.words import runs
 from plans.faults import SceneError
 from plans.motion import Gap
@@ -30,7 +30,7 @@ def worded(error: Exception, language: str) -> str:
 def noted(scene: Scene, forces: bool = False) -> Scene:
     """Say what is odd about a scene, and give it back; `forces` are asked for whatever its sheets are."""
     for note in notes_of(scene, forces):
-        print(note.worded(scene.sheet.language), file=sys.stderr)
+        tell(note.worded(scene.sheet.language))
     return scene
 
 

@@ -7,7 +7,7 @@ DraftError
 ├── SheetError          (drawings.strokes) the sheet cannot be laid out or written
 ├── SelfCheckFailed     (drawings.verify)  a sheet or a comparison failed plandraft's own check
 ├── Refused             (drawings.limits)  a sheet that cannot be measured
-├── PressError          (drawings.press)   a file could not be written
+├── FileError           (drawings.files)   a file could not be written
 └── LimitError          a named limit was exceeded
 """
 

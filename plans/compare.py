@@ -100,10 +100,10 @@ class Comparison(NamedTuple):
 
     @property
     def left_out(self) -> dict[str, list[int]]:
-        """Positions left out of the comparison, by what both roads say of them: "positions: out of reach"."""
+        """Positions left out of the comparison, as both roads give them up, by the first plan that has none of them."""
         found: dict[str, list[int]] = {}
         for gap in self.construction.gaps:
-            found.setdefault(f"{gap.plan}: {gap.reason}", []).append(gap.position)
+            found.setdefault(gap.plan, []).append(gap.position)
         return found
 
     def of(self, plan: str) -> tuple[Finding, ...]:
@@ -153,17 +153,18 @@ def capped(study: Study, findings: Sequence[Finding]) -> tuple[Finding, ...]:
 
 def compare_extremes(study: Study, comparison: Comparison) -> Comparison:
     """Add the output's extreme positions, their crank angles, stroke and overlap, found by both roads."""
-    if study.found is None:
+    ours, theirs = None if study.found is None else study.found.extremes, comparison.road.extremes(study.output)
+    told = ours or theirs
+    if told is None:
         return comparison
-    ours, theirs = study.found.extremes, comparison.road.extremes(study.output)
-    values = [_told(ours), _told(theirs) if theirs is not None else np.full(4, np.nan)]
-    size = max(abs(reach) for reach in ours.reach) if ours.sliding else np.pi
-    largest = np.array([2 * np.pi, 2 * np.pi, max(size, ours.stroke), 2 * np.pi])
+    values = [np.full(4, np.nan) if one is None else _told(one) for one in (ours, theirs)]
+    size = max(abs(reach) for reach in told.reach) if told.sliding else np.pi
+    largest = np.array([2 * np.pi, 2 * np.pi, max(size, told.stroke), 2 * np.pi])
     # An extreme's crank angle is where a velocity is zero: its rounding is the velocity's over the acceleration's.
     allowed = np.minimum(ANALYSIS * EPS * float(np.nanmax(comparison.kappa, initial=1.0)) ** 2, MOST_ALLOWED) * largest
     apart = np.abs(values[0] - values[1])
     apart[:2] = np.abs(np.angle(np.exp(1j * apart[:2])))
-    units = ("rad", "rad", "m" if ours.sliding else "rad", "rad")
+    units = ("rad", "rad", "m" if told.sliding else "rad", "rad")
     added = tuple(
         Finding("extremes", *named, values[0][k], values[1][k], apart[k], allowed[k], float(largest[k.start]))
         for k, named in zip(map(slice, range(4), range(1, 5)), zip(EXTREMES, units, strict=True), strict=True)

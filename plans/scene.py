@@ -171,6 +171,11 @@ class Scene(Table):
         return self._source.file
 
     @property
+    def content(self) -> bytes:
+        """The bytes of the file."""
+        return self._source.content
+
+    @property
     def marked(self) -> bool:
         """Whether the file began with a byte order mark, which was left aside."""
         return self._source.marked

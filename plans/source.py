@@ -3,10 +3,7 @@
 from __future__ import annotations
 
 import codecs
-import errno
-import os
 import re
-import stat
 import tomllib
 from bisect import bisect_right
 from collections.abc import Mapping
@@ -16,6 +13,7 @@ from pathlib import Path as FilePath
 from typing import Any
 
 from geometry.errors import LimitError
+from geometry.regular_file import regular_bytes
 from plans.faults import Fault, Path, SceneError
 from plans.guard import guard
 from plans.places import Places, line_column
@@ -49,6 +47,11 @@ class Source:
     tables: Mapping[str, Any]
     marked: bool = False
 
+    @property
+    def content(self) -> bytes:
+        """The file's bytes."""
+        return f"{MARK if self.marked else ''}{self.text}".encode()
+
     @cached_property
     def places(self) -> Places:
         """Where each key stands; found when first asked for, that is when there is a fault."""
@@ -72,7 +75,7 @@ class Source:
 
 def read_source(path: FilePath) -> Source:
     """Read a scene file: a regular file of UTF-8 text within SIZE_LIMIT, a BOM at its start allowed."""
-    data = _bytes(path)
+    data = regular_bytes(path, SIZE_LIMIT + 1)
     if len(data) > SIZE_LIMIT:
         raise LimitError(f"{path}: the file is longer than SIZE_LIMIT = {SIZE_LIMIT} bytes")
     return parse_source(_text(data, str(path)), str(path))
@@ -81,7 +84,9 @@ def read_source(path: FilePath) -> Source:
 def language_of(path: FilePath) -> str:
     """Give the language that a scene asks for, however faulty the rest of the file is; English where it names none."""
     try:
-        text = _bytes(path).replace(b"\0", b"").decode("utf-8", errors="replace")  # UTF-16 too: keys are ASCII
+        text = (
+            regular_bytes(path, SIZE_LIMIT + 1).replace(b"\0", b"").decode("utf-8", errors="replace")
+        )  # UTF-16 too: keys are ASCII
     except (OSError, ValueError):
         return "en"
     table = ""
@@ -110,21 +115,6 @@ def parse_source(text: str, file: str) -> Source:
         if coded:
             raise SceneError([source.fault(path, "hexadecimal") for path in coded])
     return source
-
-
-def _bytes(path: FilePath) -> bytes:
-    # Opened without waiting (a pipe would wait for ever), judged by the open file, read once.
-    flags = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
-    handle = os.open(path, flags)
-    try:
-        status = os.fstat(handle)
-        if not stat.S_ISREG(status.st_mode):
-            raise OSError(errno.EINVAL, "not a regular file", str(path))
-        with os.fdopen(os.dup(handle), "rb") as stream:
-            data = stream.read(SIZE_LIMIT + 1)
-    finally:
-        os.close(handle)
-    return data
 
 
 def _text(data: bytes, file: str) -> str:

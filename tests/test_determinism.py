@@ -103,7 +103,7 @@ def test_the_same_scene_gives_the_same_bytes_in_any_surroundings(
     name: str, tmp_path: Path, locales: str, reference: tuple[dict[str, bytes], bytes]
 ) -> None:
     files, printed = run(tmp_path, ODD[name], locales)
-    assert set(files) == {"scene-kinematics.svg", "scene-forces.svg", "scene-report.md"}
+    assert set(files) == {"scene-kinematics.svg", "scene-forces.svg", "scene-report.md", "scene-manifest.json"}
     assert files == reference[0]
     expected = reference[1]
     if ODD[name].environment.get("LC_ALL") == "C":  # a terminal of ASCII shows other signs by their numbers

@@ -86,8 +86,8 @@ def test_all_three_layers_are_examined() -> None:
     ("path", "text"),
     [
         ("geometry/meet.py", "import plans.study"),
-        ("geometry/meet.py", "def f():\n    from drawings import press"),
-        ("plans/study.py", "from drawings.press import write"),
+        ("geometry/meet.py", "def f():\n    from drawings.files import atomic_files"),
+        ("plans/study.py", "from drawings.files.atomic_files import write"),
         ("plans/analytic/closure.py", "from geometry.meet import arc_arc"),
         ("plans/analytic/closure.py", "from geometry import board"),
         ("plans/analytic/closure.py", "from plans.groups.rrr import positions"),

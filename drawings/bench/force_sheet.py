@@ -7,8 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
-from drawings import press
 from drawings.bench.sheet import BY_HAND, Drawn, scale
+from drawings.files import atomic_files
 from drawings.lettering import lettered
 from drawings.measure import Measured, measure_file
 from drawings.pens.svg import svg
@@ -50,7 +50,7 @@ def _polygons(study: Study, statics: Statics, drawn: Drawn, folder: Path) -> dic
     found: dict[int, float] = {}
     for number, leaf in enumerate(sheets.sheets(study, compare_forces(statics, drawn.comparison), statics)):
         path = folder / f"force-sheet-{number}.svg"
-        press.write(path, svg(lettered(leaf)))
+        atomic_files.write(path, svg(lettered(leaf)))
         position = int(leaf.metadata["position"])
         found[position] = max(found.get(position, 0.0), _coarsest(measure_file(path)))
     return found

@@ -11,8 +11,9 @@ from typing import Any
 
 import numpy as np
 
-from drawings import press, value_table
+from drawings import value_table
 from drawings.bench import plain_pen
+from drawings.files import atomic_files
 from drawings.lettering import lettered
 from drawings.measure import Measured, measure_file
 from drawings.pens import letters
@@ -64,7 +65,7 @@ def draw(study: Study, folder: Path) -> Drawn:
     read = []
     for number, leaf in enumerate(leaves):
         path = folder / f"sheet-{number}.svg"
-        press.write(path, svg(lettered(leaf)))
+        atomic_files.write(path, svg(lettered(leaf)))
         read.append(measure_file(path))
     vectors = tuple(vector for one in read for vector in one.vectors)
     points = tuple(point for one in read for point in one.points)

@@ -6,10 +6,10 @@ import argparse
 import sys
 from pathlib import Path
 
-from drawings import press
 from drawings.bench import plot, record, table
 from drawings.bench.session import ACCEPTED, Order, session
 from drawings.bench.sheet import DRAWN
+from drawings.files import atomic_files
 from geometry.errors import LimitError
 from plans.fields import POSITIONS_LIMIT
 from plans.scene import read_scene
@@ -25,14 +25,14 @@ def run(options: argparse.Namespace) -> int:
     scene = read_scene(options.scene)
     if options.output is not None:
         plot.ready()
-        press.prepare(options.output)
+        atomic_files.prepare(options.output)
     found = session(scene, order(options), _tell)
     print(record.json_text(found) if options.json else table.written(found))
     if options.output is not None:
         stem = options.output / f"{Path(scene.file).stem}-bench"
         written = {stem.with_suffix(".csv"): record.csv_bytes(found), stem.with_suffix(".svg"): plot.svg(found)}
         for path, content in written.items():
-            press.write(path, content)
+            atomic_files.write(path, content)
             print(path, file=sys.stderr if options.json else sys.stdout)
     return GAPS if Study(scene).lost.any() else 0
 

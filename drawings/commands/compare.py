@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import argparse
-import json
 
 import numpy as np
 
+from drawings.json_text import print_json
 from drawings.report import left_out
 from drawings.talk import noted
 from plans.compare import Comparison, Finding, compare, compare_extremes
@@ -26,7 +26,7 @@ def run(options: argparse.Namespace) -> int:
 
         comparison = compare_forces(Statics(study), comparison)
     if options.json:
-        print(json.dumps(_told(study, comparison)))
+        print_json(_told(study, comparison))
     else:
         print(_table(comparison))
     if not comparison.agrees:

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import argparse
-import contextlib
-import itertools
 import os
-import sys
 from collections.abc import Iterator
+from itertools import chain, takewhile
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
+from drawings.files.atomic_files import staged
+from drawings.files.manifest import manifest_name, manifest_of, read_manifest
+from drawings.files.sheet_set import output_folder, publish
 from drawings.lettering import UnknownLetter, demand, lettered
+from drawings.process import tell
 from drawings.report import report, shallow, shown, summary
 from drawings.strokes import Run, SheetError, Text
 from drawings.talk import noted, verdict
@@ -52,10 +54,9 @@ def run(options: argparse.Namespace) -> int:
     for path in drawn.paths:
         print(path)
     for path in _earlier(drawn, options.output):
-        told = f"{path}: left by an earlier run with more sheets; it belongs to none of these"
-        print(said(told, drawn.study.scene.sheet.language), file=sys.stderr)
+        _say(drawn.study.scene, f"{path}: left by an earlier run with more sheets; it belongs to none of these")
     if options.trace:
-        print(trace.told(drawn.study.made), file=sys.stderr)
+        tell(trace.told(drawn.study.made))
     return max(_verdict(drawn.study, drawn.comparison), _jams(drawn))
 
 
@@ -65,7 +66,13 @@ def draw(path: Path, folder: Path, trace: Trace | None = None) -> Drawn:
     with trace.stage("reading the scene"):
         scene = noted(read_scene(path))
         _demand(scene)
-    study = Study(scene)
+    with output_folder(folder) as left:
+        for told in chain(left.told(folder), _strangers(scene, folder)):
+            _say(scene, told)
+        return _drawn(Study(scene), folder, trace)
+
+
+def _drawn(study: Study, folder: Path, trace: Trace) -> Drawn:
     with trace.stage("construction"):
         _construct(study)
         statics = _statics(study)
@@ -158,28 +165,35 @@ def _agree(comparison: Comparison) -> None:
 def _sheets(study: Study, comparison: Comparison, statics: Statics | None, folder: Path, trace: Trace) -> Drawn:
     """Lay out, write beside, measure back, and only then give the sheets their names: all of them or none."""
     with trace.stage("imports"):
-        from drawings import press
         from drawings.pens.svg import svg
         from drawings.verify import check_report, verify
 
+    scene = study.scene
     with trace.stage("layout"):
-        leaves = {kind: _leaves(kind, study, comparison, statics) for kind in study.scene.sheets}
-    stem = Path(os.fspath(study.scene.file)).stem
-    beside, sheets = folder / f"{stem}-report.md", [leaf for kind in leaves.values() for leaf in kind]
+        leaves = {kind: _leaves(kind, study, comparison, statics) for kind in scene.sheets}
+    stem, sheets = _stem(scene), [leaf for kind in leaves.values() for leaf in kind]
     paths = [_named(folder, stem, kind, k) for kind, own in leaves.items() for k in range(len(own))]
     with trace.stage("writing"):
-        contents = [svg(lettered(leaf, study.scene.sheet.lettering)) for leaf in sheets]
+        contents = {path: svg(lettered(leaf, scene.sheet.lettering)) for path, leaf in zip(paths, sheets, strict=True)}
         text = report(study, comparison, leaves, statics)
-        press.prepare(folder)
-    with contextlib.ExitStack() as stack:
-        stack.enter_context(press.fresh(beside, text.encode("utf-8")))
-        written = [stack.enter_context(press.fresh(*one)) for one in zip(paths, contents, strict=True)]
+        contents[folder / f"{stem}-report.md"] = text.encode("utf-8")
+    manifest = manifest_of(scene.file, scene.content, contents)
+    with staged(contents) as written:
         with trace.stage("measuring"):
             if comparison.friction is not None:
                 check_report(text, comparison)
-            for path, leaf in zip(written, sheets, strict=True):
-                verify(path, leaf, study, comparison, statics)
-    return Drawn(study, comparison, statics, tuple(sheets), (*paths, beside))
+            for path, leaf in zip(paths, sheets, strict=True):
+                verify(written[path], leaf, study, comparison, statics)
+        for path in publish(folder, manifest, written):
+            _say(scene, f"{path}: of an earlier run with more sheets; removed")
+    return Drawn(study, comparison, statics, tuple(sheets), tuple(contents))
+
+
+def _strangers(scene: Scene, folder: Path) -> Iterator[str]:
+    """Tell what the last run of a scene has written otherwise than it now is."""
+    last = read_manifest(folder / manifest_name(_stem(scene)))
+    for name in last.strangers(folder) if last is not None else ():
+        yield f"{folder / name}: not as it was drawn: changed since, or its run was stopped; the set is drawn anew"
 
 
 def _leaves(kind: str, study: Study, comparison: Comparison, statics: Statics | None) -> tuple[Leaf, ...]:
@@ -197,14 +211,21 @@ def _named(folder: Path, stem: str, kind: str, number: int) -> Path:
     return folder / (f"{stem}-{kind}-{number + 1}.svg" if number else f"{stem}-{kind}.svg")
 
 
+def _stem(scene: Scene) -> str:
+    return Path(os.fspath(scene.file)).stem
+
+
+def _say(scene: Scene, message: str) -> None:
+    tell(said(message, scene.sheet.language))
+
+
 def _earlier(drawn: Drawn, folder: Path) -> list[Path]:
     """Give following sheets that an earlier run left beside fewer new ones."""
-    stem = Path(os.fspath(drawn.study.scene.file)).stem
-    found = []
+    stem, found = _stem(drawn.study.scene), []
     for kind in drawn.study.scene.sheets:
         count = sum(leaf.metadata["sheet"] == kind for leaf in drawn.leaves)
         further = (_named(folder, stem, kind, k) for k in range(count, SHEETS_MOST))
-        found += list(itertools.takewhile(Path.exists, further))
+        found += list(takewhile(os.path.lexists, further))
     return found
 
 
@@ -217,7 +238,7 @@ def _jams(drawn: Drawn) -> int:
         own = [jam for jam in found.jams if jam.pair == pair]
         where = runs([jam.position for jam in own], "-")
         told = f"pair {pair} jams by friction in positions {where}: {own[0].advice}"
-        print(said(told, drawn.study.scene.sheet.language), file=sys.stderr)
+        _say(drawn.study.scene, told)
     return GAPS if found.jams else 0
 
 
@@ -226,5 +247,5 @@ def _verdict(study: Study, comparison: Comparison) -> int:
     if comparison.forces is not None:
         gaps = comparison.forces[0].gaps
     for line in verdict(gaps, study.met, near, study.scene.sheet.language):
-        print(line, file=sys.stderr)
+        tell(line)
     return GAPS if gaps or near or study.met else 0

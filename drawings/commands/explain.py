@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import argparse
 import difflib
-import json
 import re
 
 import numpy as np
 
+from drawings.json_text import print_json
 from drawings.talk import noted
 from geometry.board import Arc, Line, Mark, at, behind
 from geometry.errors import DraftError
@@ -45,7 +45,7 @@ def run(options: argparse.Namespace) -> int:
         left = LEFT_OUT.format(count=whole - len(steps)) if len(steps) < whole else ""
         opposite = "\n     ".join(filter(None, (opposite, left)))
     if options.json:
-        print(json.dumps([_plain(mark) for mark in steps], allow_nan=False))
+        print_json([_plain(mark) for mark in steps])
         return 0
     print(
         f"{options.mark} in position {position} (φ = {np.degrees(study.turn.phi[position]):.4f}°), {len(steps)} steps"

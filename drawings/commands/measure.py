@@ -3,29 +3,30 @@
 from __future__ import annotations
 
 import argparse
-import json
+from pathlib import Path
 
+from drawings.files.manifest import manifest_beside
+from drawings.json_text import print_json
 from drawings.limits import Refused
 from drawings.measure import Measured, check, measure_file
+from drawings.process import tell
 
 FAILED = 5
 
 
 def run(options: argparse.Namespace) -> int:
     """Print what a sheet shows; give the exit code."""
-    options.sheet.open("rb").close()  # a file that cannot be read is told so, and is no fault of the sheet
     try:
         measured = measure_file(options.sheet)
     except Refused as refused:
         raise type(refused)(f"{options.sheet}: {refused.reason}") from None
     if not measured.marks:
         raise Refused(f"{options.sheet}: this SVG has no vectors or points of a plandraft sheet. Fix: give one it drew")
+    _tell_strangers(options.sheet)
     wrong = check(measured)
     off = {miss.key for miss in wrong}
     if options.json:
-        print(
-            json.dumps({"vectors": _plain(measured, "vectors"), "points": _plain(measured, "points")}, allow_nan=False)
-        )
+        print_json({"vectors": _plain(measured, "vectors"), "points": _plain(measured, "points")})
     else:
         for mark in measured.marks:
             sign = "DIFFERS from the stated" if mark.key in off else ""
@@ -34,6 +35,15 @@ def run(options: argparse.Namespace) -> int:
         for note in measured.notes:
             print(f"left aside: {note}")
     return FAILED if wrong else 0
+
+
+def _tell_strangers(sheet: Path) -> None:
+    """Say which files of the sheet's set are not those that were drawn together."""
+    manifest = manifest_beside(sheet)
+    if manifest is not None:
+        for name in manifest.strangers(sheet.parent):
+            fault = f"does not fit {manifest.name}: changed since it was drawn, or its run was stopped"
+            tell(f"{sheet.with_name(name)}: {fault}")
 
 
 def _plain(measured: Measured, kind: str) -> list[dict[str, object]]:

@@ -7,7 +7,8 @@ import difflib
 from collections.abc import Sequence
 from pathlib import Path
 
-from drawings import press
+from drawings.files import atomic_files
+from drawings.files.file_error import FileError
 from drawings.gallery.catalogue import Entry, catalogue
 from geometry.errors import DraftError
 
@@ -25,7 +26,7 @@ def run(options: argparse.Namespace) -> int:
         print(listed(entries))
         return 0
     entry = found(entries, options.name)
-    press.prepare(options.output)
+    atomic_files.prepare(options.output)
     path = options.output / entry.path.name
     _put(path, entry.path.read_bytes())
     print(path)
@@ -49,16 +50,6 @@ def found(entries: Sequence[Entry], name: str) -> Entry:
 
 
 def _put(path: Path, scene: bytes) -> None:
-    """Take the name first, so that no other file can come between the look and the writing."""
-    try:
-        path.open("xb").close()
-    except FileExistsError:
+    if not atomic_files.write_new(path, scene):
         advice = "Fix: move that file away, or give another folder with -o"
-        raise press.PressError(path, f"is there already, and a scene is never overwritten. {advice}") from None
-    except OSError as error:
-        raise press.PressError(path, f"cannot be written: {error.strerror or error}") from error
-    try:
-        press.write(path, scene)
-    except BaseException:
-        path.unlink(missing_ok=True)
-        raise
+        raise FileError(path, f"is there already, and a scene is never overwritten. {advice}")

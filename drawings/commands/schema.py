@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import json
 
-from drawings import press
+from drawings.files import atomic_files
 from plans.schema import schema
 
 
@@ -15,6 +15,6 @@ def run(options: argparse.Namespace) -> int:
     if options.output is None:
         print(text)
     else:
-        press.write(options.output, f"{text}\n".encode())
+        atomic_files.write(options.output, f"{text}\n".encode())
         print(options.output)
     return 0

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import argparse
-import json
-import sys
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from drawings.json_text import print_json
 from drawings.numbers import pairs, plain
+from drawings.process import tell
 from drawings.talk import noted
 from drawings.trace import Trace
 from plans.motion import LINK_KEYS, ORDERS, POINT_KEYS, Extremes, Gap, Motion
@@ -38,9 +38,9 @@ def run(options: argparse.Namespace) -> int:
         found = road(study, 2 if forces else max(orders), forces)
     with trace.stage("writing"):
         told = described(study, found.motion, orders, found.extremes)
-        print(json.dumps({**told, **found.told}, allow_nan=False))
+        print_json({**told, **found.told})
     if options.trace:
-        print(trace.told(study.made), file=sys.stderr)
+        tell(trace.told(study.made))
     return GAPS if found.gaps or found.told.get("jams") else 0
 
 

@@ -7,8 +7,9 @@ import sys
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
-from drawings import press
 from drawings.commands.draw import draw
+from drawings.files import atomic_files
+from drawings.files.file_error import FileError
 from drawings.gallery.catalogue import GALLERY, catalogue
 from drawings.gallery.index import PAGE, Exhibit, index
 from drawings.lettering import lettered
@@ -39,7 +40,7 @@ def redraw(folder: Path) -> Iterator[Path]:
     """Draw every scene of a folder into it, then the alphabet and the index; yield the files as they are written."""
     entries, exhibits = catalogue(folder), list[Exhibit]()
     if not entries:
-        raise press.PressError(folder, "holds no scenes (*.toml) to draw")
+        raise FileError(folder, "holds no scenes (*.toml) to draw")
     for entry in entries:
         drawn = draw(entry.path, folder)
         exhibits.append(Exhibit(entry, drawn.study, drawn.paths))
@@ -48,7 +49,7 @@ def redraw(folder: Path) -> Iterator[Path]:
         (folder / ALPHABET, svg(lettered(specimen()))),
         (folder / PAGE, index(exhibits).encode("utf-8")),
     ):
-        press.write(path, content)
+        atomic_files.write(path, content)
         yield path
     for path in stale(folder, exhibits):
         path.unlink()

@@ -119,27 +119,34 @@ def _nearer(shape: Shape, block: Block, found: Floats, rough: Floats) -> Floats:
 def _both(shape: Shape, block: Block, poses: Floats, phi: Floats) -> Floats:
     """Solve a block at N crank angles: assemblies of determinants above and below zero, (2, N, links, 3)."""
     found = np.full((len(BOTH), *poses.shape), np.nan)
-    step = max(1, len(phi) // COARSE)
+    step = coarse = max(1, len(phi) // COARSE)
     done = np.arange(0, len(phi), step)
     found[:, done] = _from_rough(block, poses[done], phi[done])
     while step > 1:
         step = max(1, step // 4)
-        here = np.setdiff1d(np.arange(0, len(phi), step), done)
-        near = done[np.clip(np.searchsorted(done, here), 0, len(done) - 1)]
-        found[:, here] = _from_others(block, found[:, near], poses[here], phi[here])
-        done = np.union1d(done, here)
-    lost = np.flatnonzero(np.isnan(found[:, :, 0, 0]).all(axis=0))
-    lost = np.setdiff1d(lost, np.arange(0, len(phi), max(1, len(phi) // COARSE)))
-    probes = (
-        np.unique(lost[np.linspace(0, lost.size - 1, min(PROBES, lost.size)).astype(np.intp)]) if lost.size else lost
-    )
+        here = np.flatnonzero(np.isin(np.arange(0, len(phi), step), done, invert=True)) * step
+        _from_next(block, found, here, done, poses, phi)
+        done = np.sort(np.concatenate((done, here)))
+    lost = np.asarray(np.isnan(found[:, :, 0, 0]).all(axis=0))
+    lost[::coarse] = False
+    _probed(block, found, np.flatnonzero(lost), poses, phi)
+    return found
+
+
+def _probed(block: Block, found: Floats, lost: Indices, poses: Floats, phi: Floats) -> None:
+    """Try crank angles without an assembly beside them from rough poses: an arc of the crank may begin there."""
+    every = -(-lost.size // PROBES) or 1
+    probes = lost[::every]
     if probes.size:
         found[:, probes] = _from_rough(block, poses[probes], phi[probes])
-    rest = np.setdiff1d(lost, probes)
-    if rest.size:
-        near = probes[np.clip(np.searchsorted(probes, rest), 0, len(probes) - 1)]
-        found[:, rest] = _from_others(block, found[:, near], poses[rest], phi[rest])
-    return found
+        rest = lost[np.arange(lost.size) % every > 0]
+        _from_next(block, found, rest, probes, poses, phi)
+
+
+def _from_next(block: Block, found: Floats, here: Indices, done: Indices, poses: Floats, phi: Floats) -> None:
+    """Solve a block at some crank angles from its assemblies at the next ones that are done."""
+    near = done[np.minimum(np.searchsorted(done, here), len(done) - 1)]
+    found[:, here] = _from_others(block, found[:, near], poses[here], phi[here])
 
 
 def _from_rough(block: Block, poses: Floats, phi: Floats) -> Floats:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from plans.messages.files import FILES
 from plans.messages.terms import ADVICE, TERMS, TOML
 
 # What ends a command.
@@ -31,31 +32,6 @@ LIMITS: Mapping[str, str] = {
     "a sheet shows at most {most}. Fix: fewer positions, or plandraft solve for the numbers alone": (
         "на листе не больше {most} положений. Исправьте: уменьшите их число или возьмите одни числа: plandraft solve"
     ),
-}
-FILES: Mapping[str, str] = {
-    "No such file or directory": "нет такого файла или папки",
-    "Is a directory": "это папка",
-    "Not a directory": "это не папка",
-    "Permission denied": "нет прав доступа",
-    "File exists": "такой файл уже есть",
-    "File name too long": "имя файла слишком длинное",
-    "File too large": "файл слишком велик",
-    "Read-only file system": "диск только для чтения",
-    "No space left on device": "на диске нет места",
-    "Disk quota exceeded": "исчерпана квота диска",
-    "Input/output error": "ошибка ввода-вывода",
-    "Too many open files": "открыто слишком много файлов",
-    "Operation not permitted": "действие не разрешено",
-    "not a regular file": "это не обычный файл",
-    "embedded null byte": "в имени файла есть нулевой байт",
-    "cannot be written: {reason}": "нельзя записать: {reason}",
-    "cannot be read: {reason}": "нельзя прочитать: {reason}",
-    "cannot be the output folder: {reason}": "не может быть папкой для листов: {reason}",
-    "cannot take its name: {reason}": "не удалось дать файлу его имя: {reason}",
-    "is written and whole, but its folder could not be forced to the disk: {reason}": (
-        "записан целиком, но папку не удалось сбросить на диск: {reason}"
-    ),
-    "standard output is closed: there is nowhere to print": "стандартный вывод закрыт, печатать некуда",
 }
 STRUCTURE: Mapping[str, str] = {
     "some links have more equations than unknowns: they form a truss": (

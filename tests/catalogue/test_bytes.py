@@ -123,7 +123,7 @@ def test_a22_a_scene_is_read_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
     path, opened = tmp_path / "scene.toml", []
     path.write_text(PLAIN, "utf-8")
     real = os.open
-    monkeypatch.setattr(source.os, "open", lambda *given: opened.append(given) or real(*given))
+    monkeypatch.setattr(os, "open", lambda *given: opened.append(given) or real(*given))
     source.read_source(path)
     assert len(opened) == 1
 

@@ -45,7 +45,7 @@ def test_a_command_ends_as_the_header_of_its_scene_says(
     assert code == end.code, err
     said = {"err": err}
     drawn = end.command == "draw" and code in (0, 4)
-    assert {file.suffix for file in tmp_path.iterdir()} == ({".svg", ".md"} if drawn else set())
+    assert {file.suffix for file in tmp_path.iterdir()} == ({".svg", ".md", ".json"} if drawn else set())
     if drawn:
         sheet = tmp_path / f"{path.stem}-kinematics.svg"
         ET.parse(sheet)

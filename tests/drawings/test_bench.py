@@ -15,11 +15,12 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from drawings import cli, press
+from drawings import cli
 from drawings.bench import force_sheet, plain_pen, plot, record, session, sheet, startup
 from drawings.bench.force_sheet import FORCES_BY_HAND
 from drawings.bench.session import Order
 from drawings.commands import bench as command
+from drawings.files import atomic_files
 from drawings.lettering import lettered, outline
 from drawings.limits import QUANTUM
 from drawings.strokes import Arc, Circle, Group, Leaf, Line, LineStyle, Polyline, Text
@@ -324,7 +325,7 @@ def test_an_old_plot_outlives_a_failure_of_the_new_one(
     def full(handle: int, content: bytes) -> None:
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr(press, "_fill", full)
+    monkeypatch.setattr(atomic_files, "_fill", full)
     assert run(GALLERY / "shaper.toml", *SHORT, "-o", tmp_path)[0] == 7
     assert old.read_text("utf-8") == "old"
 

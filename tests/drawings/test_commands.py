@@ -18,9 +18,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from drawings import cli, press
+from drawings import cli
 from drawings.commands import draw as draw_command
 from drawings.commands import solve as solve_command
+from drawings.files import atomic_files
 from drawings.limits import QUANTUM
 from drawings.measure import check, measure_file
 from drawings.pens import svg as pen
@@ -108,7 +109,11 @@ def test_draw_writes_the_sheet_and_the_report_and_prints_the_comparison(run: Run
     code, out, err = run("draw", SHAPER, "-o", tmp_path / "out")
     assert (code, err) == (0, "")
     sheet, beside = tmp_path / "out/shaper-kinematics.svg", tmp_path / "out/shaper-report.md"
-    assert {file.name for file in (tmp_path / "out").iterdir()} == {sheet.name, beside.name}
+    assert {file.name for file in (tmp_path / "out").iterdir()} == {
+        sheet.name,
+        beside.name,
+        "shaper-manifest.json",
+    }
     lines = out.splitlines()
     assert lines[-2:] == [str(sheet), str(beside)]
     assert [line.split()[0] for line in lines[1:4]] == ["positions", "velocities", "accelerations"]
@@ -309,7 +314,7 @@ def before(run: Run, tmp_path: Path) -> Iterator[Path]:
     """A folder with a good sheet, which must be left as it is; and nothing beside it."""
     run("draw", SHAPER, "-o", tmp_path)
     old = {file.name: file.read_bytes() for file in tmp_path.iterdir()}
-    assert len(old) == 2
+    assert len(old) == 3
     yield tmp_path
     assert {file.name: file.read_bytes() for file in tmp_path.iterdir()} == old
 
@@ -628,7 +633,7 @@ def test_a_file_that_cannot_be_read_ends_with_7_and_its_name(run: Run, tmp_path:
         assert len(err.splitlines()) == 1
 
 
-@pytest.mark.parametrize("folder", ["not/made/yet", "taken"])
+@pytest.mark.parametrize("folder", ["taken", "taken/below"])
 def test_a_folder_that_cannot_be_made_ends_with_7(run: Run, tmp_path: Path, folder: str) -> None:
     (tmp_path / "taken").write_text("a file")
     code, out, err = run("draw", SHAPER, "-o", tmp_path / folder)
@@ -637,13 +642,18 @@ def test_a_folder_that_cannot_be_made_ends_with_7(run: Run, tmp_path: Path, fold
     assert (tmp_path / "taken").read_text() == "a file"
 
 
+def test_a_folder_is_made_with_all_those_above_it(run: Run, tmp_path: Path) -> None:
+    assert run("draw", SHAPER, "-o", tmp_path / "not/made/yet")[0] == 0
+    assert (tmp_path / "not/made/yet/shaper-kinematics.svg").exists()
+
+
 def test_a_full_disk_ends_with_7_and_leaves_the_old_sheet(
     run: Run, before: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def full(*_: object) -> int:
         raise OSError(errno.ENOSPC, "No space left on device")
 
-    monkeypatch.setattr(press.os, "write", full)
+    monkeypatch.setattr(atomic_files.os, "write", full)
     code, _, err = run("draw", SHAPER, "-o", before)
     monkeypatch.undo()
     assert code == 7

@@ -11,12 +11,13 @@ import numpy as np
 import pytest
 
 from drawings.commands.draw import Drawn, draw
+from drawings.files.manifest import read_manifest
 from drawings.gallery import __main__ as command
 from drawings.gallery import index
 from drawings.gallery.catalogue import GALLERY, Entry, catalogue
 from drawings.limits import QUANTUM
 from drawings.page import page_of
-from drawings.seal import sealed
+from drawings.seal import digest, sealed
 from drawings.strokes import Group, Stroke, bounds
 from plans.scene import read_scene
 from plans.study import Study
@@ -111,6 +112,13 @@ def test_the_gallery_holds_what_its_scenes_draw_and_nothing_stale(drawn: Drawn, 
     assert {name for name in kept if not longer or not name.startswith(longer)} == {p.name for p in drawn.paths}
 
 
+def test_its_files_are_those_of_one_run(entry: Entry) -> None:
+    manifest = read_manifest(GALLERY / f"{entry.name}-manifest.json")
+    assert manifest is not None
+    assert manifest.strangers(GALLERY) == []
+    assert manifest.scene_digest == digest(entry.path.read_bytes())
+
+
 def test_every_sheet_and_report_belongs_to_a_scene() -> None:
     names = tuple(f"{entry.name}-" for entry in ENTRIES)
     files = {path.name for path in GALLERY.iterdir() if path.suffix in command.WRITTEN}
@@ -180,7 +188,7 @@ def test_one_command_draws_a_gallery_and_removes_what_is_stale(small: Path, caps
     made = ["slider-crank-kinematics.svg", "slider-crank-forces.svg", "slider-crank-report.md"]
     made += ["alphabet.svg", "README.md"]
     assert capsys.readouterr().out.splitlines() == [str(small / name) for name in made]
-    others = {"slider-crank.toml", "slider-notes.md", "drawn-by-hand.svg"}
+    others = {"slider-crank.toml", "slider-crank-manifest.json", "slider-notes.md", "drawn-by-hand.svg"}
     assert {path.name for path in small.iterdir()} == {*made, *others}
     assert (small / "alphabet.svg").read_bytes() == (GALLERY / "alphabet.svg").read_bytes()
     assert "Engine with an offset cylinder" in (small / "README.md").read_text("utf-8")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import errno
+import os
 import subprocess
 import sys
 from collections.abc import Callable
@@ -9,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from drawings import cli, press
+from drawings import cli
 from drawings.commands import new
 from drawings.gallery.catalogue import GALLERY, catalogue
 from geometry.errors import DraftError
@@ -68,20 +70,37 @@ def test_new_never_overwrites_a_file(run: Run, tmp_path: Path) -> None:
 
 
 def test_new_says_which_folder_cannot_be_made(run: Run, tmp_path: Path) -> None:
-    code, out, err = run("new", "shaper", "-o", tmp_path / "not" / "made")
+    (tmp_path / "taken").write_text("a file", "utf-8")
+    code, out, err = run("new", "shaper", "-o", tmp_path / "taken" / "below")
     assert (code, out) == (7, "")
-    assert str(tmp_path / "not" / "made") in err
+    assert str(tmp_path / "taken" / "below") in err
 
 
+@pytest.mark.parametrize("step", ["write", "fsync", "link"])
 def test_new_leaves_no_empty_file_where_the_disk_is_full(
+    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, step: str
+) -> None:
+    def full(*_: object, **__: object) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(os, step, full)
+    if step == "link":  # as on a file system that has none: the name is taken by an empty file, and given up again
+        monkeypatch.setattr(Path, "replace", full)
+    code, _, err = run("new", "shaper", "-o", tmp_path)
+    assert code == 7 and "No space left on device" in err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_new_writes_where_the_file_system_has_no_links(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def full(path: Path, _: bytes) -> None:
-        raise press.PressError(path, "No space left on device")
+    def unknown(*_: object, **__: object) -> None:
+        raise OSError(errno.EPERM, "Operation not permitted")
 
-    monkeypatch.setattr(new.press, "write", full)
+    monkeypatch.setattr(os, "link", unknown)
+    assert run("new", "shaper", "-o", tmp_path)[0] == 0
+    assert (tmp_path / "shaper.toml").read_bytes() == (GALLERY / "shaper.toml").read_bytes()
     assert run("new", "shaper", "-o", tmp_path)[0] == 7
-    assert list(tmp_path.iterdir()) == []
 
 
 def test_new_reads_titles_without_reading_scenes() -> None:

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from drawings import press
+from drawings.files import atomic_files, lock
 from geometry.errors import DraftError
 
 OLD, NEW = b"old" * 1000, b"new" * 2000
@@ -29,7 +29,7 @@ def beside(path: Path) -> list[str]:
 
 
 def test_writes_the_whole_content(sheet: Path) -> None:
-    press.write(sheet, NEW)
+    atomic_files.write(sheet, NEW)
     assert sheet.read_bytes() == NEW
     assert beside(sheet) == []
 
@@ -37,7 +37,7 @@ def test_writes_the_whole_content(sheet: Path) -> None:
 def test_short_writes_are_continued(sheet: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     real = os.write
     monkeypatch.setattr(os, "write", lambda handle, data: real(handle, bytes(data[:7])))
-    press.write(sheet, NEW)
+    atomic_files.write(sheet, NEW)
     assert sheet.read_bytes() == NEW
 
 
@@ -49,8 +49,8 @@ def test_a_failing_step_leaves_the_old_file(sheet: Path, monkeypatch: pytest.Mon
 
     with monkeypatch.context() as patched:
         patched.setattr(os, step, fail)
-        with pytest.raises(press.PressError, match=os.strerror(code)) as caught:
-            press.write(sheet, NEW)
+        with pytest.raises(atomic_files.FileError, match=os.strerror(code)) as caught:
+            atomic_files.write(sheet, NEW)
     assert isinstance(caught.value, DraftError)
     assert caught.value.path == sheet
     assert sheet.read_bytes() == OLD
@@ -68,8 +68,8 @@ def test_a_disk_that_fills_halfway_leaves_the_old_file(sheet: Path, monkeypatch:
 
     with monkeypatch.context() as patched:
         patched.setattr(os, "write", write)
-        with pytest.raises(press.PressError, match="No space"):
-            press.write(sheet, NEW)
+        with pytest.raises(atomic_files.FileError, match="No space"):
+            atomic_files.write(sheet, NEW)
     assert sheet.read_bytes() == OLD
     assert beside(sheet) == []
 
@@ -78,9 +78,9 @@ def test_a_folder_that_cannot_be_forced_says_that_the_file_is_new(sheet: Path, m
     def fail(_: Path) -> None:
         raise OSError(errno.EIO, "Input/output error")
 
-    monkeypatch.setattr(press, "_force_folder", fail)
-    with pytest.raises(press.PressError, match="is written and whole"):
-        press.write(sheet, NEW)
+    monkeypatch.setattr(atomic_files, "force_folder", fail)
+    with pytest.raises(atomic_files.FileError, match="is written and whole"):
+        atomic_files.write(sheet, NEW)
     assert sheet.read_bytes() == NEW
     assert beside(sheet) == []
 
@@ -91,15 +91,15 @@ def test_an_inspection_that_fails_withholds_the_file(sheet: Path) -> None:
         assert sheet.read_bytes() == OLD
         raise ValueError("a vector is off")
 
-    with pytest.raises(ValueError, match="a vector is off"), press.fresh(sheet, NEW) as temporary:
-        inspect(temporary)
+    with pytest.raises(ValueError, match="a vector is off"), atomic_files.staged({sheet: NEW}) as temporaries:
+        inspect(temporaries[sheet])
     assert sheet.read_bytes() == OLD
     assert beside(sheet) == []
 
 
 @pytest.mark.parametrize("interruption", [KeyboardInterrupt, SystemExit])
 def test_an_interruption_leaves_nothing(sheet: Path, interruption: type[BaseException]) -> None:
-    with pytest.raises(interruption), press.fresh(sheet, NEW):
+    with pytest.raises(interruption), atomic_files.staged({sheet: NEW}):
         raise interruption
     assert sheet.read_bytes() == OLD
     assert beside(sheet) == []
@@ -110,7 +110,7 @@ def test_a_symlink_is_replaced_and_its_target_left(tmp_path: Path) -> None:
     precious.write_bytes(OLD)
     link = tmp_path / "sheet.svg"
     link.symlink_to(precious)
-    press.write(link, NEW)
+    atomic_files.write(link, NEW)
     assert not link.is_symlink()
     assert link.read_bytes() == NEW
     assert precious.read_bytes() == OLD
@@ -120,7 +120,7 @@ def test_a_symlink_is_replaced_and_its_target_left(tmp_path: Path) -> None:
 def test_the_mode_follows_the_mask(tmp_path: Path, mask: int) -> None:
     before = os.umask(mask)
     try:
-        press.write(tmp_path / "sheet.svg", NEW)
+        atomic_files.write(tmp_path / "sheet.svg", NEW)
         assert stat.S_IMODE((tmp_path / "sheet.svg").stat().st_mode) == 0o666 & ~mask
     finally:
         assert os.umask(before) == mask
@@ -136,9 +136,9 @@ def test_the_temporary_file_is_private_and_near(sheet: Path, monkeypatch: pytest
         real(handle, mode)
 
     monkeypatch.setattr(os, "fchmod", note)
-    press.write(sheet, NEW)
+    atomic_files.write(sheet, NEW)
     [(name, mode)] = seen
-    assert name.startswith(press.PREFIX)
+    assert name.startswith(atomic_files.PREFIX)
     assert mode == 0o600
 
 
@@ -146,58 +146,93 @@ def test_the_temporary_file_is_private_and_near(sheet: Path, monkeypatch: pytest
 def test_a_place_that_cannot_be_written_is_said(tmp_path: Path, place: str) -> None:
     (tmp_path / "file").touch()
     (tmp_path / "folder").mkdir()
-    with pytest.raises(press.PressError):
-        press.write(tmp_path / place, NEW)
+    with pytest.raises(atomic_files.FileError):
+        atomic_files.write(tmp_path / place, NEW)
     assert sorted(entry.name for entry in tmp_path.iterdir()) == ["file", "folder"]
 
 
-def test_prepare_makes_one_level(tmp_path: Path) -> None:
-    assert press.prepare(tmp_path / "out") == 0
-    assert press.prepare(tmp_path / "out") == 0
-    with pytest.raises(press.PressError):
-        press.prepare(tmp_path / "a" / "b")
+def test_prepare_makes_all_levels(tmp_path: Path) -> None:
+    assert atomic_files.prepare(tmp_path / "a" / "b") == 0
+    assert atomic_files.prepare(tmp_path / "a" / "b") == 0
     (tmp_path / "file").touch()
-    with pytest.raises(press.PressError):
-        press.prepare(tmp_path / "file")
+    with pytest.raises(atomic_files.FileError, match=r"file: is a file, and cannot be .* Fix: give a folder"):
+        atomic_files.prepare(tmp_path / "file")
+    with pytest.raises(atomic_files.FileError, match="Not a directory"):
+        atomic_files.prepare(tmp_path / "file" / "b")
 
 
-def test_sweep_takes_only_old_files_of_our_own(tmp_path: Path) -> None:
-    old = time.time() - 2 * press.ORPHAN_AGE
-    for name in (f"{press.PREFIX}old", f"{press.PREFIX}young", "plandraft-old", ".other-old"):
+@pytest.mark.parametrize(("alone", "left"), [(True, 4), (False, 5)])
+def test_sweep_takes_only_files_of_our_own_and_young_ones_only_where_nobody_else_is(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, alone: bool, left: int
+) -> None:
+    if not alone:
+        monkeypatch.setattr(lock, "_hold", lambda _: os.open(tmp_path / "no lock", os.O_RDONLY))
+    old = time.time() - 2 * atomic_files.ORPHAN_AGE
+    for name in (f"{atomic_files.PREFIX}old", f"{atomic_files.PREFIX}young", "plandraft-old", ".other-old"):
         (tmp_path / name).touch()
         if name.endswith("old"):
             os.utime(tmp_path / name, (old, old))
-    (tmp_path / f"{press.PREFIX}folder").mkdir()
-    (tmp_path / f"{press.PREFIX}link").symlink_to("plandraft-old")
-    assert press.prepare(tmp_path) == 1
-    left = {entry.name for entry in tmp_path.iterdir()}
-    assert f"{press.PREFIX}old" not in left
-    assert len(left) == 5
+    (tmp_path / f"{atomic_files.PREFIX}folder").mkdir()
+    (tmp_path / f"{atomic_files.PREFIX}link").symlink_to("plandraft-old")
+    assert atomic_files.prepare(tmp_path) == 6 - left
+    names = {entry.name for entry in tmp_path.iterdir()}
+    assert f"{atomic_files.PREFIX}old" not in names
+    assert len(names) == left
 
 
 def test_a_crowded_folder_is_not_swept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(press, "SWEEP_ENTRIES", 1)
+    monkeypatch.setattr(atomic_files, "SWEEP_ENTRIES", 1)
     for name in ("a", "b"):
-        orphan = tmp_path / f"{press.PREFIX}{name}"
+        orphan = tmp_path / f"{atomic_files.PREFIX}{name}"
         orphan.touch()
         os.utime(orphan, (0, 0))
-    assert press.sweep(tmp_path) == 0
+    assert atomic_files.prepare(tmp_path) == 0
+
+
+@pytest.mark.parametrize("kind", ["pipe", "device", "folder", "link to a device", "own stdout"])
+def test_what_is_no_regular_file_is_never_replaced(tmp_path: Path, kind: str) -> None:
+    place = tmp_path / "schema.json"
+    match kind:
+        case "pipe":
+            os.mkfifo(place)
+        case "device":
+            place = Path("/dev/null")
+        case "folder":
+            place.mkdir()
+        case "link to a device":
+            place.symlink_to("/dev/null")
+        case _:
+            place.symlink_to("/proc/self/fd/1")
+    before = place.lstat()
+    with pytest.raises(atomic_files.FileError, match="not a regular file"):
+        atomic_files.write(place, NEW)
+    assert place.lstat().st_ino == before.st_ino
+
+
+def test_only_one_run_writes_into_a_folder(sheet: Path) -> None:
+    with lock.locked(sheet.parent) as alone:
+        assert alone
+        with pytest.raises(atomic_files.FileError, match=r"another run of plandraft .* Fix: wait until it ends"):
+            atomic_files.write(sheet, NEW)
+        assert sheet.read_bytes() == OLD
+    atomic_files.write(sheet, NEW)
+    assert sheet.read_bytes() == NEW
 
 
 KILLED = """
 import sys
 from pathlib import Path
-from drawings import press
+from drawings.files import atomic_files
 path, size = Path(sys.argv[1]), 300_000
 print("ready", flush=True)
 for turn in range(10**9):
-    press.write(path, bytes([65 + turn % 26]) * size)
+    atomic_files.write(path, bytes([65 + turn % 26]) * size)
 """
 
 
 def test_killed_at_any_moment_the_file_is_whole(tmp_path: Path) -> None:
     sheet = tmp_path / "sheet.svg"
-    root = Path(press.__file__).parents[1]
+    root = Path(atomic_files.__file__).parents[2]
     for turn in range(10):
         child = subprocess.Popen([sys.executable, "-c", KILLED, str(sheet)], cwd=root, stdout=subprocess.PIPE)
         assert child.stdout is not None
@@ -210,7 +245,5 @@ def test_killed_at_any_moment_the_file_is_whole(tmp_path: Path) -> None:
             content = sheet.read_bytes()
             assert len(content) == 300_000
             assert content == content[:1] * 300_000
-    for orphan in tmp_path.glob(f"{press.PREFIX}*"):
-        os.utime(orphan, (0, 0))
-    press.prepare(tmp_path)
+    atomic_files.prepare(tmp_path)
     assert [entry.name for entry in tmp_path.iterdir()] == ["sheet.svg"]

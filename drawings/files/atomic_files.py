@@ -1,0 +1,191 @@
+"""Atomic files: a file is either the whole old one or the whole new one, whatever happens in between.
+
+A temporary file in the same folder is written, forced to the disk and closed before it takes the final name.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import os
+import stat
+import time
+from collections.abc import Iterator, Mapping
+from itertools import islice
+from pathlib import Path
+
+from drawings.files.file_error import FileError, told
+from drawings.files.lock import locked
+from drawings.limits import ORPHAN_AGE, SWEEP_ENTRIES
+
+PREFIX = ".plandraft-"
+
+_CREATE = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0) | getattr(os, "O_CLOEXEC", 0)
+# Seconds between tries where a viewer may hold the target open (Windows); 2.5 s together.
+_PATIENCE = (0.1, 0.2, 0.4, 0.8, 1.0) if os.name == "nt" else ()
+
+
+def write(path: Path, content: bytes) -> None:
+    """Write a file whole or not at all; a symlink of that name is replaced, what it points to is not touched."""
+    with locked(path.parent), staged({path: content}) as temporaries:
+        with told(path, "cannot take its name"):
+            rename(temporaries[path], path)
+        with told(path, "is written and whole, but its folder could not be forced to the disk"):
+            force_folder(path.parent)
+
+
+def write_new(path: Path, content: bytes) -> bool:
+    """Write a file whole under a name that nothing has yet; tell whether the name was free."""
+    with locked(path.parent), staged({path: content}) as temporaries, told(path, "cannot be written"):
+        return _take(temporaries[path], path)
+
+
+def _take(temporary: Path, path: Path) -> bool:
+    """Give a file a name that nothing has, so that no other file can come between the look and the naming."""
+    try:
+        os.link(temporary, path)
+    except FileExistsError:
+        return False
+    except OSError:  # a file system without links: an empty file takes the name first
+        return _take_first(temporary, path)
+    return True
+
+
+def _take_first(temporary: Path, path: Path) -> bool:
+    try:
+        os.close(os.open(path, _CREATE, 0o600))
+    except FileExistsError:
+        return False
+    try:
+        rename(temporary, path)
+    except BaseException:
+        discard(path)
+        raise
+    return True
+
+
+@contextlib.contextmanager
+def staged(contents: Mapping[Path, bytes]) -> Iterator[dict[Path, Path]]:
+    """Write files under temporary names beside their own, given by these; those left when the block ends vanish."""
+    temporaries = {path: temporary_name(path.parent) for path in contents}
+    try:
+        for path, content in contents.items():
+            with told(path, "cannot be written"):
+                check_replaceable(path)
+                create(temporaries[path], content)
+        yield temporaries
+    finally:
+        for temporary in temporaries.values():
+            discard(temporary)
+
+
+def check_replaceable(path: Path) -> None:
+    """Refuse a name under which there is a device, a pipe or a folder, also through a symlink; OSError says so."""
+    with contextlib.suppress(FileNotFoundError):
+        regular = stat.S_ISREG(path.stat().st_mode)
+        stream = path.is_symlink() and str(path.readlink()).startswith("/proc/")  # /dev/stdout, even into a file
+        if stream or not regular:
+            raise OSError(errno.EINVAL, "not a regular file")
+
+
+def prepare(folder: Path) -> int:
+    """Make an output folder if there is none, with those above it, and sweep it; give the number of orphans swept."""
+    make_folder(folder)
+    with locked(folder) as alone:
+        return sum(discard(orphan) for orphan in orphans(folder, alone))
+
+
+def make_folder(folder: Path) -> None:
+    """Make a folder and those above it, where there are none."""
+    with told(folder, "cannot be the output folder"):
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+        except FileExistsError:
+            raise FileError(folder, "is a file, and cannot be the output folder. Fix: give a folder with -o") from None
+
+
+def orphans(folder: Path, alone: bool) -> list[Path]:
+    """List the temporary files that interrupted runs left; where others may be at work, those of over an hour ago."""
+    with told(folder, "cannot be read"), os.scandir(folder) as entries:
+        found = list(islice(entries, SWEEP_ENTRIES + 1))
+    if len(found) > SWEEP_ENTRIES:
+        return []
+    return sorted(Path(entry.path) for entry in found if _is_orphan(entry, 0.0 if alone else ORPHAN_AGE))
+
+
+def _is_orphan(entry: os.DirEntry[str], age: float) -> bool:
+    if not entry.name.startswith(PREFIX):
+        return False
+    try:
+        found = entry.stat(follow_symlinks=False)
+    except OSError:
+        return False
+    ours = not hasattr(os, "getuid") or found.st_uid == os.getuid()
+    return stat.S_ISREG(found.st_mode) and ours and (not age or time.time() - found.st_mtime > age)
+
+
+def temporary_name(folder: Path) -> Path:
+    """Give a name that no file of the folder has, short enough for every file system."""
+    return folder / f"{PREFIX}{os.urandom(8).hex()}"
+
+
+def create(temporary: Path, content: bytes) -> None:
+    """Write a file that is not there yet and force it to the disk; where that fails, there is none."""
+    try:
+        _fill(os.open(temporary, _CREATE, 0o600), content)
+    except BaseException:
+        discard(temporary)
+        raise
+
+
+def _fill(handle: int, content: bytes) -> None:
+    """Write everything and close; closing may be the first to tell of a full disk, so the collector must not do it."""
+    try:
+        rest = memoryview(content)
+        while rest:
+            rest = rest[os.write(handle, rest) :]
+        if hasattr(os, "fchmod"):
+            os.fchmod(handle, 0o666 & ~_umask())
+        os.fsync(handle)
+    except BaseException:
+        with contextlib.suppress(OSError):
+            os.close(handle)
+        raise
+    os.close(handle)
+
+
+def _umask() -> int:
+    """The mask can only be read by setting it; for that moment it is the strictest, never the laxest."""
+    mask = os.umask(0o077)
+    os.umask(mask)
+    return mask
+
+
+def rename(temporary: Path, path: Path) -> None:
+    """Give a file its name, in place of the file that has it."""
+    for pause in _PATIENCE:
+        with contextlib.suppress(PermissionError):
+            temporary.replace(path)
+            return
+        time.sleep(pause)
+    temporary.replace(path)
+
+
+def force_folder(folder: Path) -> None:
+    """A rename is safe from a power cut only when the folder itself is on the disk; Windows has no such call."""
+    if os.name != "posix":
+        return
+    handle = os.open(folder, os.O_RDONLY)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)
+
+
+def discard(temporary: Path) -> bool:
+    """Remove a temporary file if it is still there, and tell whether it was."""
+    try:
+        temporary.unlink()
+    except OSError:
+        return False
+    return True
