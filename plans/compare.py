@@ -15,6 +15,7 @@ import numpy as np
 from geometry.meet import EPS
 from geometry.precision import condition, errors
 from plans.analytic.kinematics import Analysis
+from plans.drafts import Drafts
 from plans.mechanism import FRAME
 from plans.motion import (
     LINK_KEYS,
@@ -30,7 +31,7 @@ from plans.motion import (
     Motion,
 )
 from plans.passage import margins
-from plans.study import Drafts, Study
+from plans.study import Study
 
 if TYPE_CHECKING:
     from plans.kinetostatics import Kinetostatics

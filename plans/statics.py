@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from plans.drafts import Drafts
 from plans.extreme import extremes
 from plans.faults import SceneError
 from plans.force_pattern import Drawn, ForcePattern
@@ -24,7 +25,7 @@ from plans.obstruction import obstruction
 from plans.passage import CHANGE, at_angles
 from plans.pattern import Pattern
 from plans.stroke import NoStroke, Stroke, strokes
-from plans.study import BLOCK, Drafts, Study
+from plans.study import BLOCK, Study
 
 if TYPE_CHECKING:
     from plans.losses import Friction
