@@ -10,7 +10,7 @@ import numpy as np
 from plans.analytic.assembly import Shape, assemblies, home, signs_of
 from plans.analytic.closure import EPS, Flags, close, close_singular
 from plans.analytic.constraints import TURN, Indices
-from plans.analytic.ends import CHANGE_POINT, CLEAR, DEAD_CENTRE, NOT_REACHABLE, PARALLEL, SHORTEST, End
+from plans.analytic.ends import BESIDE, CHANGE_POINT, CLEAR, DEAD_CENTRE, NOT_REACHABLE, PARALLEL, SHORTEST, End
 from plans.analytic.gaps import BEYOND, OUT_OF_REACH, gap
 from plans.analytic.sharpness import least
 from plans.analytic.turn import FULL, Turn, survey
@@ -20,7 +20,6 @@ BLOCK = 2048  # positions solved together: their matrices stay in the cache
 # So near to a dead centre, rad, that a rounding of the crank angle moves a velocity by a thousandth of itself: more
 # than can be seen on a plan. There is a position, but no velocity is told.
 UNBORNE = 1000.0 * EPS
-BESIDE = 1e-6  # rad from a singular position: wider than the square root of UNBORNE, in which sharpness tells
 
 
 @dataclass

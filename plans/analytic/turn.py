@@ -17,7 +17,7 @@ from plans.analytic.assembly import Assembly
 from plans.analytic.blocks import Block
 from plans.analytic.closure import EPS, ROUNDINGS, SQRT_EPS, as_poses, close, inverses, solutions
 from plans.analytic.constraints import Constraints
-from plans.analytic.ends import NOT_REACHABLE, SHORTEST, End, Station, end_of
+from plans.analytic.ends import BESIDE, NOT_REACHABLE, SHORTEST, End, Station, end_of
 from plans.analytic.sharpness import MERGED, least
 from plans.motion import Floats
 
@@ -71,12 +71,19 @@ class _March:
         self.way, self.goal, self.stride = way, goal, FIRST_STRIDE
         self.sense = sense
         self.shortest = LEAST  # the start may lie right beside a singular position, and leads away from it
+        self.looked = False  # beyond the goal
 
     @property
     def left(self) -> float:
         """The angle still to go, rad; a few roundings short of the goal is there."""
         left = self.sense * (self.goal - self.way[-1].phi)
         return left if left > THERE else 0.0
+
+    def look_beyond(self) -> None:
+        """Go on a little where the goal may lie right before a singular position, so that this is known."""
+        if not (self.left or self.looked) and self.way[-1].sharp < 1.0:
+            self.looked = True
+            self.goal += self.sense * BESIDE
 
     @property
     def stuck(self) -> bool:
@@ -138,6 +145,8 @@ def _march(constraints: Constraints, blocks: Blocks, *marches: _March) -> list[E
         if march.way[-1].sharp <= MERGED:
             march.stride = 0.0
     for _ in range(STEPS):
+        for march in marches:
+            march.look_beyond()
         under_way = [march for march in marches if march.left and not march.stuck]
         if not under_way:
             break
