@@ -8,13 +8,14 @@ linear systems magnify a rounding by the condition of the Jacobian once for ever
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 import numpy as np
 
 from geometry.meet import EPS
 from geometry.precision import condition, errors
 from plans.analytic.kinematics import Analysis
+from plans.drafts import Drafts
 from plans.mechanism import FRAME
 from plans.motion import (
     LINK_KEYS,
@@ -30,11 +31,13 @@ from plans.motion import (
     Motion,
 )
 from plans.passage import margins
-from plans.study import Drafts, Study
+from plans.study import Study
 
 if TYPE_CHECKING:
     from plans.kinetostatics import Kinetostatics
     from plans.losses import Friction
+
+_Road = TypeVar("_Road")
 
 # A Newton step or a linear solution at rest leaves a few roundings of the largest term in each of its rows.
 ANALYSIS = 8.0
@@ -87,22 +90,18 @@ class Comparison(NamedTuple):
     friction: tuple[Friction, Friction] | None = None  # likewise
 
     @property
-    def alone(self) -> tuple[tuple[Motion, Gap], ...]:
+    def alone(self) -> tuple[tuple[Motion | Kinetostatics, Gap], ...]:
         """Gaps that one road names and the other does not, or for another reason; each with the road that names it."""
         roads = self.construction, self.analysis
-        named = [{(gap.position, gap.plan, gap.reason) for gap in road.gaps} for road in roads]
-        return tuple(
-            (road, gap)
-            for road, other in zip(roads, reversed(named), strict=True)
-            for gap in road.gaps
-            if (gap.position, gap.plan, gap.reason) not in other
-        )
+        found = _alone(roads, [road.gaps for road in roads])
+        forces = self.forces or ()
+        return (*found, *_alone(forces, [road.unanswered for road in forces]))
 
     @property
     def left_out(self) -> dict[str, list[int]]:
         """Positions left out of the comparison, as both roads give them up, by the first plan that has none of them."""
         found: dict[str, list[int]] = {}
-        for gap in self.construction.gaps:
+        for gap in (*self.construction.gaps, *(self.forces[0].unanswered if self.forces else ())):
             found.setdefault(gap.plan, []).append(gap.position)
         return found
 
@@ -119,6 +118,13 @@ class Comparison(NamedTuple):
     def agrees(self) -> bool:
         """Whether every difference is within its allowed one, and both roads name the same gaps."""
         return self.worst <= 1.0 and not self.alone
+
+
+def _alone(roads: Sequence[_Road], told: Sequence[Sequence[Gap]]) -> Iterator[tuple[_Road, Gap]]:
+    """Give the gaps told by one of two roads and not by the other."""
+    named = [{(gap.position, gap.plan, gap.reason) for gap in gaps} for gaps in told]
+    for road, gaps, other in zip(roads, told, reversed(named), strict=True):
+        yield from ((road, gap) for gap in gaps if (gap.position, gap.plan, gap.reason) not in other)
 
 
 @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN on both roads

@@ -15,14 +15,13 @@ from plans.analytic.power import balancing_moment
 from plans.compare import Comparison, Finding, capped, largest_of, with_analysis
 from plans.cut import INERTIA, Support, indices
 from plans.equilibrium import BALANCING, Bounds, acting, balances, power
-from plans.kinetostatics import Kinetostatics, Loading
+from plans.kinetostatics import FORCES, Kinetostatics, Loading
 from plans.loading import loading
 from plans.motion import ORDERS, Floats
 from plans.primary import BALANCING as BALANCED
 from plans.primary import DRIVING
-from plans.statics import Statics, without
+from plans.statics import Statics
 
-FORCES = "forces"  # the plan of the findings
 ORDER = 3  # forces magnify the analysis's rounding once more than the accelerations that they rest on
 
 
@@ -33,7 +32,7 @@ def compare_forces(statics: Statics, comparison: Comparison) -> Comparison:
     found = statics.over(comparison.road.extremes)
     loads = loading(machine, comparison.analysis, found)
     theirs = kinetostatics(comparison.road, machine, comparison.analysis, loads, statics.pairs)
-    ours, theirs = _left_out(statics.forces, theirs)
+    ours = statics.forces
     both = _Compared(statics, comparison, ours, theirs)
     forces = *capped(study, [*both.reactions(), *both.balancing(loads)]), both.energy(loads)
     findings = *comparison.findings, *forces, *capped(study, [*both.sums()])
@@ -49,13 +48,6 @@ def _with_friction(statics: Statics, comparison: Comparison, loads: Loading) -> 
     assert comparison.forces is not None  # they are compared before
     theirs = friction(comparison.road, statics.machine, comparison.analysis, loads, comparison.forces[1], statics.pairs)
     return compare_friction(statics, comparison, statics.loading(comparison.construction), theirs)
-
-
-def _left_out(ours: Kinetostatics, theirs: Kinetostatics) -> tuple[Kinetostatics, Kinetostatics]:
-    """Leave out on both roads the positions that either of them names as having no forces."""
-    gone = np.zeros(len(ours.phi), dtype=bool)
-    gone[[gap.position for road in (ours, theirs) for gap in road.gaps if gap.plan == FORCES]] = True
-    return (without(ours, gone), without(theirs, gone)) if gone.any() else (ours, theirs)
 
 
 class _Compared:

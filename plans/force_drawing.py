@@ -8,9 +8,10 @@ from typing import Any
 import numpy as np
 
 from geometry.board import Mark
+from geometry.meet import UNBORNE
 from plans.cut import Support
 from plans.force import ForcePlan, forces
-from plans.force_pattern import SHARP, Drawn, reaction_of, row
+from plans.force_pattern import Drawn, reaction_of, row
 from plans.groups import guide
 from plans.kinetostatics import Balancing, Kinetostatics, Loading, Reaction
 from plans.lever import lever
@@ -45,7 +46,7 @@ class ForceDrawing:
         found = np.zeros(count, dtype=bool)
         for mark in plan.board:
             if mark.meeting is not None:
-                found |= ~(np.broadcast_to(mark.meeting.sharpness, count) > SHARP)
+                found |= ~(np.broadcast_to(mark.meeting.sharpness, count) > UNBORNE)
         return found
 
     def read(self, plan: ForcePlan, phi: Floats) -> Kinetostatics:

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from geometry.board import behind
-from geometry.meet import EPS
+from geometry.meet import UNBORNE
 from geometry.tracing import Tracing
 from plans.cut import Support
 from plans.force import ForcePlan, forces
@@ -23,10 +23,6 @@ from plans.pattern import Pattern, resting
 from plans.plan import Plan
 from plans.redrawing import remade
 from plans.structure import Dyad
-
-# A meeting less sharp than this leaves no true digit of a reaction found by it: kappa times eps, times kappa again for
-# the velocities and accelerations that the inertia forces rest on.
-SHARP = EPS**0.5
 
 
 class Drawn(NamedTuple):
@@ -92,10 +88,10 @@ class ForcePattern:
         return self.tracing.follow_on(numbers, dict(zip(self.plan.given, values, strict=True)))
 
     def singular(self, numbers: list[Any], count: int) -> Any:
-        """Tell at which positions a polygon or an equation of moments has no answer with a true digit."""
+        """Tell at which positions a polygon or an equation of moments has no answer that the condition bears."""
         found = np.zeros(count, dtype=bool)
         for met in self.tracing.meetings(numbers):
-            found |= ~(met.sharpness > SHARP)
+            found |= ~(met.sharpness > UNBORNE)
         return found
 
     def read(self, numbers: list[Any], phi: Floats) -> Kinetostatics:

@@ -8,9 +8,9 @@ import numpy as np
 import numpy.typing as npt
 
 from geometry.board import Arc, Mark, at, between
-from geometry.meet import UNBORNE
+from geometry.meet import EPS, UNBORNE
 from plans.motion import Floats, Gap, Motion
-from plans.passage import CHANGE, GAP, PARALLEL, Barrier, Sweep, bounding, crossing, margins, undefined
+from plans.passage import CHANGE, GAP, PARALLEL, Barrier, Edge, Sweep, bounding, crossing, margins, undefined
 from plans.plan import Plan
 from plans.turn import Turn
 
@@ -22,13 +22,14 @@ BESIDE = 2.0**-20
 # So near to a change point, rad, that a position is that of the change point: two ways part there by as much, and
 # places are known to eps over it.
 AT_CHANGE = 2.0**-23
+ROUNDING = 8.0 * EPS  # rad: an edge is reached, whichever turn its angle is counted in
 
 Flags = npt.NDArray[np.bool_]
 
 
 def lost(sweep: Sweep, plan: Plan, turn: Turn, home: float, barriers: Sequence[Barrier]) -> Flags:
     """Tell the positions that are not reached from `home`, or in which a group has no one place; limits are reached."""
-    gone = ~reached(turn.phi, home, barriers) | near_edge(turn.phi, _kind(barriers, PARALLEL), UNBORNE)
+    gone = ~reached(turn.phi, home, barriers) | near_edge(turn.phi, barriers, (PARALLEL,), UNBORNE)
     if not sweep.groups or (plan.board.clear and not gone.any()):
         return gone
     field, _ = margins(plan, sweep.groups, sweep.sides)
@@ -47,8 +48,8 @@ def reached(phi: Floats, home: float, barriers: Sequence[Barrier]) -> Flags:
         return np.ones(len(phi), dtype=bool)
     turn = 2 * np.pi
     ahead = np.mod(phi - home, turn)
-    on = min(float(np.mod(edges(b)[0] - home, turn)) + _blur(b) for b in barriers)
-    back = min(float(np.mod(home - edges(b)[1], turn)) + _blur(b) for b in barriers)
+    on = min(float(np.mod(edges(b)[0] - home, turn)) + _blur(b.edges[0]) for b in barriers)
+    back = min(float(np.mod(home - edges(b)[1], turn)) + _blur(b.edges[1]) for b in barriers)
     return np.asarray((ahead <= on) | (np.mod(turn - ahead, turn) <= back))
 
 
@@ -59,8 +60,8 @@ def edges(barrier: Barrier) -> tuple[float, float]:
     return (barrier.start, barrier.end)
 
 
-def _blur(barrier: Barrier) -> float:
-    return AT_CHANGE if barrier.kind == CHANGE else 0.0
+def _blur(edge: Edge) -> float:
+    return AT_CHANGE if edge.kind == CHANGE else ROUNDING
 
 
 def _ends(home: float, barriers: Sequence[Barrier]) -> list[float]:
@@ -79,14 +80,17 @@ def _near(phi: Floats, angles: Sequence[float], within: float) -> Flags:
     return near
 
 
-def near_edge(phi: Floats, barriers: Sequence[Barrier], within: float = LIMIT) -> Flags:
-    """Tell which crank angles lie at a barrier's edge, rad."""
-    return _near(phi, [edge for barrier in barriers for edge in edges(barrier)], within)
+def near_edge(
+    phi: Floats, barriers: Sequence[Barrier], kinds: Sequence[str] = (CHANGE, GAP, PARALLEL), within: float = LIMIT
+) -> Flags:
+    """Tell which crank angles lie at the edge of a barrier that is of one of some kinds there, rad."""
+    both = (zip(edges(barrier), barrier.edges, strict=True) for barrier in barriers)
+    return _near(phi, [angle for pair in both for angle, edge in pair if edge.kind in kinds], within)
 
 
 def loose(sweep: Sweep, phi: Floats) -> Flags:
     """Tell which crank angles are change points in which a group has any place: a pin in its slot's own pivot."""
-    return near_edge(phi, [b for b in _kind(sweep.barriers, CHANGE) if sweep.loose(b)], UNBORNE)
+    return near_edge(phi, [b for b in sweep.barriers if b.kind == CHANGE and sweep.loose(b)], (CHANGE,), UNBORNE)
 
 
 def unborne(sweep: Sweep, plan: Plan, turn: Turn) -> Flags:
@@ -97,14 +101,10 @@ def unborne(sweep: Sweep, plan: Plan, turn: Turn) -> Flags:
     if not sweep.groups or plan.board.clear:
         return np.zeros(len(turn), dtype=bool)
     field, _ = margins(plan, sweep.groups, sweep.sides)
-    told = near_edge(turn.phi, [b for b in sweep.barriers if b.kind != CHANGE], BESIDE)
+    told = near_edge(turn.phi, sweep.barriers, (GAP, PARALLEL), BESIDE)
     blunt = (field < UNBORNE).any(axis=0) & ~told
-    dead = near_edge(turn.phi, _kind(sweep.barriers, GAP), UNBORNE)
-    return np.asarray(blunt | dead | near_edge(turn.phi, _kind(sweep.barriers, CHANGE), AT_CHANGE))
-
-
-def _kind(barriers: Sequence[Barrier], kind: str) -> list[Barrier]:
-    return [barrier for barrier in barriers if barrier.kind == kind]
+    dead = near_edge(turn.phi, sweep.barriers, (GAP,), UNBORNE)
+    return np.asarray(blunt | dead | near_edge(turn.phi, sweep.barriers, (CHANGE,), AT_CHANGE))
 
 
 def of_positions(
@@ -143,23 +143,23 @@ def _in_one(position: int, phi: float, where: str) -> Gap:
 
 def _anywhere(position: int, phi: float, home: float | None, barriers: Sequence[Barrier]) -> Gap:
     """Name a position in which a group has any place."""
-    barrier = None if home is None else bounding(phi, home, barriers)
-    return _in_one(position, phi, barrier.where if barrier else "")
+    edge = None if home is None else bounding(phi, home, barriers)
+    return _in_one(position, phi, edge.where if edge else "")
 
 
-def _beyond(position: int, phi: float, barrier: Barrier | None) -> Gap:
+def _beyond(position: int, phi: float, edge: Edge | None) -> Gap:
     """Name a position that could be assembled, but not without passing a barrier."""
-    where = barrier.where if barrier else ""
-    if barrier is not None and barrier.kind == CHANGE:
+    where = edge.where if edge else ""
+    if edge is not None and edge.kind == CHANGE:
         advice = (
             "the mechanism may go on in two ways there: start the drive beyond the change point, change a length, or "
             'say in [mechanism] what carries it through: through = "parallel" (another linkage beside it) or "inertia"'
         )
         return Gap(position, phi, "positions", "beyond a change point", where, 0.0, advice)
-    if barrier is not None and near_edge(np.array([phi]), _kind([barrier], PARALLEL), UNBORNE).any():
+    if edge is not None and edge.kind == PARALLEL and _near(np.array([phi]), [edge.phi], UNBORNE).any():
         advice = f"the lines that meet in {where} are parallel there: take a position beside it"
         return Gap(position, phi, "positions", PARALLEL, where, 0.0, advice)
-    if barrier is not None and barrier.kind == PARALLEL:
+    if edge is not None and edge.kind == PARALLEL:
         advice = (
             f"the guides of {where} are parallel on the way and their pin runs to infinity: keep the crank this side"
         )
@@ -203,7 +203,7 @@ def without_velocity(
     none = np.isnan(np.array([drawn.points[name].v for name in letters]))
     dead = (none.any(axis=0) | blunt) & ~gone
     forget(drawn, dead)
-    change = near_edge(drawn.phi, _kind(barriers, CHANGE), BESIDE)
+    change = near_edge(drawn.phi, barriers, (CHANGE,), BESIDE)
     advice = "a group is at its dead centre: its velocities have no one value; take a position beside it"
     return [
         Gap(

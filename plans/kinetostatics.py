@@ -7,18 +7,20 @@ the key "a-b"; the opposite reaction is its negative.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from plans.mechanism import FRAME, Mechanism, Slide
-from plans.motion import Complexes, Floats, Gap
+from plans.motion import CHANGE_POINT, ORDERS, Complexes, Floats, Gap
 
 if TYPE_CHECKING:
     from plans.structure import Dyad
 
 
+FORCES = "forces"  # the plan of gaps where a machine is assembled, but has no forces; their two reasons
+DEAD_CENTRE, INDETERMINATE = "dead centre", "statically indeterminate"
 # Share of a machine's largest force: less is the rounding of numbers that a scene gives with twelve digits.
 NOTHING = 1e-9
 
@@ -103,6 +105,11 @@ class Balancing(NamedTuple):
     r: Complexes | None = None
 
 
+def without_forces(gap: Gap) -> str:
+    """Say why a position without velocities has no forces: at a change point links share them in many ways."""
+    return INDETERMINATE if gap.reason == CHANGE_POINT else DEAD_CENTRE
+
+
 @dataclass(frozen=True)
 class Kinetostatics:
     """All reactions and the balancing moment of a mechanism over its positions; NaN at gaps."""
@@ -112,6 +119,14 @@ class Kinetostatics:
     reactions: Mapping[str, Reaction]
     balancing: Balancing
     gaps: tuple[Gap, ...]
+
+    @property
+    def unanswered(self) -> tuple[Gap, ...]:
+        """The gaps of the forces: those named, and those of the velocities, where there are no forces either."""
+        named = [gap for gap in self.gaps if gap.plan == FORCES]
+        known = {gap.position for gap in named}
+        still = [gap for gap in self.gaps if gap.plan == ORDERS[1] and gap.position not in known]
+        return (*named, *(replace(gap, plan=FORCES, reason=without_forces(gap)) for gap in still))
 
     @property
     def size(self) -> float:

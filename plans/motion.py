@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+CHANGE_POINT = "change point"  # why a position that is assembled may have no velocities
 # The three orders of a motion: its plan, the keys, symbols and units of a point's and of a link's values on it.
 ORDERS = ("positions", "velocities", "accelerations")
 POINT_KEYS = ("r", "v", "a")

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -35,16 +36,47 @@ SAME = 1e-6  # rad
 CHANGE, GAP, PARALLEL = "change point", "out of reach", "parallel guides"
 
 
-@dataclass(frozen=True)
-class Barrier:
-    """A part of the turn that the crank cannot pass: from `start` to `end` rad counter-clockwise, and why."""
+class Edge(NamedTuple):
+    """An edge of a barrier: its crank angle, rad, the first that is barred, and which group fails there, and how."""
 
-    start: float
-    end: float
+    phi: float
+    beyond: float
     kind: str  # "change point", "out of reach" or "parallel guides"
     group: int
     where: str  # the mark whose loci miss or touch
+
+
+@dataclass(frozen=True)
+class Barrier:
+    """A part of the turn that the crank cannot pass, from one edge counter-clockwise to the other."""
+
+    edges: tuple[Edge, Edge]
     miss: float  # m, the largest miss seen
+
+    @property
+    def start(self) -> float:
+        """Where it begins, rad."""
+        return self.edges[0].phi
+
+    @property
+    def end(self) -> float:
+        """Where it ends, rad."""
+        return self.edges[1].phi
+
+    @property
+    def kind(self) -> str:
+        """What bars the crank where it begins."""
+        return self.edges[0].kind
+
+    @property
+    def group(self) -> int:
+        """The group that fails where it begins."""
+        return self.edges[0].group
+
+    @property
+    def where(self) -> str:
+        """The mark whose loci miss or touch where it begins."""
+        return self.edges[0].where
 
     @property
     def middle(self) -> float:
@@ -195,7 +227,7 @@ class Sweep:
         with np.errstate(invalid="ignore"):
             free = np.asarray((field > 0).all(axis=0))
         if not free.any():
-            return (self._barrier(0.0, 2 * np.pi, np.linspace(0, 2 * np.pi, FAN)),)
+            return (self._barrier((0.0, 0.0), (2 * np.pi, 2 * np.pi), np.linspace(0, 2 * np.pi, FAN)),)
         return (*self._between(nodes, field, free), *self._runs(nodes, free))
 
     def _runs(self, nodes: Floats, free: npt.NDArray[np.bool_]) -> list[Barrier]:
@@ -241,27 +273,39 @@ class Sweep:
             low, high = fan[max(at - 1, 0)], fan[min(at + 1, FAN - 1)]
         return None
 
-    def _edge(self, free: float, barred: float) -> float:
-        """Find the last free angle towards a barred one."""
+    def _edge(self, free: float, barred: float) -> tuple[float, float]:
+        """Find the last free angle towards a barred one, and the first barred angle after it."""
         for _ in range(LOOKS):
             fan = np.linspace(free, barred, FAN)
             with np.errstate(invalid="ignore"):
                 open_ = (self.margins(fan) > 0).all(axis=0)
             last = int(np.argmin(open_)) if not open_.all() else FAN - 1
             free, barred = float(fan[max(last - 1, 0)]), float(fan[max(last, 1)])
-        return free
+        return free, barred
 
-    def _barrier(self, start: float, end: float, seen: Floats) -> Barrier:
-        """Name a barrier by the first group that fails in it."""
-        plan = self.plan(seen)
+    def _barrier(self, start: tuple[float, float], end: tuple[float, float], seen: Floats) -> Barrier:
+        """Name a barrier by the groups that fail at its edges; one where no group misses is a change point."""
+        plan = self.plan(np.concatenate((seen, (start[1], end[1]))))
         field, marks = margins(plan, self.groups, self.sides)
         with np.errstate(invalid="ignore"):
             missing = (field < 0).any(axis=1)
-        group = int(np.argmax(missing)) if missing.any() else int(np.nanargmin(np.nanmin(field, axis=1)))
-        mark = marks[group]
-        kind = CHANGE if not missing.any() else GAP if crossing(mark) is None else PARALLEL
-        miss = float(np.nanmax(np.asarray(mark.miss, dtype=float))) if kind == GAP else 0.0
-        return Barrier(start, end, kind, group, mark.name, miss)
+            failing = ~(field > 0)
+        if not missing.any():
+            group = int(np.nanargmin(np.nanmin(field, axis=1)))
+            ends = [Edge(phi, beyond, CHANGE, group, marks[group].name) for phi, beyond in (start, end)]
+            return Barrier((ends[0], ends[1]), 0.0)
+        groups = [int(np.argmax(failing[:, k] if failing[:, k].any() else missing)) for k in (-2, -1)]
+        ends = [self._named(*edge, group, marks[group]) for edge, group in zip((start, end), groups, strict=True)]
+        misses = [float(np.nanmax(np.asarray(marks[g].miss, dtype=float))) for g in set(groups) if _loci(marks[g])]
+        return Barrier((ends[0], ends[1]), max(misses, default=0.0))
+
+    def _named(self, phi: float, beyond: float, group: int, mark: Mark) -> Edge:
+        return Edge(phi, beyond, GAP if _loci(mark) else PARALLEL, group, mark.name)
+
+
+def _loci(mark: Mark) -> bool:
+    """Tell whether a meeting is of an arc, which may be out of reach; two lines are not."""
+    return crossing(mark) is None
 
 
 def _alike(one: Passed, other: Passed) -> bool:
@@ -269,12 +313,12 @@ def _alike(one: Passed, other: Passed) -> bool:
     return one.group == other.group and abs(np.angle(np.exp(1j * (one.phi - other.phi)))) < SAME
 
 
-def bounding(phi: float, home: float, barriers: Sequence[Barrier]) -> Barrier | None:
-    """Give the barrier that keeps the crank from an angle, rad: of the two that bound its way from home, the nearer."""
+def bounding(phi: float, home: float, barriers: Sequence[Barrier]) -> Edge | None:
+    """Give the edge that keeps the crank from an angle, rad: of the two that bound its way from home, the nearer."""
     if not barriers:
         return None
     turn = 2 * np.pi
-    ahead = min(barriers, key=lambda b: float(np.mod(b.start - home, turn)))
-    behind = min(barriers, key=lambda b: float(np.mod(home - b.end, turn)))
-    ways = (abs(float(np.angle(np.exp(1j * (phi - edge))))) for edge in (ahead.start, behind.end))
+    ahead = min((b.edges[0] for b in barriers), key=lambda edge: float(np.mod(edge.phi - home, turn)))
+    behind = min((b.edges[1] for b in barriers), key=lambda edge: float(np.mod(home - edge.phi, turn)))
+    ways = (abs(float(np.angle(np.exp(1j * (phi - edge.phi))))) for edge in (ahead, behind))
     return ahead if next(ways) <= next(ways) else behind

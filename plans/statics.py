@@ -11,13 +11,25 @@ import numpy as np
 import numpy.typing as npt
 
 from plans.carrying import Drawing
+from plans.drafts import Drafts
 from plans.extreme import extremes
 from plans.faults import SceneError
 from plans.force_drawing import ForceDrawing
 from plans.force_pattern import Drawn, ForcePattern
 from plans.gaps import near_edge
 from plans.inventory import machine_of
-from plans.kinetostatics import Balancing, Kinetostatics, Loading, Pair, Reaction, pairs
+from plans.kinetostatics import (
+    DEAD_CENTRE,
+    FORCES,
+    INDETERMINATE,
+    Balancing,
+    Kinetostatics,
+    Loading,
+    Pair,
+    Reaction,
+    pairs,
+    without_forces,
+)
 from plans.loading import loading
 from plans.machine import Machine
 from plans.mechanism import Output, StructureError
@@ -26,14 +38,14 @@ from plans.obstruction import obstruction
 from plans.passage import CHANGE, at_angles
 from plans.pattern import Pattern
 from plans.stroke import NoStroke, Stroke, strokes
-from plans.study import BLOCK, Drafts, Study
+from plans.study import BLOCK, Study
 
 if TYPE_CHECKING:
     from plans.losses import Friction
 
-INDETERMINATE, DEAD = "statically indeterminate", "dead centre"
 SHARED = "the links lie in one line there and may share forces in many ways: take a position beside it"
 UNBOUNDED = "a group is at its dead centre and its reactions grow beyond all bounds: take a position beside it"
+ADVICE = {INDETERMINATE: SHARED, DEAD_CENTRE: UNBOUNDED}
 
 
 class ForceDrafts:
@@ -171,8 +183,12 @@ class Statics:
         gaps, lost = self.study.motion(2).gaps, np.zeros(len(whole.phi), dtype=bool)
         lost[[gap.position for gap in gaps]] = True
         none &= ~lost
-        still = {gap.position: gap.where for gap in gaps if gap.plan == ORDERS[1]}  # held, but in no one way
-        named = [*gaps, *(self._gap(k, still.get(k, "")) for k in (*still, *np.flatnonzero(none).tolist()))]
+        still = [self._gap(gap.position, without_forces(gap), gap.where) for gap in gaps if gap.plan == ORDERS[1]]
+        named = [
+            *gaps,
+            *still,
+            *(self._gap(k, self._reason(k), "the force plan") for k in np.flatnonzero(none).tolist()),
+        ]
         return replace(without(whole, lost | none), gaps=tuple(sorted(named, key=_number)))
 
     def parts(self) -> Iterator[ForceDrafts]:
@@ -193,14 +209,14 @@ class Statics:
         loads = self.loading(motion)
         return friction(study.mechanism, study.groups, self.machine, motion, loads, self.forces)
 
-    def _gap(self, position: int, where: str) -> Gap:
-        """Name a position that can be assembled, but has no forces."""
-        phi = float(self.study.turn.phi[position])
+    def _reason(self, position: int) -> str:
+        """Say why a position that has velocities has no forces."""
         changes = [b for b in (*self.study.barriers, *self.study.passed) if b.kind == CHANGE]
-        at = where or "the force plan"
-        if near_edge(np.array([phi]), changes).any():
-            return Gap(position, phi, "forces", INDETERMINATE, at, 0.0, SHARED)
-        return Gap(position, phi, "forces", DEAD, at, 0.0, UNBOUNDED)
+        return INDETERMINATE if near_edge(self.study.turn.phi[[position]], changes, (CHANGE,)).any() else DEAD_CENTRE
+
+    def _gap(self, position: int, reason: str, where: str) -> Gap:
+        """Name a position that can be assembled, but has no forces."""
+        return Gap(position, float(self.study.turn.phi[position]), FORCES, reason, where, 0.0, ADVICE[reason])
 
 
 def _number(gap: Gap) -> int:

@@ -12,7 +12,7 @@ ROOT = Path(__file__).parent.parent
 TOPS = ("geometry", "plans", "drawings")
 FILES = sorted(file.relative_to(ROOT).as_posix() for top in TOPS for file in (ROOT / top).rglob("*.py"))
 
-EITHER = ("geometry", "plans.analytic", "plans.plan", "plans.study", "plans.extreme", "plans.scene")
+EITHER = ("geometry", "plans.analytic", "plans.plan", "plans.drafts", "plans.study", "plans.extreme", "plans.scene")
 # Folder or file: what it must not import, anywhere in its text.
 FORBIDDEN = {
     "geometry/": ("plans", "drawings"),

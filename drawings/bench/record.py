@@ -19,6 +19,7 @@ COLUMNS = (
     "position_s", "note",
     "processor", "cores", "load", "system", "python", "numpy",
 )  # fmt: skip
+FORMULA = ("=", "+", "-", "@", "\t", "\r")
 
 
 def csv_bytes(bench: Bench) -> bytes:
@@ -27,8 +28,14 @@ def csv_bytes(bench: Bench) -> bytes:
     writer = csv.DictWriter(text, COLUMNS, lineterminator="\n")
     writer.writeheader()
     for row in bench.rows:
-        writer.writerow({"scene": bench.title, **_row(row, bench.accepted), **asdict(bench.machine)})
+        told = {"scene": bench.title, **_row(row, bench.accepted), **asdict(bench.machine)}
+        writer.writerow({column: _as_text(value) for column, value in told.items()})
     return text.getvalue().encode("utf-8")
+
+
+def _as_text(value: Any) -> Any:
+    """Mark a text that a table program would take for a formula."""
+    return f"'{value}" if isinstance(value, str) and value.startswith(FORMULA) else value
 
 
 def json_text(bench: Bench) -> str:

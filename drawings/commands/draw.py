@@ -145,7 +145,7 @@ def _agree(comparison: Comparison) -> None:
         said_of = f"position {gap.position} ({gap.plan}: {gap.reason})"
         raise SelfCheckFailed(
             f"construction gives up {said_of} and analysis does not; the sheet is withheld"
-            if road is comparison.construction
+            if road.by == "construction"
             else f"analysis gives up {said_of} and construction does not; the sheet is withheld"
         )
     if not comparison.agrees:

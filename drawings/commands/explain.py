@@ -14,11 +14,12 @@ from geometry.board import Arc, Line, Mark, at, behind
 from geometry.errors import DraftError
 from geometry.meet import cross
 from geometry.precision import condition
+from plans.drafts import Drafts
 from plans.mechanism import FRAME
 from plans.motion import ORDERS, POINT_UNITS
 from plans.plan import Plan
 from plans.scene import read_scene
-from plans.study import Drafts, Study
+from plans.study import Study
 
 PAIR = re.compile(r"[RPF]_(?P<giver>\d+?),?(?P<taker>\d+)")  # a reaction: of the first link on the second
 UNITS = {**dict(zip(ORDERS, POINT_UNITS, strict=True)), "forces": "N", "lever": "m/s"}

@@ -1,4 +1,4 @@
-"""The SVG pen: the only place where svgwrite is imported, where y turns downward, and where numbers become text.
+"""The SVG pen: the only place where svgwrite is imported.
 
 Neighbouring lines and arcs of one style become one path, which is what makes the pen fast; strokes of a group with data
 stay one element each, so that they can be measured and moved one by one.
@@ -9,11 +9,10 @@ from __future__ import annotations
 import cmath
 import json
 import math
-import re
 from collections.abc import Callable, Iterable, Iterator
 from functools import lru_cache
-from itertools import groupby, pairwise
-from typing import Any, TypeAlias
+from itertools import groupby
+from typing import Any
 from xml.etree import ElementTree
 
 from drawings.alphabet import GAP
@@ -21,7 +20,9 @@ from drawings.lettering import index_size, pen, width
 from drawings.limits import FORMAT
 from drawings.pens.deferred import deferred
 from drawings.pens.letters import lettering
+from drawings.pens.names import Attributes, data_of, legal, own_ids
 from drawings.pens.numerals import number, numbers
+from drawings.pens.paths import Plain, commands
 from drawings.seal import seal
 from drawings.strokes import (
     LOWERED,
@@ -49,18 +50,6 @@ FONTS = "'GOST type B','osifont','Liberation Sans Narrow','Arial Narrow','DejaVu
 EM = 1.4  # a font's size over the height of its capitals: 1.37 to 1.43 in the usual ones
 # The kinds that are measured, and the only stroke that can stand for each.
 BEARERS: dict[str, type[Line] | type[Circle]] = {"vector": Line, "point": Circle, "pole": Circle, "corner": Circle}
-
-Attributes: TypeAlias = dict[str, str]
-_Plain: TypeAlias = Line | Polyline | Arc | Fill
-
-# A flag that is rounded with the ends decides the wrong half of a large arc; a quarter turn leaves no doubt.
-_QUARTER = math.pi / 2
-# An arc's flags stand as one letter in a template, so that every zero before a gap there is a needless decimal.
-_FLAGS = ("F", "0 0 0 ")
-_ILLEGAL = re.compile("[^\t\n\x20-\x7e\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
-_NAME = re.compile(r"[^\W\d][\w.-]*")
-_DATA = re.compile(r"[a-z][a-z0-9-]*")
-_RESERVED = ("sheet", "seal")
 # svgwrite gives an element its maker's settings; without a maker it would set up a validator for each.
 _UNCHECKED = container.Group(debug=False)
 
@@ -77,13 +66,6 @@ def svg(leaf: Leaf) -> bytes:
     return body + seal(body, sum(1 for _ in root.iter()))
 
 
-def legal(text: str) -> str:
-    """Pass text on if XML can carry it unchanged; control characters and halves of characters are refused."""
-    if found := _ILLEGAL.search(text):
-        raise SheetError(f"{text!r}: the character {found[0]!r} at {found.start()} cannot be written")
-    return text
-
-
 def _drawing(leaf: Leaf) -> Any:
     width, height = number(leaf.width), number(leaf.height)
     if not (leaf.width > 0 and leaf.height > 0):
@@ -92,7 +74,7 @@ def _drawing(leaf: Leaf) -> Any:
     drawing.elements.clear()  # an empty <defs>, which we never use
     for group in leaf.groups:
         drawing.add(_group(group, leaf))
-    _own_ids(leaf.groups)
+    own_ids(leaf.groups)
     return drawing
 
 
@@ -109,25 +91,8 @@ def _describe(root: ElementTree.Element, leaf: Leaf) -> None:
         root.insert(place, element)
 
 
-def _own_ids(groups: Iterable[Group]) -> None:
-    seen = set(_RESERVED)
-    for name in _names(groups):
-        if not _NAME.fullmatch(name):
-            raise SheetError(f"{name!r} cannot name a group: a letter, then letters, digits, '_', '-', '.'")
-        if name in seen:
-            raise SheetError(f"two groups of a sheet are named {name!r}")
-        seen.add(name)
-
-
-def _names(groups: Iterable[Group]) -> Iterator[str]:
-    for group in groups:
-        if group.name:
-            yield group.name
-        yield from _names(inner for inner in group.strokes if isinstance(inner, Group))
-
-
 def _group(group: Group, leaf: Leaf) -> Any:
-    data = _data(group)
+    data = data_of(group)
     bearer = BEARERS.get(group.data.get("kind", ""))
     own = {"id": legal(group.name)} if group.name else {}
     if "kind" in group.data:
@@ -146,19 +111,12 @@ def _group(group: Group, leaf: Leaf) -> Any:
     return element
 
 
-def _data(group: Group) -> Attributes:
-    for key in group.data:
-        if not _DATA.fullmatch(key):
-            raise SheetError(f"{key!r} cannot name data: small letters, digits, '-'")
-    return {f"data-{key}": legal(value) for key, value in group.data.items()}
-
-
 def _merged(strokes: Iterable[Stroke], leaf: Leaf) -> Iterator[Any]:
     for kind, run in groupby(strokes, _mergeable):
         if kind is None:
             yield from (_one(stroke, leaf) for stroke in run)
         else:
-            yield _path((stroke for stroke in run if isinstance(stroke, _Plain)), kind[0], leaf.height)
+            yield _path((stroke for stroke in run if isinstance(stroke, Plain)), kind[0], leaf.height)
 
 
 def _mergeable(stroke: Stroke) -> tuple[LineStyle, bool] | None:
@@ -171,41 +129,10 @@ def _mergeable(stroke: Stroke) -> tuple[LineStyle, bool] | None:
     return None
 
 
-def _path(strokes: Iterable[_Plain], style: LineStyle, height: float) -> Any:
-    template: list[str] = []
-    values: list[float] = []
-    for stroke in strokes:
-        _trace(stroke, height, template, values)
+def _path(strokes: Iterable[Plain], style: LineStyle, height: float) -> Any:
     element = _element(path.Path, dict(_style(style)))
-    element.commands = [numbers("".join(template), values).replace(*_FLAGS)]
+    element.commands = [commands(strokes, height)]
     return element
-
-
-def _trace(stroke: _Plain, height: float, template: list[str], values: list[float]) -> None:
-    """Add a stroke to a path: the form of its commands and its coordinates, y turned."""
-    match stroke:
-        case Line(start, end):
-            template.append("M%s %sL%s %s")
-            values += (start.real, height - start.imag, end.real, height - end.imag)
-        case Polyline(points, closed):
-            template.append("M%s %s" + "L%s %s" * (len(points) - 1) + "Z" * closed)
-            for point in points:
-                values += (point.real, height - point.imag)
-        case Fill(points):
-            _trace(Polyline(_counter_clockwise(points), closed=True), height, template, values)
-        case Arc():
-            pieces = max(1, math.ceil(stroke.sweep / _QUARTER))
-            template.append("M%s %s" + "A%s %s F%s %s" * pieces)
-            values += (stroke.at(0).real, height - stroke.at(0).imag)
-            for piece in range(1, pieces + 1):
-                end = stroke.at(piece / pieces)
-                values += (stroke.radius, stroke.radius, end.real, height - end.imag)
-
-
-def _counter_clockwise(points: tuple[complex, ...]) -> tuple[complex, ...]:
-    """Fills of one path that turn one way cover each other where they overlap; else they would make holes."""
-    doubled_area = sum((a.conjugate() * b).imag for a, b in pairwise((*points, points[0])))
-    return points if doubled_area >= 0 else points[::-1]
 
 
 def _one(stroke: Stroke, leaf: Leaf) -> Any:
@@ -230,9 +157,9 @@ def _letters(stroke: Text, height: float) -> Any:
     """Write a text as one path, or as a group of one for each width of the pen; either says what is written."""
     data = {"data-text": legal(stroke.plain)}
     paths = []
-    for unit, commands in lettering(stroke, height).items():
+    for unit, written in lettering(stroke, height).items():
         paths.append(_element(path.Path, dict(_style(pen(unit, stroke.style)))))
-        paths[-1].commands = [commands]
+        paths[-1].commands = [written]
     if len(paths) == 1:
         paths[0].attribs.update(data)
         return paths[0]

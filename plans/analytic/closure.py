@@ -17,9 +17,8 @@ EPS = float(np.finfo(np.float64).eps)
 # Newton squares the error: a correction of sqrt(eps) leaves eps. And at a Jacobian whose smallest singular value is
 # sqrt(eps), a pose is known to eps / sqrt(eps), so that the velocity found from it has no true digit left.
 SQRT_EPS = EPS**0.5
-# A rounding of the crank angle moves the reactions near a dead centre by eps over the square of the sharpness: where
-# less than a quarter of their digits would be true, there are none. A dead centre meant exactly may be told in radians
-# a few roundings beside it; with sqrt(eps) such a position would still pass, with reactions of any size.
+# A rounding of the crank angle moves the reactions near a dead centre by eps over the square of the sharpness: less
+# sharp than this leaves not a quarter of their digits true, and it is for the forces too that a position is given up.
 BLUNT = EPS**0.375
 NEWTON_ROUNDS = 12  # from one true digit four rounds make sixteen; the rest is for slow beginnings
 DAMPED_ROUNDS = 60

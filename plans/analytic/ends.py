@@ -20,6 +20,7 @@ from plans.motion import Floats
 
 DEAD_CENTRE, CHANGE_POINT, PARALLEL, NOT_REACHABLE = "dead centre", "change point", "parallel guides", "not reachable"
 SHORTEST = 2.0**-30  # rad, 1e-9: the shortest step of a march
+BESIDE = 2.0**-20  # rad from a singular position: wider than the square root of UNBORNE, in which sharpness tells
 ROUNDS = 24  # Newton squares the error; the rest is for slow beginnings
 # Taylor's polynomial from this distance misses by its cube, and the poses there are known to eps over the distance:
 # both come to eps^(3/4) at the fourth root of eps.

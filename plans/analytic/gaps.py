@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from plans.analytic.ends import CHANGE_POINT, DEAD_CENTRE, NOT_REACHABLE, PARALLEL, End
+from plans.kinetostatics import FORCES, INDETERMINATE
 from plans.motion import Gap
 
 OUT_OF_REACH, BEYOND = "out of reach", "beyond a change point"
-FORCES, INDETERMINATE = "forces", "statically indeterminate"
 
 ADVICE = {
     OUT_OF_REACH: "Lengthen the links that are too short here, or keep the crank within its dead centres.",
@@ -39,7 +39,6 @@ def gap(position: int, phi: float, plan: str, reason: str, end: End | None) -> G
     return Gap(position, phi, plan, reason, where, 0.0, ADVICE[reason])
 
 
-def without_forces(position: int, phi: float, dead: bool) -> Gap:
+def unbalanced(position: int, phi: float, reason: str) -> Gap:
     """Word the gap of a position whose reactions grow beyond all bounds, or are not told by equilibrium; phi in rad."""
-    reason = DEAD_CENTRE if dead else INDETERMINATE
     return Gap(position, phi, FORCES, reason, UNBALANCED, 0.0, ADVICE[reason])

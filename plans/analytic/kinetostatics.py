@@ -14,11 +14,11 @@ import numpy as np
 from plans.analytic.action import action, balancing, unit_force
 from plans.analytic.closure import BLUNT, inverses, rank_loss, sharpness, solutions
 from plans.analytic.constraints import TURN, Constraints, Placement, X, Y
-from plans.analytic.gaps import without_forces
+from plans.analytic.gaps import unbalanced
 from plans.analytic.inertia import borne
 from plans.analytic.kinematics import Analysis
 from plans.analytic.positions import blocks
-from plans.kinetostatics import Kinetostatics, Loading, Pair, Reaction
+from plans.kinetostatics import DEAD_CENTRE, INDETERMINATE, Kinetostatics, Loading, Pair, Reaction, without_forces
 from plans.machine import Machine
 from plans.mechanism import Mechanism
 from plans.motion import Complexes, Floats, Gap, Motion
@@ -34,14 +34,14 @@ def kinetostatics(
     line = action(machine.transmission, mechanism, constraints, poses)
     drive = None if line is None else unit_force(constraints, poses, line)
     multipliers, singular = _balanced(constraints, poses, _generalised(constraints, poses, loads), drive)
-    multipliers[[gap.position for gap in motion.gaps]] = np.nan
+    multipliers[[gap.position for gap in motion.gaps]] = np.nan  # where velocities are not borne, neither are forces
     forces = _Forces(mechanism, constraints, motion, poses, multipliers, constraints.place(poses))
     return Kinetostatics(
         by="analysis",
         phi=motion.phi,
         reactions=_in_order(pairs, _hinged(forces, pairs) | _sliding(forces, pairs)),
         balancing=balancing(constraints, line, multipliers[:, -1]),
-        gaps=_gaps(motion, singular),
+        gaps=_gaps(motion, singular | _lost(constraints, poses, motion)),
     )
 
 
@@ -71,27 +71,35 @@ def _generalised(constraints: Constraints, poses: Floats, loading: Loading) -> F
 
 def _balanced(
     constraints: Constraints, poses: Floats, loads: Floats, drive: Floats | None
-) -> tuple[Floats, dict[int, bool]]:
-    """Solve the equations of equilibrium; name the singular positions, and whether each is a dead centre."""
+) -> tuple[Floats, dict[int, str]]:
+    """Solve the equations of equilibrium; name the positions without an answer, and why."""
     multipliers = np.full((len(poses), len(constraints.pattern)), np.nan)
-    singular: dict[int, bool] = {}
+    singular: dict[int, str] = {}
     known = np.flatnonzero(np.isfinite(poses).all(axis=(1, 2)))
     for block in blocks(len(known)):
         here = known[block]
         matrices = constraints.jacobian(constraints.place(poses[here]))
         if drive is not None:
             matrices[:, -1] = drive[here]
-        blunt = sharpness(matrices, inverses(matrices)) <= BLUNT
-        singular |= {int(here[k]): rank_loss(matrices[k])[1] for k in np.flatnonzero(blunt)}
-        regular = here[~blunt]
-        multipliers[regular] = solutions(matrices[~blunt].transpose(0, 2, 1), -loads[regular])
+        found = multipliers[here] = solutions(matrices.transpose(0, 2, 1), -loads[here])
+        none = np.flatnonzero(~np.isfinite(found).all(axis=1))
+        singular |= {int(here[k]): DEAD_CENTRE if rank_loss(matrices[k])[1] else INDETERMINATE for k in none}
     return multipliers, singular
 
 
-def _gaps(motion: Motion, singular: dict[int, bool]) -> tuple[Gap, ...]:
+def _lost(constraints: Constraints, poses: Floats, motion: Motion) -> dict[int, str]:
+    """Give the gaps of the velocities where the equations lose rank, and why there are no forces."""
+    told = {gap.position: without_forces(gap) for gap in motion.gaps if np.isfinite(poses[gap.position]).all()}
+    at = constraints.place(poses[list(told)])
+    matrices = constraints.jacobian(at)
+    blunt = sharpness(matrices, inverses(matrices)) <= BLUNT
+    return {k: told[k] for k, faint in zip(told, blunt, strict=True) if faint}
+
+
+def _gaps(motion: Motion, singular: dict[int, str]) -> tuple[Gap, ...]:
     """Name the singular positions, and carry over those of the motion that are lost for other reasons."""
     found = [gap for gap in motion.gaps if gap.position not in singular]
-    found += [without_forces(k, float(motion.phi[k]), dead) for k, dead in singular.items()]
+    found += [unbalanced(k, float(motion.phi[k]), reason) for k, reason in singular.items()]
     return tuple(sorted(found, key=lambda gap: gap.position))
 
 

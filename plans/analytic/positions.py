@@ -8,11 +8,21 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from plans.analytic.assembly import Shape, assemblies, home, signs_of
-from plans.analytic.closure import EPS, Flags, close, close_singular
+from plans.analytic.closure import EPS, SQRT_EPS, Flags, close, close_singular, closed
 from plans.analytic.constraints import TURN, Indices
-from plans.analytic.ends import CHANGE_POINT, CLEAR, DEAD_CENTRE, NOT_REACHABLE, PARALLEL, SHORTEST, End, Station
+from plans.analytic.ends import (
+    BESIDE,
+    CHANGE_POINT,
+    CLEAR,
+    DEAD_CENTRE,
+    NOT_REACHABLE,
+    PARALLEL,
+    SHORTEST,
+    End,
+    Station,
+)
 from plans.analytic.gaps import BEYOND, OUT_OF_REACH, gap
-from plans.analytic.sharpness import least
+from plans.analytic.sharpness import DOUBTFUL, least
 from plans.analytic.turn import FULL, Turn, survey
 from plans.motion import Floats, Gap
 
@@ -20,8 +30,6 @@ BLOCK = 2048  # positions solved together: their matrices stay in the cache
 # So near to a dead centre, rad, that a rounding of the crank angle moves a velocity by a thousandth of itself: more
 # than can be seen on a plan. There is a position, but no velocity is told.
 UNBORNE = 1000.0 * EPS
-DOUBTFUL = 1e-4  # sharpness of a station beside which there may be positions whose velocities are not borne
-BESIDE = 2.0**-20  # rad from a singular position: wider than the square root of UNBORNE, in which sharpness tells
 # So near to a change point, rad, that a position is that of the change point: two ways part there by as much, and the
 # poses are known to eps over it.
 AT_CHANGE = 2.0**-23
@@ -133,8 +141,10 @@ def _at_change(found: Positions, shape: Shape, turn: Turn, end: End, places: lis
         guess = wrapped(near.predict(end.singular + end.sense * beyond)[None])
         poses, reached = close(shape.constraints, guess, found.phi[[k]])
         flat = abs(beyond) <= AT_CHANGE or not reached[0] or not _borne(shape, poses)
-        found.poses[k] = poses[0] if reached[0] else close_singular(shape.constraints, guess, found.phi[[k]])[0]
-        found.regular[k] = not flat
+        poses = poses if reached[0] else close_singular(shape.constraints, guess, found.phi[[k]])
+        if not closed(shape.constraints, poses, found.phi[[k]], SQRT_EPS)[0]:
+            continue  # lost
+        found.poses[k], found.regular[k] = poses[0], not flat
         if flat:
             found.miss(k, "velocities", CHANGE_POINT, end)
 

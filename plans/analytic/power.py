@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from plans.analytic.closure import BLUNT, as_poses, inverses, sharpness
+from plans.analytic.closure import as_poses, inverses
 from plans.analytic.constraints import TURN, Constraints
 from plans.analytic.inertia import borne
 from plans.analytic.kinematics import Analysis
@@ -37,13 +37,13 @@ def reduced_moment(road: Analysis, motion: Motion, loading: Loading, first: Floa
 
 
 def transfers(constraints: Constraints, poses: Floats) -> Floats:
-    """Give the first transfer functions of all poses; NaN at gaps and where the Jacobian has lost its rank."""
+    """Give the first transfer functions of all poses; NaN where there is no pose, or the Jacobian has no inverse."""
     first = np.full_like(poses, np.nan)
     known = np.flatnonzero(np.isfinite(poses).all(axis=(1, 2)))
     for block in blocks(len(known)):
         here = known[block]
         jacobian = constraints.jacobian(constraints.place(poses[here]))
-        inverse = inverses(jacobian)
-        sharp = sharpness(jacobian, inverse) > BLUNT
-        first[here[sharp]] = as_poses(inverse[sharp][:, :, -1])  # the drive is the last equation
+        inverse = inverses(jacobian)[:, :, -1]  # the drive is the last equation
+        regular = inverse.any(axis=1)
+        first[here[regular]] = as_poses(inverse[regular])
     return first

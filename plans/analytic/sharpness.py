@@ -19,6 +19,7 @@ from plans.motion import Complexes, Floats
 MERGED = 4.0 * SQRT_EPS
 # A determinant of this share of what its columns could make (Hadamard) or more is that of a sharp block.
 PLAIN = 1e-5
+DOUBTFUL = 1e-3  # less sharp than this, a dead centre may be as near as 1e-6 rad
 
 
 def least(blocks: Sequence[Block], jacobian: Floats, poses: Floats) -> Floats:

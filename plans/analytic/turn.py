@@ -17,8 +17,8 @@ from plans.analytic.assembly import Assembly, Shape
 from plans.analytic.blocks import Block
 from plans.analytic.closure import EPS, ROUNDINGS, SQRT_EPS, as_poses, close, closed, inverses, solutions
 from plans.analytic.constraints import Constraints
-from plans.analytic.ends import CHANGE_POINT, CLEAR, NOT_REACHABLE, SHORTEST, End, Station, end_of
-from plans.analytic.sharpness import MERGED, least
+from plans.analytic.ends import BESIDE, CHANGE_POINT, CLEAR, NOT_REACHABLE, SHORTEST, End, Station, end_of
+from plans.analytic.sharpness import DOUBTFUL, MERGED, least
 from plans.motion import Floats
 
 Blocks = Sequence[Block]
@@ -77,12 +77,19 @@ class _March:
         self.sense = sense
         self.shortest = LEAST  # the start may lie right beside a singular position, and leads away from it
         self.passed: list[End] = []
+        self.looked = False  # beyond the goal
 
     @property
     def left(self) -> float:
         """The angle still to go, rad; a few roundings short of the goal is there."""
         left = self.sense * (self.goal - self.way[-1].phi)
         return left if left > THERE else 0.0
+
+    def look_beyond(self) -> None:
+        """Go on a little where the goal may lie right before a singular position, so that this is known."""
+        if not (self.left or self.looked) and self.way[-1].sharp < DOUBTFUL:
+            self.looked = True
+            self.goal += self.sense * BESIDE
 
     @property
     def stuck(self) -> bool:
@@ -154,6 +161,8 @@ def _march(shape: Shape, *marches: _March) -> list[End | None]:
         if march.way[-1].sharp <= MERGED:
             march.stride = 0.0
     for _ in range(STEPS):
+        for march in marches:
+            march.look_beyond()
         under_way = [march for march in marches if march.left and (not march.stuck or _carried(shape, march))]
         if not under_way:
             break

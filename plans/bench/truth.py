@@ -14,13 +14,14 @@ from geometry.board import Mark
 from geometry.errors import DraftError
 from geometry.replay import DIGITS, exact
 from plans.bench.loads import TrueLoads
+from plans.drafts import Drafts
 from plans.force import ForcePlan
 from plans.kinetostatics import Kinetostatics
 from plans.mechanism import FRAME
 from plans.motion import LINK_KEYS, ORDERS, POINT_KEYS, Complexes, Floats, Motion
 from plans.plan import Plan
 from plans.statics import ForceDrafts, Statics
-from plans.study import Drafts, Study
+from plans.study import Study
 
 Key: TypeAlias = tuple[str, str]  # kind of quantity and its point or link: ("v", "B"), ("omega", "3")
 Values: TypeAlias = Mapping[Key, Complexes | Floats]

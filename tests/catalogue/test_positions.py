@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import permutations
 from pathlib import Path
 
 import numpy as np
@@ -232,3 +233,15 @@ def test_f5_coriolis_s_part_is_twice_omega_times_the_slip_in_all_four_cases(spee
     assert {(w > 0, s > 0) for w, s in zip(omega.tolist(), slip.tolist(), strict=True)} == {
         (w, s) for w in (True, False) for s in (True, False)
     }
+
+
+@pytest.mark.parametrize("lengths", [(0.1, 0.25, 0.28, 0.3), (0.2, 0.25, 0.28, 0.42)], ids=["Grashof", "triple rocker"])
+def test_e6_in_all_inversions_the_crank_turns_fully_only_where_grashof_lets_it(lengths: tuple[float, ...]) -> None:
+    """The sum of the shortest and the longest is the less, and the shortest is the crank or the frame."""
+    for crank, rod, rocker, frame in permutations(lengths):
+        text = changed(
+            PLAIN, ("0.350", f"{frame}"), ("OA = 0.100", f"OA = {crank}"), ("AB = 0.400", f"AB = {rod}"),
+            ("CB = 0.300", f"CB = {rocker}"),
+        )  # fmt: skip
+        grashof = min(lengths) + max(lengths) < sum(lengths) / 2
+        assert (not Study(parse_scene(text)).barriers) == (grashof and min(lengths) in (crank, frame))

@@ -113,3 +113,11 @@ def test_no_two_techniques_look_alike() -> None:
 def test_a_plot_of_gaps_alone_is_still_a_plot() -> None:
     bare = replace(invented(), rows=(Row(PYLINKAGE, 12, note=NOT_INSTALLED),))
     assert ElementTree.fromstring(plot.svg(bare)).tag == f"{SVG}svg"
+
+
+def test_a_title_like_a_formula_is_written_as_text() -> None:
+    for title in ('=HYPERLINK("http://x","y")', "+1", "-1", "@SUM(1)"):
+        lines = csv.DictReader(io.StringIO(record.csv_bytes(replace(invented(), title=title)).decode("utf-8")))
+        assert {line["scene"] for line in lines} == {f"'{title}"}
+    plain = next(csv.DictReader(io.StringIO(record.csv_bytes(invented()).decode("utf-8"))))
+    assert plain["scene"] == invented().title

@@ -12,6 +12,7 @@ from hypothesis import given
 
 from geometry.board import at
 from plans.compare import Finding, compare
+from plans.drafts import Drafts
 from plans.equilibrium import EQUILIBRIUM
 from plans.force_comparison import compare_forces
 from plans.kinetostatics import Kinetostatics
@@ -19,7 +20,6 @@ from plans.mechanism import FRAME
 from plans.motion import Complexes, Floats, Motion
 from plans.passage import at_angles
 from plans.rubbing import rate
-from plans.study import Drafts
 from tests.plans.derivatives import REACH, derivative
 from tests.plans.loaded import Loaded, loaded, push
 

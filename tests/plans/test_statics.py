@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from typing import Any
+
 import numpy as np
 import pytest
 
+from plans import force_comparison
+from plans.kinetostatics import Kinetostatics
+from plans.motion import Gap
 from plans.scene import parse_scene
-from plans.statics import Statics
+from plans.statics import Statics, without
 from plans.study import Study
 from tests.plans.force_cases import compared
 
@@ -102,6 +108,43 @@ def test_near_a_dead_centre_reactions_grow_as_kappa_and_both_roads_agree(near: f
     force = abs(comparison.forces[0].reactions["2-3"].force)
     assert 1e-3 < force[1] * np.sqrt(np.radians(near)) / force[0] < 1e3
     assert comparison.agrees
+
+
+@pytest.mark.parametrize("near", [1e-8, 1e-11, 1e-12, 2e-13, 1e-13, 1e-15, 0.0])
+def test_right_beside_a_dead_centre_both_roads_tell_forces_or_name_the_same_gap(near: float) -> None:
+    """Where the condition bears velocities, it bears forces: half of the digits are left at 1000 roundings beside."""
+    comparison = compared(DEAD.replace("[60, 90]", f"[60, {float(90 - np.degrees(near))!r}]"))
+    assert comparison.forces is not None
+    assert [{gap.position: gap.reason for gap in road.unanswered} for road in comparison.forces] == 2 * [
+        {1: "dead centre"} if near < 1000 * np.finfo(float).eps else {}
+    ]
+    assert comparison.agrees
+
+
+def test_what_both_roads_give_up_is_counted_and_what_one_gives_up_alone_is_a_disagreement() -> None:
+    comparison = compared(PARALLELOGRAM)
+    assert comparison.forces is not None and comparison.agrees
+    assert comparison.left_out["forces: statically indeterminate"] == [4, 10]
+    ours, theirs = comparison.forces
+    others = tuple(gap for gap in theirs.gaps if gap.position != 4)
+    for told in (others, (*others, replace(theirs.gaps[0], position=4, plan="forces", reason="dead centre"))):
+        apart = comparison._replace(forces=(ours, replace(theirs, gaps=told)))
+        assert {(gap.position, gap.plan) for _, gap in apart.alone} == {(4, "forces")}
+        assert not apart.agrees
+
+
+def test_a_machine_whose_forces_one_road_gives_up_alone_disagrees(monkeypatch: pytest.MonkeyPatch) -> None:
+    whole = force_comparison.kinetostatics
+
+    def faint(*given: Any) -> Kinetostatics:
+        gap = Gap(0, 0.0, "forces", "dead centre", "", 0.0, "")
+        found = whole(*given)
+        return replace(without(found, np.arange(len(found.phi)) == 0), gaps=(gap,))
+
+    monkeypatch.setattr(force_comparison, "kinetostatics", faint)
+    comparison = compared(DEAD.replace("[60, 90]", "[60, 70]"))
+    assert [(road.by, gap.position, gap.plan) for road, gap in comparison.alone] == [("analysis", 0, "forces")]
+    assert comparison.worst == np.inf and not comparison.agrees
 
 
 # Machines on which little acts

@@ -19,6 +19,7 @@ import numpy as np
 from drawings.report import shallow
 from geometry.errors import DraftError
 from plans.compare import Comparison, compare, compare_extremes
+from plans.kinetostatics import FORCES
 from plans.motion import Motion
 from plans.scene import Scene, parse_scene
 from plans.study import Study
@@ -93,7 +94,7 @@ def _compared(study: Study) -> Comparison:
 
 
 def _judged(study: Study, comparison: Comparison) -> tuple[str, str, list[tuple[str, str]]]:
-    faults = [*_one_sided(study, comparison)]
+    faults = [*_one_sided(study, comparison), *_unanswered(comparison)]
     if not comparison.agrees:
         worst = max(comparison.findings, key=lambda finding: float(finding.excess.max()))
         told = f"{worst.name} ({worst.plan}): {float(worst.excess.max()):.3g} of the allowed difference"
@@ -115,6 +116,13 @@ def _one_sided(study: Study, comparison: Comparison) -> Iterator[tuple[str, str]
     for k in np.flatnonzero(mine == other):
         if _told(ours, k) != _told(theirs, k):
             yield APART, f"position {k}: construction {_told(ours, k)}, analysis {_told(theirs, k)}"
+
+
+def _unanswered(comparison: Comparison) -> Iterator[tuple[str, str]]:
+    """Tell where one road has forces and the other none, or none for another reason."""
+    for road, gap in comparison.alone:
+        if gap.plan == FORCES:
+            yield ALONE, f"position {gap.position}: the {road.by} alone has no forces ({gap.reason})"
 
 
 STATES = ("nothing", "places", "velocities", "accelerations")  # the best that a road may have

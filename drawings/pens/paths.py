@@ -1,0 +1,54 @@
+"""The commands of a path: lines, arcs and fills one after another, y turned downward (команды пути)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from itertools import pairwise
+from typing import TypeAlias
+
+from drawings.pens.numerals import numbers
+from drawings.strokes import Arc, Fill, Line, Polyline
+
+Plain: TypeAlias = Line | Polyline | Arc | Fill
+
+# A flag that is rounded with the ends decides the wrong half of a large arc; a quarter turn leaves no doubt.
+_QUARTER = math.pi / 2
+# An arc's flags stand as one letter in a template, so that every zero before a gap there is a needless decimal.
+_FLAGS = ("F", "0 0 0 ")
+
+
+def commands(strokes: Iterable[Plain], height: float) -> str:
+    """Give the commands of one path through all strokes, on a sheet of a height in mm."""
+    template: list[str] = []
+    values: list[float] = []
+    for stroke in strokes:
+        _trace(stroke, height, template, values)
+    return numbers("".join(template), values).replace(*_FLAGS)
+
+
+def _trace(stroke: Plain, height: float, template: list[str], values: list[float]) -> None:
+    """Add a stroke to a path: the form of its commands and its coordinates, y turned."""
+    match stroke:
+        case Line(start, end):
+            template.append("M%s %sL%s %s")
+            values += (start.real, height - start.imag, end.real, height - end.imag)
+        case Polyline(points, closed):
+            template.append("M%s %s" + "L%s %s" * (len(points) - 1) + "Z" * closed)
+            for point in points:
+                values += (point.real, height - point.imag)
+        case Fill(points):
+            _trace(Polyline(_counter_clockwise(points), closed=True), height, template, values)
+        case Arc():
+            pieces = max(1, math.ceil(stroke.sweep / _QUARTER))
+            template.append("M%s %s" + "A%s %s F%s %s" * pieces)
+            values += (stroke.at(0).real, height - stroke.at(0).imag)
+            for piece in range(1, pieces + 1):
+                end = stroke.at(piece / pieces)
+                values += (stroke.radius, stroke.radius, end.real, height - end.imag)
+
+
+def _counter_clockwise(points: tuple[complex, ...]) -> tuple[complex, ...]:
+    """Fills of one path that turn one way cover each other where they overlap; else they would make holes."""
+    doubled_area = sum((a.conjugate() * b).imag for a, b in pairwise((*points, points[0])))
+    return points if doubled_area >= 0 else points[::-1]
