@@ -33,7 +33,7 @@ def lost(sweep: Sweep, plan: Plan, turn: Turn, home: float, barriers: Sequence[B
     if not sweep.groups or (plan.board.clear and not gone.any()):
         return gone
     field, _ = margins(plan, sweep.groups, sweep.sides)
-    nowhere = np.broadcast_to(undefined(plan, sweep.groups), gone.shape) | loose(sweep, turn.phi)
+    nowhere = undefined(plan, sweep.groups).any(axis=0)
     with np.errstate(invalid="ignore"):
         limit = (field == 0).any(axis=0) & (field >= 0).all(axis=0) & _near(turn.phi, _ends(home, barriers), LIMIT)
     return np.asarray((gone & ~limit) | nowhere)
@@ -88,11 +88,6 @@ def near_edge(
     return _near(phi, [angle for pair in both for angle, edge in pair if edge.kind in kinds], within)
 
 
-def loose(sweep: Sweep, phi: Floats) -> Flags:
-    """Tell which crank angles are change points in which a group has any place: a pin in its slot's own pivot."""
-    return near_edge(phi, [b for b in sweep.barriers if b.kind == CHANGE and sweep.loose(b)], (CHANGE,), UNBORNE)
-
-
 def unborne(sweep: Sweep, plan: Plan, turn: Turn) -> Flags:
     """Tell the positions whose velocities the condition does not bear.
 
@@ -113,25 +108,27 @@ def of_positions(
     """Say why some positions are lost, and what would mend them; `turn` holds those positions alone."""
     if not positions:
         return []
-    field, marks = margins(sweep.drawn(turn), sweep.groups, sweep.sides)
+    plan = sweep.drawn(turn)
+    field, marks = margins(plan, sweep.groups, sweep.sides)
+    nowhere = undefined(plan, sweep.groups)
     misses = [np.broadcast_to(0.0 if mark.miss is None else mark.miss, len(turn)) for mark in marks]
-    anywhere = loose(sweep, turn.phi)
     return [
-        (_anywhere(position, float(turn.phi[k]), home, barriers) if anywhere[k] else None)
-        or _unplaced(field[:, k], marks, [float(miss[k]) for miss in misses], k, position, float(turn.phi[k]))
+        _unplaced(
+            field[:, k], nowhere[:, k], marks, [float(miss[k]) for miss in misses], k, position, float(turn.phi[k])
+        )
         or _beyond(position, float(turn.phi[k]), None if home is None else bounding(float(turn.phi[k]), home, barriers))
         for k, position in enumerate(positions)
     ]
 
 
 def _unplaced(
-    margin: Floats, marks: Sequence[Mark], misses: Sequence[float], k: int, position: int, phi: float
+    margin: Floats, none: Flags, marks: Sequence[Mark], misses: Sequence[float], k: int, position: int, phi: float
 ) -> Gap | None:
     """Name the first meeting that fails at the k-th position drawn; None: all of them are found."""
-    for share, mark, miss in zip(margin, marks, misses, strict=True):
+    for share, nowhere, mark, miss in zip(margin, none, marks, misses, strict=True):
         if share < 0 and crossing(mark) is None:
             return Gap(position, phi, "positions", GAP, mark.name, miss, _reach(mark, miss, k))
-        if np.isnan(at(mark.point, k)) and crossing(mark) is None:
+        if nowhere and crossing(mark) is None:
             return _in_one(position, phi, mark.name)
     return None
 
@@ -139,12 +136,6 @@ def _unplaced(
 def _in_one(position: int, phi: float, where: str) -> Gap:
     advice = f"the lines that meet in {where} fall into one there: take a position beside it"
     return Gap(position, phi, "positions", "dead centre", where, 0.0, advice)
-
-
-def _anywhere(position: int, phi: float, home: float | None, barriers: Sequence[Barrier]) -> Gap:
-    """Name a position in which a group has any place."""
-    edge = None if home is None else bounding(phi, home, barriers)
-    return _in_one(position, phi, edge.where if edge else "")
 
 
 def _beyond(position: int, phi: float, edge: Edge | None) -> Gap:

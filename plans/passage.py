@@ -14,8 +14,8 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from geometry.board import Line, Mark
-from geometry.meet import cross
+from geometry.board import Arc, Line, Mark, between
+from geometry.meet import UNBORNE, cross
 from plans.acceleration import accelerations
 from plans.carrying import Drawing, Passed, carried
 from plans.mechanism import Mechanism
@@ -30,9 +30,12 @@ from plans.velocity import velocities
 NODES = 720  # crank angles of a sweep: half a degree
 FAN = 129  # angles of one closer look between two nodes
 LOOKS = 8  # 64**8 of half a degree is below the rounding of an angle
-# A lowest margin is looked at more closely where it may hide a touch: below the sine squared of a 6 degree notch.
-SHALLOW = 0.01
+# A lowest margin is looked at more closely where it may hide a touch: between nodes half a degree apart a margin may
+# fall from the sine squared of a 45 degree notch; among the angles of a closer look, from that of a 6 degree one.
+DEEP, SHALLOW = 0.5, 0.01
 SAME = 1e-6  # rad
+# Two points so much nearer to each other than their figure is large give a direction without a true digit.
+NOWHERE = 8.0 * UNBORNE
 CHANGE, GAP, PARALLEL = "change point", "out of reach", "parallel guides"
 
 
@@ -119,11 +122,21 @@ def crossing(mark: Mark) -> Floats | None:
 
 
 def undefined(plan: Plan, groups: Sequence[Dyad]) -> npt.NDArray[np.bool_]:
-    """Tell at which positions a group has no one place: its loci miss each other, fall into one, or run parallel."""
+    """Tell at which positions each group has no one place, (groups, positions): its loci miss, fall into one, ..."""
     count = max(np.size(mark.point) for mark in plan.letters.values())
-    none = np.zeros(count, dtype=bool)
-    for group in groups:
-        none |= np.isnan(np.asarray(_deciding(plan, group).point))
+    return np.array([np.broadcast_to(_nowhere(_deciding(plan, group)), count) for group in groups])
+
+
+def _nowhere(mark: Mark) -> npt.NDArray[np.bool_]:
+    """Tell where a meeting has no place, or any: its two centres, or a pin and its slot's pivot, are one point."""
+    none = np.asarray(np.isnan(np.asarray(mark.point)))
+    if mark.step.op == "tangent":
+        size = sum(np.abs(np.asarray(source.point)) for source in mark.step.inputs)
+        return np.asarray(none | (np.abs(between(*mark.step.inputs)) <= NOWHERE * size))
+    first, second = (locus.value for locus in mark.step.inputs[:2])
+    if isinstance(first, Arc) and isinstance(second, Arc):
+        apart = np.abs(between(*(locus.step.inputs[0] for locus in mark.step.inputs)))
+        none = none | np.asarray(apart <= NOWHERE * (first.radius + second.radius))
     return none
 
 
@@ -179,12 +192,6 @@ class Sweep:
         """Tell whether a barrier is a change point that the linkage is carried through."""
         here = Passed(barrier.group, barrier.middle)
         return barrier.kind == CHANGE and any(_alike(here, other) for other in self.passed)
-
-    def loose(self, barrier: Barrier) -> bool:
-        """Tell whether a group has any place in a change point: then it jumps as the crank passes there."""
-        plan = self.plan(barrier.middle + SAME * np.array((-1.0, 1.0)))
-        before, after = np.broadcast_to(np.asarray(_deciding(plan, self.groups[barrier.group]).point), 2)
-        return bool(abs(after - before) > np.sqrt(SAME) * (abs(before) + abs(after)))
 
     def pattern(self, order: int) -> Pattern | Drawing:
         """Give the pattern of the plans up to an order: 0 positions, 1 velocities, 2 accelerations."""
@@ -249,10 +256,8 @@ class Sweep:
         found = []
         for margin in field:
             before, after = np.roll(margin, 1), np.roll(margin, -1)
-            with np.errstate(invalid="ignore", divide="ignore"):
-                bend = before + after - 2 * margin
-                dip = margin - np.where(bend > 0, (after - before) ** 2 / (8 * bend), 0.0)
-                low = (margin <= before) & (margin < after) & ((margin < SHALLOW) | (dip < SHALLOW * margin))
+            with np.errstate(invalid="ignore"):
+                low = (margin <= before) & (margin < after) & (margin < DEEP)
             around = free & np.roll(free, 1) & np.roll(free, -1)
             for node in np.flatnonzero(low & around):
                 barrier = self._closer(nodes[node] - nodes[1], nodes[node] + nodes[1])
@@ -269,7 +274,9 @@ class Sweep:
             at = int(np.argmin(lowest))
             if not lowest[at] > 0:
                 left, right = self._edge(low, fan[at]), self._edge(high, fan[at])
-                return self._barrier(left, right, np.linspace(left, right, FAN))
+                return self._barrier(left, right, np.linspace(left[0], right[0], FAN))
+            if lowest[at] > SHALLOW and 0 < at < FAN - 1 and _least(*lowest[at - 1 : at + 2]) > lowest[at] / 2:
+                return None
             low, high = fan[max(at - 1, 0)], fan[min(at + 1, FAN - 1)]
         return None
 
@@ -301,6 +308,12 @@ class Sweep:
 
     def _named(self, phi: float, beyond: float, group: int, mark: Mark) -> Edge:
         return Edge(phi, beyond, GAP if _loci(mark) else PARALLEL, group, mark.name)
+
+
+def _least(before: float, middle: float, after: float) -> float:
+    """Give the least value of the parabola through three values, the middle one the least of them."""
+    bend = before + after - 2 * middle
+    return middle - (after - before) ** 2 / (8 * bend) if bend > 0 else middle
 
 
 def _loci(mark: Mark) -> bool:

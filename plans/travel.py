@@ -73,6 +73,8 @@ class Travel:
         step = 2 * np.pi / NODES
         nodes = step * np.arange(NODES, dtype=np.float64)
         speeds = self.speed(at_angles(nodes))
+        none = np.isnan(speeds)  # a change point that the linkage is carried through
+        speeds = np.where(none, (np.roll(speeds, 1) + np.roll(speeds, -1)) / 2, speeds)
         if not np.abs(speeds).max() > STILL:
             return np.zeros(0)
         turns = np.flatnonzero((speeds >= 0) != (np.roll(speeds, -1) >= 0))  # the last node is followed by the first

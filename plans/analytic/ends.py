@@ -68,7 +68,7 @@ class End(NamedTuple):
     sense: float  # of the march
     fold: Fold | None = None
     limit: float = 0.0  # rad beyond a dead centre by which a crank angle is still that of the dead centre
-    loose: bool = False  # whether a block has no place of its own there: a slot whose pin lies in its pivot
+    loose: int | None = None  # the block that has any place there: a slot whose pin lies in its own pivot
 
     @property
     def blind(self) -> float:
@@ -91,11 +91,11 @@ def end_of(constraints: Constraints, blocks: Sequence[Block], way: Sequence[Stat
     last = way[-1]
     block = blocks[_failing(blocks, way)]
     loss = _loss(constraints, block, last)
-    turning = np.abs(loss.free.reshape(-1, 3)[:, TURN]).max()
     if loss.share <= np.sqrt(loss.faint):
         singular = _crossing(block, blocks, way)
-        return End(last.phi, singular, CHANGE_POINT, sense, loose=_loose(block, last, loss))
-    if turning <= SQRT_EPS:
+        loose = _place(block, blocks) if _loose(block, last, loss) else None
+        return End(last.phi, singular, CHANGE_POINT, sense, loose=loose)
+    if block.linear:
         return End(last.phi, _root(way, _place(block, blocks), 0.0), PARALLEL, sense)
     fold = _fold(constraints, last, sense)
     if fold is None:

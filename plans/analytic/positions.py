@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from plans.analytic.assembly import Shape, assemblies, home, signs_of
+from plans.analytic.blocks import Block
 from plans.analytic.closure import EPS, SQRT_EPS, Flags, close, close_singular, closed
 from plans.analytic.constraints import TURN, Indices
 from plans.analytic.ends import (
@@ -33,6 +34,7 @@ UNBORNE = 1000.0 * EPS
 # So near to a change point, rad, that a position is that of the change point: two ways part there by as much, and the
 # poses are known to eps over it.
 AT_CHANGE = 2.0**-23
+NOWHERE = 8.0 * UNBORNE  # rad from a change point in which a block has any place: no true digit of its place is left
 
 
 @dataclass
@@ -135,18 +137,26 @@ def _at_change(found: Positions, shape: Shape, turn: Turn, end: End, places: lis
     for k, beyond in zip(places, (end.sense * apart).tolist(), strict=True):
         if beyond > AT_CHANGE and end not in turn.passed:
             continue  # lost
-        if end.loose and abs(beyond) < UNBORNE:
+        guess = wrapped(near.predict(end.singular + end.sense * beyond)[None])
+        if end.loose is not None and _apart_by(shape.blocks[end.loose], end, near, guess[0]) < NOWHERE:
             found.miss(k, "positions", DEAD_CENTRE, end)
             continue
-        guess = wrapped(near.predict(end.singular + end.sense * beyond)[None])
+        flat = abs(beyond) <= AT_CHANGE  # Newton's method would only magnify roundings there
         poses, reached = close(shape.constraints, guess, found.phi[[k]])
-        flat = abs(beyond) <= AT_CHANGE or not reached[0] or not _borne(shape, poses)
-        poses = poses if reached[0] else close_singular(shape.constraints, guess, found.phi[[k]])
+        if flat or not reached[0]:
+            poses = close_singular(shape.constraints, guess, found.phi[[k]])
         if not closed(shape.constraints, poses, found.phi[[k]], SQRT_EPS)[0]:
             continue  # lost
+        flat = flat or not reached[0] or not _borne(shape, poses)
         found.poses[k], found.regular[k] = poses[0], not flat
         if flat:
             found.miss(k, "velocities", CHANGE_POINT, end)
+
+
+def _apart_by(block: Block, end: End, near: Station, poses: Floats) -> float:
+    """Give the angle rad from a change point by a block's determinant, which passes zero there as the angle does."""
+    slope = np.linalg.det(block.of_own(near.poses)) / abs(near.phi - end.singular)
+    return float(abs(np.linalg.det(block.of_own(poses)) / slope))
 
 
 def _borne(shape: Shape, poses: Floats) -> bool:

@@ -179,7 +179,7 @@ def _carried(shape: Shape, march: _March) -> bool:
     if not shape.mechanism.through or len(march.way) < 2:
         return False
     end = end_of(constraints, blocks, march.way, march.sense)
-    if end.reason != CHANGE_POINT or end.loose:
+    if end.reason != CHANGE_POINT or end.loose is not None:
         return False
     before = [s for s in march.way if abs(s.phi - end.singular) >= CLEAR]
     phi = np.array([end.singular + march.sense * CLEAR])
