@@ -16,8 +16,8 @@ from drawings.pairs import Pairs
 from drawings.skeleton import Poses, Skeletons
 from drawings.strokes import Stroke, Text, text_width
 from drawings.words import number
+from plans.barrier import Barrier
 from plans.mechanism import FRAME
-from plans.passage import Barrier
 from plans.travel import frame_slide
 
 SAME = 1e-9  # rad: a position and an extreme whose crank directions differ by less are one

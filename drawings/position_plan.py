@@ -29,7 +29,7 @@ from drawings.trimming import trimmed
 from drawings.vector_plan import written
 from geometry.board import Arc as Notch
 from geometry.board import at
-from plans.passage import CHANGE
+from plans.barrier import CHANGE
 
 STEPS = 360  # of a circle that is cut at a figure's box
 NOTCH = 9.0  # mm of a notch arc kept on each side of its meeting

@@ -6,10 +6,10 @@ from collections.abc import Iterable, Sequence
 
 from drawings.process import tell
 from drawings.words import runs
+from plans.barrier import Barrier
 from plans.faults import SceneError
 from plans.motion import Gap
 from plans.notes import notes_of
-from plans.passage import Barrier
 from plans.scene import Scene
 from plans.source import language_of
 from plans.wording import said

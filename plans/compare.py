@@ -16,6 +16,7 @@ from geometry.meet import EPS
 from geometry.precision import condition, errors
 from plans.analytic.kinematics import Analysis
 from plans.drafts import Drafts
+from plans.margin import margins
 from plans.mechanism import FRAME
 from plans.motion import (
     LINK_KEYS,
@@ -30,7 +31,6 @@ from plans.motion import (
     Gap,
     Motion,
 )
-from plans.passage import margins
 from plans.study import Study
 
 if TYPE_CHECKING:

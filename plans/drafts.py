@@ -49,7 +49,8 @@ class Drafts:
     @property
     def free(self) -> bool:
         """Whether nothing bars the crank, and there can be no gap."""
-        return not self.study.barriers and self.study.assembly.phi is not None and self.clear
+        study = self.study
+        return not study.barriers and study.assembly.phi is not None and not study.sweep.pinned and self.clear
 
     def motion(self, order: int) -> Motion:
         """Read all named points and moving links off the plans up to an order, whatever is not reached."""

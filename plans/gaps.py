@@ -9,8 +9,10 @@ import numpy.typing as npt
 
 from geometry.board import Arc, Mark, at, between
 from geometry.meet import EPS, UNBORNE
+from plans.barrier import CHANGE, GAP, PARALLEL, Barrier, Edge, bounding
+from plans.margin import crossing, margins, undefined
 from plans.motion import Floats, Gap, Motion
-from plans.passage import CHANGE, GAP, PARALLEL, Barrier, Edge, Sweep, bounding, crossing, margins, undefined
+from plans.passage import Sweep
 from plans.plan import Plan
 from plans.turn import Turn
 
@@ -30,7 +32,7 @@ Flags = npt.NDArray[np.bool_]
 def lost(sweep: Sweep, plan: Plan, turn: Turn, home: float, barriers: Sequence[Barrier]) -> Flags:
     """Tell the positions that are not reached from `home`, or in which a group has no one place; limits are reached."""
     gone = ~reached(turn.phi, home, barriers) | near_edge(turn.phi, barriers, (PARALLEL,), UNBORNE)
-    if not sweep.groups or (plan.board.clear and not gone.any()):
+    if not sweep.groups or (plan.board.clear and not gone.any() and not sweep.pinned):
         return gone
     field, _ = margins(plan, sweep.groups, sweep.sides)
     nowhere = undefined(plan, sweep.groups).any(axis=0)
@@ -112,13 +114,16 @@ def of_positions(
     field, marks = margins(plan, sweep.groups, sweep.sides)
     nowhere = undefined(plan, sweep.groups)
     misses = [np.broadcast_to(0.0 if mark.miss is None else mark.miss, len(turn)) for mark in marks]
-    return [
-        _unplaced(
-            field[:, k], nowhere[:, k], marks, [float(miss[k]) for miss in misses], k, position, float(turn.phi[k])
-        )
-        or _beyond(position, float(turn.phi[k]), None if home is None else bounding(float(turn.phi[k]), home, barriers))
-        for k, position in enumerate(positions)
-    ]
+    near = np.ones(len(turn), dtype=bool) if home is None else reached(turn.phi, home, barriers)
+    found = []
+    for k, position in enumerate(positions):
+        phi, told = float(turn.phi[k]), [float(miss[k]) for miss in misses]
+        edge = None if home is None else bounding(phi, home, barriers)
+        # Beyond a change point or parallel guides it does not matter whether the links would meet.
+        met = edge is None or edge.kind == GAP or near[k]
+        unplaced = _unplaced(field[:, k], nowhere[:, k], marks, told, k, position, phi) if met else None
+        found.append(unplaced or _beyond(position, phi, edge))
+    return found
 
 
 def _unplaced(

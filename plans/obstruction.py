@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from plans.barrier import GAP, Barrier
 from plans.gaps import of_positions
-from plans.passage import FAN, GAP, Barrier, Sweep, at_angles, margins
+from plans.margin import margins
+from plans.passage import FAN, Sweep, at_angles
 
 
 def obstruction(sweep: Sweep) -> str:

@@ -7,17 +7,16 @@ beyond it there is no meeting. A margin that only touches zero is a change point
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
-from geometry.board import Arc, Line, Mark, between
-from geometry.meet import UNBORNE, cross
+from geometry.board import Mark
 from plans.acceleration import accelerations
+from plans.barrier import CHANGE, GAP, PARALLEL, SAME, Barrier, Edge
 from plans.carrying import Drawing, Passed, carried
+from plans.margin import deciding, margins, of_arcs
 from plans.mechanism import Mechanism
 from plans.motion import Floats, Motion
 from plans.pattern import Pattern
@@ -28,128 +27,17 @@ from plans.turn import Turn
 from plans.velocity import velocities
 
 NODES = 720  # crank angles of a sweep: half a degree
+NODE_ANGLES = 2 * np.pi * np.arange(NODES) / NODES
 FAN = 129  # angles of one closer look between two nodes
 LOOKS = 8  # 64**8 of half a degree is below the rounding of an angle
 # A lowest margin is looked at more closely where it may hide a touch: between nodes half a degree apart a margin may
 # fall from the sine squared of a 45 degree notch; among the angles of a closer look, from that of a 6 degree one.
 DEEP, SHALLOW = 0.5, 0.01
-SAME = 1e-6  # rad
-# Two points so much nearer to each other than their figure is large give a direction without a true digit.
-NOWHERE = 8.0 * UNBORNE
-CHANGE, GAP, PARALLEL = "change point", "out of reach", "parallel guides"
-
-
-class Edge(NamedTuple):
-    """An edge of a barrier: its crank angle, rad, the first that is barred, and which group fails there, and how."""
-
-    phi: float
-    beyond: float
-    kind: str  # "change point", "out of reach" or "parallel guides"
-    group: int
-    where: str  # the mark whose loci miss or touch
-
-
-@dataclass(frozen=True)
-class Barrier:
-    """A part of the turn that the crank cannot pass, from one edge counter-clockwise to the other."""
-
-    edges: tuple[Edge, Edge]
-    miss: float  # m, the largest miss seen
-
-    @property
-    def start(self) -> float:
-        """Where it begins, rad."""
-        return self.edges[0].phi
-
-    @property
-    def end(self) -> float:
-        """Where it ends, rad."""
-        return self.edges[1].phi
-
-    @property
-    def kind(self) -> str:
-        """What bars the crank where it begins."""
-        return self.edges[0].kind
-
-    @property
-    def group(self) -> int:
-        """The group that fails where it begins."""
-        return self.edges[0].group
-
-    @property
-    def where(self) -> str:
-        """The mark whose loci miss or touch where it begins."""
-        return self.edges[0].where
-
-    @property
-    def middle(self) -> float:
-        """The angle in the middle of it, rad."""
-        return (self.start + self.end) / 2
 
 
 def at_angles(phi: Floats) -> Turn:
     """Take any crank angles, rad, for a turn."""
     return Turn(phi, np.exp(1j * phi))
-
-
-def margins(plan: Plan, groups: Sequence[Dyad], sides: Sequence[float]) -> tuple[Floats, list[Mark]]:
-    """Give every group's margin over the positions, (groups, positions): above 0 assembled, 0 dead, below 0 missing.
-
-    A miss counts as -1: only its sign is meant. Two guides cross with the sine of their angle, signed as the group's
-    side: it changes sign where they are parallel and their pin runs to infinity. NaN: a group before fails.
-    """
-    marks = [_deciding(plan, group) for group in groups]
-    count = max(np.size(mark.point) for mark in plan.letters.values())
-    rows = []
-    for mark, side in zip(marks, sides, strict=True):
-        miss = np.broadcast_to(np.asarray(mark.miss, dtype=float), count)
-        sharpness = np.broadcast_to(np.asarray(mark.sharpness, dtype=float), count)
-        turned = crossing(mark)
-        if turned is None:
-            rows.append(np.where(miss > 0, -1.0, sharpness**2))
-        else:
-            rows.append(np.broadcast_to(side * turned, count))
-    return np.array(rows).reshape(len(marks), count), marks
-
-
-def crossing(mark: Mark) -> Floats | None:
-    """Give the sine of the angle from the first of two lines to the second where they meet; None for other meetings."""
-    first, second = (locus.value for locus in mark.step.inputs[:2])
-    if not (mark.step.op == "meet" and isinstance(first, Line) and isinstance(second, Line)):
-        return None
-    turned = cross(first.direction, second.direction)
-    return np.asarray(turned / (np.abs(first.direction) * np.abs(second.direction)))
-
-
-def undefined(plan: Plan, groups: Sequence[Dyad]) -> npt.NDArray[np.bool_]:
-    """Tell at which positions each group has no one place, (groups, positions): its loci miss, fall into one, ..."""
-    count = max(np.size(mark.point) for mark in plan.letters.values())
-    return np.array([np.broadcast_to(_nowhere(_deciding(plan, group)), count) for group in groups])
-
-
-def _nowhere(mark: Mark) -> npt.NDArray[np.bool_]:
-    """Tell where a meeting has no place, or any: its two centres, or a pin and its slot's pivot, are one point."""
-    none = np.asarray(np.isnan(np.asarray(mark.point)))
-    if mark.step.op == "tangent":
-        size = sum(np.abs(np.asarray(source.point)) for source in mark.step.inputs)
-        return np.asarray(none | (np.abs(between(*mark.step.inputs)) <= NOWHERE * size))
-    first, second = (locus.value for locus in mark.step.inputs[:2])
-    if isinstance(first, Arc) and isinstance(second, Arc):
-        apart = np.abs(between(*(locus.step.inputs[0] for locus in mark.step.inputs)))
-        none = none | np.asarray(apart <= NOWHERE * (first.radius + second.radius))
-    return none
-
-
-def _deciding(plan: Plan, group: Dyad) -> Mark:
-    """Give the mark of a group's own meeting on the plan of positions."""
-    match group.kind:
-        case "RPR":
-            unit = plan.units[group.slide().slider, group.slide().owner]
-            assert unit is not None  # a slot has a direction on the plan of positions
-            return unit
-        case "RPP":
-            return plan.images[group.links[1]].origin
-    return plan.letters[group.pin]
 
 
 class Sweep:
@@ -182,6 +70,13 @@ class Sweep:
             first = [one for one in new if one.group == min(new).group]
             kept = [one for one in sweep.passed if one.group < first[0].group]
             sweep = Sweep(self.mechanism, self.groups, self.sides, self.home, (*kept, *first))
+
+    @cached_property
+    def pinned(self) -> bool:
+        """Tell whether a pin comes to its own slot's pivot, or all but: the slot has any direction there."""
+        marks = [deciding(self.plan(NODE_ANGLES), group) for group in self.groups if group.kind == "RPR"]
+        ends = [tuple(np.asarray(end.point) for end in mark.step.inputs) for mark in marks]
+        return any(bool((np.abs(pivot - pin) <= np.abs(pin).max() / NODES * 8).any()) for pivot, pin in ends)
 
     @cached_property
     def barred(self) -> tuple[Barrier, ...]:
@@ -229,7 +124,7 @@ class Sweep:
         """All that bars a full turn of the crank."""
         if not self.groups:
             return ()
-        nodes = 2 * np.pi * np.arange(NODES) / NODES
+        nodes = NODE_ANGLES
         field = self.margins(nodes)
         with np.errstate(invalid="ignore"):
             free = np.asarray((field > 0).all(axis=0))
@@ -303,11 +198,11 @@ class Sweep:
             return Barrier((ends[0], ends[1]), 0.0)
         groups = [int(np.argmax(failing[:, k] if failing[:, k].any() else missing)) for k in (-2, -1)]
         ends = [self._named(*edge, group, marks[group]) for edge, group in zip((start, end), groups, strict=True)]
-        misses = [float(np.nanmax(np.asarray(marks[g].miss, dtype=float))) for g in set(groups) if _loci(marks[g])]
+        misses = [float(np.nanmax(np.asarray(marks[g].miss, dtype=float))) for g in set(groups) if of_arcs(marks[g])]
         return Barrier((ends[0], ends[1]), max(misses, default=0.0))
 
     def _named(self, phi: float, beyond: float, group: int, mark: Mark) -> Edge:
-        return Edge(phi, beyond, GAP if _loci(mark) else PARALLEL, group, mark.name)
+        return Edge(phi, beyond, GAP if of_arcs(mark) else PARALLEL, group, mark.name)
 
 
 def _least(before: float, middle: float, after: float) -> float:
@@ -316,22 +211,6 @@ def _least(before: float, middle: float, after: float) -> float:
     return middle - (after - before) ** 2 / (8 * bend) if bend > 0 else middle
 
 
-def _loci(mark: Mark) -> bool:
-    """Tell whether a meeting is of an arc, which may be out of reach; two lines are not."""
-    return crossing(mark) is None
-
-
 def _alike(one: Passed, other: Passed) -> bool:
     """Tell whether two change points are one: each is known to half the digits of an angle."""
     return one.group == other.group and abs(np.angle(np.exp(1j * (one.phi - other.phi)))) < SAME
-
-
-def bounding(phi: float, home: float, barriers: Sequence[Barrier]) -> Edge | None:
-    """Give the edge that keeps the crank from an angle, rad: of the two that bound its way from home, the nearer."""
-    if not barriers:
-        return None
-    turn = 2 * np.pi
-    ahead = min((b.edges[0] for b in barriers), key=lambda edge: float(np.mod(edge.phi - home, turn)))
-    behind = min((b.edges[1] for b in barriers), key=lambda edge: float(np.mod(home - edge.phi, turn)))
-    ways = (abs(float(np.angle(np.exp(1j * (phi - edge.phi))))) for edge in (ahead, behind))
-    return ahead if next(ways) <= next(ways) else behind

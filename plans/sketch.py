@@ -9,9 +9,9 @@ import numpy as np
 
 from geometry.errors import DraftError
 from plans.groups.kinds import KINDS
+from plans.margin import crossing, margins
 from plans.mechanism import Mechanism
 from plans.motion import Complexes, Floats
-from plans.passage import crossing, margins
 from plans.plan import Plan
 from plans.position import crank, positions
 from plans.structure import Dyad

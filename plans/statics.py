@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from plans.barrier import CHANGE
 from plans.carrying import Drawing
 from plans.drafts import Drafts
 from plans.extreme import extremes
@@ -35,7 +36,7 @@ from plans.machine import Machine
 from plans.mechanism import Output, StructureError
 from plans.motion import ORDERS, Extremes, Floats, Gap, Motion
 from plans.obstruction import obstruction
-from plans.passage import CHANGE, at_angles
+from plans.passage import at_angles
 from plans.pattern import Pattern
 from plans.stroke import NoStroke, Stroke, strokes
 from plans.study import BLOCK, Study

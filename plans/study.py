@@ -13,13 +13,14 @@ import numpy.typing as npt
 
 from geometry.errors import ConstructionError
 from plans import gaps, passage
+from plans.barrier import Barrier
 from plans.drafts import Drafts
 from plans.extreme import Found, extremes, output
 from plans.linkage import mechanism_of
 from plans.mechanism import Mechanism, Output, StructureError
 from plans.motion import Floats, Gap, Motion
 from plans.obstruction import obstruction
-from plans.passage import Barrier, Sweep
+from plans.passage import Sweep
 from plans.scene import Scene
 from plans.sketch import Assembly, SketchError, assembly
 from plans.structure import Dyad, decompose

@@ -13,8 +13,8 @@ from typing import NamedTuple
 import numpy as np
 
 from plans.analytic.blocks import Block
-from plans.analytic.closure import Flags, close, closed, inverses, settle, sharpness
-from plans.analytic.constraints import TURN, Constraints, Indices
+from plans.analytic.closure import Flags, close, closed, inverses, settle, sharpness, solutions
+from plans.analytic.constraints import TURN, Constraints, Indices, X, Y
 from plans.analytic.guess import Guess
 from plans.mechanism import Mechanism
 from plans.motion import Floats
@@ -151,8 +151,16 @@ def _from_next(block: Block, found: Floats, here: Indices, done: Indices, poses:
 
 def _from_rough(block: Block, poses: Floats, phi: Floats) -> Floats:
     """Solve a block from rough poses, with each of its links turned in all quarters."""
+    if block.linear:
+        there = _brought(block, poses)
+        for _ in range(2):  # the first step finds the turns, the next the places
+            at = block.equations.place(there)
+            step = solutions(block.equations.jacobian(at), block.equations.residual(at, phi))
+            there = block.equations.moved(there, -step)
+        there, reached = close(block.equations, there, phi)
+        return _by_sign(block, there[None], reached[None])
     turns = np.array(list(product(QUARTERS, repeat=len(block.links))))
-    starts = np.repeat(poses[None], len(turns), axis=0)
+    starts = np.repeat(_brought(block, poses)[None], len(turns), axis=0)
     starts[:, :, block.links, TURN] += turns[:, None, :]
     shape = starts.shape
     angles = np.tile(phi, len(turns))
@@ -160,6 +168,19 @@ def _from_rough(block: Block, poses: Floats, phi: Floats) -> Floats:
     # At a singular position Newton's method is slow, but the joints are closed all the same.
     reached |= closed(block.equations, there, angles)
     return _by_sign(block, there.reshape(shape), reached.reshape(shape[:2]))
+
+
+def _brought(block: Block, poses: Floats) -> Floats:
+    """Bring a block's rough poses to where its hinges with other links are: these may be far from their sketch."""
+    equations, there = block.equations, poses.copy()
+    apart = equations.place(poses).apart
+    inside = np.isin(equations.links[:, : equations.hinges], block.links)
+    ways = [(-1.0 if mine else 1.0) * apart[:, k] for k, (mine, theirs) in enumerate(inside.T) if mine != theirs]
+    if ways:
+        way = np.mean(ways, axis=0)
+        there[:, block.links, X] += way.real[:, None]
+        there[:, block.links, Y] += way.imag[:, None]
+    return there
 
 
 def _from_others(block: Block, near: Floats, poses: Floats, phi: Floats) -> Floats:

@@ -20,6 +20,9 @@ from plans.motion import Floats
 
 DEAD_CENTRE, CHANGE_POINT, PARALLEL, NOT_REACHABLE = "dead centre", "change point", "parallel guides", "not reachable"
 SHORTEST = 2.0**-30  # rad, 1e-9: the shortest step of a march
+# So near to a change point, rad, that a position is that of the change point: two ways part there by as much, and the
+# poses are known to eps over it.
+AT_CHANGE = 2.0**-23
 BESIDE = 2.0**-20  # rad from a singular position: wider than the square root of UNBORNE, in which sharpness tells
 ROUNDS = 24  # Newton squares the error; the rest is for slow beginnings
 # Taylor's polynomial from this distance misses by its cube, and the poses there are known to eps over the distance:
@@ -73,7 +76,7 @@ class End(NamedTuple):
     @property
     def blind(self) -> float:
         """Angle rad on either side of the singular position within which the march could not step."""
-        return max(abs(self.singular - self.reached), SHORTEST)
+        return max(abs(self.singular - self.reached), AT_CHANGE if self.reason == CHANGE_POINT else SHORTEST)
 
 
 class _Loss(NamedTuple):

@@ -12,6 +12,7 @@ from plans.analytic.blocks import Block
 from plans.analytic.closure import EPS, SQRT_EPS, Flags, close, close_singular, closed
 from plans.analytic.constraints import TURN, Indices
 from plans.analytic.ends import (
+    AT_CHANGE,
     BESIDE,
     CHANGE_POINT,
     CLEAR,
@@ -31,9 +32,6 @@ BLOCK = 2048  # positions solved together: their matrices stay in the cache
 # So near to a dead centre, rad, that a rounding of the crank angle moves a velocity by a thousandth of itself: more
 # than can be seen on a plan. There is a position, but no velocity is told.
 UNBORNE = 1000.0 * EPS
-# So near to a change point, rad, that a position is that of the change point: two ways part there by as much, and the
-# poses are known to eps over it.
-AT_CHANGE = 2.0**-23
 NOWHERE = 8.0 * UNBORNE  # rad from a change point in which a block has any place: no true digit of its place is left
 
 
@@ -141,7 +139,8 @@ def _at_change(found: Positions, shape: Shape, turn: Turn, end: End, places: lis
         if end.loose is not None and _apart_by(shape.blocks[end.loose], end, near, guess[0]) < NOWHERE:
             found.miss(k, "positions", DEAD_CENTRE, end)
             continue
-        flat = abs(beyond) <= AT_CHANGE  # Newton's method would only magnify roundings there
+        # Newton's method would only magnify roundings there.
+        flat = abs(beyond) <= AT_CHANGE and (end.loose is None or not _borne(shape, guess))
         poses, reached = close(shape.constraints, guess, found.phi[[k]])
         if flat or not reached[0]:
             poses = close_singular(shape.constraints, guess, found.phi[[k]])
@@ -155,8 +154,8 @@ def _at_change(found: Positions, shape: Shape, turn: Turn, end: End, places: lis
 
 def _apart_by(block: Block, end: End, near: Station, poses: Floats) -> float:
     """Give the angle rad from a change point by a block's determinant, which passes zero there as the angle does."""
-    slope = np.linalg.det(block.of_own(near.poses)) / abs(near.phi - end.singular)
-    return float(abs(np.linalg.det(block.of_own(poses)) / slope))
+    whole, there = np.linalg.det(block.of_own(near.poses)), np.linalg.det(block.of_own(poses))
+    return float(abs(there * (near.phi - end.singular) / whole)) if whole else 0.0
 
 
 def _borne(shape: Shape, poses: Floats) -> bool:
@@ -184,11 +183,19 @@ def _at_parallel(found: Positions, shape: Shape, turn: Turn, end: End, places: l
     """Place the links where guides are nearly parallel, far away; where they are parallel there is no place."""
     last = turn.stations[-1 if end is turn.upper else 0]
     for k, left in zip(places, (-end.sense * apart).tolist(), strict=True):
-        poses, reached = close(shape.constraints, wrapped(last.poses[None]), found.phi[[k]])
+        guess = wrapped(_away(last, end, max(left, UNBORNE))[None])
+        poses, reached = close(shape.constraints, guess, found.phi[[k]])
         if left >= UNBORNE and reached[0] and _same(shape, turn.near(end.reached), poses[0]):
             found.poses[k], found.regular[k] = wrapped(poses)[0], True
         elif abs(left) < UNBORNE:
             found.miss(k, "positions", PARALLEL, end)
+
+
+def _away(last: Station, end: End, left: float) -> Floats:
+    """Predict poses `left` rad before guides are parallel: what slides on them is as far away as that is short."""
+    whole = abs(end.singular - last.phi)
+    runs = np.array([whole * whole * (1.0 / left - 1.0 / whole)] * 2 + [whole - left])
+    return np.asarray(last.poses + end.sense * runs * last.first)
 
 
 def _same(shape: Shape, near: Station, poses: Floats) -> bool:
@@ -204,15 +211,26 @@ def _lost(found: Positions, shape: Shape, turn: Turn) -> None:
     lost = np.flatnonzero(untold)
     if not lost.size:
         return
-    for k, exists in zip(lost.tolist(), _assembles(shape, turn, found.phi[lost]).tolist(), strict=True):
-        end = min(turn.ends, key=lambda e: float(abs(_apart(found.phi[k], e))), default=None)
+    ends = [_bounding(phi, turn) for phi in found.phi[lost]]
+    # Beyond a change point or parallel guides it does not matter whether the links would meet.
+    open_ = np.array([end is None or end.reason in (DEAD_CENTRE, NOT_REACHABLE) for end in ends])
+    exists = np.ones(len(lost), dtype=bool)
+    if open_.any():
+        exists[open_] = _assembles(shape, turn, found.phi[lost[open_]])
+    for k, end, other in zip(lost.tolist(), ends, exists.tolist(), strict=True):
         folded = end is not None and end.reason == DEAD_CENTRE and abs(float(_apart(found.phi[k], end))) < BESIDE
-        if folded or not exists:
+        if folded or not other:
             found.miss(k, "positions", OUT_OF_REACH, end)
         elif end and end.reason == CHANGE_POINT:
             found.miss(k, "positions", BEYOND, end)
         else:
             found.miss(k, "positions", NOT_REACHABLE, end)
+
+
+def _bounding(phi: float, turn: Turn) -> End | None:
+    """Give the end that keeps the crank from an angle, rad: the nearer one, of two as near the upper."""
+    apart = [np.inf if end is None else abs(float(_apart(np.array(phi), end))) for end in (turn.upper, turn.lower)]
+    return turn.upper if apart[0] <= apart[1] + BESIDE else turn.lower
 
 
 def _assembles(shape: Shape, turn: Turn, phi: Floats) -> Flags:
