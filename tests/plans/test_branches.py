@@ -10,7 +10,9 @@ import pytest
 
 from geometry.meet import EPS
 from plans.mechanism import FRAME, Link, Mechanism, Way
+from plans.scene import parse_scene
 from plans.sketch import SketchError
+from plans.study import Study
 from tests.plans import linkages
 from tests.plans.studies import study_of
 
@@ -172,3 +174,44 @@ def test_a_parallelogram_stays_one_as_far_as_it_is_drawn(count):
 def test_a_start_at_a_change_point_is_an_error_that_tells_what_to_do(mechanism, first):
     with pytest.raises(SketchError, match="start from another crank angle"):
         study_of(mechanism, first).motion()
+
+
+NARROW = """
+[mechanism.frame]
+O = [0, 0]
+C = [0.6, 0]
+[mechanism.links]
+1 = "OA"
+2 = "AB"
+3 = "CB"
+[mechanism.lengths]
+OA = 0.1
+AB = 0.4
+CB = {rocker}
+[mechanism.sketch]
+B = [0.5, 0.25]
+[drive]
+link = 1
+speed = 10
+positions = 12
+start = 90
+"""
+
+
+@pytest.mark.parametrize("degrees", [0.4, 0.1, 0.01])
+def test_a_gap_narrower_than_the_looks_is_found(degrees: float) -> None:
+    """Stretched at 180 degrees but for a hair: the crank cannot pass a fraction of a degree of its turn."""
+    half = np.radians(degrees / 2)
+    reach = abs(0.6 - 0.1 * np.exp(1j * (np.pi - half)))
+    study = Study(parse_scene(NARROW.format(rocker=float(reach - 0.4)), "narrow.toml"))
+    (barrier,) = study.barriers
+    assert np.degrees([barrier.start, barrier.end]) == pytest.approx([180 - degrees / 2, 180 + degrees / 2], abs=1e-5)
+    assert [gap.reason for gap in study.motion(0).gaps] == ["out of reach"]  # 180 itself; the rest is reached round it
+
+
+def test_a_short_rod_stays_on_its_own_side() -> None:
+    """Rod half as long as the crank: dead centres at 30, 150, 210, 330 degrees; the far ones are not limits of ours."""
+    mechanism = linkages.slider_crank(1.0, 0.5)
+    found = gaps(mechanism, 0)
+    assert found[1] == ("velocities", "dead centre")
+    assert found[5][0] == found[7][0] == "positions"
