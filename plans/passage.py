@@ -13,6 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from geometry.board import Mark
+from geometry.meet import UNBORNE
 from plans.acceleration import accelerations
 from plans.barrier import CHANGE, GAP, PARALLEL, SAME, Barrier, Edge
 from plans.carrying import Drawing, Passed, carried
@@ -191,7 +192,7 @@ class Sweep:
         field, marks = margins(plan, self.groups, self.sides)
         with np.errstate(invalid="ignore"):
             missing = (field < 0).any(axis=1)
-            failing = ~(field > 0)
+            failing = ~(field > UNBORNE)  # with a pin that runs to infinity, groups that hang on it fail as well
         if not missing.any():
             group = int(np.nanargmin(np.nanmin(field, axis=1)))
             ends = [Edge(phi, beyond, CHANGE, group, marks[group].name) for phi, beyond in (start, end)]
