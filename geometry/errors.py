@@ -1,13 +1,13 @@
 """The exception tree.
 
 DraftError
-├── SceneError          (plans.faults)     the scene file is wrong
-├── StructureError      (plans.mechanism)  no crank plus dyads
+├── SceneError          (plans.scene.faults)     the scene file is wrong
+├── StructureError      (plans.model.mechanism)  no crank plus dyads
 ├── ConstructionError   a construction has no result
-├── SheetError          (drawings.strokes) the sheet cannot be laid out or written
-├── SelfCheckFailed     (drawings.verify)  a sheet or a comparison failed plandraft's own check
-├── Refused             (drawings.limits)  a sheet that cannot be measured
-├── FileError           (drawings.files)   a file could not be written
+├── SheetError          (drawings.paper.strokes) the sheet cannot be laid out or written
+├── SelfCheckFailed     (drawings.checks.verify) a sheet or a comparison failed plandraft's own check
+├── Refused             (drawings.paper.limits)  a sheet that cannot be measured
+├── FileError           (drawings.files)         a file could not be written
 └── LimitError          a named limit was exceeded
 """
 

@@ -24,7 +24,7 @@ if sys.argv[1]:
     except locale.Error:
         sys.exit(77)
 os.umask(int(sys.argv[2], 8))
-from drawings import cli
+from drawings.commands import cli
 for command in sys.argv[3:]:
     name, *rest = command.split(" ")
     print(command, cli.main([name, "scene.toml", *rest]), flush=True)

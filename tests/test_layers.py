@@ -12,18 +12,33 @@ ROOT = Path(__file__).parent.parent
 TOPS = ("geometry", "plans", "drawings")
 FILES = sorted(file.relative_to(ROOT).as_posix() for top in TOPS for file in (ROOT / top).rglob("*.py"))
 
-EITHER = ("geometry", "plans.analytic", "plans.plan", "plans.drafts", "plans.study", "plans.extreme", "plans.scene")
+EITHER = (
+    "geometry",
+    "plans.analytic",
+    "plans.linkage.plan",
+    "plans.linkage.drafts",
+    "plans.linkage.study",
+    "plans.linkage.extreme",
+    "plans.scene.scene",
+)
 # Folder or file: what it must not import, anywhere in its text.
 FORBIDDEN = {
     "geometry/": ("plans", "drawings"),
     "plans/": ("drawings",),
     "plans/analytic/": ("geometry.meet", "geometry.board", "geometry.replay", "geometry.precision"),
     # Loads are put on either road's motion.
-    "plans/loading.py": EITHER,
-    "plans/stroke.py": EITHER,
+    "plans/forces/loading.py": EITHER,
+    "plans/forces/stroke.py": EITHER,
 }
 # all of plans that the analytic road may know
-SHARED = ("plans.analytic", "plans.mechanism", "plans.motion", "plans.machine", "plans.kinetostatics", "plans.losses")
+SHARED = (
+    "plans.analytic",
+    "plans.model.mechanism",
+    "plans.model.motion",
+    "plans.model.machine",
+    "plans.model.kinetostatics",
+    "plans.model.losses",
+)
 ONLY_IN = {
     "svgwrite": ("drawings/pens/svg.py", "drawings/bench/plain_pen.py"),  # the bench times its defaults beside our pen
     "mpmath": ("geometry/replay.py", "plans/bench/truth.py"),
@@ -85,24 +100,24 @@ def test_all_three_layers_are_examined() -> None:
 @pytest.mark.parametrize(
     ("path", "text"),
     [
-        ("geometry/meet.py", "import plans.study"),
+        ("geometry/meet.py", "import plans.linkage.study"),
         ("geometry/meet.py", "def f():\n    from drawings.files import atomic_files"),
-        ("plans/study.py", "from drawings.files.atomic_files import write"),
+        ("plans/linkage/study.py", "from drawings.files.atomic_files import write"),
         ("plans/analytic/closure.py", "from geometry.meet import arc_arc"),
         ("plans/analytic/closure.py", "from geometry import board"),
-        ("plans/analytic/closure.py", "from plans.groups.rrr import positions"),
-        ("plans/analytic/closure.py", "from plans import velocity"),
-        ("plans/analytic/friction.py", "from plans.rubbing import lost"),
-        ("plans/analytic/friction.py", "from plans import locking, friction"),
-        ("plans/loading.py", "from plans.study import Study"),
-        ("drawings/page.py", "import svgwrite"),
+        ("plans/analytic/closure.py", "from plans.linkage.groups.rrr import positions"),
+        ("plans/analytic/closure.py", "from plans.linkage import velocity"),
+        ("plans/analytic/friction.py", "from plans.forces.rubbing import lost"),
+        ("plans/analytic/friction.py", "from plans.forces import locking, friction"),
+        ("plans/forces/loading.py", "from plans.linkage.study import Study"),
+        ("drawings/page/page.py", "import svgwrite"),
         ("drawings/pens/svg.py", "from .strokes import Line"),
         ("geometry/replay.py", "import mpmath"),
-        ("plans/compare.py", "def f():\n    import mpmath"),
-        ("plans/study.py", "from scipy import integrate"),
-        ("drawings/layout.py", "class A:\n    from shapely.geometry import box"),
-        ("drawings/report.py", "if True:\n    import matplotlib.pyplot"),
-        ("drawings/report.py", "def f():\n    from matplotlib.figure import Figure"),
+        ("plans/checks/compare.py", "def f():\n    import mpmath"),
+        ("plans/linkage/study.py", "from scipy import integrate"),
+        ("drawings/layout/labels.py", "class A:\n    from shapely.geometry import box"),
+        ("drawings/report/report.py", "if True:\n    import matplotlib.pyplot"),
+        ("drawings/report/report.py", "def f():\n    from matplotlib.figure import Figure"),
         ("drawings/bench/plot.py", "from matplotlib.figure import Figure"),
         ("plans/bench/peers.py", "import mechanism"),
         ("plans/bench/roads.py", "def f():\n    import pylinkage"),
@@ -122,13 +137,13 @@ def test_a_planted_fault_is_seen(path: str, text: str) -> None:
             "plans/analytic/closure.py",
             "from plans.analytic.constraints import X\nfrom geometry.errors import DraftError",
         ),
-        ("plans/analytic/closure.py", "from plans.mechanism import FRAME\nfrom plans.motion import Motion"),
+        ("plans/analytic/closure.py", "from plans.model.mechanism import FRAME\nfrom plans.model.motion import Motion"),
         ("drawings/pens/svg.py", "import svgwrite\nfrom svgwrite import shapes"),
-        ("drawings/layout.py", "def f():\n    from shapely import geometry"),
+        ("drawings/layout/labels.py", "def f():\n    from shapely import geometry"),
         ("drawings/bench/plain_pen.py", "import svgwrite"),
         ("drawings/bench/plot.py", "def f():\n    from matplotlib.figure import Figure"),
         ("plans/bench/truth.py", "def f():\n    import mpmath"),
-        ("drawings/report.py", "from plans.study import Study\nfrom geometry.board import at"),
+        ("drawings/report/report.py", "from plans.linkage.study import Study\nfrom geometry.board import at"),
     ],
 )
 def test_what_is_allowed_is_let_pass(path: str, text: str) -> None:

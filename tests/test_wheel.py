@@ -62,7 +62,7 @@ def test_it_holds_the_gallery(wheel: zipfile.ZipFile) -> None:
 
 def test_it_installs_the_command(wheel: zipfile.ZipFile, info: str) -> None:
     lines = wheel.read(f"{info}entry_points.txt").decode().splitlines()
-    assert "plandraft = drawings.process:run" in lines
+    assert "plandraft = drawings.commands.process:run" in lines
 
 
 def test_it_holds_the_licence_and_says_what_it_needs(wheel: zipfile.ZipFile, info: str) -> None:

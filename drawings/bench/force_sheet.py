@@ -9,18 +9,18 @@ import numpy as np
 
 from drawings.bench.sheet import BY_HAND, Drawn, scale
 from drawings.files import atomic_files
-from drawings.lettering import lettered
-from drawings.measure import Measured, measure_file
+from drawings.lettering.lettering import lettered
+from drawings.measure.measure import Measured, measure_file
 from drawings.pens.svg import svg
 from drawings.sheets import forces as sheets
 from geometry.errors import DraftError
 from plans.bench.draughtsman import SLIPS, Hand, Toll, toll
 from plans.bench.forces import prepared
 from plans.bench.truth import replay
-from plans.force_comparison import compare_forces
-from plans.motion import ORDERS
-from plans.statics import Statics
-from plans.study import Study
+from plans.checks.force_comparison import compare_forces
+from plans.forces.statics import Statics
+from plans.linkage.study import Study
+from plans.model.motion import ORDERS
 
 FORCES_BY_HAND = f"forces {BY_HAND}"
 FORCES = "forces"  # the board of the record, on a sheet a figure of each group: "forces-4-5"

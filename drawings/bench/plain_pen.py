@@ -10,8 +10,8 @@ from typing import Any
 
 import svgwrite
 
-from drawings.lettering import outline
-from drawings.strokes import Arc, Circle, Fill, Group, Leaf, Line, LineStyle, Polyline, Stroke, Text
+from drawings.lettering.lettering import outline
+from drawings.paper.strokes import Arc, Circle, Fill, Group, Leaf, Line, LineStyle, Polyline, Stroke, Text
 
 
 def svg(leaf: Leaf) -> bytes:

@@ -21,8 +21,8 @@ from plans.bench.machine import machine
 from plans.bench.peers import MECHANISM, PYLINKAGE
 from plans.bench.result import Bench, Goal, Ratio, Row
 from plans.bench.roads import CONSTRUCTION, ROUNDING, compared, ground, prepared, roads, timed
-from plans.scene import Scene
-from plans.study import Study
+from plans.linkage.study import Study
+from plans.scene.scene import Scene
 
 SAMPLE = 24  # positions at which the truth is found: each takes 10 ms and more, and more of them show no other error
 BUDGET = 1.0  # seconds of a row, after which it is repeated no more: the whole stays within a minute

@@ -11,25 +11,25 @@ from typing import Any
 
 import numpy as np
 
-from drawings import value_table
 from drawings.bench import plain_pen
 from drawings.files import atomic_files
-from drawings.lettering import lettered
-from drawings.measure import Measured, measure_file
+from drawings.layout import value_table
+from drawings.lettering.lettering import lettered
+from drawings.lettering.words import runs
+from drawings.measure.measure import Measured, measure_file
+from drawings.paper.strokes import Leaf
 from drawings.pens import letters
 from drawings.pens.svg import svg
 from drawings.sheets import kinematics
-from drawings.strokes import Leaf
-from drawings.words import runs
 from geometry.errors import DraftError
 from plans.bench.clock import Times, interleaved
 from plans.bench.draughtsman import SLIPS, Hand, Toll, toll
 from plans.bench.error import Errors, errors
 from plans.bench.roads import Ground, Road
 from plans.bench.truth import Exact, Truth, replay
-from plans.compare import Comparison, compare
-from plans.motion import LINK_KEYS, LINK_SYMBOLS, ORDERS, POINT_KEYS
-from plans.study import Study
+from plans.checks.compare import Comparison, compare
+from plans.linkage.study import Study
+from plans.model.motion import LINK_KEYS, LINK_SYMBOLS, ORDERS, POINT_KEYS
 
 MEASURED, PRINTED = "sheet: measured back", "sheet: its table"
 BY_HAND = "by hand to {} mm"

@@ -12,7 +12,7 @@ from pathlib import Path
 from plans.bench.clock import Times, interleaved
 
 ROOT = Path(__file__).parent.parent.parent  # where the three packages are found, installed or not
-DRAW = "from drawings.cli import run; run()"
+DRAW = "from drawings.commands.cli import run; run()"
 IMPORTS = "import numpy, svgwrite"
 
 

@@ -11,9 +11,9 @@ from drawings.bench.session import ACCEPTED, Order, session
 from drawings.bench.sheet import DRAWN
 from drawings.files import atomic_files
 from geometry.errors import LimitError
-from plans.fields import POSITIONS_LIMIT
-from plans.scene import read_scene
-from plans.study import Study
+from plans.linkage.study import Study
+from plans.scene.fields import POSITIONS_LIMIT
+from plans.scene.scene import read_scene
 
 GAPS = 4
 POSITIONS, QUICK_POSITIONS = (12, 360, 10_000, 100_000), (12, 360)

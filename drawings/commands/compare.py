@@ -6,12 +6,12 @@ import argparse
 
 import numpy as np
 
-from drawings.json_text import print_json
-from drawings.report import left_out
-from drawings.talk import noted
-from plans.compare import Comparison, Finding, compare, compare_extremes
-from plans.scene import read_scene
-from plans.study import Study
+from drawings.commands.talk import noted
+from drawings.files.json_text import print_json
+from drawings.report.report import left_out
+from plans.checks.compare import Comparison, Finding, compare, compare_extremes
+from plans.linkage.study import Study
+from plans.scene.scene import read_scene
 
 GAPS, FAILED = 4, 5
 
@@ -21,8 +21,8 @@ def run(options: argparse.Namespace) -> int:
     study = Study(noted(read_scene(options.scene)))
     comparison = compare_extremes(study, compare(study))
     if "forces" in study.scene.sheets:
-        from plans.force_comparison import compare_forces
-        from plans.statics import Statics
+        from plans.checks.force_comparison import compare_forces
+        from plans.forces.statics import Statics
 
         comparison = compare_forces(Statics(study), comparison)
     if options.json:

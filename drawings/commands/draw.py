@@ -9,26 +9,26 @@ from itertools import chain, takewhile
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
+from drawings.commands.process import tell
+from drawings.commands.talk import noted, verdict
+from drawings.commands.trace import Trace
 from drawings.files.atomic_files import staged
 from drawings.files.manifest import manifest_name, manifest_of, read_manifest
 from drawings.files.sheet_set import output_folder, publish
-from drawings.lettering import UnknownLetter, demand, lettered
-from drawings.process import tell
-from drawings.report import report, shallow, shown, summary
-from drawings.strokes import Run, SheetError, Text
-from drawings.talk import noted, verdict
-from drawings.trace import Trace
-from drawings.words import runs
+from drawings.lettering.lettering import UnknownLetter, demand, lettered
+from drawings.lettering.words import runs
+from drawings.paper.strokes import Run, SheetError, Text
+from drawings.report.report import report, shallow, shown, summary
 from geometry.errors import LimitError
-from plans.compare import Comparison, compare, compare_extremes
-from plans.motion import ORDERS
-from plans.scene import Scene, read_scene
-from plans.study import Study
-from plans.wording import said
+from plans.checks.compare import Comparison, compare, compare_extremes
+from plans.linkage.study import Study
+from plans.model.motion import ORDERS
+from plans.scene.scene import Scene, read_scene
+from plans.scene.wording import said
 
 if TYPE_CHECKING:
-    from drawings.strokes import Leaf
-    from plans.statics import Statics
+    from drawings.paper.strokes import Leaf
+    from plans.forces.statics import Statics
 
 GAPS = 4
 POSITIONS_DRAWN = 360  # more positions than degrees cannot be told apart on any sheet
@@ -86,7 +86,7 @@ def _statics(study: Study) -> Statics | None:
     """Give the statics of a study, whose forces are made; None where no sheet asks for them."""
     if "forces" not in study.scene.sheets:
         return None
-    from plans.statics import Statics
+    from plans.forces.statics import Statics
 
     statics = Statics(study)
     _ = statics.forces
@@ -97,7 +97,7 @@ def _compared(study: Study, statics: Statics | None) -> Comparison:
     comparison = compare_extremes(study, compare(study))
     if statics is None:
         return comparison
-    from plans.force_comparison import compare_forces
+    from plans.checks.force_comparison import compare_forces
 
     return compare_forces(statics, comparison)
 
@@ -139,7 +139,7 @@ def _own_words(scene: Scene) -> Iterator[tuple[tuple[str | int, ...], str]]:
 
 
 def _agree(comparison: Comparison) -> None:
-    from drawings.verify import SelfCheckFailed
+    from drawings.checks.verify import SelfCheckFailed
 
     for road, gap in comparison.alone[:1]:
         said_of = f"position {gap.position} ({gap.plan}: {gap.reason})"
@@ -165,8 +165,8 @@ def _agree(comparison: Comparison) -> None:
 def _sheets(study: Study, comparison: Comparison, statics: Statics | None, folder: Path, trace: Trace) -> Drawn:
     """Lay out, write beside, measure back, and only then give the sheets their names: all of them or none."""
     with trace.stage("imports"):
+        from drawings.checks.verify import check_report, verify
         from drawings.pens.svg import svg
-        from drawings.verify import check_report, verify
 
     scene = study.scene
     with trace.stage("layout"):

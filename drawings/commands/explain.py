@@ -8,18 +8,18 @@ import re
 
 import numpy as np
 
-from drawings.json_text import print_json
-from drawings.talk import noted
+from drawings.commands.talk import noted
+from drawings.files.json_text import print_json
 from geometry.board import Arc, Line, Mark, at, behind
 from geometry.errors import DraftError
 from geometry.meet import cross
 from geometry.precision import condition
-from plans.drafts import Drafts
-from plans.mechanism import FRAME
-from plans.motion import ORDERS, POINT_UNITS
-from plans.plan import Plan
-from plans.scene import read_scene
-from plans.study import Study
+from plans.linkage.drafts import Drafts
+from plans.linkage.plan import Plan
+from plans.linkage.study import Study
+from plans.model.mechanism import FRAME
+from plans.model.motion import ORDERS, POINT_UNITS
+from plans.scene.scene import read_scene
 
 PAIR = re.compile(r"[RPF]_(?P<giver>\d+?),?(?P<taker>\d+)")  # a reaction: of the first link on the second
 UNITS = {**dict(zip(ORDERS, POINT_UNITS, strict=True)), "forces": "N", "lever": "m/s"}
@@ -64,8 +64,8 @@ def _force(study: Study, position: int, name: str) -> tuple[list[Mark], str]:
     """Find a mark of the force plan: R_34, its parts R^t_34, a load, M_bal; and say so where its opposite was found."""
     if not (study.scene.masses or study.scene.loads) or name in _letters(study):
         return [], ""
-    from plans.cut import indices
-    from plans.statics import Statics
+    from plans.forces.cut import indices
+    from plans.forces.statics import Statics
 
     board = Statics(study).drafts([position]).plans.plan.board
     told = name.replace("Phi", "Φ")

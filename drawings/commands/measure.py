@@ -5,11 +5,11 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+from drawings.commands.process import tell
+from drawings.files.json_text import print_json
 from drawings.files.manifest import manifest_beside
-from drawings.json_text import print_json
-from drawings.limits import Refused
-from drawings.measure import Measured, check, measure_file
-from drawings.process import tell
+from drawings.measure.measure import Measured, check, measure_file
+from drawings.paper.limits import Refused
 
 FAILED = 5
 

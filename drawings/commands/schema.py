@@ -6,7 +6,7 @@ import argparse
 import json
 
 from drawings.files import atomic_files
-from plans.schema import schema
+from plans.scene.schema import schema
 
 
 def run(options: argparse.Namespace) -> int:

@@ -8,18 +8,18 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from drawings.json_text import print_json
-from drawings.numbers import pairs, plain
-from drawings.process import tell
-from drawings.talk import noted
-from drawings.trace import Trace
-from plans.motion import LINK_KEYS, ORDERS, POINT_KEYS, Extremes, Gap, Motion
-from plans.scene import read_scene
-from plans.study import Study
+from drawings.commands.process import tell
+from drawings.commands.talk import noted
+from drawings.commands.trace import Trace
+from drawings.files.json_text import print_json
+from drawings.report.numbers import pairs, plain
+from plans.linkage.study import Study
+from plans.model.motion import LINK_KEYS, ORDERS, POINT_KEYS, Extremes, Gap, Motion
+from plans.scene.scene import read_scene
 
 if TYPE_CHECKING:
-    from plans.kinetostatics import Kinetostatics
-    from plans.losses import Friction
+    from plans.model.kinetostatics import Kinetostatics
+    from plans.model.losses import Friction
 
 GAPS = 4
 FORCES = ("forces", "friction")
@@ -66,12 +66,12 @@ def _construction(study: Study, order: int, forces: Sequence[str]) -> Numbers:
     extremes = study.found.extremes if study.scene.drive.first is None and study.found else None
     if not forces:
         return Numbers(motion, extremes, {}, bool(motion.gaps))
-    from plans.statics import Statics
+    from plans.forces.statics import Statics
 
     statics = Statics(study)
 
     def rubbed() -> Friction:
-        from plans.friction import friction
+        from plans.forces.friction import friction
 
         return friction(study.mechanism, study.groups, statics.machine, motion, statics.loading(motion), statics.forces)
 
@@ -94,8 +94,8 @@ def _analysis(study: Study, order: int, forces: Sequence[str]) -> Numbers:
     if not forces:
         return Numbers(motion, found, {}, bool(motion.gaps))
     from plans.analytic.kinetostatics import kinetostatics
-    from plans.loading import loading
-    from plans.statics import Statics
+    from plans.forces.loading import loading
+    from plans.forces.statics import Statics
 
     statics = Statics(study)
     loads = loading(statics.machine, motion, statics.over(road.extremes))
@@ -113,8 +113,8 @@ def _forces(
     study: Study, wanted: Sequence[str], forces: Kinetostatics, friction: Callable[[], Friction]
 ) -> dict[str, Any]:
     """Give what is wanted of the forces of one road as plain data; their gaps stand beside those of the motion."""
-    from drawings.force_numbers import described as described_forces
-    from drawings.force_numbers import rubbed
+    from drawings.report.force_numbers import described as described_forces
+    from drawings.report.force_numbers import rubbed
 
     told: dict[str, Any] = {"gaps": [_gap(gap) for gap in forces.gaps]}
     if "forces" in wanted:

@@ -16,7 +16,7 @@ from pathlib import Path
 
 from drawings.files.file_error import FileError, told
 from drawings.files.lock import locked
-from drawings.limits import ORPHAN_AGE, SWEEP_ENTRIES
+from drawings.paper.limits import ORPHAN_AGE, SWEEP_ENTRIES
 
 PREFIX = ".plandraft-"
 

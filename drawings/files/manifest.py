@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from drawings import VERSION
-from drawings.json_text import json_text
-from drawings.seal import digest, seal_of
+from drawings.files.json_text import json_text
+from drawings.measure.seal import digest, seal_of
 from geometry.regular_file import regular_bytes
 
 FORMAT = 1

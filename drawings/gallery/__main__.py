@@ -12,9 +12,9 @@ from drawings.files import atomic_files
 from drawings.files.file_error import FileError
 from drawings.gallery.catalogue import GALLERY, catalogue
 from drawings.gallery.index import PAGE, Exhibit, index
-from drawings.lettering import lettered
+from drawings.lettering.lettering import lettered
+from drawings.lettering.specimen import specimen
 from drawings.pens.svg import svg
-from drawings.specimen import specimen
 from geometry.errors import DraftError
 
 FILES = 7

@@ -10,10 +10,10 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.gallery.catalogue import Entry
-from drawings.words import number
-from plans.structure import Dyad, formula, mechanism_class
-from plans.study import Study
-from plans.travel import frame_slide
+from drawings.lettering.words import number
+from plans.linkage.study import Study
+from plans.linkage.travel import frame_slide
+from plans.model.structure import Dyad, formula, mechanism_class
 
 PAGE = "README.md"
 

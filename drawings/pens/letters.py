@@ -10,11 +10,11 @@ import cmath
 import math
 from functools import lru_cache
 
-from drawings.alphabet import SLANT
-from drawings.curves import curves
-from drawings.lettering import letters_of, width
-from drawings.limits import REACH
-from drawings.strokes import SheetError, Text
+from drawings.lettering.alphabet import SLANT
+from drawings.lettering.curves import curves
+from drawings.lettering.lettering import letters_of, width
+from drawings.paper.limits import REACH
+from drawings.paper.strokes import SheetError, Text
 
 HUNDREDTH = 100  # of a millimetre: a tenth of what a thin line is wide
 

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Iterator
 from typing import TypeAlias
 
-from drawings.strokes import Group, SheetError
+from drawings.paper.strokes import Group, SheetError
 
 Attributes: TypeAlias = dict[str, str]
 

@@ -7,8 +7,8 @@ import re
 from collections.abc import Iterable
 from functools import lru_cache
 
-from drawings.limits import DECIMALS, REACH
-from drawings.strokes import SheetError
+from drawings.paper.limits import DECIMALS, REACH
+from drawings.paper.strokes import SheetError
 
 _WHOLE = "." + "0" * DECIMALS
 _ZEROS = re.compile(r"0+(?![\d.!])")

@@ -7,8 +7,8 @@ from collections.abc import Iterable
 from itertools import pairwise
 from typing import TypeAlias
 
+from drawings.paper.strokes import Arc, Fill, Line, Polyline
 from drawings.pens.numerals import numbers
-from drawings.strokes import Arc, Fill, Line, Polyline
 
 Plain: TypeAlias = Line | Polyline | Arc | Fill
 

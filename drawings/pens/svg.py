@@ -15,16 +15,11 @@ from itertools import groupby
 from typing import Any
 from xml.etree import ElementTree
 
-from drawings.alphabet import GAP
-from drawings.lettering import index_size, pen, width
-from drawings.limits import FORMAT
-from drawings.pens.deferred import deferred
-from drawings.pens.letters import lettering
-from drawings.pens.names import Attributes, data_of, legal, own_ids
-from drawings.pens.numerals import number, numbers
-from drawings.pens.paths import Plain, commands
-from drawings.seal import seal
-from drawings.strokes import (
+from drawings.lettering.alphabet import GAP
+from drawings.lettering.lettering import index_size, pen, width
+from drawings.measure.seal import seal
+from drawings.paper.limits import FORMAT
+from drawings.paper.strokes import (
     LOWERED,
     RAISED,
     Arc,
@@ -39,6 +34,11 @@ from drawings.strokes import (
     Stroke,
     Text,
 )
+from drawings.pens.deferred import deferred
+from drawings.pens.letters import lettering
+from drawings.pens.names import Attributes, data_of, legal, own_ids
+from drawings.pens.numerals import number, numbers
+from drawings.pens.paths import Plain, commands
 
 # A sheet fetches no fonts from the web, and its paths are not checked by svgwrite: half of its import is for these.
 with deferred("urllib.request", "svgwrite.data.svgparser"):

@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 
-from drawings.strokes import SheetError
-from plans.compare import Comparison
-from plans.study import Study
-from plans.travel import frame_slide
+from drawings.paper.strokes import SheetError
+from plans.checks.compare import Comparison
+from plans.linkage.study import Study
+from plans.linkage.travel import frame_slide
 
 
 def position(study: Study, comparison: Comparison) -> int:

@@ -6,14 +6,14 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from drawings.force_letters import lettered
+from drawings.figures.forces.force_letters import lettered
+from drawings.lettering.words import number, runs, word
 from drawings.sheets.notes import lengths
-from drawings.words import number, runs, word
 from geometry.board import at
-from plans.kinetostatics import NOTHING
-from plans.machine import ALWAYS, GEAR, Force, Moment
-from plans.primary import DRIVING
-from plans.statics import Statics
+from plans.forces.primary import DRIVING
+from plans.forces.statics import Statics
+from plans.model.kinetostatics import NOTHING
+from plans.model.machine import ALWAYS, GEAR, Force, Moment
 
 NBSP = "\N{NO-BREAK SPACE}"
 INDEX = ("friction index", "useful index")  # of powers

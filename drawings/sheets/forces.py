@@ -10,27 +10,29 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from drawings import curve_graph, force_polygon, force_table, hodograph, lever_plan, loading_scheme, value_table
-from drawings.force_equations import Equations
-from drawings.force_letters import lettered
-from drawings.hand import Hand
-from drawings.layout import Ink, Labels
-from drawings.page import Page, page_of
-from drawings.picture import Picture, Spot
+from drawings.figures.forces import force_polygon, force_table, lever_plan, loading_scheme
+from drawings.figures.forces.force_equations import Equations
+from drawings.figures.forces.force_letters import lettered
+from drawings.figures.graphs import curve_graph, hodograph
+from drawings.layout import value_table
+from drawings.layout.labels import Ink, Labels
+from drawings.layout.picture import Picture, Spot
+from drawings.layout.shelves import Composed, Content, compose
+from drawings.lettering.words import word
+from drawings.page.page import Page, page_of
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import Group, Leaf, SheetError, Stroke
 from drawings.sheets.choice import position
 from drawings.sheets.force_notes import notes
 from drawings.sheets.kinematics import KEPT
 from drawings.sheets.notes import measured, written
-from drawings.shelves import Composed, Content, compose
-from drawings.strokes import Group, Leaf, SheetError, Stroke
-from drawings.words import word
-from plans.compare import Comparison
-from plans.cut import Cut, indices
-from plans.kinetostatics import Kinetostatics
-from plans.primary import BALANCING
-from plans.statics import Statics
-from plans.structure import formula
-from plans.study import Study
+from plans.checks.compare import Comparison
+from plans.forces.cut import Cut, indices
+from plans.forces.primary import BALANCING
+from plans.forces.statics import Statics
+from plans.linkage.study import Study
+from plans.model.kinetostatics import Kinetostatics
+from plans.model.structure import formula
 
 CHOICES = 12  # positions that a message offers at most
 LARGEST = 2.2  # times the least size at which it is legible: a crank is not drawn larger than the mechanism

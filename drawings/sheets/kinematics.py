@@ -8,24 +8,25 @@ from typing import Any
 
 import numpy as np
 
-from drawings import position_plan, value_table, vector_plan
-from drawings.composition import Composed, compose
-from drawings.hand import Hand
-from drawings.layout import Ink, Labels
-from drawings.page import Field, Page, page_of
-from drawings.pairs import Pairs
-from drawings.picture import Margins, Picture, Spot, picture
+from drawings.figures.linkage import position_plan, vector_plan
+from drawings.figures.linkage.pairs import Pairs
+from drawings.figures.linkage.skeleton import Skeletons, skeletons
+from drawings.figures.linkage.vector_plan import Diagram, Figure, diagram, figure
+from drawings.layout import value_table
+from drawings.layout.composition import Composed, compose
+from drawings.layout.labels import Ink, Labels
+from drawings.layout.picture import Margins, Picture, Spot, picture
+from drawings.layout.trials import Content
+from drawings.lettering.words import word
+from drawings.page.page import Field, Page, page_of
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import Group, Leaf, Text, text_width
 from drawings.sheets.choice import plans, position
 from drawings.sheets.notes import measured, notes, written
-from drawings.skeleton import Skeletons, skeletons
-from drawings.strokes import Group, Leaf, Text, text_width
-from drawings.trials import Content
-from drawings.vector_plan import Diagram, Figure, diagram, figure
-from drawings.words import word
-from plans.compare import Comparison
-from plans.motion import ORDERS
-from plans.structure import formula
-from plans.study import Study
+from plans.checks.compare import Comparison
+from plans.linkage.study import Study
+from plans.model.motion import ORDERS
+from plans.model.structure import formula
 
 # Paper around the plan of positions in sizes of its letters: numbers, symbols, and above it the dimension of a stroke.
 MARGINS = Margins(3.5, 3.5, 11.0)

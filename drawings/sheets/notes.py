@@ -7,15 +7,15 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from drawings.footing import Notes
-from drawings.page import Field
-from drawings.strokes import Group, Stroke, Text, text_width
-from drawings.words import fixed, number, runs, word
-from plans.compare import Comparison
-from plans.pressure import interval
-from plans.structure import formula, mechanism_class
-from plans.study import Study
-from plans.wording import said as worded
+from drawings.layout.footing import Notes
+from drawings.lettering.words import fixed, number, runs, word
+from drawings.page.page import Field
+from drawings.paper.strokes import Group, Stroke, Text, text_width
+from plans.checks.compare import Comparison
+from plans.linkage.pressure import interval
+from plans.linkage.study import Study
+from plans.model.structure import formula, mechanism_class
+from plans.scene.wording import said as worded
 
 TOGETHER = re.compile(r" (=|…|−|[+]) ")
 MOST_LENGTHS = 16  # of a mechanism with more the report and the scene tell them

@@ -8,10 +8,10 @@ import numpy as np
 
 from plans.analytic.constraints import TURN, Constraints, X, Y
 from plans.analytic.points import place
-from plans.kinetostatics import Balancing
-from plans.machine import FORCE, GEAR, Transmission
-from plans.mechanism import Drive, Mechanism
-from plans.motion import Complexes, Floats
+from plans.model.kinetostatics import Balancing
+from plans.model.machine import FORCE, GEAR, Transmission
+from plans.model.mechanism import Drive, Mechanism
+from plans.model.motion import Complexes, Floats
 
 
 class Action(NamedTuple):

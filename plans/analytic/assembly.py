@@ -16,8 +16,8 @@ from plans.analytic.blocks import Block
 from plans.analytic.closure import Flags, close, closed, inverses, settle, sharpness, solutions
 from plans.analytic.constraints import TURN, Constraints, Indices, X, Y
 from plans.analytic.guess import Guess
-from plans.mechanism import Mechanism
-from plans.motion import Floats
+from plans.model.mechanism import Mechanism
+from plans.model.motion import Floats
 
 QUARTERS = np.pi / 2 * np.array([0.0, 1.0, -1.0, 2.0])
 COARSE = 24  # crank angles among many that are solved from rough poses; the others are from their neighbours

@@ -12,8 +12,8 @@ from typing import NamedTuple
 import numpy as np
 
 from plans.analytic.constraints import Constraints, Indices
-from plans.mechanism import StructureError
-from plans.motion import Floats
+from plans.model.mechanism import StructureError
+from plans.model.motion import Floats
 
 FREEDOM = 3  # unknowns of a link
 

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from plans.analytic.constraints import TURN, Constraints
-from plans.motion import Floats
+from plans.model.motion import Floats
 
 Flags = npt.NDArray[np.bool_]
 

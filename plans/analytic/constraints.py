@@ -13,8 +13,8 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from plans.mechanism import Mechanism, StructureError, Way
-from plans.motion import Complexes, Floats
+from plans.model.mechanism import Mechanism, StructureError, Way
+from plans.model.motion import Complexes, Floats
 
 Indices = npt.NDArray[np.intp]
 X, Y, TURN = range(3)

@@ -16,7 +16,7 @@ from plans.analytic.blocks import Block
 from plans.analytic.closure import EPS, SQRT_EPS, closed
 from plans.analytic.constraints import TURN, Constraints
 from plans.analytic.sharpness import sharpness
-from plans.motion import Floats
+from plans.model.motion import Floats
 
 DEAD_CENTRE, CHANGE_POINT, PARALLEL, NOT_REACHABLE = "dead centre", "change point", "parallel guides", "not reachable"
 SHORTEST = 2.0**-30  # rad, 1e-9: the shortest step of a march

@@ -19,9 +19,9 @@ from plans.analytic.kinematics import Analysis
 from plans.analytic.positions import blocks
 from plans.analytic.power import reduced_moment, transfers
 from plans.analytic.turn import TRUST
-from plans.kinetostatics import Loading
-from plans.machine import Machine
-from plans.motion import Floats, Motion
+from plans.model.kinetostatics import Loading
+from plans.model.machine import Machine
+from plans.model.motion import Floats, Motion
 
 # A central difference of order 8, over positions 1 to 4 steps away, misses by step^8 f9/630 and magnifies roundings by
 # 2.1/step: the ninth root of eps makes both eps^(8/9) = 1e-14 where the crank angle in rad is the measure in which the

@@ -14,8 +14,8 @@ from plans.analytic.closure import EPS, SQRT_EPS, Flags
 from plans.analytic.constraints import TURN, Constraints, X, Y
 from plans.analytic.ends import Station
 from plans.analytic.turn import FULL, Blocks, Turn, station, stations_at, whole_turn
-from plans.mechanism import FRAME, Mechanism, Output, Slide
-from plans.motion import Extremes, Floats
+from plans.model.mechanism import FRAME, Mechanism, Output, Slide
+from plans.model.motion import Extremes, Floats
 
 ROUNDS = 64  # bisection alone makes 53 digits of a stride
 ROUNDINGS = 2.0  # of a crank angle: a step of so much is none

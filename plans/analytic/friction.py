@@ -17,11 +17,11 @@ from plans.analytic.kinematics import Analysis
 from plans.analytic.kinetostatics import kinetostatics
 from plans.analytic.points import place, speed
 from plans.analytic.power import reduced_moment, transfers
-from plans.kinetostatics import Applied, Kinetostatics, Loading, Pair, Reaction, Twist
-from plans.losses import CENTRAL, SLANTED, TILTED, Friction, Jam
-from plans.machine import Machine, Rubbing, Transmission
-from plans.mechanism import FRAME
-from plans.motion import Floats, Motion
+from plans.model.kinetostatics import Applied, Kinetostatics, Loading, Pair, Reaction, Twist
+from plans.model.losses import CENTRAL, SLANTED, TILTED, Friction, Jam
+from plans.model.machine import Machine, Rubbing, Transmission
+from plans.model.mechanism import FRAME
+from plans.model.motion import Floats, Motion
 
 ANGLES = 6.0 * EPS  # an angle of a turn is divided, started from and told in radians; two of them make a step
 

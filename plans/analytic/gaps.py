@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from plans.analytic.ends import CHANGE_POINT, DEAD_CENTRE, NOT_REACHABLE, PARALLEL, End
-from plans.kinetostatics import FORCES, INDETERMINATE
-from plans.motion import Gap
+from plans.model.kinetostatics import FORCES, INDETERMINATE
+from plans.model.motion import Gap
 
 OUT_OF_REACH, BEYOND = "out of reach", "beyond a change point"
 

@@ -12,8 +12,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from plans.analytic.constraints import TURN, Constraints, X, Y
-from plans.mechanism import FRAME, Mechanism, Slide
-from plans.motion import Floats
+from plans.model.mechanism import FRAME, Mechanism, Slide
+from plans.model.motion import Floats
 
 Pose = tuple[complex, float]  # origin m and turn rad of a link's own frame
 

@@ -6,10 +6,10 @@ import numpy as np
 
 from plans.analytic.constraints import TURN, Constraints
 from plans.analytic.points import acceleration, place, speed
-from plans.kinetostatics import Applied, Loading, Twist
-from plans.machine import Machine
-from plans.mechanism import Mechanism
-from plans.motion import Floats, Motion
+from plans.model.kinetostatics import Applied, Loading, Twist
+from plans.model.machine import Machine
+from plans.model.mechanism import Mechanism
+from plans.model.motion import Floats, Motion
 
 
 def borne(mechanism: Mechanism, machine: Machine, motion: Motion) -> Loading:

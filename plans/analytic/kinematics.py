@@ -11,8 +11,8 @@ from plans.analytic.constraints import TURN, Constraints, X, Y
 from plans.analytic.extremes import extremes
 from plans.analytic.positions import blocks, find, wrapped
 from plans.analytic.turn import Turn
-from plans.mechanism import FRAME, Mechanism, Output
-from plans.motion import Extremes, Floats, Gap, LinkMotion, Motion, PointMotion
+from plans.model.mechanism import FRAME, Mechanism, Output
+from plans.model.motion import Extremes, Floats, Gap, LinkMotion, Motion, PointMotion
 
 DEGREES = np.radians(np.arange(360.0))  # the whole degrees of a turn
 

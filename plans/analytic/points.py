@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from plans.analytic.constraints import TURN, Constraints
-from plans.mechanism import Mechanism
-from plans.motion import Complexes, Floats, Motion
+from plans.model.mechanism import Mechanism
+from plans.model.motion import Complexes, Floats, Motion
 
 
 def place(constraints: Constraints, poses: Floats, link: int, own: complex) -> Complexes:

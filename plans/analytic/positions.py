@@ -26,7 +26,7 @@ from plans.analytic.ends import (
 from plans.analytic.gaps import BEYOND, OUT_OF_REACH, gap
 from plans.analytic.sharpness import DOUBTFUL, least
 from plans.analytic.turn import FULL, Turn, survey
-from plans.motion import Floats, Gap
+from plans.model.motion import Floats, Gap
 
 BLOCK = 2048  # positions solved together: their matrices stay in the cache
 # So near to a dead centre, rad, that a rounding of the crank angle moves a velocity by a thousandth of itself: more

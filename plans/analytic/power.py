@@ -10,9 +10,9 @@ from plans.analytic.inertia import borne
 from plans.analytic.kinematics import Analysis
 from plans.analytic.points import speed
 from plans.analytic.positions import blocks
-from plans.kinetostatics import Loading
-from plans.machine import Machine
-from plans.motion import Floats, Motion
+from plans.model.kinetostatics import Loading
+from plans.model.machine import Machine
+from plans.model.motion import Floats, Motion
 
 
 def balancing_moment(road: Analysis, machine: Machine, motion: Motion, loading: Loading) -> Floats:

@@ -12,7 +12,7 @@ import numpy as np
 from plans.analytic.blocks import Block
 from plans.analytic.closure import SQRT_EPS, inverses
 from plans.analytic.constraints import Placement
-from plans.motion import Complexes, Floats
+from plans.model.motion import Complexes, Floats
 
 # Less sharp than this, two assemblies of a block lie hardly farther apart than the rounding of their poses, eps over
 # the sharpness: a march cannot tell them from each other.

@@ -19,7 +19,7 @@ from plans.analytic.closure import EPS, ROUNDINGS, SQRT_EPS, as_poses, close, cl
 from plans.analytic.constraints import Constraints
 from plans.analytic.ends import BESIDE, CHANGE_POINT, CLEAR, NOT_REACHABLE, SHORTEST, End, Station, end_of
 from plans.analytic.sharpness import DOUBTFUL, MERGED, least
-from plans.motion import Floats
+from plans.model.motion import Floats
 
 Blocks = Sequence[Block]
 

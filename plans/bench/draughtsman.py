@@ -18,7 +18,7 @@ from geometry.board import Arc, Line, Mark, behind
 from geometry.meet import cross
 from plans.bench.error import shares
 from plans.bench.truth import MOMENT, Replay, Truth
-from plans.motion import LINK_KEYS, POINT_KEYS, Complexes, Floats
+from plans.model.motion import LINK_KEYS, POINT_KEYS, Complexes, Floats
 
 DRAWINGS = 200  # of which 5 % are ten: enough to tell where the worst of them begin
 SLIPS = (0.1, 0.2)  # mm: a good hand's and a fair one's

@@ -20,13 +20,13 @@ from plans.analytic.kinetostatics import kinetostatics
 from plans.analytic.power import balancing_moment
 from plans.bench.error import Errors, errors
 from plans.bench.truth import BALANCING, MOMENT, Truth, of_forces
-from plans.kinetostatics import Kinetostatics, Loading
-from plans.loading import loading
-from plans.motion import Floats, Motion
-from plans.scene import FORCES
-from plans.statics import ForceDrafts, Statics
-from plans.stroke import Stroke, strokes
-from plans.study import Study
+from plans.forces.loading import loading
+from plans.forces.statics import ForceDrafts, Statics
+from plans.forces.stroke import Stroke, strokes
+from plans.linkage.study import Study
+from plans.model.kinetostatics import Kinetostatics, Loading
+from plans.model.motion import Floats, Motion
+from plans.scene.scene import FORCES
 
 FORCES_CONSTRUCTED, FORCES_ANALYSED = "construction: forces", "analysis: forces"
 LEVER, POWER, ENERGY = CHECKS = ("check: lever", "check: power", "check: energy")

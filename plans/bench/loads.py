@@ -9,11 +9,11 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from plans.kinetostatics import Loading
-from plans.machine import Force, Machine, Spring
-from plans.mechanism import FRAME, Mechanism
-from plans.motion import Floats
-from plans.stroke import Stroke
+from plans.forces.stroke import Stroke
+from plans.model.kinetostatics import Loading
+from plans.model.machine import Force, Machine, Spring
+from plans.model.mechanism import FRAME, Mechanism
+from plans.model.motion import Floats
 
 
 @dataclass(frozen=True)

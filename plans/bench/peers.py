@@ -16,9 +16,9 @@ from typing import Any
 
 import numpy as np
 
-from plans.mechanism import FRAME
-from plans.motion import LINK_KEYS, Complexes, Floats, LinkMotion, Motion, PointMotion
-from plans.study import Study
+from plans.linkage.study import Study
+from plans.model.mechanism import FRAME
+from plans.model.motion import LINK_KEYS, Complexes, Floats, LinkMotion, Motion, PointMotion
 
 PYLINKAGE, MECHANISM = "pylinkage", "mechanism"
 NEEDED = {PYLINKAGE: ("pylinkage", "numba"), MECHANISM: ("mechanism",)}

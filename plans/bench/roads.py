@@ -18,10 +18,10 @@ from plans.bench.error import Errors, errors
 from plans.bench.peers import Peer, peers
 from plans.bench.result import Row
 from plans.bench.truth import NotInstalled, Replay, Truth, replay, sample, values
-from plans.motion import Motion
-from plans.scene import Scene
-from plans.statics import Statics
-from plans.study import Study
+from plans.forces.statics import Statics
+from plans.linkage.study import Study
+from plans.model.motion import Motion
+from plans.scene.scene import Scene
 
 CONSTRUCTION = ("construction: positions", "construction: + velocities", "construction: all")
 SET_UP, ONCE = "construction: set-up", "once a scene, not in the rows below"

@@ -14,14 +14,14 @@ from geometry.board import Mark
 from geometry.errors import DraftError
 from geometry.replay import DIGITS, exact
 from plans.bench.loads import TrueLoads
-from plans.drafts import Drafts
-from plans.force import ForcePlan
-from plans.kinetostatics import Kinetostatics
-from plans.mechanism import FRAME
-from plans.motion import LINK_KEYS, ORDERS, POINT_KEYS, Complexes, Floats, Motion
-from plans.plan import Plan
-from plans.statics import ForceDrafts, Statics
-from plans.study import Study
+from plans.forces.force import ForcePlan
+from plans.forces.statics import ForceDrafts, Statics
+from plans.linkage.drafts import Drafts
+from plans.linkage.plan import Plan
+from plans.linkage.study import Study
+from plans.model.kinetostatics import Kinetostatics
+from plans.model.mechanism import FRAME
+from plans.model.motion import LINK_KEYS, ORDERS, POINT_KEYS, Complexes, Floats, Motion
 
 Key: TypeAlias = tuple[str, str]  # kind of quantity and its point or link: ("v", "B"), ("omega", "3")
 Values: TypeAlias = Mapping[Key, Complexes | Floats]

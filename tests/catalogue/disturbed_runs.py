@@ -12,7 +12,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from drawings import cli
+from drawings.commands import cli
 from drawings.commands.draw import draw
 from drawings.files.atomic_files import PREFIX
 

@@ -12,12 +12,12 @@ from typing import Any
 
 import pytest
 
-from drawings import cli
+from drawings.commands import cli
 from geometry.errors import LimitError
-from plans import source
-from plans.faults import SceneError
-from plans.scene import parse_scene
-from plans.source import language_of, parse_source
+from plans.scene import source
+from plans.scene.faults import SceneError
+from plans.scene.scene import parse_scene
+from plans.scene.source import language_of, parse_source
 
 PLAIN = (Path(__file__).parent / "plain.toml").read_text("utf-8").partition("\n")[2]
 Solve = Callable[[bytes], tuple[int, str]]

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from geometry.errors import DraftError, LimitError
-from plans.linkage import mechanism_of
-from plans.scene import read_scene
+from plans.scene.linkage import mechanism_of
+from plans.scene.scene import read_scene
 
 SCENES = sorted(Path(__file__).parent.glob("*.toml"))
 EXPECTED = re.compile(r"# expect (\d+)(?:: (.*))?")

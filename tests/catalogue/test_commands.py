@@ -10,9 +10,9 @@ from typing import NamedTuple
 
 import pytest
 
-from drawings import cli
-from drawings.measure import check, measure_file
-from plans.source import language_of
+from drawings.commands import cli
+from drawings.measure.measure import check, measure_file
+from plans.scene.source import language_of
 
 SCENES = sorted((Path(__file__).parent / "commands").glob("*.toml"))
 HEADER = re.compile(r"# (run|expect|err|report|sheet): ?(.*)|# (run|expect) (.*)")

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from drawings import cli
+from drawings.commands import cli
 
 PLAIN = (Path(__file__).parent / "plain.toml").read_text("utf-8")
 

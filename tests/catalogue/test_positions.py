@@ -10,9 +10,9 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 
-from plans.motion import Motion
-from plans.scene import parse_scene
-from plans.study import Study
+from plans.linkage.study import Study
+from plans.model.motion import Motion
+from plans.scene.scene import parse_scene
 
 PLAIN = (Path(__file__).parent / "plain.toml").read_text("utf-8")
 DOUBLE_ROCKER = (Path(__file__).parent / "commands" / "e07_double_rocker.toml").read_text("utf-8")

@@ -9,8 +9,8 @@ import numpy as np
 from shapely import LineString, MultiLineString, Polygon, STRtree
 from shapely.geometry.base import BaseGeometry
 
-from drawings.lettering import outline
-from drawings.strokes import Arc, Circle, Fill, Group, Leaf, Line, Polyline, Stroke, Text
+from drawings.lettering.lettering import outline
+from drawings.paper.strokes import Arc, Circle, Fill, Group, Leaf, Line, Polyline, Stroke, Text
 
 LEAST = 0.1  # mm between the ink of a letter and any other ink: what a pen of 0.2 mm leaves of a clear gap
 CHORDS = 64  # of a whole circle; on 100 mm of radius the chords miss it by 0.12 mm

@@ -10,21 +10,21 @@ from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
-from drawings import force_polygon, lever_plan
-from drawings.hand import Hand, hand_of
-from drawings.layout import Ink, Labels
-from drawings.page import Field
-from drawings.picture import Picture, Spot
-from drawings.strokes import Leaf
+from drawings.figures.forces import force_polygon, lever_plan
+from drawings.layout.labels import Ink, Labels
+from drawings.layout.picture import Picture, Spot
+from drawings.page.page import Field
+from drawings.paper.hand import Hand, hand_of
+from drawings.paper.strokes import Leaf
 from plans.analytic.kinematics import solve
-from plans.force import ForcePlan, forces
-from plans.force_expected import ExpectedForces
-from plans.kinetostatics import Applied, Balancing, Kinetostatics, Loading, Reaction, pairs
-from plans.lever import Lever, lever
-from plans.machine import GEAR, Body, Machine, Transmission
-from plans.motion import Motion
-from plans.scene import parse_scene
-from plans.study import Study
+from plans.checks.force_expected import ExpectedForces
+from plans.forces.force import ForcePlan, forces
+from plans.forces.lever import Lever, lever
+from plans.linkage.study import Study
+from plans.model.kinetostatics import Applied, Balancing, Kinetostatics, Loading, Reaction, pairs
+from plans.model.machine import GEAR, Body, Machine, Transmission
+from plans.model.motion import Motion
+from plans.scene.scene import parse_scene
 
 GALLERY = Path(__file__).parents[2] / "drawings/gallery"
 Figure: TypeAlias = force_polygon.Figure | lever_plan.Figure

@@ -10,22 +10,24 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from drawings import arms, curve_graph, force_arrow, hodograph, symbols, transmission, value_table
-from drawings.couples import Couple
-from drawings.curve_graph import Curve
-from drawings.equation import DIRECTION, Passage, Term, forces, moments
-from drawings.figure import Place, Subject, heading, point
-from drawings.force_arrow import ForceArrow
-from drawings.force_words import letter
-from drawings.hodograph import Hodograph
-from drawings.layout import Ink, Labels
-from drawings.page import Page
-from drawings.picture import Margins, Picture, picture
+from drawings.figures.graphs import curve_graph, hodograph
+from drawings.figures.graphs.curve_graph import Curve
+from drawings.figures.graphs.hodograph import Hodograph
+from drawings.layout import value_table
+from drawings.layout.equation import DIRECTION, Passage, Term, forces, moments
+from drawings.layout.labels import Ink, Labels
+from drawings.layout.picture import Margins, Picture, picture
+from drawings.layout.shelves import Composed, Content, compose
+from drawings.layout.value_table import Row
+from drawings.lettering.force_words import letter
+from drawings.lettering.words import word
+from drawings.page.page import Page
+from drawings.paper.strokes import Group, Leaf, Line, Stroke, Text, text_width
 from drawings.sheets.notes import measured, written
-from drawings.shelves import Composed, Content, compose
-from drawings.strokes import Group, Leaf, Line, Stroke, Text, text_width
-from drawings.value_table import Row
-from drawings.words import word
+from drawings.symbols import arms, force_arrow, symbols, transmission
+from drawings.symbols.couples import Couple
+from drawings.symbols.figure import Place, Subject, heading, point
+from drawings.symbols.force_arrow import ForceArrow
 
 SHAFT, C, A, B, D = 0j, -0.35j, 0.06 + 0.103923j, 0.091729 + 0.343964j, 0.291152 + 0.328786j
 S3, S4 = (B + C) / 2, (B + D) / 2

@@ -7,9 +7,9 @@ from collections.abc import Iterable, Iterator
 
 import pytest
 
-from drawings.lettering import outline
-from drawings.page import Page
-from drawings.strokes import Box, Group, Line, Polyline, Stroke, Text
+from drawings.lettering.lettering import outline
+from drawings.page.page import Page
+from drawings.paper.strokes import Box, Group, Line, Polyline, Stroke, Text
 
 # Which way each standard lays a format: A4 upright only, and by ISO 5457 all others along the long side only.
 LAID = [

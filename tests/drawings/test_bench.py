@@ -15,22 +15,22 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from drawings import cli
 from drawings.bench import force_sheet, plain_pen, plot, record, session, sheet, startup
 from drawings.bench.force_sheet import FORCES_BY_HAND
 from drawings.bench.session import Order
 from drawings.commands import bench as command
+from drawings.commands import cli
 from drawings.files import atomic_files
-from drawings.lettering import lettered, outline
-from drawings.limits import QUANTUM
-from drawings.strokes import Arc, Circle, Group, Leaf, Line, LineStyle, Polyline, Text
+from drawings.lettering.lettering import lettered, outline
+from drawings.paper.limits import QUANTUM
+from drawings.paper.strokes import Arc, Circle, Group, Leaf, Line, LineStyle, Polyline, Text
 from geometry.errors import DraftError
 from plans.bench import draughtsman, forces
 from plans.bench.error import sizes
 from plans.bench.peers import PYLINKAGE
 from plans.bench.result import Bench, Goal
 from plans.bench.roads import CONSTRUCTION, ground, newton, prepared
-from plans.scene import Scene, parse_scene, read_scene
+from plans.scene.scene import Scene, parse_scene, read_scene
 from tests.drawings.test_bench_report import TECHNIQUES, invented, lines
 from tests.drawings.test_commands import GAPPED
 

@@ -8,13 +8,13 @@ from dataclasses import replace
 
 import pytest
 
-from drawings.composition import compose
-from drawings.footing import Notes, feet
-from drawings.grid import Grid, grid
-from drawings.page import Field, Page
-from drawings.picture import Margins, Picture, picture
-from drawings.trials import Content
-from drawings.value_table import Row, Setting, Table
+from drawings.layout.composition import compose
+from drawings.layout.footing import Notes, feet
+from drawings.layout.grid import Grid, grid
+from drawings.layout.picture import Margins, Picture, picture
+from drawings.layout.trials import Content
+from drawings.layout.value_table import Row, Setting, Table
+from drawings.page.page import Field, Page
 
 BLOCK = Field(215.0, 0.0, 400.0, 55.0)
 

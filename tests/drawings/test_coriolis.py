@@ -7,14 +7,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from drawings.coriolis import Turned, rule, turned
-from drawings.hand import hand_of
+from drawings.figures.linkage.coriolis import Turned, rule, turned
+from drawings.paper.hand import hand_of
+from drawings.paper.strokes import Line, Text
 from drawings.sheets.kinematics import sheets
-from drawings.strokes import Line, Text
 from plans.analytic.kinematics import solve
-from plans.compare import compare
-from plans.scene import parse_scene
-from plans.study import Study
+from plans.checks.compare import compare
+from plans.linkage.study import Study
+from plans.scene.scene import parse_scene
 from tests.drawings.collisions import strokes as flat
 
 SHAPER = Path(__file__).parents[2] / "drawings/gallery/shaper.toml"

@@ -5,17 +5,17 @@ import math
 import numpy as np
 import pytest
 
-from drawings import curve_graph, hodograph
-from drawings.curve_graph import Curve
-from drawings.hand import hand_of
-from drawings.hodograph import Hodograph
-from drawings.layout import Ink, Labels
-from drawings.measure import Measured, check, measure
-from drawings.page import Field
+from drawings.figures.graphs import curve_graph, hodograph
+from drawings.figures.graphs.curve_graph import Curve
+from drawings.figures.graphs.hodograph import Hodograph
+from drawings.layout.labels import Ink, Labels
+from drawings.layout.picture import Spot
+from drawings.measure.measure import Measured, check, measure
+from drawings.page.page import Field
+from drawings.page.scale import Scale
+from drawings.paper.hand import hand_of
+from drawings.paper.strokes import Group, Leaf, Polyline, Stroke, Text, bounds
 from drawings.pens.svg import svg
-from drawings.picture import Spot
-from drawings.scale import Scale
-from drawings.strokes import Group, Leaf, Polyline, Stroke, Text, bounds
 
 HAND = hand_of("A1")
 AT, DENSE = np.arange(12) * 30.0, np.linspace(0.0, 360.0, 361)

@@ -5,16 +5,16 @@ import math
 
 import pytest
 
-from drawings import arms, force_arrow
-from drawings.arms import Arm
-from drawings.couples import HALF, THREE_QUARTERS, Couple
-from drawings.figure import Subject
-from drawings.hand import hand_of
-from drawings.layout import Ink, Labels
-from drawings.measure import check, measure
+from drawings.layout.labels import Ink, Labels
+from drawings.measure.measure import check, measure
+from drawings.page.scale import Scale
+from drawings.paper.hand import hand_of
+from drawings.paper.strokes import Arc, Fill, Group, Leaf, Line, Polyline, Text, bounds
 from drawings.pens.svg import svg
-from drawings.scale import Scale
-from drawings.strokes import Arc, Fill, Group, Leaf, Line, Polyline, Text, bounds
+from drawings.symbols import arms, force_arrow
+from drawings.symbols.arms import Arm
+from drawings.symbols.couples import HALF, THREE_QUARTERS, Couple
+from drawings.symbols.figure import Subject
 
 HAND = hand_of("A1")
 NEWTONS = Scale(20.0, "F", "N")

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from drawings import cli
+from drawings.commands import cli
 from tests.plans.force_cases import ROADS, WORKED, text_of
 
 GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
@@ -188,7 +188,7 @@ radius = "1 mm"
 
 
 def test_a_failed_balance_withholds_the_sheet(run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    from plans import force_comparison
+    from plans.checks import force_comparison
 
     found = force_comparison.balancing_moment
 

@@ -5,16 +5,16 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from drawings.force_marks import polygon_marks
-from drawings.force_polygon import WHOLE, Polygon, Vector, figure, measured, polygon
-from drawings.hand import hand_of
-from drawings.labelled import unlettered
-from drawings.lanes import lanes, merging, moved
-from drawings.measure import Measured, MeasuredVector, check, measure
-from drawings.page import Field
+from drawings.checks.force_marks import polygon_marks
+from drawings.checks.labelled import unlettered
+from drawings.figures.forces.force_polygon import WHOLE, Polygon, Vector, figure, measured, polygon
+from drawings.layout.parallel_offsets import lanes, merging, moved
+from drawings.measure.measure import Measured, MeasuredVector, check, measure
+from drawings.page.page import Field
+from drawings.paper.hand import hand_of
+from drawings.paper.strokes import Fill, Group, Line, Text, bounds
 from drawings.pens.svg import svg
-from drawings.strokes import Fill, Group, Line, Text, bounds
-from plans.cut import CLOSING, KNOWN
+from plans.forces.cut import CLOSING, KNOWN
 from tests.drawings.collisions import collisions
 from tests.drawings.collisions import strokes as flat
 from tests.drawings.force_cases import CASES, Forced, forced, leaf, polygons, sheet, spot

@@ -10,20 +10,20 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from drawings.checks.reading import groups, texts
+from drawings.checks.verify import SelfCheckFailed, verify
 from drawings.commands.draw import draw
-from drawings.lettering import lettered
-from drawings.measure import measure_file
+from drawings.lettering.lettering import lettered
+from drawings.measure.measure import measure_file
+from drawings.paper.strokes import Group, Leaf, Line, SheetError, Stroke, Text, stated
 from drawings.pens.svg import svg
-from drawings.reading import groups, texts
 from drawings.sheets import forces
-from drawings.strokes import Group, Leaf, Line, SheetError, Stroke, Text, stated
-from drawings.verify import SelfCheckFailed, verify
-from plans.compare import Comparison, compare
-from plans.faults import SceneError
-from plans.force_comparison import compare_forces
-from plans.scene import parse_scene, read_scene
-from plans.statics import Statics, without
-from plans.study import Study
+from plans.checks.compare import Comparison, compare
+from plans.checks.force_comparison import compare_forces
+from plans.forces.statics import Statics, without
+from plans.linkage.study import Study
+from plans.scene.faults import SceneError
+from plans.scene.scene import parse_scene, read_scene
 from tests.drawings.collisions import collisions
 from tests.plans.force_cases import text_of
 from tests.plans.test_statics import YOKE

@@ -2,11 +2,11 @@
 
 import pytest
 
-from drawings.labelled import unlettered
-from drawings.measure import check, measure
-from drawings.page import Page
+from drawings.checks.labelled import unlettered
+from drawings.measure.measure import check, measure
+from drawings.page.page import Page
+from drawings.paper.strokes import Group, Leaf
 from drawings.pens.svg import svg
-from drawings.strokes import Group, Leaf
 from tests.drawings import force_specimen
 from tests.drawings.collisions import collisions
 

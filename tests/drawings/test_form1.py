@@ -6,9 +6,9 @@ import itertools
 
 import pytest
 
-from drawings.page import Page
-from drawings.strokes import Group, Line
-from drawings.words import word
+from drawings.lettering.words import word
+from drawings.page.page import Page
+from drawings.paper.strokes import Group, Line
 from tests.drawings.pages import (
     every_page,
     flat,

@@ -15,12 +15,12 @@ from drawings.files.manifest import read_manifest
 from drawings.gallery import __main__ as command
 from drawings.gallery import index
 from drawings.gallery.catalogue import GALLERY, Entry, catalogue
-from drawings.limits import QUANTUM
-from drawings.page import page_of
-from drawings.seal import digest, sealed
-from drawings.strokes import Group, Stroke, bounds
-from plans.scene import read_scene
-from plans.study import Study
+from drawings.measure.seal import digest, sealed
+from drawings.page.page import page_of
+from drawings.paper.limits import QUANTUM
+from drawings.paper.strokes import Group, Stroke, bounds
+from plans.linkage.study import Study
+from plans.scene.scene import read_scene
 from tests.drawings.collisions import collisions
 
 ENTRIES = catalogue()

@@ -6,8 +6,8 @@ import itertools
 
 import pytest
 
-from drawings.hand import hand_of
-from drawings.lettering import SIZES
+from drawings.lettering.lettering import SIZES
+from drawings.paper.hand import hand_of
 
 FORMATS = ("A1", "A2", "A3", "A4")
 

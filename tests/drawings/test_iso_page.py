@@ -6,10 +6,10 @@ import itertools
 
 import pytest
 
-from drawings.blocks.iso7200 import CELLS, MANDATORY
-from drawings.page import Page
-from drawings.strokes import Fill, Line, Polyline, bounds
-from drawings.words import word
+from drawings.lettering.words import word
+from drawings.page.blocks.iso7200 import CELLS, MANDATORY
+from drawings.page.page import Page
+from drawings.paper.strokes import Fill, Line, Polyline, bounds
 from tests.drawings.pages import (
     ENTRIES,
     apart,

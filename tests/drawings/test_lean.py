@@ -16,10 +16,10 @@ HEAVY = ("mpmath", "scipy", "shapely", "matplotlib")
 # Runs the command, then tells which modules it has imported and which plans each study has made.
 WATCHED = """
 import contextlib, io, json, sys
-from drawings import cli
+from drawings.commands import cli
 made = []
 with contextlib.redirect_stdout(io.StringIO()):
-    from plans.study import Study
+    from plans.linkage.study import Study
     begin = Study.__init__
     def watched(study, scene):
         begin(study, scene)
@@ -79,7 +79,7 @@ def test_the_steps_behind_a_velocity_make_no_accelerations() -> None:
 
 def traced(*arguments: object) -> dict[str, str]:
     """Run a command with --trace; give what the trace tells, line by line."""
-    command = [sys.executable, "-m", "drawings.cli", *map(str, arguments), "--trace"]
+    command = [sys.executable, "-m", "drawings.commands.cli", *map(str, arguments), "--trace"]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False, timeout=120)
     assert done.returncode == 0, done.stderr
     lines = done.stderr.splitlines()
@@ -126,7 +126,7 @@ def test_a_trace_leaves_no_trace_in_the_files(tmp_path: Path) -> None:
 
 
 def test_what_sheets_never_use_of_the_standard_library_is_not_imported_either(tmp_path: Path) -> None:
-    lines = "import sys; from drawings import cli; cli.main(sys.argv[1:]); print(*sys.modules)"
+    lines = "import sys; from drawings.commands import cli; cli.main(sys.argv[1:]); print(*sys.modules)"
     command = [sys.executable, "-c", lines, "draw", SHAPER, "-o", str(tmp_path)]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False, timeout=60)
     modules = set(done.stdout.splitlines()[-1].split())
@@ -136,7 +136,7 @@ def test_what_sheets_never_use_of_the_standard_library_is_not_imported_either(tm
 
 @pytest.mark.parametrize("arguments", [["--help"], ["draw", "--help"]], ids=" ".join)
 def test_help_needs_no_library(arguments: list[str]) -> None:
-    lines = "import sys; from drawings import cli\ntry: cli.main(sys.argv[1:])\nfinally: print(*sys.modules)"
+    lines = "import sys; from drawings.commands import cli\ntry: cli.main(sys.argv[1:])\nfinally: print(*sys.modules)"
     command = [sys.executable, "-c", lines, *arguments]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False, timeout=60)
     assert done.returncode == 0, done.stderr
@@ -154,7 +154,7 @@ def test_drawing_needs_one_pen_and_no_other_library(tmp_path: Path) -> None:
 
 def test_measuring_a_sheet_needs_no_mechanism(tmp_path: Path) -> None:
     watched("draw", SHAPER, "-o", tmp_path)
-    lines = "import sys; from drawings import cli; cli.main(sys.argv[1:]); print(*sys.modules)"
+    lines = "import sys; from drawings.commands import cli; cli.main(sys.argv[1:]); print(*sys.modules)"
     command = [sys.executable, "-c", lines, "measure", str(tmp_path / "shaper-kinematics.svg")]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False, timeout=60)
     assert done.returncode == 0, done.stderr

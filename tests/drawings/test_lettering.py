@@ -11,12 +11,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from drawings import alphabet
-from drawings.alphabet import FLATNESS, SLANT, gap, glyph
-from drawings.lettering import SIZES, UnknownLetter, demand, index_size, lacking, outline, width
-from drawings.specimen import LARGE, LETTERS, PHRASES, SIGNS, specimen
-from drawings.strokes import LineStyle, Polyline, Run, SheetError, Text, bounds, runs
-from drawings.words import WORDS
+from drawings.lettering import alphabet
+from drawings.lettering.alphabet import FLATNESS, SLANT, gap, glyph
+from drawings.lettering.lettering import SIZES, UnknownLetter, demand, index_size, lacking, outline, width
+from drawings.lettering.specimen import LARGE, LETTERS, PHRASES, SIGNS, specimen
+from drawings.lettering.words import WORDS
+from drawings.paper.strokes import LineStyle, Polyline, Run, SheetError, Text, bounds, runs
 
 FILE = Path(alphabet.__file__).with_name("alphabet.json")
 RUSSIAN, DIGITS = "АБВГДЕЁЖЗИЙКЛМНОПРСТУФХЦЧШЩЪЫЬЭЮЯ", "0123456789"

@@ -9,24 +9,24 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from drawings.checks.verify import SelfCheckFailed, verify
 from drawings.commands.draw import draw
 from drawings.commands.explain import find
-from drawings.lettering import lettered
-from drawings.lever_plan import hanging
-from drawings.measure import measure_file
+from drawings.figures.forces.lever_plan import hanging
+from drawings.figures.linkage.vector_plan import diagram
+from drawings.lettering.lettering import lettered
+from drawings.measure.measure import measure_file
+from drawings.paper.strokes import Group, Line, Stroke, stated
 from drawings.pens.svg import svg
 from drawings.sheets.kinematics import sheet
-from drawings.strokes import Group, Line, Stroke, stated
-from drawings.vector_plan import diagram
-from drawings.verify import SelfCheckFailed, verify
-from plans.compare import compare
-from plans.expected import Expected
-from plans.force_comparison import compare_forces
-from plans.letters import Letters
-from plans.machine import Body
-from plans.mechanism import Mechanism
-from plans.scene import parse_scene
-from plans.study import Study
+from plans.checks.compare import compare
+from plans.checks.expected import Expected
+from plans.checks.force_comparison import compare_forces
+from plans.linkage.letters import Letters
+from plans.linkage.study import Study
+from plans.model.machine import Body
+from plans.model.mechanism import Mechanism
+from plans.scene.scene import parse_scene
 from tests.plans import linkages
 from tests.plans.alterations import renamed
 from tests.plans.loaded import Loaded

@@ -7,14 +7,14 @@ from math import radians
 
 import pytest
 
-from drawings.force_arrow import ForceArrow
-from drawings.force_marks import lever_marks
-from drawings.hand import hand_of
-from drawings.lever_layout import BALANCE, LOAD, PAIR
-from drawings.lever_plan import Hanging, hanging
-from drawings.measure import Measured, check, measure
+from drawings.checks.force_marks import lever_marks
+from drawings.figures.forces.lever_layout import BALANCE, LOAD, PAIR
+from drawings.figures.forces.lever_plan import Hanging, hanging
+from drawings.measure.measure import Measured, check, measure
+from drawings.paper.hand import hand_of
+from drawings.paper.strokes import Circle, Group, Line, Text
 from drawings.pens.svg import svg
-from drawings.strokes import Circle, Group, Line, Text
+from drawings.symbols.force_arrow import ForceArrow
 from geometry.board import at
 from tests.drawings.collisions import strokes as flat
 from tests.drawings.force_cases import CASES, Forced, forced, hung, leaf, sheet

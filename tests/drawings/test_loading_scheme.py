@@ -11,20 +11,20 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from drawings.force_fan import LONG, SHORT, lengths
-from drawings.hand import Hand, hand_of
-from drawings.layout import Ink, Labels
-from drawings.loading_scheme import Figure, Scheme, figure, leverages, measured, scheme
-from drawings.page import Field
-from drawings.picture import Spot
-from drawings.strokes import Group, Leaf, Line, Stroke, Text
+from drawings.figures.forces.force_fan import LONG, SHORT, lengths
+from drawings.figures.forces.loading_scheme import Figure, Scheme, figure, leverages, measured, scheme
+from drawings.layout.labels import Ink, Labels
+from drawings.layout.picture import Spot
+from drawings.page.page import Field
+from drawings.paper.hand import Hand, hand_of
+from drawings.paper.strokes import Group, Leaf, Line, Stroke, Text
 from geometry.board import at
-from plans.cut import PART, Cut
-from plans.force import ForcePlan, forces
-from plans.kinetostatics import Applied, Loading, Twist
-from plans.machine import FORCE, GEAR, Body, Machine, Transmission
-from plans.scene import read_scene
-from plans.study import Study
+from plans.forces.cut import PART, Cut
+from plans.forces.force import ForcePlan, forces
+from plans.linkage.study import Study
+from plans.model.kinetostatics import Applied, Loading, Twist
+from plans.model.machine import FORCE, GEAR, Body, Machine, Transmission
+from plans.scene.scene import read_scene
 
 pytest.importorskip("shapely")
 from tests.drawings.collisions import collisions

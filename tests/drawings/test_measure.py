@@ -10,13 +10,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from drawings import pathdata
-from drawings.limits import QUANTUM, Refused
-from drawings.marks import KINDS
-from drawings.measure import Key, check, measure, measure_file
+from drawings.measure import pathdata
+from drawings.measure.marks import KINDS
+from drawings.measure.measure import Key, check, measure, measure_file
+from drawings.measure.transform import Affine, transform
+from drawings.paper.limits import QUANTUM, Refused
+from drawings.paper.strokes import Circle, Fill, Group, Leaf, Line, numeral, stated
 from drawings.pens.svg import BEARERS, numbers, svg
-from drawings.strokes import Circle, Fill, Group, Leaf, Line, numeral, stated
-from drawings.transform import Affine, transform
 
 WIDTH, HEIGHT = 420, 297
 HEAD = '<svg xmlns="http://www.w3.org/2000/svg" width="420mm" height="297mm" viewBox="0 0 420 297">'

@@ -11,13 +11,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from drawings.cli import main
-from drawings.frame import FOLDS
-from drawings.lettering import SIZES, lettered
-from drawings.page import Field, Page, page_of
+from drawings.commands.cli import main
+from drawings.lettering.lettering import SIZES, lettered
+from drawings.page.frame import FOLDS
+from drawings.page.page import Field, Page, page_of
+from drawings.paper.strokes import Arc, Circle, Fill, Group, Leaf, Line, Polyline, SheetError, bounds
 from drawings.pens.svg import svg
-from drawings.strokes import Arc, Circle, Fill, Group, Leaf, Line, Polyline, SheetError, bounds
-from plans.scene import parse_scene
+from plans.scene.scene import parse_scene
 from tests.drawings.pages import (
     ENTRIES,
     apart,

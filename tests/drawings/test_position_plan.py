@@ -13,21 +13,21 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from drawings.dashes import DASH_DOT, DASHED
-from drawings.figure import Place
-from drawings.hand import Hand
-from drawings.layout import Ink, Labels
-from drawings.page import Field
-from drawings.pairs import Pairs
-from drawings.picture import Margins, picture
-from drawings.position_plan import figure, letters
+from drawings.figures.linkage.pairs import Pairs
+from drawings.figures.linkage.position_plan import figure, letters
+from drawings.figures.linkage.skeleton import Skeletons, skeletons
+from drawings.layout.labels import Ink, Labels
+from drawings.layout.picture import Margins, picture
+from drawings.page.page import Field
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import Arc, Circle, Fill, Group, Line, Polyline, Stroke, Text, bounds, text_width
 from drawings.sheets.kinematics import position
-from drawings.skeleton import Skeletons, skeletons
-from drawings.strokes import Arc, Circle, Fill, Group, Line, Polyline, Stroke, Text, bounds, text_width
-from plans.compare import compare
-from plans.mechanism import FRAME
-from plans.scene import parse_scene, read_scene
-from plans.study import Study
+from drawings.symbols.dashes import DASH_DOT, DASHED
+from drawings.symbols.figure import Place
+from plans.checks.compare import compare
+from plans.linkage.study import Study
+from plans.model.mechanism import FRAME
+from plans.scene.scene import parse_scene, read_scene
 from tests.drawings import mechanisms
 
 shapely = pytest.importorskip("shapely")

@@ -10,17 +10,17 @@ from pathlib import Path
 
 import pytest
 
-from drawings import cli
+from drawings.commands import cli
 from drawings.files import signals
 
 ROOT = Path(__file__).parent.parent.parent
 PLAIN = ROOT / "tests/catalogue/plain.toml"
 FULL = Path("/dev/full")
-COMMAND = (sys.executable, "-c", "from drawings.process import run; run()")
+COMMAND = (sys.executable, "-c", "from drawings.commands.process import run; run()")
 # Draws, and waits where the sheet is measured until it is told to end; says so first.
 WAITING = """
 import time
-from drawings import process, verify
+from drawings.commands import process; from drawings.checks import verify
 def wait(*_):
     print("measuring", flush=True)
     time.sleep(60)
@@ -32,11 +32,11 @@ IMPORTING = """
 import sys, time
 class Slow:
     def find_spec(self, name, *_):
-        if name == "drawings.cli":
+        if name == "drawings.commands.cli":
             print("importing", flush=True)
             time.sleep(60)
 sys.meta_path.insert(0, Slow())
-from drawings.process import run
+from drawings.commands.process import run
 run()
 """
 

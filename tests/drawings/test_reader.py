@@ -10,10 +10,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from drawings import limits, pathdata
-from drawings.limits import Refused
-from drawings.measure import check, measure
-from drawings.transform import Affine, about, matrix, transform
+from drawings.measure import pathdata
+from drawings.measure.measure import check, measure
+from drawings.measure.transform import Affine, about, matrix, transform
+from drawings.paper import limits
+from drawings.paper.limits import Refused
 
 HEAD = '<svg xmlns="http://www.w3.org/2000/svg" width="420mm" height="297mm" viewBox="0 0 420 297">'
 LOOK = 'stroke="#000" fill="none"'

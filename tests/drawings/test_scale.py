@@ -8,9 +8,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from drawings.scale import Scale, fitting
-from drawings.strokes import SheetError
-from drawings.words import WORDS, fixed, number, word
+from drawings.lettering.words import WORDS, fixed, number, word
+from drawings.page.scale import Scale, fitting
+from drawings.paper.strokes import SheetError
 
 SERIES = {"GOST": (1, 2, 2.5, 4, 5), "ISO": (1, 2, 5)}
 # GOST 2.302-68 and ISO 5455: a of the enlargements a:1, b of the reductions 1:b.

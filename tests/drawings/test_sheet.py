@@ -9,18 +9,18 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from drawings.lettering import UnknownLetter, lettered
-from drawings.limits import QUANTUM
-from drawings.measure import measure
-from drawings.page import Page, page_of
+from drawings.lettering.lettering import UnknownLetter, lettered
+from drawings.lettering.specimen import specimen
+from drawings.measure.measure import measure
+from drawings.page.page import Page, page_of
+from drawings.paper.limits import QUANTUM
+from drawings.paper.strokes import Group, Leaf, Line, Stroke, Text, bounds
 from drawings.pens.svg import svg
 from drawings.sheets.choice import position
 from drawings.sheets.kinematics import sheet, sheets
-from drawings.specimen import specimen
-from drawings.strokes import Group, Leaf, Line, Stroke, Text, bounds
-from plans.compare import compare
-from plans.scene import parse_scene
-from plans.study import Study
+from plans.checks.compare import compare
+from plans.linkage.study import Study
+from plans.scene.scene import parse_scene
 from tests.drawings.collisions import collisions
 
 GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"

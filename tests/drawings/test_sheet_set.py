@@ -11,12 +11,13 @@ from pathlib import Path
 
 import pytest
 
-from drawings import VERSION, cli
+from drawings import VERSION
+from drawings.commands import cli
 from drawings.files import atomic_files, lock, sheet_set
 from drawings.files.file_error import FileError
 from drawings.files.manifest import manifest_beside, manifest_of, read_manifest
 from drawings.files.sheet_set import output_folder, publish
-from drawings.seal import digest, seal
+from drawings.measure.seal import digest, seal
 
 ROOT = Path(__file__).parent.parent.parent
 PLAIN = ROOT / "tests/catalogue/plain.toml"

@@ -5,15 +5,15 @@ import time
 
 import pytest
 
-from drawings.columns import Block, Column, Zone, filled
-from drawings.footing import Notes
-from drawings.grid import GAP
-from drawings.page import Field, Page
-from drawings.picture import Ladder, Margins, Picture, Rung, picture
-from drawings.scale import MANTISSAS
-from drawings.shelves import Composed, Content, Item, compose
-from drawings.strokes import SheetError
-from drawings.value_table import Row, Table
+from drawings.layout.columns import Block, Column, Zone, filled
+from drawings.layout.footing import Notes
+from drawings.layout.grid import GAP
+from drawings.layout.picture import Ladder, Margins, Picture, Rung, picture
+from drawings.layout.shelves import Composed, Content, Item, compose
+from drawings.layout.value_table import Row, Table
+from drawings.page.page import Field, Page
+from drawings.page.scale import MANTISSAS
+from drawings.paper.strokes import SheetError
 
 LEAST = 60.0
 

@@ -17,14 +17,13 @@ import svgwrite
 from hypothesis import given
 from hypothesis import strategies as st
 
-from drawings import strokes
-from drawings.alphabet import FLATNESS
-from drawings.lettering import lettered, outline, width
-from drawings.limits import DECIMALS
-from drawings.pathdata import numbers
-from drawings.pens import svg as pen
-from drawings.seal import sealed
-from drawings.strokes import (
+from drawings.lettering.alphabet import FLATNESS
+from drawings.lettering.lettering import lettered, outline, width
+from drawings.measure.pathdata import numbers
+from drawings.measure.seal import sealed
+from drawings.paper import strokes
+from drawings.paper.limits import DECIMALS
+from drawings.paper.strokes import (
     Arc,
     Circle,
     Fill,
@@ -39,6 +38,7 @@ from drawings.strokes import (
     Text,
     bounds,
 )
+from drawings.pens import svg as pen
 
 NS = "{http://www.w3.org/2000/svg}"
 THIN = LineStyle(width=0.25)

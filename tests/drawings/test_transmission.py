@@ -5,9 +5,9 @@ import math
 
 import pytest
 
-from drawings.hand import hand_of
-from drawings.strokes import Arc, Circle, Line, bounds
-from drawings.transmission import Gear, coupling, spring
+from drawings.paper.hand import hand_of
+from drawings.paper.strokes import Arc, Circle, Line, bounds
+from drawings.symbols.transmission import Gear, coupling, spring
 
 HAND = hand_of("A1")
 

@@ -10,11 +10,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from drawings.dashes import fit
-from drawings.hand import Hand
-from drawings.strokes import Arc, Circle, Line, LineStyle, Polyline, Stroke
-from drawings.symbols import block, ground, gusset, slot
-from drawings.trimming import Mask, trimmed
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import Arc, Circle, Line, LineStyle, Polyline, Stroke
+from drawings.symbols.dashes import fit
+from drawings.symbols.symbols import block, ground, gusset, slot
+from drawings.symbols.trimming import Mask, trimmed
 
 shapely = pytest.importorskip("shapely")
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from drawings.value_table import row
-from plans.compare import compare
-from plans.scene import read_scene
-from plans.study import Study
+from drawings.layout.value_table import row
+from plans.checks.compare import compare
+from plans.linkage.study import Study
+from plans.scene.scene import read_scene
 
 DEAD_CENTRE = Path(__file__).parent.parent / "catalogue" / "commands" / "f04_zero_vector.toml"
 

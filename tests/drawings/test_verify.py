@@ -8,14 +8,14 @@ from pathlib import Path
 
 import pytest
 
-from drawings.lettering import lettered
+from drawings.checks.verify import SelfCheckFailed, verify
+from drawings.lettering.lettering import lettered
+from drawings.paper.strokes import Circle, Group, Leaf, Line, Stroke, Text, stated
 from drawings.pens.svg import svg
 from drawings.sheets.kinematics import sheet
-from drawings.strokes import Circle, Group, Leaf, Line, Stroke, Text, stated
-from drawings.verify import SelfCheckFailed, verify
-from plans.compare import Comparison, compare
-from plans.scene import read_scene
-from plans.study import Study
+from plans.checks.compare import Comparison, compare
+from plans.linkage.study import Study
+from plans.scene.scene import read_scene
 
 SHAPER = Path(__file__).parents[2] / "drawings" / "gallery" / "shaper.toml"
 

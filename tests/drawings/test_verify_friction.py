@@ -8,16 +8,16 @@ from typing import NamedTuple
 
 import pytest
 
-from drawings import verify
-from drawings.report import report
+from drawings.checks import verify
+from drawings.checks.verify_friction import friction_of, reads, report_of
+from drawings.paper.strokes import Group, Leaf, Text
+from drawings.report.report import report
 from drawings.sheets import forces
-from drawings.strokes import Group, Leaf, Text
-from drawings.verify_friction import friction_of, reads, report_of
-from plans.compare import Comparison, compare
-from plans.force_comparison import compare_forces
-from plans.scene import parse_scene
-from plans.statics import Statics
-from plans.study import Study
+from plans.checks.compare import Comparison, compare
+from plans.checks.force_comparison import compare_forces
+from plans.forces.statics import Statics
+from plans.linkage.study import Study
+from plans.scene.scene import parse_scene
 from tests.plans.loaded import GALLERY
 
 SHAPER = next(path for path in GALLERY if path.stem == "shaper-loaded").read_text("utf-8")

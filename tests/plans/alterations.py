@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 
-from plans.mechanism import FRAME, Link, Mechanism, Way
+from plans.model.mechanism import FRAME, Link, Mechanism, Way
 
 Map = Callable[[complex], complex]
 

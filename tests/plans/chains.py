@@ -17,9 +17,9 @@ from hypothesis import strategies as st
 
 from geometry.meet import EPS
 from plans.analytic.kinematics import conditions
-from plans.mechanism import FRAME, Drive, Link, Mechanism, Output, Slide, Way
-from plans.motion import Floats, Motion
-from plans.study import Study
+from plans.linkage.study import Study
+from plans.model.mechanism import FRAME, Drive, Link, Mechanism, Output, Slide, Way
+from plans.model.motion import Floats, Motion
 from tests.plans.linkages import DATUM
 from tests.plans.studies import study_of
 

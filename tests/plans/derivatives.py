@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from plans.motion import Complexes, Floats
+from plans.model.motion import Complexes, Floats
 
 STEP = 2.0**-9  # rad: the difference's remainder and the rounding over the step are both far below a wrong formula
 REACH = STEP * np.array([-4, -2, -1, 0, 1, 2, 4])

@@ -8,12 +8,12 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from plans.compare import Comparison, Finding, compare
-from plans.force_comparison import compare_forces
-from plans.kinetostatics import Kinetostatics
-from plans.scene import parse_scene
-from plans.statics import Statics
-from plans.study import Study
+from plans.checks.compare import Comparison, Finding, compare
+from plans.checks.force_comparison import compare_forces
+from plans.forces.statics import Statics
+from plans.linkage.study import Study
+from plans.model.kinetostatics import Kinetostatics
+from plans.scene.scene import parse_scene
 
 CASES = Path(__file__).parents[1] / "cases"
 WORKED: Mapping[str, Any] = json.loads((CASES / "forces.json").read_text(encoding="utf-8"))

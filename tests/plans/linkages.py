@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from decimal import Decimal
 
-from plans.mechanism import FRAME, Drive, Link, Mechanism, Output, Slide, Way
+from plans.model.mechanism import FRAME, Drive, Link, Mechanism, Output, Slide, Way
 
 ALONG_X = Way(0j, 1 + 0j)
 DATUM = (Decimal(0), Decimal(0))

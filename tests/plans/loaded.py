@@ -19,14 +19,14 @@ from hypothesis import strategies as st
 
 from geometry.meet import EPS
 from plans.analytic.kinematics import conditions
-from plans.compare import MOST_ALLOWED
-from plans.kinetostatics import Kinetostatics, Loading
-from plans.machine import FORCE, GEAR, MOMENT, Body, Force, Machine, Moment, Spring, Transmission
-from plans.mechanism import FRAME, Mechanism
-from plans.motion import Motion
-from plans.scene import parse_scene, read_scene
-from plans.statics import Statics
-from plans.study import Study
+from plans.checks.compare import MOST_ALLOWED
+from plans.forces.statics import Statics
+from plans.linkage.study import Study
+from plans.model.kinetostatics import Kinetostatics, Loading
+from plans.model.machine import FORCE, GEAR, MOMENT, Body, Force, Machine, Moment, Spring, Transmission
+from plans.model.mechanism import FRAME, Mechanism
+from plans.model.motion import Motion
+from plans.scene.scene import parse_scene, read_scene
 from tests.plans.chains import SIGNS, TURNS, chains, numbers
 from tests.plans.force_cases import DYADS, text_of
 from tests.plans.machines import pointed

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from math import degrees
 
-from plans.machine import Body, Force, Machine, Moment, Spring
+from plans.model.machine import Body, Force, Machine, Moment, Spring
 from tests.plans.alterations import moved, renamed
 from tests.plans.loaded import Loaded
 from tests.plans.studies import driven

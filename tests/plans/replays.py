@@ -12,9 +12,9 @@ import numpy as np
 from geometry.board import Mark, at, behind
 from geometry.precision import errors
 from geometry.replay import DIGITS, exact
-from plans.mechanism import FRAME
-from plans.motion import Floats
-from plans.study import Study
+from plans.linkage.study import Study
+from plans.model.mechanism import FRAME
+from plans.model.motion import Floats
 
 MP = mpmath.mp.clone()
 MP.dps = DIGITS

@@ -10,10 +10,10 @@ from typing import Any, cast
 
 import numpy as np
 
-from plans.mechanism import Mechanism
-from plans.plan import Plan
-from plans.scene import Scene
-from plans.study import Study
+from plans.linkage.plan import Plan
+from plans.linkage.study import Study
+from plans.model.mechanism import Mechanism
+from plans.scene.scene import Scene
 
 Angle = int | float | str | Decimal  # degrees, exactly as they are given
 

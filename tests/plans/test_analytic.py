@@ -12,8 +12,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from plans.analytic.kinematics import Analysis, solve
-from plans.mechanism import Mechanism, Output
-from plans.motion import Motion
+from plans.model.mechanism import Mechanism, Output
+from plans.model.motion import Motion
 from tests.plans import linkages
 
 EPS = float(np.finfo(float).eps)

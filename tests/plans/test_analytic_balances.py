@@ -14,10 +14,10 @@ from hypothesis import strategies as st
 from plans.analytic.energy import energy_balance
 from plans.analytic.inertia import borne
 from plans.analytic.power import balancing_moment
-from plans.kinetostatics import Kinetostatics, Loading, Pair
-from plans.machine import FORCE, GEAR, Body, Machine, Transmission
-from plans.mechanism import FRAME, Link, Mechanism, Slide, Way
-from plans.motion import Complexes, Floats, Motion
+from plans.model.kinetostatics import Kinetostatics, Loading, Pair
+from plans.model.machine import FORCE, GEAR, Body, Machine, Transmission
+from plans.model.mechanism import FRAME, Link, Mechanism, Slide, Way
+from plans.model.motion import Complexes, Floats, Motion
 from tests.plans import linkages
 from tests.plans.chains import Chain, chains, numbers
 from tests.plans.machines import DOWN, SHAPER, Run, machine, pointed, steady

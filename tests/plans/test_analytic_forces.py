@@ -15,10 +15,10 @@ from plans.analytic.inertia import borne, reduced_inertia
 from plans.analytic.kinematics import Analysis
 from plans.analytic.kinetostatics import kinetostatics
 from plans.analytic.power import balancing_moment, reduced_moment, transfers
-from plans.kinetostatics import Kinetostatics, Loading
-from plans.machine import FORCE, Body, Transmission
-from plans.mechanism import FRAME, Drive, Slide, Way
-from plans.motion import Floats, Gap
+from plans.model.kinetostatics import Kinetostatics, Loading
+from plans.model.machine import FORCE, Body, Transmission
+from plans.model.mechanism import FRAME, Drive, Slide, Way
+from plans.model.motion import Floats, Gap
 from tests.plans import linkages
 from tests.plans.machines import SHAPER, Run, machine, steady
 from tests.plans.studies import driven, study_of

@@ -12,8 +12,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from plans.analytic.kinematics import conditions, solve
-from plans.mechanism import Mechanism, StructureError
-from plans.motion import Floats
+from plans.model.mechanism import Mechanism, StructureError
+from plans.model.motion import Floats
 from tests.plans import linkages
 
 EPS = float(np.finfo(float).eps)

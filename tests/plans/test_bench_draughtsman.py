@@ -14,7 +14,7 @@ from plans.bench import draughtsman
 from plans.bench.draughtsman import EDGE, Hand, Toll, drawn, toll
 from plans.bench.error import sizes
 from plans.bench.truth import replay
-from plans.mechanism import Mechanism
+from plans.model.mechanism import Mechanism
 from tests.plans import linkages
 from tests.plans.studies import study_of
 

@@ -18,9 +18,9 @@ from plans.bench.error import Errors, errors, sizes
 from plans.bench.forces import CHECKS, ENERGY, FORCES_ANALYSED, FORCES_CONSTRUCTED, LEVER, TECHNIQUES, ForceGround
 from plans.bench.roads import Ground, ground, prepared, roads, with_positions
 from plans.bench.truth import FORCE_KINDS, Truth, of_forces, replay
-from plans.compare import notches
-from plans.force_pattern import ForcePattern
-from plans.scene import Scene, parse_scene, read_scene
+from plans.checks.compare import notches
+from plans.forces.force_pattern import ForcePattern
+from plans.scene.scene import Scene, parse_scene, read_scene
 from tests.plans.force_cases import WORKED
 
 ROOT = Path(__file__).parent.parent.parent

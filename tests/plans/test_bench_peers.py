@@ -13,7 +13,7 @@ from plans.bench import peers as module
 from plans.bench.error import sizes
 from plans.bench.peers import GAPPED, MECHANISM, NOT_FOUR_BAR, NOT_INSTALLED, PYLINKAGE, four_bar, peers
 from plans.bench.roads import compared, ground, prepared
-from plans.scene import read_scene
+from plans.scene.scene import read_scene
 from tests.plans import linkages
 from tests.plans.studies import study_of
 

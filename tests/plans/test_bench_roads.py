@@ -11,7 +11,6 @@ import pytest
 
 from geometry.errors import DraftError
 from geometry.meet import EPS
-from plans import study as studies
 from plans.bench.error import Errors, sizes
 from plans.bench.roads import (
     CONSTRUCTION,
@@ -27,8 +26,9 @@ from plans.bench.roads import (
     timed,
     with_positions,
 )
-from plans.pattern import Pattern
-from plans.scene import parse_scene, read_scene
+from plans.linkage import study as studies
+from plans.linkage.pattern import Pattern
+from plans.scene.scene import parse_scene, read_scene
 
 GALLERY = Path(__file__).parent.parent.parent / "drawings/gallery"
 SCENES = ("crank-rocker", "shaper", "slider-crank")

@@ -12,7 +12,7 @@ import pytest
 from geometry.meet import EPS
 from plans.bench.error import Errors, errors, shares, sizes
 from plans.bench.truth import Exact, NotInstalled, Truth, replay, sample, values
-from plans.study import Study
+from plans.linkage.study import Study
 from tests.plans import linkages
 from tests.plans.studies import study_of
 

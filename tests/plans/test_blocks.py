@@ -12,11 +12,11 @@ from plans.analytic.blocks import triangular
 from plans.analytic.constraints import Constraints
 from plans.analytic.kinematics import Analysis
 from plans.analytic.sharpness import least, sharpness
-from plans.margin import deciding
-from plans.mechanism import Mechanism
-from plans.passage import Sweep, at_angles
-from plans.sketch import assembly
-from plans.structure import decompose
+from plans.linkage.assembly_limits import Sweep, at_angles
+from plans.linkage.margin import deciding
+from plans.linkage.sketch import assembly
+from plans.model.mechanism import Mechanism
+from plans.model.structure import decompose
 from tests.plans import linkages
 
 FOUR_BAR = linkages.four_bar(0.1, 0.4, 0.3, 0.35, sketch={"B": 0.4 + 0.3j})

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 from geometry.meet import EPS
-from plans.mechanism import FRAME, Link, Mechanism, Way
-from plans.scene import parse_scene
-from plans.sketch import SketchError
-from plans.study import Study
+from plans.linkage.sketch import SketchError
+from plans.linkage.study import Study
+from plans.model.mechanism import FRAME, Link, Mechanism, Way
+from plans.scene.scene import parse_scene
 from tests.plans import linkages
 from tests.plans.studies import study_of
 

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from drawings.commands.draw import draw
-from plans.compare import Comparison, compare, compare_extremes
-from plans.force_comparison import compare_forces
-from plans.scene import SceneError, parse_scene
-from plans.statics import Statics
-from plans.study import Study
+from plans.checks.compare import Comparison, compare, compare_extremes
+from plans.checks.force_comparison import compare_forces
+from plans.forces.statics import Statics
+from plans.linkage.study import Study
+from plans.scene.scene import SceneError, parse_scene
 
 COUPLING_ROD = """
 [mechanism]

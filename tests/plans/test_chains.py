@@ -7,11 +7,11 @@ from decimal import Decimal
 import numpy as np
 from hypothesis import given
 
-from plans.compare import compare
-from plans.mechanism import FRAME, Way
-from plans.motion import Complexes, Floats, Motion
-from plans.plan import Plan
-from plans.structure import decompose
+from plans.checks.compare import compare
+from plans.linkage.plan import Plan
+from plans.model.mechanism import FRAME, Way
+from plans.model.motion import Complexes, Floats, Motion
+from plans.model.structure import decompose
 from tests.plans.chains import Chain, allowed, chains, studied
 from tests.plans.derivatives import REACH, derivative
 from tests.plans.studies import study_of, value

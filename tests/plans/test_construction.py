@@ -9,10 +9,10 @@ from math import degrees, radians, sqrt
 import numpy as np
 import pytest
 
-from plans.angles import angle, rate
-from plans.mechanism import Mechanism, Way
-from plans.plan import Plan
-from plans.pressure import interval, pressure
+from plans.linkage.angles import angle, rate
+from plans.linkage.plan import Plan
+from plans.linkage.pressure import interval, pressure
+from plans.model.mechanism import Mechanism, Way
 from tests.plans import linkages
 from tests.plans.digits import printed
 from tests.plans.studies import plans_at, shown, study_of, value

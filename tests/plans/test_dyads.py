@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 from geometry.meet import dot
-from plans.angles import rate
-from plans.groups.kinds import KINDS
-from plans.mechanism import Drive, Slide, Way
-from plans.plan import Image, Plan, Reading
-from plans.structure import Dyad
+from plans.linkage.angles import rate
+from plans.linkage.groups.kinds import KINDS
+from plans.linkage.plan import Image, Plan, Reading
+from plans.model.mechanism import Drive, Slide, Way
+from plans.model.structure import Dyad
 from tests.plans import linkages
 from tests.plans.digits import printed
 from tests.plans.studies import shown, value

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from plans.analytic.kinematics import Analysis
-from plans.extreme import Found
-from plans.linkage import mechanism_of
-from plans.mechanism import Mechanism
-from plans.scene import parse_scene
-from plans.study import NoExtreme, Study
+from plans.linkage.extreme import Found
+from plans.linkage.study import NoExtreme, Study
+from plans.model.mechanism import Mechanism
+from plans.scene.linkage import mechanism_of
+from plans.scene.scene import parse_scene
 from tests.plans import linkages
 from tests.plans.digits import printed
 from tests.plans.studies import driven, shown, study_of, value

@@ -7,9 +7,9 @@ from decimal import Decimal
 import numpy as np
 import pytest
 
-from plans.linkage import mechanism_of
-from plans.scene import parse_scene
-from plans.study import Study
+from plans.linkage.study import Study
+from plans.scene.linkage import mechanism_of
+from plans.scene.scene import parse_scene
 
 ORIGIN = (Decimal(0), Decimal(0))
 FAR = [

@@ -11,15 +11,15 @@ import numpy as np
 from hypothesis import given
 
 from geometry.board import at
-from plans.compare import Finding, compare
-from plans.drafts import Drafts
-from plans.equilibrium import EQUILIBRIUM
-from plans.force_comparison import compare_forces
-from plans.kinetostatics import Kinetostatics
-from plans.mechanism import FRAME
-from plans.motion import Complexes, Floats, Motion
-from plans.passage import at_angles
-from plans.rubbing import rate
+from plans.checks.compare import Finding, compare
+from plans.checks.equilibrium import EQUILIBRIUM
+from plans.checks.force_comparison import compare_forces
+from plans.forces.rubbing import rate
+from plans.linkage.assembly_limits import at_angles
+from plans.linkage.drafts import Drafts
+from plans.model.kinetostatics import Kinetostatics
+from plans.model.mechanism import FRAME
+from plans.model.motion import Complexes, Floats, Motion
 from tests.plans.derivatives import REACH, derivative
 from tests.plans.loaded import Loaded, loaded, push
 

@@ -14,9 +14,9 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from plans.machine import FORCE, MOMENT
-from plans.mechanism import FRAME, Link
-from plans.motion import Motion
+from plans.model.machine import FORCE, MOMENT
+from plans.model.mechanism import FRAME, Link
+from plans.model.motion import Motion
 from tests.plans import machine_alterations as altered
 from tests.plans.chains import numbers
 from tests.plans.loaded import Loaded, Told, loaded, push

@@ -11,8 +11,8 @@ from geometry.board import Mark, at, behind
 from geometry.meet import EPS
 from geometry.precision import condition, errors
 from geometry.replay import exact
-from plans.cut import INERTIA
-from plans.statics import Statics
+from plans.forces.cut import INERTIA
+from plans.forces.statics import Statics
 from tests.plans.force_cases import DYADS, ROADS, WORKED, compared, finding, of_road, statics_of, text_of, worked
 
 SHAPER = WORKED["shaper"]

@@ -12,14 +12,14 @@ import pytest
 from plans.analytic.friction import friction as by_analysis
 from plans.analytic.kinematics import Analysis
 from plans.analytic.kinetostatics import kinetostatics
-from plans.force_pattern import ForcePattern
-from plans.friction import friction, whole
-from plans.kinetostatics import Applied, Loading, Reaction, Twist, pairs
-from plans.losses import CENTRAL, SLANTED, TILTED, Friction
-from plans.machine import GEAR, Body, Machine, Rubbing, Transmission
-from plans.mechanism import Link, Mechanism, Output, Slide, Way
-from plans.motion import Motion
-from plans.rubbing import edges, lost, pressing
+from plans.forces.force_pattern import ForcePattern
+from plans.forces.friction import friction, whole
+from plans.forces.rubbing import edges, lost, pressing
+from plans.model.kinetostatics import Applied, Loading, Reaction, Twist, pairs
+from plans.model.losses import CENTRAL, SLANTED, TILTED, Friction
+from plans.model.machine import GEAR, Body, Machine, Rubbing, Transmission
+from plans.model.mechanism import Link, Mechanism, Output, Slide, Way
+from plans.model.motion import Motion
 from tests.plans import linkages
 from tests.plans.studies import Angle, driven, study_of
 

@@ -10,15 +10,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from plans import friction_comparison
-from plans.compare import Comparison, Finding, compare
-from plans.force_comparison import compare_forces
-from plans.friction_comparison import FRICTION
-from plans.losses import Friction
-from plans.machine import Rubbing
-from plans.scene import read_scene
-from plans.statics import Statics
-from plans.study import Study
+from plans.checks import friction_comparison
+from plans.checks.compare import Comparison, Finding, compare
+from plans.checks.force_comparison import compare_forces
+from plans.checks.friction_comparison import FRICTION
+from plans.forces.statics import Statics
+from plans.linkage.study import Study
+from plans.model.losses import Friction
+from plans.model.machine import Rubbing
+from plans.scene.scene import read_scene
 from tests.plans.chains import numbers
 from tests.plans.loaded import GALLERY, Loaded, loaded, push
 

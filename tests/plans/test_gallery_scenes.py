@@ -12,10 +12,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from plans.compare import compare, compare_extremes, notches
-from plans.motion import Motion
-from plans.scene import read_scene
-from plans.study import Study
+from plans.checks.compare import compare, compare_extremes, notches
+from plans.linkage.study import Study
+from plans.model.motion import Motion
+from plans.scene.scene import read_scene
 
 GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
 SCENES = sorted(GALLERY.glob("*.toml"))

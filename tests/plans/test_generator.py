@@ -7,8 +7,8 @@ from itertools import product
 
 from hypothesis import given, settings
 
-from plans.mechanism import FRAME, Slide
-from plans.structure import NUMBERS, Dyad, decompose
+from plans.model.mechanism import FRAME, Slide
+from plans.model.structure import NUMBERS, Dyad, decompose
 from tests.plans.chains import Chain, chains
 
 EXAMPLES = 200

@@ -8,11 +8,7 @@ from decimal import Decimal
 
 import pytest
 
-from plans.faults import Fault, SceneError, dotted
-from plans.inventory import letters, machine_of
-from plans.linkage import mechanism_of
-from plans.loads import LoadsTable
-from plans.machine import (
+from plans.model.machine import (
     ALWAYS,
     COUPLING,
     FORCE,
@@ -27,8 +23,12 @@ from plans.machine import (
     Spring,
     Transmission,
 )
-from plans.notes import notes_of
-from plans.scene import parse_scene
+from plans.scene.faults import Fault, SceneError, dotted
+from plans.scene.inventory import letters, machine_of
+from plans.scene.linkage import mechanism_of
+from plans.scene.loads import LoadsTable
+from plans.scene.notes import notes_of
+from plans.scene.scene import parse_scene
 
 SHAPER = """sheets = ["forces"]
 [mechanism.frame]

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from geometry.meet import EPS, TANGENCY
-from plans.mechanism import Mechanism, Way
-from plans.motion import Gap
+from plans.model.mechanism import Mechanism, Way
+from plans.model.motion import Gap
 from tests.plans import linkages
 from tests.plans.studies import study_of, value
 

@@ -12,17 +12,17 @@ import numpy as np
 import pytest
 
 from plans.analytic.kinematics import Analysis
-from plans.extreme import extremes
-from plans.inventory import machine_of
-from plans.kinetostatics import Loading
-from plans.loading import loading
-from plans.machine import Machine
-from plans.mechanism import Output, StructureError
-from plans.motion import Complexes, Extremes, Motion
-from plans.scene import parse_scene
-from plans.stroke import Stroke, output_at, strokes
-from plans.study import Study
-from plans.wording import said
+from plans.forces.loading import loading
+from plans.forces.stroke import Stroke, output_at, strokes
+from plans.linkage.extreme import extremes
+from plans.linkage.study import Study
+from plans.model.kinetostatics import Loading
+from plans.model.machine import Machine
+from plans.model.mechanism import Output, StructureError
+from plans.model.motion import Complexes, Extremes, Motion
+from plans.scene.inventory import machine_of
+from plans.scene.scene import parse_scene
+from plans.scene.wording import said
 
 ROOT = Path(__file__).parents[2]
 ROADS = ("construction", "analysis")
@@ -392,9 +392,9 @@ def test_a_drawing_of_kinematics_makes_no_inventory(tmp_path: Path) -> None:
     scene = tmp_path / "engine.toml"
     scene.write_text(ENGINE + '[masses]\n2 = { mass = 1, centre = "middle" }\n' + ON_B + "value = [1, 0]\n", "utf-8")
     watched = (
-        "import sys\nfrom drawings import cli\n"
+        "import sys\nfrom drawings.commands import cli\n"
         f"assert cli.main(['draw', {str(scene)!r}, '-o', {str(tmp_path / 'out')!r}]) == 0\n"
-        "assert not {'plans.inventory', 'plans.loading', 'plans.stroke'} & set(sys.modules)\n"
+        "assert not {'plans.scene.inventory', 'plans.forces.loading', 'plans.forces.stroke'} & set(sys.modules)\n"
     )
     done = subprocess.run(
         [sys.executable, "-c", watched], cwd=ROOT, capture_output=True, text=True, check=False, timeout=120

@@ -11,14 +11,14 @@ import pytest
 from geometry.board import Mark
 from geometry.meet import EPS
 from geometry.precision import errors
-from plans import study as studies
-from plans.acceleration import accelerations
-from plans.angles import CLOSE, RUN, heading
-from plans.mechanism import Mechanism
-from plans.plan import Plan
-from plans.study import Study
-from plans.turn import Turn, even, listed
-from plans.velocity import velocities
+from plans.linkage import study as studies
+from plans.linkage.acceleration import accelerations
+from plans.linkage.angles import CLOSE, RUN, heading
+from plans.linkage.plan import Plan
+from plans.linkage.study import Study
+from plans.linkage.turn import Turn, even, listed
+from plans.linkage.velocity import velocities
+from plans.model.mechanism import Mechanism
 from tests.plans import linkages
 from tests.plans.studies import driven, study_of
 

@@ -12,9 +12,11 @@ import pytest
 from tests.plans.seeded import Fault, faults, verdicts
 
 FAULTS = faults(Path(__file__).parents[1] / "cases" / "reading_faults.toml")
-# What both roads have in common and carries a sign; plans/machine.py holds values alone.
+# What both roads have in common and carries a sign; plans/model/machine.py holds values alone.
 SHARED = ("linkage", "shapes", "inventory", "loads", "loading", "stroke")
-HARMLESS = Fault("another word", "plans/linkage.py", '"add a hinge or a slide; no link', '"add a slide; no link', ())
+HARMLESS = Fault(
+    "another word", "plans/scene/linkage.py", '"add a hinge or a slide; no link', '"add a slide; no link', ()
+)
 
 
 @pytest.mark.parametrize("fault", FAULTS, ids=lambda fault: fault.name)

@@ -10,9 +10,9 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from plans.mechanism import FRAME
-from plans.motion import Complexes, Floats, Motion
-from plans.structure import decompose, formula
+from plans.model.mechanism import FRAME
+from plans.model.motion import Complexes, Floats, Motion
+from plans.model.structure import decompose, formula
 from tests.plans import alterations
 from tests.plans.alterations import Map, renamed
 from tests.plans.chains import Chain, allowed, chains, numbers, studied

@@ -12,7 +12,7 @@ from hypothesis import given
 
 from geometry.meet import EPS
 from geometry.precision import condition
-from plans.angles import rate
+from plans.linkage.angles import rate
 from tests.plans import linkages
 from tests.plans.chains import chains, studied
 from tests.plans.replays import Replay, error, largest, rate_error

@@ -11,12 +11,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from geometry.errors import LimitError
-from plans.faults import SHOWN, Fault, SceneError
-from plans.linkage import mechanism_of
-from plans.mechanism import Drive, Mechanism, Output, StructureError
-from plans.scene import FrameLine, parse_scene
-from plans.shapes import triangle
-from plans.wording import said
+from plans.model.mechanism import Drive, Mechanism, Output, StructureError
+from plans.scene.faults import SHOWN, Fault, SceneError
+from plans.scene.linkage import mechanism_of
+from plans.scene.scene import FrameLine, parse_scene
+from plans.scene.shapes import triangle
+from plans.scene.wording import said
 
 SHAPER = """title = "Crank shaper"
 sheets = ["kinematics"]

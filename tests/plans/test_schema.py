@@ -11,17 +11,17 @@ from typing import Any
 import pytest
 from jsonschema import Draft202012Validator
 
-from drawings import cli
+from drawings.commands import cli
 from geometry.errors import LimitError
-from plans import units
-from plans.faults import SceneError
-from plans.forms import text_with_unit
-from plans.keys import KEYS
-from plans.scene import TABLES, Scene
-from plans.schema import schema
-from plans.source import read_source
-from plans.tables import Refused, read
-from plans.units import Kind
+from plans.scene import units
+from plans.scene.faults import SceneError
+from plans.scene.forms import text_with_unit
+from plans.scene.keys import KEYS
+from plans.scene.scene import TABLES, Scene
+from plans.scene.schema import schema
+from plans.scene.source import read_source
+from plans.scene.tables import Refused, read
+from plans.scene.units import Kind
 
 ROOT = Path(__file__).parent.parent.parent
 FORM = schema()

@@ -13,10 +13,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from geometry.errors import LimitError
-from plans import faults, source
-from plans.faults import SceneError
-from plans.places import Places
-from plans.source import parse_source, read_source
+from plans.scene import faults, source
+from plans.scene.faults import SceneError
+from plans.scene.places import Places
+from plans.scene.source import parse_source, read_source
 
 NESTED = '''# a comment with [brackets] and "quotes
 title = "x = 1" # speed = 3

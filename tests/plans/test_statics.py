@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from plans import force_comparison
-from plans.kinetostatics import Kinetostatics
-from plans.motion import Gap
-from plans.scene import parse_scene
-from plans.statics import Statics, without
-from plans.study import Study
+from plans.checks import force_comparison
+from plans.forces.statics import Statics, without
+from plans.linkage.study import Study
+from plans.model.kinetostatics import Kinetostatics
+from plans.model.motion import Gap
+from plans.scene.scene import parse_scene
 from tests.plans.force_cases import compared
 
 PARALLELOGRAM = """

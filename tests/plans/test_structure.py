@@ -7,11 +7,11 @@ from itertools import permutations
 
 import pytest
 
-from plans.linkage import mechanism_of
-from plans.mechanism import FRAME, Drive, Mechanism, Slide, StructureError, Way
-from plans.scene import parse_scene
-from plans.structure import NUMBERS, decompose, formula, mechanism_class
-from plans.study import Study
+from plans.linkage.study import Study
+from plans.model.mechanism import FRAME, Drive, Mechanism, Slide, StructureError, Way
+from plans.model.structure import NUMBERS, decompose, formula, mechanism_class
+from plans.scene.linkage import mechanism_of
+from plans.scene.scene import parse_scene
 from tests.plans import linkages
 
 TABLES = {

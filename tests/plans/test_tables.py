@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 
-from plans.faults import wrong
-from plans.tables import Refused, Table, either, key, many, named, one, read, table
+from plans.scene.faults import wrong
+from plans.scene.tables import Refused, Table, either, key, many, named, one, read, table
 
 
 def even(value: Any) -> int:

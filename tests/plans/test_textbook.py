@@ -12,9 +12,9 @@ from typing import Any
 import pytest
 
 from geometry.meet import dot
-from plans.angles import rate
-from plans.mechanism import Drive, Mechanism, Output, Slide, Way
-from plans.plan import Plan
+from plans.linkage.angles import rate
+from plans.linkage.plan import Plan
+from plans.model.mechanism import Drive, Mechanism, Output, Slide, Way
 from tests.plans import linkages
 from tests.plans.studies import plans_at, shown, study_of, value
 

@@ -9,10 +9,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from plans.compare import compare
-from plans.scene import parse_scene
-from plans.study import Study
-from plans.turn import even, listed, within
+from plans.checks.compare import compare
+from plans.linkage.study import Study
+from plans.linkage.turn import even, listed, within
+from plans.scene.scene import parse_scene
 
 CRANK_ROCKER = (Path(__file__).parent.parent / "catalogue" / "plain.toml").read_text("utf-8")
 

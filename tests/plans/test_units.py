@@ -8,10 +8,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from plans import units
-from plans.faults import Wrong
-from plans.messages.english import FAULTS
-from plans.units import Kind
+from plans.scene import units
+from plans.scene.faults import Wrong
+from plans.scene.messages.english import FAULTS
+from plans.scene.units import Kind
 
 
 @pytest.mark.parametrize(

@@ -10,10 +10,10 @@ from pathlib import Path
 
 import pytest
 
-from plans.faults import Fault
-from plans.messages import english, russian
-from plans.messages.sentences import SENTENCES
-from plans.wording import said, table
+from plans.scene.faults import Fault
+from plans.scene.messages import english, russian
+from plans.scene.messages.sentences import SENTENCES
+from plans.scene.wording import said, table
 
 ROOT = Path(__file__).parent.parent.parent
 KINDS = [(kind, name) for name in ("FAULTS", "NOTES") for kind in getattr(english, name)]
@@ -86,7 +86,7 @@ RAISING = sorted(
     for folder in ("plans", "drawings/commands", "drawings/sheets")
     for path in (ROOT / folder).rglob("*.py")
     if path.name != "faults.py"
-) + [ROOT / f"drawings/{name}.py" for name in ("value_table", "scale", "verify", "cli")]
+) + [ROOT / f"drawings/{name}.py" for name in ("layout/value_table", "page/scale", "checks/verify")]
 # Errors with sentences of their own; a TypeError and a SceneError are none.
 ERRORS = re.compile(r"LimitError|SheetError|SketchError|StructureError|SelfCheckFailed|NoExtreme|UnknownMark|OSError")
 
@@ -110,7 +110,7 @@ def filled(node: ast.expr) -> str:
 
 @pytest.mark.parametrize("path", RAISING, ids=lambda path: path.stem)
 def test_every_sentence_that_ends_a_command_has_its_russian(path: Path) -> None:
-    """A new message needs a line in plans/messages/sentences.py."""
+    """A new message needs a line in plans/scene/messages/sentences.py."""
     for text in raised(path):
         assert not ENGLISH.search(said(text, "ru")), text
 

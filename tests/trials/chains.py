@@ -7,7 +7,7 @@ from collections.abc import Callable
 from math import pi, radians
 from random import Random
 
-from plans.mechanism import FRAME
+from plans.model.mechanism import FRAME
 from tests.trials.pose import Guide, Pose
 
 KINDS = ("RRR", "RRP", "RPR", "PRP", "RPP")

@@ -14,8 +14,8 @@ from typing import Any, NamedTuple
 import mpmath
 import numpy as np
 
-from plans.mechanism import FRAME, Mechanism
-from plans.motion import Motion
+from plans.model.mechanism import FRAME, Mechanism
+from plans.model.motion import Motion
 from tests.trials.rates import AT_REST, Series
 
 MP = mpmath.mp.clone()

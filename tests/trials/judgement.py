@@ -11,10 +11,10 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from geometry.errors import DraftError
-from plans.compare import Comparison, compare
-from plans.motion import LINK_KEYS, POINT_KEYS, Motion
-from plans.scene import parse_scene
-from plans.study import Study
+from plans.checks.compare import Comparison, compare
+from plans.linkage.study import Study
+from plans.model.motion import LINK_KEYS, POINT_KEYS, Motion
+from plans.scene.scene import parse_scene
 from tests.trials.judge import MP, Lost, answers, case, guess, roundings, solved
 from tests.trials.rests import off
 from tests.trials.trial import text_of

@@ -9,7 +9,7 @@ from itertools import product
 from math import degrees
 from typing import NamedTuple
 
-from plans.mechanism import FRAME
+from plans.model.mechanism import FRAME
 
 # The drive's fixed hinge and the crank's end are O and A; P, the pole's own letter, is a point like any other.
 LETTERS = [letter + number for number, letter in product(["", "1", "2", "3", "4"], "OABCDEFGHKLMNPQRSTUVW")]

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from plans.analytic.kinematics import Analysis
-from plans.mechanism import FRAME, Mechanism, Output
+from plans.model.mechanism import FRAME, Mechanism, Output
 from tests.trials.judge import EPS, MP, Answers, Case, Lost, answers, case, guess, roundings, solved
 
 ROUNDS = 8  # of Newton, each doubling the digits

@@ -7,8 +7,8 @@ from dataclasses import replace
 import pytest
 
 from plans.analytic.kinematics import Analysis
-from plans.mechanism import Mechanism, Output
-from plans.motion import Motion
+from plans.model.mechanism import Mechanism, Output
+from plans.model.motion import Motion
 from tests.plans.linkages import four_bar, shaper, slider_crank
 from tests.plans.studies import study_of
 from tests.trials.judge import EPS, MP, Case, Lost, Series, answers, case, guess, roundings, solved

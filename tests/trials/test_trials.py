@@ -12,11 +12,11 @@ import pytest
 
 from geometry.errors import DraftError
 from plans.analytic.kinematics import Analysis
-from plans.mechanism import FRAME
-from plans.motion import Motion
-from plans.scene import Scene, parse_scene
-from plans.structure import decompose
-from plans.study import Study
+from plans.linkage.study import Study
+from plans.model.mechanism import FRAME
+from plans.model.motion import Motion
+from plans.model.structure import decompose
+from plans.scene.scene import Scene, parse_scene
 from tests.trials import trial
 from tests.trials.__main__ import main
 from tests.trials.chains import KINDS as DYADS

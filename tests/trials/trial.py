@@ -16,13 +16,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.report import shallow
+from drawings.report.report import shallow
 from geometry.errors import DraftError
-from plans.compare import Comparison, compare, compare_extremes
-from plans.kinetostatics import FORCES
-from plans.motion import Motion
-from plans.scene import Scene, parse_scene
-from plans.study import Study
+from plans.checks.compare import Comparison, compare, compare_extremes
+from plans.linkage.study import Study
+from plans.model.kinetostatics import FORCES
+from plans.model.motion import Motion
+from plans.scene.scene import Scene, parse_scene
 from tests.trials.chains import chain
 from tests.trials.changes import change
 from tests.trials.crank_rockers import crank_rocker
@@ -87,8 +87,8 @@ def _compared(study: Study) -> Comparison:
     comparison = compare_extremes(study, compare(study))
     if "forces" not in study.scene.sheets:
         return comparison
-    from plans.force_comparison import compare_forces
-    from plans.statics import Statics
+    from plans.checks.force_comparison import compare_forces
+    from plans.forces.statics import Statics
 
     return compare_forces(Statics(study), comparison)
 

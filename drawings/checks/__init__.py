@@ -1,0 +1,1 @@
+"""Checks: a written sheet held to the analysis (самопроверка листа)."""

@@ -1,0 +1,50 @@
+"""The self-check of a force sheet's figures: written force plans and levers against the analysis (силовой расчёт)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from drawings.checks.labelled import SEEN
+from drawings.figures.forces.lever_plan import PLAN
+from drawings.measure.measure import Measured
+from plans.checks.force_expected import ExpectedForces, missed
+from plans.model.structure import Dyad
+
+
+def polygon_marks(
+    measured: Measured, expected: ExpectedForces, groups: tuple[Dyad, ...], group: Dyad | None, allowed: float
+) -> Iterator[str]:
+    """Hold the vectors of one written force plan against the analysis: each that must be there, each that is.
+
+    `allowed` N is what the two roads may differ by; the paper's resolution comes on top.
+    """
+    links = (expected.mechanism.drive.link,) if group is None else group.links
+    label = "-".join(map(str, links))
+    plan = f"forces-{label}"
+    vectors = [one for one in measured.vectors if one.plan == plan and one.position == expected.k]
+    seen = {one.name: one.value for one in vectors}
+    must, parts = expected.polygon(groups, group), expected.parts(group)
+    scale = max((one.scale for one in vectors), default=0.0)
+    slack = allowed + 2 * measured.quantum * scale
+    if not vectors and any(abs(value) > slack for value in must.values()):
+        yield f"the force plan of {label} in position {expected.k} is missing"
+        return
+    for wrong in missed(seen, must, parts, slack, SEEN * scale + slack):
+        yield f"{wrong} on {plan} in position {expected.k}"
+
+
+def lever_marks(
+    measured: Measured, expected: ExpectedForces, letters: Mapping[str, str], allowed: float
+) -> Iterator[str]:
+    """Hold the images on a written lever against the velocities by analysis, turned by a quarter.
+
+    `letters` are the points' letters on the velocity plan; `allowed` m/s is what the two roads may differ by.
+    """
+    marks = {one.name: one for one in measured.points if one.plan == PLAN and one.position == expected.k}
+    for point, letter in letters.items():
+        mark = marks.get(letter)
+        if (
+            mark is not None
+            and not abs(mark.value - expected.image(point)) <= allowed + 2 * measured.quantum * mark.scale
+        ):
+            yield f"{letter} on {PLAN} in position {expected.k} (against the analysis)"

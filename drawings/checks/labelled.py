@@ -1,0 +1,81 @@
+"""Letters held to their marks: each point and each end of a vector bears its own letter, close by or by a leader."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from drawings.figures.linkage.vector_plan import written
+from drawings.layout.labels import CELL, CLEAR, NEAR
+from drawings.paper.limits import QUANTUM
+from drawings.paper.strokes import Box, Circle, Group, Leaf, Line, Stroke, Text, bounds
+
+GAP = 3.0  # mm, the widest gap at which a label is placed beside its point
+SLACK = 2.0  # mm: letters of images that fall on one place stand at the first of them
+SEEN = 1.0  # mm: two divisions of a ruler's half millimetre; a shorter force has no direction to the eye
+NEAREST = GAP + NEAR[-1] + CLEAR + CELL + SLACK
+
+
+class Label(NamedTuple):
+    """A lettering and where it points to: its own box, or the start of its leader."""
+
+    text: Text
+    place: Box
+
+
+def unlettered(leaf: Leaf) -> Iterator[str]:
+    """Name each mark of a sheet that no letter of its own stands beside."""
+    labels: dict[str, list[Label]] = {}
+    for label in _labels(leaf.groups):
+        for letter in label.text.plain.split(", "):
+            labels.setdefault(letter, []).append(label)
+    for plan, name, letter, spots in _marks(leaf.groups):
+        plain = Text(0j, letter if "{" in letter else written(letter)).plain
+        if not any(_distance(spot, label.place) <= NEAREST for label in labels.get(plain, ()) for spot in spots):
+            yield f"the letter {name} on {plan}"
+
+
+def _labels(strokes: tuple[Stroke, ...]) -> Iterator[Label]:
+    for stroke in strokes:
+        match stroke:
+            case Group((Line() as leader, Text() as text)):
+                place = leader.start
+                yield Label(text, (place.real, place.imag, place.real, place.imag))
+            case Group():
+                yield from _labels(stroke.strokes)
+            case Text():
+                yield Label(stroke, bounds(stroke))
+
+
+def _marks(strokes: tuple[Stroke, ...]) -> Iterator[tuple[str, str, str, list[complex]]]:
+    """Give plan, name, letter and places of every point, of the end of every vector of two letters, of every force.
+
+    A vector named by one letter of its own, as a force or an arm is, bears it anywhere along its line, as its title
+    writes it; one that is too short to be seen as a vector has none.
+    """
+    for stroke in strokes:
+        match stroke:
+            case Group((Line() as line, *_)) if stroke.data.get("kind") == "vector":
+                *start, name = stroke.data["name"].split(" ")
+                if start:
+                    yield stroke.data["plan"], name, name, [line.end]
+                elif abs(line.end - line.start) > SEEN + QUANTUM:  # one that is just so long may bear a letter or not
+                    yield stroke.data["plan"], name, stroke.title or name, _along(line)
+            case Group((Circle() as circle, *_)) if stroke.data.get("kind") in ("point", "pole"):
+                name = stroke.data["name"]
+                yield stroke.data["plan"], name, name, [circle.centre]
+            case Group():
+                yield from _marks(stroke.strokes)
+
+
+def _along(line: Line) -> list[complex]:
+    """Give places along a line, no further from each other than a label may be from its mark."""
+    count = math.ceil(abs(line.end - line.start) / NEAREST) + 1
+    return [line.start + (line.end - line.start) * k / count for k in range(count + 1)]
+
+
+def _distance(point: complex, box: Box) -> float:
+    left, bottom, right, top = box
+    nearest = complex(min(max(point.real, left), right), min(max(point.imag, bottom), top))
+    return abs(point - nearest)

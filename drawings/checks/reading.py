@@ -1,0 +1,89 @@
+"""Reading a laid-out sheet back: its marked groups, its lettering, its tables and written scales (чтение листа)."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterable, Iterator, Mapping
+
+from drawings.lettering.words import number
+from drawings.paper.strokes import Group, Stroke, Text
+from plans.checks.compare import Finding
+
+_NUMBER = re.compile(r"[-−]?\d+(?:[.,]\d+)?")
+_SCALE = re.compile(r"(μ|K)\S+ = (\d+(?:[.,]\d+)?) ")  # of a plan, after its letter: mu_v, K_v
+
+
+def groups(group: Group) -> Iterator[Group]:
+    """Give a group and all within it."""
+    yield group
+    for stroke in group.strokes:
+        if isinstance(stroke, Group):
+            yield from groups(stroke)
+
+
+def strokes(group: Group) -> Iterator[Stroke]:
+    """Give the strokes of a group and of all within it."""
+    for stroke in group.strokes:
+        if isinstance(stroke, Group):
+            yield from strokes(stroke)
+        else:
+            yield stroke
+
+
+def texts(group: Group) -> list[Text]:
+    """Give the lettering of a group."""
+    return [stroke for stroke in strokes(group) if isinstance(stroke, Text)]
+
+
+def plain(name: str) -> str:
+    """Write a letter without the marks of its levels, as lettering is read.
+
+    >>> plain("R^t_34")
+    'Rt34'
+    """
+    return name.replace("_", "").replace("^", "")
+
+
+def table(group: Group, named: Mapping[str, Finding], positions: tuple[int, ...]) -> Iterator[str]:
+    """Read a table's numbers back: each value is the analysis's, to the half of its last digit.
+
+    `named` are the findings by what the first cell of their row says before its unit.
+    """
+    rows: dict[float, list[Text]] = {}
+    for text in texts(group):
+        rows.setdefault(round(text.at.imag, 3), []).append(text)
+    for row in rows.values():
+        finding, j = None, 0
+        for text in sorted(row, key=lambda text: text.at.real):
+            begins = named.get(text.plain.rsplit(", ", 1)[0])
+            if begins is not None:  # a table of several blocks has several names in a line
+                finding, j = begins, 0
+                continue
+            if finding is not None and j < 3 * len(positions):
+                true, slack = finding.analysis[positions[j // 3]], float(finding.allowed[positions[j // 3]])
+                if j % 3 < 2 and not reads(text.plain, abs(true) if isinstance(true, complex) else float(true), slack):
+                    yield f"{text.plain} for {finding.name} of position {positions[j // 3]} in the table"
+                j += 1
+
+
+def reads(text: str, true: float, slack: float) -> bool:
+    """Tell whether a text is a value to the half of its last digit, beside what the two roads may differ by."""
+    if text == "—":
+        return math.isnan(true)
+    if not _NUMBER.fullmatch(text):
+        return False
+    written = text.replace("−", "-").replace(",", ".")
+    places = len(written.partition(".")[2])
+    return abs(float(written) - true) <= 0.5000001 * 10.0**-places + 1e-9 * abs(true) + slack
+
+
+def scales(group: Group, stated: Iterable[float]) -> Iterator[str]:
+    """Read a figure's written scale: mu is the one that its vectors are drawn to, and K is 1/mu to its own digits."""
+    for text in (text.plain for text in texts(group)):
+        found = _SCALE.match(text)
+        if found is None and not text.startswith("μ"):
+            continue
+        symbol, read = (found[1], found[2].replace(",", ".")) if found else ("", "")
+        if not all(read == number(1 / mu if symbol == "K" else mu) for mu in stated):
+            yield f"the scale {text}"

@@ -1,0 +1,166 @@
+"""The self-check of a written force sheet: vectors, arrows, numbers and scales (проверка листа)."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from drawings.checks.force_marks import lever_marks, polygon_marks
+from drawings.checks.reading import groups, plain, reads, scales, texts
+from drawings.checks.verify_friction import friction_of
+from drawings.figures.forces.force_equations import DIGITS
+from drawings.figures.forces.force_letters import lettered
+from drawings.figures.forces.force_table import label
+from drawings.lettering.words import word
+from drawings.measure.measure import Measured
+from drawings.paper.strokes import Leaf, Line, Text
+from drawings.symbols.force_arrow import named
+from plans.checks.compare import Comparison, Finding
+from plans.checks.force_expected import ExpectedForces
+from plans.forces.cut import indices
+from plans.forces.statics import Statics
+from plans.model.motion import ORDERS
+
+# The least that an arrow not to scale is turned by to be wrong: its direction is drawn with the coordinates of paper.
+ASKEW = 1e-3
+_TOLD = re.compile(r"(?P<name>\S+) = (?P<value>[−\d.,]+)(?: (?P<unit>\S+?))?,?")
+
+
+def forces_of(measured: Measured, leaf: Leaf, comparison: Comparison, statics: Statics) -> Iterator[str]:
+    """Hold all that one force sheet shows against the analysis."""
+    check = _Check(measured, leaf, comparison, statics)
+    yield from check.plans()
+    yield from check.arrows()
+    yield from check.told()
+    yield from check.scales()
+    yield from check.curves()
+    yield from friction_of(leaf, comparison, check.position, statics.study.scene.sheet.language)
+
+
+def table_names(comparison: Comparison, statics: Statics) -> dict[str, Finding]:
+    """Name the findings as the table of a force sheet does."""
+    sheet = statics.study.scene.sheet
+    found = {}
+    for finding in comparison.of("forces"):
+        written = label(finding, sheet.language, sheet.reactions)
+        found[Text(0j, written).plain.rsplit(", ", 1)[0]] = finding
+    return found
+
+
+def _half(size: float) -> float:
+    """Give the half of the last digit of a number that has more digits before its point than the equations write."""
+    return 0.5 * 10.0 ** (math.floor(math.log10(size)) + 1 - DIGITS) if size >= 10.0**DIGITS else 0.0
+
+
+@dataclass(frozen=True)
+class _Check:
+    """One force sheet and what it must show."""
+
+    measured: Measured
+    leaf: Leaf
+    comparison: Comparison
+    statics: Statics
+
+    @property
+    def position(self) -> int:
+        return int(self.leaf.metadata["position"])
+
+    @property
+    def slack(self) -> float:
+        """What the two roads may differ by in a force, N."""
+        return 2 * max(float(one.allowed[self.position]) for one in self.comparison.of("forces") if one.unit == "N")
+
+    def expected(self) -> ExpectedForces:
+        assert self.comparison.forces is not None  # a force sheet compares them
+        study, loads = self.statics.study, self.statics.loading(self.comparison.analysis)
+        found, machine = self.comparison.forces[1], self.statics.machine
+        return ExpectedForces(study.mechanism, machine, self.comparison.analysis, loads, found, self.position)
+
+    def forces(self, label: str) -> dict[str, complex]:
+        """Give the forces of a cut and their parts by the names that the sheet writes."""
+        expected, cuts = self.expected(), self.statics.drafts().plans.plan.cuts
+        group = next(cut.group for cut in cuts if cut.label == label)
+        sheet = self.statics.study.scene.sheet
+        told = expected.polygon(self.statics.study.groups, group) | expected.parts(group)
+        return {named(lettered(name, sheet.language, sheet.reactions)): value for name, value in told.items()}
+
+    def plans(self) -> Iterator[str]:
+        """Hold the force plans and the lever's images."""
+        study, expected = self.statics.study, self.expected()
+        cuts = {cut.label: cut.group for cut in self.statics.drafts().plans.plan.cuts}
+        for name in self.leaf.metadata["groups"]:
+            yield from polygon_marks(self.measured, expected, study.groups, cuts[name], self.slack)
+        velocities = study.drafts().velocities
+        letters = {name: velocities.point(name).name for name in self.comparison.analysis.points}
+        speed = max(float(one.allowed[self.position]) for one in self.comparison.of(ORDERS[1]))
+        yield from lever_marks(self.measured, expected, letters, 2 * speed)
+
+    def arrows(self) -> Iterator[str]:
+        """Hold the directions of arrows that are not to scale, on the schemes and on the lever."""
+        whole = {name: value for cut in self._labels() for name, value in self.forces(cut).items()}
+        for group in self.leaf.groups:
+            cut = group.name.removeprefix("scheme-").rpartition("-")[0] if group.name.startswith("scheme-") else ""
+            known = self.forces(cut) if cut else whole
+            for arrow in groups(group):
+                name, shaft = arrow.data.get("name", ""), arrow.strokes[0] if arrow.strokes else None
+                if arrow.data.get("kind") != "force" or name not in known or not isinstance(shaft, Line):
+                    continue
+                along, force = shaft.end - shaft.start, known[name]
+                if abs(force) > self.slack and not abs(along / abs(along) - force / abs(force)) <= ASKEW:
+                    yield f"the direction of {name} on {group.name}"
+
+    def _labels(self) -> list[str]:
+        return [cut.label for cut in self.statics.drafts().plans.plan.cuts]
+
+    def told(self) -> Iterator[str]:
+        """Read the sizes of forces that the equations state."""
+        for group in self.leaf.groups:
+            label = group.name.removeprefix("equations-")
+            if label == group.name or label not in self._labels():
+                continue
+            known = {plain(name): value for name, value in self.forces(label).items()}
+            for text in texts(group):
+                found = _TOLD.fullmatch(text.plain)
+                if found is None or found["name"] not in known or found["unit"] not in self._newton:
+                    continue
+                size = abs(known[found["name"]])
+                if not reads(found["value"].rstrip(","), size, self.slack + _half(size)):
+                    yield f"{text.plain} in the equations of {label}"
+
+    @property
+    def _newton(self) -> tuple[str, ...]:
+        return (word(self.statics.study.scene.sheet.language, "N"),)
+
+    def scales(self) -> Iterator[str]:
+        """Read the written scale of each figure whose vectors are to one scale."""
+        for group in self.leaf.groups:
+            stated = {float(s.data["scale"]) for s in groups(group) if s.data.get("kind") in ("vector", "point")}
+            if len(stated) == 1 and group.name != "balancing":
+                yield from scales(group, stated)
+
+    def curves(self) -> Iterator[str]:
+        """Hold the ordinates of the balancing moment and the ends of hodographs over the positions."""
+        assert self.comparison.forces is not None  # a force sheet compares them
+        told = self.comparison.forces[1]
+        moments = {str(k): complex(0, value) for k, value in enumerate(told.balancing.moment)}
+        largest = max(np.nanmax(one.allowed) for one in self.comparison.of("forces") if one.name.startswith("M_bal"))
+        yield from self._held("balancing", moments, 2 * float(largest) + told.nothing[1])
+        sheet = self.statics.study.scene.sheet
+        for key in sheet.hodographs:
+            one = told.reactions[key]
+            ends = {str(k): complex(value) for k, value in enumerate(one.force)}
+            shown = lettered(f"R_{indices(one.giver, one.taker)}", sheet.language, sheet.reactions)
+            ends[named(shown)] = complex(one.force[self.position])
+            yield from self._held(f"hodograph-{key}", ends, self.slack)
+
+    def _held(self, plan: str, expected: Mapping[str, complex], slack: float) -> Iterator[str]:
+        told = [(one.plan, one.name, one.value, one.scale) for one in self.measured.vectors]
+        told += [(one.plan, one.name, one.value, one.scale) for one in self.measured.points]
+        for own, name, value, scale in told:
+            allowed = slack + 2 * self.measured.quantum * scale
+            if own == plan and name in expected and not abs(value - expected[name]) <= allowed:
+                yield f"{name} on {plan} (against the analysis)"

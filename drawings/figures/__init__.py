@@ -1,0 +1,1 @@
+"""Figures: what a sheet shows, one figure a file (фигуры листа)."""

@@ -1,0 +1,1 @@
+"""Figures of forces: loading schemes, force plans, the lever (силовые планы)."""

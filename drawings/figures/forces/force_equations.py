@@ -1,0 +1,130 @@
+"""The equations of a cut as its sheet writes them: moments with their arms, forces with what is known (уравнения)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from drawings.figures.forces.force_letters import lettered
+from drawings.figures.forces.leverage import Leverage, leverages
+from drawings.layout.equation import DIRECTION, FULL, UNKNOWN, Equation, Passage, Term, forces, moments, plain
+from drawings.lettering.words import number, word
+from drawings.paper.hand import Hand
+from geometry.board import Mark, at
+from plans.forces.cut import CLOSING, REACTION, Couple, Cut
+from plans.forces.cut import Equation as Moments
+from plans.forces.force import ForcePlan
+
+DIGITS = 5
+
+
+class Equations:
+    """What a sheet writes beside a cut in one position."""
+
+    def __init__(
+        self, plan: ForcePlan, cut: Cut, column: int, language: str, reactions: str, nothing: tuple[float, float]
+    ) -> None:
+        self.plan, self.cut, self.column, self.language, self.reactions = plan, cut, column, language, reactions
+        self.nothing = nothing  # force N and moment N*m below which there is none
+        self.arms = leverages(plan, cut, column)
+
+    def passage(self, name: str, hand: Hand) -> Passage:
+        """Write arms, equations of moments with what they give, and the equation of forces."""
+        lines = [*self._given(), *self._slotted(), *(line for one in self.cut.equations for line in self._moments(one))]
+        lines += [*self._forces(), *self._found()]
+        return Passage(name, tuple(lines), hand.text)
+
+    def letter(self, name: str) -> str:
+        """Write a force's name as the sheet does."""
+        return lettered(name, self.language, self.reactions)
+
+    def told(self, name: str, value: float, unit: str) -> str:
+        """Write what a quantity is: R_34 = 1644.1 N."""
+        return f"{self.letter(name)} = {number(value, self.language, DIGITS)} {word(self.language, unit)}"
+
+    def _size(self, mark: Mark) -> float:
+        return abs(self._value(mark))
+
+    def _value(self, mark: Mark) -> complex:
+        """Give a force or a moment; one that is but rounding is none."""
+        value = at(mark.point, self.column)
+        return value if abs(value) > self.nothing[mark.is_moment] else 0j
+
+    def _given(self) -> Iterator[Equation]:
+        """Tell the known forces and moments, and the arms."""
+        own = [one for one in self.cut.loads if one.kind != REACTION and self._size(one.force) > 0]
+        loads = [self.told(one.name, self._size(one.force), "N") for one in own]
+        turning = [one for one in self.cut.couples if one.kind != REACTION and self._size(one.moment) > 0]
+        couples = [self._couple(one) for one in turning]
+        told = [*loads, *couples]
+        if told:
+            yield plain(*(f"{one}," if k < len(told) - 1 else one for k, one in enumerate(told)))
+        arms = {arm.letter: arm.length for arm in self.arms}
+        if arms:
+            mm = word(self.language, "mm")
+            parts = [f"{letter} = {number(1000 * arm, self.language, DIGITS)}" for letter, arm in arms.items()]
+            yield plain(*(f"{one}," for one in parts[:-1]), f"{parts[-1]} {mm}")
+
+    def _slotted(self) -> Iterator[Equation]:
+        """Tell the part along a slot: what is left of the stone's forces there, since a slot holds nothing along it."""
+        for part in (part for one in self.cut.supports for part in one.parts if part.name.startswith("R^u")):
+            terms = [self.letter(load.name) for load in self.cut.loads if load.link == self.cut.links[0]]
+            yield plain(
+                f"{self.letter(part.name)} = −({' + '.join(terms)})_u,", self.told(part.name, self._size(part), "N")
+            )
+
+    def _couple(self, one: Couple) -> str:
+        return self.told(one.name, self._value(one.moment).real, "N*m")
+
+    def _moments(self, one: Moments) -> Iterator[Equation]:
+        """Write an equation of moments, each force by its arm, and the force or the moment that it gives."""
+        unknown = one.found.name
+        named = {load.name for load in one.loads} | {unknown}
+        armed = [arm for arm in self.arms if arm.about == one.about.name and arm.name in named]
+        terms = [self._term(arm) for arm in armed if arm.name != unknown]
+        terms += [self._turning(couple) for couple in one.couples if self._size(couple.moment) > 0]
+        force = next((arm for arm in armed if arm.name == unknown), None)
+        if one.line is None:
+            value, unit, own = self._value(one.found).real, "N*m", ("+", self.letter(unknown))
+        else:
+            value, unit = self._size(one.found), "N"
+            own = ("+", self.letter(unknown)) if force is None else self._term(force)
+        if terms:
+            yield moments(self._about(one), [own, *terms])
+        yield plain(self.told(unknown, value, unit))
+
+    def _about(self, one: Moments) -> str:
+        """Name the point of an equation, and the link where both leads have equations about one point."""
+        links = {load.link for load in one.loads} | {couple.link for couple in one.couples}
+        several = len(self.cut.equations) > 1
+        return f"{one.about.name}({min(links)})" if several and links else one.about.name
+
+    def _term(self, arm: Leverage) -> tuple[str, str]:
+        return "+" if arm.sense > 0 else "−", f"{self.letter(arm.name)}·{arm.letter}"
+
+    def _turning(self, couple: Couple) -> tuple[str, str]:
+        """Write a moment by its size, its sense in the sign."""
+        return "+" if at(couple.moment.point, self.column).real > 0 else "−", f"|{self.letter(couple.name)}|"
+
+    def _forces(self) -> Iterator[Equation]:
+        """Write that the forces of the cut balance: known ones underlined twice, of known direction once."""
+        closers = [side for side in self.cut.sides if side.kind == CLOSING]
+        known = DIRECTION if len(closers) > 1 else UNKNOWN
+        terms = [
+            Term(self.letter(side.name), known if side.kind == CLOSING else FULL)
+            for side in self.cut.sides
+            if side.kind == CLOSING or self._seen(side.name)
+        ]
+        if len(terms) > 1:
+            yield forces(terms)
+
+    def _seen(self, name: str) -> bool:
+        """Tell whether a force acts in this position."""
+        side = next(one for one in self.cut.sides if one.name == name)
+        return abs(at(side.end.point, self.column) - at(side.start.point, self.column)) > self.nothing[0]
+
+    def _found(self) -> Iterator[Equation]:
+        """Tell the reactions that the polygon gives."""
+        found = [self.told(one.force.name, self._size(one.force), "N") for one in self.cut.reactions]
+        moments = [one.moment for one in self.cut.reactions if one.moment is not None]
+        found += [self.told(one.name, self._value(one).real, "N*m") for one in moments if self._size(one) > 0]
+        yield plain(*(f"{one}," for one in found[:-1]), found[-1])

@@ -1,0 +1,219 @@
+"""The figure of a force plan: the polygon of one group, or of the primary link, at one position (план сил)."""
+
+from __future__ import annotations
+
+import cmath
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from drawings.checks.labelled import SEEN
+from drawings.figures.forces.force_letters import REACTION, lettered
+from drawings.figures.linkage.vector_plan import BEYOND, LEAST
+from drawings.layout.labels import Labels
+from drawings.layout.parallel_offsets import APART, Box, Segment, lanes, moved
+from drawings.layout.picture import Margins, Picture, Spot, picture
+from drawings.lettering.words import word
+from drawings.page.page import Field
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import LEAN, Group, Line, LineStyle, Stroke, Text, text_width
+from drawings.symbols.figure import Place, Subject, heading
+from drawings.symbols.symbols import arrowhead
+from geometry.board import Line as Direction
+from geometry.board import Mark, at, between
+from geometry.meet import EPS
+from plans.forces.cut import CLOSING, Cut
+from plans.forces.force import ForcePlan
+
+SYMBOL, UNIT = "F", "N"
+WHOLE = "whole"  # both parts of a reaction together, or a group's inner reaction: a diagonal of the polygon
+MARGINS = Margins(3.0, 2.4, 2.4)  # paper around a polygon for its letters, in their sizes
+FLAT = 0.1  # of its length: a polygon that is narrower is drawn in lanes
+LETTERS, EACH = 12.0, 1.6  # a polygon is drawn at least so many letters large, and so many for each of its vectors
+BESIDE = 0.9  # mm from a vector to its letter
+ROOM = 2.7 + 1.9j  # width + 1j * height of a letter between two lanes, in its sizes, with what it keeps clear of them
+PAST = 1.0  # mm that the thin lines to a lane run past it
+# Rounding left where forces cancel, as a share of the greatest: a chain of some ten sides, each rounded a few times.
+ZERO = 256 * EPS
+
+
+class Vector(NamedTuple):
+    """A vector of a force polygon: its name, what it is, the true place of its start, and its true value, N."""
+
+    name: str
+    kind: str  # known, part, closing (plans.forces.cut), or whole
+    start: complex
+    value: complex
+
+    @property
+    def end(self) -> complex:
+        """The true place of its end."""
+        return self.start + self.value
+
+
+class Polygon(NamedTuple):
+    """What one position of a force plan shows: its vectors in the order of laying, diagonals last, and directions."""
+
+    label: str  # the links: "4-5"
+    grouped: bool  # False: the primary link
+    column: int  # place of the position among the constructed ones
+    vectors: tuple[Vector, ...]
+    rays: tuple[Segment, ...]  # true ends of the lines of known direction: from their start to the meeting
+
+    @property
+    def plan(self) -> str:
+        """The name of the plan that the vectors belong to."""
+        return f"forces-{self.label}"
+
+    @property
+    def points(self) -> list[complex]:
+        """All true points that the figure must hold."""
+        return [0j, *(end for one in self.vectors for end in (one.start, one.end))]
+
+    def faint(self, mu: float) -> tuple[str, ...]:
+        """Name the forces that are not to be seen at a scale, N/mm: a sheet lists them beside."""
+        return tuple(one.name for one in self.vectors if abs(one.value) < SEEN * mu)
+
+
+def polygon(plan: ForcePlan, cut: Cut, column: int) -> Polygon:
+    """Read a force polygon from its record; forces that are zero are left out."""
+    named = {side.name: _vector(side.name, side.kind, side.start, side.end, column) for side in cut.sides}
+    for support in cut.reactions:
+        mark = support.force
+        if mark.step.op == "join":
+            named.setdefault(mark.name, _vector(mark.name, WHOLE, *_ends(mark), column))
+    greatest = max((abs(one.value) for one in named.values()), default=0.0)
+    kept = tuple(one for one in named.values() if not abs(one.value) <= ZERO * greatest)  # what is unknown is kept
+    closing = {corner for side in cut.sides if side.kind == CLOSING for corner in (side.start, side.end)}
+    rays = tuple(ray for corner in cut.sides for ray in _rays(corner.start, column) if corner.start in closing)
+    return Polygon(cut.label, cut.group is not None, column, kept, rays)
+
+
+def _ends(mark: Mark) -> tuple[Mark, Mark]:
+    start, end = mark.step.inputs
+    return start, end
+
+
+def _vector(name: str, kind: str, start: Mark, end: Mark, column: int) -> Vector:
+    return Vector(name, kind, at(start.point, column), at(between(start, end), column))
+
+
+def _rays(corner: Mark, column: int) -> list[Segment]:
+    """Give the lines that meet in a corner, each from where it was drawn."""
+    if corner.step.op != "meet":
+        return []
+    met = [line.value for line in corner.step.inputs if isinstance(line.value, Direction)]
+    return [(at(line.through, column), at(corner.point, column)) for line in met]
+
+
+class Drawn(NamedTuple):
+    """A vector on paper: its ends, mm, and how far it was shifted from its own place."""
+
+    vector: Vector
+    ends: Segment
+    shift: complex
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A polygon placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
+
+    shown: Polygon
+    place: Place
+    lines: tuple[Stroke, ...]
+    arrows: tuple[Drawn, ...]  # the vectors that are seen
+    faint: tuple[str, ...]  # names of forces that are not to be seen at this scale
+    hand: Hand
+    language: str
+    reactions: str
+
+    def lettered(self, labels: Labels) -> Group:
+        """Give the whole figure with the letter of each vector beside it, the shortest served first."""
+        spots = [end for arrow in self.arrows for end in arrow.ends]
+        middle = sum(spots, 0j) / max(len(spots), 1)
+        letters = []
+        for one, (start, end), shift in sorted(self.arrows, key=lambda arrow: abs(arrow.vector.value)):
+            outward = shift or (start + end) / 2 - middle or 1j
+            letter = lettered(one.name, self.language, self.reactions)
+            letters.append(labels.along(start, end, letter, self.hand.letter, BESIDE, cmath.phase(outward)))
+        return Group((*self.lines, Group(tuple(letters))), f"{self.shown.plan}-{self.shown.column}")
+
+
+def measured(shown: Polygon, name: str, hand: Hand, language: str) -> Picture:
+    """Measure the room that a polygon needs: its points, letters around them, lanes beside a flat one, its heading."""
+    title = text_width(Text(0j, _title(shown, language), hand.title)) + 2 * LEAN * hand.title
+    points = np.array(shown.points)
+    wide, high = float(np.ptp(points.real)), float(np.ptp(points.imag))
+    beside = 2 * APART * hand.symbol if min(wide, high) < FLAT * max(wide, high) else 0.0
+    side, below, above = (size * hand.letter + beside for size in MARGINS)
+    margins = Margins(side, below, above + 2 * hand.title + hand.text)
+    least = hand.letter * max(LETTERS, EACH * len(shown.vectors))
+    return picture(name, shown.points, (SYMBOL, UNIT), margins, title, least)
+
+
+def figure(
+    shown: Polygon, measure: Picture, spot: Spot, scale: str, hand: Hand, language: str, reactions: str = REACTION
+) -> Figure:
+    """Draw the polygon in its spot: its sides in main lines, diagonals thinner, directions thin, title above."""
+    place = measure.placed(*spot)
+    told = [one for one in shown.vectors if place.length(abs(one.value)) >= LEAST]
+    order = sorted((one for one in told if place.length(abs(one.value)) >= SEEN), key=_rank)
+    segments = [(place.on(one.start), place.on(one.end)) for one in order]
+    shifts = lanes(segments, APART * hand.symbol, ROOM * hand.letter, _inside(spot.box, hand))
+    placed = zip(order, segments, shifts, strict=True)
+    arrows = tuple(Drawn(one, moved(line, shift), shift) for one, line, shift in placed)
+    subject = Subject(shown.plan, SYMBOL, shown.column)
+    short = [(one, (place.on(one.start), place.on(one.end))) for one in told if one not in order]
+    drawn = [
+        _drawn(subject, lettered(one.name, language, reactions), one, line, place, hand)
+        for one, line in (*((one, line) for one, line, _ in reversed(arrows)), *short)
+    ]
+    thin = [*_directions(shown, place, hand), *_carried(segments, shifts, hand)]
+    under = scale if shown.vectors else word(language, "unloaded")
+    title = heading(spot.box, _title(shown, language), under, hand)
+    lines = (title, *([Group(tuple(thin))] if thin else []), *drawn)
+    return Figure(shown, place, lines, arrows, shown.faint(place.scale.mu), hand, language, reactions)
+
+
+def _inside(box: Field, hand: Hand) -> Box:
+    """Give the part of a figure's box that a lane may run in: its letter has room beside it, the heading above."""
+    wide, high = ROOM.real * hand.letter, ROOM.imag * hand.letter
+    return box.left + wide, box.bottom + high, box.right - wide, box.top - 2 * hand.title - hand.text - high
+
+
+def _rank(one: Vector) -> tuple[bool, float]:
+    """Rank a vector by who keeps its place where several run along one another: sides, the longest first."""
+    return one.kind == WHOLE, -abs(one.value)
+
+
+def _drawn(subject: Subject, letter: str, one: Vector, ends: Segment, place: Place, hand: Hand) -> Group:
+    style = hand.relative if one.kind == WHOLE else hand.result
+    head = arrowhead(*ends, hand.symbol)
+    strokes = (Line(*ends, style),) if head is None else (Line(*ends, style), head)
+    return Group(strokes, "", subject.data("vector", one.name, one.value, place.scale), letter)
+
+
+def _directions(shown: Polygon, place: Place, hand: Hand) -> list[Stroke]:
+    """Draw each line of known direction from a little before its start to a little past the meeting."""
+    drawn: list[Stroke] = []
+    for start, end in shown.rays:
+        first, last = place.on(start), place.on(end)
+        if abs(last - first) >= LEAST:
+            along = (last - first) / abs(last - first) * BEYOND * hand.symbol
+            drawn.append(Line(first - along / 2, last + along, hand.drafted))
+    return drawn
+
+
+def _carried(segments: list[Segment], shifts: list[complex], hand: Hand) -> list[Stroke]:
+    """Draw the thin lines that carry the ends of a vector over to its lane."""
+    style = LineStyle(hand.construction)
+    return [
+        Line(end, end + shift + shift / abs(shift) * PAST * hand.symbol, style)
+        for ends, shift in zip(segments, shifts, strict=True) if shift for end in ends
+    ]  # fmt: skip
+
+
+def _title(shown: Polygon, language: str) -> str:
+    key = "force plan" if shown.grouped else "primary force plan"
+    return f"{word(language, key, group=shown.label)}, {word(language, 'position', position=shown.column)}"

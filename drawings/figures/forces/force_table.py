@@ -1,0 +1,29 @@
+"""The table of a force sheet: reactions, moments of sliding pairs, what the drive gives (таблица реакций)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from drawings.figures.forces.force_letters import lettered
+from drawings.layout.value_table import Row, row
+from drawings.lettering.words import word
+from plans.checks.compare import Comparison, Finding
+
+
+def label(finding: Finding, language: str, reactions: str) -> str:
+    """Name a finding of the forces as the sheet does, with its unit: "R_{34}, N"."""
+    name, _, how = finding.name.partition(" ")
+    letter = lettered(name, language, reactions)
+    by = f" ({word(language, f'by {how}')})" if how else ""
+    return f"{letter}{by}, {word(language, finding.unit)}"
+
+
+def rows(comparison: Comparison, position: int, language: str, reactions: str) -> list[Row]:
+    """Give the rows of one position; what is zero over the whole turn has none."""
+    assert comparison.forces is not None  # a force sheet compares them
+    nothing = dict(zip(("N", "N*m"), comparison.forces[0].nothing, strict=True))
+    return [
+        row(finding, label(finding, language, reactions), (position,), language)
+        for finding in comparison.of("forces")
+        if np.nanmax(np.abs(finding.construction), initial=0.0) > nothing[finding.unit]
+    ]

@@ -1,0 +1,190 @@
+"""The figure of Zhukovsky's lever: the turned velocity plan with the forces at the images (рычаг Жуковского)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from drawings.figures.forces.force_letters import REACTION
+from drawings.figures.forces.force_polygon import ZERO
+from drawings.figures.forces.lever_layout import (
+    BALANCE,
+    LOAD,
+    PAIR,
+    SAME,
+    Push,
+    Reach,
+    Taken,
+    arms,
+    downward,
+    forces,
+    reach,
+)
+from drawings.figures.linkage.vector_plan import LEAST, diagram, written
+from drawings.layout.labels import Labels
+from drawings.layout.parallel_offsets import Segment
+from drawings.layout.picture import Margins, Picture, Spot, picture
+from drawings.lettering.words import word
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import LEAN, Circle, Group, Line, LineStyle, Stroke, Text, text_width
+from drawings.symbols.arms import Arm
+from drawings.symbols.figure import Place, Subject, heading, point
+from drawings.symbols.force_arrow import ForceArrow
+from drawings.symbols.symbols import HINGE, POINT, fixed_hinge
+from geometry.board import Mark, at
+from plans.forces.force import ForcePlan
+from plans.forces.lever import Lever
+
+PLAN, SYMBOL, UNIT = "lever", "v", "m/s"
+QUARTER = -1j  # the plan is turned clockwise
+MARGINS = Margins(3.0, 3.0, 3.0)  # paper beyond the forces, in sizes of the letters
+LETTERS = 12.0  # a lever is drawn at least so many of its letters large
+BESIDE = 1.6  # mm from an image to its letter
+
+
+class Hanging(NamedTuple):
+    """What the lever shows at one position: images, the lines between them, and the forces, all turned."""
+
+    column: int
+    pole: str
+    images: tuple[tuple[str, str, complex], ...]  # name on the velocity plan, its letters, true place
+    rods: tuple[tuple[Segment, bool], ...]  # true ends; whether it comes from the pole
+    pushes: tuple[Push, ...]
+
+    @property
+    def points(self) -> list[complex]:
+        """All true points that the figure must hold."""
+        return [0j, *(place for _, _, place in self.images)]
+
+
+def hanging(plan: ForcePlan, lever: Lever, column: int) -> Hanging:
+    """Read the lever from its record, and from that of the velocity plan which lines join its images."""
+    base = diagram(plan.velocities, column)
+    rods = {(arrow.start, arrow.end): (_turned(arrow.ends), arrow.absolute) for arrow in base.arrows}
+    images = {mark.name: (_letters(plan, mark), QUARTER * at(mark.point, column)) for mark in base.letters}
+    joined = list(rods.values())
+    for mark in (*(one.at for one in lever.hung), *(end for pair in lever.pairs for end in pair[1:3]), lever.driven):
+        place = at(mark.point, column)
+        name = _new(mark.name, place, images)
+        if name is not None and mark.name != lever.pole.name:
+            images[name] = name, place
+            joined.append(((0j, place), True))
+    told = tuple((name, letters, place) for name, (letters, place) in images.items())
+    return Hanging(column, lever.pole.name, told, tuple(joined), tuple(_pushes(lever, column)))
+
+
+def _new(name: str, place: complex, images: Mapping[str, tuple[str, complex]]) -> str | None:
+    """Name an image that is not drawn yet: with a prime where another has its letter; None where it is drawn."""
+    while name in images and images[name][1] != place:
+        name += "'"
+    return None if name in images else name
+
+
+def _letters(plan: ForcePlan, image: Mark) -> str:
+    """Give all letters of an image, its own first."""
+    own = [plan.velocities.letter(name) for name, mark in plan.velocities.letters.items() if mark is image]
+    return " ".join(dict.fromkeys((image.name, *own)))
+
+
+def _turned(ends: tuple[complex, complex]) -> Segment:
+    return QUARTER * ends[0], QUARTER * ends[1]
+
+
+def _pushes(lever: Lever, column: int) -> Iterator[Push]:
+    """Give the forces that are not zero, the balancing one first; one at the hinge of the lever does nothing there."""
+    driven, force = at(lever.driven.point, column), at(lever.force.point, column)
+    every = [Push(lever.force.name, BALANCE, driven, force, (driven.conjugate() * force).imag)]
+    for one in lever.hung:
+        place, force = at(one.at.point, column), at(one.force.point, column)
+        every.append(Push(one.name, LOAD, place, force, at(one.moment.point, column).real))
+    for pair in lever.pairs:
+        force, moment = at(pair.force.point, column), at(pair.moment.point, column).real
+        ends = (pair.end, force), (pair.start, -force)
+        every += [Push(pair.force.name, PAIR, at(end.point, column), half, moment) for end, half in ends]
+    greatest = max(abs(one.force) for one in every)
+    reach = max(abs(one.at) for one in every)
+    yield from (one for one in every if abs(one.force) > ZERO * greatest and abs(one.at) > ZERO * reach)
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A lever placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
+
+    shown: Hanging
+    place: Place
+    lines: tuple[Stroke, ...]
+    forces: tuple[ForceArrow, ...]
+    arms: tuple[Arm, ...]  # those that are drawn
+    reaches: tuple[Reach, ...]  # of the balancing force and all loads
+    hand: Hand
+
+    def lettered(self, labels: Labels) -> Group:
+        """Give the whole figure: letters of its images, its forces and their arms."""
+        letters = [*self._images(labels), *(force.lettered(labels, self.hand) for force in self.forces)]
+        letters += [arm.lettered(labels, self.hand) for arm in self.arms]
+        return Group((*self.lines, Group(tuple(letters))), f"{PLAN}-{self.shown.column}")
+
+    def _images(self, labels: Labels) -> Iterator[Stroke]:
+        """Letter the pole and every image once; images that fall on one place share it."""
+        names: dict[complex, list[str]] = {self.place.on(0j): [self.shown.pole]}
+        for _, letters, true in self.shown.images:
+            spot = self.place.on(true)
+            same = next((known for known in names if abs(known - spot) < SAME), spot)
+            own = names.setdefault(same, [])
+            own += [letter for letter in letters.split(" ") if letter not in own]
+        middle = sum(names, 0j) / len(names)
+        for spot, own in names.items():
+            prefer = cmath.phase(spot - middle) if abs(spot - middle) > SAME else math.pi / 4
+            gap = BESIDE if spot != self.place.on(0j) else HINGE * self.hand.symbol + 1.0
+            yield labels.beside(spot, ", ".join(map(written, own)), self.hand.number, gap, prefer)
+
+
+def measured(shown: Hanging, name: str, hand: Hand, language: str) -> Picture:
+    """Measure the room that a lever needs: its images, the forces and letters around them, its heading."""
+    title = text_width(Text(0j, _title(shown, language), hand.title)) + 2 * LEAN * hand.title
+    side, below, above = (size * hand.letter + reach(shown.pushes) * hand.symbol for size in MARGINS)
+    margins = Margins(side, below, above + 2 * hand.title + hand.text)
+    return picture(name, shown.points, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
+
+
+def figure(
+    shown: Hanging, measure: Picture, spot: Spot, scale: str, hand: Hand, language: str, reactions: str = REACTION
+) -> Figure:
+    """Draw the lever in its spot: the turned plan on its hinge, the forces not to scale, arms of the greatest."""
+    place = measure.placed(*spot)
+    subject = Subject(PLAN, SYMBOL, shown.column)
+    rods = [(Line(place.on(start), place.on(end), _style(thin, hand))) for (start, end), thin in shown.rods]
+    rods = [rod for rod in rods if abs(rod.end - rod.start) >= LEAST]
+    taken = Taken([(rod.start, rod.end) for rod in rods], [], spot.box)
+    arrows = forces(shown.pushes, place, taken, hand, (language, reactions))
+    first = {true: letters.split(" ")[0] for _, letters, true in shown.images}
+    reaches = arms(shown.pushes, first, place, taken, language)
+    kept = tuple(arm for _, arm in reaches if arm is not None)
+    drawn = [force.drawn(hand) for force in arrows]
+    circle = Circle(place.on(0j), HINGE * hand.symbol, hand.body)
+    stand = fixed_hinge(
+        place.on(0j), hand, HINGE * hand.symbol, downward([*taken.rods, *taken.forces], place.on(0j), hand)
+    )
+    dots = [point(subject, name, true, place, _dot(place.on(true), hand)) for name, _, true in shown.images]
+    lines = (
+        heading(spot.box, _title(shown, language), scale, hand),
+        *([Group(tuple(stroke for arm in kept for stroke in arm.drawn(hand)))] if kept else []),
+        Group((*rods, *stand)), *drawn, *dots,
+        point(subject, shown.pole, 0j, place, circle, "pole"),
+    )  # fmt: skip
+    return Figure(shown, place, lines, tuple(arrows), kept, tuple(reach for reach, _ in reaches), hand)
+
+
+def _style(thin: bool, hand: Hand) -> LineStyle:
+    return hand.other if thin else hand.relative
+
+
+def _dot(at: complex, hand: Hand) -> Circle:
+    return Circle(at, POINT * hand.symbol, LineStyle(hand.thin, fill="#ffffff"))
+
+
+def _title(shown: Hanging, language: str) -> str:
+    return f"{word(language, 'lever')}, {word(language, 'position', position=shown.column)}"

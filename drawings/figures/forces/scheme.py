@@ -1,0 +1,87 @@
+"""What a loading scheme shows, in true units: links, forces, moments, arms, and how the crank is driven."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+from drawings.figures.forces.acting import Acting, acting
+from drawings.figures.forces.cut_links import CutLinks, cut_links
+from drawings.figures.forces.leverage import Leverage, leverages
+from geometry.board import at
+from plans.forces.cut import INERTIA, WEIGHT, Cut
+from plans.forces.force import ForcePlan
+from plans.forces.primary import action
+from plans.model.machine import GEAR
+
+WHOLE = 2.0  # cranks: of a larger wheel only a part of the pitch circle is drawn
+
+
+class Wheel(NamedTuple):
+    """The wheel that drives the crank: shaft, pitch radius m, direction of the pitch point rad and of the force."""
+
+    centre: complex
+    radius: float
+    at: float
+    action: complex
+    whole: bool
+
+
+@dataclass(frozen=True)
+class Scheme:
+    """The loading scheme of a cut in one position."""
+
+    plan: ForcePlan
+    cut: Cut
+    column: int
+    links: CutLinks
+    acting: Acting
+    arms: tuple[Leverage, ...]
+    wheel: Wheel | None
+
+    @property
+    def dimensioned(self) -> list[Leverage]:
+        """The arms that are drawn: one of each letter."""
+        return list({arm.letter: arm for arm in reversed(self.arms) if arm.dimensioned}.values())[::-1]
+
+    @cached_property
+    def named(self) -> dict[str, complex]:
+        """The points that bear letters: those of the links, and those at which other forces act."""
+        others = {force.spot: force.at for force in self.acting.forces if force.spot}
+        return self.links.points | {name: place for name, place in others.items() if name not in self.links.points}
+
+    @cached_property
+    def centres(self) -> set[str]:
+        """The letters of the mass centres that forces act at."""
+        loads = (load for load in self.cut.loads if load.kind in (WEIGHT, INERTIA))
+        return {self.links.name(load.at.name, at(load.at.point, self.column)) for load in loads}
+
+    @property
+    def points(self) -> list[complex]:
+        """All true points that the figure must hold."""
+        found = [*self.named.values(), *self.links.slots]
+        found += [arm.foot for arm in self.dimensioned]
+        found += [force.at for force in self.acting.forces]
+        if self.wheel is not None:
+            wheel = self.wheel
+            turns = (1, 1j, -1, -1j) if wheel.whole else ()
+            found += [wheel.centre + wheel.radius * turn for turn in turns]
+        return found
+
+
+def scheme(plan: ForcePlan, cut: Cut, column: int) -> Scheme:
+    """Gather what the loading scheme of a cut shows in one position."""
+    links = cut_links(plan, cut, column)
+    wheel = _wheel(plan, links) if cut.group is None else None
+    return Scheme(plan, cut, column, links, acting(plan, cut, links, column), leverages(plan, cut, column), wheel)
+
+
+def _wheel(plan: ForcePlan, links: CutLinks) -> Wheel | None:
+    how, drive = plan.machine.transmission, plan.mechanism.drive
+    if how.kind != GEAR:
+        return None
+    shaft = links.spot(drive.pivot, links.shown)
+    crank = abs(links.spot(drive.end, links.shown) - shaft)
+    along = action(how, drive.omega)
+    return Wheel(shaft, how.radius, how.at, along / abs(along), how.radius <= WHOLE * crank)

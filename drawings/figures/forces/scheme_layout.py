@@ -1,0 +1,250 @@
+"""A loading scheme laid out on paper: its links, arms, arrows and arcs at their places among each other."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+from drawings.figures.forces.acting import Force, Moment
+from drawings.figures.forces.force_fan import UNKNOWN, Held, Spoke, fanned, lengths
+from drawings.figures.forces.force_letters import REACTION, lettered
+from drawings.figures.forces.scheme import Scheme
+from drawings.figures.linkage.pairs import Joints
+from drawings.layout.obstacles import Drawn
+from drawings.page.page import Field
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import INK, Circle, Group, Line, Stroke
+from drawings.symbols.arms import Arm, to_scale
+from drawings.symbols.couples import HALF, THREE_QUARTERS, Couple
+from drawings.symbols.dashes import fitted
+from drawings.symbols.figure import Place, Subject
+from drawings.symbols.symbols import ARROW_LENGTH, BLOCK, MASS, POINT, arrowhead, mass_centre
+from drawings.symbols.transmission import Gear
+
+GUIDE = 16.0  # mm of a guide's axis on either side of its slider
+RADIUS, BLOCKED, APART = 6.5, 9.0, 2.5  # mm: radius of a couple's arc, about a block, and what each further is wider
+DIMENSION, PAST, LEAST = 9.0, 1.5, 0.5  # mm: from a guide to the dimension along it, past that; the least shown
+FACINGS = 12  # directions that an arc may face
+BAR, ARROW, THIN = 3.0, 6.0, 1.0  # thin lines that a link, an arrow and an arm count as
+NARROW = 0.4  # what an arc of half a turn costs against one of three quarters
+
+
+class Dimension(NamedTuple):
+    """A distance along a guide, dimensioned beside it: its letter, its ends, and the way to its line, mm."""
+
+    letter: str
+    start: complex
+    end: complex
+    off: complex
+
+    @property
+    def length(self) -> float:
+        """The distance on paper, mm."""
+        return abs(self.end - self.start)
+
+    @property
+    def middle(self) -> complex:
+        """The middle of its line: beside it stands the letter."""
+        return (self.start + self.end) / 2 + self.off
+
+    @property
+    def lines(self) -> tuple[tuple[complex, complex], ...]:
+        """The dimension line, then the two extension lines."""
+        past = self.off * (1 + PAST / abs(self.off))
+        ends = ((one, one + past) for one in (self.start, self.end))
+        return (self.start + self.off, self.end + self.off), *ends
+
+    def drawn(self, hand: Hand) -> tuple[Stroke, ...]:
+        """Draw its lines, its arrows within or, where there is no room, outside."""
+        start, end = self.lines[0]
+        along = (end - start) / self.length * ARROW_LENGTH * hand.symbol
+        tails = (end, start) if self.length > 3 * abs(along) else (start - 2 * along, end + 2 * along)
+        heads = (arrowhead(tail, tip, hand.symbol) for tail, tip in zip(tails, (start, end), strict=True))
+        outer = () if tails[0] == end else (Line(tails[0], tails[1], hand.drafted),)
+        lines = (Line(*ends, hand.drafted) for ends in self.lines)
+        return *lines, *outer, *(head for head in heads if head is not None)
+
+
+@dataclass(frozen=True)
+class Layout:
+    """A scheme at its place on paper."""
+
+    shown: Scheme
+    place: Place
+    sheet: Hand
+    language: str
+    box: Field | None  # None: as much room as is asked for
+    reactions: str = REACTION  # the sheet's letter for them
+
+    @cached_property
+    def joints(self) -> Joints:
+        """Links and pairs on paper."""
+        return Joints(self.shown.links, self.place, self.sheet)
+
+    @property
+    def hand(self) -> Hand:
+        """The hand of the pairs' symbols."""
+        return self.joints.hand
+
+    def letter(self, name: str) -> str:
+        """Write a force's or a moment's letter as the sheet's language does."""
+        return lettered(name, self.language, self.reactions)
+
+    @cached_property
+    def links(self) -> list[Stroke]:
+        """The links with their pairs; under them the axes of guides."""
+        joints = self.joints
+        under = [*self._axes(), *self._ties()]
+        return [*under, *joints.bars(), *(block for _, block in joints.blocks), *joints.corners(), *joints.stands()]
+
+    def _axes(self) -> Iterator[Stroke]:
+        """Draw the axis of each guide about its slider, as far as the guide presses."""
+        ends = [self.place.on(shift.end) for shift in self.shown.acting.shifts]
+        for at, along in self.shown.links.guides:
+            spot = self.place.on(at)
+            reach = [((end - spot) * along.conjugate()).real for end in ends]
+            low, high = min([0.0, *reach]), max([0.0, *reach])
+            more = GUIDE * self.hand.symbol
+            yield from fitted([Line(spot + (low - more) * along, spot + (high + more) * along, self.hand.axis)])
+
+    def _ties(self) -> Iterator[Stroke]:
+        """Tie a mass centre to its link where that is drawn as no more than its point."""
+        links = self.shown.links
+        for link, centre in links.masses.values():
+            points = links.mechanism.links[link].points
+            if len(points) == 1:
+                start = self.place.on(links.of(link, next(iter(points.values()))))
+                yield Line(start, self.place.on(links.of(link, centre)), self.hand.other)
+
+    @cached_property
+    def marks(self) -> list[Stroke]:
+        """Hinges, mass centres and other points, each under its letter."""
+        found: list[Stroke] = []
+        for name, value in self.shown.named.items():
+            at = self.place.on(value)
+            if name in self.joints.hinges:
+                symbol: tuple[Stroke, ...] = self.joints.hinges[name]
+            elif name in self.shown.centres or name in self.joints.centres:
+                symbol = mass_centre(at, self.hand)
+            else:
+                symbol = (Circle(at, POINT * self.hand.symbol, INK),)
+            found.append(Group(symbol, "", {}, name))
+        return found
+
+    @cached_property
+    def gear(self) -> Gear | None:
+        """The wheel that drives the crank."""
+        wheel = self.shown.wheel
+        if wheel is None:
+            return None
+        return Gear(self.place.on(wheel.centre), self.place.length(wheel.radius), wheel.at, wheel.action)
+
+    @cached_property
+    def arms(self) -> list[Arm]:
+        """The arms to scale, measurable."""
+        subject = Subject(f"scheme {self.shown.cut.label}", "h", self.shown.column)
+        on, scale = self.place.on, self.place.scale
+        return [
+            to_scale(arm.letter, on(arm.pivot), on(arm.at), arm.direction, scale, subject)
+            for arm in self.shown.dimensioned
+        ]
+
+    @cached_property
+    def shifts(self) -> list[Dimension]:
+        """How far from their sliders' points guides press, beyond the block from where the reaction comes."""
+        found = []
+        for shift in self.shown.acting.shifts:
+            start, end = self.place.on(shift.start), self.place.on(shift.end)
+            ahead = shift.value / abs(shift.value)
+            found.append(Dimension(self.letter(shift.name), start, end, DIMENSION * self.hand.symbol * ahead))
+        return [one for one in found if one.length >= LEAST]
+
+    @cached_property
+    def arrows(self) -> list[Held]:
+        """The forces, placed among links and arms."""
+        forces = self.shown.acting.forces
+        known = iter(lengths([abs(force.value) for force in forces if not force.unknown]))
+        spokes = [self._spoke(force, UNKNOWN if force.unknown else next(known)) for force in forces]
+        box = self.box
+        if box is not None:
+            box = Field(*(edge + sign * self.sheet.letter for edge, sign in zip(box, (1, 1, -1, -1), strict=True)))
+        spots = [self.place.on(spot) for spot in self.shown.named.values()]
+        return fanned(spokes, self._around, spots, box, self.hand)
+
+    def _spoke(self, force: Force, length: float) -> Spoke:
+        direction = force.value / abs(force.value)
+        rim = BLOCK[1] / 2 * self.hand.symbol if force.pressing and self._on_block(force) else self._rim(force.spot)
+        at = self.place.on(force.at)
+        return Spoke(self.letter(force.name), at, direction, length, rim, force.unknown, force.pressing)
+
+    def _on_block(self, force: Force) -> bool:
+        """Tell whether a guide's reaction meets its slider's block."""
+        at, reach = self.place.on(force.at), BLOCK[0] / 2 * self.hand.symbol
+        return any(abs(at - spot) <= reach for spot in self._blocks)
+
+    @property
+    def _blocks(self) -> list[complex]:
+        """The middles of the blocks."""
+        return [sum(block.points) / len(block.points) for _, block in self.joints.blocks]
+
+    def _rim(self, spot: str) -> float:
+        """Give how far the symbol of a point reaches."""
+        if spot in self.shown.centres and spot not in self.joints.hinges:
+            return MASS * self.hand.symbol
+        return self.joints.radius(spot) if spot in self.shown.named else 0.0
+
+    def clear(self, name: str) -> float:
+        """Give how far from a point letters stand clear of its symbols."""
+        return max(self.joints.clear(name), self._rim(name))
+
+    @property
+    def _around(self) -> list[tuple[Stroke, float]]:
+        """What arrows keep clear of, with what crossing it costs."""
+        thick = [(stroke, BAR) for stroke in self.links]
+        marks = [(mark, BAR) for mark in self.marks]
+        thin = [(Line(arm.about, arm.foot), THIN) for arm in self.arms]
+        thin += [(Line(*ends), THIN) for one in self.shifts for ends in one.lines]
+        wheel = [] if self.gear is None else [(stroke, THIN) for stroke in self.gear.drawn(self.hand)[:1]]
+        return [*thick, *marks, *thin, *wheel]
+
+    @cached_property
+    def couples(self) -> list[Couple]:
+        """The moments as arcs: each faces where it crosses the fewest lines; one about a point is inside the next."""
+        drawn = Drawn()
+        for stroke, weight in self._around:
+            drawn.draw([stroke], weight)
+        drawn.draw((held.shaft for held in self.arrows), ARROW)
+        found: list[Couple] = []
+        for moment in self.shown.acting.moments:
+            at = self.place.on(moment.at)
+            before = sum(abs(other.at - at) < RADIUS for other in found)
+            least = BLOCKED if any(abs(spot - at) < RADIUS for spot in self._blocks) else RADIUS
+            found.append(self._couple(moment, at, (least + APART * before) * self.hand.symbol, drawn))
+        return found
+
+    def _couple(self, moment: Moment, at: complex, radius: float, drawn: Drawn) -> Couple:
+        written_ = self.letter(moment.name)
+        choices = [
+            Couple(written_, at, moment.sense, radius, 2 * math.pi * k / FACINGS, sweep)
+            for sweep in (THREE_QUARTERS, HALF)
+            for k in range(FACINGS)
+        ]
+        return min(choices, key=lambda one: drawn.crossed_by([one.drawn(self.hand)]) + NARROW * (one.sweep == HALF))
+
+    def strokes(self) -> Iterator[Stroke]:
+        """Draw everything but letters, from the thinnest lines to the arrows."""
+        hand = self.hand
+        arms: tuple[Stroke, ...] = tuple(stroke for arm in self.arms for stroke in arm.drawn(hand))
+        arms += tuple(stroke for shift in self.shifts for stroke in shift.drawn(hand))
+        yield from [Group(arms)] if arms else []
+        if self.gear is not None and self.shown.wheel is not None:
+            yield Group(self.gear.drawn(hand, self.shown.wheel.whole))
+        yield Group((*self.links, *self.marks))
+        leads = tuple(held.lead for held in self.arrows if held.lead is not None)
+        forces: tuple[Stroke, ...] = (*leads, *(held.arrow.drawn(hand) for held in self.arrows))
+        yield from [Group(forces)] if forces else []
+        couples = tuple(couple.drawn(hand) for couple in self.couples)
+        yield from [Group(couples)] if couples else []

@@ -1,0 +1,1 @@
+"""Graphs: curves over the turn, hodographs (графики)."""

@@ -1,0 +1,202 @@
+"""The graph of a quantity over the angle of the crank: axes, positions, ordinates and a smooth curve (график)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from drawings.layout.labels import Labels
+from drawings.layout.picture import Margins, Picture, Spot
+from drawings.lettering.words import word
+from drawings.page.scale import Scale, fitting
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import INK, Circle, Group, Line, Polyline, Stroke, Text, text_width
+from drawings.symbols.dashes import fitted
+from drawings.symbols.figure import Place, Subject, heading
+from drawings.symbols.symbols import TICK, arrowhead
+from plans.model.motion import Floats
+
+TURN = 360.0  # degrees
+RATIO = 1.6  # a graph is drawn so many times as long as it is high
+TALLEST = 2.0  # times the largest of the positions: towards a dead centre of a drive forces have no limit
+BEYOND = 9.0  # mm that an axis goes beyond the graph, for its arrowhead
+MARGINS = Margins(3.2, 1.6, 1.0)  # paper around the graph for letters and numbers, in sizes of a letter
+LETTERS = 18.0  # a graph is drawn at least so many of its letters long: its positions are numbered
+DOT = 0.7  # mm, radius of a point of the curve
+BELOW = -math.pi / 2  # a number stands on the side of its axis away from the ordinate
+LEAST = 0.05  # mm: a shorter ordinate is a point
+
+
+class Curve(NamedTuple):
+    """A quantity over the angle of the crank, degrees in the sense of rotation; NaN is a gap.
+
+    A crank that turns fully is followed over a turn from position 0 on, any other one through its positions.
+    """
+
+    letter: str  # marked up: "M_{bal}"
+    unit: str
+    angles: Floats  # dense, from 0 on
+    values: Floats
+    stations: Floats  # of the positions
+    ordinates: Floats
+
+    @property
+    def span(self) -> tuple[float, float]:
+        """The least and the largest value, zero among them."""
+        found = np.concatenate([self.values, self.ordinates])
+        return float(np.nanmin(found, initial=0.0)), float(np.nanmax(found, initial=0.0))
+
+    @property
+    def length(self) -> float:
+        """The angle in degrees that the graph goes through."""
+        return float(self.angles[-1])
+
+    @property
+    def closed(self) -> bool:
+        """Does the graph end where it began, at position 0 after a turn?"""
+        return self.length == TURN
+
+
+def swing(curve: Curve) -> Curve:
+    """Give the part of a curve over a turn that a crank which cannot turn fully passes through in its positions."""
+    held = np.unique(curve.stations[~np.isnan(curve.ordinates)])
+    if not np.isnan(curve.values).any() or len(held) < 2:
+        return curve
+    apart = np.diff(held, append=held[0] + TURN)
+    start, length = np.roll(held, -1)[apart.argmax()], TURN - apart.max()
+    stations, angles = (np.mod(row - start, TURN) for row in (curve.stations, curve.angles[:-1]))
+    values, found = np.concatenate([curve.values[:-1], curve.ordinates]), np.concatenate([angles, stations])
+    order = np.argsort(found, kind="stable")
+    order = order[found[order] <= length]
+    return curve._replace(angles=found[order], values=values[order], stations=stations)
+
+
+def bounded(dense: Any, own: Any) -> Any:
+    """Break a dense curve with gaps where it outgrows its positions: it goes to infinity beside a gap."""
+    if not np.isnan(dense).any():
+        return dense
+    return np.where(np.abs(dense) > TALLEST * np.nanmax(np.abs(own), initial=0.0), np.nan, dense)
+
+
+def measured(curve: Curve, name: str, title: str, hand: Hand) -> Picture:
+    """Measure the room of a graph: its scale is that of the angle, the quantity's own follows from the height."""
+    side, below, above = (size * hand.letter for size in MARGINS)
+    margins = Margins(side + BEYOND / 2, below, above + BEYOND + 2 * hand.title + hand.text)
+    high = curve.length / RATIO
+    heading = text_width(Text(0j, title, hand.title))
+    return Picture(
+        name, curve.length, high, complex(curve.length, high) / 2, "φ", "°", margins, heading, LETTERS * hand.letter
+    )
+
+
+def scale_of(curve: Curve, spot: Spot, measure: Picture, standard: str) -> Scale:
+    """Choose the largest standard scale of the quantity for the height of a graph."""
+    low, high = curve.span
+    symbol = curve.letter.split("_")[0].split("^")[0]
+    return fitting(high - low, measure.high / spot.scale.mu, symbol, curve.unit, standard)
+
+
+@dataclass(frozen=True)
+class Graph:
+    """A graph placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
+
+    curve: Curve
+    name: str
+    lines: tuple[Stroke, ...]
+    stations: tuple[tuple[str, complex, float], ...]  # number, foot, side of the number
+    axes: tuple[tuple[str, complex, float], ...]  # letter, end of the axis, side of the letter
+    hand: Hand
+
+    def lettered(self, labels: Labels) -> Group:
+        """Give the whole graph, its positions numbered and its axes lettered."""
+        hand = self.hand
+        written = [labels.beside(end, letter, hand.letter, 1.2, side) for letter, end, side in self.axes]
+        written += [labels.beside(at, number, hand.number, TICK + 0.6, side) for number, at, side in self.stations]
+        return Group((*self.lines, Group(tuple(written))), self.name)
+
+
+class _Frame(NamedTuple):
+    """Where angles and values lie on paper."""
+
+    place: Place
+    zero: float  # height of the zero line on the sheet, mm
+    scale: Scale
+
+    def on(self, angle: float, value: float = 0.0) -> complex:
+        return complex(self.place.on(complex(angle)).real, self.zero + value / self.scale.mu)
+
+
+def figure(curve: Curve, measure: Picture, spot: Spot, title: str, standard: str, hand: Hand, language: str) -> Graph:
+    """Draw the graph in its spot, with its title and both of its scales above it."""
+    scale = scale_of(curve, spot, measure, standard)
+    place = measure.placed(*spot)
+    low, high = curve.span
+    spare = measure.high / spot.scale.mu - (high - low) / scale.mu
+    frame = _Frame(place, place.on(0j).imag + spare / 2 - low / scale.mu, scale)
+    scales = f"{spot.scale.written(language)};  {scale.written(language)}"
+    ordinates, stations = _ordinates(curve, measure.name, frame, hand)
+    lines = (heading(spot.box, title, scales, hand), *_axes(curve, frame, hand), *ordinates, *_line(curve, frame, hand))
+    last = frame.on(curve.length)
+    ends = (frame.on(0.0).real + 1j * (frame.on(0.0, high).imag + BEYOND), last + BEYOND)
+    axes = ((f"{curve.letter}, {word(language, curve.unit)}", ends[0], 0.0), ("φ", ends[1], math.pi / 2))
+    if curve.closed:
+        stations.append(("0", last, BELOW))
+    return Graph(curve, measure.name, lines, tuple(stations), axes, hand)
+
+
+def _axes(curve: Curve, frame: _Frame, hand: Hand) -> Iterator[Stroke]:
+    """Draw both axes with their arrowheads, and a tick at their end."""
+    low, high = curve.span
+    first, last = frame.on(0.0), frame.on(curve.length)
+    for start, end in ((first, last + BEYOND), (frame.on(0.0, low), frame.on(0.0, high) + 1j * BEYOND)):
+        yield Line(start, end, hand.other)
+        head = arrowhead(start, end, hand.symbol)
+        if head is not None:
+            yield head
+    yield Line(last - 1j * TICK, last + 1j * TICK, hand.other)
+
+
+def _ordinates(
+    curve: Curve, plan: str, frame: _Frame, hand: Hand
+) -> tuple[list[Stroke], list[tuple[str, complex, float]]]:
+    """Draw tick, ordinate and point of each position that is no gap; each ordinate can be measured."""
+    drawn: list[Stroke] = []
+    stations: list[tuple[str, complex, float]] = []
+    quantity = frame.scale.letter
+    for k, (angle, value) in enumerate(zip(curve.stations, curve.ordinates, strict=True)):
+        if angle > curve.length:  # a gap beyond the last position that is held
+            continue
+        foot = frame.on(float(angle))
+        stations.append((str(k), foot, -BELOW if value < 0 else BELOW))
+        drawn.append(Line(foot - 1j * TICK, foot + 1j * TICK, hand.drafted))
+        if math.isnan(value):
+            continue
+        tip = frame.on(float(angle), float(value))
+        if abs(tip - foot) > LEAST:
+            data = Subject(plan, quantity, k).data("vector", str(k), 1j * float(value), frame.scale)
+            drawn.append(Group((Line(foot, tip, hand.drafted),), "", data, str(k)))
+        drawn.append(Circle(tip, DOT * hand.symbol, INK))
+    return drawn, stations
+
+
+def _line(curve: Curve, frame: _Frame, hand: Hand) -> Iterator[Stroke]:
+    """Draw the curve, broken at its gaps."""
+    for run in stretches(curve.values):
+        points = [frame.on(float(curve.angles[k]), float(curve.values[k])) for k in run]
+        yield from fitted([Polyline(tuple(points), False, hand.result)])
+
+
+def stretches(values: Floats) -> Iterator[Sequence[int]]:
+    """Give the runs of places between the gaps of dense values, two places long at least.
+
+    >>> [list(run) for run in stretches(np.array([1.0, 2.0, math.nan, 3.0, 4.0, math.nan, 5.0]))]
+    [[0, 1], [3, 4]]
+    """
+    gaps = np.flatnonzero(np.isnan(values))
+    for run in np.split(np.arange(len(values)), np.unique([*gaps, *(gaps + 1)])):
+        if len(run) > 1:
+            yield [int(k) for k in run]

@@ -1,0 +1,102 @@
+"""The hodograph of a vector over one turn: its pole, the curve of its ends, its numbered positions (годограф)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from drawings.figures.graphs.curve_graph import stretches
+from drawings.layout.labels import Labels
+from drawings.layout.picture import Margins, Picture, Spot, picture
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import INK, Circle, Group, Polyline, Stroke, Text, text_width
+from drawings.symbols.figure import Place, Subject, heading, point, vector
+from drawings.symbols.force_arrow import named
+from drawings.symbols.symbols import pole
+from plans.model.motion import Complexes
+
+MARGINS = Margins(2.6, 2.0, 2.0)  # paper around it for its letters, in their sizes
+LETTERS = 14.0  # it is drawn at least so many of its letters large: its positions are numbered
+DOT = 0.7  # mm, radius of a position's point
+POLE = "o"
+LEAST = 0.05  # mm: a shorter vector is a point
+
+
+class Hodograph(NamedTuple):
+    """A vector over a turn in true units: dense, and at the positions; one of these is shown. NaN is a gap."""
+
+    letter: str  # marked up: "R_{34}"
+    symbol: str  # of its scale: F
+    unit: str
+    values: Complexes
+    ends: Complexes
+    shown: int
+
+    @property
+    def points(self) -> list[complex]:
+        """All true points that the figure must hold."""
+        found = np.concatenate([[0j], self.values, self.ends])
+        return [complex(value) for value in found[~np.isnan(found.real)]]
+
+
+def measured(shown: Hodograph, name: str, title: str, hand: Hand) -> Picture:
+    """Measure the room of a hodograph."""
+    side, below, above = (size * hand.letter for size in MARGINS)
+    margins = Margins(side, below, above + 2 * hand.title + hand.text)
+    heading = text_width(Text(0j, title, hand.title))
+    return picture(name, shown.points, (shown.symbol, shown.unit), margins, heading, LETTERS * hand.letter)
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A hodograph placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
+
+    shown: Hodograph
+    name: str
+    place: Place
+    lines: tuple[Stroke, ...]
+    hand: Hand
+
+    def lettered(self, labels: Labels) -> Group:
+        """Give the whole figure: the pole and the shown vector lettered, the positions numbered outward."""
+        hand, ends = self.hand, self.shown.ends
+        written = [labels.beside(self.place.on(0j), POLE, hand.letter, 1.6, -math.pi / 4)]
+        end = complex(ends[self.shown.shown])
+        if not math.isnan(end.real):
+            middle = self.place.on(end / 2)
+            written.append(labels.beside(middle, self.shown.letter, hand.letter, 1.2, cmath.phase(1j * (end or 1j))))
+        heart = complex(np.nanmean(ends.real), np.nanmean(ends.imag)) if not np.isnan(ends.real).all() else 0j
+        for k, value in enumerate(ends):
+            if not math.isnan(value.real):
+                spot, away = self.place.on(complex(value)), complex(value) - heart
+                side = cmath.phase(away) if away else math.pi / 4
+                written.append(labels.beside(spot, str(k), hand.number, 1.2, side))
+        return Group((*self.lines, Group(tuple(written))), self.name)
+
+
+def figure(shown: Hodograph, measure: Picture, spot: Spot, title: str, scale: str, hand: Hand) -> Figure:
+    """Draw the hodograph in its spot, with its title and its written scale above it."""
+    place = measure.placed(*spot)
+    lines: list[Stroke] = [heading(spot.box, title, scale, hand), *_curve(shown, place, hand)]
+    end = complex(shown.ends[shown.shown])
+    subject = Subject(measure.name, shown.symbol, shown.shown)
+    if not math.isnan(end.real) and place.length(abs(end)) > LEAST:
+        lines.append(vector(subject, named(shown.letter), (0j, end), place, hand.relative, hand.symbol))
+    every = subject._replace(position=None)
+    lines.append(point(every, POLE, 0j, place, pole(place.on(0j)), "pole"))
+    for k, value in enumerate(shown.ends):
+        if not math.isnan(value.real):
+            dot = Circle(place.on(complex(value)), DOT * hand.symbol, INK)
+            lines.append(point(subject._replace(position=k), str(k), complex(value), place, dot))
+    return Figure(shown, measure.name, place, tuple(lines), hand)
+
+
+def _curve(shown: Hodograph, place: Place, hand: Hand) -> list[Stroke]:
+    """Draw the curve of the ends: closed where it has no gap."""
+    runs = list(stretches(shown.values.real))
+    whole = len(runs) == 1 and len(runs[0]) == len(shown.values)
+    return [Polyline(tuple(place.on(complex(shown.values[k])) for k in run), whole, hand.result) for run in runs]

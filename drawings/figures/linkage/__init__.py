@@ -1,0 +1,1 @@
+"""Figures of a linkage: positions, velocity and acceleration plans (планы механизма)."""

@@ -1,0 +1,106 @@
+"""The direction of a Coriolis acceleration as a small figure: the slip turned with the guide (правило Жуковского)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from drawings.layout.labels import Ink
+from drawings.page.page import Field
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import Arc, Group, Line, Stroke, Text, bounds
+from drawings.symbols.symbols import arrowhead
+from geometry.board import Mark, at
+from geometry.meet import cross
+
+ARM = 3.2  # length of either vector, in sizes of a letter
+STEP, AROUND = 4.0, 60.0  # mm: the search for a free place, step by step, and how far around the plan
+APART = 2.0  # mm between the figure and everything else
+
+
+class Turned(NamedTuple):
+    """A slip and the Coriolis acceleration that it gives, by directions; `sense` is that of the guide's turning.
+
+    `size` is that of the acceleration, true units: what vanishes on paper has no direction either.
+    """
+
+    slip: complex
+    result: complex
+    sense: int
+    size: float
+    point: str
+
+
+def turned(mark: Mark, column: int) -> Turned | None:
+    """Read the figure off the record of an acceleration plan; nothing where the slip or the turning is zero."""
+    if mark.step.op != "similar" or not mark.name.startswith("a^k_"):
+        return None
+    image, guide, slip = (at(one.point, column) for one in mark.step.inputs)
+    turning = float(cross(guide, image))
+    if turning == 0 or abs(slip) == 0 or cmath.isnan(slip):
+        return None
+    direction = slip / abs(slip)
+    sense = 1 if turning > 0 else -1
+    size = abs(at(mark.point, column))
+    return Turned(direction, 1j * sense * direction, sense, size, mark.name.removeprefix("a^k_"))
+
+
+def rule(shown: Turned, centre: complex, hand: Hand) -> Group:
+    """Draw the slip, the acceleration, and the quarter turn between them."""
+    arm = ARM * hand.letter
+    corner = centre - arm / 2 * (shown.slip + shown.result)
+    drawn: list[Stroke] = []
+    for direction in (shown.slip, shown.result):
+        tip = corner + arm * direction
+        head = arrowhead(corner, tip)
+        drawn += [Line(corner, tip, hand.other), *([head] if head is not None else [])]
+    start, end = sorted((0.0, shown.sense * math.pi / 2))
+    base, radius = cmath.phase(shown.slip), arm / 2
+    drawn.append(Arc(corner, radius, base + start, base + end, hand.drafted))
+    tip = corner + radius * shown.result
+    back = corner + cmath.rect(radius, base + shown.sense * (math.pi / 2 - 0.4))
+    head = arrowhead(back, tip)
+    drawn += [head] if head is not None else []
+    return Group((*drawn, *_letters(shown, corner, arm, hand)))
+
+
+def _letters(shown: Turned, corner: complex, arm: float, hand: Hand) -> list[Stroke]:
+    """Letter both vectors beyond their tips."""
+    drawn: list[Stroke] = []
+    for direction, content in ((shown.slip, "v_r"), (shown.result, f"a^k_{{{shown.point}}}")):
+        text = Text(0j, content, hand.text, "start", True)
+        left, bottom, right, top = bounds(text)
+        half = complex(right - left, top - bottom) / 2
+        reach = 1.0 + abs(half.real * direction.real) + abs(half.imag * direction.imag)
+        spot = corner + (arm + reach) * direction - half - complex(left, bottom)
+        drawn.append(Text(spot, content, hand.text, "start", True))
+    return drawn
+
+
+def _outward(rings: int) -> Iterator[complex]:
+    """Give the places of a square grid ring by ring, each ring from the middles of its sides to its corners."""
+    yield 0j
+    for ring in range(1, rings + 1):
+        for along in range(2 * ring):
+            off = (along + 1) // 2 * (1 if along % 2 else -1)
+            for turn in (1, 1j, -1, -1j):
+                yield complex(ring, off) * turn
+
+
+def placed(shown: Turned, box: Field, ink: Ink, hand: Hand) -> Group | None:
+    """Draw the figure in the free place nearest to its plan; nothing where there is none."""
+    left, bottom, right, top = bounds(rule(shown, 0j, hand))
+    middle = complex(left + right, bottom + top) / 2
+    half = complex(right - left, top - bottom) / 2 + APART * (1 + 1j)
+    for off in _outward(math.ceil((max(box.width, box.height) / 2 + AROUND) / STEP)):
+        spot = box.centre + off * STEP
+        if spot.real < abs(half.real) or spot.imag < abs(half.imag):
+            continue
+        low, high = spot - half, spot + half
+        if not ink.under((low.real, low.imag, high.real, high.imag)):
+            drawn = rule(shown, spot - middle, hand)
+            ink.draw([drawn])
+            return drawn
+    return None

@@ -1,0 +1,207 @@
+"""Numbers of positions, on the crank circle and along the output's path (нумерация положений)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from drawings.figures.linkage.pairs import Pairs
+from drawings.figures.linkage.skeleton import Poses, Skeletons
+from drawings.layout.labels import Labels
+from drawings.lettering.words import number
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import Stroke, Text, text_width
+from drawings.symbols.figure import Place
+from plans.linkage.barrier import Barrier
+from plans.linkage.travel import frame_slide
+from plans.model.mechanism import FRAME
+
+SAME = 1e-9  # rad: a position and an extreme whose crank directions differ by less are one
+CRANK_GAP, PATH_GAP = 1.2, 1.8  # mm from a place to its number
+BARRED = 2.5  # mm of hatching outside the crank circle
+RING = 1.6  # sizes of a number from one ring of numbers to the next
+APART = 1.1  # heights or widths of a number between two that stand side by side
+STEPS = (1, 2, 3, 4, 6, 12)  # every which position may bear a number at the output
+MOST = 0.3  # share of the numbers chosen that may fall out where places crowd at the ends of a stroke
+ANGLES = 12  # positions of a list whose crank angles still have room beside their numbers
+
+
+class Numbered(NamedTuple):
+    """A place that bears a number: which poses it is of, its column there, the number, and if it is an extreme."""
+
+    poses: Poses
+    column: int
+    name: str
+    extreme: bool
+
+
+def same(bones: Skeletons, extreme: int) -> int | None:
+    """Give the scene's own position that an extreme is, if it is one."""
+    found = bones.study.found
+    assert found is not None  # asked only where there are extremes
+    apart = np.abs(bones.study.turn.directions - found.directions[extreme])
+    best = int(np.argmin(apart))
+    return best if apart[best] < SAME else None
+
+
+def numbered(bones: Skeletons) -> list[Numbered]:
+    """List what bears a number: every position, and each extreme that falls between two, as k'."""
+    own = {same(bones, k) for k in range(2)} if bones.extremes else set()
+    found = [Numbered(bones.numbered, k, str(k), k in own) for k in range(len(bones.numbered))]
+    for k in range(2) if bones.extremes else ():
+        assert bones.study.found is not None and bones.extremes is not None
+        if same(bones, k) is None:
+            phi, turn = bones.study.found.extremes.phi[k], 2 * np.pi
+            before = int(np.argmin(np.mod(bones.study.sense * (phi - bones.study.turn.phi), turn)))
+            name = f"{before}'"
+            taken = any(name == other.name for other in found)
+            found.append(Numbered(bones.extremes, k, f"{name}'" if taken else name, True))
+    return found
+
+
+def numbers(pairs: Pairs, labels: Labels) -> Iterator[Stroke]:
+    """Number every position outside the crank circle, and at the output as many as stand legibly."""
+    bones, place, hand = pairs.bones, pairs.place, pairs.hand
+    found = numbered(bones)
+    yield from _crank_numbers(pairs, found, labels)
+    tip = output_point(bones)
+    if tip is not None:
+        spots = [place.on(complex(one.poses.points[tip][one.column])) for one in found]
+        for k in legible(bones, found, spots, hand):
+            angle, more = _outward(bones, found[k], spots[k], place)
+            gap = (pairs.clear(tip) if _shown(bones, found[k]) else 0.0) + PATH_GAP + more * hand.number
+            number = labels.free(spots[k], found[k].name, hand.number, gap, angle)
+            yield from () if number is None else (number,)
+
+
+def _shown(bones: Skeletons, one: Numbered) -> bool:
+    return one.poses is bones.numbered and one.column == bones.shown
+
+
+def _crank_numbers(pairs: Pairs, found: list[Numbered], labels: Labels) -> Iterator[Stroke]:
+    """Number the crank circle; where they crowd, every other one stands further out, and of a tiny circle not all."""
+    bones, place, hand = pairs.bones, pairs.place, pairs.hand
+    pivot, end = bones.pivot(place), bones.mechanism.drive.end
+    texts = [_angled(bones, one) for one in found]
+    every, further = _rings(bones, place, hand, max(width(text, hand) for text in texts))
+    for one, text in zip(found, texts, strict=True):
+        if not (one.extreme or _shown(bones, one) or one.column % every == 0):
+            continue
+        known = one.poses is bones.numbered
+        spot = place.on(bones.crank_end(one.column) if known else complex(one.poses.points[end][one.column]))
+        gap = CRANK_GAP + (pairs.clear(end) if _shown(bones, one) else 0.0)
+        gap += BARRED * hand.symbol if _in_barrier(spot - pivot, bones.study.met) else 0.0
+        gap += further if known and one.column // every % 2 else 0.0
+        number = labels.free(spot, text, hand.number, gap, cmath.phase(spot - pivot))
+        yield from () if number is None else (number,)
+
+
+def _rings(bones: Skeletons, place: Place, hand: Hand, wide: float) -> tuple[int, float]:
+    """Give every which position is numbered on the crank circle, and how far out every other one of them stands."""
+    if isinstance(bones.study.scene.drive.positions, tuple):
+        return 1, 0.0  # listed angles are as far apart as the scene has them
+    room = 2 * math.pi * (bones.crank(place) + CRANK_GAP + hand.number / 2) / len(bones.numbered)
+    every = next((step for step in STEPS if step * room >= APART * max(wide / 2, hand.number)), STEPS[-1])
+    return every, RING * hand.number if every * room < APART * wide else 0.0
+
+
+def _in_barrier(ray: complex, barriers: tuple[Barrier, ...]) -> bool:
+    turn = 2 * math.pi
+    return any((cmath.phase(ray) - b.start) % turn <= b.end - b.start for b in barriers)
+
+
+def _angled(bones: Skeletons, one: Numbered) -> str:
+    """Write a position's number, and its crank angle where the scene lists the angles."""
+    listed = bones.study.scene.drive.positions
+    if not isinstance(listed, tuple) or one.poses is not bones.numbered or len(listed) > ANGLES:
+        return one.name
+    return f"{one.name} ({number(float(listed[one.column]), bones.study.scene.sheet.language)}°)"
+
+
+def width(text: str, hand: Hand) -> float:
+    """Give the width of a number."""
+    return text_width(Text(0j, text, hand.number, "start", True))
+
+
+def legible(bones: Skeletons, found: list[Numbered], spots: list[complex], hand: Hand) -> list[int]:
+    """Choose which numbers stand at the output: extremes always, the shown one, of the rest every so many as fit."""
+    first = [k for k, one in enumerate(found) if one.extreme]
+    first += [k for k, one in enumerate(found) if _shown(bones, one) and k not in first]
+    first = [k for k in first if not math.isnan(spots[k].real)]
+    chosen: list[int] = []
+    for step in STEPS:
+        rest = [k for k in range(0, len(bones.numbered), step) if k not in first and not math.isnan(spots[k].real)]
+        chosen = _standing(bones, first, rest, found, spots, hand)
+        if len(chosen) - len(first) >= (1 - MOST) * len(rest):
+            break
+    return chosen
+
+
+def _standing(
+    bones: Skeletons, first: list[int], rest: list[int], found: list[Numbered], spots: list[complex], hand: Hand
+) -> list[int]:
+    """Keep of the rest what does not crowd what is kept already, on its own side of the path."""
+    kept = list(first)
+    for k in rest:
+        side = _returning(bones, found[k])
+        near = (
+            other
+            for other in kept
+            if _returning(bones, found[other]) == side
+            and _crowds(found[k], found[other], spots[k] - spots[other], hand)
+        )
+        if next(near, None) is None:
+            kept.append(k)
+    return kept
+
+
+def _crowds(one: Numbered, other: Numbered, apart: complex, hand: Hand) -> bool:
+    wide = APART * (width(one.name, hand) + width(other.name, hand)) / 2
+    return abs(apart.real) < wide and abs(apart.imag) < 1.3 * APART * hand.number
+
+
+def _returning(bones: Skeletons, one: Numbered) -> bool:
+    """Tell whether a place is passed on the return stroke; extremes belong to the stroke that begins there."""
+    found = bones.study.found
+    if found is None or len(found.rests) > 2:
+        return False
+    start, end = found.extremes.phi
+    if one.poses is not bones.numbered:
+        return one.column == 1
+    sense, turn = bones.study.sense, 2 * math.pi
+    ahead = (sense * (bones.study.turn.phi[one.column] - start) + SAME) % turn
+    return bool(ahead >= (sense * (end - start)) % turn)
+
+
+def output_point(bones: Skeletons) -> str | None:
+    """Give the point whose places on its path are numbered: the output's pin, or its end away from the frame."""
+    mechanism, out = bones.mechanism, bones.study.output
+    slide = frame_slide(mechanism, out.link)
+    if slide is not None:
+        return out.point or slide.point
+    free = [name for name in mechanism.links[out.link].points if name not in mechanism.links[FRAME].points]
+    chosen = out.point if out.point in free else free[-1] if free else None
+    return chosen if out.link != mechanism.drive.link else None
+
+
+def _outward(bones: Skeletons, one: Numbered, spot: complex, place: Place) -> tuple[float, float]:
+    """Direct a number away from its point's path: off a guide by the stroke, off an arc from its centre, else outward.
+
+    The second number is how many sizes further off it stands: the return stroke has its own ring outside an arc.
+    """
+    mechanism, back = bones.mechanism, _returning(bones, one)
+    slide = frame_slide(mechanism, bones.study.output.link)
+    if slide is not None:
+        up = slide.on_owner.direction * (1j if slide.on_owner.direction.real >= 0 else -1j)
+        return cmath.phase(-up if back else up), 0.0
+    fixed_points, tip = mechanism.links[FRAME].points, output_point(bones)
+    own = [fixed_points[name] for name in mechanism.links[bones.study.output.link].points if name in fixed_points]
+    if own:
+        return cmath.phase(spot - place.on(own[0])), RING if back else 0.0
+    known = [] if tip is None else [complex(value) for value in bones.way.points[tip] if not math.isnan(value.real)]
+    middle = place.on(sum(known) / len(known)) if known else spot
+    return cmath.phase(spot - middle) if spot != middle else math.pi / 2, 0.0

@@ -1,0 +1,126 @@
+"""Outlines of links: the straight bars that a link is drawn with, and its rigid corners (контуры звеньев).
+
+An outline is measured in the link's own frame, in metres, so that one outline serves every position.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Mapping, Sequence
+from itertools import combinations, pairwise
+from typing import NamedTuple
+
+from drawings.figures.linkage.masses import is_centre
+from drawings.figures.linkage.skeleton import Bones, Poses
+from plans.model.mechanism import Slide, Way
+
+# Points of a link lie on one line when none is off it by more than this share of its length: rounding of coordinates
+# that a scene gives with twelve digits, and no distance on any sheet.
+FLAT = 1e-9
+
+Bar = tuple[complex, complex]
+Reach = Mapping[Slide, tuple[float, float]]  # how far slots reach along their slides' lines, m
+
+
+class Corner(NamedTuple):
+    """A rigid corner of a link: where two of its bars meet, and their unit directions away from it."""
+
+    at: complex
+    first: complex
+    second: complex
+
+
+class Outline(NamedTuple):
+    """A link's bars and rigid corners, in its own frame."""
+
+    link: int
+    bars: tuple[Bar, ...]
+    corners: tuple[Corner, ...] = ()
+
+
+def outlines(bones: Bones, reach: Reach, whole: bool) -> list[Outline]:
+    """Give the outlines of all moving links, their slots as long as they must reach.
+
+    A whole outline runs through all points of a link; else it runs through those that its pairs need.
+    """
+    return [_outline(bones, link, reach, whole) for link in bones.links]
+
+
+def reach_of(bones: Bones, poses: Poses, k: int) -> Reach:
+    """Give how far slots reach to their stones in one position."""
+    places = {slide: float(poses.along(slide)[k]) for slide in bones.mechanism.slides}
+    return {slide: (along, along) for slide, along in places.items() if not math.isnan(along)}
+
+
+def _outline(bones: Bones, link: int, reach: Reach, whole: bool) -> Outline:
+    bars, corners = _body(list(_spots(bones, link, whole).values()))
+    for slide, (low, high) in reach.items():
+        if slide.owner == link:
+            bars = _slotted(bars, slide.on_owner, low, high)
+    for slide in bones.mechanism.slides:
+        foot = offset_foot(bones, slide)
+        if slide.slider == link and foot is not None:
+            pin = bones.mechanism.links[link].points[slide.point]
+            corners += [_corner(pin, foot, end) for bar in bars if pin in bar for end in bar if end != pin]
+            bars = [*bars, (pin, foot)]
+    return Outline(link, tuple(bars), tuple(corners))
+
+
+def offset_foot(bones: Bones, slide: Slide) -> complex | None:
+    """Give the foot of a slider's point on its line, in the slider's own frame; None where the point lies on it."""
+    points, way = bones.mechanism.links[slide.slider].points, slide.on_slider
+    off = (points[slide.point] - way.through) * way.direction.conjugate()
+    size = max(abs(off), bones.reach)
+    return None if abs(off.imag) <= FLAT * size else points[slide.point] - 1j * off.imag * way.direction
+
+
+def _spots(bones: Bones, link: int, whole: bool) -> Mapping[str, complex]:
+    """Give the points that a link's bars run through; a mass centre is a mark beside them."""
+    mechanism = bones.mechanism
+    points = mechanism.links[link].points
+    spots = {name: spot for name, spot in points.items() if not is_centre(name) or name in mechanism.hinges}
+    paired = {slide.point for slide in mechanism.slides if slide.slider == link} | mechanism.hinges.keys()
+    needed = {name: spot for name, spot in spots.items() if name in paired}
+    if whole or len(needed) < 2:
+        return spots if len(spots) > 1 or len(points) == 1 else points
+    return needed
+
+
+def _body(spots: Sequence[complex]) -> tuple[list[Bar], list[Corner]]:
+    """Join a link's points: one bar where they lie on one line, else a closed polygon of rigid corners."""
+    if len(spots) < 2:
+        return [], []
+    first, last = max(combinations(spots, 2), key=lambda pair: abs(pair[1] - pair[0]))
+    if first == last:
+        return [], []
+    run = (last - first) / abs(last - first)
+    if all(abs(((spot - first) * run.conjugate()).imag) <= FLAT * abs(last - first) for spot in spots):
+        return [(first, last)], []
+    middle = sum(spots) / len(spots)
+    round_ = sorted(spots, key=lambda spot: cmath.phase((spot - middle) / run))
+    bars = list(pairwise([*round_, round_[0]]))
+    return bars, [_corner(at, before, after) for (before, at), (_, after) in pairwise([bars[-1], *bars])]
+
+
+def _corner(at: complex, first: complex, second: complex) -> Corner:
+    return Corner(at, (first - at) / abs(first - at), (second - at) / abs(second - at))
+
+
+def _slotted(bars: list[Bar], way: Way, low: float, high: float) -> list[Bar]:
+    """Lengthen the bar on a slot's line, or lay one along it, so that it reaches from `low` to `high` along it."""
+    rest: list[Bar] = []
+    on_line: list[float] = []
+    for bar in bars:
+        ends = [(end - way.through) * way.direction.conjugate() for end in bar]
+        flat = all(abs(end.imag) <= FLAT * max(abs(bar[1] - bar[0]), high - low) for end in ends)
+        if flat:
+            on_line += [end.real for end in ends]
+        else:
+            rest.append(bar)
+    if not rest:
+        low, high = min([low, *on_line]), max([high, *on_line])
+        return [(way.through + low * way.direction, way.through + high * way.direction)]
+    pieces = [(low, min(on_line)), (max(on_line), high)] if on_line else [(low, high)]
+    more = [(way.through + a * way.direction, way.through + b * way.direction) for a, b in pieces if a < b]
+    return [*bars, *more]

@@ -1,0 +1,181 @@
+"""The figure of the plan of positions: all positions thin, one in full lines with its pairs, paths and extremes."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterable, Iterator
+from itertools import groupby
+
+from drawings.figures.linkage.guides import axes, grounds
+from drawings.figures.linkage.numbering import numbers, same
+from drawings.figures.linkage.outlines import outlines, reach_of
+from drawings.figures.linkage.pairs import Pairs
+from drawings.figures.linkage.rotation import turnings
+from drawings.figures.linkage.skeleton import Poses, Skeletons
+from drawings.figures.linkage.stroke_dimension import stroke
+from drawings.figures.linkage.trajectories import trajectories
+from drawings.figures.linkage.vector_plan import written
+from drawings.layout.labels import Labels, free_side
+from drawings.layout.obstacles import Drawn
+from drawings.paper.formats import Field
+from drawings.paper.hand import Hand
+from drawings.paper.limits import MANY
+from drawings.paper.strokes import Arc, Group, Line, LineStyle, Stroke
+from drawings.symbols import symbols
+from drawings.symbols.dashes import fitted
+from drawings.symbols.figure import Place
+from drawings.symbols.symbols import ARROW_LENGTH
+from drawings.symbols.trimming import trimmed
+from geometry.board import Arc as Notch
+from geometry.board import at
+from plans.linkage.barrier import CHANGE
+
+STEPS = 360  # of a circle that is cut at a figure's box
+NOTCH = 9.0  # mm of a notch arc kept on each side of its meeting
+HATCH, SLANT = 2.5, 0.02  # mm of hatching on the barred part of the crank circle, and its slant, rad
+SHARE = 0.3  # what a line of another position counts where a dimension looks for a clear place
+
+
+def figure(pairs: Pairs, language: str) -> list[Group]:
+    """Draw the plan of positions at its place, from the thinnest lines to the pairs; its letters come last of all."""
+    bones, place, hand = pairs.bones, pairs.place, pairs.hand
+    body, stands = list(pairs.bars()), list(pairs.stands())
+    blocks = [block for _, block in pairs.blocks]
+    paths, positions = trajectories(bones, place, hand), [*_circle(bones, place, hand), *_positions(pairs)]
+    extremes, lines = list(_extremes(pairs)), axes(bones, place, hand)
+    drawn = Drawn()
+    drawn.draw([*body, *blocks, *stands])
+    grounded = grounds(pairs, drawn)
+    drawn.draw(grounded)
+    drawn.draw([*paths, *positions, *extremes, *lines], SHARE)
+    layers: list[tuple[str, Iterable[Stroke]]] = [
+        ("paths", paths),
+        ("all-positions", positions),
+        ("extremes", extremes),
+        ("guides", lines),
+        ("notches", _notches(bones, place, hand)),
+    ]
+    groups = [Group(tuple(fitted(trimmed(strokes, pairs.masks))), name) for name, strokes in layers]
+    groups += [
+        Group(tuple(grounded), "grounds"),
+        Group((*blocks, *body, *pairs.corners()), "shown-position"),
+        Group((*stands, *pairs.marks()), "pairs"),
+        Group(tuple(stroke(bones, place, hand, language, drawn)), "stroke"),
+        Group(tuple(part for turning in turnings(pairs) for part in turning.strokes(pairs)), "rotation"),
+    ]
+    return [group for group in groups if group.strokes]
+
+
+def _circle(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
+    """Draw the crank circle; hatch it where the crank cannot go, and cross its gap positions and change points."""
+    pivot, radius, (low, high) = bones.pivot(place), bones.crank(place), bones.swept
+    drawn: list[Stroke] = [Arc(pivot, radius, low, high, hand.drafted)]
+    for barrier in bones.study.met:
+        count = max(int((barrier.end - barrier.start) * radius / HATCH), 1)
+        for k in range(count + 1):
+            ray = cmath.rect(1.0, barrier.start + (barrier.end - barrier.start) * k / count)
+            tip = pivot + (radius + HATCH * hand.symbol) * ray * cmath.rect(1.0, SLANT)
+            drawn.append(Line(pivot + radius * ray, tip, hand.drafted))
+    crossed = [complex(d) for d in bones.study.turn.directions[bones.study.lost]]
+    crossed += [cmath.rect(1.0, barrier.start) for barrier in bones.study.met if barrier.kind == CHANGE]
+    return drawn + [arm for ray in crossed for arm in symbols.cross(pivot + radius * ray, hand)]
+
+
+def _positions(pairs: Pairs) -> Iterable[Stroke]:
+    """Draw the other positions thin; of very many, those between every so many only by a tick of the crank."""
+    bones, place, hand = pairs.bones, pairs.place, pairs.hand
+    extremes = {same(bones, k) for k in range(2)} if bones.extremes else set()
+    every = max(math.ceil(len(bones.numbered) / MANY), 1)
+    for k in range(len(bones.numbered)):
+        if k == bones.shown or k in extremes:
+            continue
+        if k % every == 0:
+            yield from _links(bones, bones.numbered, k, place, hand.drafted)
+        elif not bones.study.lost[k]:
+            spot = place.on(bones.crank_end(k))
+            ray = (spot - bones.pivot(place)) / bones.crank(place)
+            yield symbols.tick(spot, 1j * ray, hand)
+
+
+def _links(bones: Skeletons, poses: Poses, k: int, place: Place, style: LineStyle) -> Iterable[Stroke]:
+    """Draw the bars of all links in a position that can be assembled, slots as far as their stones."""
+    for outline in outlines(bones, reach_of(bones, poses, k), whole=False):
+        for bar in outline.bars:
+            start, end = (complex(poses.of(outline.link, spot)[k]) for spot in bar)
+            if not math.isnan(start.real) and start != end:
+                yield Line(place.on(start), place.on(end), style)
+
+
+def _extremes(pairs: Pairs) -> Iterable[Stroke]:
+    """Draw the extreme positions in dash-two-dots lines."""
+    bones = pairs.bones
+    if bones.extremes is not None:
+        for k in range(2):
+            if same(bones, k) != bones.shown:
+                yield from _links(bones, bones.extremes, k, pairs.place, pairs.hand.extreme)
+
+
+def _notches(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
+    """Keep the notch arcs of the shown position, trimmed to their use; arcs that miss are drawn through the figure."""
+    plan = bones.study.drafts().positions
+    box = _around([place.on(value) for value in bones.points], NOTCH * hand.symbol)
+    drawn: list[Stroke] = []
+    for mark in plan.board:
+        for (source, ray), locus in zip(mark.rays, mark.step.inputs, strict=False):
+            if mark.step.op == "meet" and isinstance(locus.value, Notch):
+                centre, arm = place.on(at(source.point, bones.shown)), at(ray, bones.shown)
+                if math.isnan(arm.real) and not math.isnan(centre.real):
+                    drawn += _within(
+                        Arc(centre, place.length(abs(at(locus.value.radius, 0))), 0, 2 * math.pi), box, hand
+                    )
+                elif not math.isnan(arm.real):
+                    drawn.append(_notch(centre, place.length(abs(arm)), cmath.phase(arm), hand))
+    return drawn
+
+
+def _within(circle: Arc, box: Field, hand: Hand) -> Iterator[Arc]:
+    """Give the parts of a circle that lie in a figure's box: an arc that is never met may be larger than the paper."""
+    step = 2 * math.pi / STEPS
+    inside = [box.holds(circle.at(k / STEPS)) for k in range(STEPS + 1)]
+    start = 0
+    for held, part in groupby(inside):
+        count = len(list(part))
+        if held and count > 1:
+            yield Arc(circle.centre, circle.radius, start * step, (start + count - 1) * step, hand.drafted)
+        start += count
+
+
+def _around(spots: list[complex], margin: float) -> Field:
+    """Give the box around some places on paper, and a margin."""
+    across, up = [spot.real for spot in spots], [spot.imag for spot in spots]
+    return Field(min(across) - margin, min(up) - margin, max(across) + margin, max(up) + margin)
+
+
+def _notch(centre: complex, radius: float, angle: float, hand: Hand) -> Arc:
+    half = min(NOTCH * hand.symbol / radius, math.pi)
+    return Arc(centre, radius, angle - half, angle + half, hand.drafted)
+
+
+def letters(pairs: Pairs, labels: Labels) -> Group:
+    """Letter the points and number the positions, where the lines of all figures leave room."""
+    bones, place, hand = pairs.bones, pairs.place, pairs.sheet
+    drawn: list[Stroke] = []
+    for name in sorted(bones.numbered.points):
+        value = bones.spot(name, bones.shown)
+        if not math.isnan(value.real):
+            gap = pairs.clear(name) + 1.0
+            drawn.append(labels.beside(place.on(value), written(name), hand.letter, gap, _free(pairs, name)))
+    for name in bones.masses:
+        if name in pairs.centres:
+            drawn.append(labels.beside(pairs.centres[name], written(name), hand.letter, 2.5, math.pi / 4))
+    for turning in turnings(pairs):
+        middle, away = turning.middle
+        drawn.append(labels.beside(middle, turning.letter, hand.letter, 1.5, away))
+    return Group((*drawn, *numbers(pairs, labels)))
+
+
+def _free(pairs: Pairs, name: str) -> float:
+    """Give the side of a point that the bars leave free."""
+    spot = pairs.place.on(pairs.bones.spot(name, pairs.bones.shown))
+    return free_side(spot, pairs.bars(), pairs.clear(name) + ARROW_LENGTH)

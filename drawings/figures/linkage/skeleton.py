@@ -1,0 +1,231 @@
+"""The skeleton of a mechanism: where its points and links lie in the scene's positions, on the way, at extremes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Protocol
+
+import numpy as np
+
+from drawings.figures.linkage.masses import unnamed
+from drawings.symbols.figure import Place
+from plans.linkage.angles import angle
+from plans.linkage.assembly_limits import NODES
+from plans.linkage.plan import Plan
+from plans.linkage.study import Study
+from plans.linkage.turn import Turn
+from plans.model.mechanism import FRAME, Link, Mechanism, Slide
+from plans.model.motion import Complexes, Floats, Motion
+
+MORE = 0.2  # rad of the crank's circle drawn past the outermost of some listed angles
+BEYOND = 0.25  # share of the mechanism's size that a path between numbered positions may run past them
+
+
+@dataclass(frozen=True)
+class Poses:
+    """A mechanism in several positions: the places of its points and the directions of its links; NaN at gaps."""
+
+    links: Mapping[int, Link]
+    points: Mapping[str, Complexes]
+    turns: Mapping[int, Complexes]
+
+    def __len__(self) -> int:
+        return len(self.turns[FRAME])
+
+    def of(self, link: int, spot: complex) -> Complexes:
+        """Give the places of a spot that is fixed in a link, measured in the link's own frame."""
+        if link == FRAME:
+            return np.full(len(self), spot)
+        name, own = next(iter(self.links[link].points.items()))
+        return np.asarray(self.points[name] + self.turns[link] * (spot - own))
+
+    def line(self, slide: Slide) -> Complexes:
+        """Give the directions of a slide's line."""
+        return np.asarray(self.turns[slide.owner] * slide.on_owner.direction)
+
+    def along(self, slide: Slide) -> Floats:
+        """Give how far a slide's block stands along its line, m from the point that the line goes through."""
+        pins = self.points[slide.point] - self.of(slide.owner, slide.on_owner.through)
+        return np.asarray((pins * np.conj(self.line(slide))).real)
+
+    def blocks(self, slide: Slide) -> Complexes:
+        """Give the places of a slide's block: the foot on its line of the slider's named point."""
+        return self.of(slide.owner, slide.on_owner.through) + self.line(slide) * self.along(slide)
+
+
+class Bones(Protocol):
+    """What links and their pairs are drawn from: a mechanism, its poses, and which of them is shown."""
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """The mechanism."""
+
+    @property
+    def links(self) -> list[int]:
+        """The links that are drawn."""
+
+    @property
+    def numbered(self) -> Poses:
+        """The poses."""
+
+    @property
+    def shown(self) -> int:
+        """Which of them is shown."""
+
+    @property
+    def reach(self) -> float:
+        """The mechanism's size, m."""
+
+    @property
+    def masses(self) -> Mapping[str, tuple[int, complex]]:
+        """The mass centres that no point names: letter, link, place in its own frame."""
+
+    @property
+    def travels(self) -> Mapping[Slide, tuple[float, float]]:
+        """How far along its line each slide's block comes, m."""
+
+    def spot(self, name: str, position: int) -> complex:
+        """Give a point's place; NaN at a gap."""
+
+
+@dataclass(frozen=True)
+class Skeletons:
+    """What the figure is drawn from: the poses in the scene's positions, on the way, and at the two extremes."""
+
+    study: Study
+    motion: Motion
+    numbered: Poses
+    way: Poses  # a whole turn, densely
+    extremes: Poses | None  # at the two extremes, None where there are none
+    shown: int
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """The mechanism."""
+        return self.study.mechanism
+
+    @property
+    def links(self) -> list[int]:
+        """The moving links."""
+        return [number for number in sorted(self.mechanism.links) if number != FRAME]
+
+    @property
+    def poses(self) -> list[Poses]:
+        """The poses that are drawn as links: those of the scene's positions, and the extremes."""
+        return [self.numbered] if self.extremes is None else [self.numbered, self.extremes]
+
+    def crank_end(self, position: int) -> complex:
+        """Give the place of the crank's end, known even where the mechanism cannot be assembled."""
+        drive, links = self.mechanism.drive, self.mechanism.links
+        arm = links[drive.link].points[drive.end] - links[drive.link].points[drive.pivot]
+        return links[FRAME].points[drive.pivot] + abs(arm) * complex(self.study.turn.directions[position])
+
+    @property
+    def swept(self) -> tuple[float, float]:
+        """Give the crank angles, rad, between which its circle is drawn: a whole turn, or what listed angles span."""
+        low, high = self.study.span[0] - MORE, self.study.span[1] + MORE
+        return (low, high) if high - low < 2 * math.pi else (0.0, 2 * math.pi)
+
+    def spot(self, name: str, position: int) -> complex:
+        """Give a point's place; fixed points are known in every position, others are NaN at a gap."""
+        fixed_points = self.mechanism.links[FRAME].points
+        return fixed_points[name] if name in fixed_points else complex(self.numbered.points[name][position])
+
+    def pivot(self, place: Place) -> complex:
+        """Give the drive's fixed hinge on paper."""
+        return place.on(self.mechanism.links[FRAME].points[self.mechanism.drive.pivot])
+
+    def crank(self, place: Place) -> float:
+        """Give the radius of the crank's circle on paper."""
+        return abs(place.on(self.crank_end(self.shown)) - self.pivot(place))
+
+    @cached_property
+    def reach(self) -> float:
+        """Give the mechanism's size, m: how far its points come from the drive's fixed hinge."""
+        return float(
+            np.nanmax([abs(self.crank_end(0)), *map(abs, np.concatenate(list(self.numbered.points.values())))])
+        )
+
+    @cached_property
+    def masses(self) -> dict[str, tuple[int, complex]]:
+        """Give the mass centres that no point names: letter, link, place in its own frame."""
+        return unnamed(self.study.scene, self.mechanism.links)
+
+    @cached_property
+    def travels(self) -> dict[Slide, tuple[float, float]]:
+        """Give the outermost places of each slide's block along its line, m; a slide of no known place has none."""
+        found = {}
+        for slide in self.mechanism.slides:
+            along = np.concatenate([poses.along(slide) for poses in (*self.poses, self.way)])
+            known = along[~np.isnan(along)]
+            if known.size:
+                found[slide] = float(known.min()), float(known.max())
+        return found
+
+    @cached_property
+    def points(self) -> list[complex]:
+        """All true points that the figure must hold."""
+        arrays = [places for poses in (*self.poses, self.way) for places in poses.points.values()]
+        for slide, travel in self.travels.items():  # a slot reaches as far as its stone
+            ends = [slide.on_owner.through + along * slide.on_owner.direction for along in travel]
+            arrays += [poses.of(slide.owner, end) for end in ends for poses in self.poses]
+        arrays += [poses.of(*mass) for mass in self.masses.values() for poses in (*self.poses, self.way)]
+        known = [value for array in arrays for value in array]
+        known += [self.crank_end(k) for k in range(len(self.numbered))]
+        known += self.mechanism.links[FRAME].points.values()
+        known += self._circle()
+        return [complex(value) for value in known if not math.isnan(value.real)]
+
+    def _circle(self) -> list[complex]:
+        """Give the corners of the crank's circle, as far as it is drawn."""
+        pivot = self.mechanism.links[FRAME].points[self.mechanism.drive.pivot]
+        radius, (low, high) = abs(self.crank_end(0) - pivot), self.swept
+        return [pivot + radius * complex(np.exp(1j * angle)) for angle in np.linspace(low, high, 24)]
+
+
+def skeletons(study: Study, motion: Motion, shown: int) -> Skeletons:
+    """Gather the poses that the figure needs: the way between positions is computed densely, not splined."""
+    turns = {FRAME: np.ones(len(motion.phi), dtype=np.complex128)}
+    turns |= {number: np.exp(1j * found.angle) for number, found in motion.links.items()}
+    numbered = Poses(study.mechanism.links, {name: found.r for name, found in motion.points.items()}, turns)
+    extremes = None
+    if study.found is not None:
+        turn = Turn(np.array(study.found.extremes.phi), np.array(study.found.directions))
+        extremes = poses(study.mechanism, study.sweep.drawn(turn), 2)
+    return Skeletons(study, motion, numbered, _way(study, numbered), extremes, shown)
+
+
+def _way(study: Study, numbered: Poses) -> Poses:
+    """Give the poses of a whole turn, half a degree apart, NaN where the mechanism does not come."""
+    nodes = study.turn.phi[0] + 2 * np.pi * np.arange(NODES + 1) / NODES
+    dense = poses(study.mechanism, study.sweep.plan(nodes), len(nodes))
+    box = np.array(list(numbered.points.values()))
+    free, box = study.reached(nodes), box[~np.isnan(box)]
+    points = {name: _near(np.where(free, values, np.nan), box) for name, values in dense.points.items()}
+    return Poses(dense.links, points, dense.turns)
+
+
+def poses(mechanism: Mechanism, plan: Plan, count: int) -> Poses:
+    """Read the poses off a plan of positions."""
+    names = sorted({name for link in mechanism.links.values() for name in link.points})
+    points = {name: np.asarray(plan.point(name).point, dtype=np.complex128) for name in names}
+    turns = {number: np.exp(1j * angle(plan, number)) for number in sorted(mechanism.links)}
+    return Poses(
+        mechanism.links,
+        {name: np.array(np.broadcast_to(values, count)) for name, values in points.items()},
+        {number: np.array(np.broadcast_to(values, count)) for number, values in turns.items()},
+    )
+
+
+def _near(path: Complexes, places: Complexes) -> Complexes:
+    """Break a path where it runs far off the numbered positions, as a tangent mechanism's does to infinity."""
+    if not places.size:
+        return path
+    middle = complex(places.real.min() + places.real.max(), places.imag.min() + places.imag.max()) / 2
+    reach = (1 + BEYOND) * max(float(np.ptp(places.real)), float(np.ptp(places.imag))) / 2
+    off = path - middle
+    with np.errstate(invalid="ignore"):
+        return np.where(np.maximum(np.abs(off.real), np.abs(off.imag)) <= reach, path, np.nan)

@@ -1,0 +1,117 @@
+"""Trajectories: the paths of points that go neither on the crank's circle nor along a guide (траектории)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from itertools import pairwise
+
+import numpy as np
+import numpy.typing as npt
+
+from drawings.figures.linkage.skeleton import Skeletons
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import Arc, Line, LineStyle, Polyline, Stroke
+from drawings.symbols.figure import Place
+from plans.model.mechanism import FRAME
+from plans.model.motion import Complexes, Floats
+
+# Two paths nearer than this share of a line's width are one line on paper.
+SAME = 0.3
+STILL = 0.2  # mm: a shorter path is a dot under its point's own symbol
+
+
+def trajectories(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
+    """Draw each path once, also where its point goes there and back along it: drawn twice, its dashes would close."""
+    mechanism = bones.mechanism
+    still = mechanism.links[FRAME].points.keys() | mechanism.links[mechanism.drive.link].points.keys()
+    guided = {slide.slider for slide in mechanism.slides if slide.owner == FRAME}
+    still |= {name for link in guided for name in mechanism.links[link].points}
+    drawn: list[Stroke] = []
+    for name in sorted(bones.way.points.keys() - still):
+        arc = _swing(bones, name, place, hand)
+        drawn += [arc] if arc else _path(_on(bones.way.points[name], place), hand)
+    for _, mass in sorted(bones.masses.items()):
+        drawn += _path(_on(bones.way.of(*mass), place), hand) if mass[0] not in guided else []
+    return drawn
+
+
+def _on(values: Complexes, place: Place) -> Complexes:
+    return np.asarray(place.origin + (values - place.zero) / place.scale.mu)
+
+
+def _swing(bones: Skeletons, name: str, place: Place, hand: Hand) -> Arc | None:
+    """Draw the path of a rocker's point as one arc."""
+    links = bones.mechanism.links
+    rockers = [link for link in bones.links if name in links[link].points]
+    pivots = [point for link in rockers for point in links[link].points if point in links[FRAME].points]
+    values = bones.way.points[name]
+    if not pivots or np.isnan(values.real).any():
+        return None
+    pivot = links[FRAME].points[pivots[0]]
+    angles = np.unwrap(np.angle(values - pivot))
+    low, high = float(angles.min()), float(angles.max())
+    if high - low >= math.pi:  # a full turn is no swing
+        return None
+    return Arc(place.on(pivot), place.length(abs(complex(values[0]) - pivot)), low, high, hand.path)
+
+
+def _path(spots: Complexes, hand: Hand) -> list[Stroke]:
+    """Draw a path, broken at its gaps, each stretch of it once."""
+    kept: list[Complexes] = []
+    for stretch in sorted(_stretches(spots), key=_length, reverse=True):
+        if _length(stretch) > STILL and not (kept and _lies_on(stretch, kept, SAME * hand.thin)):
+            kept.append(stretch)
+    return [_line(stretch, hand.path, SAME * hand.thin) for stretch in kept]
+
+
+def _length(stretch: Complexes) -> float:
+    return float(np.abs(np.diff(stretch)).sum())
+
+
+def _stretches(spots: Complexes) -> Iterator[Complexes]:
+    """Give the runs of a path between its gaps, each broken where the point turns back."""
+    gaps = np.flatnonzero(np.isnan(spots.real))
+    for run in np.split(spots, np.unique([*gaps, *(gaps + 1)])):
+        if len(run) < 2 or np.isnan(run[0].real):
+            continue
+        steps = np.diff(run)
+        if not gaps.size and abs(run[0] - run[-1]) <= abs(steps).max():  # a whole turn: it has neither end
+            back = _turned(np.append(steps[-1], steps))
+            whole = run if not back.size else np.append(np.roll(run[:-1], -back[0]), run[back[0]])
+            yield from _cut(whole, back - (back[0] if back.size else 0))
+        else:
+            yield from _cut(run, _turned(steps) + 1)
+
+
+def _turned(steps: Complexes) -> npt.NDArray[np.intp]:
+    return np.flatnonzero((steps[1:] * np.conj(steps[:-1])).real < 0)
+
+
+def _cut(run: Complexes, turned: npt.NDArray[np.intp]) -> Iterator[Complexes]:
+    cuts = sorted({0, *(int(cut) for cut in turned), len(run) - 1})
+    yield from (run[low : high + 1] for low, high in pairwise(cuts))
+
+
+def _lies_on(stretch: Complexes, others: list[Complexes], within: float) -> bool:
+    """Tell whether all of a stretch lies on others that are drawn already."""
+    starts = np.concatenate([other[:-1] for other in others])
+    runs = np.concatenate([np.diff(other) for other in others])
+    return all(float(_apart(spot, starts, runs).min()) <= within for spot in stretch)
+
+
+def _apart(spot: complex, starts: Complexes, runs: Complexes) -> Floats:
+    """Give a spot's distances from straight pieces."""
+    with np.errstate(invalid="ignore", divide="ignore"):
+        shares = np.nan_to_num(((spot - starts) * np.conj(runs)).real / np.abs(runs) ** 2)
+    return np.asarray(np.abs(starts + np.clip(shares, 0, 1) * runs - spot))
+
+
+def _line(stretch: Complexes, style: LineStyle, within: float) -> Stroke:
+    """Draw a stretch: one straight line where it is one, else a chain, closed where it comes back to its beginning."""
+    ends = stretch[[int(np.argmin(stretch.real + stretch.imag)), int(np.argmax(stretch.real + stretch.imag))]]
+    start, end = (complex(spot) for spot in (ends if ends[0] != ends[1] else stretch[[0, -1]]))
+    if _lies_on(stretch, [np.array([start, end])], within):
+        return Line(start, end, style)
+    closed = bool(abs(stretch[0] - stretch[-1]) < STILL)
+    return Polyline(tuple(complex(spot) for spot in (stretch[:-1] if closed else stretch)), closed, style)

@@ -1,0 +1,196 @@
+"""The figure of a velocity or an acceleration plan in one position, read from the record of its construction."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from dataclasses import dataclass
+
+from drawings.figures.linkage.coriolis import Turned, placed, turned
+from drawings.layout.labels import Labels
+from drawings.layout.picture import Margins, Picture, Spot, picture
+from drawings.lettering.words import word
+from drawings.page.page import Field
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import Group, Line, LineStyle, Stroke, Text, text_width
+from drawings.symbols.figure import Place, Subject, heading, point, vector
+from drawings.symbols.symbols import pole
+from geometry.board import Line as Direction
+from geometry.board import Mark, at, behind
+from plans.linkage.plan import Plan
+from plans.model.motion import ORDERS, POINT_KEYS, POINT_UNITS
+
+BEYOND = 9.0  # mm a line of known direction is drawn past the meeting
+MARGINS = Margins(2.6, 2.0, 2.0)  # paper around a plan for its letters, in their sizes
+LETTERS = 12.0  # a plan is drawn at least so many of its letters large, and as many as it has: below, they hide it
+LEAST = 0.05  # mm: a shorter vector is a point; the finest line is five times as wide
+SYMBOL, UNIT = dict(zip(ORDERS, POINT_KEYS, strict=True)), dict(zip(ORDERS, POINT_UNITS, strict=True))
+
+
+@dataclass(frozen=True)
+class Arrow:
+    """A vector of a plan between two marks, in true units."""
+
+    start: Mark
+    end: Mark
+    ends: tuple[complex, complex]
+    absolute: bool
+
+    @property
+    def name(self) -> str:
+        """The vector by the letters of its ends, such as pb or ab."""
+        return f"{self.start.name} {self.end.name}"
+
+
+@dataclass(frozen=True)
+class Diagram:
+    """What one position of a plan shows: vectors, lines of known direction, and the letters at its points."""
+
+    plan: Plan
+    column: int  # place of the position among the constructed ones
+    arrows: tuple[Arrow, ...]
+    rays: tuple[tuple[complex, complex], ...]  # true ends of lines of known direction: from its start to the meeting
+    letters: tuple[Mark, ...]
+    turned: tuple[Turned, ...]  # the Coriolis parts' directions
+
+    @property
+    def points(self) -> list[complex]:
+        """All true points that the figure must hold."""
+        ends = [end for arrow in self.arrows for end in arrow.ends]
+        return [0j, *ends, *(end for ray in self.rays for end in ray)]
+
+
+def diagram(plan: Plan, column: int) -> Diagram:
+    """Read a figure from a plan's record: what the named points rest on is drawn, the rest is left out."""
+    needed = [mark for mark in behind(*plan.letters.values()) if mark.subject == plan.board.subject]
+    images = [mark for mark in needed if mark.rays and mark is not plan.pole]
+    arrows: dict[tuple[Mark, Mark], Arrow] = {}
+    for mark in images:
+        for start, _ in mark.rays:
+            if start.rays or start is plan.pole:
+                arrows.setdefault((start, mark), _arrow(plan, start, mark, column))
+    for mark in images:
+        if mark.step.op == "meet" or mark in plan.letters.values():
+            arrows.setdefault((plan.pole, mark), _arrow(plan, plan.pole, mark, column))
+    rays = tuple(ray for mark in needed if mark.step.op == "meet" for ray in _rays(mark, column))
+    rules = tuple(rule for mark in needed if (rule := turned(mark, column)) is not None)
+    return Diagram(plan, column, tuple(arrows.values()), rays, tuple(images), rules)
+
+
+def _arrow(plan: Plan, start: Mark, end: Mark, column: int) -> Arrow:
+    return Arrow(start, end, (at(start.point, column), at(end.point, column)), start is plan.pole)
+
+
+def _rays(mark: Mark, column: int) -> list[tuple[complex, complex]]:
+    found = []
+    for line in mark.step.inputs:
+        if isinstance(line.value, Direction):
+            found.append((at(line.value.through, column), at(mark.point, column)))
+    return found
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A diagram placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
+
+    shown: Diagram
+    place: Place
+    lines: tuple[Stroke, ...]
+    position: int
+    hand: Hand
+    box: Field
+
+    def lettered(self, labels: Labels) -> Group:
+        """Give the whole figure, its letters placed, and beside it how its Coriolis parts are directed."""
+        name = f"{self.shown.plan.board.subject}-{self.position}"
+        letters = Group(tuple(_letters(self.shown, self.place, self.hand, labels)))
+        seen = (rule for rule in self.shown.turned if self.place.length(rule.size) >= LEAST)
+        rules = (placed(rule, self.box, labels.ink, self.hand) for rule in seen)
+        return Group((*self.lines, letters, *(rule for rule in rules if rule is not None)), name)
+
+
+def measured(shown: Diagram, name: str, hand: Hand, language: str) -> Picture:
+    """Measure the room that a plan needs: its points, letters around them, its heading above."""
+    kind = shown.plan.board.subject
+    title = text_width(Text(0j, word(language, kind, position=shown.column), hand.title))
+    side, below, above = (size * hand.letter for size in MARGINS)
+    margins = Margins(side, below, above + 2 * hand.title + hand.text)
+    least = hand.letter * max(LETTERS, len(shown.letters))
+    return picture(name, shown.points, (SYMBOL[kind], UNIT[kind]), margins, title, least)
+
+
+def nothing(name: str, why: str, hand: Hand) -> Picture:
+    """Measure the room of a sentence that stands for a plan."""
+    margins = Margins(hand.text, hand.text, hand.text)
+    return picture(name, [0j], ("v", "m/s"), margins, text_width(Text(0j, why, hand.text)))
+
+
+def figure(shown: Diagram, measure: Picture, spot: Spot, scale: str, hand: Hand, language: str) -> Figure:
+    """Draw the plan in its spot, with its title and its written scale above it."""
+    position = shown.column
+    kind = shown.plan.board.subject
+    subject = Subject(kind, SYMBOL[kind], position)
+    place = measure.placed(*spot)
+    title = _heading(shown, spot, scale, hand, language)
+    lines = Group(tuple(_directions(shown, place, hand)))
+    arrows = [_drawn(subject, arrow, place, hand) for arrow in shown.arrows if _visible(arrow, place)]
+    dot = point(subject, shown.plan.pole.name, 0j, place, pole(place.on(0j)), "pole")
+    return Figure(shown, place, (title, *([lines] if lines.strokes else []), *arrows, dot), position, hand, spot.box)
+
+
+def _heading(shown: Diagram, spot: Spot, scale: str, hand: Hand, language: str) -> Group:
+    """Write a plan's title and its scale above it."""
+    title = word(language, shown.plan.board.subject, position=shown.column)
+    return heading(spot.box, title, scale if any(shown.points) else word(language, "at rest"), hand)
+
+
+def _visible(arrow: Arrow, place: Place) -> bool:
+    return place.length(abs(arrow.ends[1] - arrow.ends[0])) >= LEAST
+
+
+def _drawn(subject: Subject, arrow: Arrow, place: Place, hand: Hand) -> Group:
+    result = arrow.absolute or arrow.end.step.op == "meet"
+    style = hand.result if arrow.absolute else hand.relative if result else LineStyle(hand.thin)
+    return vector(subject, arrow.name, arrow.ends, place, style)
+
+
+def _directions(shown: Diagram, place: Place, hand: Hand) -> list[Stroke]:
+    """Draw each line of known direction from a little before its start to a little past the meeting."""
+    drawn: list[Stroke] = []
+    for start, end in shown.rays:
+        first, last = place.on(start), place.on(end)
+        length = abs(last - first)
+        if length < LEAST:
+            continue
+        along = (last - first) / length * BEYOND * hand.symbol
+        drawn.append(Line(first - along / 2, last + along, hand.drafted))
+    return drawn
+
+
+def _letters(shown: Diagram, place: Place, hand: Hand, labels: Labels) -> list[Stroke]:
+    """Letter the pole and every image once; images that fall on one place share it."""
+    names: dict[complex, list[str]] = {place.on(0j): [shown.plan.pole.name]}
+    for mark in shown.letters:
+        spot = place.on(at(mark.point, shown.column))
+        same = next((known for known in names if abs(known - spot) < 0.5), spot)
+        own = [shown.plan.letter(point) for point, image in shown.plan.letters.items() if image is mark]
+        names.setdefault(same, []).extend(name for name in (mark.name, *own) if name not in names[same])
+    middle = sum(names, 0j) / len(names)
+    drawn: list[Stroke] = []
+    for spot, letters in names.items():
+        prefer = cmath.phase(spot - middle) if abs(spot - middle) > 1e-9 else math.pi / 4
+        drawn.append(labels.beside(spot, ", ".join(written(letter) for letter in letters), hand.letter, 1.6, prefer))
+    return drawn
+
+
+def written(letter: str) -> str:
+    """Write a mark's letter with its index lowered: b, a_3, n_BA.
+
+    >>> written("a3"), written("n_BA"), written("s12'")
+    ('a_{3}', 'n_{BA}', "s_{12}'")
+    """
+    if "_" in letter:
+        head, index = letter.split("_", 1)
+        return f"{head}_{{{index}}}"
+    digits = "".join(sign for sign in letter if sign.isdigit())
+    return letter.replace(digits, f"_{{{digits}}}", 1) if digits else letter

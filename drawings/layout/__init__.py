@@ -1,0 +1,1 @@
+"""Layout: labels, obstacles, tables, and how figures share a sheet (компоновка)."""

@@ -1,0 +1,156 @@
+"""Equations of forces and moments in lettering: bars over vectors, one or two lines under terms (уравнения)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import NamedTuple, TypeAlias
+
+from drawings.layout.columns import Block
+from drawings.page.page import Field
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import Group, Line, Stroke, Text, text_width
+
+BAR = "\N{COMBINING MACRON}"
+UNKNOWN, DIRECTION, FULL = 0, 1, 2  # lines under a term: nothing known, its direction only, or all of it
+# In sizes of the letters, from the line of writing: up to the bar over a letter with its superscript, the first line
+# under a term, and the step from line to line, which leaves a raised index clear of the lines above it.
+ASCENT, UNDER, STEP = 1.3, 0.62, 2.5
+APART = 0.8  # mm between two lines under a term: the least that GOST 2.303-68 allows
+NARROWEST = 12  # sizes: a narrower column of equations is not read as lines any more
+LAPSE = 0.35  # gap on either side of a sign, in sizes
+DESCENT = 1.0  # sizes below the last line of writing
+
+
+class Term(NamedTuple):
+    """A term of an equation of vectors: its letter, marked up, what is known of it, and the sign before it."""
+
+    letter: str
+    known: int = FULL
+    sign: str = "+"
+    vector: bool = True
+
+    @property
+    def written(self) -> str:
+        """Its letter, with a bar over a vector's.
+
+        >>> Term("R^t_{34}", DIRECTION).written == "R" + BAR + "^t_{34}"
+        True
+        """
+        return self.letter[0] + BAR + self.letter[1:] if self.vector else self.letter
+
+
+class Piece(NamedTuple):
+    """What is never broken: a sign with the term after it, and the lines under the term."""
+
+    sign: str
+    text: str
+    under: int
+
+
+class Equation(NamedTuple):
+    """An equation as pieces between which its lines may be broken, and a heading before it such as ΣM_D:."""
+
+    pieces: tuple[Piece, ...]
+
+
+Row: TypeAlias = tuple[Piece, ...]
+
+
+def forces(terms: Sequence[Term], right: str = "0") -> Equation:
+    """Write that the forces of a group balance: their sum is zero."""
+    first, *others = terms
+    pieces = [Piece("−" if first.sign == "−" else "", first.written, first.known)]
+    pieces += [Piece(term.sign, term.written, term.known) for term in others]
+    return Equation((*pieces, Piece("=", right, UNKNOWN)))
+
+
+def moments(about: str, terms: Sequence[tuple[str, str]], right: str = "0") -> Equation:
+    """Write the moments about a point by sign and product: ΣM_D: R^t_34·BD + G_4·h_1 − ... = 0.
+
+    >>> [piece.text for piece in moments("D", [("+", "G_4·h_1"), ("−", "Φ_4·h_2")]).pieces]
+    ['ΣM_{D}:', 'G_4·h_1', 'Φ_4·h_2', '0']
+    """
+    pieces = [Piece("", f"ΣM_{{{about}}}:", UNKNOWN)]
+    for k, (sign, product) in enumerate(terms):
+        pieces.append(Piece("" if k == 0 and sign == "+" else sign, product, UNKNOWN))
+    return Equation((*pieces, Piece("=", right, UNKNOWN)))
+
+
+def plain(*parts: str) -> Equation:
+    """Write a line of parts between which it may be broken: a solution such as R^t_34 = ... = 12 N."""
+    return Equation(tuple(Piece("", part, UNKNOWN) for part in parts))
+
+
+class Passage(NamedTuple):
+    """Equations under each other, in letters of one size."""
+
+    name: str
+    equations: tuple[Equation, ...]
+    size: float
+
+    def rows(self, width: float) -> list[Row]:
+        """Break the equations at a width, mm, before their signs."""
+        return [row for one in self.equations for row in _broken(one, width, self.size)]
+
+    def block(self) -> Block:
+        """Measure the ways to break it, each at the least width for its number of lines."""
+        least = max(_length((piece,), self.size) for one in self.equations for piece in one.pieces)
+        width = max(_length(one.pieces, self.size) for one in self.equations)
+        found: dict[float, float] = {}
+        while not found or width >= max(least, NARROWEST * self.size):
+            rows = self.rows(width)
+            width = max(_length(row, self.size) for row in rows)
+            found[self._height(len(rows))] = width  # the last is the least width for this height
+            width -= self.size / 10  # narrower by a pen's width: a line must break
+        return Block(self.name, tuple((wide, high) for high, wide in reversed(found.items())))
+
+    def _height(self, rows: int) -> float:
+        return self.size * (ASCENT + STEP * (rows - 1) + DESCENT)
+
+    def drawn(self, box: Field, hand: Hand) -> Group:
+        """Write the equations from the top of their box downwards."""
+        strokes: list[Stroke] = []
+        for k, row in enumerate(self.rows(box.width + self.size / 100)):
+            start = complex(box.left, box.top - self.size * (ASCENT + STEP * k))
+            strokes += _written(row, start, self.size, hand)
+        return Group(tuple(strokes), self.name)
+
+
+def _broken(one: Equation, width: float, size: float) -> Iterator[Row]:
+    row: Row = ()
+    for piece in one.pieces:
+        if row and _length((*row, piece), size) > width:
+            yield row
+            row = ()
+        row = (*row, piece)
+    yield row
+
+
+def _length(row: Iterable[Piece], size: float) -> float:
+    length = 0.0
+    for piece in row:
+        length += _sign(piece, size, bool(length)) + text_width(Text(0j, piece.text, size))
+    return length
+
+
+def _sign(piece: Piece, size: float, within: bool) -> float:
+    """Give the width of a sign with its gaps; without a sign, only a gap within the line."""
+    gap = LAPSE * size
+    if not piece.sign:
+        return 2 * gap if within else 0.0
+    return text_width(Text(0j, piece.sign, size)) + (2 * gap if within else gap)
+
+
+def _written(row: Row, start: complex, size: float, hand: Hand) -> Iterator[Stroke]:
+    """Write one line from its start, each term over its lines."""
+    along = 0.0
+    for piece in row:
+        if piece.sign:
+            yield Text(start + along + (LAPSE * size if along else 0.0), piece.sign, size, "start", True)
+        along += _sign(piece, size, bool(along))
+        yield Text(start + along, piece.text, size, "start", True)
+        width = text_width(Text(0j, piece.text, size))
+        for k in range(piece.under):
+            low = start + along - 1j * (UNDER * size + APART * k)
+            yield Line(low, low + width, hand.other)
+        along += width

@@ -1,0 +1,105 @@
+"""A picture before it is placed: what it shows in true units, and the room that it takes at a scale (место фигуры)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from drawings.page.page import Field
+from drawings.page.scale import Scale, fitting
+from drawings.symbols.figure import Place
+
+RUNGS = 12  # scales tried for a picture: the last is a hundredth of the first, too small for any sheet
+SMALLER = 1 - 1e-9  # of a drawn size: too small for its own scale, and no other scale lies so near
+
+
+class Margins(NamedTuple):
+    """Paper around a picture, mm: for letters and symbols, and above it for its heading."""
+
+    side: float
+    below: float
+    above: float
+
+
+class Picture(NamedTuple):
+    """A figure's extent in true units about its middle, the letter and unit of its scale, and its margins."""
+
+    name: str  # no two pictures of a set of sheets share it
+    wide: float
+    high: float
+    middle: complex
+    letter: str
+    unit: str
+    margins: Margins
+    heading: float  # mm, width of the heading
+    least: float  # mm: lines drawn smaller are hidden by their letters
+    most: float = math.inf  # mm: lines drawn larger would be out of proportion
+
+    def size(self, scale: Scale) -> tuple[float, float]:
+        """Give width and height on paper, mm, margins and heading included."""
+        wide, high = self.wide / scale.mu, self.high / scale.mu
+        around = self.margins
+        return max(wide + 2 * around.side, self.heading), high + around.below + around.above
+
+    def drawn(self, scale: Scale) -> float:
+        """Give the larger side of the drawn lines, mm."""
+        return max(self.wide, self.high) / scale.mu
+
+    def ladder(self, width: float, height: float, standard: str = "GOST") -> Ladder:
+        """List the standard scales at which the picture and its margins fit a room, the largest picture first."""
+        across, up = width - 2 * self.margins.side, height - self.margins.below - self.margins.above
+        if across <= 0 or up <= 0 or self.heading > width:
+            return Ladder(self.name, (), self.least)
+        extent, room = (self.wide, across) if self.wide * up >= self.high * across else (self.high, up)
+        room = min(room, self.most)
+        rungs: list[Rung] = []
+        while len(rungs) < RUNGS and room > 0:
+            scale = fitting(extent, room, self.letter, self.unit, standard)
+            rungs.append(Rung(scale, *self.size(scale), self.drawn(scale)))
+            room = extent / scale.mu * SMALLER
+        return Ladder(self.name, tuple(rungs), self.least)
+
+    def placed(self, box: Field, scale: Scale) -> Place:
+        """Place the picture in a box of its size: its middle in the middle of what the margins leave."""
+        inner = Field(box.left, box.bottom + self.margins.below, box.right, box.top - self.margins.above)
+        return Place(inner.centre, self.middle, scale)
+
+
+class Rung(NamedTuple):
+    """A standard scale of a picture, its width and height with margins, and the larger side of its lines, mm."""
+
+    scale: Scale
+    wide: float
+    high: float
+    drawn: float
+
+
+class Ladder(NamedTuple):
+    """The scales that a picture may have, the largest picture first."""
+
+    name: str
+    rungs: tuple[Rung, ...]
+    least: float
+
+
+class Spot(NamedTuple):
+    """Where a picture stands, and its scale."""
+
+    box: Field
+    scale: Scale
+
+
+def picture(
+    name: str,
+    values: Sequence[complex],
+    subject: tuple[str, str],
+    margins: Margins,
+    heading: float,
+    least: float = 0.0,
+) -> Picture:
+    """Measure what a figure of true values needs; `subject` is the letter and the unit of its scale."""
+    left, right = min(v.real for v in values), max(v.real for v in values)
+    bottom, top = min(v.imag for v in values), max(v.imag for v in values)
+    middle = complex(left + right, bottom + top) / 2
+    return Picture(name, right - left, top - bottom, middle, *subject, margins, heading, least)

@@ -1,0 +1,1 @@
+"""Lettering: the alphabet, written lines, the words of sheets (шрифт и слова)."""

@@ -1,0 +1,238 @@
+"""Measuring: the vectors and points of a written sheet in true units, and how far they are from what they state.
+
+The sheet is a stranger's until shown otherwise: it may have been moved, scaled, regrouped and rewritten by an editor.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any, NamedTuple, TypeAlias
+
+from drawings.measure.marks import Mark
+from drawings.measure.pathdata import number, pair
+from drawings.measure.reader import read
+from drawings.measure.transform import STAY, Affine, placing
+from drawings.paper.limits import FORMAT, QUANTUM, SHEET_BYTES, STATED_DIGITS, Refused
+from geometry.regular_file import regular_bytes
+
+CORNERS = 3
+
+_POSITION = re.compile(r"-?[0-9]{1,9}")
+# The stated value and the scale are each rounded to this share of themselves at the most; arithmetic to far less.
+_STATED = 10.0 ** (1 - STATED_DIGITS)
+
+
+class Key(NamedTuple):
+    """What a vector or point is called."""
+
+    plan: str
+    quantity: str
+    name: str
+    position: int | None = None
+
+
+class MeasuredVector(NamedTuple):
+    """A vector: its ends on the sheet (mm, y up), its value by measurement and as stated, in true units."""
+
+    plan: str
+    quantity: str
+    name: str
+    position: int | None
+    start: complex
+    end: complex
+    value: complex
+    stated: complex
+    unit: str
+    scale: float
+
+    @property
+    def key(self) -> Key:
+        """What it is called."""
+        return Key(self.plan, self.quantity, self.name, self.position)
+
+    @property
+    def reach(self) -> float:
+        """How far from the sheet's corner its ends are (mm), which its rounding is a share of."""
+        return abs(self.start) + abs(self.end)
+
+
+class MeasuredPoint(NamedTuple):
+    """A point: its place on the sheet (mm, y up), its true coordinates by measurement from the pole and as stated."""
+
+    plan: str
+    quantity: str
+    name: str
+    position: int | None
+    at: complex
+    value: complex
+    stated: complex
+    unit: str
+    scale: float
+
+    @property
+    def key(self) -> Key:
+        """What it is called."""
+        return Key(self.plan, self.quantity, self.name, self.position)
+
+    @property
+    def reach(self) -> float:
+        """How far from the sheet's corner it is (mm), which its rounding is a share of."""
+        return abs(self.at)
+
+
+class Measured(NamedTuple):
+    """All that a sheet shows; `quantum` is its resolution (mm), `notes` names what was left aside."""
+
+    vectors: tuple[MeasuredVector, ...]
+    points: tuple[MeasuredPoint, ...]
+    metadata: Mapping[str, Any] = MappingProxyType({})
+    quantum: float = QUANTUM
+    notes: tuple[str, ...] = ()
+
+    @property
+    def marks(self) -> tuple[MeasuredVector | MeasuredPoint, ...]:
+        """The vectors, then the points."""
+        return (*self.vectors, *self.points)
+
+
+class Mismatch(NamedTuple):
+    """A vector or point that is not what it states; `measured` is None if it is not on the sheet at all."""
+
+    key: Key
+    measured: complex | None
+    stated: complex | None
+    allowed: float
+
+
+_Pole: TypeAlias = tuple[complex, complex]  # its place on the sheet, and the true coordinates there
+
+
+def measure_file(path: Path) -> Measured:
+    """Measure a sheet in a file; an OSError where the system does not give the file."""
+    return measure(regular_bytes(path, SHEET_BYTES + 1))
+
+
+def measure(source: bytes) -> Measured:
+    """Measure a sheet; one that cannot be trusted to be read right is refused with the reason."""
+    sheet = read(source)
+    told = sheet.metadata.get("format", FORMAT)
+    if not isinstance(told, int) or told > FORMAT:
+        raise Refused(f"the sheet has format {told!r}; this version reads up to {FORMAT}")
+    _once(sheet.marks)
+    moved = _moved([mark for mark in sheet.marks if mark.kind == "corner"])
+    marks = [_moved_back(mark, moved) for mark in sheet.marks]
+    poles = {_place(mark): (mark.points[0], _stated(mark)) for mark in marks if mark.kind == "pole"}
+    return Measured(
+        vectors=tuple(_vector(mark) for mark in marks if mark.kind == "vector"),
+        points=tuple(_point(mark, poles) for mark in marks if mark.kind == "point"),
+        metadata=sheet.metadata,
+        quantum=_resolution(moved),
+        notes=tuple(sheet.notes),
+    )
+
+
+def check(measured: Measured, tolerance: float | None = None, expected: Iterable[Key] = ()) -> list[Mismatch]:
+    """List what differs from what it states by more than `tolerance` (mm, else the sheet's own), or is missing.
+
+    To the tolerance come the roundings of the stated value and of our own arithmetic; comparisons fail closed.
+    """
+    paper = measured.quantum if tolerance is None else tolerance
+    wrong: list[Mismatch] = []
+    for mark in measured.marks:
+        allowed = (paper + _STATED * mark.reach) * mark.scale + _STATED * abs(mark.stated)
+        right = abs(mark.value - mark.stated) <= allowed
+        if not right:
+            wrong.append(Mismatch(mark.key, mark.value, mark.stated, allowed))
+    seen = {mark.key for mark in measured.marks}
+    return wrong + [Mismatch(key, None, None, 0.0) for key in expected if key not in seen]
+
+
+def _once(marks: Iterable[Mark]) -> None:
+    """One mark for each name: a fan of arrows must not pass because one of them is right."""
+    seen: set[tuple[str | int | None, ...]] = set()
+    for mark in marks:
+        names = ("value",) if mark.kind == "corner" else ("plan", "quantity", "name")
+        own = (mark.kind, _position(mark), *(mark.data.get(name, "") for name in names))
+        if own in seen:
+            raise Refused(f"{mark.who} is on the sheet twice")
+        seen.add(own)
+
+
+def _moved(corners: list[Mark]) -> Affine:
+    """Find how the whole sheet was moved; one without any corner marks is taken as it lies."""
+    if not corners:
+        return STAY
+    if len(corners) != CORNERS:
+        raise Refused(f"{len(corners)} of the {CORNERS} corner marks are left; all or none are needed")
+    stated, found = [_stated(corner) for corner in corners], [corner.points[0] for corner in corners]
+    # Marks that lie where they say, within their own rounding, tell of no move.
+    if all(abs(place - mark) <= QUANTUM for place, mark in zip(found, stated, strict=True)):
+        return STAY
+    return placing(stated, found)
+
+
+def _resolution(moved: Affine) -> float:
+    """The rounding of a vector's ends; in a moved sheet they and the corner marks were rounded twice, and scaled."""
+    return QUANTUM if moved == STAY else 4 * QUANTUM * max(1.0, 1 / abs(moved.p))
+
+
+def _moved_back(mark: Mark, moved: Affine) -> Mark:
+    if moved == STAY:
+        return mark
+    return mark._replace(points=tuple((point - moved.t) / moved.p for point in mark.points))
+
+
+def _vector(mark: Mark) -> MeasuredVector:
+    scale = _scale(mark)
+    start, end = mark.points
+    own = (_text(mark, "plan"), _text(mark, "quantity"), _text(mark, "name"), _position(mark))
+    return MeasuredVector(*own, start, end, (end - start) * scale, _stated(mark), mark.data.get("unit", ""), scale)
+
+
+def _point(mark: Mark, poles: Mapping[tuple[str, int | None], _Pole]) -> MeasuredPoint:
+    plan, position = _place(mark)
+    pole = poles.get((plan, position)) or poles.get((plan, None))
+    if pole is None:
+        raise Refused(f"{mark.who}: its plan has no pole to measure from")
+    (at,), scale = mark.points, _scale(mark)
+    own = (plan, _text(mark, "quantity"), _text(mark, "name"), position)
+    value = (at - pole[0]) * scale + pole[1]
+    return MeasuredPoint(*own, at, value, _stated(mark), mark.data.get("unit", ""), scale)
+
+
+def _place(mark: Mark) -> tuple[str, int | None]:
+    return _text(mark, "plan"), _position(mark)
+
+
+def _text(mark: Mark, name: str) -> str:
+    text = mark.data.get(name, "")
+    if not text:
+        raise Refused(f"{mark.who} has no data-{name}")
+    return text
+
+
+def _position(mark: Mark) -> int | None:
+    text = mark.data.get("position", "")
+    if text and not _POSITION.fullmatch(text):
+        raise Refused(f"{mark.who}: its position {text[:20]!r} is not a whole number")
+    return int(text) if text else None
+
+
+def _stated(mark: Mark) -> complex:
+    try:
+        return pair(_text(mark, "value"))
+    except Refused as refused:
+        raise Refused(f"{mark.who}: its value: {refused.reason}") from refused
+
+
+def _scale(mark: Mark) -> float:
+    try:
+        scale = number(_text(mark, "scale"))
+    except Refused as refused:
+        raise Refused(f"{mark.who}: its scale: {refused.reason}") from refused
+    if not scale > 0:
+        raise Refused(f"{mark.who}: its scale {scale} is not above zero")
+    return scale

@@ -1,0 +1,125 @@
+"""Plane maps w = p*z + q*conj(z) + t: a similarity has q = 0, a mirrored one p = 0, and a stretch has both."""
+
+from __future__ import annotations
+
+import cmath
+import math
+import re
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from drawings.measure.pathdata import GAP, SPACE, numbers
+from drawings.paper.limits import ELEMENT_TRANSFORMS, QUANTUM, REACH, Refused
+
+_CALL = re.compile(rf"([A-Za-z]+)[{SPACE}]*\(([^()]*)\)")
+# A style sheet's transform carries units; px and deg are what the attribute means without them.
+_UNIT = re.compile(r"(?<=[0-9.])(?:px|deg)(?![a-z])")
+
+
+class Affine(NamedTuple):
+    """The map w = p*z + q*conj(z) + t."""
+
+    p: complex = 1 + 0j
+    q: complex = 0j
+    t: complex = 0j
+
+    def __call__(self, z: complex) -> complex:
+        """Map a point."""
+        return self.p * z + self.q * z.conjugate() + self.t
+
+    def after(self, first: Affine) -> Affine:
+        """Give the map that makes `first`, then this one."""
+        p, q, t = first
+        return Affine(
+            self.p * p + self.q * q.conjugate(),
+            self.p * q + self.q * p.conjugate(),
+            self(t),
+        )
+
+    @property
+    def singular(self) -> bool:
+        """Whether the plane falls onto a line or a point."""
+        return abs(self.p) == abs(self.q)
+
+
+STAY = Affine()
+MIRROR = Affine(0j, 1 + 0j)
+
+
+def matrix(a: float, b: float, c: float, d: float, e: float, f: float) -> Affine:
+    """Give SVG's matrix: x' = a*x + c*y + e, y' = b*x + d*y + f."""
+    return Affine(complex(a + d, b - c) / 2, complex(a - d, b + c) / 2, complex(e, f))
+
+
+def transform(text: str) -> Affine:
+    """Read a transform list, the last one acting first.
+
+    >>> transform("translate(10 0) rotate(90) scale(2)")(1 + 0j)
+    (10+2j)
+    """
+    text = _UNIT.sub("", text).strip(SPACE)
+    total, place, count = STAY, 0, 0
+    while place < len(text):
+        call = _CALL.match(text, place)
+        count += 1
+        if call is None or count > ELEMENT_TRANSFORMS:
+            raise Refused(f"transform {text[place : place + 30]!r} is not understood, or the list is too long")
+        total = total.after(_one(call[1], numbers(call[2])))
+        gap = GAP.match(text, call.end())
+        place = gap.end() if gap else call.end()
+    if not all(abs(size) <= REACH**2 for part in total for size in (part.real, part.imag)):
+        raise Refused(f"transform {text[:30]!r} leads off every paper")
+    return total
+
+
+def about(origin: complex, turn: Affine) -> Affine:
+    """Give a map made about another origin than zero."""
+    return Affine(t=origin).after(turn).after(Affine(t=-origin))
+
+
+def placing(stated: Sequence[complex], found: Sequence[complex]) -> Affine:
+    """Find how a whole sheet was moved, from three marks of known place; a mirrored or stretched one is refused."""
+    u, v = stated[1] - stated[0], stated[2] - stated[0]
+    U, V = found[1] - found[0], found[2] - found[0]
+    doubled_area = u * v.conjugate() - u.conjugate() * v
+    if doubled_area == 0:
+        raise Refused("the three corner marks state places on one line")
+    p = (U * v.conjugate() - V * u.conjugate()) / doubled_area
+    q = (V * u - U * v) / doubled_area
+    if abs(q) >= abs(p):
+        raise Refused("the sheet is mirrored or crushed")
+    # Each mark is rounded twice, by us and by the editor, before or after the sheet was scaled.
+    rounding = 2 * QUANTUM * max(1.0, abs(p)) * (abs(u) + abs(v)) / abs(doubled_area)
+    if not abs(q) <= rounding:
+        ratio = (abs(p) + abs(q)) / (abs(p) - abs(q))
+        raise Refused(f"the sheet is stretched: one direction is {ratio:.6f} times the other")
+    return Affine(p, 0j, found[0] - p * stated[0])
+
+
+def _one(name: str, values: list[float]) -> Affine:
+    match name, values:
+        case "matrix", [a, b, c, d, e, f]:
+            return matrix(a, b, c, d, e, f)
+        case "translate", [x]:
+            return Affine(t=complex(x))
+        case "translate", [x, y]:
+            return Affine(t=complex(x, y))
+        case "scale", [both]:
+            return Affine(p=complex(both))
+        case "scale", [x, y]:
+            return matrix(x, 0, 0, y, 0, 0)
+        case "rotate", [angle]:
+            return Affine(p=_turned(angle))
+        case "rotate", [angle, x, y]:
+            return about(complex(x, y), Affine(p=_turned(angle)))
+        case "skewX", [angle]:
+            return matrix(1, 0, math.tan(math.radians(angle)), 1, 0, 0)
+        case "skewY", [angle]:
+            return matrix(1, math.tan(math.radians(angle)), 0, 1, 0, 0)
+    raise Refused(f"transform {name[:20]!r} with {len(values)} numbers is not understood")
+
+
+def _turned(angle: float) -> complex:
+    """Quarter turns are exact, as the editor meant them."""
+    quarters, rest = divmod(angle, 90)
+    return complex(1j ** int(quarters % 4)) * cmath.rect(1, math.radians(rest))

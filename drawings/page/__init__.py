@@ -1,0 +1,1 @@
+"""Pages: frame, borders, title block, standard scales (лист)."""

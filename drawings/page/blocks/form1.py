@@ -1,0 +1,137 @@
+"""The title block of GOST 2.104-2006, form 1, and the extra graphs of course work (основная надпись, форма 1)."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+
+from drawings.lettering.words import word
+from drawings.page.graph import Graph, titled
+from drawings.paper.formats import Field
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import Line, LineStyle, Polyline, Stroke, Text
+
+Segments = tuple[tuple[tuple[int, int], tuple[int, int]], ...]
+
+# The lines of form 1, from the block's lower left corner; checked against three public drawings of the form.
+THICK: Segments = (
+    ((0, 55), (185, 55)), ((0, 0), (0, 55)), ((65, 40), (185, 40)), ((0, 35), (65, 35)), ((135, 35), (185, 35)),
+    ((0, 30), (65, 30)), ((135, 20), (185, 20)), ((65, 15), (185, 15)), ((7, 30), (7, 55)), ((17, 0), (17, 55)),
+    ((40, 0), (40, 55)), ((55, 0), (55, 55)), ((65, 0), (65, 55)), ((135, 0), (135, 40)), ((150, 20), (150, 40)),
+    ((167, 20), (167, 40)), ((155, 15), (155, 20)),
+)  # fmt: skip
+THIN: Segments = (
+    *(((0, y), (65, y)) for y in (40, 45, 50, 5, 10, 15, 20, 25)),
+    ((140, 20), (140, 35)),
+    ((145, 20), (145, 35)),
+)
+ROLES = ("drawn", "checked", "technical", "norms", "approved")
+# What is printed in the form; graphs 14 to 18 are the table of changes, 10 the roles.
+CAPTIONS = {
+    "change": Graph(0, 30, 7, 5, 2.5, pad=0.5), "page": Graph(7, 30, 10, 5, 2.5, pad=0.5),
+    "document": Graph(17, 30, 23, 5, 2.5), "signature": Graph(40, 30, 15, 5, 2.5), "date": Graph(55, 30, 10, 5, 2.5),
+    "drawn": Graph(0, 25, 17, 5, 2.5, "start"), "checked": Graph(0, 20, 17, 5, 2.5, "start"),
+    "technical": Graph(0, 15, 17, 5, 2.5, "start"), "norms": Graph(0, 5, 17, 5, 2.5, "start"),
+    "approved": Graph(0, 0, 17, 5, 2.5, "start"), "letter": Graph(135, 35, 15, 5, 2.5),
+    "mass": Graph(150, 35, 17, 5, 2.5), "scale": Graph(167, 35, 18, 5, 2.5),
+    "sheet": Graph(135, 15, 11, 5, 2.5, "start"), "sheets": Graph(155, 15, 14, 5, 2.5, "start"),
+}  # fmt: skip
+TITLE = Graph(65, 15, 70, 25, 5.0)  # graph 1
+# What else is filled in: graph 3 has the group, 11 the names, 13 the date of the one who has drawn. In letters of 2.5 a
+# date of eight signs is 12 mm long and a name of fourteen 25 mm, in graphs 10 and 23 mm wide: these may go down to 1.8,
+# which GOST 2.304 has for type B.
+ENTRIES = {
+    "designation": Graph(65, 40, 120, 15, 7.0), "group": Graph(65, 0, 70, 15),
+    "organisation": Graph(135, 0, 50, 15, 5.0), "scale": Graph(167, 20, 18, 15, 5.0),
+    "sheet": Graph(146, 15, 9, 5), "sheets": Graph(169, 15, 16, 5),
+    "date": Graph(55, 25, 10, 5, 2.5, least=1.8, pad=0.6),
+    **{key: CAPTIONS[key]._replace(left=17, width=23, least=1.8) for key in ROLES},
+}  # fmt: skip
+_YEAR_FIRST = re.compile(r"\d\d(\d\d)-(\d\d)-(\d\d)")
+_YEAR_LAST = re.compile(r"(\d\d)\.(\d\d)\.\d\d(\d\d)")
+
+# Extra graphs, outside the frame on the left, from the bottom up: 19 to 23, and how high each is.
+STRIP = (("original", 25), ("signed", 35), ("replaces", 25), ("duplicate", 25), ("signed", 35))
+STRIP_WIDTHS = (5.0, 7.0)  # for the caption, and for the entry
+REPEATED = (70.0, 14.0)  # graph 26: the designation again, for one who leafs through a file
+# Graphs 31 and 32, below the frame: how far from its right end.
+BELOW = {"copied": 110.0, "format": 40.0}
+
+
+def block(corner: complex, entries: Mapping[str, str], hand: Hand, language: str) -> Iterator[Stroke]:
+    """Draw form 1, filled; every sheet of a drawing has it, which 2.104 allows beside form 2a for the following ones.
+
+    Graph 7 is empty where there is one sheet only, and graph 8 is filled on the first sheet only.
+    """
+    for segments, width in ((THICK, hand.main), (THIN, hand.construction)):
+        for start, end in segments:
+            yield Line(corner + complex(*start), corner + complex(*end), LineStyle(width, cap="round"))
+    for key, graph in CAPTIONS.items():
+        yield from graph.lettered(corner, word(language, key))
+    filled = {key: text for key, text in _filled(entries).items() if text}
+    for key, graph in ENTRIES.items():
+        yield from graph.lettered(corner, filled[key]) if key in filled else ()
+    yield from titled(TITLE, corner, filled.get("title", ""), filled.get("subtitle", ""))
+
+
+def _filled(entries: Mapping[str, str]) -> dict[str, str]:
+    filled = dict(entries)
+    filled["date"] = short_date(entries.get("date", ""))
+    if entries.get("sheets", "1") == "1":
+        filled["sheet"] = ""
+    elif entries.get("sheet", "1") != "1":
+        filled["sheets"] = ""
+    return filled
+
+
+def short_date(date: str) -> str:
+    """Write a date as graph 13 has it: day, month and the last two figures of the year; other text stays as it is.
+
+    >>> short_date("2026-11-21"), short_date("21.11.2026"), short_date("November")
+    ('21.11.26', '21.11.26', 'November')
+    """
+    if match := _YEAR_FIRST.fullmatch(date):
+        return ".".join(reversed(match.groups()))
+    match = _YEAR_LAST.fullmatch(date)
+    return ".".join(match.groups()) if match else date
+
+
+def repeated(field: Field, upright: bool) -> Field:
+    """Give the place of graph 26 within the frame: upper left, or upper right on an upright sheet above A4."""
+    along, across = REPEATED
+    if upright:
+        return Field(field.right - across, field.top - along, field.right, field.top)
+    return Field(field.left, field.top - across, field.left + along, field.top)
+
+
+def extra(field: Field, place: Field, designation: str, name: str, hand: Hand, language: str) -> Iterator[Stroke]:
+    """Draw the extra graphs around a field: 19 to 23, 26 at its place, 31 and 32."""
+    yield from _strip(complex(field.left - sum(STRIP_WIDTHS), field.bottom), hand, language)
+    yield _outlined(place, hand)
+    corner = complex(place.left, place.bottom)
+    turn = 180.0 if place.width > place.height else -90.0  # upside down, or read from the right
+    if designation:
+        yield from Graph(0, 0, place.width, place.height, 5.0, rotation=turn).lettered(corner, designation)
+    for key, off in BELOW.items():
+        yield Text(complex(field.right - off, 1.4), word(language, key, format=name), 2.5, "start", True)
+
+
+def _strip(corner: complex, hand: Hand, language: str) -> Iterator[Stroke]:
+    """Draw graphs 19 to 23, captions read from the right."""
+    narrow, wide = STRIP_WIDTHS
+    height = sum(high for _, high in STRIP)
+    main = LineStyle(hand.main, cap="round")
+    for x in (0.0, narrow):
+        yield Line(corner + x, corner + complex(x, height), main)
+    at = corner
+    yield Line(at, at + narrow + wide, main)
+    for key, high in STRIP:
+        yield from Graph(0, 0, narrow, high, 2.5, rotation=90.0).lettered(at, word(language, key))
+        at += 1j * high
+        yield Line(at, at + narrow + wide, main)
+
+
+def _outlined(place: Field, hand: Hand) -> Polyline:
+    left, bottom, right, top = place
+    corners = (complex(left, bottom), complex(right, bottom), complex(right, top), complex(left, top))
+    return Polyline(corners, True, LineStyle(hand.main))

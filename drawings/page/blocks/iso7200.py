@@ -1,0 +1,64 @@
+"""The title block of ISO 7200:2004: its data fields in the arrangement of its example, 180 mm wide."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from drawings.lettering.words import word
+from drawings.page.graph import Graph, titled
+from drawings.paper.formats import BLOCKS
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import Line, LineStyle, Polyline, Run, Stroke, Text
+
+# The data fields: place from the block's lower left corner, mm, and the largest letters of what is filled in. Rows are
+# 12 high, where the example has 9 with captions of 1.8. Beside the standard's own fields stand the one who checked, as
+# courses want it, and the scale, which ISO 7200 leaves to the sheet.
+CELLS = {
+    "department": Graph(0, 36, 26, 12), "checked by": Graph(26, 36, 43, 12), "creator": Graph(69, 36, 44, 12),
+    "approval": Graph(113, 36, 43, 12), "scale": Graph(156, 36, 24, 12), "owner": Graph(0, 0, 69, 36),
+    "type": Graph(69, 24, 58, 12), "status": Graph(127, 24, 53, 12), "title": Graph(69, 0, 58, 24, 5.0),
+    "number": Graph(127, 12, 53, 12, 5.0), "revision": Graph(127, 0, 8, 12), "issued": Graph(135, 0, 24, 12),
+    "code": Graph(159, 0, 9.5, 12), "sheet": Graph(168.5, 0, 11.5, 12),
+}  # fmt: skip
+MANDATORY = ("owner", "number", "issued", "sheet", "title", "approval", "creator", "type")
+# The entry of the scene that each field shows as it is.
+GIVEN = {
+    "department": "group", "checked by": "checked", "creator": "drawn", "approval": "approved", "scale": "scale",
+    "owner": "organisation", "number": "designation", "issued": "date",
+}  # fmt: skip
+CAPTION, PAD = 2.5, 1.2
+UNDER = 3.6  # mm from the top of a field to the room of its entry, which keeps clear of the caption's tails
+
+
+def block(corner: complex, entries: Mapping[str, str], hand: Hand, language: str) -> Iterator[Stroke]:
+    """Draw the block, filled."""
+    width, height = BLOCKS["ISO"]
+    for key, cell in CELLS.items():
+        yield from _walls(corner, cell, hand)
+        at = corner + complex(cell.left + PAD, cell.bottom + cell.height - CAPTION - 0.6)
+        yield Text(at, (Run(word(language, f"{key} field")),), CAPTION, "start", True)
+    outline = (corner, corner + width, corner + complex(width, height), corner + 1j * height)
+    yield Polyline(outline, True, LineStyle(hand.main))
+    rooms = {key: cell._replace(height=cell.height - UNDER, anchor="start", pad=PAD) for key, cell in CELLS.items()}
+    for key, text in _values(entries, language):
+        yield from rooms[key].lettered(corner, text) if text else ()
+    yield from titled(rooms["title"], corner, entries.get("title", ""), entries.get("subtitle", ""))
+
+
+def _values(entries: Mapping[str, str], language: str) -> Iterator[tuple[str, str]]:
+    """Give what is filled in; the number of the sheet is mandatory, of one sheet too."""
+    yield from ((key, entries.get(entry, "")) for key, entry in GIVEN.items())
+    yield "type", entries.get("type") or word(language, "document type")
+    yield "code", language
+    yield "sheet", f"{entries.get('sheet') or '1'}/{entries.get('sheets') or '1'}"
+
+
+def _walls(corner: complex, cell: Graph, hand: Hand) -> Iterator[Line]:
+    """Draw the left and the upper side of a field; the others belong to its neighbours and to the outline."""
+    at = corner + complex(cell.left, cell.bottom)
+    top = at + 1j * cell.height
+    thin = LineStyle(hand.thin)
+    if cell.left:
+        yield Line(at, top, thin)
+    if cell.bottom + cell.height < BLOCKS["ISO"][1]:
+        yield Line(top, top + cell.width, thin)

@@ -1,0 +1,1 @@
+"""Paper: strokes in millimetres, widths and sizes of a hand, formats, limits (бумага)."""

@@ -1,0 +1,276 @@
+"""Strokes: the plain drawables of paper, in millimetres, x to the right and y up from the sheet's lower left corner.
+
+A point is a complex number. Strokes know nothing of SVG: a pen turns them into a format, and turns y there, once.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from decimal import Decimal
+from functools import lru_cache
+from typing import Any, Literal, NamedTuple, TypeAlias
+
+from drawings.paper.limits import STATED_DIGITS
+from geometry.errors import DraftError
+
+# Share of the size: how far the line of writing of a subscript or a superscript is lowered or raised.
+LOWERED, RAISED = 0.25, 0.4
+# Slanted letters stand at 75 degrees to their line (GOST 2.304-81).
+LEAN = math.tan(math.radians(15))
+TURN = 2 * math.pi
+
+Box: TypeAlias = tuple[float, float, float, float]
+Anchor: TypeAlias = Literal["start", "middle", "end"]
+
+
+class SheetError(DraftError, ValueError):
+    """A sheet that cannot be laid out, written or verified."""
+
+
+class LineStyle(NamedTuple):
+    """How a stroke is drawn: width and dash in mm, colour and fill as "#rrggbb" or "none", its ends butt or round."""
+
+    width: float = 0.5
+    dash: tuple[float, ...] = ()
+    colour: str = "#000000"
+    fill: str = "none"
+    cap: Literal["butt", "round"] = "butt"
+
+
+PLAIN = LineStyle()
+INK = LineStyle(width=0, colour="none", fill="#000000")
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """A straight line from `start` to `end`."""
+
+    start: complex
+    end: complex
+    style: LineStyle = PLAIN
+
+
+class Polyline(NamedTuple):
+    """A chain of straight lines through `points`; a closed one returns to the first."""
+
+    points: tuple[complex, ...]
+    closed: bool = False
+    style: LineStyle = PLAIN
+
+
+class Arc(NamedTuple):
+    """An arc drawn counter-clockwise from `start_angle` to `end_angle` (rad), raised by whole turns if it is less."""
+
+    centre: complex
+    radius: float
+    start_angle: float
+    end_angle: float
+    style: LineStyle = PLAIN
+
+    @property
+    def sweep(self) -> float:
+        """The angle drawn, from 0 to a whole turn."""
+        sweep = self.end_angle - self.start_angle
+        return sweep if 0 <= sweep <= TURN else sweep % TURN
+
+    def at(self, share: float) -> complex:
+        """Give the point after a share (0 to 1) of the sweep."""
+        return self.centre + cmath.rect(self.radius, self.start_angle + share * self.sweep)
+
+
+@dataclass(frozen=True, slots=True)
+class Circle:
+    """A whole circle."""
+
+    centre: complex
+    radius: float
+    style: LineStyle = PLAIN
+
+
+class Fill(NamedTuple):
+    """A filled polygon that does not cross itself: an arrowhead, a dot of a hinge."""
+
+    points: tuple[complex, ...]
+    style: LineStyle = INK
+
+
+class Run(NamedTuple):
+    """A piece of lettering on one line of writing: level 0 on it, -1 a subscript, +1 a superscript."""
+
+    text: str
+    level: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Text:
+    """Lettering of `size` mm that starts, is centred or ends at a point; a string is marked up, runs stay as they are.
+
+    In a string `_` lowers and `^` raises the next character or braced group; a backslash takes the next one as it is.
+    """
+
+    at: complex
+    content: str | tuple[Run, ...]
+    size: float = 3.5
+    anchor: Anchor = "start"
+    slanted: bool = False
+    rotation: float = 0.0
+    style: LineStyle = INK
+
+    @property
+    def runs(self) -> tuple[Run, ...]:
+        """The lettering as runs."""
+        return runs(self.content) if isinstance(self.content, str) else self.content
+
+    @property
+    def plain(self) -> str:
+        """The lettering without its levels, as it is read aloud."""
+        return "".join(run.text for run in self.runs)
+
+
+@dataclass(frozen=True, slots=True)
+class Group:
+    """Strokes that belong together; `data` tells what they are and is written as data- attributes.
+
+    Kinds that can be measured ("vector", "point", "pole", "corner") carry their data on their first stroke, which is a
+    Line for a vector and a Circle for the others; every other kind carries them on the group.
+    """
+
+    strokes: tuple[Stroke, ...]
+    name: str = ""
+    data: Mapping[str, str] = field(default_factory=dict)
+    title: str = ""
+
+
+Stroke: TypeAlias = Line | Polyline | Arc | Circle | Fill | Text | Group
+
+
+@dataclass(frozen=True, slots=True)
+class Leaf:
+    """A whole sheet ready for a pen: size in mm, groups from back to front, and the JSON-able description."""
+
+    width: float
+    height: float
+    groups: tuple[Group, ...]
+    title: str = ""
+    description: str = ""
+    metadata: Mapping[str, Any] = field(default_factory=dict)
+    lettering: str = "text"  # "strokes" of our own alphabet, or "text" in the fonts of the viewer
+
+
+_MARKUP = re.compile(r"([_^])(?:\{([^{}]*)\}|([^{}\\_^]))|\\(.)|([^_^\\{}]+)", re.DOTALL)
+
+
+@lru_cache(maxsize=1024)
+def runs(markup: str) -> tuple[Run, ...]:
+    r"""Read lettering marked up with `_` and `^`.
+
+    >>> runs("a^n_{BA}")
+    (Run(text='a', level=0), Run(text='n', level=1), Run(text='BA', level=-1))
+    >>> runs(r"snake\_case")
+    (Run(text='snake_case', level=0),)
+    """
+    found: list[Run] = []
+    place = 0
+    while place < len(markup):
+        match = _MARKUP.match(markup, place)
+        if match is None:
+            raise SheetError(
+                f"lettering {markup!r}: {markup[place]!r} at {place} opens nothing; write it as \\{markup[place]}"
+            )
+        mark, braced, single, escaped, text = match.groups()
+        level = {"_": -1, "^": 1}.get(mark, 0)
+        piece = braced if braced is not None else single or escaped or text
+        if found and found[-1].level == level:
+            piece = found.pop().text + piece
+        found.append(Run(piece, level))
+        place = match.end()
+    return tuple(found)
+
+
+def numeral(value: float) -> str:
+    """Write a number of a sheet's data: 12 significant digits, no exponent, no -0.
+
+    >>> numeral(-0.0), numeral(1.5e-7), numeral(1 / 3), numeral(2e6)
+    ('0', '0.00000015', '0.333333333333', '2000000')
+    """
+    if not math.isfinite(value):
+        raise SheetError(f"{value} cannot be written: a gap must be said in words")
+    if value == 0:
+        return "0"
+    digits = format(Decimal(f"{value:.{STATED_DIGITS - 1}e}"), "f")
+    return digits.rstrip("0").rstrip(".") if "." in digits else digits
+
+
+def stated(value: complex) -> str:
+    """Write a vector's or a point's true value for its data: "x y".
+
+    >>> stated(0.5 - 2j)
+    '0.5 -2'
+    """
+    return f"{numeral(value.real)} {numeral(value.imag)}"
+
+
+def text_width(text: Text) -> float:
+    """Give the length of lettering along its line of writing, in the letters of our own alphabet."""
+    from drawings.lettering.lettering import width  # noqa: PLC0415  (lettering is written in strokes)
+
+    return width(text)
+
+
+def text_reach(text: Text) -> tuple[float, float]:
+    """Give how far lettering reaches below and above its line of writing, mm."""
+    from drawings.lettering.lettering import reach  # noqa: PLC0415  (lettering is written in strokes)
+
+    return reach(text)
+
+
+def bounds(stroke: Stroke) -> Box:
+    """Give the box (left, bottom, right, top) around a stroke's geometry, line width not counted.
+
+    >>> bounds(Group((Line(1 + 1j, 3 + 0j), Circle(0j, 1))))
+    (-1.0, -1.0, 3.0, 1.0)
+    """
+    match stroke:
+        case Line():
+            return _around((stroke.start, stroke.end))
+        case Polyline() | Fill():
+            return _around(stroke.points)
+        case Circle():
+            reach = stroke.radius * (1 + 1j)
+            return _around((stroke.centre - reach, stroke.centre + reach))
+        case Arc():
+            return _around(_extremes(stroke))
+        case Text():
+            return _around(_corners(stroke))
+        case Group():
+            boxes = [bounds(inner) for inner in stroke.strokes]
+            return _around([complex(*box[:2]) for box in boxes] + [complex(*box[2:]) for box in boxes])
+
+
+def _around(points: tuple[complex, ...] | list[complex]) -> Box:
+    if not points:
+        raise SheetError("an empty group or chain has no bounds")
+    across, up = [point.real for point in points], [point.imag for point in points]
+    return min(across), min(up), max(across), max(up)
+
+
+def _extremes(arc: Arc) -> list[complex]:
+    """An arc reaches its box at its ends and at the quarter points that it passes."""
+    first = math.ceil(arc.start_angle / (TURN / 4))
+    last = math.floor((arc.start_angle + arc.sweep) / (TURN / 4))
+    quarters = [arc.centre + arc.radius * 1j ** (k % 4) for k in range(first, last + 1)]
+    return [arc.at(0), arc.at(1), *quarters]
+
+
+def _corners(text: Text) -> tuple[complex, ...]:
+    """Give the corners of a text's box; slanted letters lean past its end, their tails before its start."""
+    width = text_width(text)
+    left = {"start": 0.0, "middle": -width / 2, "end": -width}[text.anchor]
+    bottom, top = text_reach(text)
+    back, lean = (LEAN * bottom, LEAN * top) if text.slanted else (0.0, 0.0)
+    turn = cmath.rect(1, math.radians(text.rotation))
+    return tuple(text.at + complex(x, y) * turn for x in (left + back, left + width + lean) for y in (bottom, top))

@@ -1,0 +1,1 @@
+"""Symbols: pairs, arrows, couples, dashes, in millimetres (условные обозначения)."""

@@ -1,0 +1,82 @@
+"""Arms of forces: the perpendicular from a point to a line of action, with its letter (плечи сил)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+
+from drawings.layout.labels import Labels
+from drawings.page.scale import Scale
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import Group, Line, Polyline, Stroke
+from drawings.symbols.figure import Subject
+from drawings.symbols.force_arrow import named
+from drawings.symbols.symbols import ARROW_LENGTH, arrowhead
+
+PAST = 4.0  # mm that a line of action is drawn past the foot of the perpendicular
+SQUARE = 2.5  # side of the mark of a right angle
+LEAST = 0.5  # mm: a shorter arm is a point on paper
+BESIDE = 1.0  # mm from the perpendicular to its letter
+
+
+@dataclass(frozen=True)
+class Arm:
+    """The arm of a force about a point: places on paper, and the unit direction of the force."""
+
+    letter: str
+    about: complex
+    at: complex  # a place on the line of action: where the force acts, or the end of its arrow
+    direction: complex
+    data: Mapping[str, str] = field(default_factory=dict)  # of a measurable one
+
+    @property
+    def foot(self) -> complex:
+        """The foot of the perpendicular on the line of action."""
+        return self.at + self.direction * ((self.about - self.at) * self.direction.conjugate()).real
+
+    @property
+    def length(self) -> float:
+        """Length on paper, mm."""
+        return abs(self.foot - self.about)
+
+    def drawn(self, hand: Hand) -> tuple[Stroke, ...]:
+        """Draw the perpendicular, the line of action as far as its foot, and the mark of the right angle."""
+        if self.length < LEAST:
+            return (self._action(hand),)
+        shaft = Line(self.about, self.foot, hand.drafted)
+        perpendicular: list[Stroke] = [shaft]
+        if self.length > 3 * ARROW_LENGTH * hand.symbol:  # a shorter one has no room for arrows
+            heads = arrowhead(self.about, self.foot, hand.symbol), arrowhead(self.foot, self.about, hand.symbol)
+            perpendicular += [head for head in heads if head is not None]
+        group = Group(tuple(perpendicular), "", self.data, self.letter)
+        return self._action(hand), *self._square(hand), group
+
+    def _action(self, hand: Hand) -> Line:
+        """Draw the line of action from the force's point to a little past the foot."""
+        along = self.foot - self.at
+        ahead = along / abs(along) if abs(along) > LEAST else self.direction
+        return Line(self.at, self.foot + ahead * PAST * hand.symbol, hand.drafted)
+
+    def _square(self, hand: Hand) -> tuple[Stroke, ...]:
+        """Draw the mark of the right angle, on the side of the force's point."""
+        side = SQUARE * hand.symbol
+        if self.length < 2 * side:
+            return ()
+        back = self.at - self.foot
+        along = (back / abs(back) if abs(back) > LEAST else self.direction) * side
+        across = (self.about - self.foot) / self.length * side
+        return (Polyline((self.foot + along, self.foot + along + across, self.foot + across), False, hand.drafted),)
+
+    def lettered(self, labels: Labels, hand: Hand) -> Stroke:
+        """Letter it beside its middle."""
+        middle = (self.about + self.foot) / 2
+        across = cmath.phase(1j * (self.foot - self.about)) if self.length >= LEAST else math.pi / 4
+        return labels.beside(middle, self.letter, hand.letter, BESIDE, across)
+
+
+def to_scale(letter: str, about: complex, at: complex, direction: complex, scale: Scale, subject: Subject) -> Arm:
+    """Give an arm on a scheme drawn to scale, measurable: the vector from the point to the line of action."""
+    arm = Arm(letter, about, at, direction / abs(direction))
+    return replace(arm, data=subject.data("vector", named(letter), (arm.foot - about) * scale.mu, scale))

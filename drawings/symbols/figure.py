@@ -1,0 +1,70 @@
+"""A figure: a plan placed on paper, its strokes measurable (фигура листа)."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from drawings.page.scale import Scale
+from drawings.paper.formats import Field
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import Circle, Group, Line, LineStyle, Text, numeral, stated
+from drawings.symbols.symbols import arrowhead
+
+
+class Place(NamedTuple):
+    """Where a plan's true values lie on paper: `zero` in true units lies at `origin`, mm."""
+
+    origin: complex
+    zero: complex
+    scale: Scale
+
+    def on(self, value: complex) -> complex:
+        """Give the place on paper of a true value."""
+        return self.origin + (value - self.zero) / self.scale.mu
+
+    def length(self, size: float) -> float:
+        """Give a true length in mm."""
+        return size / self.scale.mu
+
+
+class Subject(NamedTuple):
+    """What a figure's marks belong to: the plan's name, its quantity, its position; None is every position."""
+
+    plan: str
+    quantity: str
+    position: int | None
+
+    def data(self, kind: str, name: str, value: complex, scale: Scale) -> dict[str, str]:
+        """Give the data of a mark that can be measured."""
+        return {
+            "kind": kind,
+            "plan": self.plan,
+            "quantity": self.quantity,
+            "name": name,
+            **({"position": str(self.position)} if self.position is not None else {}),
+            "value": stated(value),
+            "unit": scale.unit,
+            "scale": numeral(scale.mu),
+        }
+
+
+def vector(
+    subject: Subject, name: str, ends: tuple[complex, complex], place: Place, style: LineStyle, symbol: float = 1.0
+) -> Group:
+    """Draw a vector between two true ends, full length to the arrow's tip, and say what it is."""
+    start, end = place.on(ends[0]), place.on(ends[1])
+    head = arrowhead(start, end, symbol)
+    strokes = (Line(start, end, style),) if head is None else (Line(start, end, style), head)
+    return Group(strokes, "", subject.data("vector", name, ends[1] - ends[0], place.scale), name)
+
+
+def point(subject: Subject, name: str, value: complex, place: Place, circle: Circle, kind: str = "point") -> Group:
+    """Draw a point or a pole by its circle, and say what it is."""
+    return Group((circle,), "", subject.data(kind, name, value, place.scale), name)
+
+
+def heading(box: Field, title: str, under: str, hand: Hand) -> Group:
+    """Write a figure's title and its scale, or what is said instead, at the top of its box."""
+    at = complex(box.centre.real, box.top - hand.title)
+    low = at - 1j * (0.6 * hand.title + hand.text)
+    return Group((Text(at, title, hand.title, "middle", True), Text(low, under, hand.text, "middle", True)))

@@ -1,0 +1,131 @@
+"""Kinematic symbols and arrows, in millimetres (условные обозначения; GOST 2.770-68, sizes by custom).
+
+Sizes are those of A1; every symbol is drawn to the factor of the sheet's hand. A symbol's body is filled with paper.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import INK, Arc, Circle, Fill, Line, LineStyle, Polyline, Stroke
+
+ARROW_LENGTH = 5.0
+ARROW_HALF = ARROW_LENGTH * math.tan(math.radians(10))  # an arrowhead of 20 degrees
+HINGE = 2.0  # radius of a hinge of two links
+DOUBLE = (2.8, 1.5)  # radii of a hinge of three links or more
+POINT = 0.9  # radius of a point that is no hinge
+MASS = 1.7  # radius of a mass centre
+BLOCK, STONE = (12.0, 7.0), (10.0, 7.0)  # length and width of a slider on the frame, and of a stone on a moving link
+SLOT = (13.0, 2.9)  # length of the piece of slot drawn about a pin, and half its width
+STAND = (8.0, 4.5, 1.5)  # a fixed hinge: height, half the width of its foot, and what the base is longer
+HATCH, HATCH_STEP = 3.0, 2.0  # length and step of hatching
+GUSSET = 1.8  # thickness of a rigid corner's filling, across the corner
+LEG = 1.5  # the legs of that filling, as often as the thickness beyond a hinge: a wide corner is filled less far
+CROSS = 1.8  # half an arm of the cross at a crank position that is a gap
+TICK = 1.2  # half a tick of a position
+HEAD = (3.5, 0.9)  # length and half width of the head of an arc
+
+
+def arrowhead(start: complex, tip: complex, factor: float = 1.0) -> Fill | None:
+    """Draw the filled head of an arrow; a vector shorter than its head gets a smaller head, a vanishing one none."""
+    length = abs(tip - start)
+    if length < 0.1:
+        return None
+    size = min(factor, length / (1.5 * ARROW_LENGTH))
+    along = (tip - start) / length * size
+    base = tip - along * ARROW_LENGTH
+    return Fill((tip, base + 1j * along * ARROW_HALF, base - 1j * along * ARROW_HALF))
+
+
+def hinge(at: complex, hand: Hand, links: int = 2) -> tuple[Circle, ...]:
+    """Draw a hinge (вращательная пара): a circle; one of three links or more is two circles, one in the other."""
+    radii = (HINGE,) if links < 3 else DOUBLE
+    return tuple(Circle(at, radius * hand.symbol, hand.body) for radius in radii)
+
+
+def fixed_hinge(at: complex, hand: Hand, radius: float, downward: complex = -1j) -> tuple[Stroke, ...]:
+    """Draw the stand of a fixed hinge (стойка): two legs from its circle, a base, hatching on the ground's side."""
+    height, half, more = (size * hand.symbol for size in STAND)
+    side = 1j * downward
+    feet = [at + height * downward + half * side, at + height * downward - half * side]
+    legs = [Line(at + (foot - at) / abs(foot - at) * radius, foot, hand.result) for foot in feet]
+    return *legs, *ground(feet[0] + more * side, feet[1] - more * side, downward, hand)
+
+
+def ground(start: complex, end: complex, into: complex, hand: Hand) -> tuple[Stroke, ...]:
+    """Draw a fixed line with equal hatching at 45 degrees on the side `into`, within the line's length."""
+    length = abs(end - start)
+    along = (end - start) / length
+    lean = HATCH * hand.symbol * math.sqrt(0.5)
+    count = max(math.floor((length - lean) / (HATCH_STEP * hand.symbol)), 1)
+    feet = [start + along * (lean + (length - lean) * k / count) for k in range(count + 1)]
+    return Line(start, end, hand.result), *(Line(foot, foot + lean * (into - along), hand.drafted) for foot in feet)
+
+
+def block(at: complex, direction: complex, hand: Hand, size: tuple[float, float] = BLOCK) -> Polyline:
+    """Draw a sliding block (ползун, камень) turned along its line."""
+    along, across = direction * size[0] / 2 * hand.symbol, 1j * direction * size[1] / 2 * hand.symbol
+    return Polyline(
+        (at + along + across, at - along + across, at - along - across, at + along - across), True, hand.body
+    )
+
+
+def slot(at: complex, direction: complex, hand: Hand) -> Polyline:
+    """Draw the slot of a link about its pin: two lines beside the pin, closed by half circles."""
+    half, radius = SLOT[0] / 2 * hand.symbol, SLOT[1] * hand.symbol
+    bend = [cmath.rect(radius, math.pi * (k / 12 - 0.5)) for k in range(13)]
+    ends = [half - radius + step for step in bend] + [radius - half - step for step in bend]
+    return Polyline(tuple(at + direction * end for end in ends), True, hand.body)
+
+
+def gusset(corner: complex, first: complex, second: complex, radius: float, hand: Hand) -> Fill | None:
+    """Fill the corner of two lines of one link beyond a circle about it: the corner is rigid; a wide one is left."""
+    half, depth = abs(cmath.phase(second / first)) / 2, radius + GUSSET * hand.symbol
+    reach = depth * min(1 / math.cos(half), LEG)
+    if half == 0 or reach * math.cos(half) <= radius + GUSSET * hand.symbol / 4:
+        return None  # one line, or a corner so wide that it is nearly one
+    middle = (first + second) / abs(first + second)
+    turn = cmath.phase(first / middle)
+    rim = [middle * cmath.rect(radius, turn * (k / 4 - 1)) for k in range(9)] if radius else [0j]
+    return Fill((*(corner + spot for spot in rim), corner + first * reach, corner + second * reach))
+
+
+def mass_centre(at: complex, hand: Hand) -> tuple[Stroke, ...]:
+    """Draw a mass centre (центр масс): a circle with two opposite quarters filled."""
+    radius = MASS * hand.symbol
+    quarters = [
+        Fill((at, *(at + cmath.rect(radius, start + math.pi / 12 * k) for k in range(7)))) for start in (0.0, math.pi)
+    ]
+    return Circle(at, radius, LineStyle(hand.thin, fill="#ffffff")), *quarters
+
+
+def cross(at: complex, hand: Hand) -> tuple[Line, Line]:
+    """Draw the cross at a position that is a gap."""
+    arms = (CROSS * hand.symbol * cmath.rect(1.0, turn) for turn in (math.pi / 4, -math.pi / 4))
+    first, second = (Line(at - arm, at + arm, hand.other) for arm in arms)
+    return first, second
+
+
+def tick(at: complex, direction: complex, hand: Hand) -> Line:
+    """Draw a position's tick across a line or a circle of some direction."""
+    across = 1j * direction * TICK * hand.symbol
+    return Line(at - across, at + across, hand.drafted)
+
+
+def turning_arrow(
+    centre: complex, radius: float, start: float, sweep: float, hand: Hand, style: LineStyle | None = None
+) -> tuple[Stroke, ...]:
+    """Draw an arc with an arrowhead at its end: the sense of rotation; a negative sweep is clockwise."""
+    length, half = (size * hand.symbol for size in HEAD)
+    neck = start + sweep - math.copysign(length / radius, sweep)
+    tip, back = centre + cmath.rect(radius, start + sweep), centre + cmath.rect(radius, neck)
+    wing = 1j * (tip - back) / abs(tip - back) * half
+    arc = Arc(centre, radius, min(start, neck), max(start, neck), style or hand.other)
+    return arc, Fill((tip, back + wing, back - wing), INK)
+
+
+def pole(at: complex) -> Circle:
+    """Draw the pole of a plan: a small filled circle."""
+    return Circle(at, 0.8, INK)

@@ -1,0 +1,1 @@
+"""Checks: both roads compared, what vectors must be, sums that must vanish (проверка планов)."""

@@ -1,0 +1,151 @@
+"""The forces by both roads: reactions, balancing moment, lever, and all sums that must vanish (сравнение сил)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from geometry.board import Mark
+from geometry.precision import errors
+from plans.analytic.energy import energy_balance
+from plans.analytic.kinetostatics import kinetostatics
+from plans.analytic.power import balancing_moment
+from plans.checks.compare import Comparison, Finding, capped, largest_of, with_analysis
+from plans.checks.equilibrium import BALANCING, Bounds, acting, balances, power
+from plans.forces.cut import INERTIA, Support, indices
+from plans.forces.loading import loading
+from plans.forces.primary import BALANCING as BALANCED
+from plans.forces.primary import DRIVING
+from plans.forces.statics import Statics
+from plans.model.kinetostatics import FORCES, Kinetostatics, Loading
+from plans.model.motion import ORDERS, Floats
+
+ORDER = 3  # forces magnify the analysis's rounding once more than the accelerations that they rest on
+
+
+@np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN on both roads
+def compare_forces(statics: Statics, comparison: Comparison) -> Comparison:
+    """Add the forces of a study to the comparison of its motion."""
+    machine, study = statics.machine, statics.study
+    found = statics.over(comparison.road.extremes)
+    loads = loading(machine, comparison.analysis, found)
+    theirs = kinetostatics(comparison.road, machine, comparison.analysis, loads, statics.pairs)
+    ours = statics.forces
+    both = _Compared(statics, comparison, ours, theirs)
+    forces = *capped(study, [*both.reactions(), *both.balancing(loads)]), both.energy(loads)
+    findings = *comparison.findings, *forces, *capped(study, [*both.sums()])
+    compared = comparison._replace(findings=findings, forces=(ours, theirs))
+    return _with_friction(statics, compared, loads) if machine.friction else compared
+
+
+def _with_friction(statics: Statics, comparison: Comparison, loads: Loading) -> Comparison:
+    """Add friction, where the scene gives coefficients."""
+    from plans.analytic.friction import friction  # noqa: PLC0415  (only a scene with friction pays for it)
+    from plans.checks.friction_comparison import compare_friction  # noqa: PLC0415
+
+    assert comparison.forces is not None  # they are compared before
+    theirs = friction(comparison.road, statics.machine, comparison.analysis, loads, comparison.forces[1], statics.pairs)
+    return compare_friction(statics, comparison, statics.loading(comparison.construction), theirs)
+
+
+class _Compared:
+    """The forces of a study by both roads, with what rounding allows the construction."""
+
+    def __init__(self, statics: Statics, comparison: Comparison, ours: Kinetostatics, theirs: Kinetostatics) -> None:
+        self.statics, self.comparison, self.ours, self.theirs = statics, comparison, ours, theirs
+        self.plans = statics.drafts().plans
+        self.largest = ours.largest
+        places = np.array([point.r for point in comparison.construction.points.values()])
+        self.size = largest_of([np.abs(places)])  # m: the longest arm about the shaft
+        self.supports = {_key(one): one for cut in self.plans.plan.cuts for one in cut.reactions}
+        marks = [mark for one in self.supports.values() for mark in (one.force, one.moment) if mark is not None]
+        lever = [] if self.plans.lever is None else [self.plans.lever.moment]
+        plan = self.plans.plan
+        drive = [plan.balancing, *([plan.drive] if plan.drive is not None else []), *lever]
+        self.errors = errors(*marks, *drive, *self._borne())
+
+    def _borne(self) -> Iterator[Mark]:
+        """Give the inertia forces and couples of all links."""
+        plan = self.plans.plan
+        for link in plan.loads:
+            yield from (load.force for load in plan.loads[link] if load.kind == INERTIA)
+            yield from (couple.moment for couple in plan.couples[link] if couple.kind == INERTIA)
+
+    def off(self, mark: Mark | None) -> Floats:
+        """Give how far rounding can have moved a mark, over the positions."""
+        count = len(self.ours.phi)
+        return np.zeros(count) if mark is None else np.broadcast_to(self.errors[mark].place, count)
+
+    def finding(self, named: tuple[str, str], pair: tuple[Any, Any], off: Floats, largest: float) -> Finding:
+        """Put one quantity by both roads beside each other."""
+        allowed = with_analysis(off, ORDER, self.comparison.kappa, largest)
+        return Finding(FORCES, *named, *pair, np.abs(pair[0] - pair[1]), allowed, largest)
+
+    def reactions(self) -> Iterator[Finding]:
+        """Compare the reactions, and the moments of the sliding pairs."""
+        for key, ours in self.ours.reactions.items():
+            theirs, support, index = self.theirs.reactions[key], self.supports[key], indices(ours.giver, ours.taker)
+            yield self.finding((f"R_{index}", "N"), (ours.force, theirs.force), self.off(support.force), self.largest)
+            if ours.moment is not None:
+                pair = ours.moment, theirs.moment
+                yield self.finding((f"M_{index}", "N*m"), pair, self.off(support.moment), self.largest * self.size)
+
+    def balancing(self, loads: Loading) -> Iterator[Finding]:
+        """Compare what the drive gives: with the equilibrium and the power of the other road; the lever."""
+        plan, lever, machine = self.plans.plan, self.plans.lever, self.statics.machine
+        road, solved = self.comparison.road, self.comparison.analysis
+        ours, theirs, off = self.ours.balancing, self.theirs.balancing, self.off(plan.balancing)
+        largest = self._largest_moment
+        if ours.force is not None:
+            yield self.finding((DRIVING, "N"), (ours.force, theirs.force), self.off(plan.drive), self.largest)
+        yield self.finding((BALANCED, "N*m"), (ours.moment, theirs.moment), off, largest)
+        if lever is not None:
+            hung = np.where(np.isnan(ours.moment), np.nan, np.asarray(lever.moment.point).real)
+            yield self.finding((f"{BALANCED} lever", "N*m"), (hung, theirs.moment), self.off(lever.moment), largest)
+        powered = np.where(np.isnan(ours.moment), np.nan, balancing_moment(road, machine, solved, loads))
+        yield self.finding((f"{BALANCED} power", "N*m"), (ours.moment, powered), off, largest)
+
+    def energy(self, loads: Loading) -> Finding:
+        """Compare with the energy balance; how far its differences may be off is its own word, and is not capped."""
+        plan, machine, ours = self.plans.plan, self.statics.machine, self.ours.balancing
+        off, largest = self.off(plan.balancing), self._largest_moment
+        stored = energy_balance(self.comparison.road, machine, self.comparison.analysis, loads)
+        judged = np.where(np.isnan(stored.moment), ours.moment, stored.moment)  # NaN: not judged
+        one = self.finding((f"{BALANCED} energy", "N*m"), (ours.moment, judged), off, largest)
+        return one._replace(allowed=one.allowed + np.where(np.isfinite(stored.allowed), stored.allowed, 0.0))
+
+    @property
+    def _largest_moment(self) -> float:
+        mechanism = self.statics.study.mechanism
+        crank = mechanism.links[mechanism.drive.link].points.values()
+        return max(largest_of([np.abs(self.ours.balancing.moment)]), self.largest * max(map(abs, crank)))
+
+    def sums(self) -> Iterator[Finding]:
+        """Check the equilibrium of every link, group and the whole, and the power, by the construction alone."""
+        study, machine = self.statics.study, self.statics.machine
+        motion = self.comparison.construction
+        loads = self.statics.loading(motion)
+        parts = acting(study.mechanism, machine, motion, loads, self.ours, self._bounds())
+        yield from balances(study.mechanism, study.groups, parts, self._most(0, "r_"))
+        yield power(study.mechanism, motion, parts, self._most(1, "v_"), self._most(1, "ω_"))
+
+    def _most(self, order: int, symbol: str) -> Floats:
+        """Give the largest difference that the plan of an order is allowed in its points, or its links' rates."""
+        told = [one.allowed for one in self.comparison.of(ORDERS[order]) if one.name.startswith(symbol)]
+        return np.asarray(np.max([np.broadcast_to(row, len(self.ours.phi)) for row in told], axis=0))
+
+    def _bounds(self) -> Bounds:
+        plan = self.plans.plan
+        found = {key: (self.off(one.force), self.off(one.moment)) for key, one in self.supports.items()}
+        for link in plan.loads:
+            forces = [self.off(load.force) for load in plan.loads[link] if load.kind == INERTIA]
+            couples = [self.off(one.moment) for one in plan.couples[link] if one.kind == INERTIA]
+            found[str(link)] = (sum(forces, self.off(None)), sum(couples, self.off(None)))
+        found[BALANCING] = (self.off(plan.drive), self.off(plan.balancing))
+        return found
+
+
+def _key(support: Support) -> str:
+    return f"{min(support.giver, support.taker)}-{max(support.giver, support.taker)}"

@@ -1,0 +1,1 @@
+"""Forces: loads, force plans group after group, the lever, friction (силовой расчёт)."""

@@ -1,0 +1,139 @@
+"""A pattern of forces: the force plan drawn at one position over the other plans, to be followed at any others."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+from itertools import chain
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from geometry.board import behind
+from geometry.meet import UNBORNE
+from geometry.tracing import Tracing
+from plans.forces.cut import Support
+from plans.forces.force import ForcePlan, forces
+from plans.forces.lever import Lever, lever
+from plans.linkage.groups import guide
+from plans.linkage.pattern import Pattern, resting
+from plans.linkage.plan import Plan
+from plans.linkage.redrawing import remade
+from plans.model.kinetostatics import Balancing, Kinetostatics, Loading, Reaction
+from plans.model.machine import Machine
+from plans.model.motion import Floats
+from plans.model.structure import Dyad
+
+
+class Drawn(NamedTuple):
+    """The force plan and the lever at the positions of some plans, their marks made."""
+
+    plan: ForcePlan
+    lever: Lever | None
+
+
+class _Places(NamedTuple):
+    """Where the numbers of a reaction are among those of the pattern."""
+
+    support: Support
+    r: int
+    force: int
+    moment: int | None
+    along: int | None
+
+
+class ForcePattern:
+    """The force plan over a pattern of accelerations; the lever is hung when it is looked at."""
+
+    def __init__(self, pattern: Pattern, groups: Sequence[Dyad], machine: Machine, loading: Loading) -> None:
+        self.pattern = pattern
+        self.plan = forces(pattern.plans[2], groups, machine, loading)
+        self._below = [plan.board for plan in pattern.plans]
+        self.tracing = pattern.tracing.over(behind(*chain(*self._below, self.plan.board)), self.plan.given)
+        self._reactions = [self._found(support) for cut in self.plan.cuts for support in cut.reactions]
+
+    @cached_property
+    def lever(self) -> Lever | None:
+        """Zhukovsky's lever at the pattern's one position."""
+        return lever(self.plan)
+
+    @cached_property
+    def _hung(self) -> Tracing:
+        """The acts of the lever over those of the force plan."""
+        boards = [*self._below, self.plan.board, *([self.lever.board] if self.lever is not None else [])]
+        return self.tracing.over(behind(*chain(*boards)), ())
+
+    @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, and is named outside
+    def hang(self, numbers: list[Any]) -> list[Any]:
+        """Work out the numbers of the lever over those of the force plan."""
+        return self._hung.follow_on(numbers, {})
+
+    def hung(self, numbers: list[Any], count: int) -> Floats | None:
+        """Read the balancing moment off the lever."""
+        if self.lever is None:
+            return None
+        return np.asarray(row(self.hang(numbers)[self._hung.place(self.lever.moment)], count).real)
+
+    def _found(self, support: Support) -> _Places:
+        place, along = self.tracing.place, None
+        if support.slide is not None:
+            along = place(guide.direction(self.plan.positions, support.slide, support.slide.owner))
+        moment = None if support.moment is None else place(support.moment)
+        return _Places(support, place(support.at), place(support.force), moment, along)
+
+    @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, and is named outside
+    def follow(self, numbers: list[Any], loading: Loading) -> list[Any]:
+        """Work out all numbers of the force plan over those of the plans below."""
+        values = (*(load.force for load in loading.forces), *(twist.moment for twist in loading.moments))
+        return self.tracing.follow_on(numbers, dict(zip(self.plan.given, values, strict=True)))
+
+    def singular(self, numbers: list[Any], count: int) -> Any:
+        """Tell at which positions a polygon or an equation of moments has no answer that the condition bears."""
+        found = np.zeros(count, dtype=bool)
+        for met in self.tracing.meetings(numbers):
+            found |= ~(met.sharpness > UNBORNE)
+        return found
+
+    def read(self, numbers: list[Any], phi: Floats) -> Kinetostatics:
+        """Read all reactions and the balancing moment off the force plan."""
+        reactions = {}
+        for places in self._reactions:
+            values = (None if place is None else numbers[place] for place in places[1:])
+            found = reaction_of(places.support, *values, count=len(phi))
+            reactions[f"{found.giver}-{found.taker}"] = found
+        return Kinetostatics("construction", phi, reactions, self._balancing(numbers, len(phi)), ())
+
+    def _balancing(self, numbers: list[Any], count: int) -> Balancing:
+        plan = self.plan
+        moment = row(numbers[self.tracing.place(plan.balancing)], count).real.copy()
+        if plan.drive is None or plan.driven is None:
+            return Balancing(moment)
+        force, r = (numbers[self.tracing.place(mark)] for mark in (plan.drive, plan.driven))
+        return Balancing(moment, row(force, count), row(r, count))
+
+    def drawn(self, numbers: list[Any]) -> Drawn:
+        """Make the plans that have these numbers of the force plan, and the lever."""
+        boards, made = self._hung.boards(self.hang(numbers))
+        plans: list[Plan] = []
+        for plan in self.pattern.plans:
+            plans.append(plan.redrawn(boards[plan.board.subject], made, tuple(plans)))
+        found = self.plan.redrawn(boards, made, plans)
+        return Drawn(found, remade(self.lever, made, boards))
+
+
+def reaction_of(support: Support, r: Any, force: Any, moment: Any, along: Any, *, count: int) -> Reaction:
+    """Make a reaction of its numbers, told from the lower link on; it may have been found as the opposite one."""
+    told = support.giver < support.taker
+    ends = min(support.giver, support.taker), max(support.giver, support.taker)
+    force, r = row(force, count), row(r, count)
+    force = force if told else -force
+    if along is None:
+        return Reaction(*ends, support.point, r, force)
+    moment = row(0.0 if moment is None else moment, count).real
+    return Reaction(*ends, support.point, r, force, moment if told else -moment, row(along, count))
+
+
+def row(value: Any, count: int) -> Any:
+    """Give a number as a row: what is the same at all positions takes no room."""
+    row = np.asarray(value)
+    return row if row.shape == (count,) else resting(row, count)

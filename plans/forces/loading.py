@@ -1,0 +1,103 @@
+"""Loading (нагружение): every load of a machine in each position of a motion, whichever road found it."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from typing import Any
+
+import numpy as np
+
+from plans.forces.stroke import KAPPA, ROUNDING, Stroke, asks
+from plans.model.kinetostatics import Applied, Loading, Twist
+from plans.model.machine import ALWAYS, WORKING, Force, Machine, Moment, Spring
+from plans.model.mechanism import FRAME
+from plans.model.motion import Complexes, Floats, LinkMotion, Motion, PointMotion
+
+APART = 8 * 2.0**-52  # share of two places: points nearer to each other than their rounding are in one place
+
+
+def loading(machine: Machine, motion: Motion, strokes: Mapping[str, Stroke]) -> Loading:
+    """Give all loads over the positions of a motion of order 2; NaN at gaps."""
+    forces = [
+        Applied(force.name, force.link, force.point, force.at, _force(force, motion, strokes), force.useful)
+        for force in machine.forces
+    ]
+    forces += [end for spring in machine.springs for end in _ends(spring, motion)]
+    moments = tuple(
+        Twist(moment.name, moment.link, _moment(moment, motion, strokes), moment.useful) for moment in machine.moments
+    )
+    return Loading(tuple(forces), moments)
+
+
+def _force(force: Force, motion: Motion, strokes: Mapping[str, Stroke]) -> Complexes:
+    r = motion.points[force.point].r
+    course = -_course(motion, force.point) if force.direction is None else force.direction
+    return np.where(np.isnan(r), np.nan, _size(force, motion, strokes) * course + 0.0)  # of a zero no -0
+
+
+def _moment(moment: Moment, motion: Motion, strokes: Mapping[str, Stroke]) -> Floats:
+    sense = -_sense(motion, moment.link) if moment.against else 1.0
+    angle = motion.links[moment.link].angle
+    return np.where(np.isnan(angle), np.nan, _size(moment, motion, strokes) * sense + 0.0)
+
+
+def _size(load: Force | Moment, motion: Motion, strokes: Mapping[str, Stroke]) -> Floats:
+    """Give the size of a load: nothing on a stroke that is not its own, and in the overruns at the ends."""
+    if not asks(load):
+        return np.full(motion.phi.shape, load.size)
+    stroke = strokes[load.stroke]
+    share, working = stroke.share(motion), stroke.working(motion.phi)
+    size = np.full(share.shape, load.size)
+    if isinstance(load, Force) and load.diagram is not None:
+        travel, there, back = load.diagram
+        size *= np.where(working, np.interp(share, travel, there), np.interp(share, travel, back or there))
+    acts = (share >= load.overrun[0]) & (share <= 1 - load.overrun[1])
+    if load.during != ALWAYS:
+        acts &= working == (load.during == WORKING)
+    return np.where(acts | np.isnan(share), size + 0 * share, 0.0)
+
+
+def _course(motion: Motion, point: str) -> Complexes:
+    """Give the unit direction in which a point moves, from a rest that in which it will; 0 where it stands for good."""
+    _, v, a = motion.points[point]
+    along = _moving(v, a, motion.points.values())
+    speed = np.abs(along)
+    with np.errstate(invalid="ignore"):  # a gap is NaN
+        return np.asarray(along / np.where(speed == 0, 1, speed))
+
+
+def _sense(motion: Motion, link: int) -> Floats:
+    """Give the sense in which a link turns, +1 counter-clockwise, from a rest that in which it will."""
+    _, omega, epsilon = motion.links[link]
+    return np.asarray(np.sign(_moving(omega, epsilon, motion.links.values())))
+
+
+def _moving(speed: Any, growth: Any, motions: Collection[PointMotion | LinkMotion]) -> Any:
+    """Give a velocity; where it is zero but for rounding, the acceleration, to which the next velocity is parallel."""
+    assert speed is not None and growth is not None
+    rests = np.abs(speed) <= ROUNDING * _largest(one[1] for one in motions)
+    if not rests.any():
+        return speed
+    stays = np.abs(growth) <= KAPPA * ROUNDING * _largest(one[2] for one in motions)  # kappa once more for every order
+    return np.where(rests, np.where(stays, 0.0, growth), speed)
+
+
+def _largest(rows: Iterable[Any]) -> float:
+    """Give the largest of some vectors over all positions: what is less than its rounding is zero."""
+    return max((float(np.fmax.reduce(np.abs(row), initial=0.0)) for row in rows), default=0.0)
+
+
+def _ends(spring: Spring, motion: Motion) -> Iterator[Applied]:
+    """Give the force at each end of a spring that moves: along the line of its ends, to the other end where it pulls.
+
+    Ends in one place have no line: only a spring without free length then has a force, none.
+    """
+    first, second = (motion.points[point].r for point in spring.points)
+    apart = second - first
+    length = np.where(np.abs(apart) <= APART * (np.abs(first) + np.abs(second)), np.nan, np.abs(apart))
+    stretched = 1.0 - spring.free / length if spring.free else 1.0
+    pull = spring.stiffness * stretched * apart
+    moving = [k for k in (0, 1) if spring.links[k] != FRAME]
+    for k in moving:
+        name = spring.name + ("′" if k != moving[0] else "")
+        yield Applied(name, spring.links[k], spring.points[k], spring.at[k], np.asarray((pull, -pull)[k]), False)

@@ -1,0 +1,254 @@
+"""Statics of a group: what its kinds have in common: moments, chains, closing (силовой расчёт)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+from geometry.board import Mark
+from plans.forces.cut import CLOSING, KNOWN, PART, REACTION, Couple, Cut, Equation, Load, Side, Support, indices
+from plans.linkage.groups import guide
+from plans.model.mechanism import Slide
+from plans.model.structure import Dyad
+
+if TYPE_CHECKING:
+    from plans.forces.force import ForcePlan
+
+
+class Chain(NamedTuple):
+    """Known forces laid off one after another from the start of a polygon: its corners, its sides between them."""
+
+    corners: tuple[Mark, ...]
+    sides: tuple[Side, ...]
+
+    @property
+    def start(self) -> Mark:
+        """Where the chain begins."""
+        return self.corners[0]
+
+    @property
+    def end(self) -> Mark:
+        """Where the chain ends."""
+        return self.corners[-1]
+
+
+def chain(plan: ForcePlan, label: str, *forces: tuple[str, Mark, str]) -> Chain:
+    """Lay forces off one after another; each is its name, its vector, and what it is in the polygon."""
+    corners, sides = [plan.pole], []
+    for number, (name, vector, kind) in enumerate(forces, 1):
+        corners.append(plan.board.lay_off(f"{label}:{number}", corners[-1], vector, name))
+        sides.append(Side(name, corners[-2], corners[-1], kind))
+    return Chain(tuple(corners), tuple(sides))
+
+
+def known(loads: Sequence[Load]) -> list[tuple[str, Mark, str]]:
+    """Give loads as the links of a chain."""
+    return [(load.name, load.force, KNOWN) for load in loads]
+
+
+def moments(plan: ForcePlan, about: Mark, loads: Sequence[Load], couples: Sequence[Couple]) -> list[Mark]:
+    """Take the moments about a point of all forces that have an arm, and of all couples."""
+    arms = [load for load in loads if load.at is not about]
+    taken = [plan.board.moment(f"{about.name}({one.name})", about, one.at, one.force, "force by arm") for one in arms]
+    return [*taken, *(couple.moment for couple in couples)]
+
+
+def tangential(plan: ForcePlan, dyad: Dyad, end: int) -> Equation | None:
+    """Find the part of an outer hinge's reaction square to its lead, by moments about the inner hinge (M5.2).
+
+    None where nothing on the lead has a moment: its reaction runs along it.
+    """
+    link, index = dyad.links[end], indices(dyad.hosts[end], dyad.links[end])
+    base, (loads, couples) = plan.positions, plan.acting(link)
+    about, at, arm = base.point(dyad.pin), base.point(dyad.hinge(end)), base.images[link].arm
+    terms = moments(plan, about, loads, couples)
+    if not terms:
+        return None
+    assert arm is not None  # a lead has an arm on the plan of positions
+    line = base.board.square(f"⊥{arm.name}", at, arm, f"the tangential part is square to {arm.name}")
+    found = plan.board.balance(f"R^t_{index}", about, line, *terms, why=f"moments about {about.name} of link {link}")
+    return Equation(about, tuple(load for load in loads if load.at is not about), tuple(couples), line, found)
+
+
+def along_slot(plan: ForcePlan, dyad: Dyad) -> Mark | None:
+    """Find the part of the stone's outer reaction along the slot: the opposite of what its forces have there (M5.4).
+
+    None where no force acts on the stone.
+    """
+    loads, _ = plan.acting(dyad.links[0])
+    if not loads:
+        return None
+    board, slot = plan.board, slot_of(plan, dyad)
+    own = chain(plan, f"stone {dyad.links[0]}", *known(loads))
+    through = board.parallel(f"∥{slot.name}", own.end, slot, "along the slot, which cannot hold it")
+    across = board.square(f"⊥{slot.name}", own.start, slot, "square to the slot")
+    corner = board.meet(f"stone {dyad.links[0]}", through, across, why="the slot presses square to itself")
+    return board.join(f"R^u_{indices(dyad.hosts[0], dyad.links[0])}", own.end, corner, "part along the slot")
+
+
+def slot_of(plan: ForcePlan, dyad: Dyad) -> Mark:
+    """Carry the direction of a group's inner slide to the plan of forces."""
+    slide = dyad.slide()
+    return carried(plan, guide.direction(plan.positions, slide, slide.owner))
+
+
+def guide_of(plan: ForcePlan, dyad: Dyad, end: int) -> Mark:
+    """Carry the direction of a group's outer slide to the plan of forces."""
+    return carried(plan, guide.direction(plan.positions, dyad.slide(end), dyad.hosts[end]))
+
+
+def lead_of(plan: ForcePlan, dyad: Dyad, end: int) -> Mark:
+    """Carry the direction of a lead to the plan of forces."""
+    arm = plan.positions.images[dyad.links[end]].arm
+    assert arm is not None  # a lead has an arm on the plan of positions
+    return carried(plan, arm)
+
+
+def carried(plan: ForcePlan, direction: Mark) -> Mark:
+    """Carry a direction from the plan of positions with the set square; once carried it is used again."""
+    board = plan.board
+    if direction.name in board and board[direction.name].step.inputs == (direction,):
+        return board[direction.name]
+    return board.transfer(direction.name, direction, "parallel transfer from the plan of positions")
+
+
+class Closed(NamedTuple):
+    """A polygon closed by two reactions of known direction: its chain, its last corner, its sides in order."""
+
+    chain: Chain
+    corner: Mark
+    polygon: tuple[Side, ...]
+
+
+def name_of(dyad: Dyad, end: int) -> str:
+    """Name an outer reaction of a group: the force of the host on the link."""
+    return f"R_{indices(dyad.hosts[end], dyad.links[end])}"
+
+
+def normal_name(dyad: Dyad, end: int, part: Mark | None) -> str:
+    """Name the closing part of an outer hinge's reaction: the whole one where it has no other part."""
+    return name_of(dyad, end) if part is None else name_of(dyad, end).replace("R", "R^n", 1)
+
+
+def laid(plan: ForcePlan, dyad: Dyad, *first: Mark | None, last: Mark | None = None) -> tuple[Chain, Mark]:
+    """Lay off a group's forces, link after link, between the parts found before; give the corner between the links."""
+    before = [(part.name, part, PART) for part in first if part is not None]
+    after = [] if last is None else [(last.name, last, PART)]
+    one, other = (known(plan.acting(link)[0]) for link in dyad.links)
+    found = chain(plan, "-".join(map(str, dyad.links)), *before, *one, *other, *after)
+    return found, found.corners[len(before) + len(one)]
+
+
+def closed(plan: ForcePlan, chained: Chain, names: tuple[str, str], lines: tuple[Mark, Mark]) -> Closed:
+    """Close a chain by the two lines drawn through its start and its end."""
+    corner = plan.board.meet(f"{names[0]} {names[1]}", *lines, why="the two directions close the polygon")
+    ends = Side(names[0], corner, chained.start, CLOSING), Side(names[1], chained.end, corner, CLOSING)
+    return Closed(chained, corner, (ends[0], *chained.sides, ends[1]))
+
+
+def hinged(plan: ForcePlan, dyad: Dyad, end: int, found: Closed, part: Mark | None) -> Support:
+    """Read an outer hinge's reaction off a closed polygon: its closing part, and the whole of it (book figure 6.15)."""
+    pair, corners = (dyad.hosts[end], dyad.links[end]), found.chain.corners
+    ends = (found.corner, corners[0]) if end == 0 else (corners[-1], found.corner)
+    closing = plan.board.join(normal_name(dyad, end, part), *ends, "closing side")
+    if part is None:
+        return support(plan, pair, dyad.hinge(end), closing)
+    whole = (found.corner, corners[1]) if end == 0 else (corners[-2], found.corner)
+    force = plan.board.join(name_of(dyad, end), *whole, "both parts together")
+    return support(plan, pair, dyad.hinge(end), force, (part, closing))
+
+
+def guided(plan: ForcePlan, dyad: Dyad, end: int, found: Closed, inner: Support) -> Support:
+    """Read the reaction of an outer guide off a closed polygon; moments give where it acts (book figure 6.15)."""
+    pair, corners = (dyad.hosts[end], dyad.links[end]), found.chain.corners
+    ends = (found.corner, corners[0]) if end == 0 else (corners[-1], found.corner)
+    force = plan.board.join(name_of(dyad, end), *ends, "closing side")
+    loads, couples = plan.acting(dyad.links[end])
+    held, holding = received(inner) if end == 0 else opposite(plan, inner)
+    return support(plan, pair, dyad.slide(end), force, (), [*loads, *held], [*couples, *holding])
+
+
+def across_slot(plan: ForcePlan, dyad: Dyad, part: Mark | None) -> Equation | None:
+    """Find the stone's outer reaction square to the slot by moments of the whole group about the pivot (M5.4)."""
+    base, slide = plan.positions, dyad.slide()
+    about, at = base.point(dyad.hinge(1)), base.point(dyad.hinge(0))
+    loads, couples = plan.acting(*dyad.links)
+    own = [] if part is None else [Load(part.name, dyad.links[0], at, part, PART)]
+    terms = moments(plan, about, [*own, *loads], couples)
+    if not terms:
+        return None
+    slot = guide.direction(base, slide, slide.owner)
+    line = base.board.square(f"⊥{slot.name}", at, slot, "a slot presses square to itself")
+    name, why = normal_name(dyad, 0, part), f"moments about {about.name} of the group"
+    found = plan.board.balance(name, about, line, *terms, why=why)
+    armed = tuple(load for load in (*own, *loads) if load.at is not about)
+    return Equation(about, armed, tuple(couples), line, found)
+
+
+def pressed(plan: ForcePlan, dyad: Dyad, chained: Chain, across: Equation | None, part: Mark | None) -> Support:
+    """Give the reaction on a stone's pin: its two parts together, or the one that there is (book figure 6.16)."""
+    pair = dyad.hosts[0], dyad.links[0]
+    parts = [one for one in (part, across and across.found) if one is not None]
+    if len(parts) == 1 and part is None:
+        return support(plan, pair, dyad.hinge(0), parts[0])
+    force = plan.board.join(name_of(dyad, 0), chained.start, chained.corners[len(parts)], "both parts together")
+    return support(plan, pair, dyad.hinge(0), force, parts)
+
+
+def slotted(plan: ForcePlan, dyad: Dyad, force: Mark, outer: Support) -> Support:
+    """Keep the pressure of a slotted link on its stone, with where it acts by the moments on the stone (M5.4)."""
+    loads, couples = plan.acting(dyad.links[0])
+    held, _ = received(outer)
+    return support(plan, dyad.links[::-1], dyad.slide(), force, (), [*loads, *held], couples)
+
+
+def cut_at(plan: ForcePlan, dyad: Dyad, corner: Mark, inner: Mark) -> Mark:
+    """Read the inner reaction, of the second link on the first, off a polygon: it closes the first link's forces."""
+    return plan.board.join(f"R_{indices(*dyad.links[::-1])}", inner, corner, f"closes the forces on {dyad.links[0]}")
+
+
+def closing(name: str, chained: Chain) -> Side:
+    """Give the side that closes a chain back to its start."""
+    return Side(name, chained.end, chained.start, CLOSING)
+
+
+def cut(
+    plan: ForcePlan, dyad: Dyad, supports: Sequence[Support], inner: Support,
+    equations: Sequence[Equation | None], sides: Sequence[Side],
+) -> Cut:  # fmt: skip
+    """Put the group together as it was cut out."""
+    loads, couples = plan.acting(*dyad.links)
+    kept = tuple(one for one in equations if one is not None)
+    return Cut(dyad, dyad.links, tuple(loads), tuple(couples), tuple(supports), inner, kept, tuple(sides))
+
+
+def support(
+    plan: ForcePlan, pair: tuple[int, int], joint: str | Slide, force: Mark, parts: Sequence[Mark] = (),
+    others: Sequence[Load] = (), couples: Sequence[Couple] = (),
+) -> Support:  # fmt: skip
+    """Keep the reaction of one link on another; of a sliding pair with the moment that holds the taker's others."""
+    if isinstance(joint, str):
+        return Support(*pair, plan.positions.point(joint), force, tuple(parts), None, None, joint)
+    at = plan.positions.point(joint.point)
+    terms = moments(plan, at, others, couples)
+    name, why = f"M_{indices(*pair)}", f"moments about {at.name} of link {pair[1]}"
+    moment = plan.board.close(name, *terms, why=why) if terms else None
+    return Support(*pair, at, force, tuple(parts), joint, moment, joint.point)
+
+
+def received(one: Support) -> tuple[list[Load], list[Couple]]:
+    """Give a reaction as a load on the link that takes it."""
+    index = indices(one.giver, one.taker)
+    held = [] if one.moment is None else [Couple(f"M_{index}", one.taker, one.moment, REACTION)]
+    return [Load(f"R_{index}", one.taker, one.at, one.force, REACTION)], held
+
+
+def opposite(plan: ForcePlan, inner: Support) -> tuple[list[Load], list[Couple]]:
+    """Give the opposite of a group's inner reaction as a load on the link that gives it."""
+    index = indices(inner.taker, inner.giver)
+    force = plan.board.turn(f"R_{index}", inner.force, -1.0, "opposite")
+    loads = [Load(f"R_{index}", inner.giver, inner.at, force, REACTION)]
+    if inner.moment is None:
+        return loads, []
+    moment = plan.board.turn(f"M_{index}", inner.moment, -1.0, "opposite")
+    return loads, [Couple(f"M_{index}", inner.giver, moment, REACTION)]

@@ -1,0 +1,255 @@
+"""The statics of a study: its force plans over all positions, each made once, when asked for (кинетостатика)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from plans.forces.force_drawing import ForceDrawing
+from plans.forces.force_pattern import Drawn, ForcePattern
+from plans.forces.loading import loading
+from plans.forces.stroke import NoStroke, Stroke, strokes
+from plans.linkage.assembly_limits import at_angles
+from plans.linkage.barrier import CHANGE
+from plans.linkage.carrying import Drawing
+from plans.linkage.drafts import Drafts
+from plans.linkage.extreme import extremes
+from plans.linkage.gaps import near_edge
+from plans.linkage.obstruction import obstruction
+from plans.linkage.pattern import Pattern
+from plans.linkage.study import BLOCK, Study
+from plans.model.kinetostatics import (
+    DEAD_CENTRE,
+    FORCES,
+    INDETERMINATE,
+    Balancing,
+    Kinetostatics,
+    Loading,
+    Pair,
+    Reaction,
+    pairs,
+    without_forces,
+)
+from plans.model.machine import Machine
+from plans.model.mechanism import Output, StructureError
+from plans.model.motion import ORDERS, Extremes, Floats, Gap, Motion
+from plans.scene.faults import SceneError
+from plans.scene.inventory import machine_of
+
+if TYPE_CHECKING:
+    from plans.model.losses import Friction
+
+SHARED = "the links lie in one line there and may share forces in many ways: take a position beside it"
+UNBOUNDED = "a group is at its dead centre and its reactions grow beyond all bounds: take a position beside it"
+ADVICE = {INDETERMINATE: SHARED, DEAD_CENTRE: UNBOUNDED}
+
+
+class ForceDrafts:
+    """The force plans over some positions of a study, over the plans of its motion there."""
+
+    def __init__(self, statics: Statics, drafts: Drafts) -> None:
+        self.statics, self.drafts = statics, drafts
+
+    @cached_property
+    def _below(self) -> tuple[Pattern | Drawing, list[Any]]:
+        return self.drafts.follow(2)
+
+    @cached_property
+    def _followed(self) -> tuple[ForcePattern | ForceDrawing, Any]:
+        _, numbers = self._below
+        found = self.statics.pattern
+        return found, found.follow(numbers, self.loading)
+
+    @cached_property
+    def motion(self) -> Motion:
+        """The motion at these positions, reached or not."""
+        pattern, numbers = self._below
+        return pattern.read(numbers, self.drafts.turn)
+
+    @cached_property
+    def loading(self) -> Loading:
+        """The loads at these positions."""
+        return self.statics.loading(self.motion)
+
+    @cached_property
+    def plans(self) -> Drawn:
+        """The force plan and the lever, their marks made."""
+        pattern, numbers = self._followed
+        return pattern.drawn(numbers)
+
+    def read(self) -> tuple[Kinetostatics, npt.NDArray[np.bool_]]:
+        """Read the forces off the plans; tell where they have no answer."""
+        pattern, numbers = self._followed
+        turn = self.drafts.turn
+        found = pattern.read(numbers, turn.phi)
+        return found, pattern.singular(numbers, len(turn))
+
+    def hung(self) -> Floats | None:
+        """Work out the balancing moment by the lever; None where nothing moves."""
+        pattern, numbers = self._followed
+        return pattern.hung(numbers, len(self.drafts.turn))
+
+
+class Statics:
+    """The forces of a study; nothing is made before it is asked for."""
+
+    def __init__(self, study: Study) -> None:
+        self.study = study
+
+    @cached_property
+    def machine(self) -> Machine:
+        """Masses, loads, drive and friction of the scene."""
+        scene = self.study.scene
+        machine = machine_of(scene, self.study.mechanism)
+        borne = any(body.mass or body.inertia for body in machine.bodies.values())
+        if not (borne or machine.forces or machine.moments or machine.springs):
+            raise SceneError([scene.fault(("sheets",), "nothing_acts")])
+        return machine
+
+    @cached_property
+    def pairs(self) -> tuple[Pair, ...]:
+        """The lower pairs of the mechanism, in solving order."""
+        return pairs(self.study.mechanism, self.study.groups)
+
+    @cached_property
+    def strokes(self) -> Mapping[str, Stroke]:
+        """The strokes over which loads change, by construction."""
+        return self.over(self._extremes)
+
+    def over(self, extremes: Callable[[Output], Extremes | None]) -> dict[str, Stroke]:
+        """Find the strokes over which loads change by the extreme positions of either road."""
+        study, scene = self.study, self.study.scene
+        try:
+            return strokes(self.machine, study.mechanism, study.output, extremes)
+        except NoStroke as error:
+            why = str(error)
+            if study.barriers:
+                why = f"{error.load} acts over the stroke of {error.thing}, but {obstruction(study.sweep)}"
+            line, column = scene.place(("loads",))
+            raise StructureError(f"{scene.file}:{line}:{column}: loads: {why}") from None
+
+    def _extremes(self, output: Output) -> Extremes | None:
+        """Find the extreme positions of an output by construction."""
+        found = self.study.found if output == self.study.output else extremes(self.study.sweep, output)
+        return None if found is None else found.extremes
+
+    def loading(self, motion: Motion) -> Loading:
+        """Give the loads at the positions of a motion."""
+        return loading(self.machine, motion, self.strokes)
+
+    @cached_property
+    def pattern(self) -> ForcePattern | ForceDrawing:
+        """The force plan drawn at one position, to be followed at all."""
+        self.study.made.setdefault("forces")
+        one = self.study.drafts([0])
+        pattern, _ = one.follow(2)
+        if isinstance(pattern, Drawing):
+            return ForceDrawing(self.study.groups, self.machine)
+        return ForcePattern(pattern, self.study.groups, self.machine, self.loading(one.motion(2)))
+
+    def drafts(self, chosen: slice | Sequence[int] = slice(None)) -> ForceDrafts:
+        """Give the force plans over some positions; those of the same positions are the same."""
+        key = repr(chosen)
+        if key not in self._drafts:
+            self._drafts[key] = ForceDrafts(self, self.study.drafts(chosen))
+        return self._drafts[key]
+
+    @cached_property
+    def _drafts(self) -> dict[str, ForceDrafts]:
+        return {}
+
+    def around(self, steps: int) -> Kinetostatics:
+        """Give the forces over a whole turn from the first position on, in even steps; NaN where there are none."""
+        study = self.study
+        phi = study.turn.phi[0] + study.sense * 2 * np.pi * np.arange(steps + 1) / steps
+        drafts = Drafts(study, at_angles(phi))
+        found, none = ForceDrafts(self, drafts).read()
+        return without(found, none | drafts.lost)
+
+    @cached_property
+    def forces(self) -> Kinetostatics:
+        """All reactions and the balancing moment over all positions, what has none left out and named."""
+        found, free = [], True
+        for part in self.parts():
+            found.append(part.read())
+            free = free and part.drafts.free
+        whole, none = _joined([forces for forces, _ in found]), np.concatenate([singular for _, singular in found])
+        if free and not none.any():
+            return whole
+        gaps, lost = self.study.motion(2).gaps, np.zeros(len(whole.phi), dtype=bool)
+        lost[[gap.position for gap in gaps]] = True
+        none &= ~lost
+        still = [self._gap(gap.position, without_forces(gap), gap.where) for gap in gaps if gap.plan == ORDERS[1]]
+        named = [
+            *gaps,
+            *still,
+            *(self._gap(k, self._reason(k), "the force plan") for k in np.flatnonzero(none).tolist()),
+        ]
+        return replace(without(whole, lost | none), gaps=tuple(sorted(named, key=_number)))
+
+    def parts(self) -> Iterator[ForceDrafts]:
+        """Give the force plans over all positions, in blocks where these are more than those of a sheet."""
+        if len(self.study.turn) <= BLOCK:
+            yield self.drafts()
+        else:  # a block is no longer kept than it is read
+            yield from (ForceDrafts(self, drafts) for drafts, _ in self.study.blocks())
+
+    @cached_property
+    def friction(self) -> Friction | None:
+        """What friction takes, by construction; None where the scene gives no coefficients."""
+        if not self.machine.friction:
+            return None
+        from plans.forces.friction import friction  # noqa: PLC0415  (only a scene with friction pays for it)
+
+        study, motion = self.study, self.study.motion(2)
+        loads = self.loading(motion)
+        return friction(study.mechanism, study.groups, self.machine, motion, loads, self.forces)
+
+    def _reason(self, position: int) -> str:
+        """Say why a position that has velocities has no forces."""
+        changes = [b for b in (*self.study.barriers, *self.study.passed) if b.kind == CHANGE]
+        return INDETERMINATE if near_edge(self.study.turn.phi[[position]], changes, (CHANGE,)).any() else DEAD_CENTRE
+
+    def _gap(self, position: int, reason: str, where: str) -> Gap:
+        """Name a position that can be assembled, but has no forces."""
+        return Gap(position, float(self.study.turn.phi[position]), FORCES, reason, where, 0.0, ADVICE[reason])
+
+
+def _number(gap: Gap) -> int:
+    return gap.position
+
+
+def _joined(parts: Sequence[Kinetostatics]) -> Kinetostatics:
+    """Put the forces over parts of the positions together."""
+    if len(parts) == 1:
+        return parts[0]
+
+    def joined(rows: Sequence[Any]) -> Any:
+        return None if rows[0] is None else np.concatenate(rows)
+
+    reactions = {}
+    for key, first in parts[0].reactions.items():
+        told = [part.reactions[key] for part in parts]
+        rows = (joined([getattr(one, name) for one in told]) for name in ("r", "force", "moment", "along"))
+        reactions[key] = Reaction(first.giver, first.taker, first.point, *rows)
+    balancing = Balancing(*(joined(rows) for rows in zip(*(part.balancing for part in parts), strict=True)))
+    return Kinetostatics(parts[0].by, np.concatenate([part.phi for part in parts]), reactions, balancing, ())
+
+
+def without(forces: Kinetostatics, gone: npt.NDArray[np.bool_]) -> Kinetostatics:
+    """Leave no force at some positions."""
+
+    def kept(row: Any) -> Any:
+        return None if row is None else np.where(gone, np.nan, row)
+
+    reactions = {
+        key: one._replace(force=kept(one.force), moment=kept(one.moment)) for key, one in forces.reactions.items()
+    }
+    told = forces.balancing
+    balancing = Balancing(kept(told.moment), kept(told.force), told.r)
+    return replace(forces, reactions=reactions, balancing=balancing)

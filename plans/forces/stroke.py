@@ -1,0 +1,113 @@
+"""Strokes (ходы): which part of the turn works and which runs idle, and the share of the way that a point has gone."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from plans.model.machine import ALWAYS, Force, Machine, Moment
+from plans.model.mechanism import FRAME, Mechanism, Output, StructureError, Way
+from plans.model.motion import Extremes, Floats, Motion
+
+TURN = 2 * np.pi
+# Up to kappa = 600 positions are graded, and the two roads agree in what a velocity is or where one is zero to
+# 8 eps kappa2 of the largest, of an angle to that share of a turn (plans.checks.compare): less is zero, or the same.
+KAPPA = 600.0
+ROUNDING = 8 * 2.0**-52 * KAPPA**2
+
+
+class Stroke(NamedTuple):
+    """The working and the idle stroke of an output over a turn of the crank (рабочий и холостой ход)."""
+
+    begin: float  # rad: crank where the working stroke begins
+    end: float  # rad: crank where it ends and the idle stroke begins
+    sense: int  # of the crank's rotation: +1 counter-clockwise
+    reach: tuple[float, float]  # output coordinate there: m along the guide, or rad of the link's +x axis
+    link: int
+    point: str = ""  # that slides
+    way: Way | None = None  # the line of the frame that it slides along; None: the link swings
+
+    @property
+    def sliding(self) -> bool:
+        """Whether the output slides on the frame."""
+        return self.way is not None
+
+    def working(self, phi: Floats) -> npt.NDArray[np.bool_]:
+        """Tell the crank angles of the working stroke; the extreme position from which it begins is of it.
+
+        >>> Stroke(0.5, 4.0, 1, (0.0, 0.1), 3).working(np.array([0.5 - 1e-12, 1.0, 4.0, 6.0, 7.0])).tolist()
+        [True, True, False, False, True]
+        """
+        slack = ROUNDING * TURN
+        work = np.mod(self.sense * (self.end - self.begin), TURN)
+        return np.asarray(np.mod(self.sense * (phi - self.begin) + slack, TURN) < work)
+
+    def share(self, motion: Motion) -> Floats:
+        """Give the share of the stroke between the place and that where the working stroke begins, NaN at gaps."""
+        low, high = self.reach
+        middle = (low + high) / 2
+        if self.way is None:
+            beyond = motion.links[self.link].angle - middle
+            beyond -= TURN * np.round(beyond / TURN)
+        else:
+            r = motion.points[self.point].r - self.way.through
+            beyond = (self.way.direction.conjugate() * r).real - middle
+        return np.asarray(np.minimum(np.maximum(beyond / (high - low) + 0.5, 0.0), 1.0))
+
+
+class NoStroke(StructureError):  # noqa: N818  (the exception tree's own word)
+    """A load that changes over the stroke of a link or a point which has no two extreme positions."""
+
+    def __init__(self, load: str, thing: str) -> None:
+        super().__init__(
+            f"{load} acts over the stroke of {thing}, which has no two extreme positions. Fix: let it act always and "
+            "without overrun or diagram, or name another point by stroke"
+        )
+        self.load, self.thing = load, thing
+
+
+def asks(load: Force | Moment) -> bool:
+    """Tell whether a load changes over a stroke."""
+    changes = load.during != ALWAYS or load.overrun != (0.0, 0.0)
+    return changes or (isinstance(load, Force) and load.diagram is not None)
+
+
+def strokes(
+    machine: Machine, mechanism: Mechanism, output: Output, extremes: Callable[[Output], Extremes | None]
+) -> dict[str, Stroke]:
+    """Find the strokes that loads ask for, by the letter of the point; `extremes` is that of either road."""
+    found: dict[str, Stroke] = {}
+    loads: tuple[Force | Moment, ...] = (*machine.forces, *machine.moments)
+    for load in loads:
+        if asks(load) and load.stroke not in found:
+            shown = output_at(mechanism, load.stroke) if load.stroke else output
+            reached = extremes(shown) if shown else None
+            if shown is None or reached is None or not (reached.sliding or reached.stroke < TURN):
+                thing = f"point {load.stroke}" if load.stroke else f"link {output.link}"
+                raise NoStroke(load.name, thing)
+            found[load.stroke] = _stroke(mechanism, shown, reached)
+    return found
+
+
+def output_at(mechanism: Mechanism, point: str) -> Output | None:
+    """Give the link whose stroke is that of a point: one that slides on the frame, else swings about it; or none."""
+    links = [link for link in sorted(mechanism.links) if link != FRAME and point in mechanism.links[link].points]
+    sliding = [link for link in links if _way(mechanism, link)]
+    fixed = mechanism.links[FRAME].points
+    hung = [link for link in links if not fixed.keys().isdisjoint(mechanism.links[link].points)]
+    return next((Output(link, point) for link in (*sliding, *hung)), None)
+
+
+def _stroke(mechanism: Mechanism, shown: Output, reached: Extremes) -> Stroke:
+    sense = -1 if mechanism.drive.omega < 0 else 1
+    point, way = _way(mechanism, shown.link) or ("", None)
+    return Stroke(*reached.phi, sense, reached.reach, shown.link, shown.point or point, way)
+
+
+def _way(mechanism: Mechanism, link: int) -> tuple[str, Way] | None:
+    """Give the point and the line by which a link slides on the frame."""
+    slides = (slide for slide in mechanism.slides if {slide.slider, slide.owner} == {link, FRAME})
+    return next(((slide.point, slide.way(FRAME)) for slide in slides), None)

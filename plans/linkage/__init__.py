@@ -1,0 +1,1 @@
+"""Linkages: positions, velocities, accelerations by construction, and how far they reach (рычажный механизм)."""

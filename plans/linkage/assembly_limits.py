@@ -1,0 +1,217 @@
+"""The passage round a turn: where the mechanism cannot be assembled, where it changes, and what is reached (проход).
+
+A group's margin is the squared sine of its crossing angle: it falls to zero where the group comes to a dead centre, and
+beyond it there is no meeting. A margin that only touches zero is a change point: the mechanism may go on in two ways.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+
+import numpy as np
+import numpy.typing as npt
+
+from geometry.board import Mark
+from geometry.meet import UNBORNE
+from plans.linkage.acceleration import accelerations
+from plans.linkage.barrier import CHANGE, GAP, PARALLEL, SAME, Barrier, Edge
+from plans.linkage.carrying import Drawing, Passed, carried
+from plans.linkage.margin import deciding, margins, of_arcs
+from plans.linkage.pattern import Pattern
+from plans.linkage.plan import Plan
+from plans.linkage.position import positions
+from plans.linkage.turn import Turn
+from plans.linkage.velocity import velocities
+from plans.model.mechanism import Mechanism
+from plans.model.motion import Floats, Motion
+from plans.model.structure import Dyad
+
+NODES = 720  # crank angles of a sweep: half a degree
+NODE_ANGLES = 2 * np.pi * np.arange(NODES) / NODES
+FAN = 129  # angles of one closer look between two nodes
+LOOKS = 8  # 64**8 of half a degree is below the rounding of an angle
+# A lowest margin is looked at more closely where it may hide a touch: between nodes half a degree apart a margin may
+# fall from the sine squared of a 45 degree notch; among the angles of a closer look, from that of a 6 degree one.
+DEEP, SHALLOW = 0.5, 0.01
+
+
+def at_angles(phi: Floats) -> Turn:
+    """Take any crank angles, rad, for a turn."""
+    return Turn(phi, np.exp(1j * phi))
+
+
+class Sweep:
+    """A mechanism with its chosen sides, looked at over any crank angles."""
+
+    def __init__(
+        self,
+        mechanism: Mechanism,
+        groups: Sequence[Dyad],
+        sides: Sequence[float],
+        home: float = 0.0,
+        passed: tuple[Passed, ...] = (),
+    ) -> None:
+        self.mechanism, self.groups, self.sides = mechanism, groups, sides
+        self.home, self.passed = home, passed  # crank angle, rad, of the sketch; change points that are carried through
+        self._patterns: dict[int, Pattern] = {}
+
+    def over(self, mechanism: Mechanism) -> Sweep:
+        """Give the sweep of the same mechanism driven in another way."""
+        return Sweep(mechanism, self.groups, self.sides, self.home, self.passed)
+
+    def through(self) -> Sweep:
+        """Give the sweep that is carried through all change points; group after group, for one moves the next."""
+        sweep = self
+        while True:
+            met = [Passed(b.group, b.middle) for b in sweep.barriers if b.kind == CHANGE]
+            new = [one for one in met if not any(_alike(one, other) for other in sweep.passed)]
+            if not new:
+                return sweep
+            first = [one for one in new if one.group == min(new).group]
+            kept = [one for one in sweep.passed if one.group < first[0].group]
+            sweep = Sweep(self.mechanism, self.groups, self.sides, self.home, (*kept, *first))
+
+    @cached_property
+    def pinned(self) -> bool:
+        """Tell whether a pin comes to its own slot's pivot, or all but: the slot has any direction there."""
+        marks = [deciding(self.plan(NODE_ANGLES), group) for group in self.groups if group.kind == "RPR"]
+        ends = [tuple(np.asarray(end.point) for end in mark.step.inputs) for mark in marks]
+        return any(bool((np.abs(pivot - pin) <= np.abs(pin).max() / NODES * 8).any()) for pivot, pin in ends)
+
+    @cached_property
+    def barred(self) -> tuple[Barrier, ...]:
+        """What bars the crank though the linkage is carried through its change points."""
+        return tuple(b for b in self.barriers if not self.passes(b))
+
+    def passes(self, barrier: Barrier) -> bool:
+        """Tell whether a barrier is a change point that the linkage is carried through."""
+        here = Passed(barrier.group, barrier.middle)
+        return barrier.kind == CHANGE and any(_alike(here, other) for other in self.passed)
+
+    def pattern(self, order: int) -> Pattern | Drawing:
+        """Give the pattern of the plans up to an order: 0 positions, 1 velocities, 2 accelerations."""
+        if self.passed:
+            return Drawing(self.drawn, self.groups, order)
+        if order not in self._patterns:
+            plans = [self.plan(np.zeros(1))]
+            if order > 0:
+                plans.append(velocities(plans[0], self.groups))
+            if order > 1:
+                plans.append(accelerations(plans[1], self.groups))
+            self._patterns[order] = Pattern(plans)
+        return self._patterns[order]
+
+    def plan(self, phi: Floats) -> Plan:
+        """Draw the plan of positions at some crank angles."""
+        return self.drawn(at_angles(phi))
+
+    def motion(self, turn: Turn, order: int) -> Motion:
+        """Give the motion at the crank positions of a turn, reached or not, by the pattern of an order of plans."""
+        pattern = self.pattern(order)
+        return pattern.read(pattern.follow(turn), turn)
+
+    def drawn(self, turn: Turn) -> Plan:
+        """Draw the plan of positions at the crank positions of a turn."""
+        sides = carried(self.sides, self.passed, turn.phi, self.home) if self.passed else self.sides
+        return positions(self.mechanism, self.groups, sides, turn)
+
+    def margins(self, phi: Floats) -> Floats:
+        """Give every group's margin at some crank angles."""
+        return margins(self.plan(phi), self.groups, self.sides)[0]
+
+    @cached_property
+    def barriers(self) -> tuple[Barrier, ...]:
+        """All that bars a full turn of the crank."""
+        if not self.groups:
+            return ()
+        nodes = NODE_ANGLES
+        field = self.margins(nodes)
+        with np.errstate(invalid="ignore"):
+            free = np.asarray((field > 0).all(axis=0))
+        if not free.any():
+            return (self._barrier((0.0, 0.0), (2 * np.pi, 2 * np.pi), np.linspace(0, 2 * np.pi, FAN)),)
+        return (*self._between(nodes, field, free), *self._runs(nodes, free))
+
+    def _runs(self, nodes: Floats, free: npt.NDArray[np.bool_]) -> list[Barrier]:
+        """Follow each run of nodes that are not free to its two edges."""
+        step, found = nodes[1], []
+        first = int(np.argmax(free))
+        state = np.roll(free, -first)
+        starts = np.flatnonzero(state[:-1] & ~state[1:])
+        ends = np.flatnonzero(~state & np.roll(state, -1))
+        for start, end in zip(starts, ends, strict=True):
+            low, high = nodes[first] + start * step, nodes[first] + (end + 1) * step
+            left = self._edge(low, low + step)
+            right = self._edge(high, high - step)
+            found.append(self._barrier(left, right, np.linspace(low, high, 4 * (end - start) + FAN)))
+        return found
+
+    def _between(self, nodes: Floats, field: Floats, free: npt.NDArray[np.bool_]) -> list[Barrier]:
+        """Look closely wherever a margin's minimum between free nodes may touch or cross zero."""
+        found = []
+        for margin in field:
+            before, after = np.roll(margin, 1), np.roll(margin, -1)
+            with np.errstate(invalid="ignore"):
+                low = (margin <= before) & (margin < after) & (margin < DEEP)
+            around = free & np.roll(free, 1) & np.roll(free, -1)
+            for node in np.flatnonzero(low & around):
+                barrier = self._closer(nodes[node] - nodes[1], nodes[node] + nodes[1])
+                if barrier is not None and barrier not in found:
+                    found.append(barrier)
+        return found
+
+    def _closer(self, low: float, high: float) -> Barrier | None:
+        """Close in on the lowest margin between two free angles; a barrier where it is not above zero."""
+        for _ in range(LOOKS):
+            fan = np.linspace(low, high, FAN)
+            field = self.margins(fan)
+            lowest = np.where(np.isnan(field), -1.0, field).min(axis=0)  # NaN: a group before misses there
+            at = int(np.argmin(lowest))
+            if not lowest[at] > 0:
+                left, right = self._edge(low, fan[at]), self._edge(high, fan[at])
+                return self._barrier(left, right, np.linspace(left[0], right[0], FAN))
+            if lowest[at] > SHALLOW and 0 < at < FAN - 1 and _least(*lowest[at - 1 : at + 2]) > lowest[at] / 2:
+                return None
+            low, high = fan[max(at - 1, 0)], fan[min(at + 1, FAN - 1)]
+        return None
+
+    def _edge(self, free: float, barred: float) -> tuple[float, float]:
+        """Find the last free angle towards a barred one, and the first barred angle after it."""
+        for _ in range(LOOKS):
+            fan = np.linspace(free, barred, FAN)
+            with np.errstate(invalid="ignore"):
+                open_ = (self.margins(fan) > 0).all(axis=0)
+            last = int(np.argmin(open_)) if not open_.all() else FAN - 1
+            free, barred = float(fan[max(last - 1, 0)]), float(fan[max(last, 1)])
+        return free, barred
+
+    def _barrier(self, start: tuple[float, float], end: tuple[float, float], seen: Floats) -> Barrier:
+        """Name a barrier by the groups that fail at its edges; one where no group misses is a change point."""
+        plan = self.plan(np.concatenate((seen, (start[1], end[1]))))
+        field, marks = margins(plan, self.groups, self.sides)
+        with np.errstate(invalid="ignore"):
+            missing = (field < 0).any(axis=1)
+            failing = ~(field > UNBORNE)  # with a pin that runs to infinity, groups that hang on it fail as well
+        if not missing.any():
+            group = int(np.nanargmin(np.nanmin(field, axis=1)))
+            ends = [Edge(phi, beyond, CHANGE, group, marks[group].name) for phi, beyond in (start, end)]
+            return Barrier((ends[0], ends[1]), 0.0)
+        groups = [int(np.argmax(failing[:, k] if failing[:, k].any() else missing)) for k in (-2, -1)]
+        ends = [self._named(*edge, group, marks[group]) for edge, group in zip((start, end), groups, strict=True)]
+        misses = [float(np.nanmax(np.asarray(marks[g].miss, dtype=float))) for g in set(groups) if of_arcs(marks[g])]
+        return Barrier((ends[0], ends[1]), max(misses, default=0.0))
+
+    def _named(self, phi: float, beyond: float, group: int, mark: Mark) -> Edge:
+        return Edge(phi, beyond, GAP if of_arcs(mark) else PARALLEL, group, mark.name)
+
+
+def _least(before: float, middle: float, after: float) -> float:
+    """Give the least value of the parabola through three values, the middle one the least of them."""
+    bend = before + after - 2 * middle
+    return middle - (after - before) ** 2 / (8 * bend) if bend > 0 else middle
+
+
+def _alike(one: Passed, other: Passed) -> bool:
+    """Tell whether two change points are one: each is known to half the digits of an angle."""
+    return one.group == other.group and abs(np.angle(np.exp(1j * (one.phi - other.phi)))) < SAME

@@ -1,0 +1,222 @@
+"""Gaps: why a position cannot be assembled, is not reached or has no velocity, and what would mend it (разрывы)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+from geometry.board import Arc, Mark, at, between
+from geometry.meet import EPS, UNBORNE
+from plans.linkage.assembly_limits import Sweep
+from plans.linkage.barrier import CHANGE, GAP, PARALLEL, Barrier, Edge, bounding
+from plans.linkage.margin import crossing, margins, undefined
+from plans.linkage.plan import Plan
+from plans.linkage.turn import Turn
+from plans.model.motion import Floats, Gap, Motion
+
+# A position this near to a barrier's edge, rad, whose group is exactly at its dead centre, is the limit itself: half
+# the digits of an angle, for near a dead centre a margin is known to all digits but its angle to half of them.
+LIMIT = 1e-7
+# A position so near to a barrier, rad, is told by its angle from it, others by how sharply their groups meet.
+BESIDE = 2.0**-20
+# So near to a change point, rad, that a position is that of the change point: two ways part there by as much, and
+# places are known to eps over it.
+AT_CHANGE = 2.0**-23
+ROUNDING = 8.0 * EPS  # rad: an edge is reached, whichever turn its angle is counted in
+
+Flags = npt.NDArray[np.bool_]
+
+
+def lost(sweep: Sweep, plan: Plan, turn: Turn, home: float, barriers: Sequence[Barrier]) -> Flags:
+    """Tell the positions that are not reached from `home`, or in which a group has no one place; limits are reached."""
+    gone = ~reached(turn.phi, home, barriers) | near_edge(turn.phi, barriers, (PARALLEL,), UNBORNE)
+    if not sweep.groups or (plan.board.clear and not gone.any() and not sweep.pinned):
+        return gone
+    field, _ = margins(plan, sweep.groups, sweep.sides)
+    nowhere = undefined(plan, sweep.groups).any(axis=0)
+    with np.errstate(invalid="ignore"):
+        limit = (field == 0).any(axis=0) & (field >= 0).all(axis=0) & _near(turn.phi, _ends(home, barriers), LIMIT)
+    return np.asarray((gone & ~limit) | nowhere)
+
+
+def reached(phi: Floats, home: float, barriers: Sequence[Barrier]) -> Flags:
+    """Tell which crank angles are reached from home, rad, in either sense, without passing a barrier.
+
+    An angle within a change point's own rounding is reached: the mechanism gets there, but no further.
+    """
+    if not barriers:
+        return np.ones(len(phi), dtype=bool)
+    turn = 2 * np.pi
+    ahead = np.mod(phi - home, turn)
+    on = min(float(np.mod(edges(b)[0] - home, turn)) + _blur(b.edges[0]) for b in barriers)
+    back = min(float(np.mod(home - edges(b)[1], turn)) + _blur(b.edges[1]) for b in barriers)
+    return np.asarray((ahead <= on) | (np.mod(turn - ahead, turn) <= back))
+
+
+def edges(barrier: Barrier) -> tuple[float, float]:
+    """Give the two edges of a barrier, rad; a change point is one angle, unless links stay in one line for a while."""
+    if barrier.kind == CHANGE and barrier.end - barrier.start < BESIDE:
+        return (barrier.middle, barrier.middle)
+    return (barrier.start, barrier.end)
+
+
+def _blur(edge: Edge) -> float:
+    return AT_CHANGE if edge.kind == CHANGE else ROUNDING
+
+
+def _ends(home: float, barriers: Sequence[Barrier]) -> list[float]:
+    """Give the two angles, rad, that bound the way of the crank from home."""
+    if not barriers:
+        return []
+    turn = 2 * np.pi
+    firsts, lasts = ([edges(b)[side] for b in barriers] for side in (0, 1))
+    return [min(firsts, key=lambda e: float(np.mod(e - home, turn))), min(lasts, key=lambda e: np.mod(home - e, turn))]
+
+
+def _near(phi: Floats, angles: Sequence[float], within: float) -> Flags:
+    near = np.zeros(len(phi), dtype=bool)
+    for angle in angles:
+        near |= np.abs(np.angle(np.exp(1j * (phi - angle)))) < within
+    return near
+
+
+def near_edge(
+    phi: Floats, barriers: Sequence[Barrier], kinds: Sequence[str] = (CHANGE, GAP, PARALLEL), within: float = LIMIT
+) -> Flags:
+    """Tell which crank angles lie at the edge of a barrier that is of one of some kinds there, rad."""
+    both = (zip(edges(barrier), barrier.edges, strict=True) for barrier in barriers)
+    return _near(phi, [angle for pair in both for angle, edge in pair if edge.kind in kinds], within)
+
+
+def unborne(sweep: Sweep, plan: Plan, turn: Turn) -> Flags:
+    """Tell the positions whose velocities the condition does not bear.
+
+    A dead centre is told by the crank's angle from it; elsewhere a group must not meet too bluntly.
+    """
+    if not sweep.groups or plan.board.clear:
+        return np.zeros(len(turn), dtype=bool)
+    field, _ = margins(plan, sweep.groups, sweep.sides)
+    told = near_edge(turn.phi, sweep.barriers, (GAP, PARALLEL), BESIDE)
+    blunt = (field < UNBORNE).any(axis=0) & ~told
+    dead = near_edge(turn.phi, sweep.barriers, (GAP,), UNBORNE)
+    return np.asarray(blunt | dead | near_edge(turn.phi, sweep.barriers, (CHANGE,), AT_CHANGE))
+
+
+def of_positions(
+    sweep: Sweep, turn: Turn, positions: Sequence[int], home: float | None, barriers: Sequence[Barrier]
+) -> list[Gap]:
+    """Say why some positions are lost, and what would mend them; `turn` holds those positions alone."""
+    if not positions:
+        return []
+    plan = sweep.drawn(turn)
+    field, marks = margins(plan, sweep.groups, sweep.sides)
+    nowhere = undefined(plan, sweep.groups)
+    misses = [np.broadcast_to(0.0 if mark.miss is None else mark.miss, len(turn)) for mark in marks]
+    near = np.ones(len(turn), dtype=bool) if home is None else reached(turn.phi, home, barriers)
+    found = []
+    for k, position in enumerate(positions):
+        phi, told = float(turn.phi[k]), [float(miss[k]) for miss in misses]
+        edge = None if home is None else bounding(phi, home, barriers)
+        # Beyond a change point or parallel guides it does not matter whether the links would meet.
+        met = edge is None or edge.kind == GAP or near[k]
+        unplaced = _unplaced(field[:, k], nowhere[:, k], marks, told, k, position, phi) if met else None
+        found.append(unplaced or _beyond(position, phi, edge))
+    return found
+
+
+def _unplaced(
+    margin: Floats, none: Flags, marks: Sequence[Mark], misses: Sequence[float], k: int, position: int, phi: float
+) -> Gap | None:
+    """Name the first meeting that fails at the k-th position drawn; None: all of them are found."""
+    for share, nowhere, mark, miss in zip(margin, none, marks, misses, strict=True):
+        if share < 0 and crossing(mark) is None:
+            return Gap(position, phi, "positions", GAP, mark.name, miss, _reach(mark, miss, k))
+        if nowhere and crossing(mark) is None:
+            return _in_one(position, phi, mark.name)
+    return None
+
+
+def _in_one(position: int, phi: float, where: str) -> Gap:
+    advice = f"the lines that meet in {where} fall into one there: take a position beside it"
+    return Gap(position, phi, "positions", "dead centre", where, 0.0, advice)
+
+
+def _beyond(position: int, phi: float, edge: Edge | None) -> Gap:
+    """Name a position that could be assembled, but not without passing a barrier."""
+    where = edge.where if edge else ""
+    if edge is not None and edge.kind == CHANGE:
+        advice = (
+            "the mechanism may go on in two ways there: start the drive beyond the change point, change a length, or "
+            'say in [mechanism] what carries it through: through = "parallel" (another linkage beside it) or "inertia"'
+        )
+        return Gap(position, phi, "positions", "beyond a change point", where, 0.0, advice)
+    if edge is not None and edge.kind == PARALLEL and _near(np.array([phi]), [edge.phi], UNBORNE).any():
+        advice = f"the lines that meet in {where} are parallel there: take a position beside it"
+        return Gap(position, phi, "positions", PARALLEL, where, 0.0, advice)
+    if edge is not None and edge.kind == PARALLEL:
+        advice = (
+            f"the guides of {where} are parallel on the way and their pin runs to infinity: keep the crank this side"
+        )
+        return Gap(position, phi, "positions", "not reachable", where, 0.0, advice)
+    advice = "the crank cannot turn there from the first position: start the drive in that part of the turn"
+    return Gap(position, phi, "positions", "not reachable", where, 0.0, advice)
+
+
+def _reach(mark: Mark, miss: float, k: int) -> str:
+    """Say how far apart two loci are, and how far they reach."""
+    first, second = mark.step.inputs
+    if mark.step.op == "tangent":
+        apart = abs(at(between(first, second), k))
+        return (
+            f"{first.name} and {second.name} are {apart:.6g} m apart, {miss:.6g} m less than the slot's offset: "
+            "make the offset smaller or the fixed distance larger"
+        )
+    ends = tuple(locus.step.inputs[0].name for locus in (first, second))
+    radii = [at(locus.value.radius, k).real for locus in (first, second) if isinstance(locus.value, Arc)]
+    apart = abs(at(between(first.step.inputs[0], second.step.inputs[0]), k))
+    if len(radii) == 1:
+        return (
+            f"{second.name} = {radii[0]:.6g} m misses the {first.name} by {miss:.6g} m: it must be "
+            f"{radii[0] + miss:.6g} m at least, or the guide nearer"
+        )
+    low, high = abs(radii[0] - radii[1]), sum(radii)
+    return (
+        f"{ends[0]} and {ends[1]} are {apart:.6g} m apart, but {first.name} = {radii[0]:.6g} m and {second.name} = "
+        f"{radii[1]:.6g} m reach from {low:.6g} m to {high:.6g} m: "
+        + ("lengthen one of them" if apart > high else "make their lengths more alike")
+    )
+
+
+def without_velocity(
+    drawn: Motion, gone: npt.NDArray[np.bool_], blunt: npt.NDArray[np.bool_], barriers: Sequence[Barrier]
+) -> list[Gap]:
+    """Name the positions that are assembled but have no velocities, and leave none there for any point or link."""
+    letters = [name for name, motion in drawn.points.items() if motion.v is not None]
+    if not letters:
+        return []
+    none = np.isnan(np.array([drawn.points[name].v for name in letters]))
+    dead = (none.any(axis=0) | blunt) & ~gone
+    forget(drawn, dead)
+    change = near_edge(drawn.phi, barriers, (CHANGE,), BESIDE)
+    advice = "a group is at its dead centre: its velocities have no one value; take a position beside it"
+    return [
+        Gap(
+            int(k), float(drawn.phi[k]), "velocities", CHANGE if change[k] else "dead centre",
+            letters[int(np.argmax(none[:, k]))], 0.0, advice,
+        )
+        for k in np.flatnonzero(dead)
+    ]  # fmt: skip
+
+
+def forget(drawn: Motion, positions: npt.NDArray[np.bool_]) -> None:
+    """Leave no velocity and no acceleration where the mechanism as a whole has none."""
+    for points in drawn.points.values():
+        for values in (points.v, points.a):
+            if values is not None:
+                values[positions] = np.nan
+    for links in drawn.links.values():
+        for numbers in (links.omega, links.epsilon):
+            if numbers is not None:
+                numbers[positions] = np.nan

@@ -1,0 +1,61 @@
+"""A lead of a group: a link that turns about its outer hinge; what its plans have in common (поводок)."""
+
+from __future__ import annotations
+
+from geometry.board import Mark
+from plans.linkage.plan import Image, Plan, Reading
+from plans.model.structure import Dyad
+
+
+def vector(plan: Plan, dyad: Dyad, end: int) -> complex:
+    """Give the vector from a lead's outer hinge to the inner one in the link's own frame."""
+    points = plan.mechanism.links[dyad.links[end]].points
+    return points[dyad.pin] - points[dyad.hinge(end)]
+
+
+def arm(plan: Plan, link: int) -> Mark:
+    """Carry a lead's vector from the plan of positions."""
+    found = plan.positions.images[link].arm
+    assert found is not None  # every link has an arm on the plan of positions
+    return plan.carry(found)
+
+
+def placed(plan: Plan, dyad: Dyad, end: int, start: Mark, tip: Mark) -> None:
+    """Keep a lead on the plan of positions by the vector between its hinges."""
+    link = plan.mechanism.links[dyad.links[end]]
+    drawn = plan.board.join(f"{start.name}{tip.name}", start, tip, f"link {link.number}")
+    plan.images[link.number] = Image(start, drawn, link.points[dyad.hinge(end)], vector(plan, dyad, end))
+
+
+def about(plan: Plan, link: int, start: Mark) -> Mark:
+    """Draw the line of a lead's turning part: through a start, square to the lead."""
+    along = arm(plan, link)
+    return plan.board.square(f"⊥{along.name}", start, along, f"the turning part is square to {along.name}")
+
+
+def normal(plan: Plan, link: int, start: Mark, ends: tuple[str, str]) -> Mark:
+    """Lay off from an image a lead's normal acceleration, the third proportional v2/l, towards its start (M3.2).
+
+    `ends` are the letters of the lead's start and tip: on the plan a start that translates may share another's image.
+    """
+    along, turning = arm(plan, link), plan.carry(plan.velocities.readings[link].turning)
+    name = plan.written.normal(ends[1], "" if start is plan.pole else ends[0])
+    part = plan.board.similar(f"a^{name}", turning, along, turning, why=f"normal part: v squared over {along.name}")
+    return plan.board.lay_off(name, start, part, "directed to the centre of rotation")
+
+
+def met(plan: Plan, point: str, first: Mark, second: Mark) -> Mark:
+    """Meet the two known directions in the image of the inner pair's point."""
+    name = plan.letter(point)
+    return plan.name(point, plan.board.meet(name, first, second, why=f"{name} lies on both directions"))
+
+
+def turned(plan: Plan, link: int, start: Mark, turning_from: Mark, tip: Mark) -> None:
+    """Keep a lead's image from start to tip, and the turning part that its omega or epsilon is read from."""
+    base = plan.positions.images[link]
+    relative = plan.board.join(f"{start.name}{tip.name}", start, tip)
+    plan.images[link] = Image(start, relative, base.at, base.span)
+    turning = relative
+    if turning_from is not start:
+        turning = plan.board.join(f"{turning_from.name}{tip.name}", turning_from, tip, "tangential part")
+    plan.readings[link] = Reading(arm(plan, link), turning)

@@ -1,0 +1,105 @@
+"""Dyad of kind 3, RPR (ВПВ): a stone in a slotted link; the shaper's slotted lever (book figures 6.9, 6.12)."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from geometry.board import Mark
+from geometry.meet import Sizes
+from plans.linkage.groups import guide
+from plans.linkage.plan import Image, Plan, Reading
+from plans.model.structure import Dyad
+
+if TYPE_CHECKING:
+    from plans.forces.cut import Cut
+    from plans.forces.force import ForcePlan
+
+
+def positions(plan: Plan, dyad: Dyad, side: Sizes) -> None:
+    """Direct the slot from C through the pin A; side +1 where A lies ahead of C along the slot (M3.7, kind 3)."""
+    (a, c), slide = _outer(plan, dyad), dyad.slide()
+    left = [guide.offset(plan, slide, dyad.links[end], dyad.hinge(end)).left for end in (0, 1)]
+    slot = plan.board.tangent(
+        f"u{slide.owner}", c, a, left[0] - left[1], side, f"the slot of link {slide.owner} holds the pin {a.name}"
+    )
+    plan.units[guide.key(slide)] = slot
+    for end, pin in enumerate((a, c)):
+        link = plan.mechanism.links[dyad.links[end]]
+        way = slide.way(link.number)
+        plan.images[link.number] = Image(pin, slot, link.points[dyad.hinge(end)], way.direction)
+
+
+def velocities(plan: Plan, dyad: Dyad) -> None:
+    """Meet the slip along the slot from a with the turning about C, square to CA, in a3 (M3.4)."""
+    board, (a, c), slide = plan.board, _outer(plan, dyad), dyad.slide()
+    reach, slot = _reach(plan, dyad), plan.carry(guide.direction(plan, slide, slide.owner))
+    along = board.parallel(f"∥{slot.name}", a, slot, "slip along the slot")
+    around = board.square(f"⊥{reach.name}", c, reach, f"turning about {dyad.hinge(1)}")
+    under = board.meet(_under(plan, dyad), along, around, why=f"the point of link {dyad.links[1]} under the pin")
+    guide.slip(plan, slide, along, under, dyad.hinge(0))
+    turning = board.join(f"{c.name}{under.name}", c, under)
+    _keep(plan, dyad, (a, c), board.similar(f"{slot.name}'", turning, reach, slot, why="the slot turns with link"))
+    for link in dyad.links:
+        plan.readings[link] = Reading(reach, turning)
+
+
+def accelerations(plan: Plan, dyad: Dyad) -> None:
+    """Lay Coriolis off from a and the normal part from c, then meet along the slot and square to CA in a3 (M3.4)."""
+    board, (a, c), slide = plan.board, _outer(plan, dyad), dyad.slide()
+    reach, slot = _reach(plan, dyad), guide.direction(plan, slide, slide.owner)
+    spun = guide.unit(plan.velocities, slide, slide.owner)
+    k = guide.coriolis(plan, slide, a, slot, spun, plan.written.coriolis(dyad.hinge(0), dyad.links[1]))
+    turning = plan.carry(plan.velocities.readings[dyad.links[1]].turning)
+    name = plan.written.normal(_under(plan, dyad).upper())
+    part = board.similar(f"a^{name}", turning, reach, turning, why=f"normal part: v squared over {reach.name}")
+    n = board.lay_off(name, c, part, "directed to the centre of rotation")
+    along = board.parallel(f"∥{slot.name}", k, plan.carry(slot), "slip along the slot")
+    around = board.square(f"⊥{reach.name}", n, reach, "tangential part")
+    under = board.meet(_under(plan, dyad), along, around, why=f"the point of link {dyad.links[1]} under the pin")
+    whole = board.join(f"{c.name}{under.name}", c, under)
+    _keep(plan, dyad, (a, c), board.similar(f"{slot.name}''", whole, reach, plan.carry(slot), why="similarity"))
+    tangential = board.join(f"{n.name}{under.name}", n, under, "tangential part")
+    for link in dyad.links:
+        plan.readings[link] = Reading(reach, tangential)
+
+
+def forces(plan: ForcePlan, dyad: Dyad) -> Cut:
+    """Find the pin's part along the slot, then the one square to it by moments about C, and close in C (M5.4)."""
+    from plans.forces import polygon as statics  # noqa: PLC0415  (only a force plan pays for it)
+
+    part = statics.along_slot(plan, dyad)
+    across = statics.across_slot(plan, dyad, part)
+    laid, inner = statics.laid(plan, dyad, part, across and across.found)
+    name = statics.name_of(dyad, 1)
+    pivot = statics.support(
+        plan, (dyad.hosts[1], dyad.links[1]), dyad.hinge(1), plan.board.join(name, laid.end, laid.start, "closing side")
+    )
+    pin = statics.pressed(plan, dyad, laid, across, part)
+    slotted = statics.slotted(plan, dyad, statics.cut_at(plan, dyad, laid.start, inner), pin)
+    supports = [pin, pivot]
+    return statics.cut(plan, dyad, supports, slotted, [across], (*laid.sides, statics.closing(name, laid)))
+
+
+def _outer(plan: Plan, dyad: Dyad) -> tuple[Mark, Mark]:
+    return plan.point(dyad.hinge(0)), plan.point(dyad.hinge(1))
+
+
+def _under(plan: Plan, dyad: Dyad) -> str:
+    """Name the point of the pivoted link that lies under the pin, such as a3."""
+    return plan.written.under(dyad.hinge(0), dyad.links[1])
+
+
+def _reach(plan: Plan, dyad: Dyad) -> Mark:
+    """Carry the vector from the pivot C to the pin A, drawn once on the plan of positions."""
+    base = plan.positions
+    if dyad.links not in base.reaches:
+        a, c = _outer(base, dyad)
+        base.reaches[dyad.links] = base.board.join(f"{c.name}{a.name}", c, a, "from the pivot to the pin")
+    return plan.carry(base.reaches[dyad.links])
+
+
+def _keep(plan: Plan, dyad: Dyad, pins: tuple[Mark, Mark], slot: Mark) -> None:
+    plan.units[guide.key(dyad.slide())] = slot
+    for link, pin in zip(dyad.links, pins, strict=True):
+        base = plan.positions.images[link]
+        plan.images[link] = Image(pin, slot, base.at, base.span)

@@ -1,0 +1,65 @@
+"""Dyad of kind 2, RRP (ВВП): a rod and a slider; the slider-crank's connecting rod and piston (book figure 6.12)."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from geometry.meet import Sizes
+from plans.linkage.groups import guide, lead
+from plans.linkage.plan import Plan
+from plans.model.structure import Dyad
+
+if TYPE_CHECKING:
+    from plans.forces.cut import Cut
+    from plans.forces.force import ForcePlan
+
+
+def positions(plan: Plan, dyad: Dyad, side: Sizes) -> None:
+    """Notch the guide by the arc |AB| about A; side +1 takes the meeting ahead of A's foot along the guide (M1.6)."""
+    board, a, name = plan.board, plan.point(dyad.hinge(0)), dyad.pin
+    left = guide.offset(plan, dyad.slide(1), dyad.links[1], name).left
+    along = guide.line(plan, dyad.slide(1), dyad.hosts[1], left)
+    arc = board.arc(f"{a.name}{name}", a, abs(lead.vector(plan, dyad, 0)), f"|{a.name}{name}|")
+    b = plan.name(name, board.meet(name, along, arc, side, f"{name} is |{a.name}{name}| from {a.name}, on the guide"))
+    lead.placed(plan, dyad, 0, a, b)
+    guide.ride(plan, dyad, 1, b, plan.mechanism.links[dyad.links[1]].points[name])
+
+
+def velocities(plan: Plan, dyad: Dyad) -> None:
+    """Meet the velocity of B about A, square to AB, with that along the guide (M3.3)."""
+    a, slide = plan.point(dyad.hinge(0)), dyad.slide(1)
+    along = guide.sliding_line(plan, slide, dyad.hosts[1], plan.positions.point(dyad.pin))
+    b = lead.met(plan, dyad.pin, along, lead.about(plan, dyad.links[0], a))
+    guide.slip(plan, slide, along, b, dyad.pin)
+    lead.turned(plan, dyad.links[0], a, a, b)
+    guide.ride(plan, dyad, 1, b, plan.positions.images[dyad.links[1]].at)
+
+
+def accelerations(plan: Plan, dyad: Dyad) -> None:
+    """Meet the tangential part, square to AB on the normal one, with the guide's line on Coriolis (M3.3)."""
+    a = plan.point(dyad.hinge(0))
+    n = lead.normal(plan, dyad.links[0], a, (dyad.hinge(0), dyad.pin))
+    along = guide.coriolis_line(plan, dyad.slide(1), dyad.hosts[1], plan.positions.point(dyad.pin))
+    b = lead.met(plan, dyad.pin, along, lead.about(plan, dyad.links[0], n))
+    lead.turned(plan, dyad.links[0], a, n, b)
+    guide.ride(plan, dyad, 1, b, plan.positions.images[dyad.links[1]].at)
+
+
+def forces(plan: ForcePlan, dyad: Dyad) -> Cut:
+    """Find the tangential part by moments about B, then close along the rod and square to the guide (M5.3)."""
+    from plans.forces import polygon as statics  # noqa: PLC0415  (only a force plan pays for it)
+
+    board, (rod, slider) = plan.board, dyad.links
+    equation = statics.tangential(plan, dyad, 0)
+    part = equation and equation.found
+    laid, inner = statics.laid(plan, dyad, part)
+    lead, along = statics.lead_of(plan, dyad, 0), statics.guide_of(plan, dyad, 1)
+    lines = (
+        board.parallel(f"∥{lead.name}", laid.start, lead, f"the normal part runs along {lead.name}"),
+        board.square(f"⊥{along.name}", laid.end, along, "a guide presses square to itself"),
+    )
+    names = statics.normal_name(dyad, 0, part), statics.name_of(dyad, 1)
+    closed = statics.closed(plan, laid, names, lines)
+    pin = statics.support(plan, (slider, rod), dyad.pin, statics.cut_at(plan, dyad, closed.corner, inner))
+    supports = [statics.hinged(plan, dyad, 0, closed, part), statics.guided(plan, dyad, 1, closed, pin)]
+    return statics.cut(plan, dyad, supports, pin, [equation], closed.polygon)

@@ -1,0 +1,71 @@
+"""Dyad of kind 1, RRR (ВВВ): two links, three hinges; the four-bar's coupler and rocker (book figure 6.12)."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from geometry.board import Mark
+from geometry.meet import Sizes
+from plans.linkage.groups import lead
+from plans.linkage.plan import Plan
+from plans.model.structure import Dyad
+
+if TYPE_CHECKING:
+    from plans.forces.cut import Cut
+    from plans.forces.force import ForcePlan
+
+
+def positions(plan: Plan, dyad: Dyad, side: Sizes) -> None:
+    """Place B by two notches, |AB| from A and |CB| from C, on the chosen side of the ray AC (метод засечек, M1.1)."""
+    board, (a, c), name = plan.board, _outer(plan, dyad), dyad.pin
+    arcs = [
+        board.arc(f"{start.name}{name}", start, abs(lead.vector(plan, dyad, end)), f"|{start.name}{name}|")
+        for end, start in enumerate((a, c))
+    ]
+    why = f"{name} is |{a.name}{name}| from {a.name} and |{c.name}{name}| from {c.name}"
+    b = plan.name(name, board.meet(name, arcs[0], arcs[1], side, why))
+    lead.placed(plan, dyad, 0, a, b)
+    lead.placed(plan, dyad, 1, c, b)
+
+
+def velocities(plan: Plan, dyad: Dyad) -> None:
+    """Meet the velocity of B about A, square to AB, with that about C, square to CB (M3.2)."""
+    a, c = _outer(plan, dyad)
+    b = lead.met(plan, dyad.pin, lead.about(plan, dyad.links[0], a), lead.about(plan, dyad.links[1], c))
+    lead.turned(plan, dyad.links[0], a, a, b)
+    lead.turned(plan, dyad.links[1], c, c, b)
+
+
+def accelerations(plan: Plan, dyad: Dyad) -> None:
+    """Lay off the normal parts towards A and C, then meet the tangential ones, square to AB and CB (M3.2)."""
+    starts = _outer(plan, dyad)
+    ends = [
+        lead.normal(plan, link, start, (dyad.hinge(end), dyad.pin))
+        for end, (link, start) in enumerate(zip(dyad.links, starts, strict=True))
+    ]
+    b = lead.met(plan, dyad.pin, lead.about(plan, dyad.links[0], ends[0]), lead.about(plan, dyad.links[1], ends[1]))
+    for link, start, end in zip(dyad.links, starts, ends, strict=True):
+        lead.turned(plan, link, start, end, b)
+
+
+def forces(plan: ForcePlan, dyad: Dyad) -> Cut:
+    """Find the tangential parts by moments about B, then close the polygon along both leads (M5.2)."""
+    from plans.forces import polygon as statics  # noqa: PLC0415  (only a force plan pays for it)
+
+    board, (first, second) = plan.board, dyad.links
+    equations = [statics.tangential(plan, dyad, end) for end in (0, 1)]
+    parts = [one and one.found for one in equations]
+    laid, inner = statics.laid(plan, dyad, parts[0], last=parts[1])
+    lines = [
+        board.parallel(f"∥{lead.name}", start, lead, f"the normal part runs along {lead.name}")
+        for lead, start in ((statics.lead_of(plan, dyad, 0), laid.start), (statics.lead_of(plan, dyad, 1), laid.end))
+    ]
+    names = [statics.normal_name(dyad, end, parts[end]) for end in (0, 1)]
+    closed = statics.closed(plan, laid, (names[0], names[1]), (lines[0], lines[1]))
+    supports = [statics.hinged(plan, dyad, end, closed, parts[end]) for end in (0, 1)]
+    pin = statics.support(plan, (second, first), dyad.pin, statics.cut_at(plan, dyad, closed.corner, inner))
+    return statics.cut(plan, dyad, supports, pin, equations, closed.polygon)
+
+
+def _outer(plan: Plan, dyad: Dyad) -> tuple[Mark, Mark]:
+    return plan.point(dyad.hinge(0)), plan.point(dyad.hinge(1))

@@ -1,0 +1,68 @@
+"""The letters of a velocity or an acceleration plan: small ones of points, those of parts; no two are the same (буквы).
+
+The poles are p and π: a point named P has the letter p'.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from plans.model.mechanism import FRAME, Mechanism
+
+POLES = {"positions": "datum", "velocities": "p", "accelerations": "π"}
+Sliding = tuple[int, int]  # a sliding pair by its two links
+
+
+class Letters:
+    """How the plans of a mechanism letter its points, those that lie under them, and ends of normal and Coriolis parts.
+
+    A letter that another point or a pole has gets a prime.
+    """
+
+    def __init__(self, mechanism: Mechanism) -> None:
+        named = dict.fromkeys(point for link in mechanism.links.values() for point in link.points)
+        self._small: dict[str, str] = {}
+        # A point that is named by a small letter keeps it, and one with a prime its own: P' is p', so P is p''.
+        for point in sorted(named, key=lambda name: (name != name.lower(), -len(name))):
+            self._small[point] = apart(point.lower(), {*POLES.values(), *self._small.values()})
+        self._taken = {*POLES.values(), *self._small.values()}
+        self._pins: dict[Sliding, str] = {}
+
+    def small(self, point: str) -> str:
+        """Write a point's letter small: B as b."""
+        return self._small[point] if point in self._small else apart(point.lower(), self._taken)
+
+    def under(self, point: str, link: int) -> str:
+        """Name the point of a link that lies under another's, such as a3; a_(3) where a point A3 has that letter."""
+        small = self.small(point)
+        return f"{small}_({link})" if f"{small}{link}" in self._taken else f"{small}{link}"
+
+    def normal(self, tip: str, about: str = "") -> str:
+        """Name the end of the normal part of a tip's acceleration about a point: n_BA, or about one at rest n_B."""
+        return apart(f"n_{tip}{about}", self._taken)
+
+    def slides(self, pair: Sliding, pin: str) -> None:
+        """Keep the pin whose velocity along its guide a sliding pair gives."""
+        self._pins[pair] = pin
+
+    def coriolis(self, pin: str, host: int) -> str:
+        """Name the end of a pin's Coriolis part: k_A; k_A3 over link 3 where the pin has such parts over several."""
+        several = sum(one == pin and FRAME not in pair for pair, one in self._pins.items()) > 1
+        return apart(f"k_{pin}{host}" if several else f"k_{pin}", self._taken)
+
+    def own(self, symbol: str, link: int) -> str:
+        """Name a point that a link has besides its named ones, such as n3."""
+        lettered = {self.small(point) + str(link) for point in self._small}
+        return f"{symbol}_({link})" if f"{symbol}{link}" in lettered | self._taken else f"{symbol}{link}"
+
+
+def apart(letter: str, taken: Iterable[str]) -> str:
+    """Give a letter that is not among those taken, with as many primes as it needs.
+
+    >>> apart("p", ["p", "p'"])
+    "p''"
+    """
+    known = set(taken)
+    while letter in known:
+        letter += "'"
+    return letter

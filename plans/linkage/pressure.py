@@ -1,0 +1,123 @@
+"""Pressure angles of groups and their interval over the turn (угол давления, угол передачи; M1.3)."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+from weakref import WeakKeyDictionary
+
+import numpy as np
+
+from plans.linkage.assembly_limits import FAN, LOOKS, NODES, Sweep
+from plans.linkage.plan import Plan
+from plans.model.motion import Floats
+from plans.model.structure import Dyad
+
+
+class Interval(NamedTuple):
+    """The interval of a group's pressure angle over the turn, rad, and the crank angles of its ends."""
+
+    low: float
+    high: float
+    at_low: float
+    at_high: float
+
+
+# The intervals of a sweep's groups over the nodes last asked for: the sheet and the report both tell them.
+_FOUND: WeakKeyDictionary[Sweep, tuple[Floats | None, list[Interval]]] = WeakKeyDictionary()
+
+
+@np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside
+def pressure(plan: Plan, group: Dyad) -> Floats:
+    """Read off the plan of positions a group's signed pressure angle, rad, at every position (угол давления, M1.3).
+
+    It stands between the force on the driven link and the velocity of its point over what guides it: RRR: 90 degrees
+    less the transmission angle ABC; RRP: the rod's inclination to the guide; RPR: the pivot's arm to the slot; PRP and
+    RPP: one line to the square of the other.
+    """
+    match group.kind:
+        case "RRR":
+            arms = [plan.images[link].arm for link in group.links]
+        case "RRP":
+            return _inclination(plan, group)
+        case "RPR":
+            return _lag(plan, group)
+        case _:
+            return _crossing(plan, group)
+    ab, cb = (np.asarray(arm.point) for arm in arms if arm is not None)
+    return np.asarray(np.pi / 2 - np.abs(np.angle(ab / cb)))
+
+
+def _inclination(plan: Plan, group: Dyad) -> Floats:
+    """A rod's inclination to its guide: the acute angle, signed by the sense from the guide to the rod."""
+    rod, slide = plan.images[group.links[0]].arm, group.slide(1)
+    unit = plan.units[slide.slider, slide.owner]
+    assert rod is not None and unit is not None  # every link has an arm on the plan of positions
+    turned = np.asarray(rod.point) / np.asarray(unit.point)
+    return np.asarray(np.arctan2(turned.imag, np.abs(turned.real)))
+
+
+def _lag(plan: Plan, group: Dyad) -> Floats:
+    """The angle between a slot and the arm from its link's pivot to the pin."""
+    slide = group.slide()
+    unit = plan.units[slide.slider, slide.owner]
+    a, c = (plan.point(group.hinge(end)) for end in (0, 1))
+    assert unit is not None  # a slot has a direction on the plan of positions
+    turned = (np.asarray(a.point) - np.asarray(c.point)) / np.asarray(unit.point)
+    return np.asarray(np.arctan2(turned.imag, np.abs(turned.real)))
+
+
+def _crossing(plan: Plan, group: Dyad) -> Floats:
+    """90 degrees less the angle between the two lines of a group with two sliding pairs."""
+    slides = [joint for joint in (*group.outer, group.inner) if not isinstance(joint, str)]
+    units = [plan.units[slide.slider, slide.owner] for slide in slides]
+    first, second = (np.asarray(unit.point) for unit in units if unit is not None)
+    turned = first / second
+    return np.asarray(np.arctan2(turned.real, np.abs(turned.imag)))
+
+
+def interval(sweep: Sweep, group: Dyad, nodes: Floats | None = None) -> Interval:
+    """Find the interval of a group's pressure angle (M1.3) over crank angles close to each other, or over a turn."""
+    known = _FOUND.get(sweep)
+    if known is None or known[0] is not nodes:
+        phi = np.linspace(0.0, 2 * np.pi, NODES + 1) if nodes is None else nodes
+        known = _FOUND[sweep] = nodes, _intervals(sweep, phi)
+    return known[1][sweep.groups.index(group)]
+
+
+def _intervals(sweep: Sweep, nodes: Floats) -> list[Interval]:
+    """Find the intervals of all groups at once: each look draws one plan of positions for all their ends."""
+
+    def seen(angles: Floats) -> Floats:
+        plan = sweep.plan(angles)
+        found = [np.broadcast_to(pressure(plan, group), angles.shape) for group in sweep.groups]
+        return np.asarray(np.repeat(found, 2, axis=0) * np.tile((1.0, -1.0), len(found))[:, None])
+
+    if not nodes.size:
+        return [Interval(*4 * (float("nan"),))] * len(sweep.groups)
+    ends = [_Least(nodes, values) for values in seen(nodes)]
+    for _ in range(LOOKS):
+        fans = np.array([np.linspace(end.low, end.high, FAN) for end in ends])
+        values = seen(fans.ravel()).reshape(len(ends), len(ends), FAN)
+        for k, end in enumerate(ends):
+            end.look(fans[k], values[k, k])
+    return [
+        Interval(low.least, -high.least, low.where, high.where) for low, high in zip(ends[::2], ends[1::2], strict=True)
+    ]
+
+
+class _Least:
+    """The least of some values over crank angles, sought at nodes and then between the neighbours of the least one."""
+
+    def __init__(self, nodes: Floats, values: Floats) -> None:
+        self.low, self.high = float(nodes[0]), float(nodes[-1])
+        self.least = self.where = float("nan")
+        self.look(nodes, values)
+
+    def look(self, angles: Floats, values: Floats) -> None:
+        """Look at some angles, and close in on the least."""
+        if np.isnan(values).all():
+            return
+        best = int(np.nanargmin(values))
+        if not values[best] >= self.least:
+            self.least, self.where = float(values[best]), float(angles[best])
+        self.low, self.high = float(angles[max(best - 1, 0)]), float(angles[min(best + 1, len(angles) - 1)])

@@ -1,0 +1,147 @@
+"""The sketch chooses the assembly: the side of every group's meeting, found once and kept (выбор сборки)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from geometry.errors import DraftError
+from plans.linkage.groups.kinds import KINDS
+from plans.linkage.margin import crossing, margins
+from plans.linkage.plan import Plan
+from plans.linkage.position import crank, positions
+from plans.linkage.turn import Turn
+from plans.model.mechanism import Mechanism
+from plans.model.motion import Complexes, Floats
+from plans.model.structure import Dyad
+
+# A hand sketch is trusted to 2 % of the distance between the two assemblies: what hands reach on textbook drawings.
+CLARITY = 0.02
+# Positions that fit a sketch as well as the best but for this share fit it alike: a symmetric mechanism has two, and
+# rounding must not choose between them.
+ALIKE = 1e-9
+
+
+class SketchError(DraftError, ValueError):
+    """A sketch that does not tell one assembly of a group from the other."""
+
+    def __init__(self, message: str, points: tuple[str, ...]) -> None:
+        super().__init__(message)
+        self.points = points
+
+
+class Assembly(NamedTuple):
+    """The sides chosen, and the crank angle, rad, at which the sketch shows the mechanism; None: it has no position."""
+
+    sides: tuple[float, ...]
+    phi: float | None
+
+
+class Choice(NamedTuple):
+    """For one group, over some crank angles: the side nearer to the sketch, how clearly, and the misfit in m2."""
+
+    side: Floats
+    clarity: Floats
+    misfit: Floats
+
+
+def assembly(mechanism: Mechanism, groups: Sequence[Dyad], first: Turn | None, whole: Turn) -> Assembly:
+    """Choose each group's side by the sketch at the first position, or where the first is not known, over a whole turn.
+
+    Where the first position cannot be assembled, or the start is an extreme still to be found, the crank angle at which
+    the mechanism fits the sketch best decides. Raises SketchError where the sketch leaves a group undecided, or where
+    a group has no one place at the first position, as no sketch could tell.
+    """
+    for turn in (first, whole):
+        if turn is None:
+            continue
+        choices = _choices(mechanism, groups, turn)
+        misfit = sum((choice.misfit for choice in choices), np.zeros(len(turn)))
+        if np.isfinite(misfit).any():
+            best = int(np.argmax(misfit <= np.nanmin(misfit) * (1.0 + ALIKE)))
+            sides = [_decided(mechanism, group, c, best) for group, c in zip(groups, choices, strict=True)]
+            return Assembly(_crossed(mechanism, groups, sides, turn.part([best])), float(turn.phi[best]))
+        if turn is first:
+            _out_of_reach(mechanism, groups, choices, turn)
+    # No angle can be assembled: every position is a gap.
+    return Assembly(_crossed(mechanism, groups, [1.0] * len(groups), whole), None)
+
+
+def _crossed(mechanism: Mechanism, groups: Sequence[Dyad], sides: Sequence[float], turn: Turn) -> tuple[float, ...]:
+    """Give a group with one assembly the sign with which its two lines cross: they must not become parallel."""
+    plan = positions(mechanism, groups, sides, turn)
+    turned = [crossing(mark) for mark in margins(plan, groups, sides)[1]]
+    return tuple(
+        side if sine is None else float(np.sign(sine.flat[0])) for side, sine in zip(sides, turned, strict=True)
+    )
+
+
+def _out_of_reach(mechanism: Mechanism, groups: Sequence[Dyad], choices: Sequence[Choice], first: Turn) -> None:
+    """See that a first position without places is out of reach, and not one at which a group has no one place."""
+    plan = positions(mechanism, groups, [choice.side for choice in choices], first)
+    field, marks = margins(plan, groups, [1.0] * len(groups))
+    for group, margin, mark in zip(groups, field[:, 0], marks, strict=True):
+        if margin < 0 and crossing(mark) is None:
+            return
+        if np.isnan(mark.point).any():
+            raise SketchError(
+                f"group {group.label} has no one place at the first position: the lines that meet in {mark.name} fall "
+                "into one there, or are parallel; start from another crank angle",
+                (),
+            )
+
+
+def _choices(mechanism: Mechanism, groups: Sequence[Dyad], turn: Turn) -> list[Choice]:
+    plan, choices = crank(mechanism, turn), []
+    for group in groups:
+        kind, shown = KINDS[group.kind], _shown(mechanism, group)
+        trials = [plan.trial(), plan.trial()]
+        for trial, side in zip(trials, (1.0, -1.0), strict=True):
+            kind.positions(trial, group, side)
+        places = [_places(trial, shown, len(turn)) for trial in trials]
+        choice = _choose(mechanism, shown, places, len(turn))
+        choices.append(choice)
+        kind.positions(plan, group, choice.side)
+    return choices
+
+
+def _shown(mechanism: Mechanism, group: Dyad) -> list[str]:
+    """Give the sketched points of a group's links."""
+    points = {point for link in group.links for point in mechanism.links[link].points}
+    return sorted(points & set(mechanism.sketch))
+
+
+def _places(plan: Plan, shown: list[str], count: int) -> Complexes:
+    if not shown:  # a group that the sketch leaves out still tells whether it can be assembled
+        image = next(reversed(plan.images.values()))
+        arm = image.origin if image.arm is None else image.arm
+        return np.broadcast_to(np.asarray(arm.point), (1, count))
+    return np.array([np.broadcast_to(np.asarray(plan.point(point).point), count) for point in shown])
+
+
+def _choose(mechanism: Mechanism, shown: list[str], places: list[Complexes], count: int) -> Choice:
+    if not shown:
+        finite = np.where(np.isfinite(places[0][0]), 0.0, np.nan)
+        return Choice(np.ones(count), np.zeros(count), finite)
+    rough = np.array([[mechanism.sketch[point]] for point in shown])
+    misfits = [np.sum(np.abs(place - rough) ** 2, axis=0) for place in places]
+    apart = np.sum(np.abs(places[0] - places[1]) ** 2, axis=0)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        clarity = np.where(apart > 0, np.abs(misfits[0] - misfits[1]) / apart, 0.0)
+    return Choice(np.where(misfits[1] < misfits[0], -1.0, 1.0), clarity, np.minimum(*misfits))
+
+
+def _decided(mechanism: Mechanism, group: Dyad, choice: Choice, position: int) -> float:
+    if KINDS[group.kind].assemblies > 1 and not choice.clarity[position] >= CLARITY:
+        points = sorted({point for link in group.links for point in mechanism.links[link].points})
+        free = tuple(p for p in points if p not in mechanism.links[0].points and p != mechanism.drive.end)
+        names = " or ".join(free) or " or ".join(points)
+        raise SketchError(
+            f"group {group.label} can be assembled in two ways and the sketch does not tell which: show {names} "
+            "roughly where it is at the first position, well off the line on which both ways meet; "
+            "at a dead centre start from another crank angle",
+            free,
+        )
+    return float(choice.side[position])

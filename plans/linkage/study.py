@@ -1,0 +1,241 @@
+"""A study: a scene with its plans, each made once, when it is first asked for (исследование механизма)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from geometry.errors import ConstructionError
+from plans.linkage import assembly_limits, gaps
+from plans.linkage.assembly_limits import Sweep
+from plans.linkage.barrier import Barrier
+from plans.linkage.drafts import Drafts
+from plans.linkage.extreme import Found, extremes, output
+from plans.linkage.obstruction import obstruction
+from plans.linkage.sketch import Assembly, SketchError, assembly
+from plans.linkage.turn import Turn, even, from_direction, listed
+from plans.model.mechanism import Mechanism, Output, StructureError
+from plans.model.motion import Floats, Gap, Motion
+from plans.model.structure import Dyad, decompose
+from plans.scene.linkage import mechanism_of
+from plans.scene.scene import Scene
+
+Flags = npt.NDArray[np.bool_]
+
+BLOCK = 8000  # positions constructed together: enough to hide the calls, few enough for the processor's cache
+
+# The C library hands memory back to the system, to ask for it again at every block, until it has once seen a piece of
+# this size come and go (32 MiB is the most it heeds); nothing is ever written in it.
+np.empty(2**25 - 2**16, dtype=np.int8)
+
+
+class NoExtreme(ConstructionError):  # noqa: N818  (the exception tree's own word)
+    """A start at an extreme position was asked of an output link that has none."""
+
+
+class Study:
+    """A scene with its mechanism, groups, assembly, turn and plans; nothing is made before it is asked for."""
+
+    def __init__(self, scene: Scene) -> None:
+        self.scene = scene
+        self.made: dict[str, None] = {}  # what was made, in order: the sheet's account of what it left out
+
+    @cached_property
+    def mechanism(self) -> Mechanism:
+        """The mechanism of the scene."""
+        return mechanism_of(self.scene)
+
+    @cached_property
+    def groups(self) -> tuple[Dyad, ...]:
+        """The Assur groups in solving order."""
+        try:
+            return decompose(self.mechanism)
+        except StructureError as error:
+            raise StructureError(f"{self._at('links')}: {error}", error.links, error.found, error.needed) from None
+
+    def _at(self, table: str) -> str:
+        """Say where a table of the mechanism stands in the scene's file."""
+        there = table == "links" or bool(self.scene.mechanism.sketch)
+        line, column = self.scene.place(("mechanism", table) if there else ("mechanism",))
+        return f"{self.scene.file}:{line}:{column}: mechanism.{table}"
+
+    @property
+    def sense(self) -> int:
+        """Sense of rotation: +1 counter-clockwise, -1 clockwise."""
+        return -1 if self.mechanism.drive.omega < 0 else 1
+
+    @cached_property
+    def assembly(self) -> Assembly:
+        """The assembly that the sketch chooses."""
+        first = self.scene.drive.first
+        start = None if first is None else listed([Fraction(first)])
+        try:
+            return assembly(self.mechanism, self.groups, start, self.looks)
+        except SketchError as error:
+            raise SketchError(f"{self._at('sketch')}: {error}", error.points) from None
+
+    @cached_property
+    def looks(self) -> Turn:
+        """Where the mechanism that the sketch shows is sought if it is not at the first position: at whole degrees.
+
+        Of a scene with as many positions at most also at all of them: one may be assembled where no whole degree is.
+        """
+        degrees = even(Fraction(0), 360, 1)
+        if self.scene.drive.first is None or len(self.turn) > len(degrees):
+            return degrees
+        phi = np.concatenate((degrees.phi, self.turn.phi))
+        return Turn(phi, np.concatenate((degrees.directions, self.turn.directions)))
+
+    @cached_property
+    def sweep(self) -> Sweep:
+        """The mechanism with its chosen assembly, ready to be drawn at any crank angle."""
+        sweep = Sweep(self.mechanism, self.groups, self.assembly.sides, self.assembly.phi or 0.0)
+        return sweep.through() if self.mechanism.through and self.assembly.phi is not None else sweep
+
+    @cached_property
+    def barriers(self) -> tuple[Barrier, ...]:
+        """What bars a full turn of the crank."""
+        return self.sweep.barred
+
+    @cached_property
+    def passed(self) -> tuple[Barrier, ...]:
+        """The change points that the linkage is carried through; it has no one velocity in them."""
+        return tuple(barrier for barrier in self.sweep.barriers if self.sweep.passes(barrier))
+
+    @cached_property
+    def output(self) -> Output:
+        """The output link."""
+        return output(self.mechanism, self.groups)
+
+    @cached_property
+    def found(self) -> Found | None:
+        """The output's extreme positions, None where it has none."""
+        self.made.setdefault("extremes")
+        return extremes(self.sweep, self.output)
+
+    @cached_property
+    def turn(self) -> Turn:
+        """All crank positions of the scene."""
+        drive = self.scene.drive
+        if isinstance(drive.positions, tuple):
+            return listed([Fraction(angle) for angle in drive.positions])
+        if drive.first is not None:
+            return even(Fraction(drive.first), drive.positions, self.sense)
+        if self.found is None:
+            raise NoExtreme(f"{self.scene.file}:{self.scene.place(('drive', 'start'))[0]}: {self._no_extreme()}")
+        return from_direction(self.found.directions[0], self.found.extremes.phi[0], drive.positions, self.sense)
+
+    def _no_extreme(self) -> str:
+        if self.assembly.phi is None:
+            return f'drive.start = "extreme", but {obstruction(self.sweep)}'
+        why = obstruction(self.sweep) if self.barriers else "it turns fully or stands still"
+        return (
+            f'drive.start = "extreme", but output link {self.output.link} has no extreme position: {why}. '
+            "Fix: give the first crank angle in degrees, or name another [output]"
+        )
+
+    @cached_property
+    def lost(self) -> npt.NDArray[np.bool_]:
+        """Positions that the mechanism does not reach, or in which it has no one place."""
+        if len(self.turn) <= BLOCK:
+            return self.drafts().lost
+        return np.concatenate([drafts.lost for drafts, _ in self.blocks()])
+
+    def blocks(self) -> Iterator[tuple[Drafts, slice]]:
+        """Give plans block by block, where the positions are more than those of a sheet; they are not kept."""
+        for start in range(0, len(self.turn), BLOCK):
+            part = slice(start, start + BLOCK)
+            yield Drafts(self, self.turn.part(part)), part
+
+    def reached(self, phi: Floats) -> npt.NDArray[np.bool_]:
+        """Tell which crank angles the mechanism reaches from the position that the sketch shows."""
+        if self.assembly.phi is None:
+            return np.zeros(len(phi), dtype=bool)
+        return gaps.reached(phi, self.assembly.phi, self.barriers)
+
+    @cached_property
+    def span(self) -> tuple[float, float]:
+        """Crank angles, rad, between which the drive turns: a whole turn, or what listed angles span."""
+        if isinstance(self.scene.drive.positions, int):
+            return 0.0, 2 * np.pi
+        return float(self.turn.phi.min()), float(self.turn.phi.max())
+
+    @cached_property
+    def met(self) -> tuple[Barrier, ...]:
+        """The barriers within the span of the drive."""
+        low, high = self.span
+        edges = ((b, (b.start - low) % (2 * np.pi), (b.end - low) % (2 * np.pi)) for b in self.barriers)
+        return tuple(b for b, start, end in edges if min(start, end) <= high - low)
+
+    @cached_property
+    def nodes(self) -> Floats:
+        """Crank angles, rad, close to each other, over the part of the drive's span that the mechanism reaches."""
+        low, high = self.span
+        phi = np.linspace(low, high, assembly_limits.NODES + 1)
+        return phi[self.reached(phi)]
+
+    def drafts(self, chosen: slice | Sequence[int] = slice(None)) -> Drafts:
+        """Give the plans over some positions; the plans of the same positions are the same."""
+        key = repr(chosen)
+        if key not in self._drafts:
+            self._drafts[key] = Drafts(self, self.turn.part(chosen))
+        return self._drafts[key]
+
+    @cached_property
+    def _drafts(self) -> dict[str, Drafts]:
+        return {}
+
+    def motion(self, order: int = 2) -> Motion:
+        """Give the motion by construction: order 0 positions, 1 and velocities, 2 and accelerations."""
+        if len(self.turn) <= BLOCK:
+            drafts = self.drafts()
+            drawn = drafts.motion(order)
+            return drawn if drafts.free else self._gapped(drawn, drafts.lost, drafts.unborne, drafts.clear)
+        whole, lost, clear = self._unread(order), np.zeros(len(self.turn), dtype=bool), True
+        blunt = lost.copy()
+        for drafts, part in self.blocks():
+            _filled(whole, drafts.motion(order), part)
+            lost[part], blunt[part] = drafts.lost, drafts.unborne
+            clear = clear and drafts.clear
+        return self._gapped(whole, lost, blunt, clear)
+
+    def _unread(self, order: int) -> Motion:
+        """Rule the table of a long motion; what is the same at all positions takes no room."""
+        phi, one = self.turn.phi, Drafts(self, self.turn.part([0])).motion(order)
+
+        def room(row: npt.NDArray[Any]) -> npt.NDArray[Any]:
+            return np.empty(phi.shape, row.dtype) if row.flags.writeable else np.broadcast_to(row[:1], phi.shape)
+
+        return one.made(phi, room)
+
+    def _gapped(self, drawn: Motion, lost: Flags, blunt: Flags, clear: bool) -> Motion:
+        """Make the positions that are not reached, and what has no value in the rest, named gaps."""
+        if clear and not (lost | blunt).any():
+            return drawn
+        drawn = drawn.own()
+        gone = np.flatnonzero(lost).tolist()
+        named = gaps.of_positions(self.sweep, self.turn.part(gone), gone, self.assembly.phi, self.barriers)
+        for points in drawn.points.values():
+            points.r[lost] = np.nan
+        for links in drawn.links.values():
+            links.angle[lost] = np.nan
+        gaps.forget(drawn, lost)
+        named += gaps.without_velocity(drawn, lost, blunt, (*self.barriers, *self.passed))
+        return replace(drawn, gaps=tuple(sorted(named, key=_number)))
+
+
+def _number(gap: Gap) -> int:
+    return gap.position
+
+
+def _filled(whole: Motion, part: Motion, at: slice) -> None:
+    """Put the motion over a part of the positions into that over them all."""
+    for row, value in zip(whole.rows(), part.rows(), strict=True):
+        if row.flags.writeable:
+            row[at] = value

@@ -1,0 +1,118 @@
+"""The output's travel over the turn: its coordinate, its velocity, and where it rests (перемещение выходного звена)."""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+import numpy as np
+
+from geometry.meet import dot
+from plans.linkage.assembly_limits import FAN, LOOKS, NODES, Sweep, at_angles
+from plans.linkage.turn import Turn
+from plans.model.mechanism import FRAME, Mechanism, Output, Slide
+from plans.model.motion import Floats
+
+# An output slower than this, m/s or rad/s with the crank at 1 rad/s, stands: what is left are roundings of a true zero.
+STILL = 1e-12
+
+
+def frame_slide(mechanism: Mechanism, link: int) -> Slide | None:
+    """Give the slide of a link on the frame, if it has one."""
+    return next((s for s in mechanism.slides if {s.slider, s.owner} == {link, FRAME}), None)
+
+
+class Travel:
+    """The output's coordinate and velocity over the crank angle: along the frame's guide, or the output link's turn."""
+
+    def __init__(self, sweep: Sweep, out: Output) -> None:
+        self.sweep, self.out = sweep, out
+        self.slide = frame_slide(sweep.mechanism, out.link)
+
+    @property
+    def sliding(self) -> bool:
+        """Whether the output slides on the frame."""
+        return self.slide is not None
+
+    def coordinate(self, turn: Turn) -> Floats:
+        """Read off the plan of positions: metres along the guide from its own point, or radians."""
+        seen = self.sweep.motion(turn, 0)
+        if self.slide is None:
+            return seen.links[self.out.link].angle
+        way = self.slide.way(FRAME)
+        return np.asarray(dot(way.direction, seen.points[self._pin(self.slide)].r - way.through))
+
+    def speed(self, turn: Turn) -> Floats:
+        """Read off the velocity plan the output's velocity, or its omega."""
+        seen = self.sweep.motion(turn, 1)
+        if self.slide is None:
+            omega = seen.links[self.out.link].omega
+            assert omega is not None  # velocities were asked for
+            return omega
+        along = seen.points[self._pin(self.slide)].v
+        assert along is not None
+        return np.asarray(dot(self.slide.way(FRAME).direction, along))
+
+    def _pin(self, slide: Slide) -> str:
+        return self.out.point or slide.point
+
+    @cached_property
+    def path(self) -> tuple[Floats, Floats]:
+        """The way over a turn: crank angles rad and the coordinate there, an angle unwrapped."""
+        nodes = 2 * np.pi * np.arange(NODES + 1) / NODES
+        along = self.coordinate(at_angles(nodes))
+        return nodes, along if self.sliding else np.unwrap(along)
+
+    @property
+    def turns_fully(self) -> bool:
+        """Whether a turn of the crank turns the output fully, though it may reverse on the way."""
+        _, along = self.path
+        return not self.sliding and bool(abs(along[-1] - along[0]) > np.pi)
+
+    def rests(self) -> Floats:
+        """Find the crank angles, rad in [0, 2 pi), in which the output stands: its velocity changes sign."""
+        step = 2 * np.pi / NODES
+        nodes = step * np.arange(NODES, dtype=np.float64)
+        speeds = self.speed(at_angles(nodes))
+        none = np.isnan(speeds)  # a change point that the linkage is carried through
+        speeds = np.where(none, (np.roll(speeds, 1) + np.roll(speeds, -1)) / 2, speeds)
+        if not np.abs(speeds).max() > STILL:
+            return np.zeros(0)
+        turns = np.flatnonzero((speeds >= 0) != (np.roll(speeds, -1) >= 0))  # the last node is followed by the first
+        low, high = nodes[turns], nodes[turns] + step
+        for between in self._touches(nodes, speeds):
+            low, high = np.append(low, (between - step, between)), np.append(high, (between, between + step))
+        for _ in range(LOOKS if turns.size else 0):
+            low, high = self._closer(low, high)
+        return np.asarray(np.mod((low + high) / 2, 2 * np.pi))
+
+    def _touches(self, nodes: Floats, speeds: Floats) -> list[float]:
+        """Find where the speed goes through zero and back between two nodes: two rests less than a node apart."""
+        before, after = np.roll(speeds, 1), np.roll(speeds, -1)
+        sign = np.where(speeds >= 0, 1.0, -1.0)
+        bend = sign * (before + after - 2 * speeds)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            dip = np.abs(speeds) - np.where(bend > 0, (after - before) ** 2 / (8 * bend), 0.0)
+        same = (sign * before > 0) & (sign * after > 0) & (np.abs(speeds) <= np.minimum(np.abs(before), np.abs(after)))
+        found = (self._dips(nodes[k], sign[k]) for k in np.flatnonzero(same & (dip < np.abs(speeds) / 2)))
+        return [place for place in found if place is not None]
+
+    def _dips(self, node: float, sign: float) -> float | None:
+        """Close in on the least speed about a node; None if it stays of one sign."""
+        low, high = node - 2 * np.pi / NODES, node + 2 * np.pi / NODES
+        for _ in range(LOOKS):
+            fan = np.linspace(low, high, FAN)
+            speeds = sign * self.speed(at_angles(fan))
+            least = int(np.argmin(speeds))
+            if speeds[least] < 0:
+                return float(fan[least])
+            low, high = fan[max(least - 1, 0)], fan[min(least + 1, FAN - 1)]
+        return None
+
+    def _closer(self, low: Floats, high: Floats) -> tuple[Floats, Floats]:
+        """Look closer at every change of sign between two angles, at all of them together."""
+        fan = np.linspace(low, high, FAN)
+        rising = self.speed(at_angles(fan.ravel())).reshape(fan.shape) >= 0
+        changed = rising != rising[0]
+        change = np.where(changed.any(axis=0), np.argmax(changed, axis=0), FAN - 1)
+        each = np.arange(len(low))
+        return fan[change - 1, each], fan[change, each]

@@ -1,0 +1,113 @@
+"""The crank's turn: its angles as exact directions (деление окружности кривошипа)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+
+import numpy as np
+import numpy.typing as npt
+
+from plans.linkage.angles import heading
+from plans.model.motion import Complexes, Floats
+
+_INT64 = 2**62  # numerators of whole turns stay exact below this
+
+
+@dataclass(frozen=True)
+class Turn:
+    """Crank positions: angles phi, rad, that go on from each other, and the crank's unit directions."""
+
+    phi: Floats
+    directions: Complexes
+
+    def __len__(self) -> int:
+        return len(self.phi)
+
+    @cached_property
+    def headings(self) -> Floats:
+        """The crank angles reduced to (-pi, pi]."""
+        return heading(self.directions)
+
+    def part(self, chosen: slice | Sequence[int]) -> Turn:
+        """Give some of the positions, in the order asked for."""
+        part = Turn(self.phi[chosen], self.directions[chosen])
+        part.__dict__["headings"] = self.headings[chosen]  # reduced once for the whole turn
+        return part
+
+
+def even(start: Fraction, count: int, sense: int) -> Turn:
+    """Divide a turn into `count` equal steps from `start` degrees, in the sense +1 or -1 of rotation.
+
+    >>> even(Fraction(0), 4, +1).directions.tolist()
+    [(1+0j), 1j, (-1+0j), -1j]
+    """
+    start = within(start)
+    denominator = start.denominator * count
+    first, step = start.numerator * count, sense * 360 * start.denominator
+    phi = np.radians(float(start)) + sense * (2 * np.pi / count) * np.arange(count)
+    if abs(first) + 720 * denominator < _INT64:
+        numerators = first + step * np.arange(count, dtype=np.int64)
+        return Turn(phi, directions(numerators, denominator))
+    return from_direction(complex(directions_of([start])[0]), float(np.radians(float(start))), count, sense)
+
+
+def listed(angles: Sequence[Fraction]) -> Turn:
+    """Take crank angles in degrees as the scene lists them, less the whole turns that they have in common.
+
+    Of a list that spans more than a turn each angle is taken within one.
+
+    >>> np.degrees(listed([Fraction(3950), Fraction(3970)]).phi).round(9).tolist()
+    [350.0, 370.0]
+    """
+    least = min(angles, key=abs, default=Fraction(0))
+    wide = max(angles, default=least) - min(angles, default=least) > 360
+    near = [within(angle) if wide else angle - least + within(least) for angle in angles]
+    return Turn(np.radians(np.array([float(angle) for angle in near])), directions_of(near))
+
+
+def within(angle: Fraction) -> Fraction:
+    """Take whole turns off an angle in degrees, exactly: as a float it would lose a digit with every ten of them.
+
+    >>> within(Fraction(100_000)), within(Fraction(-725))
+    (Fraction(280, 1), Fraction(-5, 1))
+    """
+    return angle - 360 * int(angle / 360)
+
+
+def from_direction(first: complex, phi: float, count: int, sense: int) -> Turn:
+    """Divide a turn from a crank direction that a construction has found."""
+    whole = even(Fraction(0), count, sense)
+    return Turn(phi + whole.phi, first * whole.directions)
+
+
+def directions_of(angles: Sequence[Fraction]) -> Complexes:
+    """Give unit directions of angles in degrees, each reduced exactly."""
+    reduced = [angle % 360 for angle in angles]
+    octants = np.array([int(angle // 45) for angle in reduced], dtype=np.int64)
+    rest = [angle % 45 if octant % 2 == 0 else 45 - angle % 45 for angle, octant in zip(reduced, octants, strict=True)]
+    return _place(octants, np.array([float(angle) for angle in rest]))
+
+
+def directions(numerators: npt.NDArray[np.int64], denominator: int) -> Complexes:
+    """Give unit directions of the angles numerators/denominator degrees.
+
+    Reduction to the first octant is exact, so quarter turns are exactly 1, 1j, -1, -1j and dead centres are hit.
+    """
+    eighth = 45 * denominator
+    octants, rest = np.divmod(numerators % (8 * eighth), eighth)
+    rest = np.where(octants % 2 == 0, rest, eighth - rest)
+    return _place(octants, rest / denominator)
+
+
+def _place(octants: npt.NDArray[np.int64], degrees: Floats) -> Complexes:
+    """Turn angles of the first octant, measured from its nearer axis, into directions of all eight."""
+    angle = degrees * (np.pi / 180)
+    near, off = np.cos(angle), np.sin(angle)
+    swapped = (octants % 4 == 1) | (octants % 4 == 2)
+    x, y = np.where(swapped, off, near), np.where(swapped, near, off)
+    left = (octants >= 2) & (octants <= 5)
+    below = octants >= 4
+    return np.where(left, -x, x) + 1j * np.where(below, -y, y)

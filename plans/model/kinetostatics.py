@@ -1,0 +1,173 @@
+"""The forces of a mechanism over its positions, whichever road found them (кинетостатика).
+
+A reaction R_ab is the force of link a on link b. Each pair is told once, of its lower-numbered link on the other, under
+the key "a-b"; the opposite reaction is its negative.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from plans.model.mechanism import FRAME, Mechanism, Slide
+from plans.model.motion import CHANGE_POINT, ORDERS, Complexes, Floats, Gap
+
+if TYPE_CHECKING:
+    from plans.model.structure import Dyad
+
+
+FORCES = "forces"  # the plan of gaps where a machine is assembled, but has no forces; their two reasons
+DEAD_CENTRE, INDETERMINATE = "dead centre", "statically indeterminate"
+# Share of a machine's largest force: less is the rounding of numbers that a scene gives with twelve digits.
+NOTHING = 1e-9
+
+
+class Pair(NamedTuple):
+    """A lower pair as forces see it: the link that gives its reaction, the one that takes it, and their joint.
+
+    `point` is the hinge, or the slider's point that the scene names: there the reaction is told.
+    """
+
+    giver: int
+    taker: int
+    joint: str | Slide
+
+    @property
+    def key(self) -> str:
+        """The pair as it is named: "3-4"."""
+        return f"{self.giver}-{self.taker}"
+
+    @property
+    def point(self) -> str:
+        """The letter of the point at which the reaction is told."""
+        return self.joint if isinstance(self.joint, str) else self.joint.point
+
+
+class Applied(NamedTuple):
+    """A load over the positions: a force N on a point of a link, given by its letter and its place in the link."""
+
+    name: str
+    link: int
+    point: str
+    at: complex
+    force: Complexes
+    useful: bool = True
+
+
+class Twist(NamedTuple):
+    """A moment N*m on a link over the positions."""
+
+    name: str
+    link: int
+    moment: Floats
+    useful: bool = True
+
+
+class Loading(NamedTuple):
+    """All loads over the positions, without weights and inertia (схема нагружения)."""
+
+    forces: tuple[Applied, ...]
+    moments: tuple[Twist, ...]
+
+
+class Reaction(NamedTuple):
+    """A reaction over the positions: force N of the giver on the taker at `r` m, and of a sliding pair its moment.
+
+    The moment N*m is that of the pair about `r`; None of a hinge. `along` is the unit direction of the slide.
+    """
+
+    giver: int
+    taker: int
+    point: str
+    r: Complexes
+    force: Complexes
+    moment: Floats | None = None
+    along: Complexes | None = None
+
+    @property
+    def arm(self) -> Floats | None:
+        """Distance m along the slide from `r` to the reaction's line of action; infinite where but a moment is left."""
+        if self.moment is None or self.along is None:
+            return None
+        across = (self.along.conj() * self.force).imag
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return np.where(self.moment == 0, 0.0, self.moment / across)
+
+
+class Balancing(NamedTuple):
+    """What the drive gives: the moment N*m about the shaft, and where it drives by a force that force N at `r` m."""
+
+    moment: Floats
+    force: Complexes | None = None
+    r: Complexes | None = None
+
+
+def without_forces(gap: Gap) -> str:
+    """Say why a position without velocities has no forces: at a change point links share them in many ways."""
+    return INDETERMINATE if gap.reason == CHANGE_POINT else DEAD_CENTRE
+
+
+@dataclass(frozen=True)
+class Kinetostatics:
+    """All reactions and the balancing moment of a mechanism over its positions; NaN at gaps."""
+
+    by: str  # "construction" or "analysis"
+    phi: Floats
+    reactions: Mapping[str, Reaction]
+    balancing: Balancing
+    gaps: tuple[Gap, ...]
+
+    @property
+    def unanswered(self) -> tuple[Gap, ...]:
+        """The gaps of the forces: those named, and those of the velocities, where there are no forces either."""
+        named = [gap for gap in self.gaps if gap.plan == FORCES]
+        known = {gap.position for gap in named}
+        still = [gap for gap in self.gaps if gap.plan == ORDERS[1] and gap.position not in known]
+        return (*named, *(replace(gap, plan=FORCES, reason=without_forces(gap)) for gap in still))
+
+    @property
+    def size(self) -> float:
+        """The longest arm about the shaft, m, of the pairs over all positions."""
+        return _largest([one.r for one in self.reactions.values()])
+
+    @property
+    def largest(self) -> float:
+        """The largest force N: of the reactions, or of the moments on the longest arm where that is more."""
+        told = self.reactions.values()
+        turning = [one.moment for one in told if one.moment is not None]
+        most = _largest([*turning, self.balancing.moment]) / self.size if self.size else 0.0
+        return max(_largest([one.force for one in told]), most)
+
+    @property
+    def nothing(self) -> tuple[float, float]:
+        """The force N and the moment N*m below which there is none, but rounding of the data that a scene gives."""
+        return NOTHING * self.largest, NOTHING * self.largest * self.size
+
+    def arm(self, key: str) -> Floats | None:
+        """Give the arm m of a sliding pair's reaction: 0 where it bears nothing, NaN where it bears a moment alone."""
+        one, (force, moment) = self.reactions[key], self.nothing
+        if one.arm is None or one.moment is None:
+            return None
+        alone = np.where(np.abs(one.moment) <= moment, 0.0, np.nan)
+        return np.where(np.abs(one.force) <= force, alone, one.arm)
+
+
+def _largest(rows: Sequence[Any]) -> float:
+    return max((float(np.fmax.reduce(np.abs(row), initial=0.0)) for row in rows), default=0.0)
+
+
+def pair(one: int, other: int, joint: str | Slide) -> Pair:
+    """Name a pair: the reaction of its lower-numbered link on the other."""
+    return Pair(min(one, other), max(one, other), joint)
+
+
+def pairs(mechanism: Mechanism, groups: Sequence[Dyad]) -> tuple[Pair, ...]:
+    """Give all lower pairs in solving order; a hinge of several links is told as the groups hang on it."""
+    found = [pair(FRAME, mechanism.drive.link, mechanism.drive.pivot)]
+    for group in groups:
+        found += [pair(*outer) for outer in zip(group.hosts, group.links, group.outer, strict=True)]
+        found.append(pair(*group.links, group.inner))
+    return tuple(found)

@@ -1,0 +1,1 @@
+"""Scenes: a file is read, checked, and made a model of (сцена)."""

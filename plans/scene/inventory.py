@@ -1,0 +1,157 @@
+"""The inventory of a machine (машина): what a scene's masses, loads, drive and friction are in numbers.
+
+Only what asks for forces pays for it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from decimal import Decimal
+from fractions import Fraction
+from math import radians
+
+from plans.linkage.turn import within
+from plans.model.kinetostatics import pairs
+from plans.model.machine import GEAR, Body, Diagram, Force, Machine, Moment, Rubbing, Spring, Transmission
+from plans.model.mechanism import Mechanism
+from plans.model.structure import decompose
+from plans.scene import references
+from plans.scene.faults import Path, SceneError
+from plans.scene.linkage import direction
+from plans.scene.loads import (
+    ForceTable,
+    FrictionTable,
+    GearTable,
+    LoadsTable,
+    MomentTable,
+    PairTable,
+    SpringTable,
+    Vector,
+    holders,
+)
+from plans.scene.scene import Scene
+
+# Letters of a lone useful force against the motion (полезное сопротивление) and of a spring, where the scene has none.
+USEFUL, SPRING = "F_us", "F_s"
+
+
+def machine_of(scene: Scene, mechanism: Mechanism) -> Machine:
+    """Make the machine of a scene; a pair of friction or a hodograph that is told of no reaction is a SceneError."""
+    _check_told(scene, mechanism)
+    loads = scene.loads or LoadsTable()
+    names = iter(letters(loads))
+    return Machine(
+        {
+            link: Body(link, float(mass.mass), float(mass.inertia), mass.place(mechanism.links[link]))
+            for link, mass in scene.masses.items()
+        },
+        gravity(loads.gravity),
+        tuple(_force(next(names), force, mechanism) for force in loads.forces),
+        tuple(_moment(next(names), moment) for moment in loads.moments),
+        tuple(_spring(next(names), spring, mechanism) for spring in loads.springs),
+        _transmission(scene.drive.balancing, scene.drive.gear),
+        _rubbing(scene.friction, mechanism),
+    )
+
+
+def letters(loads: LoadsTable) -> list[str]:
+    """Give the letters of all forces, moments and springs: the scene's own, or F_us, F_D, M_3, F_s made distinct."""
+    against = [force for force in loads.forces if force.against is not None and force.useful]
+    lone = against[0] if len(against) == 1 else None
+    named = [(force.name, USEFUL if force is lone else f"F_{force.point}") for force in loads.forces]
+    named += [(moment.name, f"M_{moment.on}") for moment in loads.moments]
+    named += [(spring.name, SPRING) for spring in loads.springs]
+    taken = {name for name, _ in named if name is not None}
+    found = []
+    for given, name in named:
+        found.append(given or _distinct(name, taken))
+        taken.add(found[-1])
+    return found
+
+
+def _distinct(name: str, taken: set[str]) -> str:
+    """Make a name another than those taken: F_s, F_s1, F_s2."""
+    return next(other for k in range(len(taken) + 1) if (other := f"{name}{k or ''}") not in taken)
+
+
+def gravity(given: Decimal | Vector | None) -> complex:
+    """Give gravity as a vector m/s2: a number is downward, and what is not given is none.
+
+    >>> gravity(Decimal("9.81")), gravity(None), gravity((Decimal(1), Decimal(-2)))
+    (-9.81j, 0j, (1-2j))
+    """
+    if isinstance(given, tuple):
+        return complex(float(given[0]), float(given[1]))
+    return complex(0.0, -float(given)) if given else 0j
+
+
+def _force(name: str, force: ForceTable, mechanism: Mechanism) -> Force:
+    place, (size, course) = mechanism.links[force.on].points[force.point], _sized(force.value, force.direction)
+    table = force.diagram
+    diagram = Diagram(_floats(table.travel), _floats(table.force), _floats(table.back)) if table else None
+    when = force.phase, diagram, _overrun(force.rests), force.stroke or "", force.useful
+    return Force(name, force.on, force.point, place, size, course, *when)
+
+
+def _sized(value: Decimal | Vector | None, angle: Decimal | None) -> tuple[float, complex | None]:
+    """Give the size of a force and its direction: that of its vector or its angle, or none where its motion tells."""
+    if isinstance(value, tuple):
+        force = complex(float(value[0]), float(value[1]))
+        return abs(force), force / abs(force) if force else 1 + 0j
+    return 1.0 if value is None else float(value), None if angle is None else direction(angle)
+
+
+def _floats(values: Iterable[Decimal]) -> tuple[float, ...]:
+    return tuple(map(float, values))
+
+
+def _overrun(rests: Vector) -> tuple[float, float]:
+    return float(rests[0]), float(rests[1])
+
+
+def _moment(name: str, moment: MomentTable) -> Moment:
+    when = moment.phase, _overrun(moment.rests), moment.stroke or "", moment.useful
+    return Moment(name, moment.on, float(moment.value), moment.against is not None, *when)
+
+
+def _spring(name: str, spring: SpringTable, mechanism: Mechanism) -> Spring:
+    points_of = {number: link.points for number, link in sorted(mechanism.links.items())}
+    first, second = (holders(end, points_of)[0] for end in spring.between)
+    start, end = (end if isinstance(end, str) else end.point for end in spring.between)
+    places = points_of[first][start], points_of[second][end]
+    return Spring(name, (first, second), (start, end), places, float(spring.stiffness), float(spring.free))
+
+
+def _transmission(balancing: str, gear: GearTable | None) -> Transmission:
+    if gear is None:
+        return Transmission(balancing)
+    at = within(Fraction(gear.at))
+    return Transmission(GEAR, float(gear.radius), radians(at), radians(gear.pressure_angle))
+
+
+def _rubbing(friction: FrictionTable | None, mechanism: Mechanism) -> dict[str, Rubbing]:
+    """Give each pair its friction: its own, or else that of all; a hinge has a journal, a slide a length."""
+    if friction is None:
+        return {}
+    known = references.joints({n: tuple(link.points) for n, link in mechanism.links.items()}, mechanism.slides)
+    return {name: _of_pair(friction, friction.pairs.get(name, PairTable()), kind) for name, kind in known.items()}
+
+
+def _of_pair(friction: FrictionTable, pair: PairTable, kind: str) -> Rubbing:
+    radius, length = pair.radius or friction.radius, pair.length or friction.length or Decimal(0)
+    coefficient = float(friction.coefficient if pair.coefficient is None else pair.coefficient)
+    return Rubbing(coefficient, float(radius)) if kind == references.HINGE else Rubbing(coefficient, 0.0, float(length))
+
+
+def _check_told(scene: Scene, mechanism: Mechanism) -> None:
+    """See that friction and hodographs name pairs of the groups: of a hinge of three links they hang on two."""
+    rubbing = scene.friction.pairs if scene.friction else ()
+    named: dict[Path, str] = {("friction", "pairs", name): name for name in rubbing}
+    named |= {("sheet", "hodographs", index): name for index, name in enumerate(scene.sheet.hodographs)}
+    if not named:
+        return
+    told = [pair.key for pair in pairs(mechanism, decompose(mechanism))]
+    details = {"suggestion": f"the pairs are {', '.join(told)}"}
+    strange = {path: name for path, name in named.items() if name not in told}
+    if strange:
+        raise SceneError(scene.fault(path, "unknown_pair", name=name, **details) for path, name in strange.items())

@@ -1,0 +1,179 @@
+"""References of a scene (ссылки): masses, loads, friction and the sheet name links, points, pairs and positions."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from decimal import Decimal
+from itertools import combinations, pairwise
+
+from plans.model.mechanism import FRAME, Slide
+from plans.scene.faults import Path
+from plans.scene.loads import MIDDLE, EndTable, ForceTable, LoadsTable, MomentTable, PairTable, SpringTable, holders
+from plans.scene.scene import FORCES
+from plans.scene.survey import Survey, natural
+
+HINGE, SLIDE = "a hinge", "a sliding pair"
+# Whole numbers some of which a comma without a space joins in pairs, while a space follows the others.
+COMMAS = re.compile(r"\[\s*[+-]?\d+(?:,\d+)?(?:\s*,\s+[+-]?\d+(?:,\d+)?)+\s*,?\s*\]")
+ALONE = {"radius": HINGE, "length": SLIDE}  # which kind of pair alone has it
+
+
+def check_references(survey: Survey, slides: tuple[Slide, ...]) -> None:
+    """See that masses, loads, friction and the sheet name links, points, pairs and positions that exist."""
+    _check_places(survey)
+    _check_masses(survey)
+    if survey.scene.loads is not None:
+        _check_loads(survey, survey.scene.loads)
+    whole = len(slides) == len(survey.scene.mechanism.slides)  # else a faulty slide may be the pair that seems to lack
+    if whole and (survey.scene.friction is not None or survey.scene.sheet.hodographs):
+        _check_pairs(survey, joints(survey.points_of, slides))
+    _check_acting(survey)
+    _check_positions(survey)
+    _check_commas(survey)
+
+
+def joints(points_of: Mapping[int, tuple[str, ...]], slides: tuple[Slide, ...]) -> dict[str, str]:
+    """Give the pairs that links may form, each with its kind; a hinge of three links has three of them.
+
+    >>> joints({0: ("O",), 1: ("O", "A"), 2: ("A",), 3: ("A",)}, ())
+    {'0-1': 'a hinge', '1-2': 'a hinge', '1-3': 'a hinge', '2-3': 'a hinge'}
+    """
+    found = {
+        (one, other): HINGE
+        for one, other in combinations(sorted(points_of), 2)
+        if set(points_of[one]) & set(points_of[other])
+    }
+    found |= {(min(slide.slider, slide.owner), max(slide.slider, slide.owner)): SLIDE for slide in slides}
+    return {f"{one}-{other}": found[one, other] for one, other in sorted(found)}
+
+
+def _check_places(survey: Survey) -> None:
+    """See that no point of a link bears the letter of a fixed one."""
+    form = survey.scene.mechanism
+    for name in sorted(form.points.keys() & form.frame.keys(), key=natural):
+        survey.report(("mechanism", "points", name), "two_places", name=name, link=form.points[name].on)
+
+
+def _check_masses(survey: Survey) -> None:
+    for link, mass in survey.scene.masses.items():
+        path: Path = ("masses", str(link))
+        if not survey.know_link(path, link) or not isinstance(mass.centre, str):
+            continue
+        if mass.centre != MIDDLE:
+            survey.on_link((*path, "centre"), link, mass.centre)
+        elif len(survey.scene.mechanism.links[link]) < 2:  # points that have a place of their own come in no order
+            survey.report((*path, "centre"), "no_line", link=link)
+
+
+def _check_loads(survey: Survey, loads: LoadsTable) -> None:
+    for path, load in _loads(loads):
+        known = survey.know_link((*path, "on"), load.on)
+        if known and isinstance(load, ForceTable):
+            survey.on_link((*path, "point"), load.on, load.point)
+        if load.stroke is not None and survey.know((*path, "stroke"), (load.stroke,)):
+            _check_moves(survey, (*path, "stroke"), load.stroke)
+    for index, spring in enumerate(loads.springs):
+        _check_spring(survey, ("loads", "springs", index), spring)
+
+
+def _loads(loads: LoadsTable) -> Iterator[tuple[Path, ForceTable | MomentTable]]:
+    yield from ((("loads", "forces", index), force) for index, force in enumerate(loads.forces))
+    yield from ((("loads", "moments", index), moment) for index, moment in enumerate(loads.moments))
+
+
+def _check_moves(survey: Survey, path: Path, name: str) -> None:
+    if survey.owners((name,))[:1] == [FRAME]:
+        survey.report(path, "fixed_output", name=name)
+
+
+def _check_spring(survey: Survey, path: Path, spring: SpringTable) -> None:
+    """See that each end is a point of one link, and that the links are two."""
+    links = [_end(survey, (*path, "between", k), end) for k, end in enumerate(spring.between)]
+    first, second = (end if isinstance(end, str) else end.point for end in spring.between)
+    if links[0] is not None and links[0] == links[1]:
+        survey.report((*path, "between"), "one_link", link=links[0])
+    elif None not in links and first == second:
+        survey.report((*path, "between"), "one_hinge", name=first)
+
+
+def _end(survey: Survey, path: Path, end: str | EndTable) -> int | None:
+    """Give the link that an end of a spring is of, or nothing where it is at fault."""
+    if isinstance(end, EndTable):
+        moving = end.on != FRAME
+        known = not moving or survey.know_link((*path, "on"), end.on)
+        return end.on if known and survey.on_link((*path, "point"), end.on, end.point) else None
+    if not survey.know(path, (end,)):
+        return None
+    found = holders(end, survey.points_of)
+    if len(found) > 1:
+        survey.report(path, "many_links", links=", ".join(map(str, found)), name=end, first=found[0])
+    return found[0] if len(found) == 1 else None
+
+
+def _check_pairs(survey: Survey, known: Mapping[str, str]) -> None:
+    """See that friction and hodographs name pairs of the mechanism, and that a hinge has no length of contact."""
+    if survey.doubtful(*(("mechanism", name) for name in ("frame", "links", "points", "slides"))):
+        return
+    friction = survey.scene.friction
+    for name, pair in (friction.pairs if friction else {}).items():
+        path: Path = ("friction", "pairs", name)
+        if _know_pair(survey, path, name, known):
+            _check_form(survey, path, pair, known[name])
+    for index, name in enumerate(survey.scene.sheet.hodographs):
+        _know_pair(survey, ("sheet", "hodographs", index), name, known)
+
+
+def _know_pair(survey: Survey, path: Path, name: str, known: Mapping[str, str]) -> bool:
+    if name not in known:
+        advice = f"the pairs are {', '.join(known)}"
+        survey.report(path, "unknown_pair", name=name, suggestion=advice)
+    return name in known
+
+
+def _check_form(survey: Survey, path: Path, pair: PairTable, kind: str) -> None:
+    for name, alone in ALONE.items():
+        if name in pair.given and kind != alone:
+            survey.report((*path, name), "pair_form", thing=alone, name=name, pair=path[-1])
+
+
+def _check_acting(survey: Survey) -> None:
+    """See that something acts on the mechanism where its forces are wanted; masses without weights have inertia."""
+    scene, loads = survey.scene, survey.scene.loads
+    if FORCES not in scene.sheets or survey.doubtful(("masses",), ("loads",)):
+        return
+    loaded = loads is not None and (loads.forces or loads.moments or loads.springs)
+    if not loaded and not any(mass.mass or mass.inertia for mass in scene.masses.values()):
+        survey.report(("sheets",), "nothing_acts")
+
+
+def _check_positions(survey: Survey) -> None:
+    count = survey.scene.drive.count
+    details = {"most": count - 1, "count": count}
+    if survey.doubtful(("drive", "positions")):
+        return
+    for name in ("plans", "forces"):
+        for index, number in enumerate(getattr(survey.scene.sheet, name)):
+            if number >= count:
+                survey.report(("sheet", name, index), "position_number", **details)
+    if (survey.scene.sheet.position or 0) >= count:
+        survey.report(("sheet", "position"), "position_number", **details)
+
+
+def _check_commas(survey: Survey) -> None:
+    """See that a list of crank angles is none of numbers with decimal commas: [0,5, 30,2] reads as four numbers."""
+    path: Path = ("drive", "positions")
+    given = survey.scene.drive.positions
+    if not isinstance(given, tuple) or _one_way(given):
+        return
+    written = survey.scene.fault(path, "comma_list").value
+    pointed = re.sub(r"(?<=\d),(?=\d)", ".", written)
+    meant = [Decimal(part) for part in pointed.strip("[] ,").split(",")] if COMMAS.fullmatch(written) else []
+    if len(meant) < len(given) and meant and _one_way(meant):
+        survey.report(path, "comma_list", written=pointed)
+
+
+def _one_way(angles: Sequence[Decimal]) -> bool:
+    """Tell whether angles only rise or only fall."""
+    steps = [low < high for low, high in pairwise(angles)]
+    return all(steps) or not any(steps)

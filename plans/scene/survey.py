@@ -1,0 +1,137 @@
+"""The survey of a scene: which link has which points, what is in doubt, and the faults found on the way."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from functools import cached_property
+
+from plans.model.mechanism import FRAME
+from plans.scene.faults import SHOWN, TWINS, Fault, Path, suggestion
+from plans.scene.fields import split_line
+from plans.scene.scene import Scene
+
+Pair = frozenset[str]
+
+
+@dataclass
+class Survey:
+    """A scene under examination; `doubts` are paths already at fault, of which nothing more is said."""
+
+    scene: Scene
+    doubts: set[Path] = field(default_factory=set)
+    strays: set[Pair] = field(default_factory=set)  # ends of faulty lengths: perhaps a length that seems to lack
+    faults: list[Fault] = field(default_factory=list)
+
+    def report(self, path: Path, kind: str, /, **details: object) -> None:
+        """Add a fault, unless its place is in doubt already."""
+        if not self.doubtful(path):
+            self.faults.append(self.scene.fault(path, kind, **details))
+
+    def doubtful(self, *paths: Path) -> bool:
+        """Tell whether one of the paths, or something in it or around it, was at fault before."""
+        return any(doubt[: len(path)] == path[: len(doubt)] for doubt in self.doubts for path in paths)
+
+    @cached_property
+    def points_of(self) -> dict[int, tuple[str, ...]]:
+        """The points of each link: those of the frame, the letters, then those of [mechanism.points]."""
+        form = self.scene.mechanism
+        points = {FRAME: tuple(sorted(form.frame, key=natural)), **form.links}
+        for name, placed in sorted(form.points.items(), key=lambda item: natural(item[0])):
+            if placed.on in form.links and name not in points[placed.on]:
+                points[placed.on] = (*points[placed.on], name)
+        return dict(sorted(points.items()))
+
+    @cached_property
+    def names(self) -> frozenset[str]:
+        """All points; also those whose place is at fault."""
+        doubted = {str(path[2]) for path in self.doubts if path[1:2] in (("frame",), ("points",)) and len(path) > 2}
+        return frozenset(doubted.union(*self.points_of.values()))
+
+    @cached_property
+    def names_in_doubt(self) -> bool:
+        """Whether a point may be missing only because the line that names it is at fault."""
+        tables = {("mechanism",), *(("mechanism", name) for name in ("frame", "links", "points"))}
+        return any(doubt in tables or doubt[:2] == ("mechanism", "links") for doubt in self.doubts)
+
+    @cached_property
+    def lengths(self) -> dict[Pair, str]:
+        """The key in [mechanism.lengths] of each pair of points; faulty and second keys are left out."""
+        found: dict[Pair, str] = {}
+        for key in self.scene.mechanism.lengths:
+            path: Path = ("mechanism", "lengths", key)
+            ends = split_line(key)
+            pair = frozenset(ends)
+            if len(ends) != 2 or len(pair) != 2:
+                self.report(path, "two_letters")
+                self.strays.add(pair)
+            elif pair in found:
+                first = found[pair]
+                line, _ = self.scene.place((*path[:2], first))
+                self.report(path, "twice", first=first, line=line)
+            elif self.know(path, ends):
+                found[pair] = key
+            else:
+                self.strays.add(pair)
+        return found
+
+    def may_lack(self, first: str, second: str) -> bool:
+        """Tell whether a length is missing only because a line of [mechanism.lengths] is at fault."""
+        if any({first, second} & stray for stray in self.strays):
+            return True
+        return any(
+            set(split_line(str(doubt[2]))) == {first, second} if len(doubt) > 2 else True
+            for doubt in self.doubts
+            if doubt[:2] in (("mechanism", "lengths"), ("mechanism",))
+        )
+
+    def know(self, path: Path, names: Iterable[str]) -> bool:
+        """See that all these points exist; report those that do not."""
+        unknown = [name for name in names if name not in self.names]
+        if not self.names_in_doubt:
+            for name in unknown:
+                self.report(path, "unknown_point", name=name, suggestion=self._nearest(name))
+        return not unknown
+
+    def _nearest(self, name: str) -> str:
+        if len(self.faults) > SHOWN:
+            return "check the spelling"  # nobody reads it, and comparing a thousand names takes its time
+        otherwise = "the points are " + ", ".join(sorted(self.names, key=natural))
+        return suggestion(name, self.names, otherwise)
+
+    def twin(self, names: Iterable[str], known: Iterable[str]) -> str:
+        """Advise the letter of the other alphabet where a name only looks like a known one; else nothing."""
+        alike = {other.translate(TWINS): other for other in known}
+        found = [name for name in names if alike.get(name.translate(TWINS), name) != name]
+        return suggestion(found[0], alike.values()) if found else ""
+
+    def know_link(self, path: Path, link: int) -> bool:
+        """See that a moving link exists; report it if not."""
+        links = self.scene.mechanism.links
+        if link in links:
+            return True
+        if not self.doubtful(("mechanism", "links")):
+            self.report(path, "unknown_link", link=link, links=", ".join(map(str, sorted(links))))
+        return False
+
+    def on_link(self, path: Path, link: int, name: str) -> bool:
+        """See that a point is one of a known link's points; report it if not."""
+        points = self.points_of[link]
+        if name in points:
+            return True
+        if not self.doubtful(("mechanism", "links", str(link)), ("mechanism", "points")):
+            advice = suggestion(name, points, f"name a point of link {link}")
+            self.report(path, "not_of_link", link=link, points=", ".join(points), name=name, suggestion=advice)
+        return False
+
+    def owners(self, names: Iterable[str]) -> list[int]:
+        """Give the links that own all these points, in order of number."""
+        wanted = set(names)
+        return [link for link, points in self.points_of.items() if wanted <= set(points)]
+
+
+def natural(name: str) -> tuple[str, int, str]:
+    """Sort A2 before A10."""
+    match = re.fullmatch(r"(\D*)(\d*)(.*)", name, re.DOTALL)
+    return (match[1], int(match[2] or 0), match[3]) if match else (name, 0, "")
