@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from drawings.checks.labelled import SEEN
 from drawings.figures.forces.lever_plan import PLAN
 from drawings.measure.measure import Measured
+from drawings.paper.limits import SEEN
 from plans.checks.force_expected import ExpectedForces, missed
 from plans.model.structure import Dyad
 

@@ -8,12 +8,12 @@ from typing import NamedTuple
 
 from drawings.figures.linkage.vector_plan import written
 from drawings.layout.labels import CELL, CLEAR, NEAR
-from drawings.paper.limits import QUANTUM
-from drawings.paper.strokes import Box, Circle, Group, Leaf, Line, Stroke, Text, bounds
+from drawings.lettering.extent import bounds
+from drawings.paper.limits import QUANTUM, SEEN
+from drawings.paper.strokes import Box, Circle, Group, Leaf, Line, Stroke, Text
 
 GAP = 3.0  # mm, the widest gap at which a label is placed beside its point
 SLACK = 2.0  # mm: letters of images that fall on one place stand at the first of them
-SEEN = 1.0  # mm: two divisions of a ruler's half millimetre; a shorter force has no direction to the eye
 NEAREST = GAP + NEAR[-1] + CLEAR + CELL + SLACK
 
 

@@ -6,9 +6,10 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple, TypeAlias
 
 from drawings.layout.columns import Block
+from drawings.lettering.lettering import text_width
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Group, Line, Stroke, Text, text_width
+from drawings.paper.strokes import Group, Line, Stroke, Text
 
 BAR = "\N{COMBINING MACRON}"
 UNKNOWN, DIRECTION, FULL = 0, 1, 2  # lines under a term: nothing known, its direction only, or all of it

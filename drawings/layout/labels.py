@@ -10,7 +10,8 @@ from typing import TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from drawings.paper.strokes import Arc, Box, Circle, Fill, Group, Line, LineStyle, Polyline, Stroke, Text, bounds
+from drawings.lettering.extent import bounds
+from drawings.paper.strokes import Arc, Box, Circle, Fill, Group, Line, LineStyle, Polyline, Stroke, Text
 
 CELL = 0.5  # mm, the grain of the ink map: finer than a thin line's least distance
 LETTERED = 1000  # of a cell under letters; a line adds 1, and no cell is crossed by so many

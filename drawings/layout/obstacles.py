@@ -10,8 +10,8 @@ from itertools import pairwise
 import numpy as np
 import numpy.typing as npt
 
+from drawings.lettering.extent import bounds as box_of
 from drawings.paper.strokes import TURN, Arc, Circle, Fill, Group, Line, Polyline, Stroke, Text
-from drawings.paper.strokes import bounds as box_of
 from plans.model.motion import Complexes, Floats
 
 SAG = 0.2  # mm that a straight piece may be off the arc that it stands for

@@ -6,9 +6,9 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from drawings.layout.place import Place
 from drawings.page.page import Field
 from drawings.page.scale import Scale, fitting
-from drawings.symbols.figure import Place
 
 RUNGS = 12  # scales tried for a picture: the last is a hundredth of the first, too small for any sheet
 SMALLER = 1 - 1e-9  # of a drawn size: too small for its own scale, and no other scale lies so near

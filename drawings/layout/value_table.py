@@ -7,9 +7,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from drawings.lettering.lettering import text_width
 from drawings.lettering.words import fixed, number, word
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Group, Line, LineStyle, Stroke, Text, text_width
+from drawings.paper.strokes import Group, Line, LineStyle, Stroke, Text
 from plans.checks.compare import Comparison, Finding
 
 # In sizes of the letters: a row, how far a text stands above its row's line, and the least cell.

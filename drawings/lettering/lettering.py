@@ -64,19 +64,19 @@ def demand(texts: Iterable[Text]) -> None:
             raise UnknownLetter(text.plain, lacks)
 
 
-def width(text: Text) -> float:
+def text_width(text: Text) -> float:
     """Give the length of a text along its line of writing in mm, from outer edge to outer edge, lean not counted.
 
-    >>> width(Text(0j, "АТ", 10.0)), width(Text(0j, "ИН", 10.0)), width(Text(0j, "v_2", 10.0))
+    >>> text_width(Text(0j, "АТ", 10.0)), text_width(Text(0j, "ИН", 10.0)), text_width(Text(0j, "v_2", 10.0))
     (14.0, 14.0, 9.9)
     """
     return _line(text.runs, text.size)[1]
 
 
-def reach(text: Text) -> tuple[float, float]:
+def text_reach(text: Text) -> tuple[float, float]:
     """Give how far the ink of a text reaches below and above its line of writing, mm: tails hang, indices stand.
 
-    >>> reach(Text(0j, "НО", 10.0)), reach(Text(0j, "pq", 10.0))
+    >>> text_reach(Text(0j, "НО", 10.0)), text_reach(Text(0j, "pq", 10.0))
     ((0.0, 10.0), (-3.0, 7.0))
     """
     low, high = 0.0, 0.0

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from drawings.lettering.lettering import outline, width
+from drawings.lettering.lettering import outline, text_width
 from drawings.paper.strokes import Group, Leaf, Line, LineStyle, Run, Text
 
 WIDTH, HEIGHT, LEFT, MIDDLE, RIGHT, TOP = 420.0, 297.0, 15.0, 215.0, 405.0, 264.0
@@ -82,7 +82,7 @@ def _guides(text: Text) -> Iterator[Line]:
 def _grid() -> Iterator[Line]:
     """The squares of d under the large letters."""
     d, low = LARGE.size / 10, LARGE.at.imag
-    columns = round(width(LARGE) / d)
+    columns = round(text_width(LARGE) / d)
     for column in range(columns + 1):
         yield Line(complex(LEFT + column * d, low - 3 * d), complex(LEFT + column * d, low + 10 * d), GUIDE)
     for row in range(-3, 11):

@@ -12,7 +12,7 @@ from functools import lru_cache
 
 from drawings.lettering.alphabet import SLANT
 from drawings.lettering.curves import curves
-from drawings.lettering.lettering import letters_of, width
+from drawings.lettering.lettering import letters_of, text_width
 from drawings.paper.limits import REACH
 from drawings.paper.strokes import SheetError, Text
 
@@ -22,7 +22,7 @@ HUNDREDTH = 100  # of a millimetre: a tenth of what a thin line is wide
 def lettering(text: Text, height: float) -> dict[float, str]:
     """Write a text as path data, one path for each width of the pen (mm), y downward from the sheet's `height`."""
     turn = cmath.rect(1, math.radians(text.rotation)) if text.rotation else 1 + 0j
-    start = text.at - {"start": 0.0, "middle": 0.5, "end": 1.0}[text.anchor] * width(text) * turn
+    start = text.at - {"start": 0.0, "middle": 0.5, "end": 1.0}[text.anchor] * text_width(text) * turn
     lean = SLANT if text.slanted else 0.0
     paths: dict[float, str] = {}
     for letter, along, rise, unit in letters_of(text):

@@ -16,7 +16,7 @@ from typing import Any
 from xml.etree import ElementTree
 
 from drawings.lettering.alphabet import GAP
-from drawings.lettering.lettering import index_size, pen, width
+from drawings.lettering.lettering import index_size, pen, text_width
 from drawings.measure.seal import seal
 from drawings.paper.limits import FORMAT
 from drawings.paper.strokes import (
@@ -177,7 +177,7 @@ def _text(stroke: Text, height: float) -> Any:
     before = {"start": -free, "middle": 0.0, "end": free}[stroke.anchor]
     place = _at(("x", "y"), stroke.at + before * cmath.rect(1, math.radians(stroke.rotation)), height)
     own = place | {"font-family": FONTS, "font-size": number(EM * stroke.size), "data-text": plain, "aria-label": plain}
-    if length := width(stroke):
+    if length := text_width(stroke):
         own |= {"textLength": number(round(length + 2 * free, 2)), "lengthAdjust": "spacingAndGlyphs"}
     if stroke.anchor != "start":
         own["text-anchor"] = stroke.anchor

@@ -17,10 +17,11 @@ from drawings.layout.composition import Composed, compose
 from drawings.layout.labels import Ink, Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.trials import Content
+from drawings.lettering.lettering import text_width
 from drawings.lettering.words import word
 from drawings.page.page import Field, Page, page_of
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Group, Leaf, Text, text_width
+from drawings.paper.strokes import Group, Leaf, Text
 from drawings.sheets.choice import plans, position
 from drawings.sheets.notes import measured, notes, written
 from plans.checks.compare import Comparison

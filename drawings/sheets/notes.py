@@ -8,9 +8,10 @@ from collections.abc import Sequence
 import numpy as np
 
 from drawings.layout.footing import Notes
+from drawings.lettering.lettering import text_width
 from drawings.lettering.words import fixed, number, runs, word
 from drawings.page.page import Field
-from drawings.paper.strokes import Group, Stroke, Text, text_width
+from drawings.paper.strokes import Group, Stroke, Text
 from plans.checks.compare import Comparison
 from plans.linkage.pressure import interval
 from plans.linkage.study import Study

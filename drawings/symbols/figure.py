@@ -4,27 +4,12 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from drawings.layout.place import Place
 from drawings.page.scale import Scale
 from drawings.paper.formats import Field
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Circle, Group, Line, LineStyle, Text, numeral, stated
 from drawings.symbols.symbols import arrowhead
-
-
-class Place(NamedTuple):
-    """Where a plan's true values lie on paper: `zero` in true units lies at `origin`, mm."""
-
-    origin: complex
-    zero: complex
-    scale: Scale
-
-    def on(self, value: complex) -> complex:
-        """Give the place on paper of a true value."""
-        return self.origin + (value - self.zero) / self.scale.mu
-
-    def length(self, size: float) -> float:
-        """Give a true length in mm."""
-        return size / self.scale.mu
 
 
 class Subject(NamedTuple):

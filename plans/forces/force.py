@@ -1,4 +1,4 @@
-"""The force plan: groups cut off in the reverse order of their attachment, then the primary link (силовой расчёт).
+"""The force plan: the forces on all links in one position, and what each group takes and hands over (силовой расчёт).
 
 Every reaction is constructed: parts by moments with measured arms, the rest by closing force polygons (book 6.4.5).
 """
@@ -8,18 +8,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from copy import copy
 
-import numpy as np
-
 from geometry.board import Board, Mark
 from plans.forces.cut import INERTIA, LOAD, REACTION, WEIGHT, Couple, Cut, Load, Support, indices
-from plans.forces.primary import primary
-from plans.linkage.groups.kinds import KINDS
 from plans.linkage.plan import Plan
 from plans.linkage.redrawing import remade
 from plans.model.kinetostatics import Loading
 from plans.model.machine import Body, Machine
 from plans.model.mechanism import FRAME
-from plans.model.structure import Dyad
 
 
 class ForcePlan:
@@ -119,16 +114,3 @@ class ForcePlan:
         if support.moment is not None:
             moment = board.turn(f"M_{index}", support.moment, -1.0, why)
             self.couples[support.giver].append(Couple(f"M_{index}", support.giver, moment, REACTION))
-
-
-@np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, and is named outside
-def forces(accelerations: Plan, groups: Sequence[Dyad], machine: Machine, loading: Loading) -> ForcePlan:
-    """Draw the force plan over the acceleration plan, the group attached last first (section 6.4.5, M5.7)."""
-    plan = ForcePlan(accelerations, machine, loading)
-    for group in reversed(groups):
-        cut = KINDS[group.kind].forces(plan, group)
-        plan.cuts.append(cut)
-        for support in cut.supports:
-            plan.hand_over(support)
-    plan.cuts.append(primary(plan))
-    return plan

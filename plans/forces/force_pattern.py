@@ -13,7 +13,8 @@ from geometry.board import behind
 from geometry.meet import UNBORNE
 from geometry.tracing import Tracing
 from plans.forces.cut import Support
-from plans.forces.force import ForcePlan, forces
+from plans.forces.force import ForcePlan
+from plans.forces.groups import forces
 from plans.forces.lever import Lever, lever
 from plans.linkage.groups import guide
 from plans.linkage.pattern import Pattern, resting

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from geometry.board import Mark
 from plans.forces.cut import CLOSING, KNOWN, PART, REACTION, Couple, Cut, Equation, Load, Side, Support, indices
+from plans.forces.force import ForcePlan
 from plans.linkage.groups import guide
 from plans.model.mechanism import Slide
 from plans.model.structure import Dyad
-
-if TYPE_CHECKING:
-    from plans.forces.force import ForcePlan
 
 
 class Chain(NamedTuple):

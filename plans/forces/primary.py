@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 import cmath
-from typing import TYPE_CHECKING
 
 from geometry.board import Mark
 from plans.forces import polygon as statics
 from plans.forces.cut import CLOSING, PART, Cut, Equation, Side, indices
+from plans.forces.force import ForcePlan
 from plans.model.machine import FORCE, GEAR, Transmission
 from plans.model.mechanism import FRAME
-
-if TYPE_CHECKING:
-    from plans.forces.force import ForcePlan
 
 DRIVING, BALANCING = "P_bal", "M_bal"
 NOTHING = "nothing has a moment about the shaft"

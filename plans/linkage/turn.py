@@ -12,6 +12,7 @@ import numpy.typing as npt
 
 from plans.linkage.angles import heading
 from plans.model.motion import Complexes, Floats
+from plans.scene.units import within
 
 _INT64 = 2**62  # numerators of whole turns stay exact below this
 
@@ -66,15 +67,6 @@ def listed(angles: Sequence[Fraction]) -> Turn:
     wide = max(angles, default=least) - min(angles, default=least) > 360
     near = [within(angle) if wide else angle - least + within(least) for angle in angles]
     return Turn(np.radians(np.array([float(angle) for angle in near])), directions_of(near))
-
-
-def within(angle: Fraction) -> Fraction:
-    """Take whole turns off an angle in degrees, exactly: as a float it would lose a digit with every ten of them.
-
-    >>> within(Fraction(100_000)), within(Fraction(-725))
-    (Fraction(280, 1), Fraction(-5, 1))
-    """
-    return angle - 360 * int(angle / 360)
 
 
 def from_direction(first: complex, phi: float, count: int, sense: int) -> Turn:

@@ -10,7 +10,6 @@ from decimal import Decimal
 from fractions import Fraction
 from math import radians
 
-from plans.linkage.turn import within
 from plans.model.kinetostatics import pairs
 from plans.model.machine import GEAR, Body, Diagram, Force, Machine, Moment, Rubbing, Spring, Transmission
 from plans.model.mechanism import Mechanism
@@ -30,6 +29,7 @@ from plans.scene.loads import (
     holders,
 )
 from plans.scene.scene import Scene
+from plans.scene.units import within
 
 # Letters of a lone useful force against the motion (полезное сопротивление) and of a spring, where the scene has none.
 USEFUL, SPRING = "F_us", "F_s"

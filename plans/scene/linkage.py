@@ -12,11 +12,10 @@ from plans.model.mechanism import FRAME, Drive, Link, Mechanism, Output, Slide, 
 from plans.scene.faults import Fault, Path, SceneError, suggestion
 from plans.scene.fields import split_line
 from plans.scene.joining import check_joining
-from plans.scene.notes import RATIO_LIMIT, spread
 from plans.scene.references import check_references
 from plans.scene.scene import FrameLine, Scene, SlideTable
 from plans.scene.shapes import Shaper, Spot, as_complex, line_name
-from plans.scene.survey import Survey, natural
+from plans.scene.survey import RATIO_LIMIT, Survey, natural, spread
 from plans.scene.units import EXACT
 
 ORIGIN: Spot = (Decimal(0), Decimal(0))

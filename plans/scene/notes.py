@@ -7,20 +7,18 @@ from collections.abc import Iterator, Mapping
 from decimal import Decimal
 from itertools import combinations
 from math import pi
-from typing import NamedTuple
 
 from geometry.errors import DraftError
 from plans.model.mechanism import Link, Mechanism
 from plans.scene.faults import TWINS, Fault, Path
 from plans.scene.fields import split_line
+from plans.scene.linkage import mechanism_of
 from plans.scene.loads import DiagramTable, MassTable
 from plans.scene.scene import FORCES, FrameLine, Scene
-from plans.scene.units import WORKING
+from plans.scene.survey import spread
 
 # Lengths in one mechanism that differ more (ratio of longest to shortest) are mostly of two units.
 SPREAD = Decimal(10_000)
-# A fault beyond this ratio: the shortest link moves the longest one by less than half the digits of a number can tell.
-RATIO_LIMIT = Decimal(10_000_000)
 # Metres: links of machines are shorter, and lengths in millimetres are mostly larger numbers.
 METRES = Decimal(20)
 # Where all angles of a list are smaller than a turn in radians, they were perhaps meant so.
@@ -32,26 +30,6 @@ FEW_ANGLES = 3  # a shorter list tells nothing
 EARTH, MOST_EARTHS = Decimal("9.81"), 30
 ROUGH = 1  # rubber on a dry road; a larger coefficient of friction is mostly a lost decimal point
 RADIANS = re.compile(r"""["'].*\b(?:rad|рад)\s*["']""")
-
-
-class Spread(NamedTuple):
-    """The longest and the shortest length of a mechanism, by the names of their keys, and their ratio."""
-
-    longest: str
-    shortest: str
-    ratio: Decimal
-
-
-def spread(lengths: Mapping[str, Decimal]) -> Spread | None:
-    """Compare the longest length with the shortest.
-
-    >>> spread({"OA": Decimal("0.1"), "AB": Decimal(4), "CB": Decimal(2)})
-    Spread(longest='AB', shortest='OA', ratio=Decimal('4E+1'))
-    """
-    if not lengths:
-        return None
-    longest, shortest = max(lengths, key=lambda key: lengths[key]), min(lengths, key=lambda key: lengths[key])
-    return Spread(longest, shortest, WORKING.divide(lengths[longest], lengths[shortest]))
 
 
 def notes_of(scene: Scene, forces: bool = False) -> list[Fault]:
@@ -226,8 +204,6 @@ def _centre(scene: Scene, path: Path, mass: MassTable, link: Link, size: float) 
 
 def _mechanism(scene: Scene) -> Mechanism | None:
     """Give the mechanism, for the shapes of its links; none where the scene has faults, which are told instead."""
-    from plans.scene.linkage import mechanism_of  # noqa: PLC0415  (the linkage rests on notes; only here the other way)
-
     try:
         return mechanism_of(scene)
     except DraftError:

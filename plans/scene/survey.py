@@ -3,15 +3,20 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from decimal import Decimal
 from functools import cached_property
+from typing import NamedTuple
 
 from plans.model.mechanism import FRAME
 from plans.scene.faults import SHOWN, TWINS, Fault, Path, suggestion
 from plans.scene.fields import split_line
 from plans.scene.scene import Scene
+from plans.scene.units import WORKING
 
+# A fault beyond this ratio: the shortest link moves the longest one by less than half the digits of a number can tell.
+RATIO_LIMIT = Decimal(10_000_000)
 Pair = frozenset[str]
 
 
@@ -135,3 +140,23 @@ def natural(name: str) -> tuple[str, int, str]:
     """Sort A2 before A10."""
     match = re.fullmatch(r"(\D*)(\d*)(.*)", name, re.DOTALL)
     return (match[1], int(match[2] or 0), match[3]) if match else (name, 0, "")
+
+
+class Spread(NamedTuple):
+    """The longest and the shortest length of a mechanism, by the names of their keys, and their ratio."""
+
+    longest: str
+    shortest: str
+    ratio: Decimal
+
+
+def spread(lengths: Mapping[str, Decimal]) -> Spread | None:
+    """Compare the longest length with the shortest.
+
+    >>> spread({"OA": Decimal("0.1"), "AB": Decimal(4), "CB": Decimal(2)})
+    Spread(longest='AB', shortest='OA', ratio=Decimal('4E+1'))
+    """
+    if not lengths:
+        return None
+    longest, shortest = max(lengths, key=lambda key: lengths[key]), min(lengths, key=lambda key: lengths[key])
+    return Spread(longest, shortest, WORKING.divide(lengths[longest], lengths[shortest]))

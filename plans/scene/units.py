@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from decimal import Context, Decimal, InvalidOperation
+from fractions import Fraction
 from typing import NamedTuple
 
 from plans.scene.faults import wrong
@@ -235,3 +236,12 @@ def _finite(number: Decimal, kind: Kind) -> Decimal:
     if not SMALLEST <= abs(number) <= LARGEST:
         raise wrong("out_of_range", kind=kind.name, least=str(SMALLEST), most=str(LARGEST), unit=kind.si)
     return number if len(number.as_tuple().digits) <= DIGITS else Context(prec=DIGITS).plus(number)
+
+
+def within(angle: Fraction) -> Fraction:
+    """Take whole turns off an angle in degrees, exactly: as a float it would lose a digit with every ten of them.
+
+    >>> within(Fraction(100_000)), within(Fraction(-725))
+    (Fraction(280, 1), Fraction(-5, 1))
+    """
+    return angle - 360 * int(angle / 360)

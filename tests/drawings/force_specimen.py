@@ -17,16 +17,18 @@ from drawings.layout import value_table
 from drawings.layout.equation import DIRECTION, Passage, Term, forces, moments
 from drawings.layout.labels import Ink, Labels
 from drawings.layout.picture import Margins, Picture, picture
+from drawings.layout.place import Place
 from drawings.layout.shelves import Composed, Content, compose
 from drawings.layout.value_table import Row
 from drawings.lettering.force_words import letter
+from drawings.lettering.lettering import text_width
 from drawings.lettering.words import word
 from drawings.page.page import Page
-from drawings.paper.strokes import Group, Leaf, Line, Stroke, Text, text_width
+from drawings.paper.strokes import Group, Leaf, Line, Stroke, Text
 from drawings.sheets.notes import measured, written
 from drawings.symbols import arms, force_arrow, symbols, transmission
 from drawings.symbols.couples import Couple
-from drawings.symbols.figure import Place, Subject, heading, point
+from drawings.symbols.figure import Subject, heading, point
 from drawings.symbols.force_arrow import ForceArrow
 
 SHAFT, C, A, B, D = 0j, -0.35j, 0.06 + 0.103923j, 0.091729 + 0.343964j, 0.291152 + 0.328786j

@@ -10,11 +10,12 @@ from drawings.figures.graphs.curve_graph import Curve
 from drawings.figures.graphs.hodograph import Hodograph
 from drawings.layout.labels import Ink, Labels
 from drawings.layout.picture import Spot
+from drawings.lettering.extent import bounds
 from drawings.measure.measure import Measured, check, measure
 from drawings.page.page import Field
 from drawings.page.scale import Scale
 from drawings.paper.hand import hand_of
-from drawings.paper.strokes import Group, Leaf, Polyline, Stroke, Text, bounds
+from drawings.paper.strokes import Group, Leaf, Polyline, Stroke, Text
 from drawings.pens.svg import svg
 
 HAND = hand_of("A1")

@@ -5,12 +5,13 @@ import re
 import pytest
 
 from drawings.layout.equation import BAR, DIRECTION, FULL, UNKNOWN, Passage, Term, forces, moments, plain
+from drawings.lettering.extent import bounds
 from drawings.lettering.force_words import FORCES, letter
 from drawings.lettering.lettering import lacking
 from drawings.lettering.words import word
 from drawings.page.page import Field
 from drawings.paper.hand import hand_of
-from drawings.paper.strokes import Group, Line, Text, bounds
+from drawings.paper.strokes import Group, Line, Text
 
 HAND = hand_of("A1")
 LEANS = 1.5  # mm: slanted letters lean past the end of their line, and their tails before its start

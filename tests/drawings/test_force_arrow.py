@@ -6,10 +6,11 @@ import math
 import pytest
 
 from drawings.layout.labels import Ink, Labels
+from drawings.lettering.extent import bounds
 from drawings.measure.measure import check, measure
 from drawings.page.scale import Scale
 from drawings.paper.hand import hand_of
-from drawings.paper.strokes import Arc, Fill, Group, Leaf, Line, Polyline, Text, bounds
+from drawings.paper.strokes import Arc, Fill, Group, Leaf, Line, Polyline, Text
 from drawings.pens.svg import svg
 from drawings.symbols import arms, force_arrow
 from drawings.symbols.arms import Arm

@@ -9,10 +9,11 @@ from drawings.checks.force_marks import polygon_marks
 from drawings.checks.labelled import unlettered
 from drawings.figures.forces.force_polygon import WHOLE, Polygon, Vector, figure, measured, polygon
 from drawings.layout.parallel_offsets import lanes, merging, moved
+from drawings.lettering.extent import bounds
 from drawings.measure.measure import Measured, MeasuredVector, check, measure
 from drawings.page.page import Field
 from drawings.paper.hand import hand_of
-from drawings.paper.strokes import Fill, Group, Line, Text, bounds
+from drawings.paper.strokes import Fill, Group, Line, Text
 from drawings.pens.svg import svg
 from plans.forces.cut import CLOSING, KNOWN
 from tests.drawings.collisions import collisions

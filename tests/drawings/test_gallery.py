@@ -15,10 +15,11 @@ from drawings.files.manifest import read_manifest
 from drawings.gallery import __main__ as command
 from drawings.gallery import index
 from drawings.gallery.catalogue import GALLERY, Entry, catalogue
+from drawings.lettering.extent import bounds
 from drawings.measure.seal import digest, sealed
 from drawings.page.page import page_of
 from drawings.paper.limits import QUANTUM
-from drawings.paper.strokes import Group, Stroke, bounds
+from drawings.paper.strokes import Group, Stroke
 from plans.linkage.study import Study
 from plans.scene.scene import read_scene
 from tests.drawings.collisions import collisions

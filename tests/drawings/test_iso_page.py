@@ -6,10 +6,11 @@ import itertools
 
 import pytest
 
+from drawings.lettering.extent import bounds
 from drawings.lettering.words import word
 from drawings.page.blocks.iso7200 import CELLS, MANDATORY
 from drawings.page.page import Page
-from drawings.paper.strokes import Fill, Line, Polyline, bounds
+from drawings.paper.strokes import Fill, Line, Polyline
 from tests.drawings.pages import (
     ENTRIES,
     apart,

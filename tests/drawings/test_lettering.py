@@ -13,10 +13,11 @@ import pytest
 
 from drawings.lettering import alphabet
 from drawings.lettering.alphabet import FLATNESS, SLANT, gap, glyph
-from drawings.lettering.lettering import SIZES, UnknownLetter, demand, index_size, lacking, outline, width
+from drawings.lettering.extent import bounds
+from drawings.lettering.lettering import SIZES, UnknownLetter, demand, index_size, lacking, outline, text_width
 from drawings.lettering.specimen import LARGE, LETTERS, PHRASES, SIGNS, specimen
 from drawings.lettering.words import WORDS
-from drawings.paper.strokes import LineStyle, Polyline, Run, SheetError, Text, bounds, runs
+from drawings.paper.strokes import LineStyle, Polyline, Run, SheetError, Text, runs
 
 FILE = Path(alphabet.__file__).with_name("alphabet.json")
 RUSSIAN, DIGITS = "АБВГДЕЁЖЗИЙКЛМНОПРСТУФХЦЧШЩЪЫЬЭЮЯ", "0123456789"
@@ -164,7 +165,7 @@ def test_raised_signs_are_raised_letters() -> None:
 def test_anchor_and_rotation_move_the_whole_text(anchor: str) -> None:
     text = "План H_2"
     share = {"start": 0, "middle": 0.5, "end": 1}[anchor]
-    length = width(Text(0j, text, 5.0))
+    length = text_width(Text(0j, text, 5.0))
     turn = cmath.rect(1, math.radians(30))
     moved = drawn(Text(10 + 20j, text, 5.0, anchor, rotation=30))  # type: ignore[arg-type]
     for plain, there in zip(drawn(Text(0j, text, 5.0)), moved, strict=True):
@@ -177,13 +178,13 @@ def test_the_width_is_what_is_drawn(phrase: str, size: float) -> None:
     text = Text(0j, (Run(phrase),), size)
     reach = [point.real for point in drawn(text)]
     assert min(reach) - size / 20 == pytest.approx(0, abs=size / 10)
-    assert max(reach) + size / 20 == pytest.approx(width(text), abs=size / 10)
+    assert max(reach) + size / 20 == pytest.approx(text_width(text), abs=size / 10)
 
 
 def test_words_stand_six_d_apart_and_letters_two() -> None:
-    assert width(Text(0j, "НН", 10.0)) == pytest.approx(6 + 2 + 6)
-    assert width(Text(0j, "Н Н", 10.0)) == pytest.approx(6 + 6 + 6)
-    assert width(Text(0j, "", 10.0)) == 0
+    assert text_width(Text(0j, "НН", 10.0)) == pytest.approx(6 + 2 + 6)
+    assert text_width(Text(0j, "Н Н", 10.0)) == pytest.approx(6 + 6 + 6)
+    assert text_width(Text(0j, "", 10.0)) == 0
 
 
 @pytest.mark.parametrize("pair", ["ГА", "АТ", "ТА", "LT", "AV", "VA", "РА", "АУ", "Го", "To"])
@@ -211,7 +212,7 @@ def test_lacking_letters_are_told_before_drawing() -> None:
         demand([Text(0j, "лёд"), text])
     assert (told.value.text, told.value.lacks) == (text.plain, ("雪", "雨"))
     assert isinstance(told.value, SheetError)
-    for use in (width, outline):
+    for use in (text_width, outline):
         with pytest.raises(UnknownLetter):
             use(text)
 
@@ -222,7 +223,7 @@ def test_accents_are_written_over_letters_in_either_coding() -> None:
     assert glyph("é").strokes[: len(glyph("e").strokes)] == glyph("e").strokes
     assert max(point.imag for point in points("É")) > max(point.imag for point in points("é")) + 2.5
     assert max(point.imag for point in glyph("ї").strokes[0].points) == 6.5  # the dots replace the dot
-    assert width(Text(0j, "oE" + 9 * "\u0301" + "o", 10.0)) == 5 + 2 + 5 + 2 + 5  # a tower of accents
+    assert text_width(Text(0j, "oE" + 9 * "\u0301" + "o", 10.0)) == 5 + 2 + 5 + 2 + 5  # a tower of accents
     assert lacking("x\u0332") == ("x\u0332",)
 
 

@@ -20,7 +20,8 @@ from drawings.paper.hand import Hand, hand_of
 from drawings.paper.strokes import Group, Leaf, Line, Stroke, Text
 from geometry.board import at
 from plans.forces.cut import PART, Cut
-from plans.forces.force import ForcePlan, forces
+from plans.forces.force import ForcePlan
+from plans.forces.groups import forces
 from plans.linkage.study import Study
 from plans.model.kinetostatics import Applied, Loading, Twist
 from plans.model.machine import FORCE, GEAR, Body, Machine, Transmission

@@ -12,10 +12,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from drawings.commands.cli import main
+from drawings.lettering.extent import bounds
 from drawings.lettering.lettering import SIZES, lettered
 from drawings.page.frame import FOLDS
 from drawings.page.page import Field, Page, page_of
-from drawings.paper.strokes import Arc, Circle, Fill, Group, Leaf, Line, Polyline, SheetError, bounds
+from drawings.paper.strokes import Arc, Circle, Fill, Group, Leaf, Line, Polyline, SheetError
 from drawings.pens.svg import svg
 from plans.scene.scene import parse_scene
 from tests.drawings.pages import (

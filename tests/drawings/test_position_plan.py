@@ -18,12 +18,14 @@ from drawings.figures.linkage.position_plan import figure, letters
 from drawings.figures.linkage.skeleton import Skeletons, skeletons
 from drawings.layout.labels import Ink, Labels
 from drawings.layout.picture import Margins, picture
+from drawings.layout.place import Place
+from drawings.lettering.extent import bounds
+from drawings.lettering.lettering import text_width
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Arc, Circle, Fill, Group, Line, Polyline, Stroke, Text, bounds, text_width
+from drawings.paper.strokes import Arc, Circle, Fill, Group, Line, Polyline, Stroke, Text
 from drawings.sheets.kinematics import position
 from drawings.symbols.dashes import DASH_DOT, DASHED
-from drawings.symbols.figure import Place
 from plans.checks.compare import compare
 from plans.linkage.study import Study
 from plans.model.mechanism import FRAME

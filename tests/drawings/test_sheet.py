@@ -9,12 +9,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from drawings.lettering.extent import bounds
 from drawings.lettering.lettering import UnknownLetter, lettered
 from drawings.lettering.specimen import specimen
 from drawings.measure.measure import measure
 from drawings.page.page import Page, page_of
 from drawings.paper.limits import QUANTUM
-from drawings.paper.strokes import Group, Leaf, Line, Stroke, Text, bounds
+from drawings.paper.strokes import Group, Leaf, Line, Stroke, Text
 from drawings.pens.svg import svg
 from drawings.sheets.choice import position
 from drawings.sheets.kinematics import sheet, sheets

@@ -18,7 +18,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from drawings.lettering.alphabet import FLATNESS
-from drawings.lettering.lettering import lettered, outline, width
+from drawings.lettering.extent import bounds
+from drawings.lettering.lettering import lettered, outline, text_width
 from drawings.measure.pathdata import numbers
 from drawings.measure.seal import sealed
 from drawings.paper import strokes
@@ -36,7 +37,6 @@ from drawings.paper.strokes import (
     SheetError,
     Stroke,
     Text,
-    bounds,
 )
 from drawings.pens import svg as pen
 
@@ -157,7 +157,7 @@ def test_levels_are_moved_by_dy_and_returned() -> None:
 def test_text_is_as_long_as_our_own_letters_would_be(content: str) -> None:
     letters = Text(0j, content, 5.0, slanted=True)
     [text] = drawn(letters)
-    assert float(text.get("textLength", "nan")) == pytest.approx(width(letters) + 1, abs=0.005)  # a gap of 2d
+    assert float(text.get("textLength", "nan")) == pytest.approx(text_width(letters) + 1, abs=0.005)  # a gap of 2d
     assert float(text.get("x", "nan")) == -0.5  # half of it before the first letter
     assert (text.get("lengthAdjust"), text.get("font-style")) == ("spacingAndGlyphs", "italic")
     [empty] = drawn(Text(0j, ""))

@@ -5,8 +5,9 @@ import math
 
 import pytest
 
+from drawings.lettering.extent import bounds
 from drawings.paper.hand import hand_of
-from drawings.paper.strokes import Arc, Circle, Line, bounds
+from drawings.paper.strokes import Arc, Circle, Line
 from drawings.symbols.transmission import Gear, coupling, spring
 
 HAND = hand_of("A1")

@@ -11,8 +11,9 @@ import pytest
 
 from plans.checks.compare import compare
 from plans.linkage.study import Study
-from plans.linkage.turn import even, listed, within
+from plans.linkage.turn import even, listed
 from plans.scene.scene import parse_scene
+from plans.scene.units import within
 
 CRANK_ROCKER = (Path(__file__).parent.parent / "catalogue" / "plain.toml").read_text("utf-8")
 

@@ -8,17 +8,19 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.checks.labelled import SEEN
 from drawings.figures.forces.force_letters import REACTION, lettered
 from drawings.figures.linkage.vector_plan import BEYOND, LEAST
 from drawings.layout.labels import Labels
 from drawings.layout.parallel_offsets import APART, Box, Segment, lanes, moved
 from drawings.layout.picture import Margins, Picture, Spot, picture
+from drawings.layout.place import Place
+from drawings.lettering.lettering import text_width
 from drawings.lettering.words import word
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import LEAN, Group, Line, LineStyle, Stroke, Text, text_width
-from drawings.symbols.figure import Place, Subject, heading
+from drawings.paper.limits import SEEN
+from drawings.paper.strokes import LEAN, Group, Line, LineStyle, Stroke, Text
+from drawings.symbols.figure import Subject, heading
 from drawings.symbols.symbols import arrowhead
 from geometry.board import Line as Direction
 from geometry.board import Mark, at, between

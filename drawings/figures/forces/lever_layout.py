@@ -11,11 +11,11 @@ from typing import NamedTuple
 from drawings.figures.forces.force_letters import lettered
 from drawings.figures.linkage.vector_plan import written
 from drawings.layout.parallel_offsets import Segment, merging
+from drawings.layout.place import Place
 from drawings.lettering.force_words import letter as letter_of
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
 from drawings.symbols.arms import Arm
-from drawings.symbols.figure import Place
 from drawings.symbols.force_arrow import ForceArrow, marked
 from drawings.symbols.symbols import ARROW_LENGTH, STAND
 

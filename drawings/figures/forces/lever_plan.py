@@ -27,11 +27,13 @@ from drawings.figures.linkage.vector_plan import LEAST, diagram, written
 from drawings.layout.labels import Labels
 from drawings.layout.parallel_offsets import Segment
 from drawings.layout.picture import Margins, Picture, Spot, picture
+from drawings.layout.place import Place
+from drawings.lettering.lettering import text_width
 from drawings.lettering.words import word
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import LEAN, Circle, Group, Line, LineStyle, Stroke, Text, text_width
+from drawings.paper.strokes import LEAN, Circle, Group, Line, LineStyle, Stroke, Text
 from drawings.symbols.arms import Arm
-from drawings.symbols.figure import Place, Subject, heading, point
+from drawings.symbols.figure import Subject, heading, point
 from drawings.symbols.force_arrow import ForceArrow
 from drawings.symbols.symbols import HINGE, POINT, fixed_hinge
 from geometry.board import Mark, at

@@ -17,12 +17,15 @@ from drawings.figures.linkage.link_numbers import numbered
 from drawings.figures.linkage.vector_plan import written
 from drawings.layout.labels import Labels, free_side
 from drawings.layout.picture import Margins, Picture, Spot, picture
+from drawings.layout.place import Place
+from drawings.lettering.extent import bounds
+from drawings.lettering.lettering import text_width
 from drawings.lettering.words import word
 from drawings.page.page import Field
 from drawings.page.scale import Scale
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Group, Line, Stroke, Text, bounds, text_width
-from drawings.symbols.figure import Place, heading
+from drawings.paper.strokes import Group, Line, Stroke, Text
+from drawings.symbols.figure import heading
 
 __all__ = ["Figure", "Leverage", "Scheme", "figure", "leverages", "measured", "scheme"]
 

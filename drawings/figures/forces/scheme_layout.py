@@ -14,13 +14,14 @@ from drawings.figures.forces.force_letters import REACTION, lettered
 from drawings.figures.forces.scheme import Scheme
 from drawings.figures.linkage.pairs import Joints
 from drawings.layout.obstacles import Drawn
+from drawings.layout.place import Place
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Circle, Group, Line, Stroke
 from drawings.symbols.arms import Arm, to_scale
 from drawings.symbols.couples import HALF, THREE_QUARTERS, Couple
 from drawings.symbols.dashes import fitted
-from drawings.symbols.figure import Place, Subject
+from drawings.symbols.figure import Subject
 from drawings.symbols.symbols import ARROW_LENGTH, BLOCK, MASS, POINT, arrowhead, mass_centre
 from drawings.symbols.transmission import Gear
 

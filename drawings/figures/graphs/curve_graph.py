@@ -11,12 +11,14 @@ import numpy as np
 
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot
+from drawings.layout.place import Place
+from drawings.lettering.lettering import text_width
 from drawings.lettering.words import word
 from drawings.page.scale import Scale, fitting
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import INK, Circle, Group, Line, Polyline, Stroke, Text, text_width
+from drawings.paper.strokes import INK, Circle, Group, Line, Polyline, Stroke, Text
 from drawings.symbols.dashes import fitted
-from drawings.symbols.figure import Place, Subject, heading
+from drawings.symbols.figure import Subject, heading
 from drawings.symbols.symbols import TICK, arrowhead
 from plans.model.motion import Floats
 

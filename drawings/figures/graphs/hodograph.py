@@ -12,9 +12,11 @@ import numpy as np
 from drawings.figures.graphs.curve_graph import stretches
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
+from drawings.layout.place import Place
+from drawings.lettering.lettering import text_width
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import INK, Circle, Group, Polyline, Stroke, Text, text_width
-from drawings.symbols.figure import Place, Subject, heading, point, vector
+from drawings.paper.strokes import INK, Circle, Group, Polyline, Stroke, Text
+from drawings.symbols.figure import Subject, heading, point, vector
 from drawings.symbols.force_arrow import named
 from drawings.symbols.symbols import pole
 from plans.model.motion import Complexes

@@ -8,9 +8,10 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from drawings.layout.labels import Ink
+from drawings.lettering.extent import bounds
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Arc, Group, Line, Stroke, Text, bounds
+from drawings.paper.strokes import Arc, Group, Line, Stroke, Text
 from drawings.symbols.symbols import arrowhead
 from geometry.board import Mark, at
 from geometry.meet import cross

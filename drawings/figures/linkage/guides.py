@@ -7,9 +7,9 @@ import math
 from drawings.figures.linkage.pairs import Pairs
 from drawings.figures.linkage.skeleton import Skeletons
 from drawings.layout.obstacles import Drawn
+from drawings.layout.place import Place
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Line, Stroke
-from drawings.symbols.figure import Place
 from drawings.symbols.symbols import BLOCK, ground, tick
 from drawings.symbols.trimming import trimmed
 from plans.model.mechanism import FRAME, Slide

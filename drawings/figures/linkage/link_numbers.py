@@ -8,8 +8,9 @@ from collections.abc import Iterator
 
 from drawings.figures.linkage.pairs import Joints
 from drawings.layout.labels import Labels
+from drawings.lettering.extent import bounds
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Box, Circle, Group, Stroke, Text, bounds
+from drawings.paper.strokes import Box, Circle, Group, Stroke, Text
 from drawings.symbols.symbols import BLOCK
 
 SHARES = (0.5, 0.4, 0.6, 0.3, 0.7, 0.22, 0.78)  # where along a bar its number may stand

@@ -12,10 +12,11 @@ import numpy as np
 from drawings.figures.linkage.pairs import Pairs
 from drawings.figures.linkage.skeleton import Poses, Skeletons
 from drawings.layout.labels import Labels
+from drawings.layout.place import Place
+from drawings.lettering.lettering import text_width
 from drawings.lettering.words import number
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Stroke, Text, text_width
-from drawings.symbols.figure import Place
+from drawings.paper.strokes import Stroke, Text
 from plans.linkage.barrier import Barrier
 from plans.linkage.travel import frame_slide
 from plans.model.mechanism import FRAME

@@ -14,10 +14,11 @@ import numpy as np
 from drawings.figures.linkage.masses import is_centre
 from drawings.figures.linkage.outlines import Outline, offset_foot, outlines
 from drawings.figures.linkage.skeleton import Bones, Skeletons
+from drawings.layout.place import Place
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Circle, Group, Line, Polyline, Stroke
 from drawings.symbols import symbols
-from drawings.symbols.figure import Place, Subject
+from drawings.symbols.figure import Subject
 from drawings.symbols.symbols import BLOCK, HINGE, MASS, POINT, STONE
 from drawings.symbols.trimming import Mask, trimmed
 from plans.model.mechanism import FRAME, Slide

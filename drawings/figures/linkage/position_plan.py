@@ -18,13 +18,13 @@ from drawings.figures.linkage.trajectories import trajectories
 from drawings.figures.linkage.vector_plan import written
 from drawings.layout.labels import Labels, free_side
 from drawings.layout.obstacles import Drawn
+from drawings.layout.place import Place
 from drawings.paper.formats import Field
 from drawings.paper.hand import Hand
 from drawings.paper.limits import MANY
 from drawings.paper.strokes import Arc, Group, Line, LineStyle, Stroke
 from drawings.symbols import symbols
 from drawings.symbols.dashes import fitted
-from drawings.symbols.figure import Place
 from drawings.symbols.symbols import ARROW_LENGTH
 from drawings.symbols.trimming import trimmed
 from geometry.board import Arc as Notch

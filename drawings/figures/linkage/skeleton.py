@@ -11,7 +11,7 @@ from typing import Protocol
 import numpy as np
 
 from drawings.figures.linkage.masses import unnamed
-from drawings.symbols.figure import Place
+from drawings.layout.place import Place
 from plans.linkage.angles import angle
 from plans.linkage.assembly_limits import NODES
 from plans.linkage.plan import Plan

@@ -9,10 +9,12 @@ from itertools import product
 
 from drawings.figures.linkage.skeleton import Skeletons
 from drawings.layout.obstacles import Drawn
+from drawings.layout.place import Place
+from drawings.lettering.extent import bounds
+from drawings.lettering.lettering import text_reach, text_width
 from drawings.lettering.words import fixed
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Box, Group, Line, Stroke, Text, bounds, text_reach, text_width
-from drawings.symbols.figure import Place
+from drawings.paper.strokes import Box, Group, Line, Stroke, Text
 from drawings.symbols.symbols import ARROW_LENGTH, arrowhead
 from plans.linkage.travel import frame_slide
 

@@ -10,9 +10,9 @@ import numpy as np
 import numpy.typing as npt
 
 from drawings.figures.linkage.skeleton import Skeletons
+from drawings.layout.place import Place
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Arc, Line, LineStyle, Polyline, Stroke
-from drawings.symbols.figure import Place
 from plans.model.mechanism import FRAME
 from plans.model.motion import Complexes, Floats
 

@@ -9,11 +9,13 @@ from dataclasses import dataclass
 from drawings.figures.linkage.coriolis import Turned, placed, turned
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
+from drawings.layout.place import Place
+from drawings.lettering.lettering import text_width
 from drawings.lettering.words import word
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Group, Line, LineStyle, Stroke, Text, text_width
-from drawings.symbols.figure import Place, Subject, heading, point, vector
+from drawings.paper.strokes import Group, Line, LineStyle, Stroke, Text
+from drawings.symbols.figure import Subject, heading, point, vector
 from drawings.symbols.symbols import pole
 from geometry.board import Line as Direction
 from geometry.board import Mark, at, behind

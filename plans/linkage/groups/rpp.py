@@ -2,18 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from geometry.board import Mark
 from geometry.meet import Sizes
 from plans.linkage.groups import guide
 from plans.linkage.plan import Image, Plan
 from plans.model.mechanism import Way
 from plans.model.structure import Dyad
-
-if TYPE_CHECKING:
-    from plans.forces.cut import Cut
-    from plans.forces.force import ForcePlan
 
 
 def positions(plan: Plan, dyad: Dyad, side: Sizes) -> None:
@@ -53,26 +47,6 @@ def accelerations(plan: Plan, dyad: Dyad) -> None:
     along = board.parallel(f"∥{slot.name}", k, plan.carry(slot), "slip along the slot")
     guided = guide.coriolis_line(plan, dyad.slide(1), dyad.hosts[1], plan.positions.point(dyad.hinge(0)))
     _met(plan, dyad, along, guided)
-
-
-def forces(plan: ForcePlan, dyad: Dyad) -> Cut:
-    """Find the pin's part along the slot, then close square to the slot and square to the guide (M5.6)."""
-    from plans.forces import polygon as statics  # noqa: PLC0415  (only a force plan pays for it)
-
-    board = plan.board
-    part = statics.along_slot(plan, dyad)
-    laid, inner = statics.laid(plan, dyad, part)
-    slot, along = statics.slot_of(plan, dyad), statics.guide_of(plan, dyad, 1)
-    lines = (
-        board.square(f"⊥{slot.name}", laid.start, slot, "a slot presses square to itself"),
-        board.square(f"⊥{along.name}", laid.end, along, "a guide presses square to itself"),
-    )
-    names = statics.normal_name(dyad, 0, part), statics.name_of(dyad, 1)
-    closed = statics.closed(plan, laid, names, lines)
-    pin = statics.hinged(plan, dyad, 0, closed, part)
-    slotted = statics.slotted(plan, dyad, statics.cut_at(plan, dyad, closed.corner, inner), pin)
-    supports = [pin, statics.guided(plan, dyad, 1, closed, slotted)]
-    return statics.cut(plan, dyad, supports, slotted, [], closed.polygon)
 
 
 def _met(plan: Plan, dyad: Dyad, along: Mark, guided: Mark) -> Mark:

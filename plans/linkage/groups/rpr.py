@@ -2,17 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from geometry.board import Mark
 from geometry.meet import Sizes
 from plans.linkage.groups import guide
 from plans.linkage.plan import Image, Plan, Reading
 from plans.model.structure import Dyad
-
-if TYPE_CHECKING:
-    from plans.forces.cut import Cut
-    from plans.forces.force import ForcePlan
 
 
 def positions(plan: Plan, dyad: Dyad, side: Sizes) -> None:
@@ -61,23 +55,6 @@ def accelerations(plan: Plan, dyad: Dyad) -> None:
     tangential = board.join(f"{n.name}{under.name}", n, under, "tangential part")
     for link in dyad.links:
         plan.readings[link] = Reading(reach, tangential)
-
-
-def forces(plan: ForcePlan, dyad: Dyad) -> Cut:
-    """Find the pin's part along the slot, then the one square to it by moments about C, and close in C (M5.4)."""
-    from plans.forces import polygon as statics  # noqa: PLC0415  (only a force plan pays for it)
-
-    part = statics.along_slot(plan, dyad)
-    across = statics.across_slot(plan, dyad, part)
-    laid, inner = statics.laid(plan, dyad, part, across and across.found)
-    name = statics.name_of(dyad, 1)
-    pivot = statics.support(
-        plan, (dyad.hosts[1], dyad.links[1]), dyad.hinge(1), plan.board.join(name, laid.end, laid.start, "closing side")
-    )
-    pin = statics.pressed(plan, dyad, laid, across, part)
-    slotted = statics.slotted(plan, dyad, statics.cut_at(plan, dyad, laid.start, inner), pin)
-    supports = [pin, pivot]
-    return statics.cut(plan, dyad, supports, slotted, [across], (*laid.sides, statics.closing(name, laid)))
 
 
 def _outer(plan: Plan, dyad: Dyad) -> tuple[Mark, Mark]:

@@ -2,16 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from geometry.meet import Sizes
 from plans.linkage.groups import guide, lead
 from plans.linkage.plan import Plan
 from plans.model.structure import Dyad
-
-if TYPE_CHECKING:
-    from plans.forces.cut import Cut
-    from plans.forces.force import ForcePlan
 
 
 def positions(plan: Plan, dyad: Dyad, side: Sizes) -> None:
@@ -43,23 +37,3 @@ def accelerations(plan: Plan, dyad: Dyad) -> None:
     b = lead.met(plan, dyad.pin, along, lead.about(plan, dyad.links[0], n))
     lead.turned(plan, dyad.links[0], a, n, b)
     guide.ride(plan, dyad, 1, b, plan.positions.images[dyad.links[1]].at)
-
-
-def forces(plan: ForcePlan, dyad: Dyad) -> Cut:
-    """Find the tangential part by moments about B, then close along the rod and square to the guide (M5.3)."""
-    from plans.forces import polygon as statics  # noqa: PLC0415  (only a force plan pays for it)
-
-    board, (rod, slider) = plan.board, dyad.links
-    equation = statics.tangential(plan, dyad, 0)
-    part = equation and equation.found
-    laid, inner = statics.laid(plan, dyad, part)
-    lead, along = statics.lead_of(plan, dyad, 0), statics.guide_of(plan, dyad, 1)
-    lines = (
-        board.parallel(f"∥{lead.name}", laid.start, lead, f"the normal part runs along {lead.name}"),
-        board.square(f"⊥{along.name}", laid.end, along, "a guide presses square to itself"),
-    )
-    names = statics.normal_name(dyad, 0, part), statics.name_of(dyad, 1)
-    closed = statics.closed(plan, laid, names, lines)
-    pin = statics.support(plan, (slider, rod), dyad.pin, statics.cut_at(plan, dyad, closed.corner, inner))
-    supports = [statics.hinged(plan, dyad, 0, closed, part), statics.guided(plan, dyad, 1, closed, pin)]
-    return statics.cut(plan, dyad, supports, pin, [equation], closed.polygon)

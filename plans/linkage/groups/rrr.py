@@ -2,17 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from geometry.board import Mark
 from geometry.meet import Sizes
 from plans.linkage.groups import lead
 from plans.linkage.plan import Plan
 from plans.model.structure import Dyad
-
-if TYPE_CHECKING:
-    from plans.forces.cut import Cut
-    from plans.forces.force import ForcePlan
 
 
 def positions(plan: Plan, dyad: Dyad, side: Sizes) -> None:
@@ -46,25 +40,6 @@ def accelerations(plan: Plan, dyad: Dyad) -> None:
     b = lead.met(plan, dyad.pin, lead.about(plan, dyad.links[0], ends[0]), lead.about(plan, dyad.links[1], ends[1]))
     for link, start, end in zip(dyad.links, starts, ends, strict=True):
         lead.turned(plan, link, start, end, b)
-
-
-def forces(plan: ForcePlan, dyad: Dyad) -> Cut:
-    """Find the tangential parts by moments about B, then close the polygon along both leads (M5.2)."""
-    from plans.forces import polygon as statics  # noqa: PLC0415  (only a force plan pays for it)
-
-    board, (first, second) = plan.board, dyad.links
-    equations = [statics.tangential(plan, dyad, end) for end in (0, 1)]
-    parts = [one and one.found for one in equations]
-    laid, inner = statics.laid(plan, dyad, parts[0], last=parts[1])
-    lines = [
-        board.parallel(f"∥{lead.name}", start, lead, f"the normal part runs along {lead.name}")
-        for lead, start in ((statics.lead_of(plan, dyad, 0), laid.start), (statics.lead_of(plan, dyad, 1), laid.end))
-    ]
-    names = [statics.normal_name(dyad, end, parts[end]) for end in (0, 1)]
-    closed = statics.closed(plan, laid, (names[0], names[1]), (lines[0], lines[1]))
-    supports = [statics.hinged(plan, dyad, end, closed, parts[end]) for end in (0, 1)]
-    pin = statics.support(plan, (second, first), dyad.pin, statics.cut_at(plan, dyad, closed.corner, inner))
-    return statics.cut(plan, dyad, supports, pin, equations, closed.polygon)
 
 
 def _outer(plan: Plan, dyad: Dyad) -> tuple[Mark, Mark]:

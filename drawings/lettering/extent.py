@@ -1,0 +1,57 @@
+"""Extent: the box around strokes and what is lettered among them (габарит)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+
+from drawings.lettering.lettering import text_reach, text_width
+from drawings.paper.strokes import LEAN, TURN, Arc, Box, Circle, Fill, Group, Line, Polyline, SheetError, Stroke, Text
+
+
+def bounds(stroke: Stroke) -> Box:
+    """Give the box (left, bottom, right, top) around a stroke's geometry, line width not counted.
+
+    >>> bounds(Group((Line(1 + 1j, 3 + 0j), Circle(0j, 1))))
+    (-1.0, -1.0, 3.0, 1.0)
+    """
+    match stroke:
+        case Line():
+            return _around((stroke.start, stroke.end))
+        case Polyline() | Fill():
+            return _around(stroke.points)
+        case Circle():
+            reach = stroke.radius * (1 + 1j)
+            return _around((stroke.centre - reach, stroke.centre + reach))
+        case Arc():
+            return _around(_extremes(stroke))
+        case Text():
+            return _around(_corners(stroke))
+        case Group():
+            boxes = [bounds(inner) for inner in stroke.strokes]
+            return _around([complex(*box[:2]) for box in boxes] + [complex(*box[2:]) for box in boxes])
+
+
+def _around(points: tuple[complex, ...] | list[complex]) -> Box:
+    if not points:
+        raise SheetError("an empty group or chain has no bounds")
+    across, up = [point.real for point in points], [point.imag for point in points]
+    return min(across), min(up), max(across), max(up)
+
+
+def _extremes(arc: Arc) -> list[complex]:
+    """An arc reaches its box at its ends and at the quarter points that it passes."""
+    first = math.ceil(arc.start_angle / (TURN / 4))
+    last = math.floor((arc.start_angle + arc.sweep) / (TURN / 4))
+    quarters = [arc.centre + arc.radius * 1j ** (k % 4) for k in range(first, last + 1)]
+    return [arc.at(0), arc.at(1), *quarters]
+
+
+def _corners(text: Text) -> tuple[complex, ...]:
+    """Give the corners of a text's box; slanted letters lean past its end, their tails before its start."""
+    width = text_width(text)
+    left = {"start": 0.0, "middle": -width / 2, "end": -width}[text.anchor]
+    bottom, top = text_reach(text)
+    back, lean = (LEAN * bottom, LEAN * top) if text.slanted else (0.0, 0.0)
+    turn = cmath.rect(1, math.radians(text.rotation))
+    return tuple(text.at + complex(x, y) * turn for x in (left + back, left + width + lean) for y in (bottom, top))
