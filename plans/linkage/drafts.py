@@ -3,22 +3,45 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 import numpy as np
 import numpy.typing as npt
 
 from plans.linkage import gaps
 from plans.linkage.acceleration import accelerations
+from plans.linkage.assembly_limits import Sweep
+from plans.linkage.barrier import Barrier
 from plans.linkage.carrying import Drawing
 from plans.linkage.pattern import Pattern
 from plans.linkage.plan import Plan
+from plans.linkage.sketch import Assembly
 from plans.linkage.turn import Turn
 from plans.linkage.velocity import velocities
 from plans.model.motion import ORDERS, Motion
+from plans.model.structure import Dyad
 
-if TYPE_CHECKING:
-    from plans.linkage.study import Study
+
+class Drawable(Protocol):
+    """What plans are drawn of: a mechanism with its assembly; a study of it, or what answers as one."""
+
+    made: dict[str, None]
+
+    @property
+    def sweep(self) -> Sweep:
+        """The mechanism with its chosen assembly."""
+
+    @property
+    def groups(self) -> tuple[Dyad, ...]:
+        """Its structural groups."""
+
+    @property
+    def assembly(self) -> Assembly:
+        """The assembly that the sketch chooses."""
+
+    @property
+    def barriers(self) -> tuple[Barrier, ...]:
+        """What bars a full turn of the crank."""
 
 
 class Drafts:
@@ -27,7 +50,7 @@ class Drafts:
     The record of an order of plans holds those below it; what is asked for later is drawn over what is there.
     """
 
-    def __init__(self, study: Study, turn: Turn) -> None:
+    def __init__(self, study: Drawable, turn: Turn) -> None:
         self.study, self.turn = study, turn
         self._plans: list[Plan] = []
         self._record: tuple[Pattern | Drawing, list[Any]] | None = None
