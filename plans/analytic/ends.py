@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from plans.analytic.blocks import Block
-from plans.analytic.closure import EPS, SQRT_EPS, closed
+from plans.analytic.closure import EPS, SQRT_EPS, as_poses, closed
 from plans.analytic.constraints import TURN, Constraints
 from plans.analytic.sharpness import sharpness
 from plans.model.motion import Floats
@@ -217,10 +217,10 @@ def _fold(constraints: Constraints, last: Station, sense: float) -> Fold | None:
         fine = abs(step) <= SQRT_EPS
         if fine and abs(step) >= abs(before) / 2.0:
             break
-        poses = poses + _as_poses(step * (rates + step / 2.0 * bends))
+        poses = poses + _pose(step * (rates + step / 2.0 * bends))
     if not closed(constraints, poses[None], poses[None, constraints.crank, TURN] + np.angle(constraints.crank_way))[0]:
         return None
-    return Fold(poses, _as_poses(rates), _as_poses(bends), float(bends[crank]))
+    return Fold(poses, _pose(rates), _pose(bends), float(bends[crank]))
 
 
 def _on_path(constraints: Constraints, poses: Floats, along: Floats) -> tuple[Floats, Floats, Floats]:
@@ -230,17 +230,17 @@ def _on_path(constraints: Constraints, poses: Floats, along: Floats) -> tuple[Fl
         at = constraints.place(poses[None])
         matrix, miss = constraints.jacobian(at)[0], constraints.residual(at, phi)[0]
         matrix[-1], miss[-1] = along, 0.0
-        poses = poses - _as_poses(np.linalg.solve(matrix, miss))
+        poses = poses - _pose(np.linalg.solve(matrix, miss))
     at = constraints.place(poses[None])
     matrix = constraints.jacobian(at)[0]
     matrix[-1] = along
     unit = np.zeros(len(matrix))
     unit[-1] = 1.0
     rates = np.linalg.solve(matrix, unit)
-    bent = constraints.convective(at, _as_poses(rates)[None])[0]
+    bent = constraints.convective(at, as_poses(rates[None]))[0]
     bent[-1] = 0.0
     return poses, rates, -np.linalg.solve(matrix, bent)
 
 
-def _as_poses(column: Floats) -> Floats:
-    return np.concatenate((np.zeros((1, 3)), column.reshape(-1, 3)))
+def _pose(column: Floats) -> Floats:
+    return np.asarray(as_poses(column[None])[0])
