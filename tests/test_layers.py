@@ -102,7 +102,7 @@ def test_all_three_layers_are_examined() -> None:
         ("plans/analytic/closure.py", "from plans.linkage import velocity"),
         ("plans/analytic/friction.py", "from plans.forces.rubbing import lost"),
         ("plans/analytic/friction.py", "from plans.forces import locking, friction"),
-        ("plans/forces/loading.py", "from plans.linkage.study import Study"),
+        ("plans/forces/loading.py", "from plans.linkage.study import LinkageStudy"),
         ("drawings/page/page.py", "import svgwrite"),
         ("drawings/pens/svg.py", "from .strokes import Line"),
         ("geometry/replay.py", "import mpmath"),
@@ -136,7 +136,7 @@ def test_a_planted_fault_is_seen(path: str, text: str) -> None:
         ("drawings/bench/plain_pen.py", "import svgwrite"),
         ("drawings/bench/plot.py", "def f():\n    from matplotlib.figure import Figure"),
         ("plans/bench/truth.py", "def f():\n    import mpmath"),
-        ("drawings/report/report.py", "from plans.linkage.study import Study\nfrom geometry.board import at"),
+        ("drawings/report/report.py", "from plans.linkage.study import LinkageStudy\nfrom geometry.board import at"),
     ],
 )
 def test_what_is_allowed_is_let_pass(path: str, text: str) -> None:
@@ -251,7 +251,7 @@ def test_a_circle_is_found() -> None:
     ("path", "text"),
     [
         ("plans/model/motion.py", "from plans.scene.units import PI"),
-        ("plans/scene/scene.py", "def f():\n    from plans.linkage.turn import Turn"),
+        ("plans/scene/scene.py", "def f():\n    from plans.linkage.crank_positions import CrankPositions"),
         ("plans/scene/scene.py", "from plans.analytic import closure"),
         ("plans/linkage/groups/rrr.py", "if TYPE_CHECKING:\n    from plans.forces.cut import Cut"),
         ("plans/forces/force.py", "from plans import checks"),

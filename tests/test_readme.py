@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.scene.scene import read_scene
 
 ROOT = Path(__file__).parent.parent
@@ -60,7 +60,7 @@ def test_there_is_a_whole_scene_to_start_from() -> None:
 def test_a_scene_of_the_readme_can_be_read_and_studied(text: str, tmp_path: Path) -> None:
     scene = tmp_path / "scene.toml"
     scene.write_text(text, "utf-8")
-    study = Study(read_scene(scene))
+    study = LinkageStudy(read_scene(scene))
     assert len(study.turn) > 0
     assert study.motion().gaps == ()
 

@@ -14,12 +14,12 @@ from drawings.measure.measure import Measured, measure_file
 from drawings.pens.svg import svg
 from drawings.sheets import forces as sheets
 from geometry.errors import DraftError
-from plans.bench.draughtsman import SLIPS, Hand, Toll, toll
+from plans.bench.draughtsman import SLIPS, Draughtsman, Toll, toll
 from plans.bench.forces import prepared
 from plans.bench.truth import replay
 from plans.checks.force_comparison import compare_forces
 from plans.forces.statics import Statics
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.model.motion import ORDERS
 
 FORCES_BY_HAND = f"forces {BY_HAND}"
@@ -30,7 +30,9 @@ SCALED = (
 )
 
 
-def by_hand(study: Study, drawn: Drawn, largest: Mapping[str, float], folder: Path) -> tuple[dict[str, Toll], int]:
+def by_hand(
+    study: LinkageStudy, drawn: Drawn, largest: Mapping[str, float], folder: Path
+) -> tuple[dict[str, Toll], int]:
     """Draw the force sheets' positions by hand; give what that costs, and the number of positions."""
     statics = Statics(study)
     scales = _polygons(study, statics, drawn, folder)
@@ -41,11 +43,11 @@ def by_hand(study: Study, drawn: Drawn, largest: Mapping[str, float], folder: Pa
     found = {plan: np.array([scale(drawn.measured, plan, k) for k in positions]) for plan in ORDERS}
     found[FORCES] = np.array([scales[k] for k in positions])
     truth, only = wanted.truth(), wanted.only_forces
-    tolls = {FORCES_BY_HAND.format(slip): toll(only, Hand(slip, found), truth, largest) for slip in SLIPS}
+    tolls = {FORCES_BY_HAND.format(slip): toll(only, Draughtsman(slip, found), truth, largest) for slip in SLIPS}
     return tolls, len(positions)
 
 
-def _polygons(study: Study, statics: Statics, drawn: Drawn, folder: Path) -> dict[int, float]:
+def _polygons(study: LinkageStudy, statics: Statics, drawn: Drawn, folder: Path) -> dict[int, float]:
     """Draw the force sheets; give the coarsest scale N/mm of the polygons of each of their positions."""
     found: dict[int, float] = {}
     for number, leaf in enumerate(sheets.sheets(study, compare_forces(statics, drawn.comparison), statics)):

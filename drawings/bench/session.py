@@ -14,14 +14,14 @@ from drawings.bench.force_sheet import FORCES_BY_HAND, SCALED
 from drawings.bench.startup import startup
 from geometry.errors import DraftError
 from plans.bench import draughtsman
+from plans.bench.computer import machine
 from plans.bench.draughtsman import Toll
 from plans.bench.error import DEFINED, FORCES_DEFINED, SIZED, TRUE, Errors, sizes
 from plans.bench.forces import FORCES_ANALYSED, FORCES_CONSTRUCTED, asked
-from plans.bench.machine import machine
 from plans.bench.peers import MECHANISM, PYLINKAGE
 from plans.bench.result import Bench, Goal, Ratio, Row
 from plans.bench.roads import CONSTRUCTION, ROUNDING, compared, ground, prepared, roads, timed
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.scene.scene import Scene
 
 SAMPLE = 24  # positions at which the truth is found: each takes 10 ms and more, and more of them show no other error
@@ -123,7 +123,7 @@ def _no_paper(why: str) -> tuple[list[Row], Ratio, list[str]]:
     return [Row(name, None, note=why) for name in names], Ratio(PENS, None, goal=PENS_GOAL, note=why), []
 
 
-def _forces_by_hand(study: Study, drawn: sheet.Drawn, largest: Mapping[str, float]) -> list[Row]:
+def _forces_by_hand(study: LinkageStudy, drawn: sheet.Drawn, largest: Mapping[str, float]) -> list[Row]:
     """Give the rows of forces drawn by hand, at the positions of the force sheets."""
     try:
         with tempfile.TemporaryDirectory(prefix="plandraft-bench-") as folder:

@@ -23,12 +23,12 @@ from drawings.pens.svg import svg
 from drawings.sheets import kinematics
 from geometry.errors import DraftError
 from plans.bench.clock import Times, interleaved
-from plans.bench.draughtsman import SLIPS, Hand, Toll, toll
+from plans.bench.draughtsman import SLIPS, Draughtsman, Toll, toll
 from plans.bench.error import Errors, errors
 from plans.bench.roads import Ground, Road
 from plans.bench.truth import Exact, Truth, replay
 from plans.checks.compare import Comparison, compare
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.model.motion import LINK_KEYS, LINK_SYMBOLS, ORDERS, POINT_KEYS
 
 MEASURED, PRINTED = "sheet: measured back", "sheet: its table"
@@ -58,7 +58,7 @@ class Drawn:
         return int(self.leaves[0].metadata["shown"])
 
 
-def draw(study: Study, folder: Path) -> Drawn:
+def draw(study: LinkageStudy, folder: Path) -> Drawn:
     """Draw a study's sheets, write them and measure them back."""
     comparison = compare(study)
     leaves = kinematics.sheets(study, comparison)
@@ -85,7 +85,7 @@ def road(found: Ground) -> Road:
 
 
 def _judge(
-    found: Ground, read: Callable[[Study, Drawn, Truth, Mapping[str, float]], Errors]
+    found: Ground, read: Callable[[LinkageStudy, Drawn, Truth, Mapping[str, float]], Errors]
 ) -> Callable[[Any], Errors]:
     def judge(drawn: Drawn) -> Errors:
         truth = replay(found.study, sorted({drawn.shown, *drawn.plans})).truth()
@@ -94,7 +94,7 @@ def _judge(
     return judge
 
 
-def by_ruler(study: Study, drawn: Drawn, truth: Truth, largest: Mapping[str, float]) -> Errors:
+def by_ruler(study: LinkageStudy, drawn: Drawn, truth: Truth, largest: Mapping[str, float]) -> Errors:
     """Judge the points of the position in full lines and the vectors from the poles of the drawn plans."""
     places = {mark.name: mark.value for mark in drawn.measured.points if mark.position == drawn.shown}
     points = {("r", name): np.array([value]) for name, value in places.items() if ("r", name) in truth.values}
@@ -114,7 +114,7 @@ def by_ruler(study: Study, drawn: Drawn, truth: Truth, largest: Mapping[str, flo
     return found
 
 
-def by_table(study: Study, drawn: Drawn, truth: Truth, largest: Mapping[str, float]) -> Errors:
+def by_table(study: LinkageStudy, drawn: Drawn, truth: Truth, largest: Mapping[str, float]) -> Errors:
     """Judge the numbers of the table: sizes of v and a, and omega and epsilon with their signs; gaps have none."""
     language = study.scene.sheet.language
     known = [place for place, k in enumerate(drawn.plans) if not study.lost[k]]
@@ -143,7 +143,7 @@ def _number(cell: str) -> float:
         return float("nan")
 
 
-def by_hand(study: Study, drawn: Drawn, largest: Mapping[str, float]) -> dict[str, Toll]:
+def by_hand(study: LinkageStudy, drawn: Drawn, largest: Mapping[str, float]) -> dict[str, Toll]:
     """Draw the sheet's plans by hand, at the sheet's own scales, with slips of a hand's usual sizes."""
     marked = {(mark.plan, mark.position) for mark in drawn.measured.marks}
     whole = [k for k in drawn.plans if all((plan, k) in marked for plan in ORDERS[1:])]
@@ -152,7 +152,7 @@ def by_hand(study: Study, drawn: Drawn, largest: Mapping[str, float]) -> dict[st
     wanted = replay(study, tuple(whole))
     truth = wanted.truth()
     scales = {plan: np.array([scale(drawn.measured, plan, k) for k in whole]) for plan in ORDERS}
-    return {BY_HAND.format(slip): toll(wanted, Hand(slip, scales), truth, largest) for slip in SLIPS}
+    return {BY_HAND.format(slip): toll(wanted, Draughtsman(slip, scales), truth, largest) for slip in SLIPS}
 
 
 def scale(measured: Measured, plan: str, position: int) -> float:

@@ -11,12 +11,12 @@ from drawings.checks import reading
 from drawings.checks.labelled import unlettered
 from drawings.figures.linkage.vector_plan import LEAST
 from drawings.measure.measure import Measured, MeasuredVector, check, measure_file
-from drawings.paper.limits import Refused
+from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Leaf
 from geometry.errors import DraftError
 from plans.checks.compare import Comparison
 from plans.checks.expected import Expected
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.model.motion import ORDERS, POINT_KEYS
 
 if TYPE_CHECKING:
@@ -31,11 +31,13 @@ class SelfCheckFailed(DraftError):  # noqa: N818  (the exit code's own word)
     exit_code = 5
 
 
-def verify(path: Path, leaf: Leaf, study: Study, comparison: Comparison, statics: Statics | None = None) -> Measured:
+def verify(
+    path: Path, leaf: Leaf, study: LinkageStudy, comparison: Comparison, statics: Statics | None = None
+) -> Measured:
     """Measure a written sheet: all that it must show is there, states what it shows, and is what the analysis gives."""
     try:
         measured = measure_file(path)
-    except Refused as refused:
+    except SheetRefused as refused:
         raise SelfCheckFailed(f"the written sheet cannot be measured: {refused}") from refused
     wrong = [f"{miss.key.name} on {miss.key.plan}" for miss in check(measured)]
     if leaf.metadata["sheet"] == "forces":
@@ -68,7 +70,7 @@ def check_report(text: str, comparison: Comparison) -> None:
         raise SelfCheckFailed(f"the report does not tell what the analysis gives: {', '.join(wrong[:TOLD])}")
 
 
-def _kinematics(measured: Measured, leaf: Leaf, study: Study, comparison: Comparison) -> Iterator[str]:
+def _kinematics(measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: Comparison) -> Iterator[str]:
     """Hold the plans and the points of a kinematics sheet against the analysis."""
     for k in leaf.metadata["plans"]:
         if not any(gap.position == k for gap in comparison.construction.gaps):
@@ -77,7 +79,7 @@ def _kinematics(measured: Measured, leaf: Leaf, study: Study, comparison: Compar
         yield from _points(measured, study, comparison, leaf.metadata["shown"])
 
 
-def _plans(measured: Measured, study: Study, comparison: Comparison, k: int) -> Iterator[str]:
+def _plans(measured: Measured, study: LinkageStudy, comparison: Comparison, k: int) -> Iterator[str]:
     """Hold the arrows of one position's plans against the analysis: each that must be there, each that is."""
     drafts = study.drafts()
     expected = Expected(study.mechanism, comparison.analysis, k, drafts.velocities.written)
@@ -102,7 +104,7 @@ def _allowed(comparison: Comparison, vector: MeasuredVector, measured: Measured)
     return 2 * own + 2 * measured.quantum * vector.scale
 
 
-def _points(measured: Measured, study: Study, comparison: Comparison, shown: int) -> Iterator[str]:
+def _points(measured: Measured, study: LinkageStudy, comparison: Comparison, shown: int) -> Iterator[str]:
     """Hold the points of the shown position against the analysis; none may be missing."""
     seen = {mark.name: mark for mark in measured.points if mark.position == shown}
     for finding in comparison.of(ORDERS[0]):

@@ -11,7 +11,7 @@ from drawings.bench.session import ACCEPTED, Order, session
 from drawings.bench.sheet import DRAWN
 from drawings.files import atomic_files
 from geometry.errors import LimitError
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.scene.fields import POSITIONS_LIMIT
 from plans.scene.scene import read_scene
 
@@ -34,7 +34,7 @@ def run(options: argparse.Namespace) -> int:
         for path, content in written.items():
             atomic_files.write(path, content)
             print(path, file=sys.stderr if options.json else sys.stdout)
-    return GAPS if Study(scene).lost.any() else 0
+    return GAPS if LinkageStudy(scene).lost.any() else 0
 
 
 def order(options: argparse.Namespace) -> Order:

@@ -10,7 +10,7 @@ from drawings.commands.talk import noted
 from drawings.files.json_text import print_json
 from drawings.report.report import left_out
 from plans.checks.compare import Comparison, Finding, compare, compare_extremes
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.scene.scene import read_scene
 
 GAPS, FAILED = 4, 5
@@ -18,7 +18,7 @@ GAPS, FAILED = 4, 5
 
 def run(options: argparse.Namespace) -> int:
     """Print the comparison; give the exit code."""
-    study = Study(noted(read_scene(options.scene)))
+    study = LinkageStudy(noted(read_scene(options.scene)))
     comparison = compare_extremes(study, compare(study))
     if "forces" in study.scene.sheets:
         from plans.checks.force_comparison import compare_forces
@@ -35,7 +35,7 @@ def run(options: argparse.Namespace) -> int:
     return GAPS if gaps else 0
 
 
-def _told(study: Study, comparison: Comparison) -> dict[str, object]:
+def _told(study: LinkageStudy, comparison: Comparison) -> dict[str, object]:
     alone = [
         {"position": gap.position, "by": road.by, "plan": gap.plan, "reason": gap.reason}
         for road, gap in comparison.alone

@@ -21,7 +21,7 @@ from drawings.paper.strokes import Run, SheetError, Text
 from drawings.report.report import report, shallow, shown, summary
 from geometry.errors import LimitError
 from plans.checks.compare import Comparison, compare, compare_extremes
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.model.motion import ORDERS
 from plans.scene.scene import Scene, read_scene
 from plans.scene.wording import said
@@ -38,7 +38,7 @@ SHEETS_MOST = 1000  # of one scene; looked for until one is missing
 class Drawn(NamedTuple):
     """A scene that was drawn: its study and comparison, its sheets as they were laid out, and the files written."""
 
-    study: Study
+    study: LinkageStudy
     comparison: Comparison
     statics: Statics | None  # where a force sheet asks for them
     leaves: tuple[Leaf, ...]
@@ -69,10 +69,10 @@ def draw(path: Path, folder: Path, trace: Trace | None = None) -> Drawn:
     with output_folder(folder) as left:
         for told in chain(left.told(folder), _strangers(scene, folder)):
             _say(scene, told)
-        return _drawn(Study(scene), folder, trace)
+        return _drawn(LinkageStudy(scene), folder, trace)
 
 
-def _drawn(study: Study, folder: Path, trace: Trace) -> Drawn:
+def _drawn(study: LinkageStudy, folder: Path, trace: Trace) -> Drawn:
     with trace.stage("construction"):
         _construct(study)
         statics = _statics(study)
@@ -82,7 +82,7 @@ def _drawn(study: Study, folder: Path, trace: Trace) -> Drawn:
     return _sheets(study, comparison, statics, folder, trace)
 
 
-def _statics(study: Study) -> Statics | None:
+def _statics(study: LinkageStudy) -> Statics | None:
     """Give the statics of a study, whose forces are made; None where no sheet asks for them."""
     if "forces" not in study.scene.sheets:
         return None
@@ -93,7 +93,7 @@ def _statics(study: Study) -> Statics | None:
     return statics
 
 
-def _compared(study: Study, statics: Statics | None) -> Comparison:
+def _compared(study: LinkageStudy, statics: Statics | None) -> Comparison:
     comparison = compare_extremes(study, compare(study))
     if statics is None:
         return comparison
@@ -102,7 +102,7 @@ def _compared(study: Study, statics: Statics | None) -> Comparison:
     return compare_forces(statics, comparison)
 
 
-def _construct(study: Study) -> None:
+def _construct(study: LinkageStudy) -> None:
     """Make all plans that the sheet needs."""
     if len(study.turn) > POSITIONS_DRAWN:
         raise LimitError(
@@ -162,7 +162,7 @@ def _agree(comparison: Comparison) -> None:
         )
 
 
-def _sheets(study: Study, comparison: Comparison, statics: Statics | None, folder: Path, trace: Trace) -> Drawn:
+def _sheets(study: LinkageStudy, comparison: Comparison, statics: Statics | None, folder: Path, trace: Trace) -> Drawn:
     """Lay out, write beside, measure back, and only then give the sheets their names: all of them or none."""
     with trace.stage("imports"):
         from drawings.checks.verify import check_report, verify
@@ -196,7 +196,7 @@ def _strangers(scene: Scene, folder: Path) -> Iterator[str]:
         yield f"{folder / name}: not as it was drawn: changed since, or its run was stopped; the set is drawn anew"
 
 
-def _leaves(kind: str, study: Study, comparison: Comparison, statics: Statics | None) -> tuple[Leaf, ...]:
+def _leaves(kind: str, study: LinkageStudy, comparison: Comparison, statics: Statics | None) -> tuple[Leaf, ...]:
     """Lay out the sheets of a kind."""
     if statics is not None and kind == "forces":
         from drawings.sheets import forces
@@ -242,7 +242,7 @@ def _jams(drawn: Drawn) -> int:
     return GAPS if found.jams else 0
 
 
-def _verdict(study: Study, comparison: Comparison) -> int:
+def _verdict(study: LinkageStudy, comparison: Comparison) -> int:
     gaps, near = comparison.construction.gaps, shallow(study)
     if comparison.forces is not None:
         gaps = comparison.forces[0].gaps

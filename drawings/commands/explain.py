@@ -16,7 +16,7 @@ from geometry.meet import cross
 from geometry.precision import condition
 from plans.linkage.drafts import Drafts
 from plans.linkage.plan import Plan
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.model.motion import ORDERS, POINT_UNITS
 from plans.scene.scene import read_scene
@@ -35,7 +35,7 @@ class UnknownMark(DraftError, ValueError):  # noqa: N818  (the message's own wor
 
 def run(options: argparse.Namespace) -> int:
     """Print the steps behind a mark at one position; give the exit code."""
-    study = Study(noted(read_scene(options.scene), forces=True))
+    study = LinkageStudy(noted(read_scene(options.scene), forces=True))
     position = _position(study, options.position)
     drafts = study.drafts((position,))
     forces, opposite = _force(study, position, options.mark)
@@ -60,7 +60,7 @@ def run(options: argparse.Namespace) -> int:
     return 0
 
 
-def _force(study: Study, position: int, name: str) -> tuple[list[Mark], str]:
+def _force(study: LinkageStudy, position: int, name: str) -> tuple[list[Mark], str]:
     """Find a mark of the force plan: R_34, its parts R^t_34, a load, M_bal; and say so where its opposite was found."""
     if not (study.scene.masses or study.scene.loads) or name in _letters(study):
         return [], ""
@@ -80,7 +80,7 @@ def _force(study: Study, position: int, name: str) -> tuple[list[Mark], str]:
     return ([board[told]], "") if told in board and told != "0" else ([], "")
 
 
-def _letters(study: Study) -> set[str]:
+def _letters(study: LinkageStudy) -> set[str]:
     return {point for link in study.mechanism.links.values() for point in link.points}
 
 
@@ -97,7 +97,7 @@ def _rate(name: str, arm: Mark, turning: Mark) -> str:
     )
 
 
-def _position(study: Study, wanted: int) -> int:
+def _position(study: LinkageStudy, wanted: int) -> int:
     if not 0 <= wanted < len(study.turn):
         raise UnknownMark(f"position {wanted} is none of 0 to {len(study.turn) - 1}")
     if study.lost[wanted]:
@@ -106,7 +106,7 @@ def _position(study: Study, wanted: int) -> int:
     return wanted
 
 
-def find(study: Study, drafts: Drafts, name: str) -> list[Mark]:
+def find(study: LinkageStudy, drafts: Drafts, name: str) -> list[Mark]:
     """Find a mark: B, v_B, a_B for points; omega_3, epsilon_3 for links; any letter of a plan such as a3 or n_BA."""
     head, _, tail = name.partition("_")
     points = {point for link in study.mechanism.links.values() for point in link.points}

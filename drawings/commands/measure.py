@@ -9,7 +9,7 @@ from drawings.commands.process import tell
 from drawings.files.json_text import print_json
 from drawings.files.manifest import manifest_beside
 from drawings.measure.measure import Measured, check, measure_file
-from drawings.paper.limits import Refused
+from drawings.paper.limits import SheetRefused
 
 FAILED = 5
 
@@ -18,10 +18,12 @@ def run(options: argparse.Namespace) -> int:
     """Print what a sheet shows; give the exit code."""
     try:
         measured = measure_file(options.sheet)
-    except Refused as refused:
+    except SheetRefused as refused:
         raise type(refused)(f"{options.sheet}: {refused.reason}") from None
     if not measured.marks:
-        raise Refused(f"{options.sheet}: this SVG has no vectors or points of a plandraft sheet. Fix: give one it drew")
+        raise SheetRefused(
+            f"{options.sheet}: this SVG has no vectors or points of a plandraft sheet. Fix: give one it drew"
+        )
     _tell_strangers(options.sheet)
     wrong = check(measured)
     off = {miss.key for miss in wrong}

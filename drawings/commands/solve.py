@@ -13,7 +13,7 @@ from drawings.commands.talk import noted
 from drawings.commands.trace import Trace
 from drawings.files.json_text import print_json
 from drawings.report.numbers import pairs, plain
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.model.motion import LINK_KEYS, ORDERS, POINT_KEYS, Extremes, Gap, Motion
 from plans.scene.scene import read_scene
 
@@ -29,7 +29,7 @@ def run(options: argparse.Namespace) -> int:
     """Print the numbers; give the exit code."""
     trace: Trace = options.trace or Trace()
     with trace.stage("reading the scene"):
-        study = Study(noted(read_scene(options.scene), forces=not {*FORCES}.isdisjoint(options.only or ())))
+        study = LinkageStudy(noted(read_scene(options.scene), forces=not {*FORCES}.isdisjoint(options.only or ())))
     wanted = options.only or wanted_of(study)
     orders = [k for k, order in enumerate(ORDERS) if order in wanted]
     forces = [name for name in FORCES if name in wanted]
@@ -44,7 +44,7 @@ def run(options: argparse.Namespace) -> int:
     return GAPS if found.gaps or found.told.get("jams") else 0
 
 
-def wanted_of(study: Study) -> list[str]:
+def wanted_of(study: LinkageStudy) -> list[str]:
     """Give what the sheets of a scene ask for: the motion, and forces and friction where a force sheet is wanted."""
     wanted = [*ORDERS]
     if "forces" in study.scene.sheets:
@@ -61,7 +61,7 @@ class Numbers(NamedTuple):
     gaps: bool
 
 
-def _construction(study: Study, order: int, forces: Sequence[str]) -> Numbers:
+def _construction(study: LinkageStudy, order: int, forces: Sequence[str]) -> Numbers:
     motion = study.motion(order)
     extremes = study.found.extremes if study.scene.drive.first is None and study.found else None
     if not forces:
@@ -79,7 +79,7 @@ def _construction(study: Study, order: int, forces: Sequence[str]) -> Numbers:
     return Numbers(motion, extremes, told, bool(statics.forces.gaps))
 
 
-def _analysis(study: Study, order: int, forces: Sequence[str]) -> Numbers:
+def _analysis(study: LinkageStudy, order: int, forces: Sequence[str]) -> Numbers:
     """Solve by analysis alone: a start at an extreme is found by analysis too."""
     from plans.analytic.kinematics import Analysis
 
@@ -110,7 +110,7 @@ def _analysis(study: Study, order: int, forces: Sequence[str]) -> Numbers:
 
 
 def _forces(
-    study: Study, wanted: Sequence[str], forces: Kinetostatics, friction: Callable[[], Friction]
+    study: LinkageStudy, wanted: Sequence[str], forces: Kinetostatics, friction: Callable[[], Friction]
 ) -> dict[str, Any]:
     """Give what is wanted of the forces of one road as plain data; their gaps stand beside those of the motion."""
     from drawings.report.force_numbers import described as described_forces
@@ -124,7 +124,7 @@ def _forces(
     return told
 
 
-def described(study: Study, motion: Motion, orders: list[int], extremes: Extremes | None) -> dict[str, Any]:
+def described(study: LinkageStudy, motion: Motion, orders: list[int], extremes: Extremes | None) -> dict[str, Any]:
     """Give the numbers as plain data: SI units and radians, null at gaps, coordinates of the scene."""
     datum = complex(*(float(x) for x in study.mechanism.datum))
     result: dict[str, Any] = {

@@ -11,7 +11,7 @@ import numpy as np
 
 from drawings.gallery.catalogue import Entry
 from drawings.lettering.words import number
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.linkage.travel import frame_slide
 from plans.model.structure import Dyad, formula, mechanism_class
 
@@ -45,7 +45,7 @@ class Exhibit(NamedTuple):
     """A scene of the gallery with its study, and the files that were written for it."""
 
     entry: Entry
-    study: Study
+    study: LinkageStudy
     paths: tuple[Path, ...]
 
 
@@ -72,11 +72,11 @@ def section(exhibit: Exhibit) -> str:
     return f"\n## {entry.title}\n\n{entry.about}\n\n{_structure(study)}\n\n{pictures}\n\n{links}\n"
 
 
-def _formula(study: Study) -> str:
+def _formula(study: LinkageStudy) -> str:
     return re.sub(r"II(\d)", r"II<sub>\1</sub>", formula(study.mechanism, study.groups).replace("->", "→"))
 
 
-def _structure(study: Study) -> str:
+def _structure(study: LinkageStudy) -> str:
     """Say the formula of structure in words: the crank, then each group with its kind and the order of its pairs."""
     groups = "; ".join(_group(group) for group in study.groups)
     return (
@@ -90,7 +90,7 @@ def _group(group: Dyad) -> str:
     return f"links {group.links[0]} and {group.links[1]}, {group.kind} ({pairs})"
 
 
-def _travel(study: Study) -> str:
+def _travel(study: LinkageStudy) -> str:
     """Say how far the output goes and with what time ratio, or that it has no extreme positions."""
     output, found = study.output, study.found
     if output.point and frame_slide(study.mechanism, output.link) is None:
@@ -105,7 +105,7 @@ def _travel(study: Study) -> str:
     return f"link {output.link}, {far}, {ratio}"
 
 
-def _sheet(study: Study) -> str:
+def _sheet(study: LinkageStudy) -> str:
     table = study.scene.sheet
     return f"{table.format}, {table.standard}, {LANGUAGES[table.language]}"
 

@@ -19,7 +19,7 @@ PIECES = 48  # straight pieces that stand for a smooth path, at least
 RUNGS = 5  # lines across a text's box that feel what it would cover
 
 
-class Drawn:
+class Obstacles:
     """The lines already drawn, as straight pieces, each with its weight."""
 
     def __init__(self) -> None:

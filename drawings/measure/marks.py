@@ -6,13 +6,13 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from drawings.measure.pathdata import centre, number, numbers, trace
-from drawings.paper.limits import Refused
+from drawings.paper.limits import SheetRefused
 
 KINDS = ("vector", "point", "pole", "corner")
 _PREFIX = "data-"
 
 
-class Mark(NamedTuple):
+class SheetMark(NamedTuple):
     """A marked element: its data without "data-", and its two ends or its centre on paper (mm, y up)."""
 
     kind: str
@@ -58,7 +58,7 @@ def _ends(tag: str, attributes: Mapping[str, str]) -> tuple[complex, ...]:
         followed = trace(attributes.get("d", ""))
         points = followed.points if followed.straight else ()
     if len(points) != 2:
-        raise Refused(f"its <{tag[:40]}> is not one straight line")
+        raise SheetRefused(f"its <{tag[:40]}> is not one straight line")
     return points
 
 
@@ -67,7 +67,7 @@ def _middle(tag: str, attributes: Mapping[str, str]) -> complex:
         return _at(attributes, "cx", "cy")
     middle = centre(trace(attributes.get("d", ""))) if tag == "path" else None
     if middle is None:
-        raise Refused(f"its <{tag[:40]}> is not a circle")
+        raise SheetRefused(f"its <{tag[:40]}> is not a circle")
     return middle
 
 

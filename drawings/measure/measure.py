@@ -11,11 +11,11 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any, NamedTuple, TypeAlias
 
-from drawings.measure.marks import Mark
+from drawings.measure.marks import SheetMark
 from drawings.measure.pathdata import number, pair
 from drawings.measure.reader import read
 from drawings.measure.transform import STAY, Affine, placing
-from drawings.paper.limits import FORMAT, QUANTUM, SHEET_BYTES, STATED_DIGITS, Refused
+from drawings.paper.limits import FORMAT, QUANTUM, SHEET_BYTES, STATED_DIGITS, SheetRefused
 from geometry.regular_file import regular_bytes
 
 CORNERS = 3
@@ -120,7 +120,7 @@ def measure(source: bytes) -> Measured:
     sheet = read(source)
     told = sheet.metadata.get("format", FORMAT)
     if not isinstance(told, int) or told > FORMAT:
-        raise Refused(f"the sheet has format {told!r}; this version reads up to {FORMAT}")
+        raise SheetRefused(f"the sheet has format {told!r}; this version reads up to {FORMAT}")
     _once(sheet.marks)
     moved = _moved([mark for mark in sheet.marks if mark.kind == "corner"])
     marks = [_moved_back(mark, moved) for mark in sheet.marks]
@@ -150,23 +150,23 @@ def check(measured: Measured, tolerance: float | None = None, expected: Iterable
     return wrong + [Mismatch(key, None, None, 0.0) for key in expected if key not in seen]
 
 
-def _once(marks: Iterable[Mark]) -> None:
+def _once(marks: Iterable[SheetMark]) -> None:
     """One mark for each name: a fan of arrows must not pass because one of them is right."""
     seen: set[tuple[str | int | None, ...]] = set()
     for mark in marks:
         names = ("value",) if mark.kind == "corner" else ("plan", "quantity", "name")
         own = (mark.kind, _position(mark), *(mark.data.get(name, "") for name in names))
         if own in seen:
-            raise Refused(f"{mark.who} is on the sheet twice")
+            raise SheetRefused(f"{mark.who} is on the sheet twice")
         seen.add(own)
 
 
-def _moved(corners: list[Mark]) -> Affine:
+def _moved(corners: list[SheetMark]) -> Affine:
     """Find how the whole sheet was moved; one without any corner marks is taken as it lies."""
     if not corners:
         return STAY
     if len(corners) != CORNERS:
-        raise Refused(f"{len(corners)} of the {CORNERS} corner marks are left; all or none are needed")
+        raise SheetRefused(f"{len(corners)} of the {CORNERS} corner marks are left; all or none are needed")
     stated, found = [_stated(corner) for corner in corners], [corner.points[0] for corner in corners]
     # Marks that lie where they say, within their own rounding, tell of no move.
     if all(abs(place - mark) <= QUANTUM for place, mark in zip(found, stated, strict=True)):
@@ -179,60 +179,60 @@ def _resolution(moved: Affine) -> float:
     return QUANTUM if moved == STAY else 4 * QUANTUM * max(1.0, 1 / abs(moved.p))
 
 
-def _moved_back(mark: Mark, moved: Affine) -> Mark:
+def _moved_back(mark: SheetMark, moved: Affine) -> SheetMark:
     if moved == STAY:
         return mark
     return mark._replace(points=tuple((point - moved.t) / moved.p for point in mark.points))
 
 
-def _vector(mark: Mark) -> MeasuredVector:
+def _vector(mark: SheetMark) -> MeasuredVector:
     scale = _scale(mark)
     start, end = mark.points
     own = (_text(mark, "plan"), _text(mark, "quantity"), _text(mark, "name"), _position(mark))
     return MeasuredVector(*own, start, end, (end - start) * scale, _stated(mark), mark.data.get("unit", ""), scale)
 
 
-def _point(mark: Mark, poles: Mapping[tuple[str, int | None], _Pole]) -> MeasuredPoint:
+def _point(mark: SheetMark, poles: Mapping[tuple[str, int | None], _Pole]) -> MeasuredPoint:
     plan, position = _place(mark)
     pole = poles.get((plan, position)) or poles.get((plan, None))
     if pole is None:
-        raise Refused(f"{mark.who}: its plan has no pole to measure from")
+        raise SheetRefused(f"{mark.who}: its plan has no pole to measure from")
     (at,), scale = mark.points, _scale(mark)
     own = (plan, _text(mark, "quantity"), _text(mark, "name"), position)
     value = (at - pole[0]) * scale + pole[1]
     return MeasuredPoint(*own, at, value, _stated(mark), mark.data.get("unit", ""), scale)
 
 
-def _place(mark: Mark) -> tuple[str, int | None]:
+def _place(mark: SheetMark) -> tuple[str, int | None]:
     return _text(mark, "plan"), _position(mark)
 
 
-def _text(mark: Mark, name: str) -> str:
+def _text(mark: SheetMark, name: str) -> str:
     text = mark.data.get(name, "")
     if not text:
-        raise Refused(f"{mark.who} has no data-{name}")
+        raise SheetRefused(f"{mark.who} has no data-{name}")
     return text
 
 
-def _position(mark: Mark) -> int | None:
+def _position(mark: SheetMark) -> int | None:
     text = mark.data.get("position", "")
     if text and not _POSITION.fullmatch(text):
-        raise Refused(f"{mark.who}: its position {text[:20]!r} is not a whole number")
+        raise SheetRefused(f"{mark.who}: its position {text[:20]!r} is not a whole number")
     return int(text) if text else None
 
 
-def _stated(mark: Mark) -> complex:
+def _stated(mark: SheetMark) -> complex:
     try:
         return pair(_text(mark, "value"))
-    except Refused as refused:
-        raise Refused(f"{mark.who}: its value: {refused.reason}") from refused
+    except SheetRefused as refused:
+        raise SheetRefused(f"{mark.who}: its value: {refused.reason}") from refused
 
 
-def _scale(mark: Mark) -> float:
+def _scale(mark: SheetMark) -> float:
     try:
         scale = number(_text(mark, "scale"))
-    except Refused as refused:
-        raise Refused(f"{mark.who}: its scale: {refused.reason}") from refused
+    except SheetRefused as refused:
+        raise SheetRefused(f"{mark.who}: its scale: {refused.reason}") from refused
     if not scale > 0:
-        raise Refused(f"{mark.who}: its scale {scale} is not above zero")
+        raise SheetRefused(f"{mark.who}: its scale {scale} is not above zero")
     return scale

@@ -9,7 +9,7 @@ import math
 import re
 from typing import NamedTuple
 
-from drawings.paper.limits import NUMERAL_LENGTH, PATH_COMMANDS, Refused
+from drawings.paper.limits import NUMERAL_LENGTH, PATH_COMMANDS, SheetRefused
 
 SPACE = " \t\r\n\f"
 GAP = re.compile(rf"[{SPACE}]*(?:,[{SPACE}]*)?")
@@ -24,7 +24,7 @@ _FLAGS = (3, 4)
 _ROUNDNESS = 1e-4
 
 
-class Trace(NamedTuple):
+class PathTrace(NamedTuple):
     """The points that a path goes through, and whether it is straight from each to the next and in one piece."""
 
     points: tuple[complex, ...]
@@ -40,7 +40,7 @@ def number(text: str) -> float:
     text = text.strip(SPACE)
     match = NUMERAL.fullmatch(text) if len(text) <= NUMERAL_LENGTH else None
     if match is None:
-        raise Refused(f"{text[:20]!r} is not a number")
+        raise SheetRefused(f"{text[:20]!r} is not a number")
     return _finite(match[0])
 
 
@@ -68,11 +68,11 @@ def pair(text: str) -> complex:
     """
     values = numbers(text)
     if len(values) != 2:
-        raise Refused(f"{text[:40]!r} is not a pair of numbers")
+        raise SheetRefused(f"{text[:40]!r} is not a pair of numbers")
     return complex(*values)
 
 
-def trace(path: str) -> Trace:
+def trace(path: str) -> PathTrace:
     """Follow path data through its points; curves count with their ends.
 
     >>> trace("m 1,1 h 2 V 5").points
@@ -86,7 +86,7 @@ def trace(path: str) -> Trace:
         letter, place = _command(path, place, letter)
         commands += 1
         if commands > PATH_COMMANDS or (commands == 1 and letter not in "Mm"):
-            raise Refused("a path has too many commands" if commands > 1 else "a path must begin with M")
+            raise SheetRefused("a path has too many commands" if commands > 1 else "a path must begin with M")
         straight = straight and letter.upper() in _STRAIGHT and (letter not in "Mm" or commands == 1)
         values, place = _arguments(path, place, letter)
         here = _reached(letter, values, here, start)
@@ -95,10 +95,10 @@ def trace(path: str) -> Trace:
         if letter not in "Zz":
             points.append(here)
         letter = {"M": "L", "m": "l"}.get(letter, letter)
-    return Trace(tuple(points), straight)
+    return PathTrace(tuple(points), straight)
 
 
-def centre(traced: Trace) -> complex | None:
+def centre(traced: PathTrace) -> complex | None:
     """Give the centre of a circle drawn as a path of two or more equal arcs; None if it is not one."""
     points = list(traced.points)
     if len(points) > 1 and abs(points[-1] - points[0]) <= _ROUNDNESS * max(abs(p - points[0]) for p in points):
@@ -113,14 +113,14 @@ def centre(traced: Trace) -> complex | None:
 def _finite(numeral: str) -> float:
     value = float(numeral)
     if not math.isfinite(value):
-        raise Refused(f"{numeral[:20]!r} is too large")
+        raise SheetRefused(f"{numeral[:20]!r} is too large")
     return value
 
 
 def _numeral(text: str, place: int) -> tuple[float, int]:
     match = NUMERAL.match(text, place)
     if match is None or match.end() - place > NUMERAL_LENGTH:
-        raise Refused(f"{text[place : place + 20]!r} is not a number")
+        raise SheetRefused(f"{text[place : place + 20]!r} is not a number")
     return _finite(match[0]), match.end()
 
 
@@ -134,7 +134,7 @@ def _command(path: str, place: int, letter: str) -> tuple[str, int]:
     if path[place] in _LETTERS:
         return path[place], _past_gap(path, place + 1)
     if letter == "" or letter in "Zz":
-        raise Refused(f"{path[place : place + 20]!r} is not a path command")
+        raise SheetRefused(f"{path[place : place + 20]!r} is not a path command")
     return letter, place
 
 
@@ -143,7 +143,7 @@ def _arguments(path: str, place: int, letter: str) -> tuple[list[float], int]:
     for index in range(_ARGUMENTS[letter.upper()]):
         if letter in "Aa" and index in _FLAGS:
             if path[place : place + 1] not in ("0", "1"):
-                raise Refused(f"{path[place : place + 20]!r} is not an arc's flag")
+                raise SheetRefused(f"{path[place : place + 20]!r} is not an arc's flag")
             value, place = float(path[place]), place + 1
         else:
             value, place = _numeral(path, place)

@@ -10,13 +10,13 @@ from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 from xml.parsers import expat
 
-from drawings.measure.marks import Mark, called, drawn, marked
+from drawings.measure.marks import SheetMark, called, drawn, marked
 from drawings.measure.pathdata import pair
 from drawings.measure.transform import Affine, about, transform
 from drawings.measure.viewport import Viewport, viewport
 from drawings.measure.visibility import ANIMATIONS, UNDRAWN, Look, properties, telling, unfollowed
 from drawings.paper import limits
-from drawings.paper.limits import OverLimit, Refused
+from drawings.paper.limits import OverLimit, SheetRefused
 
 _SVG = "http://www.w3.org/2000/svg"
 _CHUNK = 64 * 1024
@@ -29,7 +29,7 @@ class Sheet:
     """What was read."""
 
     viewport: Viewport
-    marks: list[Mark] = field(default_factory=list)
+    marks: list[SheetMark] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
     metadata: dict[str, Any] = field(default_factory=dict)
 
@@ -42,17 +42,17 @@ def read(source: bytes) -> Sheet:
 def _unpacked(source: bytes) -> bytes:
     for start, what in _FOREIGN.items():
         if source.startswith(start):
-            raise Refused(f"this is {what}, not an SVG sheet")
+            raise SheetRefused(f"this is {what}, not an SVG sheet")
     if source.startswith(_GZIP):
         try:
             unpacking = zlib.decompressobj(wbits=31)
             source = unpacking.decompress(source[: limits.SHEET_BYTES], limits.SHEET_BYTES + 1)
         except zlib.error as error:
-            raise Refused(f"the packed sheet is damaged: {error}") from error
+            raise SheetRefused(f"the packed sheet is damaged: {error}") from error
     if len(source) > limits.SHEET_BYTES:
         raise OverLimit(f"the sheet has over {limits.SHEET_BYTES} bytes")
     if not source.strip():
-        raise Refused("the sheet is empty")
+        raise SheetRefused("the sheet is empty")
     return source
 
 
@@ -86,13 +86,13 @@ class _Reader:
                     raise OverLimit(f"reading took over {limits.READING_SECONDS:g} s")
             parser.Parse(b"", True)
         except expat.ExpatError as error:
-            raise Refused(f"this is not well-formed XML: {error}") from error
+            raise SheetRefused(f"this is not well-formed XML: {error}") from error
         except (ValueError, LookupError) as error:
             if self.elements:
                 raise
-            raise Refused(f"the encoding is not read ({error}); save the sheet as UTF-8") from error
+            raise SheetRefused(f"the encoding is not read ({error}); save the sheet as UTF-8") from error
         if self.sheet is None:
-            raise Refused("this is not an SVG sheet")
+            raise SheetRefused("this is not an SVG sheet")
         return self.sheet
 
     def _parser(self) -> expat.XMLParserType:
@@ -113,16 +113,16 @@ class _Reader:
         self.entities += 1
         honest = value is not None and not parameter and len(value) <= limits.ENTITY_LENGTH
         if value is None or not honest or any(sign in value for sign in "&%<"):
-            raise Refused(f"the entity {name[:40]!r} is not a short text")
+            raise SheetRefused(f"the entity {name[:40]!r} is not a short text")
         if self.entities > limits.ENTITIES or self.ampersands * limits.ENTITY_LENGTH > limits.SHEET_BYTES:
             raise OverLimit("the sheet uses too many entities")
 
     def _refuse_entity(self, name: str | None, *_: object) -> int:
-        raise Refused(f"the entity {(name or '')[:40]!r} is not in the file")
+        raise SheetRefused(f"the entity {(name or '')[:40]!r} is not in the file")
 
     def _instruct(self, target: str, _: str) -> None:
         if target == "xml-stylesheet":
-            raise Refused("a style sheet outside the file decides what is seen")
+            raise SheetRefused("a style sheet outside the file decides what is seen")
 
     def _start(self, name: str, listed: list[str]) -> None:
         self.elements += 1
@@ -143,14 +143,14 @@ class _Reader:
     def _name(self, attributes: Mapping[str, str]) -> None:
         if (own := attributes.get("id")) is not None:
             if own in self.ids:
-                raise Refused(f"id {own[:60]!r} twice")
+                raise SheetRefused(f"id {own[:60]!r} twice")
             self.ids.add(own)
 
     def _open(self, space: str, tag: str, attributes: Mapping[str, str]) -> None:
         if (space, tag) != (_SVG, "svg"):
-            raise Refused(f"the root is <{tag[:40]}>, not <svg> of {_SVG}")
+            raise SheetRefused(f"the root is <{tag[:40]}>, not <svg> of {_SVG}")
         if "transform" in properties(attributes):
-            raise Refused("the root has a transform")
+            raise SheetRefused("the root has a transform")
         paper = viewport(attributes)
         self.sheet = Sheet(paper, notes=list(paper.notes))
         self.frames.append(_Frame(tag, paper.placing, Look().below(tag, properties(attributes)), ""))
@@ -163,7 +163,7 @@ class _Reader:
             self.frames.append(outer._replace(tag=tag, look=outer.look._replace(gone=gone)))
             return
         if tag in ANIMATIONS and not outer.look.gone:
-            raise Refused(f"the sheet moves (<{tag}>); only a still drawing can be measured")
+            raise SheetRefused(f"the sheet moves (<{tag}>); only a still drawing can be measured")
         frame = self._framed(outer, tag, attributes)
         self.frames.append(frame)
         if tag in ("script", "use") and tag not in self.left_aside:
@@ -195,23 +195,23 @@ class _Reader:
             sheet.notes.append(f"{who} is not counted: {hidden}")
             return
         if frame.refusal:
-            raise Refused(f"{who}: {frame.refusal}")
+            raise SheetRefused(f"{who}: {frame.refusal}")
         self.path_length += len(attributes.get("d", ""))
         if self.path_length > limits.PATH_COMMANDS:
             raise OverLimit("the marked paths are too long for marks")
         try:
             points = tuple(frame.to_paper(place) for place in drawn(kind, frame.tag, attributes))
-        except Refused as refused:
-            raise Refused(f"{who}: {refused.reason}") from refused
+        except SheetRefused as refused:
+            raise SheetRefused(f"{who}: {refused.reason}") from refused
         if not all(abs(size) <= limits.REACH for point in points for size in (point.real, point.imag)):
-            raise Refused(f"{who} is off every paper")
-        sheet.marks.append(Mark(kind, data, points))
+            raise SheetRefused(f"{who} is off every paper")
+        sheet.marks.append(SheetMark(kind, data, points))
 
     def _listen(self, tag: str, attributes: Mapping[str, str]) -> None:
         """Begin to hear the text of a style or of the description; an editor may add elements to the latter."""
         telling_tag = tag == "style" or (tag == "metadata" and attributes.get("id") == "sheet")
         if self.heard is not None and (telling_tag or self.frames[-1].tag == "style"):
-            raise Refused(f"a <{tag[:40]}> stands inside a style or description")
+            raise SheetRefused(f"a <{tag[:40]}> stands inside a style or description")
         if telling_tag:
             self.heard, self.heard_length, self.heard_depth = [], 0, len(self.frames) + 1
 
@@ -232,7 +232,9 @@ class _Reader:
         if frame.tag == "metadata":
             self.sheet.metadata = _described(text, self.sheet.notes)
         elif name := telling(text):
-            raise Refused(f"a style sheet decides what is seen ({name}); let the editor write it into the elements")
+            raise SheetRefused(
+                f"a style sheet decides what is seen ({name}); let the editor write it into the elements"
+            )
 
 
 def _described(text: str, notes: list[str]) -> dict[str, Any]:

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from drawings.measure.pathdata import GAP, SPACE, numbers
-from drawings.paper.limits import ELEMENT_TRANSFORMS, QUANTUM, REACH, Refused
+from drawings.paper.limits import ELEMENT_TRANSFORMS, QUANTUM, REACH, SheetRefused
 
 _CALL = re.compile(rf"([A-Za-z]+)[{SPACE}]*\(([^()]*)\)")
 # A style sheet's transform carries units; px and deg are what the attribute means without them.
@@ -63,12 +63,12 @@ def transform(text: str) -> Affine:
         call = _CALL.match(text, place)
         count += 1
         if call is None or count > ELEMENT_TRANSFORMS:
-            raise Refused(f"transform {text[place : place + 30]!r} is not understood, or the list is too long")
+            raise SheetRefused(f"transform {text[place : place + 30]!r} is not understood, or the list is too long")
         total = total.after(_one(call[1], numbers(call[2])))
         gap = GAP.match(text, call.end())
         place = gap.end() if gap else call.end()
     if not all(abs(size) <= REACH**2 for part in total for size in (part.real, part.imag)):
-        raise Refused(f"transform {text[:30]!r} leads off every paper")
+        raise SheetRefused(f"transform {text[:30]!r} leads off every paper")
     return total
 
 
@@ -83,16 +83,16 @@ def placing(stated: Sequence[complex], found: Sequence[complex]) -> Affine:
     U, V = found[1] - found[0], found[2] - found[0]
     doubled_area = u * v.conjugate() - u.conjugate() * v
     if doubled_area == 0:
-        raise Refused("the three corner marks state places on one line")
+        raise SheetRefused("the three corner marks state places on one line")
     p = (U * v.conjugate() - V * u.conjugate()) / doubled_area
     q = (V * u - U * v) / doubled_area
     if abs(q) >= abs(p):
-        raise Refused("the sheet is mirrored or crushed")
+        raise SheetRefused("the sheet is mirrored or crushed")
     # Each mark is rounded twice, by us and by the editor, before or after the sheet was scaled.
     rounding = 2 * QUANTUM * max(1.0, abs(p)) * (abs(u) + abs(v)) / abs(doubled_area)
     if not abs(q) <= rounding:
         ratio = (abs(p) + abs(q)) / (abs(p) - abs(q))
-        raise Refused(f"the sheet is stretched: one direction is {ratio:.6f} times the other")
+        raise SheetRefused(f"the sheet is stretched: one direction is {ratio:.6f} times the other")
     return Affine(p, 0j, found[0] - p * stated[0])
 
 
@@ -116,7 +116,7 @@ def _one(name: str, values: list[float]) -> Affine:
             return matrix(1, 0, math.tan(math.radians(angle)), 1, 0, 0)
         case "skewY", [angle]:
             return matrix(1, math.tan(math.radians(angle)), 0, 1, 0, 0)
-    raise Refused(f"transform {name[:20]!r} with {len(values)} numbers is not understood")
+    raise SheetRefused(f"transform {name[:20]!r} with {len(values)} numbers is not understood")
 
 
 def _turned(angle: float) -> complex:

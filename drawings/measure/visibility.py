@@ -7,7 +7,7 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from drawings.measure.pathdata import NUMERAL, SPACE
-from drawings.paper.limits import NUMERAL_LENGTH, Refused
+from drawings.paper.limits import NUMERAL_LENGTH, SheetRefused
 
 # Contents that are kept for other uses, or are not a drawing at all.
 _KEPT = "defs symbol marker clipPath mask pattern filter linearGradient radialGradient"
@@ -76,7 +76,7 @@ def declarations(style: str) -> dict[str, str]:
     {'stroke': 'none', 'fill': 'red'}
     """
     if "/*" in style or "\\" in style:
-        raise Refused(f"style {style[:40]!r} is not understood")
+        raise SheetRefused(f"style {style[:40]!r} is not understood")
     found: dict[str, str] = {}
     for declaration in style.split(";"):
         name, colon, value = declaration.partition(":")

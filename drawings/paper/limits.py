@@ -51,7 +51,7 @@ ORPHAN_AGE = 3600.0
 SWEEP_ENTRIES = 10_000
 
 
-class Refused(DraftError):  # noqa: N818  (the verdict's own word)
+class SheetRefused(DraftError):  # noqa: N818  (the verdict's own word)
     """A sheet that cannot be measured, with the reason in words that its author can act on."""
 
     def __init__(self, reason: str) -> None:
@@ -59,7 +59,7 @@ class Refused(DraftError):  # noqa: N818  (the verdict's own word)
         self.reason = reason
 
 
-class OverLimit(Refused):
+class OverLimit(SheetRefused):
     """A sheet that exceeds one of the limits above."""
 
     exit_code = 8

@@ -12,7 +12,7 @@ from drawings.lettering.words import number, runs
 from drawings.paper.limits import MANY
 from plans.checks.compare import NOT_GRADED, Comparison, Finding, notches
 from plans.linkage.pressure import interval
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.model.motion import ORDERS
 from plans.model.structure import RUSSIAN, formula, mechanism_class
@@ -52,7 +52,7 @@ def count_of(positions: Sequence[int]) -> str:
     return f"{len(positions)} position{'s' if len(positions) != 1 else ''}"
 
 
-def shown(study: Study) -> str:
+def shown(study: LinkageStudy) -> str:
     """Say which link is the output, and who chose it."""
     out, named = study.output, study.mechanism.output is not None
     chosen = "as [output] names it" if named else "the last link on the frame; [output] names another"
@@ -61,7 +61,7 @@ def shown(study: Study) -> str:
     return f"output: link {out.link}{f' by its point {out.point}' if out.point else ''}, {chosen}"
 
 
-def shallow(study: Study) -> list[int]:
+def shallow(study: LinkageStudy) -> list[int]:
     """Give the assembled positions in which some group is too near a dead centre to be graded."""
     if not study.groups:
         return []
@@ -70,7 +70,7 @@ def shallow(study: Study) -> list[int]:
 
 
 def report(
-    study: Study, comparison: Comparison, leaves: Mapping[str, Sequence[Leaf]], statics: Statics | None = None
+    study: LinkageStudy, comparison: Comparison, leaves: Mapping[str, Sequence[Leaf]], statics: Statics | None = None
 ) -> str:
     """Write the report beside the sheets, whose leaves are given by kind."""
     told = _forces(comparison, statics) if statics is not None else ()
@@ -88,7 +88,7 @@ def report(
     return "\n".join(parts) + "\n"
 
 
-def _structure(study: Study) -> Iterator[str]:
+def _structure(study: LinkageStudy) -> Iterator[str]:
     mechanism = study.mechanism
     yield "\n## Structure\n"
     yield f"- Mobility W = 3·{mechanism.moving_links} - 2·{mechanism.lower_pairs} = {mechanism.mobility}"
@@ -101,7 +101,7 @@ def _structure(study: Study) -> Iterator[str]:
     )
 
 
-def _extremes(study: Study) -> Iterator[str]:
+def _extremes(study: LinkageStudy) -> Iterator[str]:
     yield "\n## Extreme positions\n"
     yield f"- O{shown(study)[1:]}"
     if study.found is None:
@@ -128,7 +128,7 @@ def _extremes(study: Study) -> Iterator[str]:
         yield f"- Pressure angle of group {group.label}: {low:.6f}° to {high:.6f}°"
 
 
-def _passage(study: Study, comparison: Comparison) -> Iterator[str]:
+def _passage(study: LinkageStudy, comparison: Comparison) -> Iterator[str]:
     gaps = comparison.construction.gaps
     if not study.met and not gaps and not study.passed:
         return
@@ -160,7 +160,7 @@ def _comparison(comparison: Comparison) -> Iterator[str]:
         )
 
 
-def _values(study: Study, comparison: Comparison) -> Iterator[str]:
+def _values(study: LinkageStudy, comparison: Comparison) -> Iterator[str]:
     yield "\n## Values\n"
     yield "Every value by construction; under it by analysis where their ten digits differ. Vectors are x; y.\n"
     for plan in ORDERS:
@@ -188,7 +188,7 @@ def _text(value: complex | float, largest: float) -> str:
     return number(0.0 if abs(value) < 1e-10 * largest else float(value), digits=10)
 
 
-def _conditions(study: Study) -> Iterator[str]:
+def _conditions(study: LinkageStudy) -> Iterator[str]:
     yield "\n## Conditions\n"
     if not study.groups:
         yield "The crank alone has no meeting."
@@ -214,7 +214,7 @@ def _forces(comparison: Comparison, statics: Statics) -> Iterator[str]:
     return forces(comparison, statics)
 
 
-def _left_out(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[str]:
+def _left_out(study: LinkageStudy, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[str]:
     yield "\n## Left out\n"
     count, sheets = len(study.turn), leaves.get("kinematics", ())
     names = ", ".join(str(k) for leaf in sheets for k in leaf.metadata["plans"])
@@ -241,7 +241,7 @@ def _left_out(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[st
         yield f"- Links {', '.join(still)} do not turn: their angular velocity and acceleration have no column."
 
 
-def _turning(study: Study) -> set[int]:
+def _turning(study: LinkageStudy) -> set[int]:
     return set(study.drafts().velocities.readings) if "velocities" in study.made else set(study.mechanism.links)
 
 

@@ -30,7 +30,7 @@ from plans.checks.compare import Comparison
 from plans.forces.cut import Cut, indices
 from plans.forces.primary import BALANCING
 from plans.forces.statics import Statics
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.model.kinetostatics import Kinetostatics
 from plans.model.structure import formula
 
@@ -47,14 +47,14 @@ class Figure(Protocol):
     def lettered(self, labels: Labels) -> Group: ...  # noqa: D102
 
 
-def sheets(study: Study, comparison: Comparison, statics: Statics) -> tuple[Leaf, ...]:
+def sheets(study: LinkageStudy, comparison: Comparison, statics: Statics) -> tuple[Leaf, ...]:
     """Lay out the force sheets: one for each position that is asked for, and following ones where one has no room."""
     drafts = [_Draft(study, comparison, statics, k) for k in positions(study, comparison)]
     composed = [(draft, one) for draft in drafts for one in compose(draft.content, draft.page)]
     return tuple(draft.leaf(one, k + 1, len(composed)) for k, (draft, one) in enumerate(composed))
 
 
-def positions(study: Study, comparison: Comparison) -> tuple[int, ...]:
+def positions(study: LinkageStudy, comparison: Comparison) -> tuple[int, ...]:
     """Give the positions whose forces are drawn: the scene's own, or the one that is shown in full lines."""
     assert comparison.forces is not None  # a force sheet compares them
     gone = {gap.position: gap for road in reversed(comparison.forces) for gap in road.gaps}
@@ -82,7 +82,7 @@ def positions(study: Study, comparison: Comparison) -> tuple[int, ...]:
 class _Draft:
     """What the force sheets of one position are drawn from."""
 
-    study: Study
+    study: LinkageStudy
     comparison: Comparison
     statics: Statics
     position: int

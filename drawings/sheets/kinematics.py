@@ -11,7 +11,7 @@ import numpy as np
 from drawings.figures.linkage import position_plan, vector_plan
 from drawings.figures.linkage.pairs import Pairs
 from drawings.figures.linkage.skeleton import Skeletons, skeletons
-from drawings.figures.linkage.vector_plan import Diagram, Figure, diagram, figure
+from drawings.figures.linkage.vector_plan import Diagram, PlanFigure, diagram, figure
 from drawings.layout import value_table
 from drawings.layout.composition import Composed, compose
 from drawings.layout.labels import Ink, Labels
@@ -25,7 +25,7 @@ from drawings.paper.strokes import Group, Leaf, Text
 from drawings.sheets.choice import plans, position
 from drawings.sheets.notes import measured, notes, written
 from plans.checks.compare import Comparison
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.model.motion import ORDERS
 from plans.model.structure import formula
 
@@ -34,14 +34,14 @@ MARGINS = Margins(3.5, 3.5, 11.0)
 KEPT = 1.0  # mm inside the frame that letters keep clear of
 
 
-def sheets(study: Study, comparison: Comparison) -> tuple[Leaf, ...]:
+def sheets(study: LinkageStudy, comparison: Comparison) -> tuple[Leaf, ...]:
     """Lay out the kinematics sheet, and as many following ones as its figures need to stay readable."""
     draft = _Draft(study, comparison)
     composed = compose(draft.content, draft.page)
     return tuple(draft.leaf(one, k + 1, len(composed)) for k, one in enumerate(composed))
 
 
-def sheet(study: Study, comparison: Comparison) -> Leaf:
+def sheet(study: LinkageStudy, comparison: Comparison) -> Leaf:
     """Lay out the first kinematics sheet."""
     return sheets(study, comparison)[0]
 
@@ -50,7 +50,7 @@ def sheet(study: Study, comparison: Comparison) -> Leaf:
 class _Draft:
     """What a set of kinematics sheets is drawn from; nothing is made that the scene's sheets do not need."""
 
-    study: Study
+    study: LinkageStudy
     comparison: Comparison
 
     @cached_property
@@ -172,9 +172,9 @@ class _Draft:
         title = _heading(box, word(self.language, ORDERS[0]), scale, self.page.hand)
         return [title, Group(tuple(lines), ORDERS[0])]
 
-    def _plans(self, composed: Composed) -> tuple[list[Figure], list[Group]]:
+    def _plans(self, composed: Composed) -> tuple[list[PlanFigure], list[Group]]:
         """Draw the plans of this sheet; say of those that have none why."""
-        figures: list[Figure] = []
+        figures: list[PlanFigure] = []
         missing: list[Group] = []
         for one in (*composed.content.velocities, *composed.content.accelerations):
             spot = composed.plans[one.name]

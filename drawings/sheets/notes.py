@@ -14,7 +14,7 @@ from drawings.page.page import Field
 from drawings.paper.strokes import Group, Stroke, Text
 from plans.checks.compare import Comparison
 from plans.linkage.pressure import interval
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.model.structure import formula, mechanism_class
 from plans.scene.wording import said as worded
 
@@ -23,7 +23,7 @@ MOST_LENGTHS = 16  # of a mechanism with more the report and the scene tell them
 STEP = 1.8  # sizes of the letters from line to line: GOST 2.304-81 asks for 1.7 at least
 
 
-def notes(study: Study, comparison: Comparison, language: str) -> list[str]:
+def notes(study: LinkageStudy, comparison: Comparison, language: str) -> list[str]:
     """Write what the sheet says in words: structure, drive, stroke, time ratio, pressure angles, gaps, agreement."""
     mechanism, drive = study.mechanism, study.mechanism.drive
     said = [
@@ -47,7 +47,7 @@ def notes(study: Study, comparison: Comparison, language: str) -> list[str]:
     return [*said, *_gaps(comparison, language), *_why(study, comparison)]
 
 
-def lengths(study: Study, language: str) -> list[str]:
+def lengths(study: LinkageStudy, language: str) -> list[str]:
     """Tell the lengths of the scene, where they are not too many."""
     given = study.scene.mechanism.lengths
     if not 0 < len(given) <= MOST_LENGTHS:
@@ -67,12 +67,12 @@ def _gaps(comparison: Comparison, language: str) -> list[str]:
     ]
 
 
-def _why(study: Study, comparison: Comparison) -> list[str]:
+def _why(study: LinkageStudy, comparison: Comparison) -> list[str]:
     """Say on a sheet without any position what would mend the mechanism."""
     return [worded(comparison.construction.gaps[0].advice, study.scene.sheet.language)] if study.lost.all() else []
 
 
-def _travel(study: Study, language: str) -> str:
+def _travel(study: LinkageStudy, language: str) -> str:
     found = study.found
     assert found is not None  # asked only where there are extremes
     extremes = found.extremes

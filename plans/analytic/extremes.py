@@ -13,7 +13,7 @@ from plans.analytic.assembly import Shape, home
 from plans.analytic.closure import EPS, SQRT_EPS, Flags
 from plans.analytic.constraints import TURN, Constraints, X, Y
 from plans.analytic.ends import Station
-from plans.analytic.turn import FULL, Blocks, Turn, station, stations_at, whole_turn
+from plans.analytic.turn import FULL, Blocks, March, station, stations_at, whole_turn
 from plans.model.mechanism import FRAME, Mechanism, Output, Slide
 from plans.model.motion import Extremes, Floats
 
@@ -74,7 +74,7 @@ class _Rest:
         return True
 
 
-def extremes(shape: Shape, output: Output, looks: Floats, turn: Turn | None = None) -> Extremes | None:
+def extremes(shape: Shape, output: Output, looks: Floats, turn: March | None = None) -> Extremes | None:
     """Find the extreme positions; None if the output link turns fully or stands still, or the crank cannot turn fully.
 
     What of the `turn` has been marched already is not marched again. A slider's reach is counted along the frame's
@@ -101,12 +101,12 @@ def extremes(shape: Shape, output: Output, looks: Floats, turn: Turn | None = No
     return _strokes(found, sense, coordinate)
 
 
-def _begun(shape: Shape, looks: Floats) -> Turn | None:
+def _begun(shape: Shape, looks: Floats) -> March | None:
     start = home(shape, None, looks)
-    return Turn((station(shape.constraints, shape.blocks, start),), None, None) if start else None
+    return March((station(shape.constraints, shape.blocks, start),), None, None) if start else None
 
 
-def _dense(constraints: Constraints, blocks: Blocks, turn: Turn, coordinate: _Coordinate) -> Turn:
+def _dense(constraints: Constraints, blocks: Blocks, turn: March, coordinate: _Coordinate) -> March:
     """Put stations between those of a turn until the speed has at most one zero between any two of them."""
     stations, pending = list(turn.stations), list(pairwise(turn.stations))
     while pending:

@@ -10,7 +10,7 @@ from plans.analytic.closure import EPS, transfer
 from plans.analytic.constraints import TURN, Constraints, X, Y
 from plans.analytic.extremes import extremes
 from plans.analytic.positions import blocks, find, wrapped
-from plans.analytic.turn import Turn
+from plans.analytic.turn import March
 from plans.model.mechanism import FRAME, Mechanism, Output
 from plans.model.motion import Extremes, Floats, Gap, LinkMotion, Motion, PointMotion
 
@@ -27,7 +27,7 @@ class Analysis:
         self.tolerance, self.first = tolerance, first  # whether the sketch shows the first position asked for
         self.looks = looks  # crank angles rad among which the one is sought that the sketch shows, if not the first
         self.shape = Shape(mechanism, self.constraints, triangular(self.constraints))
-        self._turn: Turn | None = None
+        self._turn: March | None = None
 
     def motion(self, phi: Floats, order: int = 2) -> Motion:
         """Solve all positions phi rad: order 0 positions, 1 and velocities, 2 and accelerations; from the datum, SI."""

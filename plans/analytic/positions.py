@@ -25,7 +25,7 @@ from plans.analytic.ends import (
 )
 from plans.analytic.gaps import BEYOND, OUT_OF_REACH, gap
 from plans.analytic.sharpness import DOUBTFUL, least
-from plans.analytic.turn import FULL, Turn, survey
+from plans.analytic.turn import FULL, March, survey
 from plans.model.motion import Floats, Gap
 
 BLOCK = 2048  # positions solved together: their matrices stay in the cache
@@ -42,7 +42,7 @@ class Positions:
     phi: Floats
     poses: Floats
     regular: Flags
-    turn: Turn | None = None  # the way round that was marched
+    turn: March | None = None  # the way round that was marched
     gaps: list[Gap] = field(default_factory=list)
 
     def miss(self, position: int, plan: str, reason: str, end: End | None) -> None:
@@ -93,7 +93,7 @@ def wrapped(poses: Floats) -> Floats:
     return within
 
 
-def _along(found: Positions, shape: Shape, turn: Turn, crank: Floats, passed: Flags, tolerance: float) -> None:
+def _along(found: Positions, shape: Shape, turn: March, crank: Floats, passed: Flags, tolerance: float) -> None:
     """Close the poses at the positions that the march has passed."""
     places = np.flatnonzero(passed)
     for block in blocks(len(places)):
@@ -105,7 +105,7 @@ def _along(found: Positions, shape: Shape, turn: Turn, crank: Floats, passed: Fl
             _unborne(found, shape, turn, here[reached])
 
 
-def _unborne(found: Positions, shape: Shape, turn: Turn, here: Indices) -> None:
+def _unborne(found: Positions, shape: Shape, turn: March, here: Indices) -> None:
     """Tell no velocities right beside a change point, or where a block all but comes to its dead centre."""
     jacobian = shape.constraints.jacobian(shape.constraints.place(found.poses[here]))
     for k in here[least(shape.blocks, jacobian, found.poses[here]) ** 2 < UNBORNE].tolist():
@@ -116,7 +116,7 @@ def _unborne(found: Positions, shape: Shape, turn: Turn, here: Indices) -> None:
         found.miss(k, "velocities", CHANGE_POINT if near else DEAD_CENTRE, near[0] if near else None)
 
 
-def _at_the_end(found: Positions, shape: Shape, turn: Turn, end: End) -> Flags:
+def _at_the_end(found: Positions, shape: Shape, turn: March, end: End) -> Flags:
     """Treat the positions that the march cannot tell from the singular one; tell which they are."""
     apart = _apart(found.phi, end)
     at = np.abs(apart) <= end.blind
@@ -128,7 +128,7 @@ def _at_the_end(found: Positions, shape: Shape, turn: Turn, end: End) -> Flags:
     return at
 
 
-def _at_change(found: Positions, shape: Shape, turn: Turn, end: End, places: list[int], apart: Floats) -> None:
+def _at_change(found: Positions, shape: Shape, turn: March, end: End, places: list[int], apart: Floats) -> None:
     """Place the links at a change point, where they have one place but no one velocity, and right beside it."""
     clear = [s for s in turn.stations if abs(s.phi - end.singular) >= CLEAR] or list(turn.stations)
     near = min(clear, key=lambda s: abs(s.phi - end.singular))
@@ -164,7 +164,7 @@ def _borne(shape: Shape, poses: Floats) -> bool:
     return bool(least(shape.blocks, jacobian, poses)[0] ** 2 >= UNBORNE)
 
 
-def _at_dead_centre(found: Positions, shape: Shape, turn: Turn, end: End, places: list[int], apart: Floats) -> None:
+def _at_dead_centre(found: Positions, shape: Shape, turn: March, end: End, places: list[int], apart: Floats) -> None:
     """Place the links beside a dead centre, by their path there; at it they have no velocity, beyond it no place."""
     before = -end.sense * apart  # rad on this side of it
     for k, left in zip(places, before.tolist(), strict=True):
@@ -179,7 +179,7 @@ def _at_dead_centre(found: Positions, shape: Shape, turn: Turn, end: End, places
             found.miss(k, "velocities", DEAD_CENTRE, end)
 
 
-def _at_parallel(found: Positions, shape: Shape, turn: Turn, end: End, places: list[int], apart: Floats) -> None:
+def _at_parallel(found: Positions, shape: Shape, turn: March, end: End, places: list[int], apart: Floats) -> None:
     """Place the links where guides are nearly parallel, far away; where they are parallel there is no place."""
     last = turn.stations[-1 if end is turn.upper else 0]
     for k, left in zip(places, (-end.sense * apart).tolist(), strict=True):
@@ -204,7 +204,7 @@ def _same(shape: Shape, near: Station, poses: Floats) -> bool:
     return bool((signs_of(shape.blocks, jacobian) == np.sign(near.dets)).all())
 
 
-def _lost(found: Positions, shape: Shape, turn: Turn) -> None:
+def _lost(found: Positions, shape: Shape, turn: March) -> None:
     """Say of every position not found why that is."""
     untold = np.isnan(found.poses[:, 0, 0])
     untold[list(found.known())] = False
@@ -227,13 +227,13 @@ def _lost(found: Positions, shape: Shape, turn: Turn) -> None:
             found.miss(k, "positions", NOT_REACHABLE, end)
 
 
-def _bounding(phi: float, turn: Turn) -> End | None:
+def _bounding(phi: float, turn: March) -> End | None:
     """Give the end that keeps the crank from an angle, rad: the nearer one, of two as near the upper."""
     apart = [np.inf if end is None else abs(float(_apart(np.array(phi), end))) for end in (turn.upper, turn.lower)]
     return turn.upper if apart[0] <= apart[1] + BESIDE else turn.lower
 
 
-def _assembles(shape: Shape, turn: Turn, phi: Floats) -> Flags:
+def _assembles(shape: Shape, turn: March, phi: Floats) -> Flags:
     """Tell whether the links can be joined at these crank angles in the assembly that the march follows."""
     return np.asarray(np.isfinite(assemblies(shape, phi, np.sign(turn.stations[0].dets))).all(axis=(1, 2)))
 

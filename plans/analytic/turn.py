@@ -34,7 +34,7 @@ TRUST = 1.0 / 16.0
 
 
 @dataclass(frozen=True)
-class Turn:
+class March:
     """All stations of both marches in order of the crank angle, and what ended them."""
 
     stations: tuple[Station, ...]
@@ -117,7 +117,7 @@ class _March:
         self.stride = CLEAR
 
 
-def survey(shape: Shape, start: Assembly, ahead: Floats) -> Turn:
+def survey(shape: Shape, start: Assembly, ahead: Floats) -> March:
     """March from the assembly until all angles `ahead` of it, rad in [0, 2 pi), are passed in either sense."""
     first = station(shape.constraints, shape.blocks, start)
     most = start.phi + float(np.max(ahead, where=ahead <= np.pi, initial=0.0))
@@ -133,10 +133,10 @@ def survey(shape: Shape, start: Assembly, ahead: Floats) -> Turn:
         lost = ahead < FULL + lower.reached - start.phi
         up.goal = start.phi + float(np.max(ahead, where=lost, initial=0.0))
         (upper,) = _march(shape, up)
-    return Turn((*reversed(down.way[1:]), *up.way), lower, upper, (*down.passed, *up.passed))
+    return March((*reversed(down.way[1:]), *up.way), lower, upper, (*down.passed, *up.passed))
 
 
-def whole_turn(shape: Shape, turn: Turn) -> Turn | None:
+def whole_turn(shape: Shape, turn: March) -> March | None:
     """Lengthen a march on both sides until it comes round; None where the crank cannot make a full turn."""
     if turn.ends:
         return None
@@ -146,7 +146,7 @@ def whole_turn(shape: Shape, turn: Turn) -> Turn | None:
     if any(_march(shape, up, down)):
         return None
     added = down.way[len(turn.stations) :]
-    return Turn((*reversed(added), *up.way), None, None, (*down.passed, *turn.passed, *up.passed))
+    return March((*reversed(added), *up.way), None, None, (*down.passed, *turn.passed, *up.passed))
 
 
 def station(constraints: Constraints, blocks: Blocks, start: Assembly) -> Station:

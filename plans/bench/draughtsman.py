@@ -34,7 +34,7 @@ _PLACES = {
 
 
 @dataclass(frozen=True)
-class Hand:
+class Draughtsman:
     """A hand that slips: scales of the plans (true units a mm, one for each position), and where chance is."""
 
     slip: float  # mm
@@ -54,7 +54,7 @@ class Hand:
         return np.asarray(self.pricked(plan) * np.maximum(length / EDGE, 1.0))
 
 
-def drawn(replay: Replay, hand: Hand) -> dict[tuple[str, str], Any]:
+def drawn(replay: Replay, hand: Draughtsman) -> dict[tuple[str, str], Any]:
     """Draw the record by hand; give what is read off the drawings, each (drawings, positions)."""
     done: dict[Mark, Any] = {}
     marks = behind(*replay.wanted)
@@ -76,31 +76,31 @@ def _read(replay: Replay, done: Mapping[Mark, Any], shape: tuple[int, int]) -> d
     return {key: np.broadcast_to(values, shape) for key, values in found.items()}
 
 
-def _given(hand: Hand, mark: Mark, place: bool) -> Any:
+def _given(hand: Draughtsman, mark: Mark, place: bool) -> Any:
     """Prick a given point; a pole is where it is, and a given direction is drawn when it is used."""
     if isinstance(mark.value, tuple) or not place or not np.any(mark.point):
         return mark.value
     return mark.point + hand.pricked(mark.subject)
 
 
-def _laid_off(hand: Hand, mark: Mark, inputs: Sequence[Any]) -> Any:
+def _laid_off(hand: Draughtsman, mark: Mark, inputs: Sequence[Any]) -> Any:
     start, vector = inputs
     if not np.any(vector):  # nothing is laid off
         return start
     return start + vector + hand.pricked(mark.subject)
 
 
-def _ruled(hand: Hand, mark: Mark, inputs: Sequence[Any]) -> Line:
+def _ruled(hand: Draughtsman, mark: Mark, inputs: Sequence[Any]) -> Line:
     through, along = inputs
     direction = along / np.abs(along)
     return Line(through + hand.pricked(mark.subject), 1j * direction if mark.step.op == "square" else direction)
 
 
-def _struck(hand: Hand, mark: Mark, inputs: Sequence[Any]) -> Arc:
+def _struck(hand: Draughtsman, mark: Mark, inputs: Sequence[Any]) -> Arc:
     return Arc(inputs[0], mark.step.size.real + hand.pricked(mark.subject).real)
 
 
-def _met(hand: Hand, mark: Mark, inputs: Sequence[Any]) -> Any:
+def _met(hand: Draughtsman, mark: Mark, inputs: Sequence[Any]) -> Any:
     first, second, side = inputs[0], inputs[1], mark.step.side
     match first, second:
         case Arc(), Arc():
@@ -113,33 +113,33 @@ def _met(hand: Hand, mark: Mark, inputs: Sequence[Any]) -> Any:
     return first.through + met.first + hand.pricked(mark.subject)
 
 
-def _tangent(hand: Hand, mark: Mark, inputs: Sequence[Any]) -> Any:
+def _tangent(hand: Draughtsman, mark: Mark, inputs: Sequence[Any]) -> Any:
     base = inputs[1] - inputs[0] + hand.pricked(mark.subject)
     return loci.tangent_direction(base, mark.step.size.real, mark.step.side).first
 
 
-def _transferred(hand: Hand, mark: Mark, inputs: Sequence[Any]) -> Any:
+def _transferred(hand: Draughtsman, mark: Mark, inputs: Sequence[Any]) -> Any:
     return inputs[0] + hand.carried(mark.step.inputs[0].subject, inputs[0])
 
 
-def _divided(hand: Hand, mark: Mark, inputs: Sequence[Any]) -> Any:
+def _divided(hand: Draughtsman, mark: Mark, inputs: Sequence[Any]) -> Any:
     circle, directions = inputs
     return circle.centre + circle.radius * directions + hand.pricked(mark.subject)
 
 
-def _moment(hand: Hand, mark: Mark, inputs: Sequence[Any]) -> Any:
+def _moment(hand: Draughtsman, mark: Mark, inputs: Sequence[Any]) -> Any:
     """Measure an arm off the drawing with the ruler."""
     about, at, force = inputs
     return cross(at - about + hand.pricked(mark.step.inputs[0].subject), force)
 
 
-def _balanced(hand: Hand, mark: Mark, inputs: Sequence[Any]) -> Any:
+def _balanced(hand: Draughtsman, mark: Mark, inputs: Sequence[Any]) -> Any:
     about, line, *moments = inputs
     arm = line.through - about + hand.pricked(mark.step.inputs[0].subject)
     return loci.lever(arm, line.direction, sum(moments)).first
 
 
-_RULES: dict[str, Callable[[Hand, Mark, Sequence[Any]], Any]] = {
+_RULES: dict[str, Callable[[Draughtsman, Mark, Sequence[Any]], Any]] = {
     "lay_off": _laid_off,
     "join": lambda hand, mark, inputs: inputs[1] - inputs[0],
     "parallel": _ruled,
@@ -167,7 +167,7 @@ class Toll:
     single: Floats  # of every v, a, omega, epsilon that is no near zero: its error in shares of itself
 
 
-def toll(replay: Replay, hand: Hand, truth: Truth, largest: Mapping[str, float]) -> Toll:
+def toll(replay: Replay, hand: Draughtsman, truth: Truth, largest: Mapping[str, float]) -> Toll:
     """Draw by hand and hold what is read against the truth."""
     found = drawn(replay, hand)
     off = shares(found, truth, largest)

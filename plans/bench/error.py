@@ -9,7 +9,7 @@ import numpy as np
 
 from plans.bench.truth import KINDS, MOMENT, REACTION, Truth, Values
 from plans.forces.statics import Statics
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.model.motion import LINK_KEYS, POINT_KEYS, Floats
 from plans.scene.scene import FORCES
@@ -49,7 +49,7 @@ class Errors:
         return Errors({k: max(e.kinds.get(k, 0.0) for e in (self, other)) for k in kinds}, ahead.worst)
 
 
-def sizes(study: Study) -> dict[str, float]:
+def sizes(study: LinkageStudy) -> dict[str, float]:
     """Give the largest of each kind over a turn, by which its errors are counted."""
     motion = study.motion(2)
     moving = [m for name, m in motion.points.items() if name not in study.mechanism.links[FRAME].points]

@@ -23,7 +23,7 @@ from plans.bench.truth import BALANCING, MOMENT, Truth, of_forces
 from plans.forces.loading import loading
 from plans.forces.statics import ForceDrafts, Statics
 from plans.forces.stroke import Stroke, strokes
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.model.kinetostatics import Kinetostatics, Loading
 from plans.model.motion import Floats, Motion
 from plans.scene.scene import FORCES
@@ -36,12 +36,12 @@ WITH_MOTION, LOADED = "with its kinematics", "reactions and M_bal at once, with 
 OVER_PLANS, OVER_MOTION = "M_bal alone, over the force plan", "M_bal alone, over the analysis's motion and loads"
 
 
-def asked(study: Study) -> bool:
+def asked(study: LinkageStudy) -> bool:
     """Tell whether a scene asks for forces."""
     return FORCES in study.scene.sheets
 
 
-def prepared(study: Study) -> Statics | None:
+def prepared(study: LinkageStudy) -> Statics | None:
     """Prepare the statics of a study: machine, strokes and the pattern of the force plan; None: no forces are asked."""
     if not asked(study):
         return None
@@ -51,7 +51,7 @@ def prepared(study: Study) -> Statics | None:
     return statics
 
 
-def over(study: Study, statics: Statics) -> Statics:
+def over(study: LinkageStudy, statics: Statics) -> Statics:
     """Give prepared statics over the empty boards of a study."""
     other = copy(statics)
     other.study = copy(study)
@@ -62,7 +62,7 @@ def over(study: Study, statics: Statics) -> Statics:
 class ForceGround:
     """What the roads to the forces of one number of positions stand on."""
 
-    study: Study
+    study: LinkageStudy
     statics: Statics  # no force plan of it is ever drawn: its copies draw
     truth: Truth
     largest: Mapping[str, float]

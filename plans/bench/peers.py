@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.model.motion import LINK_KEYS, Complexes, Floats, LinkMotion, Motion, PointMotion
 
@@ -59,7 +59,7 @@ class Peer:
         return ", ".join(f"{library} {version(library)}" for library in NEEDED[self.name])
 
 
-def four_bar(study: Study) -> FourBar | None:
+def four_bar(study: LinkageStudy) -> FourBar | None:
     """See the mechanism as a four-bar with coupler points; None if it is anything else."""
     mechanism, groups = study.mechanism, study.groups
     drive, links = mechanism.drive, mechanism.links
@@ -84,7 +84,7 @@ def four_bar(study: Study) -> FourBar | None:
     )
 
 
-def peers(study: Study) -> tuple[list[Peer], dict[str, str]]:
+def peers(study: LinkageStudy) -> tuple[list[Peer], dict[str, str]]:
     """Make the peers ready for a study's positions; say of each that is left out why it is."""
     found = four_bar(study)
     if found is None or study.lost.any():
@@ -102,7 +102,7 @@ def peers(study: Study) -> tuple[list[Peer], dict[str, str]]:
     return ready, out
 
 
-def _pylinkage(study: Study, bar: FourBar) -> Peer:
+def _pylinkage(study: LinkageStudy, bar: FourBar) -> Peer:
     from pylinkage.actuators import Crank  # noqa: PLC0415  (only a bench with peers pays for them)
     from pylinkage.components import Ground  # noqa: PLC0415
     from pylinkage.dyads import FixedDyad, RRRDyad  # noqa: PLC0415
@@ -129,7 +129,7 @@ def _pylinkage(study: Study, bar: FourBar) -> Peer:
     return Peer(PYLINKAGE, lambda: linkage.step_fast_with_kinematics(count), read)
 
 
-def _mechanism(study: Study, bar: FourBar) -> Peer:
+def _mechanism(study: LinkageStudy, bar: FourBar) -> Peer:
     from mechanism import Mechanism, Vector, get_joints  # noqa: PLC0415
 
     names = (*bar.letters, *bar.points)
@@ -165,12 +165,12 @@ def _mechanism(study: Study, bar: FourBar) -> Peer:
     return Peer(MECHANISM, run, read)
 
 
-def _first(study: Study, bar: FourBar) -> complex:
+def _first(study: LinkageStudy, bar: FourBar) -> complex:
     """Give the place of B in the first position: pylinkage must be shown the assembly."""
     return complex(study.motion(0).points[bar.letters[2]].r[0])
 
 
-def _guess(study: Study, bar: FourBar) -> tuple[Floats, ...]:
+def _guess(study: LinkageStudy, bar: FourBar) -> tuple[Floats, ...]:
     """Give mechanism the best guesses there are for its first position: coupler's and rocker's angles and rates."""
     found = study.motion(2).links
     spans = zip(bar.links[1:], (bar.coupler, bar.rocker), strict=True)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from plans.bench.clock import Times
+from plans.bench.computer import Computer
 from plans.bench.error import Errors
-from plans.bench.machine import Machine
 
 
 @dataclass(frozen=True)
@@ -80,7 +80,7 @@ class Bench:
     """All that a bench reports of a scene."""
 
     title: str
-    machine: Machine
+    machine: Computer
     rows: tuple[Row, ...]
     ratios: tuple[Ratio, ...]
     words: tuple[str, ...]  # definitions, acceptance, repetitions, what was left out

@@ -19,7 +19,7 @@ from plans.bench.peers import Peer, peers
 from plans.bench.result import Row
 from plans.bench.truth import NotInstalled, Replay, Truth, replay, sample, values
 from plans.forces.statics import Statics
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.model.motion import Motion
 from plans.scene.scene import Scene
 
@@ -50,13 +50,13 @@ class Road:
 class Ground:
     """What all techniques of one number of positions stand on: the prepared study, the truth, and what counts as 1."""
 
-    study: Study  # no plan of it is ever drawn: its copies draw
+    study: LinkageStudy  # no plan of it is ever drawn: its copies draw
     truth: Truth
     replay: Replay
     largest: Mapping[str, float]
     statics: Statics | None = None  # of a scene that asks for forces
 
-    def fresh(self) -> Study:
+    def fresh(self) -> LinkageStudy:
         """Give the study with empty boards: what was prepared is shared, every plan is drawn anew."""
         return copy(self.study)
 
@@ -86,9 +86,9 @@ def with_positions(scene: Scene, count: int) -> Scene:
     )
 
 
-def prepared(scene: Scene, count: int) -> Study:
+def prepared(scene: Scene, count: int) -> LinkageStudy:
     """Study a scene at a number of positions: structure, assembly, barriers and crank angles, but no plan yet."""
-    study = Study(with_positions(scene, count))
+    study = LinkageStudy(with_positions(scene, count))
     for part in ("groups", "sweep", "barriers", "turn"):
         getattr(study, part)
     return study
@@ -144,7 +144,7 @@ def _drawing(found: Ground, order: int) -> Callable[[], Motion]:
     return lambda: found.fresh().motion(order)
 
 
-def _solving(study: Study, tolerance: float = EPS) -> Callable[[], Motion]:
+def _solving(study: LinkageStudy, tolerance: float = EPS) -> Callable[[], Motion]:
     return lambda: solve(
         study.mechanism, study.turn.phi, tolerance=tolerance, first=study.scene.drive.first is not None
     )

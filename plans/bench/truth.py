@@ -18,7 +18,7 @@ from plans.forces.force import ForcePlan
 from plans.forces.statics import ForceDrafts, Statics
 from plans.linkage.drafts import Drafts
 from plans.linkage.plan import Plan
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.model.kinetostatics import Kinetostatics
 from plans.model.mechanism import FRAME
 from plans.model.motion import LINK_KEYS, ORDERS, POINT_KEYS, Complexes, Floats, Motion
@@ -71,7 +71,7 @@ class Truth:
 class Replay:
     """The marks whose values are wanted, drawn at some positions and ready to be carried out in 50 digits."""
 
-    study: Study
+    study: LinkageStudy
     positions: tuple[int, ...]
     points: Mapping[Key, Mark]
     arms: Mapping[str, tuple[Mark, complex]]  # a link's vector on the plan of positions, and in its own frame
@@ -113,7 +113,7 @@ class Replay:
         return {key: mp.re(value) if key[0] == MOMENT else value for key, value in told.items()}
 
 
-def replay(study: Study, positions: Sequence[int], statics: Statics | None = None) -> Replay:
+def replay(study: LinkageStudy, positions: Sequence[int], statics: Statics | None = None) -> Replay:
     """Draw the three plans at some positions of a study, to be replayed; with its statics the force plan as well."""
     drafts = Drafts(study, study.turn.part(list(positions)))
     if statics is None:
@@ -142,7 +142,7 @@ def _of_forces(plan: ForcePlan) -> Iterator[tuple[Key, tuple[Mark, float]]]:
         yield (REACTION, BALANCING), (plan.drive, 1.0)
 
 
-def _of_motion(study: Study, positions: Sequence[int], plans: Sequence[Plan]) -> Replay:
+def _of_motion(study: LinkageStudy, positions: Sequence[int], plans: Sequence[Plan]) -> Replay:
     """Name what the three plans tell of points and links."""
     links = {number: link for number, link in study.mechanism.links.items() if number != FRAME}
     fixed = study.mechanism.links[FRAME].points
@@ -218,7 +218,7 @@ def _digits() -> Any:
     return mp
 
 
-def _direction(mp: Any, study: Study, position: int) -> Any:
+def _direction(mp: Any, study: LinkageStudy, position: int) -> Any:
     """Give the crank's direction in 50 digits: an exact share of the turn from the first one, or as it is listed."""
     drive = study.scene.drive
     if isinstance(drive.positions, tuple):

@@ -17,7 +17,7 @@ from geometry.precision import condition, errors
 from plans.analytic.kinematics import Analysis
 from plans.linkage.drafts import Drafts
 from plans.linkage.margin import margins
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.model.motion import (
     LINK_KEYS,
@@ -128,7 +128,7 @@ def _alone(roads: Sequence[_Road], told: Sequence[Sequence[Gap]]) -> Iterator[tu
 
 
 @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN on both roads
-def compare(study: Study, order: int = 2) -> Comparison:
+def compare(study: LinkageStudy, order: int = 2) -> Comparison:
     """Compare construction and analysis over all positions of a study, up to an order of derivative."""
     drawn = study.motion(order)
     road = Analysis(study.mechanism, first=study.scene.drive.first is not None, looks=study.looks.phi)
@@ -142,14 +142,14 @@ def compare(study: Study, order: int = 2) -> Comparison:
     return Comparison(drawn, solved, capped(study, findings), kappa, road)
 
 
-def notches(study: Study) -> Floats:
+def notches(study: LinkageStudy) -> Floats:
     """Give kappa of every group's meeting over the positions, (groups, positions)."""
     _, marks = margins(study.drafts().positions, study.groups, study.sweep.sides)
     count = len(study.turn)
     return np.array([np.broadcast_to(condition(mark), count) for mark in marks]).reshape(len(marks), count)
 
 
-def capped(study: Study, findings: Sequence[Finding]) -> tuple[Finding, ...]:
+def capped(study: LinkageStudy, findings: Sequence[Finding]) -> tuple[Finding, ...]:
     """Allow no more than MOST_ALLOWED of the largest where the construction is sharp."""
     sharp = ~(notches(study).max(axis=0, initial=1.0) >= NOT_GRADED)
     mosts = (np.where(sharp, MOST_ALLOWED * finding.largest, np.inf) for finding in findings)
@@ -157,7 +157,7 @@ def capped(study: Study, findings: Sequence[Finding]) -> tuple[Finding, ...]:
     return tuple(finding._replace(allowed=np.minimum(finding.allowed, most)) for finding, most in pairs)
 
 
-def compare_extremes(study: Study, comparison: Comparison) -> Comparison:
+def compare_extremes(study: LinkageStudy, comparison: Comparison) -> Comparison:
     """Add the output's extreme positions, their crank angles, stroke and overlap, found by both roads."""
     ours, theirs = None if study.found is None else study.found.extremes, comparison.road.extremes(study.output)
     told = ours or theirs
@@ -183,7 +183,7 @@ def _told(found: Extremes) -> Floats:
 
 
 def _points(
-    study: Study, drafts: Drafts, order: int, drawn: Motion, solved: Motion, kappa: Floats
+    study: LinkageStudy, drafts: Drafts, order: int, drawn: Motion, solved: Motion, kappa: Floats
 ) -> Iterator[Finding]:
     names = [name for name in drawn.points if name not in study.mechanism.links[FRAME].points]
     pairs = [(getattr(drawn.points[n], POINT_KEYS[order]), getattr(solved.points[n], POINT_KEYS[order])) for n in names]

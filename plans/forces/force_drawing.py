@@ -11,7 +11,7 @@ from geometry.board import Mark
 from geometry.meet import UNBORNE
 from plans.forces.cut import Support
 from plans.forces.force import ForcePlan
-from plans.forces.force_pattern import Drawn, reaction_of, row
+from plans.forces.force_template import Drawn, reaction_of, row
 from plans.forces.groups import forces
 from plans.forces.lever import lever
 from plans.linkage.groups import guide

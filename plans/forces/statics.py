@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from plans.forces.force_drawing import ForceDrawing
-from plans.forces.force_pattern import Drawn, ForcePattern
+from plans.forces.force_template import Drawn, ForcePattern
 from plans.forces.loading import loading
 from plans.forces.stroke import NoStroke, Stroke, strokes
 from plans.linkage.assembly_limits import at_angles
@@ -21,8 +21,8 @@ from plans.linkage.drafts import Drafts
 from plans.linkage.extreme import extremes
 from plans.linkage.gaps import near_edge
 from plans.linkage.obstruction import obstruction
-from plans.linkage.pattern import Pattern
-from plans.linkage.study import BLOCK, Study
+from plans.linkage.plan_template import PlanTemplate
+from plans.linkage.study import BLOCK, LinkageStudy
 from plans.model.kinetostatics import (
     DEAD_CENTRE,
     FORCES,
@@ -56,7 +56,7 @@ class ForceDrafts:
         self.statics, self.drafts = statics, drafts
 
     @cached_property
-    def _below(self) -> tuple[Pattern | Drawing, list[Any]]:
+    def _below(self) -> tuple[PlanTemplate | Drawing, list[Any]]:
         return self.drafts.follow(2)
 
     @cached_property
@@ -98,7 +98,7 @@ class ForceDrafts:
 class Statics:
     """The forces of a study; nothing is made before it is asked for."""
 
-    def __init__(self, study: Study) -> None:
+    def __init__(self, study: LinkageStudy) -> None:
         self.study = study
 
     @cached_property

@@ -17,11 +17,11 @@ from geometry.meet import UNBORNE
 from plans.linkage.acceleration import accelerations
 from plans.linkage.barrier import CHANGE, GAP, PARALLEL, SAME, Barrier, Edge
 from plans.linkage.carrying import Drawing, Passed, carried
+from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.margin import deciding, margins, of_arcs
-from plans.linkage.pattern import Pattern
 from plans.linkage.plan import Plan
+from plans.linkage.plan_template import PlanTemplate
 from plans.linkage.position import positions
-from plans.linkage.turn import Turn
 from plans.linkage.velocity import velocities
 from plans.model.mechanism import Mechanism
 from plans.model.motion import Floats, Motion
@@ -36,9 +36,9 @@ LOOKS = 8  # 64**8 of half a degree is below the rounding of an angle
 DEEP, SHALLOW = 0.5, 0.01
 
 
-def at_angles(phi: Floats) -> Turn:
+def at_angles(phi: Floats) -> CrankPositions:
     """Take any crank angles, rad, for a turn."""
-    return Turn(phi, np.exp(1j * phi))
+    return CrankPositions(phi, np.exp(1j * phi))
 
 
 class Sweep:
@@ -54,7 +54,7 @@ class Sweep:
     ) -> None:
         self.mechanism, self.groups, self.sides = mechanism, groups, sides
         self.home, self.passed = home, passed  # crank angle, rad, of the sketch; change points that are carried through
-        self._patterns: dict[int, Pattern] = {}
+        self._patterns: dict[int, PlanTemplate] = {}
 
     def over(self, mechanism: Mechanism) -> Sweep:
         """Give the sweep of the same mechanism driven in another way."""
@@ -89,7 +89,7 @@ class Sweep:
         here = Passed(barrier.group, barrier.middle)
         return barrier.kind == CHANGE and any(_alike(here, other) for other in self.passed)
 
-    def pattern(self, order: int) -> Pattern | Drawing:
+    def pattern(self, order: int) -> PlanTemplate | Drawing:
         """Give the pattern of the plans up to an order: 0 positions, 1 velocities, 2 accelerations."""
         if self.passed:
             return Drawing(self.drawn, self.groups, order)
@@ -99,19 +99,19 @@ class Sweep:
                 plans.append(velocities(plans[0], self.groups))
             if order > 1:
                 plans.append(accelerations(plans[1], self.groups))
-            self._patterns[order] = Pattern(plans)
+            self._patterns[order] = PlanTemplate(plans)
         return self._patterns[order]
 
     def plan(self, phi: Floats) -> Plan:
         """Draw the plan of positions at some crank angles."""
         return self.drawn(at_angles(phi))
 
-    def motion(self, turn: Turn, order: int) -> Motion:
+    def motion(self, turn: CrankPositions, order: int) -> Motion:
         """Give the motion at the crank positions of a turn, reached or not, by the pattern of an order of plans."""
         pattern = self.pattern(order)
         return pattern.read(pattern.follow(turn), turn)
 
-    def drawn(self, turn: Turn) -> Plan:
+    def drawn(self, turn: CrankPositions) -> Plan:
         """Draw the plan of positions at the crank positions of a turn."""
         sides = carried(self.sides, self.passed, turn.phi, self.home) if self.passed else self.sides
         return positions(self.mechanism, self.groups, sides, turn)

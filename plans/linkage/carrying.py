@@ -15,9 +15,9 @@ import numpy.typing as npt
 from geometry.meet import Sizes
 from plans.linkage.acceleration import accelerations
 from plans.linkage.angles import angle, rate
-from plans.linkage.pattern import resting
+from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.plan import Plan
-from plans.linkage.turn import Turn
+from plans.linkage.plan_template import resting
 from plans.linkage.velocity import velocities
 from plans.model.motion import Floats, LinkMotion, Motion, PointMotion
 from plans.model.structure import Dyad
@@ -49,10 +49,10 @@ def carried(sides: Sequence[float], passed: Sequence[Passed], phi: Floats, home:
 class Drawing:
     """Plans up to an order, drawn anew wherever they are asked for: no pattern fits sides that change."""
 
-    def __init__(self, drawn: Callable[[Turn], Plan], groups: Sequence[Dyad], order: int) -> None:
+    def __init__(self, drawn: Callable[[CrankPositions], Plan], groups: Sequence[Dyad], order: int) -> None:
         self._drawn, self.groups, self.order = drawn, groups, order
 
-    def follow(self, turn: Turn) -> list[Plan]:
+    def follow(self, turn: CrankPositions) -> list[Plan]:
         """Draw the plans at some crank positions."""
         plans = [self._drawn(turn)]
         for draw in (velocities, accelerations)[: self.order]:
@@ -67,7 +67,7 @@ class Drawing:
         """Give the plans themselves."""
         return plans
 
-    def read(self, plans: Sequence[Plan], turn: Turn) -> Motion:
+    def read(self, plans: Sequence[Plan], turn: CrankPositions) -> Motion:
         """Read all named points and moving links off the plans."""
         links = plans[0].mechanism.links
         letters = sorted({point for link in links.values() for point in link.points})

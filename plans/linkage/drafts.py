@@ -13,10 +13,10 @@ from plans.linkage.acceleration import accelerations
 from plans.linkage.assembly_limits import Sweep
 from plans.linkage.barrier import Barrier
 from plans.linkage.carrying import Drawing
-from plans.linkage.pattern import Pattern
+from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.plan import Plan
+from plans.linkage.plan_template import PlanTemplate
 from plans.linkage.sketch import Assembly
-from plans.linkage.turn import Turn
 from plans.linkage.velocity import velocities
 from plans.model.motion import ORDERS, Motion
 from plans.model.structure import Dyad
@@ -50,12 +50,12 @@ class Drafts:
     The record of an order of plans holds those below it; what is asked for later is drawn over what is there.
     """
 
-    def __init__(self, study: Drawable, turn: Turn) -> None:
+    def __init__(self, study: Drawable, turn: CrankPositions) -> None:
         self.study, self.turn = study, turn
         self._plans: list[Plan] = []
-        self._record: tuple[Pattern | Drawing, list[Any]] | None = None
+        self._record: tuple[PlanTemplate | Drawing, list[Any]] | None = None
 
-    def follow(self, order: int) -> tuple[Pattern | Drawing, list[Any]]:
+    def follow(self, order: int) -> tuple[PlanTemplate | Drawing, list[Any]]:
         """Work out the numbers of the plans up to an order by their pattern."""
         for subject in ORDERS[: order + 1]:
             self.study.made.setdefault(subject)

@@ -14,11 +14,11 @@ import numpy as np
 
 from geometry.board import Mark, at
 from plans.linkage.assembly_limits import Sweep
+from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.groups import guide, lead
 from plans.linkage.plan import Plan
 from plans.linkage.position import crank
 from plans.linkage.travel import Travel, frame_slide
-from plans.linkage.turn import Turn
 from plans.model.mechanism import FRAME, Mechanism, Output
 from plans.model.motion import Extremes, Floats
 from plans.model.structure import Dyad
@@ -60,7 +60,7 @@ def notches(mechanism: Mechanism, groups: Sequence[Dyad], sides: Sequence[float]
     for group, side in zip(groups, sides, strict=True):
         on_crank = set(group.hosts) == {drive.link, FRAME}
         if on_crank and (group.kind in ("RRR", "RPR") or (group.kind == "RRP" and group.hosts[0] == drive.link)):
-            plan = crank(mechanism, Turn(np.zeros(1), np.ones(1, dtype=complex)))
+            plan = crank(mechanism, CrankPositions(np.zeros(1), np.ones(1, dtype=complex)))
             draw = _slot_tangents if group.kind == "RPR" else _stretched_and_folded
             return plan, draw(plan, group, side)
     return None
@@ -140,7 +140,7 @@ def extremes(sweep: Sweep, out: Output) -> Found | None:
         return None
     drawn = notches(sweep.mechanism, sweep.groups, sweep.sides)
     directions = [_notched(drawn, rest) for rest in rests.tolist()]
-    exact = Turn(rests, np.array([d for d, _ in directions]))
+    exact = CrankPositions(rests, np.array([d for d, _ in directions]))
     reach = _reaches(travel, exact)
     places: list[float] = rests.tolist()
     low, high = _farthest(places, -reach), _farthest(places, reach)
@@ -178,7 +178,7 @@ def _notched(drawn: tuple[Plan, list[Mark]] | None, rest: float) -> tuple[comple
     return complex(np.exp(1j * rest)), False
 
 
-def _reaches(travel: Travel, turn: Turn) -> Floats:
+def _reaches(travel: Travel, turn: CrankPositions) -> Floats:
     """Give the output's coordinate at some crank positions, angles unwrapped along the turn."""
     reach = travel.coordinate(turn)
     if travel.sliding:

@@ -11,9 +11,9 @@ from geometry.board import Arc, Mark, at, between
 from geometry.meet import EPS, UNBORNE
 from plans.linkage.assembly_limits import Sweep
 from plans.linkage.barrier import CHANGE, GAP, PARALLEL, Barrier, Edge, bounding
+from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.margin import crossing, margins, undefined
 from plans.linkage.plan import Plan
-from plans.linkage.turn import Turn
 from plans.model.motion import Floats, Gap, Motion
 
 # A position this near to a barrier's edge, rad, whose group is exactly at its dead centre, is the limit itself: half
@@ -29,7 +29,7 @@ ROUNDING = 8.0 * EPS  # rad: an edge is reached, whichever turn its angle is cou
 Flags = npt.NDArray[np.bool_]
 
 
-def lost(sweep: Sweep, plan: Plan, turn: Turn, home: float, barriers: Sequence[Barrier]) -> Flags:
+def lost(sweep: Sweep, plan: Plan, turn: CrankPositions, home: float, barriers: Sequence[Barrier]) -> Flags:
     """Tell the positions that are not reached from `home`, or in which a group has no one place; limits are reached."""
     gone = ~reached(turn.phi, home, barriers) | near_edge(turn.phi, barriers, (PARALLEL,), UNBORNE)
     if not sweep.groups or (plan.board.clear and not gone.any() and not sweep.pinned):
@@ -90,7 +90,7 @@ def near_edge(
     return _near(phi, [angle for pair in both for angle, edge in pair if edge.kind in kinds], within)
 
 
-def unborne(sweep: Sweep, plan: Plan, turn: Turn) -> Flags:
+def unborne(sweep: Sweep, plan: Plan, turn: CrankPositions) -> Flags:
     """Tell the positions whose velocities the condition does not bear.
 
     A dead centre is told by the crank's angle from it; elsewhere a group must not meet too bluntly.
@@ -105,7 +105,7 @@ def unborne(sweep: Sweep, plan: Plan, turn: Turn) -> Flags:
 
 
 def of_positions(
-    sweep: Sweep, turn: Turn, positions: Sequence[int], home: float | None, barriers: Sequence[Barrier]
+    sweep: Sweep, turn: CrankPositions, positions: Sequence[int], home: float | None, barriers: Sequence[Barrier]
 ) -> list[Gap]:
     """Say why some positions are lost, and what would mend them; `turn` holds those positions alone."""
     if not positions:

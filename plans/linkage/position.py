@@ -7,14 +7,14 @@ from collections.abc import Sequence
 import numpy as np
 
 from geometry.meet import Sizes
+from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.groups.kinds import KINDS
 from plans.linkage.plan import Image, Plan
-from plans.linkage.turn import Turn
 from plans.model.mechanism import Mechanism
 from plans.model.structure import Dyad
 
 
-def crank(mechanism: Mechanism, turn: Turn) -> Plan:
+def crank(mechanism: Mechanism, turn: CrankPositions) -> Plan:
     """Start a plan of positions: the fixed hinge, the crank circle and the crank's end at every angle."""
     plan = Plan("positions", mechanism)
     drive, points = mechanism.drive, mechanism.links[mechanism.drive.link].points
@@ -29,7 +29,7 @@ def crank(mechanism: Mechanism, turn: Turn) -> Plan:
 
 
 @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, and is named outside
-def positions(mechanism: Mechanism, groups: Sequence[Dyad], sides: Sequence[Sizes], turn: Turn) -> Plan:
+def positions(mechanism: Mechanism, groups: Sequence[Dyad], sides: Sequence[Sizes], turn: CrankPositions) -> Plan:
     """Draw the plan of positions; `sides` gives each group's side of its meeting, NaN where it must stay undrawn."""
     plan = crank(mechanism, turn)
     for group, side in zip(groups, sides, strict=True):

@@ -8,11 +8,11 @@ from typing import NamedTuple
 import numpy as np
 
 from geometry.errors import DraftError
+from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.groups.kinds import KINDS
 from plans.linkage.margin import crossing, margins
 from plans.linkage.plan import Plan
 from plans.linkage.position import crank, positions
-from plans.linkage.turn import Turn
 from plans.model.mechanism import Mechanism
 from plans.model.motion import Complexes, Floats
 from plans.model.structure import Dyad
@@ -47,7 +47,9 @@ class Choice(NamedTuple):
     misfit: Floats
 
 
-def assembly(mechanism: Mechanism, groups: Sequence[Dyad], first: Turn | None, whole: Turn) -> Assembly:
+def assembly(
+    mechanism: Mechanism, groups: Sequence[Dyad], first: CrankPositions | None, whole: CrankPositions
+) -> Assembly:
     """Choose each group's side by the sketch at the first position, or where the first is not known, over a whole turn.
 
     Where the first position cannot be assembled, or the start is an extreme still to be found, the crank angle at which
@@ -69,7 +71,9 @@ def assembly(mechanism: Mechanism, groups: Sequence[Dyad], first: Turn | None, w
     return Assembly(_crossed(mechanism, groups, [1.0] * len(groups), whole), None)
 
 
-def _crossed(mechanism: Mechanism, groups: Sequence[Dyad], sides: Sequence[float], turn: Turn) -> tuple[float, ...]:
+def _crossed(
+    mechanism: Mechanism, groups: Sequence[Dyad], sides: Sequence[float], turn: CrankPositions
+) -> tuple[float, ...]:
     """Give a group with one assembly the sign with which its two lines cross: they must not become parallel."""
     plan = positions(mechanism, groups, sides, turn)
     turned = [crossing(mark) for mark in margins(plan, groups, sides)[1]]
@@ -78,7 +82,9 @@ def _crossed(mechanism: Mechanism, groups: Sequence[Dyad], sides: Sequence[float
     )
 
 
-def _out_of_reach(mechanism: Mechanism, groups: Sequence[Dyad], choices: Sequence[Choice], first: Turn) -> None:
+def _out_of_reach(
+    mechanism: Mechanism, groups: Sequence[Dyad], choices: Sequence[Choice], first: CrankPositions
+) -> None:
     """See that a first position without places is out of reach, and not one at which a group has no one place."""
     plan = positions(mechanism, groups, [choice.side for choice in choices], first)
     field, marks = margins(plan, groups, [1.0] * len(groups))
@@ -93,7 +99,7 @@ def _out_of_reach(mechanism: Mechanism, groups: Sequence[Dyad], choices: Sequenc
             )
 
 
-def _choices(mechanism: Mechanism, groups: Sequence[Dyad], turn: Turn) -> list[Choice]:
+def _choices(mechanism: Mechanism, groups: Sequence[Dyad], turn: CrankPositions) -> list[Choice]:
     plan, choices = crank(mechanism, turn), []
     for group in groups:
         kind, shown = KINDS[group.kind], _shown(mechanism, group)

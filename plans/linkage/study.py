@@ -15,11 +15,11 @@ from geometry.errors import ConstructionError
 from plans.linkage import assembly_limits, gaps
 from plans.linkage.assembly_limits import Sweep
 from plans.linkage.barrier import Barrier
+from plans.linkage.crank_positions import CrankPositions, even, from_direction, listed
 from plans.linkage.drafts import Drafts
 from plans.linkage.extreme import Found, extremes, output
 from plans.linkage.obstruction import obstruction
 from plans.linkage.sketch import Assembly, SketchError, assembly
-from plans.linkage.turn import Turn, even, from_direction, listed
 from plans.model.mechanism import Mechanism, Output, StructureError
 from plans.model.motion import Floats, Gap, Motion
 from plans.model.structure import Dyad, decompose
@@ -39,7 +39,7 @@ class NoExtreme(ConstructionError):  # noqa: N818  (the exception tree's own wor
     """A start at an extreme position was asked of an output link that has none."""
 
 
-class Study:
+class LinkageStudy:
     """A scene with its mechanism, groups, assembly, turn and plans; nothing is made before it is asked for."""
 
     def __init__(self, scene: Scene) -> None:
@@ -81,7 +81,7 @@ class Study:
             raise SketchError(f"{self._at('sketch')}: {error}", error.points) from None
 
     @cached_property
-    def looks(self) -> Turn:
+    def looks(self) -> CrankPositions:
         """Where the mechanism that the sketch shows is sought if it is not at the first position: at whole degrees.
 
         Of a scene with as many positions at most also at all of them: one may be assembled where no whole degree is.
@@ -90,7 +90,7 @@ class Study:
         if self.scene.drive.first is None or len(self.turn) > len(degrees):
             return degrees
         phi = np.concatenate((degrees.phi, self.turn.phi))
-        return Turn(phi, np.concatenate((degrees.directions, self.turn.directions)))
+        return CrankPositions(phi, np.concatenate((degrees.directions, self.turn.directions)))
 
     @cached_property
     def sweep(self) -> Sweep:
@@ -120,7 +120,7 @@ class Study:
         return extremes(self.sweep, self.output)
 
     @cached_property
-    def turn(self) -> Turn:
+    def turn(self) -> CrankPositions:
         """All crank positions of the scene."""
         drive = self.scene.drive
         if isinstance(drive.positions, tuple):

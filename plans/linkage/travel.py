@@ -8,7 +8,7 @@ import numpy as np
 
 from geometry.meet import dot
 from plans.linkage.assembly_limits import FAN, LOOKS, NODES, Sweep, at_angles
-from plans.linkage.turn import Turn
+from plans.linkage.crank_positions import CrankPositions
 from plans.model.mechanism import FRAME, Mechanism, Output, Slide
 from plans.model.motion import Floats
 
@@ -33,7 +33,7 @@ class Travel:
         """Whether the output slides on the frame."""
         return self.slide is not None
 
-    def coordinate(self, turn: Turn) -> Floats:
+    def coordinate(self, turn: CrankPositions) -> Floats:
         """Read off the plan of positions: metres along the guide from its own point, or radians."""
         seen = self.sweep.motion(turn, 0)
         if self.slide is None:
@@ -41,7 +41,7 @@ class Travel:
         way = self.slide.way(FRAME)
         return np.asarray(dot(way.direction, seen.points[self._pin(self.slide)].r - way.through))
 
-    def speed(self, turn: Turn) -> Floats:
+    def speed(self, turn: CrankPositions) -> Floats:
         """Read off the velocity plan the output's velocity, or its omega."""
         seen = self.sweep.motion(turn, 1)
         if self.slide is None:

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.model.motion import Motion
 from plans.scene.scene import parse_scene
 
@@ -27,7 +27,7 @@ def changed(text: str, *changes: tuple[str, str]) -> str:
 
 
 def motion(text: str) -> Motion:
-    return Study(parse_scene(text)).motion()
+    return LinkageStudy(parse_scene(text)).motion()
 
 
 def velocity(found: Motion, point: str) -> npt.NDArray[np.complex128]:
@@ -184,7 +184,7 @@ def chain(dyads: int) -> str:
 
 
 def test_d15_a_chain_of_59_links_is_solved() -> None:
-    study = Study(parse_scene(chain(29)))
+    study = LinkageStudy(parse_scene(chain(29)))
     assert [group.kind for group in study.groups] == ["RRR"] * 29
     found = study.motion()
     assert found.gaps == ()
@@ -244,4 +244,4 @@ def test_e6_in_all_inversions_the_crank_turns_fully_only_where_grashof_lets_it(l
             ("CB = 0.300", f"CB = {rocker}"),
         )  # fmt: skip
         grashof = min(lengths) + max(lengths) < sum(lengths) / 2
-        assert (not Study(parse_scene(text)).barriers) == (grashof and min(lengths) in (crank, frame))
+        assert (not LinkageStudy(parse_scene(text)).barriers) == (grashof and min(lengths) in (crank, frame))

@@ -21,14 +21,14 @@ from plans.checks.force_expected import ExpectedForces
 from plans.forces.force import ForcePlan
 from plans.forces.groups import forces
 from plans.forces.lever import Lever, lever
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.model.kinetostatics import Applied, Balancing, Kinetostatics, Loading, Reaction, pairs
 from plans.model.machine import GEAR, Body, Machine, Transmission
 from plans.model.motion import Motion
 from plans.scene.scene import parse_scene
 
 GALLERY = Path(__file__).parents[2] / "drawings/gallery"
-Figure: TypeAlias = force_polygon.Figure | lever_plan.Figure
+Figure: TypeAlias = force_polygon.PolygonFigure | lever_plan.LeverFigure
 GEARED = Transmission(GEAR, 0.18, radians(210), radians(20))
 RAM = {1: Body(1, 6, 0.25, 0j), 3: Body(3, 15, 0.6, 0.35 + 0j), 4: Body(4, 3, 0.01, 0.1 + 0j), 5: Body(5, 25, 0, 0j)}
 
@@ -73,7 +73,7 @@ class Forced:
             assert old in text
             text = text.replace(old, new)
         text = text.partition("[sheet]")[0] if case.changes else text
-        self.study, self.case = Study(parse_scene(text)), case
+        self.study, self.case = LinkageStudy(parse_scene(text)), case
         self.machine = Machine(case.bodies, -9.81j, (), (), (), case.drive, {})
         link, point, force = case.load
         count, at = len(self.study.turn), self.study.mechanism.links[link].points[point]
@@ -174,7 +174,7 @@ def spot(measure: Picture, cell: Field) -> Spot:
 
 def polygons(
     case: Forced, k: int, hand: Hand, language: str = "en", reactions: str = "R"
-) -> list[force_polygon.Figure]:
+) -> list[force_polygon.PolygonFigure]:
     """Draw the force plans of all cuts in cells beside one another."""
     figures = []
     for number, cut in enumerate(case.plan.cuts):
@@ -186,7 +186,7 @@ def polygons(
     return figures
 
 
-def hung(case: Forced, k: int, hand: Hand, language: str = "en") -> lever_plan.Figure:
+def hung(case: Forced, k: int, hand: Hand, language: str = "en") -> lever_plan.LeverFigure:
     """Draw the lever below."""
     shown = lever_plan.hanging(case.plan, case.lever, k)
     measure = lever_plan.measured(shown, f"lever-{k}", hand, language)

@@ -145,7 +145,7 @@ class Draft:
             self.strokes.append(written(NOTES, composed.notes, hand.text))
         for name, field in composed.blocks.items():
             self.strokes.append(self.passage(name).drawn(field, hand))
-        figures: list[curve_graph.Graph | hodograph.Figure] = []
+        figures: list[curve_graph.Graph | hodograph.HodographFigure] = []
         for name, spot in composed.pictures.items():
             place = self.pictures[name].placed(*spot)
             scale = spot.scale.written(self.language)

@@ -11,15 +11,15 @@ from xml.etree import ElementTree
 
 from drawings.bench import plot, record, sheet, table
 from plans.bench.clock import Times
+from plans.bench.computer import Computer
 from plans.bench.error import Errors
-from plans.bench.machine import Machine
 from plans.bench.peers import MECHANISM, NOT_INSTALLED, PYLINKAGE
 from plans.bench.result import Bench, Goal, Ratio, Row
 from plans.bench.roads import CONSTRUCTION, REPLAY, ROUNDING, TOLERANCES, newton
 from plans.bench.truth import KINDS
 
 SVG = "{http://www.w3.org/2000/svg}"
-MACHINE = Machine("Abacus 9", 4, 0.5, "Linux x86_64", "3.11.7", "2.4.6")
+MACHINE = Computer("Abacus 9", 4, 0.5, "Linux x86_64", "3.11.7", "2.4.6")
 TECHNIQUES = (*CONSTRUCTION, REPLAY, *map(newton, TOLERANCES), ROUNDING, sheet.MEASURED, sheet.PRINTED)
 
 

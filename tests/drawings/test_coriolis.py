@@ -13,20 +13,20 @@ from drawings.paper.strokes import Line, Text
 from drawings.sheets.kinematics import sheets
 from plans.analytic.kinematics import solve
 from plans.checks.compare import compare
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.scene.scene import parse_scene
 from tests.drawings.collisions import strokes as flat
 
 SHAPER = Path(__file__).parents[2] / "drawings/gallery/shaper.toml"
 
 
-def shaper(speed: str) -> Study:
+def shaper(speed: str) -> LinkageStudy:
     text = SHAPER.read_text("utf-8")
     (given,) = (line for line in text.splitlines() if line.startswith("speed"))
-    return Study(parse_scene(text.replace(given, f'speed = "{speed}"')))
+    return LinkageStudy(parse_scene(text.replace(given, f'speed = "{speed}"')))
 
 
-def rules(study: Study, k: int) -> list[Turned]:
+def rules(study: LinkageStudy, k: int) -> list[Turned]:
     marks = study.drafts().accelerations.board
     return [found for mark in marks if (found := turned(mark, k)) is not None]
 
@@ -62,7 +62,7 @@ def test_the_figure_has_two_arms_at_a_right_angle() -> None:
 def test_what_vanishes_on_paper_has_no_rule() -> None:
     """At an extreme position the slotted link stands still, but for rounding: no arrow shows its noise."""
     text = SHAPER.read_text("utf-8").replace("plans = [2, 9]", "plans = [0, 2]")
-    study = Study(parse_scene(text))
+    study = LinkageStudy(parse_scene(text))
     (leaf,) = sheets(study, compare(study))
     named = [stroke.plain for stroke in flat(leaf.groups) if isinstance(stroke, Text)]
     assert study.scene.sheet.plans == (0, 2) and named.count("vr") == 1

@@ -21,7 +21,7 @@ from drawings.sheets import forces
 from plans.checks.compare import Comparison, compare
 from plans.checks.force_comparison import compare_forces
 from plans.forces.statics import Statics, without
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.scene.faults import SceneError
 from plans.scene.scene import parse_scene, read_scene
 from tests.drawings.collisions import collisions
@@ -29,11 +29,11 @@ from tests.plans.force_cases import text_of
 from tests.plans.test_statics import YOKE
 
 GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
-Checked = tuple[Study, Comparison, Statics, Leaf]
+Checked = tuple[LinkageStudy, Comparison, Statics, Leaf]
 Change = Callable[[Stroke], Stroke | None]
 
 
-def sheets_of(study: Study) -> tuple[Comparison, Statics, tuple[Leaf, ...]]:
+def sheets_of(study: LinkageStudy) -> tuple[Comparison, Statics, tuple[Leaf, ...]]:
     statics = Statics(study)
     comparison = compare_forces(statics, compare(study))
     return comparison, statics, forces.sheets(study, comparison, statics)
@@ -41,7 +41,7 @@ def sheets_of(study: Study) -> tuple[Comparison, Statics, tuple[Leaf, ...]]:
 
 @pytest.fixture(scope="module")
 def checked() -> Checked:
-    study = Study(read_scene(GALLERY / "shaper-loaded.toml"))
+    study = LinkageStudy(read_scene(GALLERY / "shaper-loaded.toml"))
     comparison, statics, leaves = sheets_of(study)
     return study, comparison, statics, leaves[0]
 
@@ -204,7 +204,7 @@ def test_each_force_plan_states_the_scale_that_it_is_drawn_to(checked: Checked, 
 
 def test_a_russian_sheet_letters_reactions_as_it_is_told_and_has_decimal_commas() -> None:
     text = text_of("shaper", ("[friction]", '[sheet]\nlanguage = "ru"\nreactions = "P"\n\n[friction]'))
-    _, _, (leaf,) = sheets_of(Study(parse_scene(text)))
+    _, _, (leaf,) = sheets_of(LinkageStudy(parse_scene(text)))
     told = [text.plain for group in leaf.groups for text in texts(group)]
     assert "Pτ34" in told
     assert not any(re.fullmatch(r"R[nτtu]?\d\d", one) for one in told)
@@ -215,11 +215,11 @@ def test_a_russian_sheet_letters_reactions_as_it_is_told_and_has_decimal_commas(
 def test_a_position_without_forces_is_refused_with_those_that_have_them() -> None:
     text = text_of("kind-1", ("positions = [0]", "start = 0\npositions = 12"), ("AB = 0.30", "AB = 0.12"))
     text = text.replace("[0.15, 0]", "[0.06, 0]").replace("B = [0.336, 0.236]", "B = [0.2, 0.1]")
-    study = Study(parse_scene(text + "\n[sheet]\nforces = [0]\n"))
+    study = LinkageStudy(parse_scene(text + "\n[sheet]\nforces = [0]\n"))
     comparison, statics, _ = sheets_of(study)
     gone = sorted({gap.position for gap in statics.forces.gaps})
     assert gone, "the dyad of kind 1 cannot follow the crank all the way round"
-    wanted = Study(parse_scene(text + f"\n[sheet]\nforces = [{gone[0]}]\n"))
+    wanted = LinkageStudy(parse_scene(text + f"\n[sheet]\nforces = [{gone[0]}]\n"))
     with pytest.raises(SheetError, match=rf"position {gone[0]} has no forces. Fix: choose one of 0, "):
         sheets_of(wanted)
     assert comparison.agrees
@@ -227,7 +227,7 @@ def test_a_position_without_forces_is_refused_with_those_that_have_them() -> Non
 
 @pytest.mark.parametrize("name", ["kind-1", "kind-2", "kind-3", "kind-4", "kind-5"])
 def test_the_force_sheet_of_each_kind_of_dyad_has_no_collisions(name: str, tmp_path: Path) -> None:
-    study = Study(parse_scene(text_of(name)))
+    study = LinkageStudy(parse_scene(text_of(name)))
     comparison, statics, leaves = sheets_of(study)
     for k, leaf in enumerate(leaves):
         assert collisions(leaf) == []
@@ -255,7 +255,7 @@ def test_a_force_sheet_alone_draws_no_kinematics(tmp_path: Path) -> None:
 
 def test_a_balancing_moment_that_is_but_rounding_is_drawn_and_written_as_none() -> None:
     """A yoke twisted in its guide takes nothing from the crank: no diagram of roundings, no 0.0000000000002 N."""
-    comparison, _, leaves = sheets_of(Study(parse_scene(YOKE)))
+    comparison, _, leaves = sheets_of(LinkageStudy(parse_scene(YOKE)))
     told = [text.plain for leaf in leaves for group in leaf.groups for text in texts(group)]
     assert not any(re.search(r"0\.00000000", one) for one in told)
     assert "Mbal = 0 N·m" in told
@@ -281,7 +281,7 @@ def test_a_position_that_the_analysis_alone_gives_up_has_no_ordinate(checked: Ch
 @pytest.mark.parametrize("load", ["value = [0, 0]", 'against = "motion"\nvalue = 5'])
 def test_a_load_that_is_nothing_all_the_way_round_gets_a_sheet(load: str) -> None:
     still = YOKE.partition("[[loads.moments]]")[0] + f'[[loads.forces]]\non = 1\npoint = "O"\n{load}\n'
-    _, _, leaves = sheets_of(Study(parse_scene(still)))
+    _, _, leaves = sheets_of(LinkageStudy(parse_scene(still)))
     assert leaves
 
 
@@ -295,7 +295,7 @@ def test_a_load_may_not_bear_a_letter_that_the_sheet_gives_itself(name: str) -> 
 def test_a_spring_between_the_two_links_of_a_hinge_is_refused() -> None:
     text = YOKE + '\n[[loads.springs]]\nbetween = [{ on = 1, point = "A" }, { on = 2, point = "A" }]\nstiffness = 5\n'
     with pytest.raises(SceneError, match="A is a hinge of both links"):
-        sheets_of(Study(parse_scene(text + "free = 0.01\n")))
+        sheets_of(LinkageStudy(parse_scene(text + "free = 0.01\n")))
 
 
 def test_thirteen_links_have_indices_apart_and_their_rows_are_read() -> None:
@@ -314,7 +314,7 @@ def test_thirteen_links_have_indices_apart_and_their_rows_are_read() -> None:
             *(f"{2 * k + 1} = {{ mass = {k} }}" for k in range(1, 7)),
         ]
     )
-    comparison, _, leaves = sheets_of(Study(parse_scene(text)))
+    comparison, _, leaves = sheets_of(LinkageStudy(parse_scene(text)))
     names = [
         text.plain
         for leaf in leaves

@@ -20,7 +20,7 @@ from drawings.measure.seal import digest, sealed
 from drawings.page.page import page_of
 from drawings.paper.limits import QUANTUM
 from drawings.paper.strokes import Group, Stroke
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.scene.scene import read_scene
 from tests.drawings.collisions import collisions
 
@@ -137,7 +137,7 @@ def test_every_scene_says_in_its_opening_what_the_mechanism_is_and_gives_its_rus
 
 def shaper(*names: str) -> index.Exhibit:
     (entry,) = (entry for entry in ENTRIES if entry.name == "shaper")
-    return index.Exhibit(entry, Study(read_scene(entry.path)), tuple(map(Path, names)))
+    return index.Exhibit(entry, LinkageStudy(read_scene(entry.path)), tuple(map(Path, names)))
 
 
 def test_the_index_page_has_the_scene_s_row_and_section(exhibit: index.Exhibit) -> None:

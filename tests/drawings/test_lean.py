@@ -19,12 +19,12 @@ import contextlib, io, json, sys
 from drawings.commands import cli
 made = []
 with contextlib.redirect_stdout(io.StringIO()):
-    from plans.linkage.study import Study
-    begin = Study.__init__
+    from plans.linkage.study import LinkageStudy
+    begin = LinkageStudy.__init__
     def watched(study, scene):
         begin(study, scene)
         made.append(study.made)
-    Study.__init__ = watched
+    LinkageStudy.__init__ = watched
     code = cli.main(sys.argv[1:])
     assert code == 0, code
 modules = sorted({name.partition(".")[0] for name in sys.modules})

@@ -23,7 +23,7 @@ from plans.checks.compare import compare
 from plans.checks.expected import Expected
 from plans.checks.force_comparison import compare_forces
 from plans.linkage.letters import Letters
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.model.machine import Body
 from plans.model.mechanism import Mechanism
 from plans.scene.scene import parse_scene
@@ -201,8 +201,8 @@ def test_no_two_points_share_a_letter() -> None:
     assert len({*small.values(), "p", "π"}) == len(small) + 2
 
 
-def study(text: str) -> Study:
-    return Study(parse_scene(text))
+def study(text: str) -> LinkageStudy:
+    return LinkageStudy(parse_scene(text))
 
 
 def test_two_stones_on_one_pin_have_two_coriolis_parts_by_the_links_that_they_slide_in() -> None:

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from drawings.figures.forces.force_fan import LONG, SHORT, lengths
-from drawings.figures.forces.loading_scheme import Figure, Scheme, figure, leverages, measured, scheme
+from drawings.figures.forces.loading_scheme import Scheme, SchemeFigure, figure, leverages, measured, scheme
 from drawings.layout.labels import Ink, Labels
 from drawings.layout.picture import Spot
 from drawings.page.page import Field
@@ -22,7 +22,7 @@ from geometry.board import at
 from plans.forces.cut import PART, Cut
 from plans.forces.force import ForcePlan
 from plans.forces.groups import forces
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.model.kinetostatics import Applied, Loading, Twist
 from plans.model.machine import FORCE, GEAR, Body, Machine, Transmission
 from plans.scene.scene import read_scene
@@ -73,7 +73,7 @@ CASES = {
 @cache
 def plan_of(name: str) -> ForcePlan:
     case = CASES[name]
-    study = Study(read_scene(GALLERY / f"{case.scene}.toml"))
+    study = LinkageStudy(read_scene(GALLERY / f"{case.scene}.toml"))
     machine = Machine({body.link: body for body in case.bodies}, -9.81j, (), (), (), case.transmission, {})
     return forces(study.drafts().accelerations, study.groups, machine, case.load(len(study.turn)))
 
@@ -83,7 +83,7 @@ class Drawn(NamedTuple):
     cut: Cut
     column: int
     shown: Scheme
-    figure: Figure
+    figure: SchemeFigure
     whole: Group
 
 

@@ -14,7 +14,7 @@ from drawings.measure import pathdata
 from drawings.measure.marks import KINDS
 from drawings.measure.measure import Key, check, measure, measure_file
 from drawings.measure.transform import Affine, transform
-from drawings.paper.limits import QUANTUM, Refused
+from drawings.paper.limits import QUANTUM, SheetRefused
 from drawings.paper.strokes import Circle, Fill, Group, Leaf, Line, numeral, stated
 from drawings.pens.svg import BEARERS, numbers, svg
 
@@ -151,7 +151,7 @@ def test_a_turned_sheet_is_turned_back() -> None:
     ],
 )
 def test_a_stretched_or_mirrored_sheet_is_refused(text: str, reason: str) -> None:
-    with pytest.raises(Refused, match=reason):
+    with pytest.raises(SheetRefused, match=reason):
         measure(wrapped(sheet(vector(10 + 10j, 20 + 30j, 1)), f'transform="{text}"'))
 
 
@@ -164,7 +164,7 @@ def test_a_group_stretched_alone_is_a_mismatch() -> None:
 
 def test_a_lost_corner_is_refused() -> None:
     source = sheet(vector(10 + 10j, 20 + 30j, 1))
-    with pytest.raises(Refused, match="2 of the 3 corner"):
+    with pytest.raises(SheetRefused, match="2 of the 3 corner"):
         measure(re.sub(rb'<circle[^>]*data-value="5 5"[^>]*/>', b"", source))
 
 
@@ -225,7 +225,7 @@ def test_units_and_view_box(size: str, factor: float) -> None:
 def test_a_page_fitted_in_one_direction_is_refused() -> None:
     source = sheet(vector(10 + 10j, 20 + 30j, 1))
     fitted = source.replace(b'width="420mm"', b'width="400mm" preserveAspectRatio="none"')
-    with pytest.raises(Refused, match="stretched"):
+    with pytest.raises(SheetRefused, match="stretched"):
         measure(fitted)
     assert check(measure(source.replace(b'width="420mm"', b'width="400mm"'))) == []
 
@@ -338,22 +338,22 @@ def test_a_point_off_its_place_is_a_mismatch() -> None:
 )
 def test_a_vector_without_its_data_is_refused(old: str, new: str, reason: str) -> None:
     assert old in LINE
-    with pytest.raises(Refused, match=reason):
+    with pytest.raises(SheetRefused, match=reason):
         measure(bare(LINE.replace(old, new)))
 
 
 def test_one_name_twice_is_refused() -> None:
-    with pytest.raises(Refused, match="twice"):
+    with pytest.raises(SheetRefused, match="twice"):
         measure(bare(LINE, LINE.replace('x1="10"', 'x1="11"')))
-    with pytest.raises(Refused, match="twice"):
+    with pytest.raises(SheetRefused, match="twice"):
         measure(bare('<g id="a"/><g id="a"/>'))
     double = [LINE.replace("<line", f'<line data-position="{text}"') for text in ("0", "00")]
-    with pytest.raises(Refused, match="twice"):
+    with pytest.raises(SheetRefused, match="twice"):
         measure(bare(*double))
 
 
 def test_a_point_without_a_pole_is_refused() -> None:
-    with pytest.raises(Refused, match="no pole"):
+    with pytest.raises(SheetRefused, match="no pole"):
         measure(sheet(point(1 + 1j, 0j, 1)))
 
 

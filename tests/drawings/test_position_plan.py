@@ -27,7 +27,7 @@ from drawings.paper.strokes import Arc, Circle, Fill, Group, Line, Polyline, Str
 from drawings.sheets.kinematics import position
 from drawings.symbols.dashes import DASH_DOT, DASHED
 from plans.checks.compare import compare
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.scene.scene import parse_scene, read_scene
 from tests.drawings import mechanisms
@@ -66,7 +66,7 @@ class Figure(NamedTuple):
 @cache
 def drawn(name: str, hand: Hand = A1) -> Figure:
     paths = {path.stem: path for path in GALLERY}
-    study = Study(parse_scene(mechanisms.ALL[name]) if name in mechanisms.ALL else read_scene(paths[name]))
+    study = LinkageStudy(parse_scene(mechanisms.ALL[name]) if name in mechanisms.ALL else read_scene(paths[name]))
     comparison = compare(study)
     bones = skeletons(study, comparison.construction, position(study, comparison))
     measured = picture(name, bones.points, ("l", "m"), Margins(0.0, 0.0, 0.0), 0.0)

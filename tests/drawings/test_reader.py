@@ -14,7 +14,7 @@ from drawings.measure import pathdata
 from drawings.measure.measure import check, measure
 from drawings.measure.transform import Affine, about, matrix, transform
 from drawings.paper import limits
-from drawings.paper.limits import Refused
+from drawings.paper.limits import SheetRefused
 
 HEAD = '<svg xmlns="http://www.w3.org/2000/svg" width="420mm" height="297mm" viewBox="0 0 420 297">'
 LOOK = 'stroke="#000" fill="none"'
@@ -51,7 +51,7 @@ def bare(*parts: str, head: str = HEAD) -> bytes:
     ],
 )
 def test_numbers_of_no_svg_are_refused(bad: str) -> None:
-    with pytest.raises(Refused, match="vector v v B"):
+    with pytest.raises(SheetRefused, match="vector v v B"):
         measure(bare(LINE.replace('x1="10"', f'x1="{bad}"')))
 
 
@@ -73,7 +73,7 @@ def test_numbers_of_no_svg_are_refused(bad: str) -> None:
     ],
 )
 def test_transforms_of_no_sense_are_refused(bad: str) -> None:
-    with pytest.raises(Refused):
+    with pytest.raises(SheetRefused):
         measure(bare(f'<g transform="{bad}">{LINE}</g>'))
 
 
@@ -93,7 +93,7 @@ def test_transforms_of_no_sense_are_refused(bad: str) -> None:
     ],
 )
 def test_paths_of_no_vector_are_refused(path: str) -> None:
-    with pytest.raises(Refused):
+    with pytest.raises(SheetRefused):
         measure(bare(f'<path {DATA} {LOOK} d="{path}"/>'))
 
 
@@ -111,7 +111,7 @@ def test_paths_of_no_vector_are_refused(path: str) -> None:
     ],
 )
 def test_pages_of_no_size_are_refused(size: str) -> None:
-    with pytest.raises(Refused):
+    with pytest.raises(SheetRefused):
         measure(bare(LINE, head=f'<svg xmlns="http://www.w3.org/2000/svg" {size}>'))
 
 
@@ -175,7 +175,7 @@ HOSTILE = {
 def test_hostile_sheets_are_refused_quickly(name: str) -> None:
     source = HOSTILE[name].encode()
     before = time.process_time()
-    with pytest.raises(Refused) as caught:
+    with pytest.raises(SheetRefused) as caught:
         measure(source)
     assert time.process_time() - before < 2
     assert 0 < len(caught.value.reason) < 300
@@ -185,7 +185,7 @@ def test_hostile_sheets_are_refused_quickly(name: str) -> None:
     "start", [b"%PDF-1.7", b"PK\x03\x04", b"\x89PNG\r\n", b"\xff\xd8\xff", b"\x00\x01", b"\xff\xfe", b"\xef\xbb\xbf"]
 )
 def test_other_files_are_refused(start: bytes) -> None:
-    with pytest.raises(Refused):
+    with pytest.raises(SheetRefused):
         measure(start + b"....")
 
 
@@ -195,7 +195,7 @@ def test_packed_sheets_are_read_within_the_limit() -> None:
     bomb = gzip.compress(HEAD.encode() + b"<g/>" * 12_500_000 + b"</svg>")
     assert len(bomb) < 100_000
     for bad in (bomb, packed[:-30], gzip.compress(packed), b"\x1f\x8b\x08garbage"):
-        with pytest.raises(Refused):
+        with pytest.raises(SheetRefused):
             measure(bad)
 
 
@@ -248,7 +248,7 @@ def test_nothing_is_opened_while_reading() -> None:
     sys.addaudithook(watch)
     try:
         for name in ("external", "unused external", "parameter", "unknown", "style sheet", "imported style"):
-            with pytest.raises(Refused):
+            with pytest.raises(SheetRefused):
                 measure(HOSTILE[name].encode())
     finally:
         watching.clear()  # a hook cannot be taken back
@@ -271,7 +271,7 @@ def test_nothing_is_opened_while_reading() -> None:
 def test_long_nonsense_is_refused_in_linear_time(text: str) -> None:
     before = time.process_time()
     for read in (pathdata.number, pathdata.numbers, pathdata.trace, transform):
-        with pytest.raises(Refused):
+        with pytest.raises(SheetRefused):
             read(text)
     assert time.process_time() - before < 0.5
 
@@ -280,7 +280,7 @@ def test_long_nonsense_is_refused_in_linear_time(text: str) -> None:
 def test_any_path_is_followed_or_refused(path: str) -> None:
     try:
         traced = pathdata.trace(path)
-    except Refused:
+    except SheetRefused:
         return
     assert all(cmath.isfinite(point) for point in traced.points)
     pathdata.centre(traced)
@@ -291,7 +291,7 @@ def test_a_damaged_sheet_is_measured_or_refused(noise: bytes, place: int, cut: i
     source = bare(f'<g transform="translate(1 2)" style="fill:none">{LINE}</g>')
     try:
         measure(source[:place] + noise + source[place + cut :])
-    except Refused as refused:
+    except SheetRefused as refused:
         assert refused.reason
 
 

@@ -20,7 +20,7 @@ from drawings.pens.svg import svg
 from drawings.sheets.choice import position
 from drawings.sheets.kinematics import sheet, sheets
 from plans.checks.compare import compare
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.scene.scene import parse_scene
 from tests.drawings.collisions import collisions
 
@@ -50,8 +50,8 @@ start = {start}
 """
 
 
-def drawn(text: str) -> tuple[Study, Leaf]:
-    study = Study(parse_scene(text))
+def drawn(text: str) -> tuple[LinkageStudy, Leaf]:
+    study = LinkageStudy(parse_scene(text))
     return study, sheet(study, compare(study))
 
 
@@ -163,7 +163,7 @@ def test_a_crank_at_rest_is_said_to_be_at_rest() -> None:
 
 
 def test_a_position_that_is_a_gap_is_not_drawn_as_the_shown_one() -> None:
-    study = Study(parse_scene(four_bar(crank=0.3, rod=0.2, rocker=0.25, start=20) + "[sheet]\nposition = 6\n"))
+    study = LinkageStudy(parse_scene(four_bar(crank=0.3, rod=0.2, rocker=0.25, start=20) + "[sheet]\nposition = 6\n"))
     with pytest.raises(ValueError, match="position = 6"):
         sheet(study, compare(study))
 
@@ -197,7 +197,7 @@ def test_a_title_in_letters_that_the_alphabet_lacks_is_refused_before_drawing() 
 
 
 def test_plans_that_one_sheet_cannot_show_legibly_go_on_following_sheets() -> None:
-    study = Study(parse_scene(four_bar() + '[sheet]\nformat = "A2"\nplans = [0, 1, 2, 3, 5, 7, 8, 9]\n'))
+    study = LinkageStudy(parse_scene(four_bar() + '[sheet]\nformat = "A2"\nplans = [0, 1, 2, 3, 5, 7, 8, 9]\n'))
     leaves = sheets(study, compare(study))
     assert len(leaves) > 1
     assert [k for leaf in leaves for k in leaf.metadata["plans"]] == [0, 1, 2, 3, 5, 7, 8, 9]

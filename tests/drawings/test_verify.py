@@ -14,15 +14,15 @@ from drawings.paper.strokes import Circle, Group, Leaf, Line, Stroke, Text, stat
 from drawings.pens.svg import svg
 from drawings.sheets.kinematics import sheet
 from plans.checks.compare import Comparison, compare
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.scene.scene import read_scene
 
 SHAPER = Path(__file__).parents[2] / "drawings" / "gallery" / "shaper.toml"
 
 
 @pytest.fixture(scope="module")
-def checked() -> tuple[Study, Comparison, Leaf]:
-    study = Study(read_scene(SHAPER))
+def checked() -> tuple[LinkageStudy, Comparison, Leaf]:
+    study = LinkageStudy(read_scene(SHAPER))
     comparison = compare(study)
     return study, comparison, sheet(study, comparison)
 
@@ -112,14 +112,16 @@ FAULTS: dict[str, Change] = {
 }
 
 
-def test_the_sheet_as_drawn_passes(checked: tuple[Study, Comparison, Leaf], tmp_path: Path) -> None:
+def test_the_sheet_as_drawn_passes(checked: tuple[LinkageStudy, Comparison, Leaf], tmp_path: Path) -> None:
     study, comparison, leaf = checked
     (tmp_path / "sheet.svg").write_bytes(svg(lettered(leaf)))
     assert verify(tmp_path / "sheet.svg", leaf, study, comparison).vectors
 
 
 @pytest.mark.parametrize("fault", FAULTS.values(), ids=FAULTS.keys())
-def test_a_fault_withholds_the_sheet(checked: tuple[Study, Comparison, Leaf], tmp_path: Path, fault: Change) -> None:
+def test_a_fault_withholds_the_sheet(
+    checked: tuple[LinkageStudy, Comparison, Leaf], tmp_path: Path, fault: Change
+) -> None:
     study, comparison, leaf = checked
     wrong = changed(leaf, fault)
     assert wrong != leaf, "the fault must be there to be seen"
@@ -128,7 +130,7 @@ def test_a_fault_withholds_the_sheet(checked: tuple[Study, Comparison, Leaf], tm
         verify(tmp_path / "sheet.svg", wrong, study, comparison)
 
 
-def test_a_scale_may_be_written_as_k(checked: tuple[Study, Comparison, Leaf], tmp_path: Path) -> None:
+def test_a_scale_may_be_written_as_k(checked: tuple[LinkageStudy, Comparison, Leaf], tmp_path: Path) -> None:
     study, comparison, leaf = checked
     other = changed(leaf, rewritten("μ_v = 0.01 (m/s)/mm", "K_v = 100 mm/(m/s)"))
     assert other != leaf
@@ -137,7 +139,7 @@ def test_a_scale_may_be_written_as_k(checked: tuple[Study, Comparison, Leaf], tm
 
 
 def test_a_sheet_that_cannot_be_read_is_our_failure_not_the_user_s(
-    checked: tuple[Study, Comparison, Leaf], tmp_path: Path
+    checked: tuple[LinkageStudy, Comparison, Leaf], tmp_path: Path
 ) -> None:
     study, comparison, leaf = checked
     (tmp_path / "sheet.svg").write_bytes(svg(lettered(leaf))[:-500])

@@ -16,7 +16,7 @@ from drawings.sheets import forces
 from plans.checks.compare import Comparison, compare
 from plans.checks.force_comparison import compare_forces
 from plans.forces.statics import Statics
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.scene.scene import parse_scene
 from tests.plans.loaded import GALLERY
 
@@ -70,7 +70,7 @@ class Sheet(NamedTuple):
 
 
 def made(text: str) -> Sheet:
-    study = Study(parse_scene(text))
+    study = LinkageStudy(parse_scene(text))
     statics = Statics(study)
     comparison = compare_forces(statics, compare(study))
     leaves = forces.sheets(study, comparison, statics)

@@ -17,7 +17,7 @@ from hypothesis import strategies as st
 
 from geometry.meet import EPS
 from plans.analytic.kinematics import conditions
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME, Drive, Link, Mechanism, Output, Slide, Way
 from plans.model.motion import Floats, Motion
 from tests.plans.linkages import DATUM
@@ -206,7 +206,7 @@ BUILDERS = {"RRR": _rrr, "RRP": _rrp, "RPR": _rpr, "PRP": _prp, "RPP": _rpp}
 ROUNDINGS = 16.0  # of the plan's largest, in each of the equations: a dyad draws some ten steps
 
 
-def studied(chain: Chain, offsets: Sequence[int | str] = (0,)) -> Study:
+def studied(chain: Chain, offsets: Sequence[int | str] = (0,)) -> LinkageStudy:
     """Study a chain at some crank angles, degrees from its first position; nothing bars the way to the first itself."""
     study = study_of(chain.mechanism, positions=[Decimal(chain.phi) + Decimal(offset) for offset in offsets])
     if len(offsets) == 1:

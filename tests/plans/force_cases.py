@@ -11,7 +11,7 @@ from typing import Any
 from plans.checks.compare import Comparison, Finding, compare
 from plans.checks.force_comparison import compare_forces
 from plans.forces.statics import Statics
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.model.kinetostatics import Kinetostatics
 from plans.scene.scene import parse_scene
 
@@ -32,7 +32,7 @@ def text_of(name: str, *changes: tuple[str, str]) -> str:
 
 def statics_of(text: str) -> Statics:
     """Give the statics of a scene's text."""
-    return Statics(Study(parse_scene(text)))
+    return Statics(LinkageStudy(parse_scene(text)))
 
 
 @cache

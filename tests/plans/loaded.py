@@ -21,7 +21,7 @@ from geometry.meet import EPS
 from plans.analytic.kinematics import conditions
 from plans.checks.compare import MOST_ALLOWED
 from plans.forces.statics import Statics
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.model.kinetostatics import Kinetostatics, Loading
 from plans.model.machine import FORCE, GEAR, MOMENT, Body, Force, Machine, Moment, Spring, Transmission
 from plans.model.mechanism import FRAME, Mechanism
@@ -77,7 +77,7 @@ class Loaded:
         return statics
 
     @property
-    def study(self) -> Study:
+    def study(self) -> LinkageStudy:
         """The study at that angle."""
         return self.statics.study
 
@@ -190,11 +190,11 @@ def _spring(draw: st.DrawFn, mechanism: Mechanism, size: float) -> Spring:
 def scenes() -> tuple[tuple[Mechanism, tuple[float, ...]], ...]:
     """Give the worked and the gallery's mechanisms, each with crank angles, degrees, that it reaches."""
     texts = [parse_scene(text_of(name)) for name in (*DYADS, "shaper")]
-    studies = [Study(scene) for scene in (*texts, *map(read_scene, GALLERY))]
+    studies = [LinkageStudy(scene) for scene in (*texts, *map(read_scene, GALLERY))]
     return tuple((pointed(study.mechanism), _angles(study)) for study in studies)
 
 
-def _angles(study: Study) -> tuple[float, ...]:
+def _angles(study: LinkageStudy) -> tuple[float, ...]:
     """Give the angles of a scene; one that starts at an extreme is taken from its sketch on."""
     positions = study.scene.drive.positions
     if isinstance(positions, tuple):

@@ -12,7 +12,7 @@ import numpy as np
 from geometry.board import Mark, at, behind
 from geometry.precision import errors
 from geometry.replay import DIGITS, exact
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.model.motion import Floats
 
@@ -23,7 +23,7 @@ MP.dps = DIGITS
 class Replay:
     """The marks of all three plans of a study, with their true values at some positions, and their bounds."""
 
-    def __init__(self, study: Study) -> None:
+    def __init__(self, study: LinkageStudy) -> None:
         drafts, links = study.drafts(), study.mechanism.links
         self.plans = [drafts.plan(order) for order in range(3)]
         letters = sorted({name for number, link in links.items() if number != FRAME for name in link.points})

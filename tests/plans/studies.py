@@ -11,15 +11,15 @@ from typing import Any, cast
 import numpy as np
 
 from plans.linkage.plan import Plan
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import Mechanism
 from plans.scene.scene import Scene
 
 Angle = int | float | str | Decimal  # degrees, exactly as they are given
 
 
-def study_of(mechanism: Mechanism, first: Angle | None = 0, positions: int | Sequence[Angle] = 12) -> Study:
-    """Study a mechanism from a first crank angle, degrees; None starts it at its output's extreme position."""
+def study_of(mechanism: Mechanism, first: Angle | None = 0, positions: int | Sequence[Angle] = 12) -> LinkageStudy:
+    """LinkageStudy a mechanism from a first crank angle, degrees; None starts it at its output's extreme position."""
     start = None if first is None else Decimal(first)
     wanted: int | tuple[Decimal, ...] = positions if isinstance(positions, int) else tuple(map(Decimal, positions))
     if isinstance(wanted, tuple):
@@ -27,7 +27,7 @@ def study_of(mechanism: Mechanism, first: Angle | None = 0, positions: int | Seq
     drive = SimpleNamespace(first=start, positions=wanted)
     table = SimpleNamespace(sketch=mechanism.sketch)
     scene = SimpleNamespace(file="by hand", sheets=(), drive=drive, mechanism=table, place=lambda path: (1, 1))
-    study = Study(cast(Scene, scene))
+    study = LinkageStudy(cast(Scene, scene))
     study.__dict__["mechanism"] = mechanism
     return study
 

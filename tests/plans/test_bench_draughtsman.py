@@ -11,7 +11,7 @@ import pytest
 from geometry import precision
 from geometry.meet import EPS
 from plans.bench import draughtsman
-from plans.bench.draughtsman import EDGE, Hand, Toll, drawn, toll
+from plans.bench.draughtsman import EDGE, Draughtsman, Toll, drawn, toll
 from plans.bench.error import sizes
 from plans.bench.truth import replay
 from plans.model.mechanism import Mechanism
@@ -43,7 +43,7 @@ def taken(mechanism: Mechanism, slip: float, zoom: float = 1.0, drawings: int = 
         "velocities": largest["v"] / 150 * ones,
         "accelerations": largest["a"] / 150 * ones,
     }
-    return toll(wanted, Hand(slip, scales, drawings), wanted.truth(), largest)
+    return toll(wanted, Draughtsman(slip, scales, drawings), wanted.truth(), largest)
 
 
 @pytest.mark.parametrize("name", ALL)
@@ -68,7 +68,7 @@ def test_the_crank_pin_is_out_by_the_compass_and_by_the_prick() -> None:
     """Evenly within the slip along the crank, in x and in y: a third of its square each, together a whole one."""
     wanted = replay(study_of(BAR), POSITIONS)
     scales = {plan: np.full(3, MU) for plan in ("positions", "velocities", "accelerations")}
-    pin = drawn(wanted, Hand(0.2, scales, 4000))["r", "A"]
+    pin = drawn(wanted, Draughtsman(0.2, scales, 4000))["r", "A"]
     off = np.abs(pin - wanted.truth().values["r", "A"].near) / MU
     assert off.max() <= 0.2 * (1 + sqrt(2))
     assert sqrt(np.mean(off**2)) == pytest.approx(0.2, rel=0.02)
@@ -82,7 +82,7 @@ def test_the_drive_pivot_and_the_poles_are_where_they_are() -> None:
     """They are where the sheet begins: whatever the slip, the datum is no error."""
     wanted = replay(study_of(linkages.scotch_yoke(0.1)), POSITIONS)
     scales = {plan: np.full(3, MU) for plan in ("positions", "velocities", "accelerations")}
-    found = drawn(wanted, Hand(0.2, scales, 50))
+    found = drawn(wanted, Draughtsman(0.2, scales, 50))
     assert set(found) == set(wanted.truth().values)
     assert all(values.shape == (50, 3) for values in found.values())
 
@@ -93,7 +93,7 @@ def test_a_notch_that_misses_is_an_infinite_error_not_a_lost_drawing() -> None:
     study = study_of(near, positions=[179])
     wanted = replay(study, [0])
     scales = {plan: np.full(1, MU) for plan in ("positions", "velocities", "accelerations")}
-    found = toll(wanted, Hand(0.5, scales), wanted.truth(), sizes(study_of(near, 0, 360)))
+    found = toll(wanted, Draughtsman(0.5, scales), wanted.truth(), sizes(study_of(near, 0, 360)))
     missed = np.isinf(found.worst)
     assert 0 < missed.sum() < len(missed)
 
@@ -105,7 +105,7 @@ def test_single_values_near_zero_have_no_share_of_themselves() -> None:
 
 
 def test_a_vector_longer_than_the_set_square_is_carried_worse() -> None:
-    hand = Hand(0.2, {"positions": np.full(2, MU)}, 2000)
+    hand = Draughtsman(0.2, {"positions": np.full(2, MU)}, 2000)
     off = np.abs(hand.carried("positions", np.array([0.5 * EDGE, 3j * EDGE]) * MU)) / MU
     assert off[:, 0].max() == pytest.approx(0.2 * sqrt(2), rel=0.05)
     assert off[:, 1].max() == pytest.approx(3 * 0.2 * sqrt(2), rel=0.05)

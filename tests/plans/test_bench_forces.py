@@ -13,13 +13,13 @@ import pytest
 from geometry.errors import DraftError
 from geometry.meet import EPS
 from plans.bench import forces
-from plans.bench.draughtsman import Hand, drawn, toll
+from plans.bench.draughtsman import Draughtsman, drawn, toll
 from plans.bench.error import Errors, errors, sizes
 from plans.bench.forces import CHECKS, ENERGY, FORCES_ANALYSED, FORCES_CONSTRUCTED, LEVER, TECHNIQUES, ForceGround
 from plans.bench.roads import Ground, ground, prepared, roads, with_positions
 from plans.bench.truth import FORCE_KINDS, Truth, of_forces, replay
 from plans.checks.compare import notches
-from plans.forces.force_pattern import ForcePattern
+from plans.forces.force_template import ForcePattern
 from plans.scene.scene import Scene, parse_scene, read_scene
 from tests.plans.force_cases import WORKED
 
@@ -185,7 +185,7 @@ def by_hand(slip: float, drawings: int = 400) -> tuple[Any, Truth, dict[str, flo
     scales = {"positions": np.full(3, 0.002), "forces": np.full(3, largest["R"] / 150)}
     scales |= {"velocities": np.full(3, largest["v"] / 150), "accelerations": np.full(3, largest["a"] / 150)}
     truth = wanted.truth()
-    return toll(wanted.only_forces, Hand(slip, scales, drawings), truth, largest), truth, largest
+    return toll(wanted.only_forces, Draughtsman(slip, scales, drawings), truth, largest), truth, largest
 
 
 def test_a_hand_that_does_not_slip_draws_the_forces() -> None:
@@ -205,7 +205,7 @@ def test_a_hand_reads_every_reaction_in_the_sense_in_which_it_is_told() -> None:
     statics = forces.prepared(study)
     wanted = replay(study, [0], statics)
     scales = {plan: np.ones(1) for plan in ("positions", "velocities", "accelerations", "forces")}
-    found = drawn(wanted.only_forces, Hand(0.0, scales, 1))
+    found = drawn(wanted.only_forces, Draughtsman(0.0, scales, 1))
     told = of_forces(forces.over(study, statics).forces, wanted.truth()) if statics else {}
     assert set(found) == set(told)
     for key, value in told.items():

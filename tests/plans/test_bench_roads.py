@@ -27,7 +27,7 @@ from plans.bench.roads import (
     with_positions,
 )
 from plans.linkage import study as studies
-from plans.linkage.pattern import Pattern
+from plans.linkage.plan_template import PlanTemplate
 from plans.scene.scene import parse_scene, read_scene
 
 GALLERY = Path(__file__).parent.parent.parent / "drawings/gallery"
@@ -74,8 +74,8 @@ def test_every_run_draws_its_plans_anew(monkeypatch: pytest.MonkeyPatch) -> None
     """Were the numbers of the first run kept, the clock would time nothing but the reading of them."""
     found = stood("shaper", 12)
     drawn: list[int] = []
-    real = Pattern.follow
-    monkeypatch.setattr(Pattern, "follow", lambda *given: drawn.append(1) or real(*given))
+    real = PlanTemplate.follow
+    monkeypatch.setattr(PlanTemplate, "follow", lambda *given: drawn.append(1) or real(*given))
     run = next(road.run for road in roads(found) if CONSTRUCTION[2] in road.judged)
     first = run()
     assert len(drawn) == 1

@@ -12,7 +12,7 @@ import pytest
 from geometry.meet import EPS
 from plans.bench.error import Errors, errors, shares, sizes
 from plans.bench.truth import Exact, NotInstalled, Truth, replay, sample, values
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from tests.plans import linkages
 from tests.plans.studies import study_of
 
@@ -26,7 +26,7 @@ def whole(exact: Exact, column: int) -> Any:
     return MP.mpc(complex(exact.near[column])) + MP.mpc(complex(exact.rest[column]))
 
 
-def crank(study: Study) -> tuple[Any, ...]:
+def crank(study: LinkageStudy) -> tuple[Any, ...]:
     """Give place, velocity and acceleration of the crank's end at position 1 of 12, from position 0 at 0 degrees."""
     end = MP.mpf(A) * MP.expjpi(MP.mpf(study.sense) / 6)
     return end, 1j * OMEGA * end, (1j * EPSILON - MP.mpf(OMEGA) ** 2) * end
@@ -65,7 +65,7 @@ def test_what_float64_has_no_room_for_is_kept() -> None:
     assert 0 < float(exact.off(np.array([1 / 3]))[0]) < EPS / 3
 
 
-def bar(count: int = 12) -> Study:
+def bar(count: int = 12) -> LinkageStudy:
     return study_of(linkages.four_bar(0.1, 0.4, 0.3, 0.35, sketch={"B": 0.4 + 0.3j}), 0, count)
 
 

@@ -10,7 +10,7 @@ import pytest
 
 from geometry.meet import EPS
 from plans.linkage.sketch import SketchError
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME, Link, Mechanism, Way
 from plans.scene.scene import parse_scene
 from tests.plans import linkages
@@ -203,7 +203,7 @@ def test_a_gap_narrower_than_the_looks_is_found(degrees: float) -> None:
     """Stretched at 180 degrees but for a hair: the crank cannot pass a fraction of a degree of its turn."""
     half = np.radians(degrees / 2)
     reach = abs(0.6 - 0.1 * np.exp(1j * (np.pi - half)))
-    study = Study(parse_scene(NARROW.format(rocker=float(reach - 0.4)), "narrow.toml"))
+    study = LinkageStudy(parse_scene(NARROW.format(rocker=float(reach - 0.4)), "narrow.toml"))
     (barrier,) = study.barriers
     assert np.degrees([barrier.start, barrier.end]) == pytest.approx([180 - degrees / 2, 180 + degrees / 2], abs=1e-5)
     assert [gap.reason for gap in study.motion(0).gaps] == ["out of reach"]  # 180 itself; the rest is reached round it

@@ -9,7 +9,7 @@ from drawings.commands.draw import draw
 from plans.checks.compare import Comparison, compare, compare_extremes
 from plans.checks.force_comparison import compare_forces
 from plans.forces.statics import Statics
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.scene.scene import SceneError, parse_scene
 
 COUPLING_ROD = """
@@ -53,11 +53,11 @@ WITH_SLIDER = (
 )
 
 
-def study(text: str, through: str = 'through = "parallel"', speed: float = 20.0, start: float = 60.0) -> Study:
-    return Study(parse_scene(text.format(through=through, speed=speed, start=start), "rod.toml"))
+def study(text: str, through: str = 'through = "parallel"', speed: float = 20.0, start: float = 60.0) -> LinkageStudy:
+    return LinkageStudy(parse_scene(text.format(through=through, speed=speed, start=start), "rod.toml"))
 
 
-def compared(one: Study) -> Comparison:
+def compared(one: LinkageStudy) -> Comparison:
     comparison = compare_extremes(one, compare(one))
     assert comparison.agrees and not comparison.alone
     return comparison

@@ -7,7 +7,7 @@ import pytest
 
 from plans.analytic.kinematics import Analysis
 from plans.linkage.extreme import Found
-from plans.linkage.study import NoExtreme, Study
+from plans.linkage.study import LinkageStudy, NoExtreme
 from plans.model.mechanism import Mechanism
 from plans.scene.linkage import mechanism_of
 from plans.scene.scene import parse_scene
@@ -154,7 +154,7 @@ point = "B"
 
 
 def test_extremes_of_a_scene_with_its_guide_drawn_backwards():
-    study = Study(parse_scene(OUTPUT_OF_A_POINT))
+    study = LinkageStudy(parse_scene(OUTPUT_OF_A_POINT))
     assert study.found is not None
     reach = study.found.extremes.reach
     assert printed(*reach) == (-0.1385640646, -0.2592296279)
@@ -183,18 +183,21 @@ speed = 10
 
 
 def test_the_output_of_a_four_bar_is_its_rocker_whatever_its_number() -> None:
-    study = Study(parse_scene(ROD_LAST))
+    study = LinkageStudy(parse_scene(ROD_LAST))
     assert study.output.link == 2
     assert study.found is not None
     assert study.found.extremes.stroke < np.pi
 
 
 def test_the_output_that_the_scene_names_is_the_output() -> None:
-    assert Study(parse_scene(ROD_LAST + "[output]\nlink = 3\n")).output.link == 3
+    assert LinkageStudy(parse_scene(ROD_LAST + "[output]\nlink = 3\n")).output.link == 3
 
 
 def test_of_a_group_that_does_not_touch_the_frame_the_last_link_is_the_output() -> None:
     further = ROD_LAST.replace('3 = "AB"', '3 = "AB"\n4 = "AD"\n5 = "BD"').replace(
         "CB = 0.3\n", "CB = 0.3\nAD = 0.3\nBD = 0.3\n"
     )
-    assert Study(parse_scene(further.replace("B = [0.39, 0.30]", "B = [0.39, 0.30]\nD = [0.1, 0.3]"))).output.link == 5
+    assert (
+        LinkageStudy(parse_scene(further.replace("B = [0.39, 0.30]", "B = [0.39, 0.30]\nD = [0.1, 0.3]"))).output.link
+        == 5
+    )

@@ -7,7 +7,7 @@ from decimal import Decimal
 import numpy as np
 import pytest
 
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.scene.linkage import mechanism_of
 from plans.scene.scene import parse_scene
 
@@ -97,7 +97,7 @@ positions = 24
 """
 
 
-def study_at(text: str, origin: tuple[Decimal, Decimal]) -> Study:
+def study_at(text: str, origin: tuple[Decimal, Decimal]) -> LinkageStudy:
     """Read a scene whose places in braces are moved by `origin`, written out in full."""
     moved = ""
     for part in text.split("{"):
@@ -108,7 +108,7 @@ def study_at(text: str, origin: tuple[Decimal, Decimal]) -> Study:
             moved += f"[{', '.join(format(number, 'f') for number in shifted)}]{rest}"
         else:
             moved += ("{" if moved else "") + part
-    return Study(parse_scene(moved))
+    return LinkageStudy(parse_scene(moved))
 
 
 @pytest.mark.parametrize("origin", FAR, ids=["100000000.35", "-123456789.012345678", "0.1"])

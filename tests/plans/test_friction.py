@@ -12,7 +12,7 @@ import pytest
 from plans.analytic.friction import friction as by_analysis
 from plans.analytic.kinematics import Analysis
 from plans.analytic.kinetostatics import kinetostatics
-from plans.forces.force_pattern import ForcePattern
+from plans.forces.force_template import ForcePattern
 from plans.forces.friction import friction, whole
 from plans.forces.rubbing import edges, lost, pressing
 from plans.model.kinetostatics import Applied, Loading, Reaction, Twist, pairs

@@ -15,7 +15,7 @@ from plans.checks.compare import Comparison, Finding, compare
 from plans.checks.force_comparison import compare_forces
 from plans.checks.friction_comparison import FRICTION
 from plans.forces.statics import Statics
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.model.losses import Friction
 from plans.model.machine import Rubbing
 from plans.scene.scene import read_scene
@@ -48,7 +48,7 @@ def test_both_roads_agree_in_the_friction_of_any_machine(one, f, radius, length)
 
 @pytest.fixture(scope="module")
 def shaper() -> tuple[Statics, Comparison]:
-    study = Study(read_scene(SHAPER))
+    study = LinkageStudy(read_scene(SHAPER))
     return Statics(study), compare(study)
 
 
@@ -85,7 +85,7 @@ def test_a_number_of_one_road_that_is_a_hundredth_of_a_per_cent_off_is_seen(
 
 def test_a_jam_that_one_road_alone_tells_is_seen(monkeypatch: pytest.MonkeyPatch) -> None:
     scene = read_scene(SHAPER)
-    statics = Statics(Study(scene))
+    statics = Statics(LinkageStudy(scene))
     machine = statics.machine
     statics.__dict__["machine"] = replace(machine, friction={key: Rubbing(9.0, 0.05) for key in machine.friction})
     comparison = compare_forces(statics, compare(statics.study))

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from plans.checks.compare import compare, compare_extremes, notches
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.model.motion import Motion
 from plans.scene.scene import read_scene
 
@@ -27,8 +27,8 @@ OPEN = 0.05
 
 
 @cache
-def study(name: str) -> Study:
-    return Study(read_scene(GALLERY / f"{name}.toml"))
+def study(name: str) -> LinkageStudy:
+    return LinkageStudy(read_scene(GALLERY / f"{name}.toml"))
 
 
 @cache
@@ -321,5 +321,5 @@ def test_the_published_lengths_of_jansen_s_leg_stand_in_its_scene() -> None:
 def test_both_roads_agree_where_the_crank_turns_the_other_way(scene: Path) -> None:
     """From an extreme the other stroke begins: the sketch shows another position, and the assembly stays the same."""
     there = read_scene(scene)
-    back = Study(there.changed(drive=there.drive.changed(speed=-there.drive.speed)))
+    back = LinkageStudy(there.changed(drive=there.drive.changed(speed=-there.drive.speed)))
     assert compare_extremes(back, compare(back)).agrees

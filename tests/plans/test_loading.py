@@ -15,7 +15,7 @@ from plans.analytic.kinematics import Analysis
 from plans.forces.loading import loading
 from plans.forces.stroke import Stroke, output_at, strokes
 from plans.linkage.extreme import extremes
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.model.kinetostatics import Loading
 from plans.model.machine import Machine
 from plans.model.mechanism import Output, StructureError
@@ -111,7 +111,7 @@ class Loaded(NamedTuple):
 
 
 def loaded(text: str, by: str = "construction") -> Loaded:
-    study = Study(parse_scene(text))
+    study = LinkageStudy(parse_scene(text))
     machine = machine_of(study.scene, study.mechanism)
     road = Analysis(study.mechanism, first=study.scene.drive.first is not None)
     motion = study.motion() if by == "construction" else road.motion(study.turn.phi)
@@ -284,11 +284,11 @@ def test_the_stroke_of_a_rocker_is_its_swing_whatever_its_direction(degrees: flo
 
 
 def test_the_link_whose_stroke_is_that_of_a_point() -> None:
-    mechanism = Study(parse_scene(SHAPER)).mechanism
+    mechanism = LinkageStudy(parse_scene(SHAPER)).mechanism
     assert output_at(mechanism, "D") == Output(5, "D")  # it slides, its rod does not
     assert output_at(mechanism, "B") == Output(3, "B")  # it swings about C
     assert output_at(mechanism, "A") == Output(1, "A")  # that has no stroke
-    assert output_at(Study(parse_scene(ENGINE.replace('"AB"', '"ABE"') + MIDDLE)).mechanism, "E") is None
+    assert output_at(LinkageStudy(parse_scene(ENGINE.replace('"AB"', '"ABE"') + MIDDLE)).mechanism, "E") is None
 
 
 @pytest.mark.parametrize("by", ROADS)
@@ -304,7 +304,7 @@ def test_only_strokes_that_loads_ask_for_are_looked_for_each_once() -> None:
     asked: list[Output] = []
 
     def watched(text: str) -> list[Output]:
-        study = Study(parse_scene(text))
+        study = LinkageStudy(parse_scene(text))
 
         def found(shown: Output) -> Extremes:
             asked.append(shown)

@@ -14,9 +14,9 @@ from geometry.precision import errors
 from plans.linkage import study as studies
 from plans.linkage.acceleration import accelerations
 from plans.linkage.angles import CLOSE, RUN, heading
+from plans.linkage.crank_positions import CrankPositions, even, listed
 from plans.linkage.plan import Plan
-from plans.linkage.study import Study
-from plans.linkage.turn import Turn, even, listed
+from plans.linkage.study import LinkageStudy
 from plans.linkage.velocity import velocities
 from plans.model.mechanism import Mechanism
 from tests.plans import linkages
@@ -31,7 +31,7 @@ MECHANISMS = {
 }
 
 
-def drawn(study: Study, turn: Turn) -> list[Plan]:
+def drawn(study: LinkageStudy, turn: CrankPositions) -> list[Plan]:
     """Draw the plans act by act, and on them all named points."""
     plans = [study.sweep.drawn(turn)]
     plans.append(velocities(plans[0], study.groups))

@@ -15,7 +15,7 @@ import pytest
 from plans.analytic.kinematics import Analysis
 from plans.forces.statics import Statics
 from plans.forces.stroke import Stroke
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.model.machine import Machine
 from plans.model.mechanism import Mechanism
 from plans.model.motion import LinkMotion, Motion
@@ -233,7 +233,7 @@ def test_a_line_by_two_letters_runs_from_the_first_to_the_second() -> None:
 
 
 def test_a_negative_speed_is_clockwise() -> None:
-    read, study = mechanism(LEANING), Study(parse_scene(LEANING))
+    read, study = mechanism(LEANING), LinkageStudy(parse_scene(LEANING))
     assert (read.drive.omega, read.drive.epsilon) == (pytest.approx(-2 * pi), 3)
     assert np.degrees(study.turn.phi).tolist() == pytest.approx([30, -60, -150, -240])
     a = study.motion(1).points["A"]
@@ -255,7 +255,7 @@ def test_the_output_is_the_slider_at_the_point_that_is_named() -> None:
 def held(tables: str, speed: float = 1, acceleration: float = 0) -> float:
     """Give M_bal of the crank along +x."""
     text = CRANK.replace("ACCELERATION", str(acceleration)).replace("SPEED", str(speed))
-    return float(Statics(Study(parse_scene(text + tables))).forces.balancing.moment[0])
+    return float(Statics(LinkageStudy(parse_scene(text + tables))).forces.balancing.moment[0])
 
 
 SPRING = '[[loads.springs]]\nbetween = ["A", "D"]\nstiffness = 100\nfree = 0.1\n'
@@ -322,7 +322,7 @@ def test_the_pinion_above_the_shaft_pushes_the_wheel_on_and_towards_the_shaft(sp
     """5 N*m against the motion on a wheel of 0.1 m: 50 N along the tangent, 50 tan 20 N down, at (0, 0.1)."""
     gear = "[drive.gear]\nradius = 0.1\nat = 90\npressure_angle = 20\n" + TWIST + 'against = "motion"\n'
     text = CRANK.replace("ACCELERATION", "0").replace("SPEED", str(speed))
-    told = Statics(Study(parse_scene(text + gear))).forces.balancing
+    told = Statics(LinkageStudy(parse_scene(text + gear))).forces.balancing
     assert told.force is not None and told.r is not None
     assert complex(told.force[0]) == near(complex(50 * along, -50 * np.tan(radians(20))))
     assert complex(told.r[0]) == near(0.1j)
@@ -339,7 +339,7 @@ def test_moments_of_a_spring_s_ends_belong_to_the_links_that_hold_them() -> None
 def pressed(load: str, *degrees: float, speed: float = 1) -> list[float]:
     """Give the load N on the slider along +x at some crank angles."""
     text = ENGINE.replace("SPEED", str(speed)).replace("ANGLES", str(list(degrees)))
-    statics = Statics(Study(parse_scene(text + load)))
+    statics = Statics(LinkageStudy(parse_scene(text + load)))
     (force,) = statics.drafts().loading.forces
     return [float(one.real) for one in force.force]
 

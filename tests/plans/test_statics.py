@@ -10,7 +10,7 @@ import pytest
 
 from plans.checks import force_comparison
 from plans.forces.statics import Statics, without
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.model.kinetostatics import Kinetostatics
 from plans.model.motion import Gap
 from plans.scene.scene import parse_scene
@@ -74,7 +74,7 @@ value = [0, -10]
 
 
 def of(text: str) -> Statics:
-    return Statics(Study(parse_scene(text)))
+    return Statics(LinkageStudy(parse_scene(text)))
 
 
 def test_a_parallelogram_in_one_line_is_statically_indeterminate_and_says_so() -> None:

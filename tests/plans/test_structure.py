@@ -7,7 +7,7 @@ from itertools import permutations
 
 import pytest
 
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME, Drive, Mechanism, Slide, StructureError, Way
 from plans.model.structure import NUMBERS, decompose, formula, mechanism_class
 from plans.scene.linkage import mechanism_of
@@ -30,7 +30,7 @@ SHAPER = "I(0,1) -> II3(2,3) -> II2(4,5)"
 @pytest.mark.parametrize("slides", [SLOT + GUIDE, GUIDE + SLOT], ids=["slot first", "guide first"])
 def test_formula_of_the_shaper_for_any_order_of_tables(order, slides):
     lines = "".join(TABLES[name] for name in order) + slides
-    study = Study(parse_scene(lines))
+    study = LinkageStudy(parse_scene(lines))
     assert formula(study.mechanism, study.groups) == SHAPER
     assert mechanism_class(study.groups) == "II"
 

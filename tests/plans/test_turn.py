@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from plans.checks.compare import compare
-from plans.linkage.study import Study
-from plans.linkage.turn import even, listed
+from plans.linkage.crank_positions import even, listed
+from plans.linkage.study import LinkageStudy
 from plans.scene.scene import parse_scene
 from plans.scene.units import within
 
@@ -39,7 +39,7 @@ def test_a_list_that_spans_several_turns_is_taken_within_one() -> None:
 
 @pytest.mark.parametrize("drive", ["start = 1e5", "start = -123456789.5", "positions = [1e8, 30]"])
 def test_both_roads_agree_however_many_turns_the_start_has(drive: str) -> None:
-    comparison = compare(Study(parse_scene(CRANK_ROCKER.replace("start = 0", drive))))
+    comparison = compare(LinkageStudy(parse_scene(CRANK_ROCKER.replace("start = 0", drive))))
     assert comparison.agrees
     assert (
         comparison.worst < 0.2

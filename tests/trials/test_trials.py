@@ -12,7 +12,7 @@ import pytest
 
 from geometry.errors import DraftError
 from plans.analytic.kinematics import Analysis
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.model.motion import Motion
 from plans.model.structure import decompose
@@ -47,7 +47,7 @@ def test_a_scene_is_the_same_by_its_number_and_no_other(kind):
 
 def test_a_crank_rocker_obeys_grashof():
     for number in range(100):
-        mechanism = Study(parse_scene(text_of("crank-rockers", number))).mechanism
+        mechanism = LinkageStudy(parse_scene(text_of("crank-rockers", number))).mechanism
         frame = abs(mechanism.links[FRAME].points["C"])
         *short, longest = sorted(
             abs(link.points[name]) for link, name in zip(mechanism.links.values(), "CABB", strict=True)
@@ -58,7 +58,7 @@ def test_a_crank_rocker_obeys_grashof():
 
 def test_chains_have_all_dyads_both_senses_and_all_kinds_of_positions():
     scenes = [parse_scene(text_of("chains", number)) for number in range(100)]
-    groups = Counter(dyad.kind for scene in scenes for dyad in decompose(Study(scene).mechanism))
+    groups = Counter(dyad.kind for scene in scenes for dyad in decompose(LinkageStudy(scene).mechanism))
     assert set(groups) == set(DYADS)
     assert {1, 5} <= {len(scene.mechanism.links) // 2 for scene in scenes}
     assert {scene.drive.speed > 0 for scene in scenes} == {True, False}
@@ -102,7 +102,7 @@ def test_a_road_with_another_reason_for_a_gap_is_told(monkeypatch):
 
 
 def test_a_bug_is_a_traceback_and_no_refusal(monkeypatch):
-    def fails(study: Study) -> None:
+    def fails(study: LinkageStudy) -> None:
         raise IndexError("list index out of range")
 
     monkeypatch.setattr(trial, "compare", fails)
@@ -110,7 +110,7 @@ def test_a_bug_is_a_traceback_and_no_refusal(monkeypatch):
 
 
 def test_a_crank_rocker_that_is_refused_fails_the_trial(monkeypatch):
-    def refuses(study: Study) -> None:
+    def refuses(study: LinkageStudy) -> None:
         raise DraftError("scene.toml:1: no")
 
     monkeypatch.setattr(trial, "compare", refuses)
@@ -128,9 +128,9 @@ def test_a_scene_that_takes_too_long_is_ended(monkeypatch):
 
 
 def test_a_warning_is_told(monkeypatch):
-    def warns(scene: Scene) -> Study:
+    def warns(scene: Scene) -> LinkageStudy:
         warnings.warn("overflow", RuntimeWarning, stacklevel=1)
-        return Study(scene)
+        return LinkageStudy(scene)
 
     monkeypatch.setattr(trial, "_study", warns)
     assert tried("crank-rockers", 0).faults == ((WARNED, "overflow"),)

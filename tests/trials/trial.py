@@ -19,7 +19,7 @@ import numpy as np
 from drawings.report.report import shallow
 from geometry.errors import DraftError
 from plans.checks.compare import Comparison, compare, compare_extremes
-from plans.linkage.study import Study
+from plans.linkage.study import LinkageStudy
 from plans.model.kinetostatics import FORCES
 from plans.model.motion import Motion
 from plans.scene.scene import Scene, parse_scene
@@ -76,14 +76,14 @@ def tried(kind: str, number: int, draw: bool = False) -> Verdict:
     return Verdict(kind, number, outcome, reason, tuple(dict.fromkeys(faults)))
 
 
-def _study(scene: Scene) -> Study:
+def _study(scene: Scene) -> LinkageStudy:
     """Make the plans, as a sheet would."""
-    study = Study(scene)
+    study = LinkageStudy(scene)
     _ = study.found, study.drafts().accelerations
     return study
 
 
-def _compared(study: Study) -> Comparison:
+def _compared(study: LinkageStudy) -> Comparison:
     comparison = compare_extremes(study, compare(study))
     if "forces" not in study.scene.sheets:
         return comparison
@@ -93,7 +93,7 @@ def _compared(study: Study) -> Comparison:
     return compare_forces(Statics(study), comparison)
 
 
-def _judged(study: Study, comparison: Comparison) -> tuple[str, str, list[tuple[str, str]]]:
+def _judged(study: LinkageStudy, comparison: Comparison) -> tuple[str, str, list[tuple[str, str]]]:
     faults = [*_one_sided(study, comparison), *_unanswered(comparison)]
     if not comparison.agrees:
         worst = max(comparison.findings, key=lambda finding: float(finding.excess.max()))
@@ -105,7 +105,7 @@ def _judged(study: Study, comparison: Comparison) -> tuple[str, str, list[tuple[
     return NEAR if shallow(study) else DRAWN, "", faults
 
 
-def _one_sided(study: Study, comparison: Comparison) -> Iterator[tuple[str, str]]:
+def _one_sided(study: LinkageStudy, comparison: Comparison) -> Iterator[tuple[str, str]]:
     """Tell where the two roads give up different positions, or the same with another reason, before any is left out."""
     ours = study.motion(2)
     theirs = comparison.road.motion(study.turn.phi, 2) if comparison.analysis.gaps or ours.gaps else comparison.analysis

@@ -118,7 +118,7 @@ class Drawn(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Figure:
+class PolygonFigure:
     """A polygon placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
 
     shown: Polygon
@@ -156,7 +156,7 @@ def measured(shown: Polygon, name: str, hand: Hand, language: str) -> Picture:
 
 def figure(
     shown: Polygon, measure: Picture, spot: Spot, scale: str, hand: Hand, language: str, reactions: str = REACTION
-) -> Figure:
+) -> PolygonFigure:
     """Draw the polygon in its spot: its sides in main lines, diagonals thinner, directions thin, title above."""
     place = measure.placed(*spot)
     told = [one for one in shown.vectors if place.length(abs(one.value)) >= LEAST]
@@ -175,7 +175,7 @@ def figure(
     under = scale if shown.vectors else word(language, "unloaded")
     title = heading(spot.box, _title(shown, language), under, hand)
     lines = (title, *([Group(tuple(thin))] if thin else []), *drawn)
-    return Figure(shown, place, lines, arrows, shown.faint(place.scale.mu), hand, language, reactions)
+    return PolygonFigure(shown, place, lines, arrows, shown.faint(place.scale.mu), hand, language, reactions)
 
 
 def _inside(box: Field, hand: Hand) -> Box:

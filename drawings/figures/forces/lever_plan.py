@@ -112,7 +112,7 @@ def _pushes(lever: Lever, column: int) -> Iterator[Push]:
 
 
 @dataclass(frozen=True)
-class Figure:
+class LeverFigure:
     """A lever placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
 
     shown: Hanging
@@ -154,7 +154,7 @@ def measured(shown: Hanging, name: str, hand: Hand, language: str) -> Picture:
 
 def figure(
     shown: Hanging, measure: Picture, spot: Spot, scale: str, hand: Hand, language: str, reactions: str = REACTION
-) -> Figure:
+) -> LeverFigure:
     """Draw the lever in its spot: the turned plan on its hinge, the forces not to scale, arms of the greatest."""
     place = measure.placed(*spot)
     subject = Subject(PLAN, SYMBOL, shown.column)
@@ -177,7 +177,7 @@ def figure(
         Group((*rods, *stand)), *drawn, *dots,
         point(subject, shown.pole, 0j, place, circle, "pole"),
     )  # fmt: skip
-    return Figure(shown, place, lines, tuple(arrows), kept, tuple(reach for reach, _ in reaches), hand)
+    return LeverFigure(shown, place, lines, tuple(arrows), kept, tuple(reach for reach, _ in reaches), hand)
 
 
 def _style(thin: bool, hand: Hand) -> LineStyle:

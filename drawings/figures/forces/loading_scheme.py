@@ -27,7 +27,7 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Line, Stroke, Text
 from drawings.symbols.figure import heading
 
-__all__ = ["Figure", "Leverage", "Scheme", "figure", "leverages", "measured", "scheme"]
+__all__ = ["Leverage", "Scheme", "SchemeFigure", "figure", "leverages", "measured", "scheme"]
 
 NEAR = 4.0  # mm beyond its letter: lines that end so near to a point are lines at it
 LEAST = 14.0  # a scheme is drawn at least so many of its letters large: below, its forces hide it
@@ -35,7 +35,7 @@ LETTERS, BESIDE = 1.6, 2.4  # letters' sizes below and above the lines of a sche
 
 
 @dataclass(frozen=True)
-class Figure:
+class SchemeFigure:
     """A scheme placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
 
     shown: Scheme
@@ -80,13 +80,13 @@ def _title(shown: Scheme, language: str) -> str:
 
 def figure(
     shown: Scheme, measure: Picture, spot: Spot, scale: str, hand: Hand, language: str, reactions: str = REACTION
-) -> Figure:
+) -> SchemeFigure:
     """Draw the scheme in its spot, with its title and its written scale above it."""
     place = measure.placed(*spot)
     box = Field(spot.box.left, spot.box.bottom, spot.box.right, spot.box.top - _head(hand))
     laid = Layout(shown, place, hand, language, box, reactions)
     title = heading(spot.box, _title(shown, language), f"{scale};  {word(language, 'not to scale')}", hand)
-    return Figure(shown, laid, (title, *laid.strokes()), hand)
+    return SchemeFigure(shown, laid, (title, *laid.strokes()), hand)
 
 
 def _letters(laid: Layout, labels: Labels, hand: Hand) -> Iterator[Stroke]:

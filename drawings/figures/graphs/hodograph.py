@@ -54,7 +54,7 @@ def measured(shown: Hodograph, name: str, title: str, hand: Hand) -> Picture:
 
 
 @dataclass(frozen=True)
-class Figure:
+class HodographFigure:
     """A hodograph placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
 
     shown: Hodograph
@@ -80,7 +80,7 @@ class Figure:
         return Group((*self.lines, Group(tuple(written))), self.name)
 
 
-def figure(shown: Hodograph, measure: Picture, spot: Spot, title: str, scale: str, hand: Hand) -> Figure:
+def figure(shown: Hodograph, measure: Picture, spot: Spot, title: str, scale: str, hand: Hand) -> HodographFigure:
     """Draw the hodograph in its spot, with its title and its written scale above it."""
     place = measure.placed(*spot)
     lines: list[Stroke] = [heading(spot.box, title, scale, hand), *_curve(shown, place, hand)]
@@ -94,7 +94,7 @@ def figure(shown: Hodograph, measure: Picture, spot: Spot, title: str, scale: st
         if not math.isnan(value.real):
             dot = Circle(place.on(complex(value)), DOT * hand.symbol, INK)
             lines.append(point(subject._replace(position=k), str(k), complex(value), place, dot))
-    return Figure(shown, measure.name, place, tuple(lines), hand)
+    return HodographFigure(shown, measure.name, place, tuple(lines), hand)
 
 
 def _curve(shown: Hodograph, place: Place, hand: Hand) -> list[Stroke]:

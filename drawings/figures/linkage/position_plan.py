@@ -17,7 +17,7 @@ from drawings.figures.linkage.stroke_dimension import stroke
 from drawings.figures.linkage.trajectories import trajectories
 from drawings.figures.linkage.vector_plan import written
 from drawings.layout.labels import Labels, free_side
-from drawings.layout.obstacles import Drawn
+from drawings.layout.obstacles import Obstacles
 from drawings.layout.place import Place
 from drawings.paper.formats import Field
 from drawings.paper.hand import Hand
@@ -44,7 +44,7 @@ def figure(pairs: Pairs, language: str) -> list[Group]:
     blocks = [block for _, block in pairs.blocks]
     paths, positions = trajectories(bones, place, hand), [*_circle(bones, place, hand), *_positions(pairs)]
     extremes, lines = list(_extremes(pairs)), axes(bones, place, hand)
-    drawn = Drawn()
+    drawn = Obstacles()
     drawn.draw([*body, *blocks, *stands])
     grounded = grounds(pairs, drawn)
     drawn.draw(grounded)

@@ -14,9 +14,9 @@ from drawings.figures.linkage.masses import unnamed
 from drawings.layout.place import Place
 from plans.linkage.angles import angle
 from plans.linkage.assembly_limits import NODES
+from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.plan import Plan
-from plans.linkage.study import Study
-from plans.linkage.turn import Turn
+from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME, Link, Mechanism, Slide
 from plans.model.motion import Complexes, Floats, Motion
 
@@ -95,7 +95,7 @@ class Bones(Protocol):
 class Skeletons:
     """What the figure is drawn from: the poses in the scene's positions, on the way, and at the two extremes."""
 
-    study: Study
+    study: LinkageStudy
     motion: Motion
     numbered: Poses
     way: Poses  # a whole turn, densely
@@ -186,19 +186,19 @@ class Skeletons:
         return [pivot + radius * complex(np.exp(1j * angle)) for angle in np.linspace(low, high, 24)]
 
 
-def skeletons(study: Study, motion: Motion, shown: int) -> Skeletons:
+def skeletons(study: LinkageStudy, motion: Motion, shown: int) -> Skeletons:
     """Gather the poses that the figure needs: the way between positions is computed densely, not splined."""
     turns = {FRAME: np.ones(len(motion.phi), dtype=np.complex128)}
     turns |= {number: np.exp(1j * found.angle) for number, found in motion.links.items()}
     numbered = Poses(study.mechanism.links, {name: found.r for name, found in motion.points.items()}, turns)
     extremes = None
     if study.found is not None:
-        turn = Turn(np.array(study.found.extremes.phi), np.array(study.found.directions))
+        turn = CrankPositions(np.array(study.found.extremes.phi), np.array(study.found.directions))
         extremes = poses(study.mechanism, study.sweep.drawn(turn), 2)
     return Skeletons(study, motion, numbered, _way(study, numbered), extremes, shown)
 
 
-def _way(study: Study, numbered: Poses) -> Poses:
+def _way(study: LinkageStudy, numbered: Poses) -> Poses:
     """Give the poses of a whole turn, half a degree apart, NaN where the mechanism does not come."""
     nodes = study.turn.phi[0] + 2 * np.pi * np.arange(NODES + 1) / NODES
     dense = poses(study.mechanism, study.sweep.plan(nodes), len(nodes))

@@ -92,7 +92,7 @@ def _rays(mark: Mark, column: int) -> list[tuple[complex, complex]]:
 
 
 @dataclass(frozen=True)
-class Figure:
+class PlanFigure:
     """A diagram placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
 
     shown: Diagram
@@ -127,7 +127,7 @@ def nothing(name: str, why: str, hand: Hand) -> Picture:
     return picture(name, [0j], ("v", "m/s"), margins, text_width(Text(0j, why, hand.text)))
 
 
-def figure(shown: Diagram, measure: Picture, spot: Spot, scale: str, hand: Hand, language: str) -> Figure:
+def figure(shown: Diagram, measure: Picture, spot: Spot, scale: str, hand: Hand, language: str) -> PlanFigure:
     """Draw the plan in its spot, with its title and its written scale above it."""
     position = shown.column
     kind = shown.plan.board.subject
@@ -137,7 +137,9 @@ def figure(shown: Diagram, measure: Picture, spot: Spot, scale: str, hand: Hand,
     lines = Group(tuple(_directions(shown, place, hand)))
     arrows = [_drawn(subject, arrow, place, hand) for arrow in shown.arrows if _visible(arrow, place)]
     dot = point(subject, shown.plan.pole.name, 0j, place, pole(place.on(0j)), "pole")
-    return Figure(shown, place, (title, *([lines] if lines.strokes else []), *arrows, dot), position, hand, spot.box)
+    return PlanFigure(
+        shown, place, (title, *([lines] if lines.strokes else []), *arrows, dot), position, hand, spot.box
+    )
 
 
 def _heading(shown: Diagram, spot: Spot, scale: str, hand: Hand, language: str) -> Group:

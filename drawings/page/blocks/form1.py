@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Mapping
 
 from drawings.lettering.words import word
-from drawings.page.graph import Graph, titled
+from drawings.page.title_cell import TitleCell, titled
 from drawings.paper.formats import Field
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Line, LineStyle, Polyline, Stroke, Text
@@ -28,23 +28,24 @@ THIN: Segments = (
 ROLES = ("drawn", "checked", "technical", "norms", "approved")
 # What is printed in the form; graphs 14 to 18 are the table of changes, 10 the roles.
 CAPTIONS = {
-    "change": Graph(0, 30, 7, 5, 2.5, pad=0.5), "page": Graph(7, 30, 10, 5, 2.5, pad=0.5),
-    "document": Graph(17, 30, 23, 5, 2.5), "signature": Graph(40, 30, 15, 5, 2.5), "date": Graph(55, 30, 10, 5, 2.5),
-    "drawn": Graph(0, 25, 17, 5, 2.5, "start"), "checked": Graph(0, 20, 17, 5, 2.5, "start"),
-    "technical": Graph(0, 15, 17, 5, 2.5, "start"), "norms": Graph(0, 5, 17, 5, 2.5, "start"),
-    "approved": Graph(0, 0, 17, 5, 2.5, "start"), "letter": Graph(135, 35, 15, 5, 2.5),
-    "mass": Graph(150, 35, 17, 5, 2.5), "scale": Graph(167, 35, 18, 5, 2.5),
-    "sheet": Graph(135, 15, 11, 5, 2.5, "start"), "sheets": Graph(155, 15, 14, 5, 2.5, "start"),
+    "change": TitleCell(0, 30, 7, 5, 2.5, pad=0.5), "page": TitleCell(7, 30, 10, 5, 2.5, pad=0.5),
+    "document": TitleCell(17, 30, 23, 5, 2.5), "signature": TitleCell(40, 30, 15, 5, 2.5),
+    "date": TitleCell(55, 30, 10, 5, 2.5),
+    "drawn": TitleCell(0, 25, 17, 5, 2.5, "start"), "checked": TitleCell(0, 20, 17, 5, 2.5, "start"),
+    "technical": TitleCell(0, 15, 17, 5, 2.5, "start"), "norms": TitleCell(0, 5, 17, 5, 2.5, "start"),
+    "approved": TitleCell(0, 0, 17, 5, 2.5, "start"), "letter": TitleCell(135, 35, 15, 5, 2.5),
+    "mass": TitleCell(150, 35, 17, 5, 2.5), "scale": TitleCell(167, 35, 18, 5, 2.5),
+    "sheet": TitleCell(135, 15, 11, 5, 2.5, "start"), "sheets": TitleCell(155, 15, 14, 5, 2.5, "start"),
 }  # fmt: skip
-TITLE = Graph(65, 15, 70, 25, 5.0)  # graph 1
+TITLE = TitleCell(65, 15, 70, 25, 5.0)  # graph 1
 # What else is filled in: graph 3 has the group, 11 the names, 13 the date of the one who has drawn. In letters of 2.5 a
 # date of eight signs is 12 mm long and a name of fourteen 25 mm, in graphs 10 and 23 mm wide: these may go down to 1.8,
 # which GOST 2.304 has for type B.
 ENTRIES = {
-    "designation": Graph(65, 40, 120, 15, 7.0), "group": Graph(65, 0, 70, 15),
-    "organisation": Graph(135, 0, 50, 15, 5.0), "scale": Graph(167, 20, 18, 15, 5.0),
-    "sheet": Graph(146, 15, 9, 5), "sheets": Graph(169, 15, 16, 5),
-    "date": Graph(55, 25, 10, 5, 2.5, least=1.8, pad=0.6),
+    "designation": TitleCell(65, 40, 120, 15, 7.0), "group": TitleCell(65, 0, 70, 15),
+    "organisation": TitleCell(135, 0, 50, 15, 5.0), "scale": TitleCell(167, 20, 18, 15, 5.0),
+    "sheet": TitleCell(146, 15, 9, 5), "sheets": TitleCell(169, 15, 16, 5),
+    "date": TitleCell(55, 25, 10, 5, 2.5, least=1.8, pad=0.6),
     **{key: CAPTIONS[key]._replace(left=17, width=23, least=1.8) for key in ROLES},
 }  # fmt: skip
 _YEAR_FIRST = re.compile(r"\d\d(\d\d)-(\d\d)-(\d\d)")
@@ -61,7 +62,7 @@ BELOW = {"copied": 110.0, "format": 40.0}
 def block(corner: complex, entries: Mapping[str, str], hand: Hand, language: str) -> Iterator[Stroke]:
     """Draw form 1, filled; every sheet of a drawing has it, which 2.104 allows beside form 2a for the following ones.
 
-    Graph 7 is empty where there is one sheet only, and graph 8 is filled on the first sheet only.
+    TitleCell 7 is empty where there is one sheet only, and graph 8 is filled on the first sheet only.
     """
     for segments, width in ((THICK, hand.main), (THIN, hand.construction)):
         for start, end in segments:
@@ -111,7 +112,7 @@ def extra(field: Field, place: Field, designation: str, name: str, hand: Hand, l
     corner = complex(place.left, place.bottom)
     turn = 180.0 if place.width > place.height else -90.0  # upside down, or read from the right
     if designation:
-        yield from Graph(0, 0, place.width, place.height, 5.0, rotation=turn).lettered(corner, designation)
+        yield from TitleCell(0, 0, place.width, place.height, 5.0, rotation=turn).lettered(corner, designation)
     for key, off in BELOW.items():
         yield Text(complex(field.right - off, 1.4), word(language, key, format=name), 2.5, "start", True)
 
@@ -126,7 +127,7 @@ def _strip(corner: complex, hand: Hand, language: str) -> Iterator[Stroke]:
     at = corner
     yield Line(at, at + narrow + wide, main)
     for key, high in STRIP:
-        yield from Graph(0, 0, narrow, high, 2.5, rotation=90.0).lettered(at, word(language, key))
+        yield from TitleCell(0, 0, narrow, high, 2.5, rotation=90.0).lettered(at, word(language, key))
         at += 1j * high
         yield Line(at, at + narrow + wide, main)
 

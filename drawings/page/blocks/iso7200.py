@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from drawings.lettering.words import word
-from drawings.page.graph import Graph, titled
+from drawings.page.title_cell import TitleCell, titled
 from drawings.paper.formats import BLOCKS
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Line, LineStyle, Polyline, Run, Stroke, Text
@@ -14,11 +14,13 @@ from drawings.paper.strokes import Line, LineStyle, Polyline, Run, Stroke, Text
 # 12 high, where the example has 9 with captions of 1.8. Beside the standard's own fields stand the one who checked, as
 # courses want it, and the scale, which ISO 7200 leaves to the sheet.
 CELLS = {
-    "department": Graph(0, 36, 26, 12), "checked by": Graph(26, 36, 43, 12), "creator": Graph(69, 36, 44, 12),
-    "approval": Graph(113, 36, 43, 12), "scale": Graph(156, 36, 24, 12), "owner": Graph(0, 0, 69, 36),
-    "type": Graph(69, 24, 58, 12), "status": Graph(127, 24, 53, 12), "title": Graph(69, 0, 58, 24, 5.0),
-    "number": Graph(127, 12, 53, 12, 5.0), "revision": Graph(127, 0, 8, 12), "issued": Graph(135, 0, 24, 12),
-    "code": Graph(159, 0, 9.5, 12), "sheet": Graph(168.5, 0, 11.5, 12),
+    "department": TitleCell(0, 36, 26, 12), "checked by": TitleCell(26, 36, 43, 12),
+    "creator": TitleCell(69, 36, 44, 12),
+    "approval": TitleCell(113, 36, 43, 12), "scale": TitleCell(156, 36, 24, 12), "owner": TitleCell(0, 0, 69, 36),
+    "type": TitleCell(69, 24, 58, 12), "status": TitleCell(127, 24, 53, 12), "title": TitleCell(69, 0, 58, 24, 5.0),
+    "number": TitleCell(127, 12, 53, 12, 5.0), "revision": TitleCell(127, 0, 8, 12),
+    "issued": TitleCell(135, 0, 24, 12),
+    "code": TitleCell(159, 0, 9.5, 12), "sheet": TitleCell(168.5, 0, 11.5, 12),
 }  # fmt: skip
 MANDATORY = ("owner", "number", "issued", "sheet", "title", "approval", "creator", "type")
 # The entry of the scene that each field shows as it is.
@@ -53,7 +55,7 @@ def _values(entries: Mapping[str, str], language: str) -> Iterator[tuple[str, st
     yield "sheet", f"{entries.get('sheet') or '1'}/{entries.get('sheets') or '1'}"
 
 
-def _walls(corner: complex, cell: Graph, hand: Hand) -> Iterator[Line]:
+def _walls(corner: complex, cell: TitleCell, hand: Hand) -> Iterator[Line]:
     """Draw the left and the upper side of a field; the others belong to its neighbours and to the outline."""
     at = corner + complex(cell.left, cell.bottom)
     top = at + 1j * cell.height

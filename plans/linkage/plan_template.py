@@ -11,12 +11,12 @@ import numpy.typing as npt
 from geometry.board import Mark
 from geometry.tracing import Tracing
 from plans.linkage.angles import heading
+from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.plan import Plan
-from plans.linkage.turn import Turn
 from plans.model.motion import LinkMotion, Motion, PointMotion
 
 
-class Pattern:
+class PlanTemplate:
     """Plans of the orders 0, 1, ... over each other, with the images of all named points on them."""
 
     def __init__(self, plans: Sequence[Plan]) -> None:
@@ -55,7 +55,7 @@ class Pattern:
         return {place: np.array([value], dtype=kind) for place, value in known.items() if value is not None}
 
     @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, and is named outside
-    def follow(self, turn: Turn) -> list[Any]:
+    def follow(self, turn: CrankPositions) -> list[Any]:
         """Work out all numbers of the plans at other crank positions."""
         return self.tracing.follow(turn.directions)
 
@@ -71,7 +71,7 @@ class Pattern:
             found.append(plan.redrawn(boards[plan.board.subject], made, tuple(found)))
         return found
 
-    def read(self, numbers: list[Any], turn: Turn) -> Motion:
+    def read(self, numbers: list[Any], turn: CrankPositions) -> Motion:
         """Read all named points and moving links off the plans."""
         seen = numbers.copy()
         for place, row in self._resting(len(turn)).items():

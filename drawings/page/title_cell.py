@@ -18,7 +18,7 @@ ELLIPSIS = "…"
 FEET = (5.0, 8.9, 12.0)
 
 
-class Graph(NamedTuple):
+class TitleCell(NamedTuple):
     """A rectangle from its block's lower left corner, mm, and how it is lettered.
 
     `least` is its smallest letter, `pad` the room in mm where its lines of writing begin or end.
@@ -55,7 +55,7 @@ class Graph(NamedTuple):
     def fitted(self, plain: str) -> tuple[float, list[str]]:
         """Give the size of the lettering and its lines.
 
-        >>> Graph(0, 0, 70, 14, 5.0).fitted("Crank shaper"), Graph(0, 0, 20, 5).fitted("a name too long")
+        >>> TitleCell(0, 0, 70, 14, 5.0).fitted("Crank shaper"), TitleCell(0, 0, 20, 5).fitted("a name too long")
         ((5.0, ['Crank shaper']), (2.5, ['a name too…']))
         """
         sizes = [size for size in SIZES if self.least <= size <= self.size]
@@ -79,7 +79,7 @@ class Graph(NamedTuple):
         return high - low <= self._room[1] - 2 * CLEAR
 
 
-def titled(area: Graph, corner: complex, title: str, subtitle: str) -> Iterator[Text]:
+def titled(area: TitleCell, corner: complex, title: str, subtitle: str) -> Iterator[Text]:
     """Letter a title, and its subtitle in smaller letters under it: whole if it can be, then as large as it can be."""
     splits = []
     for foot in FEET if subtitle else (0.0,):

@@ -18,7 +18,7 @@ _INT64 = 2**62  # numerators of whole turns stay exact below this
 
 
 @dataclass(frozen=True)
-class Turn:
+class CrankPositions:
     """Crank positions: angles phi, rad, that go on from each other, and the crank's unit directions."""
 
     phi: Floats
@@ -32,14 +32,14 @@ class Turn:
         """The crank angles reduced to (-pi, pi]."""
         return heading(self.directions)
 
-    def part(self, chosen: slice | Sequence[int]) -> Turn:
+    def part(self, chosen: slice | Sequence[int]) -> CrankPositions:
         """Give some of the positions, in the order asked for."""
-        part = Turn(self.phi[chosen], self.directions[chosen])
+        part = CrankPositions(self.phi[chosen], self.directions[chosen])
         part.__dict__["headings"] = self.headings[chosen]  # reduced once for the whole turn
         return part
 
 
-def even(start: Fraction, count: int, sense: int) -> Turn:
+def even(start: Fraction, count: int, sense: int) -> CrankPositions:
     """Divide a turn into `count` equal steps from `start` degrees, in the sense +1 or -1 of rotation.
 
     >>> even(Fraction(0), 4, +1).directions.tolist()
@@ -51,11 +51,11 @@ def even(start: Fraction, count: int, sense: int) -> Turn:
     phi = np.radians(float(start)) + sense * (2 * np.pi / count) * np.arange(count)
     if abs(first) + 720 * denominator < _INT64:
         numerators = first + step * np.arange(count, dtype=np.int64)
-        return Turn(phi, directions(numerators, denominator))
+        return CrankPositions(phi, directions(numerators, denominator))
     return from_direction(complex(directions_of([start])[0]), float(np.radians(float(start))), count, sense)
 
 
-def listed(angles: Sequence[Fraction]) -> Turn:
+def listed(angles: Sequence[Fraction]) -> CrankPositions:
     """Take crank angles in degrees as the scene lists them, less the whole turns that they have in common.
 
     Of a list that spans more than a turn each angle is taken within one.
@@ -66,13 +66,13 @@ def listed(angles: Sequence[Fraction]) -> Turn:
     least = min(angles, key=abs, default=Fraction(0))
     wide = max(angles, default=least) - min(angles, default=least) > 360
     near = [within(angle) if wide else angle - least + within(least) for angle in angles]
-    return Turn(np.radians(np.array([float(angle) for angle in near])), directions_of(near))
+    return CrankPositions(np.radians(np.array([float(angle) for angle in near])), directions_of(near))
 
 
-def from_direction(first: complex, phi: float, count: int, sense: int) -> Turn:
+def from_direction(first: complex, phi: float, count: int, sense: int) -> CrankPositions:
     """Divide a turn from a crank direction that a construction has found."""
     whole = even(Fraction(0), count, sense)
-    return Turn(phi + whole.phi, first * whole.directions)
+    return CrankPositions(phi + whole.phi, first * whole.directions)
 
 
 def directions_of(angles: Sequence[Fraction]) -> Complexes:
@@ -95,7 +95,7 @@ def directions(numerators: npt.NDArray[np.int64], denominator: int) -> Complexes
 
 
 def _place(octants: npt.NDArray[np.int64], degrees: Floats) -> Complexes:
-    """Turn angles of the first octant, measured from its nearer axis, into directions of all eight."""
+    """CrankPositions angles of the first octant, measured from its nearer axis, into directions of all eight."""
     angle = degrees * (np.pi / 180)
     near, off = np.cos(angle), np.sin(angle)
     swapped = (octants % 4 == 1) | (octants % 4 == 2)

@@ -17,8 +17,8 @@ from plans.forces.force import ForcePlan
 from plans.forces.groups import forces
 from plans.forces.lever import Lever, lever
 from plans.linkage.groups import guide
-from plans.linkage.pattern import Pattern, resting
 from plans.linkage.plan import Plan
+from plans.linkage.plan_template import PlanTemplate, resting
 from plans.linkage.redrawing import remade
 from plans.model.kinetostatics import Balancing, Kinetostatics, Loading, Reaction
 from plans.model.machine import Machine
@@ -46,7 +46,7 @@ class _Places(NamedTuple):
 class ForcePattern:
     """The force plan over a pattern of accelerations; the lever is hung when it is looked at."""
 
-    def __init__(self, pattern: Pattern, groups: Sequence[Dyad], machine: Machine, loading: Loading) -> None:
+    def __init__(self, pattern: PlanTemplate, groups: Sequence[Dyad], machine: Machine, loading: Loading) -> None:
         self.pattern = pattern
         self.plan = forces(pattern.plans[2], groups, machine, loading)
         self._below = [plan.board for plan in pattern.plans]

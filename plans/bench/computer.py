@@ -13,7 +13,7 @@ _CPUINFO = Path("/proc/cpuinfo")  # Linux; elsewhere the platform's own name of 
 
 
 @dataclass(frozen=True)
-class Machine:
+class Computer:
     """Processor, cores that this process may use, load of the last minute, versions."""
 
     processor: str
@@ -30,10 +30,10 @@ class Machine:
         return f"{self.processor}, {cores}{busy}; {self.system}; Python {self.python}, numpy {self.numpy}"
 
 
-def machine() -> Machine:
+def machine() -> Computer:
     """Describe this machine."""
     cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    return Machine(
+    return Computer(
         processor=_processor(),
         cores=cores,
         load=os.getloadavg()[0] if hasattr(os, "getloadavg") else None,
