@@ -1,0 +1,64 @@
+"""The techniques (разделы курса): what each reads of a scene, what studies it, and what it can show.
+
+A row is text alone: nothing of a technique is imported before a scene asks for it. Each text is "module:name".
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from importlib import import_module
+from typing import Any, Final, NamedTuple
+
+
+class Technique(NamedTuple):
+    """What one technique reads of a scene, what studies it, and what it can show."""
+
+    study: str  # its class, made of the memo `Study` on first demand
+    comparison: str  # of a study to the comparison of the two roads
+    numbers: str  # of a study, a road and the wanted plans to plain data, for `solve`
+    marks: str  # of a study, a position and a name to drafting steps, for `explain`
+    plans: tuple[str, ...]  # what it makes, in order: the names that --only and --trace know
+    sheets: Mapping[str, tuple[str, ...]]  # what a scene may ask for, each with the plans that it needs
+    needs: tuple[str, ...] = ()  # techniques that it rests on
+
+
+MOTION: Final = ("extremes", "positions", "velocities", "accelerations")
+
+TECHNIQUES: Final[Mapping[str, Technique]] = {
+    "linkage": Technique(
+        study="plans.linkage.study:LinkageStudy",
+        comparison="plans.checks.compare:compare",
+        numbers="plans.linkage.numbers:numbers",
+        marks="plans.linkage.marks:marks",
+        plans=MOTION,
+        sheets={"kinematics": MOTION},
+    ),
+    "forces": Technique(
+        study="plans.forces.statics:Statics",
+        comparison="plans.checks.force_comparison:compare_forces",
+        numbers="plans.forces.numbers:numbers",
+        marks="plans.forces.marks:marks",
+        plans=("forces", "friction"),
+        sheets={"forces": (*MOTION, "forces", "friction")},
+        needs=("linkage",),
+    ),
+}
+
+
+def named(text: str) -> Any:
+    """Import what a row of a table names.
+
+    >>> named("plans.techniques:TECHNIQUES")["forces"].needs
+    ('linkage',)
+    """
+    module, _, name = text.partition(":")
+    return getattr(import_module(module), name)
+
+
+def technique_of(sheet: str) -> str:
+    """Give the technique whose sheet it is.
+
+    >>> technique_of("forces")
+    'forces'
+    """
+    return next(name for name, technique in TECHNIQUES.items() if sheet in technique.sheets)
