@@ -31,6 +31,7 @@ SHARED = (
     "plans.model.machine",
     "plans.model.kinetostatics",
     "plans.model.losses",
+    "plans.model.rotor",
 )
 ONLY_IN = {
     "svgwrite": ("drawings/pens/svg.py", "drawings/bench/plain_pen.py"),  # the bench times its defaults beside our pen
@@ -148,7 +149,7 @@ ROOMS = (
     ("geometry",),
     ("plans.model",),
     ("plans.scene", "plans.analytic"),
-    ("plans.linkage",),
+    ("plans.linkage", "plans.rotor"),
     ("plans.forces",),
     ("plans.checks", "plans.bench"),
     ("drawings.paper",),

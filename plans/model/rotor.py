@@ -61,7 +61,7 @@ class Unbalance(NamedTuple):
 
 
 class Plane(NamedTuple):
-    """A plane of correction (плоскость коррекции): its name, place m, and the radius m or mass kg of what goes there."""
+    """A plane of correction (плоскость коррекции): its name, place m, and the radius m or mass kg there."""
 
     name: str
     place: Fraction

@@ -1,4 +1,4 @@
-"""Balancing by polygons: that of moments gives the correction in plane I, that of forces the other (8.5), M7.2, M7.3."""
+"""Balancing by polygons: that of moments gives the correction in plane I, that of forces the other (8.5)."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from geometry.board import Board, Mark
 from plans.model.rotor import Plane, Rotor, Unbalance
 from plans.rotor.heading import heading
 from plans.rotor.letters import moment_letters, unbalance_letters
-from plans.rotor.polygon import Polygon, polygon
+from plans.rotor.polygon import Polygon, close, polygon
 
 COUPLES, UNBALANCES = "couples", "unbalances"  # the boards: vectors m*D*h kg*m2, and m*D kg*m
 
@@ -54,7 +54,7 @@ def balancing(rotor: Rotor) -> Balancing:
     laid = [one.mark for one in (*masses, *(() if moments.closed else first))]
     last = rotor.planes[-1]
     forces = polygon(board, pole, unbalance_letters(last.name), laid, sum(one.slack for one in first))
-    unbalance = board.close("ΣmD", *(one.mark for one in masses), why="against all static moments together")
+    unbalance = close(board, pole, "ΣmD", [one.mark for one in masses], "against all static moments together")
     corrections = *first, Placed(forces.closing, last.place, forces.slack)
     return Balancing(rotor, masses, moments, forces, corrections, unbalance)
 
@@ -73,7 +73,7 @@ def _moments(rotor: Rotor, masses: Sequence[Placed]) -> Polygon:
         for one, placed in zip(rotor.masses, masses, strict=True)
     ]
     name = moment_letters(rotor.planes[0].name) if rotor.dynamic else "ΣmDh"
-    return polygon(board, pole, name, vectors, why=f"closes the moments about plane {last.name}")
+    return polygon(board, pole, name, vectors, why=f"closes the moments about {_named(rotor, last)}")
 
 
 def _first(board: Board, rotor: Rotor, moments: Polygon) -> Placed:
@@ -84,4 +84,8 @@ def _first(board: Board, rotor: Rotor, moments: Polygon) -> Placed:
 
 
 def _arm(rotor: Rotor, one: Unbalance | Plane, how: str) -> str:
-    return f"{how} its arm h_{one.name} = {rotor.arm(one.place):.10g} m from plane {rotor.planes[-1].name}"
+    return f"{how} its arm h_{one.name} = {rotor.arm(one.place):.10g} m from {_named(rotor, rotor.planes[-1])}"
+
+
+def _named(rotor: Rotor, plane: Plane) -> str:
+    return f"plane {plane.name}" if rotor.dynamic else "the plane of correction"

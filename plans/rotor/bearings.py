@@ -9,8 +9,9 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from geometry.board import Board, Mark
-from plans.model.rotor import EPS, ROUNDING, Resultant, Rotor
+from plans.model.rotor import Resultant, Rotor
 from plans.rotor.balancing import Balancing, Placed
+from plans.rotor.polygon import close, rounding
 
 REACTIONS = "reactions"  # the board, N
 BEARINGS = "A", "B"
@@ -19,6 +20,7 @@ BEARINGS = "A", "B"
 class Reactions(NamedTuple):
     """The reactions of bearings A and B on the rotor, and how far rounding can have moved each, N."""
 
+    board: Board | None = None
     marks: tuple[Mark, ...] = ()
     slacks: tuple[float, ...] = ()
 
@@ -34,6 +36,7 @@ def reactions(balancing: Balancing) -> tuple[Reactions, Reactions]:
     if not rotor.bearings or rotor.speed is None:
         return Reactions(), Reactions()
     board = Board(REACTIONS)
+    board.given("0", 0j, "start of a polygon of forces")
     after = (*balancing.masses, *balancing.corrections)
     return _reactions(board, rotor, balancing.masses, ""), _reactions(board, rotor, after, "'")
 
@@ -41,7 +44,7 @@ def reactions(balancing: Balancing) -> tuple[Reactions, Reactions]:
 def _reactions(board: Board, rotor: Rotor, acting: Sequence[Placed], prime: str) -> Reactions:
     """Find each bearing's reaction by moments about the other: each force by its share of the span."""
     found = [_reaction(board, rotor, acting, end, prime) for end in (0, 1)]
-    return Reactions(*zip(*found, strict=True))
+    return Reactions(board, *zip(*found, strict=True))
 
 
 def _reaction(board: Board, rotor: Rotor, acting: Sequence[Placed], end: int, prime: str) -> tuple[Mark, float]:
@@ -53,7 +56,6 @@ def _reaction(board: Board, rotor: Rotor, acting: Sequence[Placed], end: int, pr
         board.turn(f"{name}({one.mark.name})", one.mark, share, f"omega2 times its share on {BEARINGS[end]}")
         for one, share in zip(acting, shares, strict=True)
     ]
-    mark = board.close(name, *parts, why=f"moments about {BEARINGS[1 - end]}")
-    sizes = sum(abs(complex(part.point)) for part in parts)
+    mark = close(board, board["0"], name, parts, f"moments about {BEARINGS[1 - end]}")
     carried = sum(abs(share) * one.slack for one, share in zip(acting, shares, strict=True))
-    return mark, ROUNDING * EPS * sizes + carried
+    return mark, rounding(parts) + carried

@@ -8,6 +8,8 @@ from typing import NamedTuple
 from geometry.board import Board, Mark
 from plans.model.rotor import EPS, ROUNDING, Resultant
 
+RUN = 8  # vectors laid off in one row: a row of a thousand like ones would lose digits with each
+
 
 class Side(NamedTuple):
     """A side of a polygon: its vector, and the corners between which it lies."""
@@ -43,12 +45,34 @@ def polygon(
 
     `carried` is how far rounding can have moved the vectors themselves.
     """
+    laid = [one for one in vectors if one.point]
+    sides = _row(board, pole, name, laid)
+    closing = close(board, pole, name, laid, why) if len(laid) > RUN else board.join(name, _end(pole, sides), pole, why)
+    return Polygon(board, sides, closing, rounding(laid) + carried)
+
+
+def close(board: Board, pole: Mark, name: str, vectors: Sequence[Mark], why: str) -> Mark:
+    """Close any number of vectors: laid off in runs, and the ends of the runs likewise."""
+    level = 0
+    while len(vectors) > RUN:
+        runs = [vectors[k : k + RUN] for k in range(0, len(vectors), RUN)]
+        level += 1
+        vectors = [_end(pole, _row(board, pole, f"{name}/{level}.{k}", run)) for k, run in enumerate(runs, 1)]
+    return board.close(name, *vectors, why=why)
+
+
+def rounding(vectors: Sequence[Mark]) -> float:
+    """Give how far rounding can have moved the sum of some vectors."""
+    return ROUNDING * EPS * sum(abs(complex(one.point)) for one in vectors)
+
+
+def _row(board: Board, pole: Mark, name: str, vectors: Sequence[Mark]) -> tuple[Side, ...]:
     sides: list[Side] = []
-    corner = pole
-    for vector in (one for one in vectors if one.point):
-        end = board.lay_off(f"{name}:{len(sides) + 1}", corner, vector, "end to end")
-        sides.append(Side(vector, corner, end))
-        corner = end
-    closing = board.join(name, corner, pole, why)
-    sizes = sum(abs(complex(side.vector.point)) for side in sides)
-    return Polygon(board, tuple(sides), closing, ROUNDING * EPS * sizes + carried)
+    for number, vector in enumerate(vectors, 1):
+        start = _end(pole, sides)
+        sides.append(Side(vector, start, board.lay_off(f"{name}:{number}", start, vector, "end to end")))
+    return tuple(sides)
+
+
+def _end(pole: Mark, sides: Sequence[Side]) -> Mark:
+    return sides[-1].end if sides else pole

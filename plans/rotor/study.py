@@ -3,16 +3,12 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 from geometry.board import Mark
 from plans.model.rotor import CONSTRUCTION, Balance, Correction, Resultant, Rotor
 from plans.rotor.balancing import Balancing, Placed, balancing
 from plans.rotor.bearings import Reactions, reactions
 from plans.rotor.polygon import Polygon
-
-if TYPE_CHECKING:
-    from plans.study import Study
 
 
 class RotorStudy:
