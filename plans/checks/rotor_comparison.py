@@ -4,29 +4,34 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from plans.analytic.rotor import balance, moment
-from plans.checks.compare import Finding
+from plans.checks.comparison import Comparison, Finding
 from plans.model.rotor import EPS, ROUNDING, Balance, Resultant, Rotor
 from plans.rotor.balancing import COUPLES, UNBALANCES
 from plans.rotor.bearings import BEARINGS, REACTIONS
 from plans.rotor.letters import unbalance_letters
 from plans.rotor.study import RotorStudy
 
+if TYPE_CHECKING:
+    from plans.study import Study
+
 EQUILIBRIUM = "equilibrium"
 
 
-def findings(study: RotorStudy) -> tuple[Balance, tuple[Finding, ...]]:
+def compare_rotor(study: RotorStudy) -> Comparison:
     """Balance a rotor by analysis too, and put every quantity beside that of the construction."""
     ours, theirs = study.balance, balance(study.rotor)
-    return theirs, (
-        *_sums(ours, theirs),
-        *_corrections(ours, theirs),
-        *_reactions(ours, theirs),
-        *_left(study.rotor, ours),
-    )
+    told = *_sums(ours, theirs), *_corrections(ours, theirs), *_reactions(ours, theirs), *_left(study.rotor, ours)
+    return Comparison(ours, theirs, told)
+
+
+def comparison_of(study: Study) -> Comparison:
+    """Compare both roads of a scene's rotor (row of the table of techniques)."""
+    return compare_rotor(study["rotor"])
 
 
 def _sums(ours: Balance, theirs: Balance) -> Iterator[Finding]:

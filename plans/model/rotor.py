@@ -13,6 +13,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from plans.model.balance_quality import quality
+from plans.model.motion import Gap
 
 EPS = 2.0**-52
 ROUNDING = 8.0  # a polygon closes within so many eps of the sum of its vectors
@@ -123,6 +124,21 @@ class Balance:
     corrections: tuple[Correction, ...]
     before: tuple[Resultant, ...]  # reactions N of the bearings on the rotor, turning with it
     after: tuple[Resultant, ...]
+
+    @property
+    def gaps(self) -> tuple[Gap, ...]:
+        """Where nothing is found: every rotor can be balanced."""
+        return ()
+
+    @property
+    def unanswered(self) -> tuple[Gap, ...]:
+        """The gaps, as a comparison asks for them."""
+        return self.gaps
+
+    @property
+    def sizes(self) -> tuple[float, ...]:
+        """The static moments kg*m of the corrections by their size: as much is unbalanced in each plane."""
+        return tuple(one.moment.size for one in self.corrections)
 
     @property
     def moments(self) -> tuple[complex, ...]:

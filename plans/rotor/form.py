@@ -107,3 +107,9 @@ class RotorTable(Table):
             for index, entry in enumerate(getattr(self, name)):
                 if "place" not in entry.given:
                     raise wrong("missing", thing="place", example='place = "250 mm"', at=(name, index, "place"))
+
+
+class RotorForm(Table):
+    """What a scene says of balancing a rotor."""
+
+    rotor: RotorTable = key(table(RotorTable))

@@ -2,16 +2,36 @@
 
 from __future__ import annotations
 
-from geometry.board import Board, Mark
-from plans.rotor.study import RotorStudy
+from typing import TYPE_CHECKING
+
+from geometry.board import Board, behind
+from plans.explanation import Explanation, NoMark
+from plans.rotor.balancing import COUPLES, UNBALANCES
+from plans.rotor.bearings import REACTIONS
+from plans.rotor.letters import moment_letters, unbalance_letters
+
+if TYPE_CHECKING:
+    from plans.rotor.study import RotorStudy
+    from plans.study import Study
+
+UNITS = {COUPLES: "kg*m2", UNBALANCES: "kg*m", REACTIONS: "N"}
 
 
-def boards(study: RotorStudy) -> tuple[Board, ...]:
-    """Give the boards of a rotor in the order of drawing."""
-    drawing, (before, _) = study.drawing, study.reactions
-    return (*drawing.boards, *((before.board,) if before.board else ()))
+def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
+    """Give the steps behind a mark; a rotor has no positions, and each is the same."""
+    rotor: RotorStudy = study["rotor"]
+    mark = next((board[name] for board in rotor.boards if name in board and name != "0"), None)
+    if mark is None:
+        return NoMark(_names(rotor.boards), f"marks are {', '.join(_wanted(rotor))}", ("R_A", "R_A'"))
+    return Explanation(name, tuple(behind(mark)), UNITS)
 
 
-def find(study: RotorStudy, name: str) -> Mark | None:
-    """Find a mark; nothing where no board has it."""
-    return next((board[name] for board in boards(study) if name in board), None)
+def _names(boards: tuple[Board, ...]) -> tuple[str, ...]:
+    return tuple(mark.name for board in boards for mark in board if mark.name != "0")
+
+
+def _wanted(rotor: RotorStudy) -> list[str]:
+    """Name the static moment and the moment of the first mass, and the static moments of the corrections."""
+    first = rotor.rotor.masses[0].name
+    planes = (unbalance_letters(plane.name) for plane in rotor.rotor.planes)
+    return [unbalance_letters(first), moment_letters(first), *planes]

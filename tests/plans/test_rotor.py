@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from plans.analytic.rotor import balance as solve
-from plans.checks.rotor_comparison import findings
+from plans.checks.rotor_comparison import compare_rotor
 from plans.model.rotor import EPS, Balance, Plane, Rotor, Unbalance
 from plans.rotor.study import RotorStudy
 from tests.plans.rotors import DYNAMIC, STATIC, angles, dynamic, mass, masses, rotors, sizes, static
@@ -107,8 +107,9 @@ def test_a_dynamically_balanced_rotor_leaves_its_bearings_alone(road) -> None:
 
 
 def agree(rotor: Rotor) -> None:
-    _, told = findings(RotorStudy(rotor))
-    assert [one.name for one in told if one.excess.max() > 1] == []
+    comparison = compare_rotor(RotorStudy(rotor))
+    assert [one.name for one in comparison.findings if one.excess.max() > 1] == []
+    assert comparison.agrees
 
 
 @pytest.mark.parametrize(
