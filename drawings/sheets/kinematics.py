@@ -18,22 +18,28 @@ from drawings.layout.value_table import Table
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.sheets.choice import plans, position
-from drawings.sheets.leaves import Draft, Exhibit, leaves
+from drawings.sheets.leaves import Draft, Exhibit, lay_out
 from drawings.sheets.notes import notes
-from plans.checks.compare import Comparison
+from plans.checks.compare import MotionComparison
 from plans.linkage.study import LinkageStudy
 from plans.model.motion import ORDERS
 from plans.model.structure import formula
+from plans.study import Study
 
 FOREMOST = 1.5  # the plan of positions is doubled though all the others are halved
 
 
-def sheets(study: LinkageStudy, comparison: Comparison) -> tuple[Leaf, ...]:
+def leaves(study: Study) -> tuple[Leaf, ...]:
+    """Lay out the kinematics sheets of a scene."""
+    return sheets(study["linkage"], study.comparison("linkage"))
+
+
+def sheets(study: LinkageStudy, comparison: MotionComparison) -> tuple[Leaf, ...]:
     """Lay out the kinematics sheet, and as many following ones as its figures need to stay readable."""
-    return leaves(study.scene, [_Kinematics(study, comparison).draft])
+    return lay_out(study.scene, [_Kinematics(study, comparison).draft])
 
 
-def sheet(study: LinkageStudy, comparison: Comparison) -> Leaf:
+def sheet(study: LinkageStudy, comparison: MotionComparison) -> Leaf:
     """Lay out the first kinematics sheet."""
     return sheets(study, comparison)[0]
 
@@ -43,7 +49,7 @@ class _Kinematics:
     """What a set of kinematics sheets is drawn from; nothing is made that the scene's sheets do not need."""
 
     study: LinkageStudy
-    comparison: Comparison
+    comparison: MotionComparison
 
     @cached_property
     def drafting(self) -> Drafting:

@@ -52,7 +52,7 @@ class Draft:
     facts: Callable[[Collection[str]], Mapping[str, Any]]
 
 
-def leaves(scene: Scene, drafts: Sequence[Draft]) -> tuple[Leaf, ...]:
+def lay_out(scene: Scene, drafts: Sequence[Draft]) -> tuple[Leaf, ...]:
     """Lay out the sheets of drafts, and as many following ones as their figures need to stay readable."""
     own = [_Leaves(scene, draft) for draft in drafts]
     composed = [(one, sheet) for one in own for sheet in compose(one.contents, one.page)]
