@@ -14,7 +14,7 @@ from drawings.checks.force_marks import lever_marks, polygon_marks
 from drawings.checks.reading import groups, plain, reads, scales, texts
 from drawings.checks.verify_friction import friction_of
 from drawings.figures.forces.force_equations import DIGITS
-from drawings.figures.forces.force_letters import lettered
+from drawings.figures.forces.force_letters import force_letter
 from drawings.figures.forces.force_table import label
 from drawings.lettering.words import word
 from drawings.measure.measure import Measured
@@ -90,7 +90,7 @@ class _Check:
         group = next(cut.group for cut in cuts if cut.label == label)
         sheet = self.statics.study.scene.sheet
         told = expected.polygon(self.statics.study.groups, group) | expected.parts(group)
-        return {named(lettered(name, sheet.language, sheet.reactions)): value for name, value in told.items()}
+        return {named(force_letter(name, sheet.language, sheet.reactions)): value for name, value in told.items()}
 
     def plans(self) -> Iterator[str]:
         """Hold the force plans and the lever's images."""
@@ -156,7 +156,7 @@ class _Check:
         for key in sheet.hodographs:
             one = told.reactions[key]
             ends = {str(k): complex(value) for k, value in enumerate(one.force)}
-            shown = lettered(f"R_{indices(one.giver, one.taker)}", sheet.language, sheet.reactions)
+            shown = force_letter(f"R_{indices(one.giver, one.taker)}", sheet.language, sheet.reactions)
             ends[named(shown)] = complex(one.force[self.position])
             yield from self._held(f"hodograph-{key}", ends, self.slack)
 

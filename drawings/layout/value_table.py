@@ -9,6 +9,7 @@ import numpy as np
 
 from drawings.lettering.lettering import text_width
 from drawings.lettering.words import fixed, number, word
+from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Line, LineStyle, Stroke, Text
 from plans.checks.comparison import Comparison, Finding
@@ -125,7 +126,7 @@ class Table(NamedTuple):
         larger = [any(w <= wide and h <= high and (w, h) != (wide, high) for w, h in sizes) for wide, high in sizes]
         return [way for way, worse in zip(ways, larger, strict=True) if not worse]
 
-    def drawn(self, corner: complex, setting: Setting, hand: Hand, language: str) -> list[Group]:
+    def draw(self, corner: complex, setting: Setting, drafting: Drafting) -> list[Group]:
         """Draw the table from its upper left corner, each band and part a group that says its positions."""
         per_part = max(1, math.ceil(len(self.lines) / setting.parts))  # where no force acts at all there are no lines
         width = self.names + 3 * self.cell * min(setting.across, len(self.positions)) + APART
@@ -137,7 +138,7 @@ class Table(NamedTuple):
                 chosen = slice(band, band + setting.across)
                 piece = self.of(chosen).part(slice(k, k + per_part))
                 data = {"positions": " ".join(str(position) for position in piece.positions)}
-                strokes = Group(tuple(_block(piece, at, hand, language)))
+                strokes = Group(tuple(_block(piece, at, drafting)))
                 groups.append(Group((strokes,), f"values-{len(groups) + 1}", data))
         return groups
 
@@ -150,13 +151,13 @@ def table(lines: list[Row], positions: tuple[int, ...], text: float, language: s
     return Table(tuple(lines), positions, text, names + text, max(cell, CELL * text) + text)
 
 
-def _block(piece: Table, corner: complex, hand: Hand, language: str) -> list[Stroke]:
+def _block(piece: Table, corner: complex, drafting: Drafting) -> list[Stroke]:
     """Draw one band of the table: its lines, two rows of headings, and a row for each quantity."""
     count, row = 3 * len(piece.positions), piece.row
     left, top = corner.real, corner.imag
     columns = [left, *(left + piece.names + piece.cell * k for k in range(count + 1))]
-    strokes = _ruled(piece, columns, top, hand)
-    strokes += _headings(piece, columns, top, language)
+    strokes = _ruled(piece, columns, top, drafting.hand)
+    strokes += _headings(piece, columns, top, drafting.language)
     for k, line in enumerate(piece.lines):
         y = top - row * (k + HEADINGS + 1) + UNDER * piece.text
         strokes.append(Text(complex(left + piece.text / 2, y), line.name, piece.text, "start", True))

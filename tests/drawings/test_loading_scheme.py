@@ -12,9 +12,10 @@ import numpy as np
 import pytest
 
 from drawings.figures.forces.force_fan import LONG, SHORT, lengths
-from drawings.figures.forces.loading_scheme import Scheme, SchemeFigure, figure, leverages, measured, scheme
+from drawings.figures.forces.loading_scheme import Scheme, SchemeFigure, draw, leverages, measure, scheme
 from drawings.layout.labels import Ink, Labels
 from drawings.layout.picture import Spot
+from drawings.page.drafting import Drafting
 from drawings.page.page import Field
 from drawings.paper.hand import Hand, hand_of
 from drawings.paper.strokes import Group, Leaf, Line, Stroke, Text
@@ -96,15 +97,16 @@ def drawn(name: str, number: int, column: int, hand: Hand | None = None, languag
     plan, hand = plan_of(name), hand or hand_of("A3")
     cut = plan.cuts[number]
     shown = scheme(plan, cut, column)
-    measure = measured(shown, "scheme", hand, language)
-    rung = measure.ladder(ROOM.width, ROOM.height).rungs[0]
+    drafting = Drafting(hand, language)
+    room = measure(shown, "scheme", drafting)
+    rung = room.ladder(ROOM.width, ROOM.height).rungs[0]
     half = complex(rung.wide, rung.high) / 2
     low, high = ROOM.centre - half, ROOM.centre + half
     spot = Spot(Field(low.real, low.imag, high.real, high.imag), rung.scale)
-    found = figure(shown, measure, spot, rung.scale.written(language), hand, language)
+    found = draw(shown, room, spot, drafting)
     ink = Ink(300, 300)
     ink.draw(found.lines)
-    return Drawn(plan, cut, column, shown, found, found.lettered(Labels(ink, hand.other)))
+    return Drawn(plan, cut, column, shown, found, found.letter(Labels(ink, hand.other))[0])
 
 
 def flat(strokes: tuple[Stroke, ...]) -> Iterator[Stroke]:

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from drawings.figures.linkage.pairs import Pairs
-from drawings.figures.linkage.position_plan import figure, letters
+from drawings.figures.linkage.position_plan import layers, letters
 from drawings.figures.linkage.skeleton import Skeletons, skeletons
 from drawings.layout.labels import Ink, Labels
 from drawings.layout.picture import Margins, picture
@@ -72,7 +72,7 @@ def drawn(name: str, hand: Hand = A1) -> Figure:
     measured = picture(name, bones.points, ("l", "m"), Margins(0.0, 0.0, 0.0), 0.0)
     place = measured.placed(ROOM, measured.ladder(ROOM.width, ROOM.height).rungs[0].scale)
     pairs = Pairs(bones, place, hand)
-    groups = figure(pairs, "en")
+    groups = layers(pairs, "en")
     ink = Ink(440, 440)
     ink.draw(groups)
     return Figure(

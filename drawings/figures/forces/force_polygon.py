@@ -8,14 +8,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.figures.forces.force_letters import REACTION, lettered
+from drawings.figures.forces.force_letters import letter_of
 from drawings.figures.linkage.vector_plan import BEYOND, LEAST
 from drawings.layout.labels import Labels
 from drawings.layout.parallel_offsets import APART, Box, Segment, lanes, moved
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
 from drawings.lettering.lettering import text_width
-from drawings.lettering.words import word
+from drawings.page.drafting import Drafting
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
 from drawings.paper.limits import SEEN
@@ -109,7 +109,7 @@ def _rays(corner: Mark, column: int) -> list[Segment]:
     return [(at(line.through, column), at(corner.point, column)) for line in met]
 
 
-class Drawn(NamedTuple):
+class LaidVector(NamedTuple):
     """A vector on paper: its ends, mm, and how far it was shifted from its own place."""
 
     vector: Vector
@@ -124,27 +124,26 @@ class PolygonFigure:
     shown: Polygon
     place: Place
     lines: tuple[Stroke, ...]
-    arrows: tuple[Drawn, ...]  # the vectors that are seen
+    arrows: tuple[LaidVector, ...]  # the vectors that are seen
     faint: tuple[str, ...]  # names of forces that are not to be seen at this scale
-    hand: Hand
-    language: str
-    reactions: str
+    drafting: Drafting
 
-    def lettered(self, labels: Labels) -> Group:
+    def letter(self, labels: Labels) -> tuple[Group, ...]:
         """Give the whole figure with the letter of each vector beside it, the shortest served first."""
         spots = [end for arrow in self.arrows for end in arrow.ends]
         middle = sum(spots, 0j) / max(len(spots), 1)
         letters = []
         for one, (start, end), shift in sorted(self.arrows, key=lambda arrow: abs(arrow.vector.value)):
             outward = shift or (start + end) / 2 - middle or 1j
-            letter = lettered(one.name, self.language, self.reactions)
-            letters.append(labels.along(start, end, letter, self.hand.letter, BESIDE, cmath.phase(outward)))
-        return Group((*self.lines, Group(tuple(letters))), f"{self.shown.plan}-{self.shown.column}")
+            letter = letter_of(one.name, self.drafting)
+            letters.append(labels.along(start, end, letter, self.drafting.hand.letter, BESIDE, cmath.phase(outward)))
+        return (Group((*self.lines, Group(tuple(letters))), f"{self.shown.plan}-{self.shown.column}"),)
 
 
-def measured(shown: Polygon, name: str, hand: Hand, language: str) -> Picture:
+def measure(shown: Polygon, name: str, drafting: Drafting) -> Picture:
     """Measure the room that a polygon needs: its points, letters around them, lanes beside a flat one, its heading."""
-    title = text_width(Text(0j, _title(shown, language), hand.title)) + 2 * LEAN * hand.title
+    hand = drafting.hand
+    title = text_width(Text(0j, _title(shown, drafting), hand.title)) + 2 * LEAN * hand.title
     points = np.array(shown.points)
     wide, high = float(np.ptp(points.real)), float(np.ptp(points.imag))
     beside = 2 * APART * hand.symbol if min(wide, high) < FLAT * max(wide, high) else 0.0
@@ -154,28 +153,35 @@ def measured(shown: Polygon, name: str, hand: Hand, language: str) -> Picture:
     return picture(name, shown.points, (SYMBOL, UNIT), margins, title, least)
 
 
-def figure(
-    shown: Polygon, measure: Picture, spot: Spot, scale: str, hand: Hand, language: str, reactions: str = REACTION
-) -> PolygonFigure:
+def draw(shown: Polygon, room: Picture, spot: Spot, drafting: Drafting) -> PolygonFigure:
     """Draw the polygon in its spot: its sides in main lines, diagonals thinner, directions thin, title above."""
-    place = measure.placed(*spot)
+    place, hand = room.placed(*spot), drafting.hand
     told = [one for one in shown.vectors if place.length(abs(one.value)) >= LEAST]
     order = sorted((one for one in told if place.length(abs(one.value)) >= SEEN), key=_rank)
     segments = [(place.on(one.start), place.on(one.end)) for one in order]
     shifts = lanes(segments, APART * hand.symbol, ROOM * hand.letter, _inside(spot.box, hand))
     placed = zip(order, segments, shifts, strict=True)
-    arrows = tuple(Drawn(one, moved(line, shift), shift) for one, line, shift in placed)
+    arrows = tuple(LaidVector(one, moved(line, shift), shift) for one, line, shift in placed)
     subject = Subject(shown.plan, SYMBOL, shown.column)
     short = [(one, (place.on(one.start), place.on(one.end))) for one in told if one not in order]
     drawn = [
-        _drawn(subject, lettered(one.name, language, reactions), one, line, place, hand)
+        _side(subject, letter_of(one.name, drafting), one, line, place, hand)
         for one, line in (*((one, line) for one, line, _ in reversed(arrows)), *short)
     ]
     thin = [*_directions(shown, place, hand), *_carried(segments, shifts, hand)]
-    under = scale if shown.vectors else word(language, "unloaded")
-    title = heading(spot.box, _title(shown, language), under, hand)
+    faint = shown.faint(place.scale.mu)
+    title = heading(spot.box, _title(shown, drafting), _under(shown, faint, spot, drafting), hand)
     lines = (title, *([Group(tuple(thin))] if thin else []), *drawn)
-    return PolygonFigure(shown, place, lines, arrows, shown.faint(place.scale.mu), hand, language, reactions)
+    return PolygonFigure(shown, place, lines, arrows, faint, drafting)
+
+
+def _under(shown: Polygon, faint: tuple[str, ...], spot: Spot, drafting: Drafting) -> str:
+    """Write the scale, and beside it the forces that are too short to bear a letter."""
+    if not shown.vectors:
+        return drafting.word("unloaded")
+    names = ", ".join(letter_of(name, drafting) for name in faint)
+    scale = drafting.scale(spot.scale)
+    return f"{scale};  {drafting.word('unlettered', names=names)}" if faint else scale
 
 
 def _inside(box: Field, hand: Hand) -> Box:
@@ -189,7 +195,7 @@ def _rank(one: Vector) -> tuple[bool, float]:
     return one.kind == WHOLE, -abs(one.value)
 
 
-def _drawn(subject: Subject, letter: str, one: Vector, ends: Segment, place: Place, hand: Hand) -> Group:
+def _side(subject: Subject, letter: str, one: Vector, ends: Segment, place: Place, hand: Hand) -> Group:
     style = hand.relative if one.kind == WHOLE else hand.result
     head = arrowhead(*ends, hand.symbol)
     strokes = (Line(*ends, style),) if head is None else (Line(*ends, style), head)
@@ -216,6 +222,6 @@ def _carried(segments: list[Segment], shifts: list[complex], hand: Hand) -> list
     ]  # fmt: skip
 
 
-def _title(shown: Polygon, language: str) -> str:
+def _title(shown: Polygon, drafting: Drafting) -> str:
     key = "force plan" if shown.grouped else "primary force plan"
-    return f"{word(language, key, group=shown.label)}, {word(language, 'position', position=shown.column)}"
+    return f"{drafting.word(key, group=shown.label)}, {drafting.word('position', position=shown.column)}"

@@ -10,11 +10,12 @@ from typing import NamedTuple
 
 from drawings.figures.forces.acting import Force, Moment
 from drawings.figures.forces.force_fan import UNKNOWN, Held, Spoke, fanned, lengths
-from drawings.figures.forces.force_letters import REACTION, lettered
+from drawings.figures.forces.force_letters import letter_of
 from drawings.figures.forces.scheme import Scheme
 from drawings.figures.linkage.pairs import Joints
 from drawings.layout.obstacles import Obstacles
 from drawings.layout.place import Place
+from drawings.page.drafting import Drafting
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Circle, Group, Line, Stroke
@@ -58,7 +59,7 @@ class Dimension(NamedTuple):
         ends = ((one, one + past) for one in (self.start, self.end))
         return (self.start + self.off, self.end + self.off), *ends
 
-    def drawn(self, hand: Hand) -> tuple[Stroke, ...]:
+    def draw(self, hand: Hand) -> tuple[Stroke, ...]:
         """Draw its lines, its arrows within or, where there is no room, outside."""
         start, end = self.lines[0]
         along = (end - start) / self.length * ARROW_LENGTH * hand.symbol
@@ -75,15 +76,13 @@ class Layout:
 
     shown: Scheme
     place: Place
-    sheet: Hand
-    language: str
+    drafting: Drafting
     box: Field | None  # None: as much room as is asked for
-    reactions: str = REACTION  # the sheet's letter for them
 
     @cached_property
     def joints(self) -> Joints:
         """Links and pairs on paper."""
-        return Joints(self.shown.links, self.place, self.sheet)
+        return Joints(self.shown.links, self.place, self.drafting.hand)
 
     @property
     def hand(self) -> Hand:
@@ -92,7 +91,7 @@ class Layout:
 
     def letter(self, name: str) -> str:
         """Write a force's or a moment's letter as the sheet's language does."""
-        return lettered(name, self.language, self.reactions)
+        return letter_of(name, self.drafting)
 
     @cached_property
     def links(self) -> list[Stroke]:
@@ -171,7 +170,7 @@ class Layout:
         spokes = [self._spoke(force, UNKNOWN if force.unknown else next(known)) for force in forces]
         box = self.box
         if box is not None:
-            box = Field(*(edge + sign * self.sheet.letter for edge, sign in zip(box, (1, 1, -1, -1), strict=True)))
+            box = box.inset(self.drafting.hand.letter)
         spots = [self.place.on(spot) for spot in self.shown.named.values()]
         return fanned(spokes, self._around, spots, box, self.hand)
 
@@ -208,7 +207,7 @@ class Layout:
         marks = [(mark, BAR) for mark in self.marks]
         thin = [(Line(arm.about, arm.foot), THIN) for arm in self.arms]
         thin += [(Line(*ends), THIN) for one in self.shifts for ends in one.lines]
-        wheel = [] if self.gear is None else [(stroke, THIN) for stroke in self.gear.drawn(self.hand)[:1]]
+        wheel = [] if self.gear is None else [(stroke, THIN) for stroke in self.gear.draw(self.hand)[:1]]
         return [*thick, *marks, *thin, *wheel]
 
     @cached_property
@@ -227,25 +226,25 @@ class Layout:
         return found
 
     def _couple(self, moment: Moment, at: complex, radius: float, drawn: Obstacles) -> Couple:
-        written_ = self.letter(moment.name)
+        letter = self.letter(moment.name)
         choices = [
-            Couple(written_, at, moment.sense, radius, 2 * math.pi * k / FACINGS, sweep)
+            Couple(letter, at, moment.sense, radius, 2 * math.pi * k / FACINGS, sweep)
             for sweep in (THREE_QUARTERS, HALF)
             for k in range(FACINGS)
         ]
-        return min(choices, key=lambda one: drawn.crossed_by([one.drawn(self.hand)]) + NARROW * (one.sweep == HALF))
+        return min(choices, key=lambda one: drawn.crossed_by([one.draw(self.hand)]) + NARROW * (one.sweep == HALF))
 
     def strokes(self) -> Iterator[Stroke]:
         """Draw everything but letters, from the thinnest lines to the arrows."""
         hand = self.hand
-        arms: tuple[Stroke, ...] = tuple(stroke for arm in self.arms for stroke in arm.drawn(hand))
-        arms += tuple(stroke for shift in self.shifts for stroke in shift.drawn(hand))
+        arms: tuple[Stroke, ...] = tuple(stroke for arm in self.arms for stroke in arm.draw(hand))
+        arms += tuple(stroke for shift in self.shifts for stroke in shift.draw(hand))
         yield from [Group(arms)] if arms else []
         if self.gear is not None and self.shown.wheel is not None:
-            yield Group(self.gear.drawn(hand, self.shown.wheel.whole))
+            yield Group(self.gear.draw(hand, self.shown.wheel.whole))
         yield Group((*self.links, *self.marks))
         leads = tuple(held.lead for held in self.arrows if held.lead is not None)
-        forces: tuple[Stroke, ...] = (*leads, *(held.arrow.drawn(hand) for held in self.arrows))
+        forces: tuple[Stroke, ...] = (*leads, *(held.arrow.draw(hand) for held in self.arrows))
         yield from [Group(forces)] if forces else []
-        couples = tuple(couple.drawn(hand) for couple in self.couples)
+        couples = tuple(couple.draw(hand) for couple in self.couples)
         yield from [Group(couples)] if couples else []
