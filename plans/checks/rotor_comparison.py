@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -25,8 +25,8 @@ EQUILIBRIUM = "equilibrium"
 def compare_rotor(study: RotorStudy) -> Comparison:
     """Balance a rotor by analysis too, and put every quantity beside that of the construction."""
     ours, theirs = study.balance, balance(study.rotor)
-    told = *_sums(ours, theirs), *_corrections(ours, theirs), *_reactions(ours, theirs), *_left(study.rotor, ours)
-    return Comparison(ours, theirs, told)
+    both = _Compared(study.rotor, ours, theirs)
+    return Comparison(ours, theirs, (*both.sums(), *both.corrections(), *both.reactions(), *both.left()))
 
 
 def comparison_of(study: Study) -> Comparison:
@@ -34,44 +34,63 @@ def comparison_of(study: Study) -> Comparison:
     return compare_rotor(study["rotor"])
 
 
-def _sums(ours: Balance, theirs: Balance) -> Iterator[Finding]:
-    yield _finding(COUPLES, "ΣmDh", "kg*m2", ours.couple, theirs.couple)
-    yield _finding(UNBALANCES, "ΣmD", "kg*m", ours.unbalance, theirs.unbalance)
+class _Compared(NamedTuple):
+    """A rotor balanced by both roads."""
+
+    rotor: Rotor
+    ours: Balance
+    theirs: Balance
+
+    def sums(self) -> Iterator[Finding]:
+        """Compare what is unbalanced."""
+        yield _finding(COUPLES, "ΣmDh", "kg*m2", self.ours.couple, self.theirs.couple, self._largest_moment)
+        yield _finding(UNBALANCES, "ΣmD", "kg*m", self.ours.unbalance, self.theirs.unbalance, self._largest)
+
+    def corrections(self) -> Iterator[Finding]:
+        """Compare the counterweights."""
+        for one, other in zip(self.ours.corrections, self.theirs.corrections, strict=True):
+            name = unbalance_letters(one.plane.name)
+            yield _finding(UNBALANCES, name, "kg*m", one.moment, other.moment, self._largest)
+
+    def reactions(self) -> Iterator[Finding]:
+        """Compare what the bearings bear, before and after."""
+        found = (*self.ours.before, *self.ours.after)
+        largest = max((abs(one.value) for one in found), default=0.0)
+        names = (f"R_{bearing}{prime}" for prime in ("", "'") for bearing in BEARINGS)
+        for name, one, other in zip(names, found, (*self.theirs.before, *self.theirs.after), strict=False):
+            yield _finding(REACTIONS, name, "N", one, other, largest)
+
+    def left(self) -> Iterator[Finding]:
+        """Sum all static moments and, of a rotor with two planes, their moments about the first: both must vanish."""
+        corrections = self.ours.corrections
+        slack = sum(one.moment.slack for one in corrections)
+        acting = [(moment(one), one.place) for one in self.rotor.masses]
+        acting += [(found, one.plane.place) for found, one in zip(self.ours.moments, corrections, strict=True)]
+        yield _vanishing("ΣmD", "kg*m", [one for one, _ in acting], slack)
+        if self.rotor.dynamic:
+            first, last = (plane.place for plane in self.rotor.planes)
+            moments = [one * float(place - first) for one, place in acting]
+            yield _vanishing("ΣmDh", "kg*m2", moments, slack * abs(float(last - first)))
+
+    @property
+    def _largest(self) -> float:
+        """The largest static moment kg*m of the polygon of forces."""
+        return max([one.moment for one in self.rotor.masses] + [abs(one.moment.value) for one in self.ours.corrections])
+
+    @property
+    def _largest_moment(self) -> float:
+        """The largest vector kg*m2 of the polygon of moments."""
+        return max(one.moment * abs(self.rotor.arm(one.place)) for one in self.rotor.masses)
 
 
-def _corrections(ours: Balance, theirs: Balance) -> Iterator[Finding]:
-    for one, other in zip(ours.corrections, theirs.corrections, strict=True):
-        yield _finding(UNBALANCES, unbalance_letters(one.plane.name), "kg*m", one.moment, other.moment)
-
-
-def _reactions(ours: Balance, theirs: Balance) -> Iterator[Finding]:
-    for prime, mine, others in (("", ours.before, theirs.before), ("'", ours.after, theirs.after)):
-        for bearing, one, other in zip(BEARINGS, mine, others, strict=False):
-            yield _finding(REACTIONS, f"R_{bearing}{prime}", "N", one, other)
-
-
-def _finding(plan: str, name: str, unit: str, one: Resultant, other: Resultant) -> Finding:
-    # A polygon closes within its slack; what it is of is known from the slack, which is of the sum of its vectors.
-    largest = max(one.slack, other.slack) / (ROUNDING * EPS)
+def _finding(plan: str, name: str, unit: str, one: Resultant, other: Resultant, largest: float) -> Finding:
     values = np.array([one.value]), np.array([other.value])
     allowed = np.array([max(one.slack, other.slack)])
     return Finding(plan, name, unit, *values, np.abs(values[0] - values[1]), allowed, largest)
 
 
-def _left(rotor: Rotor, ours: Balance) -> Iterator[Finding]:
-    """Sum all static moments and, of a rotor with two planes, their moments about the first: both must vanish."""
-    slack = sum(one.moment.slack for one in ours.corrections)
-    acting = [(moment(one), one.place) for one in rotor.masses]
-    acting += [(found, one.plane.place) for found, one in zip(ours.moments, ours.corrections, strict=True)]
-    yield _vanishing("ΣmD", "kg*m", [one for one, _ in acting], slack)
-    if rotor.dynamic:
-        first, last = (plane.place for plane in rotor.planes)
-        moments = [one * float(place - first) for one, place in acting]
-        yield _vanishing("ΣmDh about I", "kg*m2", moments, slack * abs(float(last - first)))
-
-
 def _vanishing(name: str, unit: str, terms: Sequence[complex], slack: float) -> Finding:
     total = math.hypot(math.fsum(one.real for one in terms), math.fsum(one.imag for one in terms))
-    left, largest = np.array([total]), math.fsum(map(abs, terms))
-    allowed = np.array([ROUNDING * EPS * largest + slack])
-    return Finding(EQUILIBRIUM, name, unit, left, 0.0 * left, left, allowed, largest)
+    left, sizes = np.array([total]), [abs(one) for one in terms]
+    allowed = np.array([ROUNDING * EPS * math.fsum(sizes) + slack])
+    return Finding(EQUILIBRIUM, name, unit, left, 0.0 * left, left, allowed, max(sizes))

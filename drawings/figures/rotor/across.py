@@ -44,7 +44,9 @@ class AcrossFigure:
 
     def letter(self, labels: Labels) -> tuple[Group, ...]:
         """Give the whole view: masses, planes of correction and bearings lettered."""
-        return (Group((*self.lines, Group((*self._masses(labels), *self._planes(labels), *self._bearings(labels)))), NAME),)
+        return (
+            Group((*self.lines, Group((*self._masses(labels), *self._planes(labels), *self._bearings(labels)))), NAME),
+        )
 
     def _masses(self, labels: Labels) -> Iterator[Stroke]:
         hand = self.drafting.hand

@@ -94,7 +94,7 @@ def _spoke(one: Body, place: Place, hand: Hand) -> Stroke:
 
 
 def body(one: Body, centre: complex, place: Place, plan: str, small: bool, drafting: Drafting) -> Group:
-    """Draw a mass as a circle filled with paper, a counterweight as a black one; measurable where its place is known."""
+    """Draw a mass as a circle, a counterweight as a black one; measurable where its radius is known."""
     hand = drafting.hand
     style = INK if one.added else LineStyle(hand.main, fill="#ffffff")
     circle = Circle(place.on(centre), (DOT if small else BODY) * hand.symbol, INK if small else style)

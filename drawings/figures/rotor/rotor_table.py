@@ -11,6 +11,7 @@ from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Line, LineStyle, Stroke, Text
 from plans.checks.comparison import Comparison, Finding
+from plans.checks.rotor_comparison import EQUILIBRIUM
 from plans.model.rotor import Balance, Correction, Rotor, Unbalance
 
 # The headings by the number of cells in a row: of masses, and of what both roads found.
@@ -117,7 +118,7 @@ def _row(
 
 def results(comparison: Comparison, drafting: Drafting) -> RotorTable:
     """Tell what both roads found, with the difference."""
-    told = (finding for finding in comparison.findings if finding.plan != "equilibrium")
+    told = (one for one in comparison.findings if one.plan != EQUILIBRIUM and one.largest > 0)
     return _table([row(one, _name(one, drafting), (0,), drafting.language) for one in told], drafting)
 
 

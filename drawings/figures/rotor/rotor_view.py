@@ -58,7 +58,7 @@ class RotorView(NamedTuple):
 
 def rotor_view(rotor: Rotor, balance: Balance) -> RotorView:
     """Put masses and counterweights where they are; one that vanishes is left out."""
-    radii = [one.radius for one in (*rotor.masses, *balance.corrections) if one.radius]
+    radii = [one.radius for own in (rotor.masses, balance.corrections) for one in own if one.radius]
     nominal = NOMINAL * max(radii, default=1.0 / NOMINAL)
     bodies = [_body(rotor, one.name, float(one.angle), one.place, one.radius, nominal) for one in rotor.masses]
     for one in balance.corrections:
