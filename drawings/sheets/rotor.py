@@ -10,14 +10,14 @@ from drawings.figures.rotor.rotor_view import RotorView, rotor_view
 from drawings.layout.contents import Panel
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
-from drawings.sheets.leaves import Draft, Exhibit, lay_out
+from drawings.sheets.leaves import Caption, Draft, Exhibit, lay_out
 from drawings.sheets.rotor_notes import notes
 from plans.checks.comparison import Comparison
 from plans.rotor.study import RotorStudy
 from plans.scene.scene import Scene
 from plans.study import Study
 
-TOGETHER = "views"  # the views stand in one column, at one scale
+TOGETHER, RESULTS = "views", "results"  # what stands in one column
 
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
@@ -28,8 +28,12 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
 def sheets(scene: Scene, rotor: RotorStudy, comparison: Comparison) -> tuple[Leaf, ...]:
     """Lay out the sheets of a rotor whose two roads are compared."""
     drafting = drafting_of(scene)
-    shows = (*_views(rotor, drafting), *_polygons(rotor, drafting))
-    tables = rotor_table.masses(rotor.rotor, rotor.balance, drafting), rotor_table.results(comparison, drafting)
+    shows: tuple[Exhibit | Caption, ...] = (
+        *_views(rotor, drafting),
+        *_polygons(rotor, drafting),
+        _results(comparison, drafting),
+    )
+    tables = (rotor_table.masses(rotor.rotor, rotor.balance, drafting),)
     said = notes(rotor.rotor, rotor.balance, drafting)
     title = drafting.word("rotor sheet title")
     return lay_out(scene, [Draft("rotor", title, shows, tables, said, lambda _: {})])
@@ -40,11 +44,9 @@ def _views(rotor: RotorStudy, drafting: Drafting) -> Iterator[Exhibit]:
     shown = rotor_view(rotor.rotor, rotor.balance)
     if not _thin(shown):
         room = across.measure(shown, drafting)
-        yield Exhibit(
-            Panel(room, together=TOGETHER, scale=TOGETHER), partial(across.draw, shown, room, drafting=drafting)
-        )
+        yield Exhibit(Panel(room, together=TOGETHER), partial(across.draw, shown, room, drafting=drafting))
     room = along.measure(shown, drafting)
-    yield Exhibit(Panel(room, together=TOGETHER, scale=TOGETHER), partial(along.draw, shown, room, drafting=drafting))
+    yield Exhibit(Panel(room, together=TOGETHER), partial(along.draw, shown, room, drafting=drafting))
 
 
 def _thin(shown: RotorView) -> bool:
@@ -58,4 +60,13 @@ def _polygons(rotor: RotorStudy, drafting: Drafting) -> Iterator[Exhibit]:
     for drawn in (found.moments, found.forces) if rotor.rotor.dynamic else (found.forces,):
         shown = rotor_polygon.polygon(drawn, names)
         room = rotor_polygon.measure(shown, drafting)
-        yield Exhibit(Panel(room), partial(rotor_polygon.draw, shown, room, drafting=drafting))
+        together = RESULTS if drawn is found.forces else ""
+        yield Exhibit(Panel(room, together=together), partial(rotor_polygon.draw, shown, room, drafting=drafting))
+
+
+def _results(comparison: Comparison, drafting: Drafting) -> Caption:
+    """Tell what both roads found under the polygon that ends the construction."""
+    table = rotor_table.results(comparison, drafting)
+    return Caption(
+        Panel(rotor_table.block(table, RESULTS), together=RESULTS), partial(rotor_table.write, table, drafting)
+    )

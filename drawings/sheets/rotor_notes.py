@@ -26,7 +26,10 @@ def notes(rotor: Rotor, balance: Balance, drafting: Drafting) -> tuple[str, ...]
 
 
 def _sums(rotor: Rotor, balance: Balance, drafting: Drafting) -> Iterator[str]:
-    sums = {"unbalance": _vector(balance.unbalance, drafting), "couple": _vector(balance.couple, drafting)}
+    sums = {
+        "unbalance": _vector(balance.unbalance, "kg*m", drafting),
+        "couple": _vector(balance.couple, "kg*m2", drafting),
+    }
     if rotor.dynamic:
         yield drafting.word("arms from", plane=rotor.planes[-1].name)
     yield drafting.word("sums before", **sums)
@@ -34,9 +37,9 @@ def _sums(rotor: Rotor, balance: Balance, drafting: Drafting) -> Iterator[str]:
         yield drafting.word("static only", couple=drafting.number(balance.couple.size, PLACES))
 
 
-def _vector(one: Resultant, drafting: Drafting) -> str:
+def _vector(one: Resultant, unit: str, drafting: Drafting) -> str:
     """Write a vector by its size and direction; one that vanishes is 0."""
-    size = drafting.number(one.size, PLACES)
+    size = f"{drafting.number(one.size, PLACES)} {drafting.word(unit)}"
     return size if one.angle is None else f"{size} ∠ {drafting.number(one.angle, PLACES)}°"
 
 
@@ -83,6 +86,5 @@ def _reactions(rotor: Rotor, balance: Balance, drafting: Drafting) -> Iterator[s
 
 
 def _borne(reactions: Sequence[Resultant], drafting: Drafting) -> str:
-    newton = drafting.word("N")
-    told = (f"R_{{{name}}} = {_vector(one, drafting)} {newton}" for name, one in zip(BEARINGS, reactions, strict=True))
+    told = (f"R_{{{name}}} = {_vector(one, 'N', drafting)}" for name, one in zip(BEARINGS, reactions, strict=True))
     return ",  ".join(told)

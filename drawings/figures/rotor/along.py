@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 from drawings.figures.rotor.letters import index
@@ -42,7 +43,18 @@ class AlongFigure:
     def letter(self, labels: Labels) -> tuple[Group, ...]:
         """Give the whole view, each mass lettered outward."""
         letters = () if self.shown.many else tuple(self._letter(labels, one) for one in self.shown.bodies)
+        letters += tuple(self._axis(labels))
         return (Group((*self.lines, Group(letters)), NAME),)
+
+    def _axis(self, labels: Labels) -> Iterator[Stroke]:
+        """Letter the direction from which angles are counted, and the sense of turning."""
+        hand = self.drafting.hand
+        end = self.place.length(self.shown.reach) + AXIS * hand.symbol
+        yield labels.beside(self.place.on(0j) + end, "φ = 0", hand.number, BESIDE, math.pi / 2)
+        if self.shown.turning:
+            radius, start, sweep = TURN
+            turned = cmath.rect(radius * hand.symbol, start + math.copysign(sweep, self.shown.turning) / 2)
+            yield labels.beside(self.place.on(0j) + turned, "ω", hand.letter, BESIDE, cmath.phase(turned))
 
     def _letter(self, labels: Labels, one: Body) -> Stroke:
         hand = self.drafting.hand

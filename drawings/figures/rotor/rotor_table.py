@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import math
+from typing import TypeAlias
 
 from drawings.figures.rotor.letters import index, lowered
+from drawings.layout.contents import Block
 from drawings.layout.value_table import APART, UNDER, Row, Setting, Table, row
 from drawings.lettering.lettering import text_width
 from drawings.page.drafting import Drafting
+from drawings.page.page import Field
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Line, LineStyle, Stroke, Text
 from plans.checks.comparison import Comparison, Finding
@@ -17,9 +20,10 @@ from plans.model.rotor import Balance, Correction, Rotor, Unbalance
 # The headings by the number of cells in a row: of masses, and of what both roads found.
 HEADINGS = {
     6: ("m, kg", "D, mm", "φ, °", "h, mm", "m·D, kg·m", "m·D·h, kg·m²"),
+    4: ("m, kg", "D, mm", "φ, °", "m·D, kg·m"),  # where no arm is but zero
     3: ("by plan", "by analysis", "difference"),
 }
-FIRST = {6: "mass number", 3: "quantity"}
+FIRST = {6: "mass number", 4: "mass number", 3: "quantity"}
 DIGITS = 5
 NOTHING = "—"
 
@@ -93,33 +97,54 @@ def headings(across: int, drafting: Drafting) -> tuple[str, ...]:
 
 def masses(rotor: Rotor, balance: Balance, drafting: Drafting) -> RotorTable:
     """Tell the masses of a rotor, then its counterweights."""
-    lines = [_mass(rotor, one, drafting) for one in rotor.masses]
-    lines += [_correction(rotor, one, drafting) for one in balance.corrections]
-    return _table(lines, drafting)
+    rows = [_mass(rotor, one) for one in rotor.masses]
+    rows += [_correction(rotor, one, drafting) for one in balance.corrections]
+    flat = not any(arm for _, (_, _, _, arm, _) in rows)
+    return _table([_row(name, values, flat, drafting) for name, values in rows], drafting)
 
 
-def _mass(rotor: Rotor, one: Unbalance, drafting: Drafting) -> Row:
-    return _row(one.name, one.mass, one.radius, float(one.angle), rotor.arm(one.place), one.moment, drafting)
+# Mass kg, radius m, angle in degrees, arm m, static moment kg*m.
+Values: TypeAlias = tuple[float | None, float | None, float | None, float, float]
 
 
-def _correction(rotor: Rotor, one: Correction, drafting: Drafting) -> Row:
-    name, size, arm = index(one.plane.name, drafting), one.moment.size, rotor.arm(one.plane.place)
-    return _row(name, one.mass, one.radius, one.moment.angle, arm, size, drafting)
+def _mass(rotor: Rotor, one: Unbalance) -> tuple[str, Values]:
+    return one.name, (one.mass, one.radius, float(one.angle), rotor.arm(one.place), one.moment)
 
 
-def _row(
-    name: str, mass: float | None, radius: float | None, angle: float | None, arm: float, moment: float,
-    drafting: Drafting,
-) -> Row:  # fmt: skip
+def _correction(rotor: Rotor, one: Correction, drafting: Drafting) -> tuple[str, Values]:
+    moment, arm = one.moment, rotor.arm(one.plane.place)
+    return index(one.plane.name, drafting), (one.mass, one.radius, moment.angle, arm, moment.size)
+
+
+def _row(name: str, values: Values, flat: bool, drafting: Drafting) -> Row:
+    mass, radius, angle, arm, moment = values
     far = None if radius is None else 1000 * radius
-    values = (mass, far, angle, 1000 * arm, moment, abs(moment * arm))
-    return Row(name, tuple(NOTHING if one is None else drafting.number(one, DIGITS) for one in values))
+    told = (mass, far, angle, moment) if flat else (mass, far, angle, 1000 * arm, moment, abs(moment * arm))
+    return Row(name, tuple(NOTHING if one is None else drafting.number(one, DIGITS) for one in told))
 
 
 def results(comparison: Comparison, drafting: Drafting) -> RotorTable:
     """Tell what both roads found, with the difference."""
     told = (one for one in comparison.findings if one.plan != EQUILIBRIUM and one.largest > 0)
-    return _table([row(one, _name(one, drafting), (0,), drafting.language) for one in told], drafting)
+    return _table([_compared(one, drafting) for one in told], drafting)
+
+
+def _compared(finding: Finding, drafting: Drafting) -> Row:
+    """Give the row of a finding; what vanishes is 0 by both roads."""
+    name = _name(finding, drafting)
+    if max(abs(finding.construction[0]), abs(finding.analysis[0])) <= finding.allowed[0]:
+        return Row(name, ("0", "0", NOTHING))
+    return row(finding, name, (0,), drafting.language)
+
+
+def block(table: RotorTable, name: str) -> Block:
+    """Give the room of a table that stands among the figures."""
+    return Block(name, (table.size(Setting(1, 1)),))
+
+
+def write(table: RotorTable, drafting: Drafting, box: Field) -> Group:
+    """Write a table in its box."""
+    return Group(tuple(table.draw(complex(box.left, box.top), Setting(1, 1), drafting)), "results")
 
 
 def _name(finding: Finding, drafting: Drafting) -> str:
