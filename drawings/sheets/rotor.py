@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from functools import partial
+from typing import Any
 
 from drawings.figures.rotor import across, along, rotor_polygon, rotor_table
 from drawings.figures.rotor.rotor_view import RotorView, rotor_view
@@ -17,7 +18,7 @@ from plans.rotor.study import RotorStudy
 from plans.scene.scene import Scene
 from plans.study import Study
 
-TOGETHER, RESULTS = "views", "results"  # what stands in one column
+TOGETHER, RESULTS = "polygons", "results"  # what stands in one column
 
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
@@ -29,14 +30,19 @@ def sheets(scene: Scene, rotor: RotorStudy, comparison: Comparison) -> tuple[Lea
     """Lay out the sheets of a rotor whose two roads are compared."""
     drafting = drafting_of(scene)
     shows: tuple[Exhibit | Caption, ...] = (
-        *_views(rotor, drafting),
         *_polygons(rotor, drafting),
         _results(comparison, drafting),
+        *_views(rotor, drafting),
     )
     tables = (rotor_table.masses(rotor.rotor, rotor.balance, drafting),)
     said = notes(rotor.rotor, rotor.balance, drafting)
     title = drafting.word("rotor sheet title")
-    return lay_out(scene, [Draft("rotor", title, shows, tables, said, lambda _: {})])
+    return lay_out(scene, [Draft("rotor", title, shows, tables, said, _facts)])
+
+
+def _facts(names: Collection[str]) -> dict[str, Any]:
+    """Say in the data of a sheet which figures it shows."""
+    return {"figures": list(names)}
 
 
 def _views(rotor: RotorStudy, drafting: Drafting) -> Iterator[Exhibit]:
@@ -44,9 +50,9 @@ def _views(rotor: RotorStudy, drafting: Drafting) -> Iterator[Exhibit]:
     shown = rotor_view(rotor.rotor, rotor.balance)
     if not _thin(shown):
         room = across.measure(shown, drafting)
-        yield Exhibit(Panel(room, together=TOGETHER), partial(across.draw, shown, room, drafting=drafting))
+        yield Exhibit(Panel(room), partial(across.draw, shown, room, drafting=drafting))
     room = along.measure(shown, drafting)
-    yield Exhibit(Panel(room, together=TOGETHER), partial(along.draw, shown, room, drafting=drafting))
+    yield Exhibit(Panel(room), partial(along.draw, shown, room, drafting=drafting))
 
 
 def _thin(shown: RotorView) -> bool:
@@ -60,13 +66,12 @@ def _polygons(rotor: RotorStudy, drafting: Drafting) -> Iterator[Exhibit]:
     for drawn in (found.moments, found.forces) if rotor.rotor.dynamic else (found.forces,):
         shown = rotor_polygon.polygon(drawn, names)
         room = rotor_polygon.measure(shown, drafting)
-        together = RESULTS if drawn is found.forces else ""
-        yield Exhibit(Panel(room, together=together), partial(rotor_polygon.draw, shown, room, drafting=drafting))
+        yield Exhibit(Panel(room, together=TOGETHER), partial(rotor_polygon.draw, shown, room, drafting=drafting))
 
 
 def _results(comparison: Comparison, drafting: Drafting) -> Caption:
     """Tell what both roads found under the polygon that ends the construction."""
     table = rotor_table.results(comparison, drafting)
     return Caption(
-        Panel(rotor_table.block(table, RESULTS), together=RESULTS), partial(rotor_table.write, table, drafting)
+        Panel(rotor_table.block(table, RESULTS), together=TOGETHER), partial(rotor_table.write, table, drafting)
     )

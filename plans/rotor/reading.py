@@ -30,9 +30,8 @@ def rotor_of(form: RotorTable) -> Rotor:
 
 
 def _unbalance(number: int, one: UnbalanceTable) -> Unbalance:
-    angle = Fraction(one.angle) % 360
-    angle = angle - 360 if angle > 180 else angle
-    return Unbalance(str(number), float(_moment(one)), angle, Fraction(one.place), _float(one.mass), _float(one.radius))
+    angle, place = Fraction(one.angle), Fraction(one.place)
+    return Unbalance(str(number), float(_moment(one)), angle, place, _float(one.mass), _float(one.radius))
 
 
 def _moment(one: UnbalanceTable) -> Decimal:

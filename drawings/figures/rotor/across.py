@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from drawings.figures.rotor.along import BESIDE, BODY, SYMBOL, UNIT, body
+from drawings.figures.rotor.along import BESIDE, BODY, ORIGIN, SYMBOL, UNIT, body, origin
 from drawings.figures.rotor.dimension import dimension, extension
 from drawings.figures.rotor.letters import ALONE, index
 from drawings.figures.rotor.rotor_view import Body, RotorView
@@ -18,7 +18,7 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Line, Stroke, Text
 from drawings.symbols.dashes import fit
 from drawings.symbols.figure import heading
-from drawings.symbols.symbols import ground
+from drawings.symbols.symbols import ground, pole
 from plans.rotor.bearings import BEARINGS
 
 NAME = "across"
@@ -57,6 +57,8 @@ class AcrossFigure:
 
     def _planes(self, labels: Labels) -> Iterator[Stroke]:
         hand = self.drafting.hand
+        base = self.place.on(complex(self.shown.planes[-1][1]))
+        yield labels.beside(base, ORIGIN, hand.letter, BESIDE + SHAFT * hand.symbol, 2.4)
         for name, place in self.shown.planes:
             if name != ALONE:
                 top = self.place.on(complex(place)) + 1j * _half(self.shown, self.place, hand)
@@ -88,7 +90,9 @@ def draw(shown: RotorView, room: Picture, spot: Spot, drafting: Drafting) -> Acr
     lines += [] if shown.many else [_stem(one, place, hand) for one in shown.bodies]
     bodies = [body(one, _side(one), place, NAME, shown.many, drafting) for one in shown.bodies]
     arms = _dimensions(shown, place, drafting)
-    return AcrossFigure(shown, place, (title, *lines, *arms, *bodies), drafting)
+    base = complex(shown.planes[-1][1])
+    zero = origin(NAME, base, place, pole(place.on(base)))
+    return AcrossFigure(shown, place, (title, *lines, *arms, zero, *bodies), drafting)
 
 
 def _side(one: Body) -> complex:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from drawings.figures.rotor.letters import index
 from drawings.figures.rotor.rotor_view import Body, RotorView
@@ -18,7 +18,7 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Circle, Group, Line, LineStyle, Stroke, Text
 from drawings.symbols.dashes import fit
 from drawings.symbols.figure import Subject, heading, point
-from drawings.symbols.symbols import hinge, turning_arrow
+from drawings.symbols.symbols import HINGE, hinge, turning_arrow
 
 NAME = "along"
 MARGINS = Margins(4.0, 3.4, 3.4)  # paper around it for letters, in their sizes
@@ -28,7 +28,8 @@ DOT = 0.6  # mm, radius of one of many masses
 BESIDE = 1.0  # mm from a mass to its letter
 AXIS = 4.0  # mm that the axes go past the outermost mass
 TURN = (9.0, math.radians(25), math.radians(80))  # radius mm, start and sweep of the arrow that shows the turning
-SYMBOL, UNIT = "l", "m"
+SYMBOL, UNIT, QUANTITY = "l", "m", "r"
+ORIGIN = "O"  # the letter of the axis, and of the plane that arms are measured from
 
 
 @dataclass(frozen=True)
@@ -47,9 +48,11 @@ class AlongFigure:
         return (Group((*self.lines, Group(letters)), NAME),)
 
     def _axis(self, labels: Labels) -> Iterator[Stroke]:
-        """Letter the direction from which angles are counted, and the sense of turning."""
+        """Letter the axis, the direction from which angles are counted, and the sense of turning."""
         hand = self.drafting.hand
         end = self.place.length(self.shown.reach) + AXIS * hand.symbol
+        gap = BESIDE + HINGE * hand.symbol
+        yield labels.beside(self.place.on(0j), ORIGIN, hand.letter, gap, -math.pi / 4)
         yield labels.beside(self.place.on(0j) + end, "φ = 0", hand.number, BESIDE, math.pi / 2)
         if self.shown.turning:
             radius, start, sweep = TURN
@@ -82,7 +85,9 @@ def draw(shown: RotorView, room: Picture, spot: Spot, drafting: Drafting) -> Alo
     lines = [*_axes(shown, place, hand), *_turning(shown, place, hand)]
     lines += [] if shown.many else [_spoke(one, place, hand) for one in shown.bodies]
     bodies = (body(one, one.centre, place, NAME, shown.many, drafting) for one in shown.bodies)
-    return AlongFigure(shown, place, (title, *lines, *hinge(place.on(0j), hand), *bodies), drafting)
+    (circle,) = hinge(place.on(0j), hand)
+    axis = origin(NAME, 0j, place, circle)
+    return AlongFigure(shown, place, (title, *lines, axis, *bodies), drafting)
 
 
 def _axes(shown: RotorView, place: Place, hand: Hand) -> list[Stroke]:
@@ -108,11 +113,15 @@ def _spoke(one: Body, place: Place, hand: Hand) -> Stroke:
 def body(one: Body, centre: complex, place: Place, plan: str, small: bool, drafting: Drafting) -> Group:
     """Draw a mass as a circle, a counterweight as a black one; measurable where its radius is known."""
     hand = drafting.hand
-    style = INK if one.added else LineStyle(hand.main, fill="#ffffff")
-    circle = Circle(place.on(centre), (DOT if small else BODY) * hand.symbol, INK if small else style)
+    style = INK if one.added or small else LineStyle(hand.main, fill="#ffffff")
+    circle = Circle(place.on(centre), (DOT if small else BODY) * hand.symbol, style)
     name = f"m_{one.name}"
-    if not one.known:
+    if small or not one.known:  # many masses bear no letters; the table has them
         return Group((circle,), "", {}, name)
-    kind = "corner" if small else "point"  # many masses bear no letters
-    found = point(Subject(plan, "r", None), name, centre, place, circle, kind)
-    return Group(found.strokes, "", found.data, f"m_{{{index(one.name, drafting)}}}")
+    drawn = point(Subject(plan, QUANTITY, None), name, centre, place, circle)
+    return replace(drawn, title=f"m_{{{index(one.name, drafting)}}}")
+
+
+def origin(plan: str, zero: complex, place: Place, circle: Circle) -> Group:
+    """Draw the place that a view is measured from."""
+    return point(Subject(plan, QUANTITY, None), ORIGIN, zero, place, circle, "pole")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import cmath
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -18,7 +19,7 @@ from drawings.page.drafting import Drafting
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
 from drawings.paper.limits import SEEN
-from drawings.paper.strokes import LEAN, Circle, Group, Line, LineStyle, Stroke, Text
+from drawings.paper.strokes import INK, LEAN, Circle, Group, Line, LineStyle, Stroke, Text
 from drawings.symbols.figure import Subject, heading, point
 from drawings.symbols.symbols import arrowhead, pole
 from plans.rotor.balancing import COUPLES
@@ -32,7 +33,7 @@ LETTERS, EACH = 14.0, 1.8  # a polygon is drawn at least so many letters large, 
 BESIDE = 0.9  # mm from a vector to its letter
 ROOM = 4.7 + 1.9j  # width + 1j * height of a letter between two lanes, in its sizes, with what it keeps clear of them
 PAST = 1.0  # mm that the thin lines to a lane run past it
-MANY = 24  # vectors: more are neither lettered nor told apart, and only their corners are marked
+MANY = 24  # vectors: of more only the results are lettered and measured, and the table has the others
 DOT = 0.4  # mm, radius of a corner
 
 
@@ -79,7 +80,7 @@ class Polygon(NamedTuple):
 
     def faint(self, mu: float) -> tuple[str, ...]:
         """Name the vectors that are not to be seen at a scale: a sheet lists them beside."""
-        return () if self.many else tuple(one.name for one in self.vectors if abs(one.value) < SEEN * mu)
+        return tuple(one.name for one in self.vectors if abs(one.value) < SEEN * mu and (one.found or not self.many))
 
 
 def polygon(drawn: Construction, names: frozenset[str] = frozenset()) -> Polygon:
@@ -142,7 +143,8 @@ def draw(shown: Polygon, room: Picture, spot: Spot, drafting: Drafting) -> Polyg
     title = heading(spot.box, _title(shown, drafting), _under(shown, spot, drafting), hand)
     zero = point(shown.subject, "0", 0j, place, pole(place.on(0j)), "pole")
     if shown.many:
-        return PolygonFigure(shown, place, (title, *_corners(shown, place, hand), zero), (), drafting)
+        ends = [LaidVector(one, (place.on(one.start), place.on(one.end)), 0j) for one in shown.vectors if one.found]
+        return PolygonFigure(shown, place, (title, *_chain(shown, place, drafting), zero), tuple(ends), drafting)
     order = sorted(shown.vectors, key=lambda one: (not one.found, -abs(one.value)))
     seen = [one for one in order if place.length(abs(one.value)) >= SEEN]
     segments = [(place.on(one.start), place.on(one.end)) for one in seen]
@@ -171,17 +173,15 @@ def _side(shown: Polygon, one: LaidVector, place: Place, drafting: Drafting) -> 
     return Group(strokes, "", data, lowered(vector.name, drafting))
 
 
-def _corners(shown: Polygon, place: Place, hand: Hand) -> list[Stroke]:
-    """Draw many vectors as a thin chain with its corners marked, and the closing one with its arrow."""
-    drawn: list[Stroke] = []
-    for number, one in enumerate(shown.vectors, 1):
+def _chain(shown: Polygon, place: Place, drafting: Drafting) -> Iterator[Stroke]:
+    """Draw many vectors as a thin chain with its corners dotted, and of the results those that close it."""
+    for one in shown.vectors:
         ends = place.on(one.start), place.on(one.end)
-        style = hand.result if one.found else LineStyle(hand.thin)
-        head = arrowhead(*ends, hand.symbol) if one.found else None
-        drawn.append(Group((Line(*ends, style), *((head,) if head is not None else ()))))
-        dot = Circle(ends[1], DOT * hand.symbol, LineStyle(0, colour="none", fill="#000000"))
-        drawn.append(point(shown.subject, str(number), one.end, place, dot, "corner"))
-    return drawn
+        if one.found:
+            yield _side(shown, LaidVector(one, ends, 0j), place, drafting)
+        else:
+            yield Line(*ends, LineStyle(drafting.hand.thin))
+            yield Circle(ends[1], DOT * drafting.hand.symbol, INK)
 
 
 def _carried(segments: list[Segment], shifts: list[complex], hand: Hand) -> list[Stroke]:
