@@ -10,7 +10,8 @@ from typing import Any, NamedTuple
 from drawings.layout.composer import compose
 from drawings.layout.contents import Composition, Contents, Panel
 from drawings.layout.figure import Figure
-from drawings.layout.labels import Ink, Labels
+from drawings.layout.ink import Ink
+from drawings.layout.labels import Labels
 from drawings.layout.picture import Spot
 from drawings.layout.value_table import Table
 from drawings.page.drafting import Drafting, drafting_of

@@ -18,7 +18,8 @@ from drawings.layout.composer import compose
 from drawings.layout.contents import Composition, Contents, Panel
 from drawings.layout.equation import DIRECTION, Passage, Term, forces, moments
 from drawings.layout.figure import Figure
-from drawings.layout.labels import Ink, Labels
+from drawings.layout.ink import Ink
+from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, picture
 from drawings.layout.place import Place
 from drawings.layout.value_table import Row

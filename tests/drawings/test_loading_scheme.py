@@ -13,7 +13,8 @@ import pytest
 
 from drawings.figures.forces.force_fan import LONG, SHORT, lengths
 from drawings.figures.forces.loading_scheme import Scheme, SchemeFigure, draw, leverages, measure, scheme
-from drawings.layout.labels import Ink, Labels
+from drawings.layout.ink import Ink
+from drawings.layout.labels import Labels
 from drawings.layout.picture import Spot
 from drawings.page.drafting import Drafting
 from drawings.page.page import Field

@@ -10,7 +10,7 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
-from drawings.layout.obstacles import Obstacles
+from drawings.layout.ink import Ink
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Line, Stroke
@@ -58,7 +58,7 @@ class Held(NamedTuple):
 class _Room(NamedTuple):
     """Where an arrow looks for its place: the lines and points around, and the box."""
 
-    drawn: Obstacles
+    drawn: Ink
     spots: Sequence[complex]
     box: Field | None
 
@@ -90,7 +90,7 @@ def fanned(
     held = [_held(spoke, spoke.pressing, 0.0, hand) for spoke in spokes]
     for _ in range(ROUNDS):
         for k, spoke in enumerate(spokes):
-            drawn = Obstacles()
+            drawn = Ink()
             for stroke, weight in lines:
                 drawn.draw([stroke], weight)
             drawn.draw((other.shaft for other in (*held[:k], *held[k + 1 :])), WEIGHT)

@@ -13,7 +13,7 @@ from drawings.figures.forces.force_fan import UNKNOWN, Held, Spoke, fanned, leng
 from drawings.figures.forces.force_letters import letter_of
 from drawings.figures.forces.scheme import Scheme
 from drawings.figures.linkage.pairs import Joints
-from drawings.layout.obstacles import Obstacles
+from drawings.layout.ink import Ink
 from drawings.layout.place import Place
 from drawings.page.drafting import Drafting
 from drawings.page.page import Field
@@ -213,7 +213,7 @@ class Layout:
     @cached_property
     def couples(self) -> list[Couple]:
         """The moments as arcs: each faces where it crosses the fewest lines; one about a point is inside the next."""
-        drawn = Obstacles()
+        drawn = Ink()
         for stroke, weight in self._around:
             drawn.draw([stroke], weight)
         drawn.draw((held.shaft for held in self.arrows), ARROW)
@@ -225,7 +225,7 @@ class Layout:
             found.append(self._couple(moment, at, (least + APART * before) * self.hand.symbol, drawn))
         return found
 
-    def _couple(self, moment: Moment, at: complex, radius: float, drawn: Obstacles) -> Couple:
+    def _couple(self, moment: Moment, at: complex, radius: float, drawn: Ink) -> Couple:
         letter = self.letter(moment.name)
         choices = [
             Couple(letter, at, moment.sense, radius, 2 * math.pi * k / FACINGS, sweep)
