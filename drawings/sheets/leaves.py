@@ -13,7 +13,7 @@ from drawings.layout.figure import Figure
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Spot
-from drawings.layout.value_table import Table
+from drawings.layout.table import Table
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.page.page import Field, Page, page_of
 from drawings.paper.strokes import Group, Leaf
