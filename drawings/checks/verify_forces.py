@@ -11,7 +11,7 @@ import numpy as np
 
 from drawings.checks import reading
 from drawings.checks.force_marks import lever_marks, polygon_marks
-from drawings.checks.reading import groups, plain, reads, scales, texts
+from drawings.checks.reading import plain, reads, scales
 from drawings.checks.verify_friction import friction_of
 from drawings.figures.forces.force_equations import DIGITS
 from drawings.figures.forces.force_letters import force_letter
@@ -19,6 +19,7 @@ from drawings.figures.forces.force_table import label
 from drawings.lettering.words import word
 from drawings.measure.measure import Measured
 from drawings.paper.strokes import Leaf, Line, Text
+from drawings.paper.walk import groups, texts
 from drawings.symbols.force_arrow import named
 from plans.checks.comparison import Finding
 from plans.checks.force_comparison import ForceComparison
@@ -109,7 +110,7 @@ class _Check:
         for group in self.leaf.groups:
             cut = group.name.removeprefix("scheme-").rpartition("-")[0] if group.name.startswith("scheme-") else ""
             known = self.forces(cut) if cut else whole
-            for arrow in groups(group):
+            for arrow in groups((group,)):
                 name, shaft = arrow.data.get("name", ""), arrow.strokes[0] if arrow.strokes else None
                 if arrow.data.get("kind") != "force" or name not in known or not isinstance(shaft, Line):
                     continue
@@ -127,7 +128,7 @@ class _Check:
             if label == group.name or label not in self._labels():
                 continue
             known = {plain(name): value for name, value in self.forces(label).items()}
-            for text in texts(group):
+            for text in texts((group,)):
                 found = _TOLD.fullmatch(text.plain)
                 if found is None or found["name"] not in known or found["unit"] not in self._newton:
                     continue
@@ -142,7 +143,7 @@ class _Check:
     def scales(self) -> Iterator[str]:
         """Read the written scale of each figure whose vectors are to one scale."""
         for group in self.leaf.groups:
-            stated = {float(s.data["scale"]) for s in groups(group) if s.data.get("kind") in ("vector", "point")}
+            stated = {float(s.data["scale"]) for s in groups((group,)) if s.data.get("kind") in ("vector", "point")}
             if len(stated) == 1 and group.name != "balancing":
                 yield from scales(group, stated)
 

@@ -11,10 +11,11 @@ from drawings.checks import reading
 from drawings.figures.rotor import across, along
 from drawings.figures.rotor.letters import index
 from drawings.figures.rotor.rotor_polygon import MANY
-from drawings.figures.rotor.rotor_table import DIGITS, NOTHING
+from drawings.figures.rotor.rotor_table import DIGITS, MASSES, NOTHING, RESULTS
 from drawings.measure.measure import Measured, MeasuredVector
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Group, Leaf, Text
+from drawings.paper.walk import groups, texts
 from plans.analytic.rotor import moment
 from plans.checks.comparison import Comparison
 from plans.model.rotor import Balance, Rotor
@@ -39,7 +40,7 @@ def check(measured: Measured, leaf: Leaf, rotor: Rotor, comparison: Comparison, 
             yield from _points(measured, plan, expected)
         else:
             yield from _vectors(measured, plan, expected)
-    yield from _scales(leaf)
+    yield from reading.marked_scales(leaf)
     yield from _results(leaf, comparison)
     yield from _masses(leaf, expected, drafting)
 
@@ -119,23 +120,15 @@ def _seen(plan: str, centre: complex, place: float) -> complex:
     return centre if plan == along.NAME else complex(place, centre.imag)
 
 
-def _scales(leaf: Leaf) -> Iterator[str]:
-    """Read the written scale of each figure."""
-    for group in leaf.groups:
-        marked = (one.data for one in reading.groups(group) if one.data.get("kind") in ("vector", "point"))
-        yield from reading.scales(group, {float(data["scale"]) for data in marked})
-
-
 def _results(leaf: Leaf, comparison: Comparison) -> Iterator[str]:
     """Read the table of results back."""
     named = {reading.plain(one.name): one for one in comparison.findings if one.plan != "equilibrium"}
-    for group in _tables(leaf, "table-3"):
+    for group in _tables(leaf, RESULTS):
         yield from reading.table(group, named, (0,))
 
 
 def _tables(leaf: Leaf, name: str) -> Iterator[Group]:
-    for group in leaf.groups:
-        yield from (one for one in reading.groups(group) if one.name.startswith(name))
+    return (one for one in groups(leaf.groups) if one.name.startswith(name))
 
 
 def _masses(leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[str]:
@@ -143,7 +136,7 @@ def _masses(leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[str]
     names = [one.name for own in (expected.rotor.masses, expected.rotor.planes) for one in own]
     told = {index(name, drafting): name for name in names}
     unbalances, couples = expected.vectors(UNBALANCES), expected.vectors(COUPLES)
-    for cells in (row for name in ("table-6", "table-4") for group in _tables(leaf, name) for row in _rows(group)):
+    for cells in (row for group in _tables(leaf, MASSES) for row in _rows(group)):
         mass = told.get(cells[0])
         if mass is not None:
             value, turned = unbalances.get(unbalance_letters(mass), 0j), couples.get(moment_letters(mass), 0j)
@@ -165,7 +158,7 @@ def _points_so(text: str, value: complex) -> bool:
 
 def _rows(group: Group) -> Iterator[list[str]]:
     rows: dict[float, list[Text]] = {}
-    for text in reading.texts(group):
+    for text in texts((group,)):
         rows.setdefault(round(text.at.imag, 3), []).append(text)
     for row in rows.values():
         yield [text.plain for text in sorted(row, key=lambda text: text.at.real)]

@@ -8,12 +8,13 @@ from functools import cached_property
 from itertools import pairwise, product, takewhile
 from typing import NamedTuple, TypeVar
 
+from drawings.layout.block import Block
 from drawings.layout.columns import Column, Filled, Part, Zone, filled
-from drawings.layout.contents import Block, Composition, Contents, at_foot
+from drawings.layout.contents import Composition, Contents, at_foot
 from drawings.layout.footing import NARROW, PAD, Foot, Notes, feet
 from drawings.layout.picture import Ladder, Picture
+from drawings.layout.table import Setting, Table
 from drawings.layout.trials import room_of
-from drawings.layout.value_table import Setting, Table
 from drawings.page.page import Field, Page
 from drawings.paper.strokes import SheetError
 

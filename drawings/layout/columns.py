@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias
 
-from drawings.layout.contents import Block
+from drawings.layout.block import Block
 from drawings.layout.grid import GAP
 from drawings.layout.picture import Ladder, Rung, Spot
 from drawings.page.page import Field

@@ -6,10 +6,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from drawings.layout import column_composer, foremost_composer
-from drawings.layout.contents import Block, Composition, Contents, Panel, TableSpot
+from drawings.layout.contents import Composition, Contents, Panel, TableSpot
 from drawings.layout.picture import Spot
-from drawings.layout.value_table import Setting, Table
-from drawings.page.page import Field, Page
+from drawings.layout.table import Table
+from drawings.page.page import Page
 from drawings.page.scale import Scale
 
 FURTHER = "table-{}"  # the name of a table that stands among the figures
@@ -19,7 +19,7 @@ def compose(contents: Contents, page: Page) -> tuple[Composition, ...]:
     """Compose contents on as many sheets as keep every figure readable, the largest figures that fit."""
     further = {FURTHER.format(k + 2): table for k, table in enumerate(contents.tables[1:])}
     if further:
-        panels = tuple(Panel(_block(name, table)) for name, table in further.items())
+        panels = tuple(Panel(table.block(name)) for name, table in further.items())
         contents = replace(contents, panels=(*contents.panels, *panels), tables=contents.tables[:1])
     composed = tuple(
         foremost_composer.compose(contents, page)
@@ -29,24 +29,12 @@ def compose(contents: Contents, page: Page) -> tuple[Composition, ...]:
     return _levelled(contents, [_tabled(one, further) for one in composed])
 
 
-def _block(name: str, table: Table) -> Block:
-    """Give the sizes that a table may have."""
-    return Block(name, tuple(sorted(table.size(setting) for setting in table.settings())))
-
-
 def _tabled(one: Composition, further: Mapping[str, Table]) -> Composition:
     """Set the tables that stand among the figures."""
-    own = tuple(_set(further[name], box) for name, box in one.blocks.items() if name in further)
+    standing = ((further[name], box) for name, box in one.blocks.items() if name in further)
+    own = tuple(TableSpot(table, complex(box.left, box.top), table.setting(box)) for table, box in standing)
     blocks = {name: box for name, box in one.blocks.items() if name not in further}
     return one._replace(blocks=blocks, tables=(*one.tables, *own)) if own else one
-
-
-def _set(table: Table, box: Field) -> TableSpot:
-    def off(setting: Setting) -> float:
-        wide, high = table.size(setting)
-        return abs(wide - box.width) + abs(high - box.height)
-
-    return TableSpot(table, complex(box.left, box.top), min(table.settings(), key=off))
 
 
 def _levelled(contents: Contents, composed: Sequence[Composition]) -> tuple[Composition, ...]:

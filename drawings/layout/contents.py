@@ -11,27 +11,13 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple, TypeAlias
 
+from drawings.layout.block import Block
 from drawings.layout.footing import Notes
 from drawings.layout.picture import Picture, Spot
-from drawings.layout.value_table import Setting, Table
+from drawings.layout.table import Setting, Table
 from drawings.page.page import Field
 
 EVEN = 1.0  # weight of a figure that counts as the others do
-
-
-class Block(NamedTuple):
-    """Lettering that is kept together: the sizes that it may have, width and height in mm, the narrowest first."""
-
-    name: str
-    sizes: tuple[tuple[float, float], ...]
-
-    def size(self, width: float) -> tuple[float, float]:
-        """Give its size in a column of some width: the widest that fits, or else the narrowest.
-
-        >>> Block("equations", ((60.0, 30.0), (120.0, 10.0))).size(100.0)
-        (60.0, 30.0)
-        """
-        return max((size for size in self.sizes if size[0] <= width), default=self.sizes[0])
 
 
 Item: TypeAlias = Picture | Block

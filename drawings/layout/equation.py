@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple, TypeAlias
 
-from drawings.layout.contents import Block
+from drawings.layout.block import Block
 from drawings.lettering.lettering import text_width
 from drawings.page.page import Field
 from drawings.paper.hand import Hand

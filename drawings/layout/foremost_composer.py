@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from drawings.layout.contents import Composition, Contents, at_foot
 from drawings.layout.picture import Picture, Spot
+from drawings.layout.table import Table
 from drawings.layout.trials import Sheet, Trial
-from drawings.layout.value_table import Table
 from drawings.page.page import Field, Page
 from drawings.paper.strokes import SheetError
 

@@ -12,7 +12,7 @@ from drawings.layout.contents import Contents
 from drawings.layout.footing import PAD, Foot, feet
 from drawings.layout.grid import Grid, Rows, arrangements, grid
 from drawings.layout.picture import Picture, Spot
-from drawings.layout.value_table import Setting
+from drawings.layout.table import Setting
 from drawings.page.page import Field, Page
 
 HALF = 0.45  # of the sheet's width or height that the foremost figure takes at least: about half, by custom

@@ -16,7 +16,7 @@ from drawings.figures.forces.force_letters import letter_of
 from drawings.figures.graphs import curve_graph, hodograph
 from drawings.layout import value_table
 from drawings.layout.contents import Panel
-from drawings.layout.value_table import Table
+from drawings.layout.table import Table
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf, SheetError
 from drawings.sheets.choice import position
@@ -168,7 +168,7 @@ class _Forces:
     def _table(self) -> Table:
         drafting = self.drafting
         lines = force_table.rows(self.comparison, self.position, drafting.language, drafting.reactions)
-        return value_table.table(lines, (self.position,), drafting.hand.text, drafting.language)
+        return value_table.table(lines, (self.position,), drafting)
 
     def _facts(self, names: Collection[str]) -> dict[str, Any]:
         """Say in the data of a sheet whose forces its figures show."""

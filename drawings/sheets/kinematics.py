@@ -14,7 +14,7 @@ from drawings.figures.linkage.skeleton import Skeletons, skeletons
 from drawings.figures.linkage.vector_plan import Diagram, diagram
 from drawings.layout import value_table
 from drawings.layout.contents import Panel
-from drawings.layout.value_table import Table
+from drawings.layout.table import Table
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.sheets.choice import plans, position
@@ -110,9 +110,9 @@ class _Kinematics:
     def _tables(self) -> tuple[Table, ...]:
         """The table of values, without what the scene states."""
         given = {f"{symbol}_{self.study.mechanism.drive.link}" for symbol in ("ω", "ε")}
-        hand, language = self.drafting.hand, self.drafting.language
+        language = self.drafting.language
         lines = value_table.rows(self.comparison, self.positions, given, language) if self.positions else []
-        return (value_table.table(lines, self.positions, hand.text, language),) if lines else ()
+        return (value_table.table(lines, self.positions, self.drafting),) if lines else ()
 
     def _facts(self, names: Collection[str]) -> dict[str, Any]:
         """Say in the data of a sheet what its figures show."""

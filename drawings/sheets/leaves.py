@@ -10,9 +10,10 @@ from typing import Any, NamedTuple
 from drawings.layout.composer import compose
 from drawings.layout.contents import Composition, Contents, Panel
 from drawings.layout.figure import Figure
-from drawings.layout.labels import Ink, Labels
+from drawings.layout.ink import Ink
+from drawings.layout.labels import Labels
 from drawings.layout.picture import Spot
-from drawings.layout.value_table import Table
+from drawings.layout.table import Table
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.page.page import Field, Page, page_of
 from drawings.paper.strokes import Group, Leaf

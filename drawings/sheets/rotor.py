@@ -18,7 +18,7 @@ from plans.rotor.study import RotorStudy
 from plans.scene.scene import Scene
 from plans.study import Study
 
-TOGETHER, RESULTS = "polygons", "results"  # what stands in one column
+TOGETHER = "polygons"  # what stands in one column
 
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
@@ -72,6 +72,4 @@ def _polygons(rotor: RotorStudy, drafting: Drafting) -> Iterator[Exhibit]:
 def _results(comparison: Comparison, drafting: Drafting) -> Caption:
     """Tell what both roads found under the polygon that ends the construction."""
     table = rotor_table.results(comparison, drafting)
-    return Caption(
-        Panel(rotor_table.block(table, RESULTS), together=TOGETHER), partial(rotor_table.write, table, drafting)
-    )
+    return Caption(Panel(table.block(table.name), together=TOGETHER), partial(table.write, drafting=drafting))

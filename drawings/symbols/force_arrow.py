@@ -23,7 +23,8 @@ ASIDE = math.radians(55)  # the letter stands ahead of the free end, to the left
 class ForceArrow:
     """A force on paper: its letter, its point, its unit direction and its length in mm.
 
-    It starts from its point or, `ending`, comes to it. Of an `unknown` one only the line of action is known.
+    It starts from its point or, `ending`, comes to it; one that stands off it is led to it by a thin line. Of an
+    `unknown` one only the line of action is known.
     """
 
     letter: str  # marked up: "R^t_{34}"
@@ -33,6 +34,7 @@ class ForceArrow:
     ending: bool = False
     unknown: bool = False
     data: Mapping[str, str] = field(default_factory=dict)  # of a measurable one
+    lead: complex | None = None  # where the thin line begins
 
     @property
     def start(self) -> complex:
@@ -43,6 +45,11 @@ class ForceArrow:
     def tip(self) -> complex:
         """Where its arrowhead ends."""
         return self.start + self.direction * self.length
+
+    @property
+    def shaft(self) -> Line:
+        """Its own line."""
+        return Line(self.start, self.tip)
 
     @property
     def free(self) -> complex:

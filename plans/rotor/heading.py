@@ -12,8 +12,8 @@ QUARTERS = (1 + 0j, 1j, -1 + 0j, -1j)
 def heading(angle: Fraction) -> complex:
     """Give the direction at an angle; taken from the nearest quarter turn it loses no digit.
 
-    >>> heading(Fraction(-90)), heading(Fraction(540))
-    (-1j, (-1+0j))
+    >>> heading(Fraction(90)), heading(Fraction(540))
+    (1j, (-1+0j))
     """
     quarter = round(angle / 90)
     rest = float(angle - 90 * quarter)

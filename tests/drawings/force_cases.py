@@ -11,7 +11,8 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 
 from drawings.figures.forces import force_polygon, lever_plan
-from drawings.layout.labels import Ink, Labels
+from drawings.layout.ink import Ink
+from drawings.layout.labels import Labels
 from drawings.layout.picture import Picture, Spot
 from drawings.page.drafting import Drafting
 from drawings.page.page import Field

@@ -18,10 +18,11 @@ from drawings.layout.composer import compose
 from drawings.layout.contents import Composition, Contents, Panel
 from drawings.layout.equation import DIRECTION, Passage, Term, forces, moments
 from drawings.layout.figure import Figure
-from drawings.layout.labels import Ink, Labels
+from drawings.layout.ink import Ink
+from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, picture
 from drawings.layout.place import Place
-from drawings.layout.value_table import Row
+from drawings.layout.table import Row
 from drawings.lettering.force_words import letter
 from drawings.lettering.lettering import text_width
 from drawings.lettering.words import word
@@ -130,7 +131,7 @@ class Draft:
                 *(Panel(item, together=str(k)) for k, column in enumerate(columns) for item in column),
                 *map(Panel, loose),
             ),
-            (value_table.table(lines, (2,), self.hand.text, self.language),),
+            (value_table.table(lines, (2,), self.drafting),),
             measure(NOTES, self.hand.text),
         )
 

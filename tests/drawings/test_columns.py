@@ -5,13 +5,14 @@ import time
 
 import pytest
 
+from drawings.layout.block import Block
 from drawings.layout.columns import Column, Zone, filled
 from drawings.layout.composer import compose
-from drawings.layout.contents import Block, Composition, Contents, Item, Panel
+from drawings.layout.contents import Composition, Contents, Item, Panel
 from drawings.layout.footing import Notes
 from drawings.layout.grid import GAP
 from drawings.layout.picture import Ladder, Margins, Picture, Rung, picture
-from drawings.layout.value_table import Row, Table
+from drawings.layout.table import Row, Table
 from drawings.page.page import Field, Page
 from drawings.page.scale import MANTISSAS
 from drawings.paper.strokes import SheetError

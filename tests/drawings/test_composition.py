@@ -12,7 +12,7 @@ from drawings.layout.contents import Composition, Contents, Panel
 from drawings.layout.footing import Notes, feet
 from drawings.layout.grid import Grid, grid
 from drawings.layout.picture import Margins, Picture, Spot, picture
-from drawings.layout.value_table import Row, Setting, Table
+from drawings.layout.table import Row, Setting, Table
 from drawings.page.page import Field, Page
 
 BLOCK = Field(215.0, 0.0, 400.0, 55.0)

@@ -8,7 +8,8 @@ import pytest
 from drawings.figures.graphs import curve_graph, hodograph
 from drawings.figures.graphs.curve_graph import Curve
 from drawings.figures.graphs.hodograph import Hodograph
-from drawings.layout.labels import Ink, Labels
+from drawings.layout.ink import Ink
+from drawings.layout.labels import Labels
 from drawings.layout.picture import Spot
 from drawings.lettering.extent import bounds
 from drawings.measure.measure import Measured, check, measure

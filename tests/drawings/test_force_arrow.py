@@ -5,7 +5,8 @@ import math
 
 import pytest
 
-from drawings.layout.labels import Ink, Labels
+from drawings.layout.ink import Ink
+from drawings.layout.labels import Labels
 from drawings.lettering.extent import bounds
 from drawings.measure.measure import check, measure
 from drawings.page.scale import Scale

@@ -16,7 +16,8 @@ import pytest
 from drawings.figures.linkage.pairs import Pairs
 from drawings.figures.linkage.position_plan import layers, letters
 from drawings.figures.linkage.skeleton import Skeletons, skeletons
-from drawings.layout.labels import Ink, Labels
+from drawings.layout.ink import Ink
+from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, picture
 from drawings.layout.place import Place
 from drawings.lettering.extent import bounds

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from drawings.figures.forces.force_letters import force_letter
-from drawings.layout.value_table import Row, row
+from drawings.layout.table import Row
+from drawings.layout.value_table import row
 from drawings.lettering.words import word
 from plans.checks.comparison import Finding
 from plans.checks.force_comparison import ForceComparison

@@ -10,11 +10,7 @@ from typing import NamedTuple
 
 from drawings.figures.forces.force_polygon import ZERO
 from drawings.figures.forces.lever_layout import (
-    BALANCE,
-    LOAD,
-    PAIR,
     SAME,
-    Push,
     Reach,
     Taken,
     arms,
@@ -22,6 +18,7 @@ from drawings.figures.forces.lever_layout import (
     forces,
     reach,
 )
+from drawings.figures.forces.shown_force import BALANCE, LOAD, PAIR, ShownForce
 from drawings.figures.linkage.vector_plan import LEAST, diagram, written
 from drawings.layout.labels import Labels
 from drawings.layout.parallel_offsets import Segment
@@ -53,7 +50,7 @@ class Hanging(NamedTuple):
     pole: str
     images: tuple[tuple[str, str, complex], ...]  # name on the velocity plan, its letters, true place
     rods: tuple[tuple[Segment, bool], ...]  # true ends; whether it comes from the pole
-    pushes: tuple[Push, ...]
+    forces: tuple[ShownForce, ...]
 
     @property
     def points(self) -> list[complex]:
@@ -74,7 +71,7 @@ def hanging(plan: ForcePlan, lever: Lever, column: int) -> Hanging:
             images[name] = name, place
             joined.append(((0j, place), True))
     told = tuple((name, letters, place) for name, (letters, place) in images.items())
-    return Hanging(column, lever.pole.name, told, tuple(joined), tuple(_pushes(lever, column)))
+    return Hanging(column, lever.pole.name, told, tuple(joined), tuple(_forces(lever, column)))
 
 
 def _new(name: str, place: complex, images: Mapping[str, tuple[str, complex]]) -> str | None:
@@ -94,20 +91,20 @@ def _turned(ends: tuple[complex, complex]) -> Segment:
     return QUARTER * ends[0], QUARTER * ends[1]
 
 
-def _pushes(lever: Lever, column: int) -> Iterator[Push]:
+def _forces(lever: Lever, column: int) -> Iterator[ShownForce]:
     """Give the forces that are not zero, the balancing one first; one at the hinge of the lever does nothing there."""
     driven, force = at(lever.driven.point, column), at(lever.force.point, column)
-    every = [Push(lever.force.name, BALANCE, driven, force, (driven.conjugate() * force).imag)]
+    every = [ShownForce(lever.force.name, BALANCE, driven, force)]
     for one in lever.hung:
         place, force = at(one.at.point, column), at(one.force.point, column)
-        every.append(Push(one.name, LOAD, place, force, at(one.moment.point, column).real))
+        every.append(ShownForce(one.name, LOAD, place, force))
     for pair in lever.pairs:
-        force, moment = at(pair.force.point, column), at(pair.moment.point, column).real
+        force = at(pair.force.point, column)
         ends = (pair.end, force), (pair.start, -force)
-        every += [Push(pair.force.name, PAIR, at(end.point, column), half, moment) for end, half in ends]
-    greatest = max(abs(one.force) for one in every)
+        every += [ShownForce(pair.force.name, PAIR, at(end.point, column), half) for end, half in ends]
+    greatest = max(abs(one.value) for one in every)
     reach = max(abs(one.at) for one in every)
-    yield from (one for one in every if abs(one.force) > ZERO * greatest and abs(one.at) > ZERO * reach)
+    yield from (one for one in every if abs(one.value) > ZERO * greatest and abs(one.at) > ZERO * reach)
 
 
 @dataclass(frozen=True)
@@ -147,7 +144,7 @@ def measure(shown: Hanging, name: str, drafting: Drafting) -> Picture:
     """Measure the room that a lever needs: its images, the forces and letters around them, its heading."""
     hand = drafting.hand
     title = text_width(Text(0j, _title(shown, drafting), hand.title)) + 2 * LEAN * hand.title
-    side, below, above = (size * hand.letter + reach(shown.pushes) * hand.symbol for size in MARGINS)
+    side, below, above = (size * hand.letter + reach(shown.forces) * hand.symbol for size in MARGINS)
     margins = Margins(side, below, above + 2 * hand.title + hand.text)
     return picture(name, shown.points, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
 
@@ -159,9 +156,9 @@ def draw(shown: Hanging, room: Picture, spot: Spot, drafting: Drafting) -> Lever
     rods = [(Line(place.on(start), place.on(end), _style(thin, hand))) for (start, end), thin in shown.rods]
     rods = [rod for rod in rods if abs(rod.end - rod.start) >= LEAST]
     taken = Taken([(rod.start, rod.end) for rod in rods], [], spot.box)
-    arrows = forces(shown.pushes, place, taken, drafting)
+    arrows = forces(shown.forces, place, taken, drafting)
     first = {true: letters.split(" ")[0] for _, letters, true in shown.images}
-    reaches = arms(shown.pushes, first, place, taken, drafting.language)
+    reaches = arms(shown.forces, first, place, taken, drafting.language)
     kept = tuple(arm for _, arm in reaches if arm is not None)
     circle = Circle(place.on(0j), HINGE * hand.symbol, hand.body)
     stand = fixed_hinge(

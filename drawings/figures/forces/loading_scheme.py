@@ -95,8 +95,8 @@ def _letters(laid: Layout, labels: Labels, hand: Hand) -> Iterator[Stroke]:
     for shift in laid.shifts:
         yield labels.beside(shift.middle, shift.letter, hand.letter, 0.8, cmath.phase(shift.off))
     yield from _points(laid, labels, hand)
-    for held in laid.arrows:
-        yield held.arrow.letter_beside(labels, hand)
+    for arrow in laid.arrows:
+        yield arrow.letter_beside(labels, hand)
     for couple in laid.couples:
         yield couple.letter_beside(labels, hand)
     if laid.gear is not None:
@@ -107,7 +107,7 @@ def _letters(laid: Layout, labels: Labels, hand: Hand) -> Iterator[Stroke]:
 
 def _points(laid: Layout, labels: Labels, hand: Hand) -> Iterator[Stroke]:
     """Letter each point where the widest angle between the lines at it is free."""
-    lines = [*_lines(laid.links), *(held.shaft for held in laid.arrows)]
+    lines = [*_lines(laid.links), *(arrow.shaft for arrow in laid.arrows)]
     for name, value in laid.shown.named.items():
         spot, gap = laid.place.on(value), laid.clear(name) + 1.0
         yield labels.beside(spot, written(name), hand.letter, gap, free_side(spot, lines, gap + NEAR))

@@ -8,12 +8,13 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
-from drawings.figures.forces.acting import Force, Moment
-from drawings.figures.forces.force_fan import UNKNOWN, Held, Spoke, fanned, lengths
+from drawings.figures.forces.acting import ShownMoment
+from drawings.figures.forces.force_fan import UNSIZED, fan, lengths
 from drawings.figures.forces.force_letters import letter_of
 from drawings.figures.forces.scheme import Scheme
+from drawings.figures.forces.shown_force import KNOWN, PRESSING, ShownForce
 from drawings.figures.linkage.pairs import Joints
-from drawings.layout.obstacles import Obstacles
+from drawings.layout.ink import Ink
 from drawings.layout.place import Place
 from drawings.page.drafting import Drafting
 from drawings.page.page import Field
@@ -23,6 +24,7 @@ from drawings.symbols.arms import Arm, to_scale
 from drawings.symbols.couples import HALF, THREE_QUARTERS, Couple
 from drawings.symbols.dashes import fitted
 from drawings.symbols.figure import Subject
+from drawings.symbols.force_arrow import ForceArrow, marked
 from drawings.symbols.symbols import ARROW_LENGTH, BLOCK, MASS, POINT, arrowhead, mass_centre
 from drawings.symbols.transmission import Gear
 
@@ -163,24 +165,30 @@ class Layout:
         return [one for one in found if one.length >= LEAST]
 
     @cached_property
-    def arrows(self) -> list[Held]:
+    def arrows(self) -> list[ForceArrow]:
         """The forces, placed among links and arms."""
         forces = self.shown.acting.forces
-        known = iter(lengths([abs(force.value) for force in forces if not force.unknown]))
-        spokes = [self._spoke(force, UNKNOWN if force.unknown else next(known)) for force in forces]
+        known = iter(lengths([abs(force.value) for force in forces if force.kind == KNOWN]))
+        sizes = [next(known) if force.kind == KNOWN else UNSIZED for force in forces]
+        arrows = [self._arrow(force, size) for force, size in zip(forces, sizes, strict=True)]
         box = self.box
         if box is not None:
             box = box.inset(self.drafting.hand.letter)
         spots = [self.place.on(spot) for spot in self.shown.named.values()]
-        return fanned(spokes, self._around, spots, box, self.hand)
+        return fan(arrows, [self._reach(force) for force in forces], self._around, spots, box, self.hand)
 
-    def _spoke(self, force: Force, length: float) -> Spoke:
-        direction = force.value / abs(force.value)
-        rim = BLOCK[1] / 2 * self.hand.symbol if force.pressing and self._on_block(force) else self._rim(force.spot)
-        at = self.place.on(force.at)
-        return Spoke(self.letter(force.name), at, direction, length, rim, force.unknown, force.pressing)
+    def _arrow(self, force: ShownForce, length: float) -> ForceArrow:
+        """Give a force's arrow at its point; that of a guide presses on its slider."""
+        at, size = self.place.on(force.at), length * self.hand.symbol
+        letter = self.letter(force.name)
+        return marked(letter, force.direction, at, size, force.kind == PRESSING, force.kind != KNOWN)
 
-    def _on_block(self, force: Force) -> bool:
+    def _reach(self, force: ShownForce) -> float:
+        """Give how far from a force's point symbols reach."""
+        pressing = force.kind == PRESSING and self._on_block(force)
+        return BLOCK[1] / 2 * self.hand.symbol if pressing else self._rim(force.spot)
+
+    def _on_block(self, force: ShownForce) -> bool:
         """Tell whether a guide's reaction meets its slider's block."""
         at, reach = self.place.on(force.at), BLOCK[0] / 2 * self.hand.symbol
         return any(abs(at - spot) <= reach for spot in self._blocks)
@@ -213,10 +221,10 @@ class Layout:
     @cached_property
     def couples(self) -> list[Couple]:
         """The moments as arcs: each faces where it crosses the fewest lines; one about a point is inside the next."""
-        drawn = Obstacles()
+        drawn = Ink()
         for stroke, weight in self._around:
             drawn.draw([stroke], weight)
-        drawn.draw((held.shaft for held in self.arrows), ARROW)
+        drawn.draw((arrow.shaft for arrow in self.arrows), ARROW)
         found: list[Couple] = []
         for moment in self.shown.acting.moments:
             at = self.place.on(moment.at)
@@ -225,7 +233,7 @@ class Layout:
             found.append(self._couple(moment, at, (least + APART * before) * self.hand.symbol, drawn))
         return found
 
-    def _couple(self, moment: Moment, at: complex, radius: float, drawn: Obstacles) -> Couple:
+    def _couple(self, moment: ShownMoment, at: complex, radius: float, drawn: Ink) -> Couple:
         letter = self.letter(moment.name)
         choices = [
             Couple(letter, at, moment.sense, radius, 2 * math.pi * k / FACINGS, sweep)
@@ -243,8 +251,8 @@ class Layout:
         if self.gear is not None and self.shown.wheel is not None:
             yield Group(self.gear.draw(hand, self.shown.wheel.whole))
         yield Group((*self.links, *self.marks))
-        leads = tuple(held.lead for held in self.arrows if held.lead is not None)
-        forces: tuple[Stroke, ...] = (*leads, *(held.arrow.draw(hand) for held in self.arrows))
+        leads = tuple(Line(arrow.lead, arrow.at, hand.drafted) for arrow in self.arrows if arrow.lead is not None)
+        forces: tuple[Stroke, ...] = (*leads, *(arrow.draw(hand) for arrow in self.arrows))
         yield from [Group(forces)] if forces else []
         couples = tuple(couple.draw(hand) for couple in self.couples)
         yield from [Group(couples)] if couples else []

@@ -17,8 +17,8 @@ from drawings.figures.linkage.skeleton import Poses, Skeletons
 from drawings.figures.linkage.stroke_dimension import stroke
 from drawings.figures.linkage.trajectories import trajectories
 from drawings.figures.linkage.vector_plan import written
+from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels, free_side
-from drawings.layout.obstacles import Obstacles
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
 from drawings.lettering.lettering import text_width
@@ -88,7 +88,7 @@ def layers(pairs: Pairs, language: str) -> list[Group]:
     blocks = [block for _, block in pairs.blocks]
     paths, positions = trajectories(bones, place, hand), [*_circle(bones, place, hand), *_positions(pairs)]
     extremes, lines = list(_extremes(pairs)), axes(bones, place, hand)
-    drawn = Obstacles()
+    drawn = Ink()
     drawn.draw([*body, *blocks, *stands])
     grounded = grounds(pairs, drawn)
     drawn.draw(grounded)
