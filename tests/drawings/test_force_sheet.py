@@ -10,12 +10,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from drawings.checks.reading import groups, texts
 from drawings.checks.verify import SelfCheckFailed
 from drawings.commands.draw import draw
 from drawings.lettering.lettering import lettered
 from drawings.measure.measure import measure_file
 from drawings.paper.strokes import Group, Leaf, Line, SheetError, Stroke, Text, stated
+from drawings.paper.walk import groups, texts
 from drawings.pens.svg import svg
 from drawings.sheets import forces
 from plans.checks.compare import compare
@@ -151,7 +151,7 @@ def test_a_force_plan_closes_on_the_paper_and_each_side_is_its_force_over_the_sc
     (tmp_path / "sheet.svg").write_bytes(svg(lettered(leaf)))
     measured = measure_file(tmp_path / "sheet.svg")
     sides = {one.name: one for one in measured.vectors if one.plan == "forces-4-5"}
-    told = " ".join(text.plain for group in leaf.groups if group.name == "equations-4-5" for text in texts(group))
+    told = " ".join(text.plain for group in leaf.groups if group.name == "equations-4-5" for text in texts((group,)))
     for name, plain in (("F_us", "Fus"), ("G_5", "G5"), ("R_05", "R05"), ("R_34", "R34"), ("R_54", "R54")):
         found = re.search(rf"{plain} = ([\d.]+) N", told)
         assert found is not None, name
@@ -164,7 +164,7 @@ def test_a_force_plan_closes_on_the_paper_and_each_side_is_its_force_over_the_sc
 def test_the_moments_of_the_equation_with_the_arms_as_stated_cancel(checked: Checked) -> None:
     """ΣM_D of rod 4: the stated forces by the stated arms and the stated couple give zero."""
     leaf = checked[3]
-    told = " ".join(text.plain for group in leaf.groups if group.name == "equations-4-5" for text in texts(group))
+    told = " ".join(text.plain for group in leaf.groups if group.name == "equations-4-5" for text in texts((group,)))
     value = {name: float(number) for name, number in re.findall(r"(\S+) = (-?[\d.]+)", told.replace("−", "-"))}
     arms = {"h1": value["h1"] / 1000, "h2": value["h2"] / 1000, "lBD": 0.2}
     total = 0.0
@@ -200,13 +200,13 @@ def test_each_force_plan_states_the_scale_that_it_is_drawn_to(checked: Checked, 
         for group in leaf.groups:
             if group.name.startswith("forces-"):
                 (scale,) = {one.scale for one in measured.vectors if group.name.startswith(f"{one.plan}-")}
-                assert any(text.plain == f"μF = {scale:g} N/mm" for text in texts(group))
+                assert any(text.plain == f"μF = {scale:g} N/mm" for text in texts((group,)))
 
 
 def test_a_russian_sheet_letters_reactions_as_it_is_told_and_has_decimal_commas() -> None:
     text = text_of("shaper", ("[friction]", '[sheet]\nlanguage = "ru"\nreactions = "P"\n\n[friction]'))
     _, _, (leaf,) = sheets_of(LinkageStudy(parse_scene(text)))
-    told = [text.plain for group in leaf.groups for text in texts(group)]
+    told = [text.plain for group in leaf.groups for text in texts((group,))]
     assert "Pτ34" in told
     assert not any(re.fullmatch(r"R[nτtu]?\d\d", one) for one in told)
     assert any(one.startswith("План сил группы 4-5") for one in told)
@@ -240,7 +240,7 @@ def test_the_force_sheet_of_each_kind_of_dyad_has_no_collisions(name: str, tmp_p
 def test_every_force_on_a_scheme_has_one_arrow(checked: Checked) -> None:
     leaf = checked[3]
     (scheme,) = (group for group in leaf.groups if group.name.startswith("scheme-4-5"))
-    arrows = [one.data["name"] for one in groups(scheme) if one.data.get("kind") == "force"]
+    arrows = [one.data["name"] for one in groups((scheme,)) if one.data.get("kind") == "force"]
     assert sorted(arrows) == sorted(["Φ_4", "G_4", "Φ_5", "G_5", "F_us", "R^n_34", "R^t_34", "R_05"])
 
 
@@ -257,7 +257,7 @@ def test_a_force_sheet_alone_draws_no_kinematics(tmp_path: Path) -> None:
 def test_a_balancing_moment_that_is_but_rounding_is_drawn_and_written_as_none() -> None:
     """A yoke twisted in its guide takes nothing from the crank: no diagram of roundings, no 0.0000000000002 N."""
     comparison, _, leaves = sheets_of(LinkageStudy(parse_scene(YOKE)))
-    told = [text.plain for leaf in leaves for group in leaf.groups for text in texts(group)]
+    told = [text.plain for leaf in leaves for group in leaf.groups for text in texts((group,))]
     assert not any(re.search(r"0\.00000000", one) for one in told)
     assert "Mbal = 0 N·m" in told
     assert comparison.agrees
@@ -320,7 +320,7 @@ def test_thirteen_links_have_indices_apart_and_their_rows_are_read() -> None:
         for leaf in leaves
         for group in leaf.groups
         if group.name.startswith("values")
-        for text in texts(group)
+        for text in texts((group,))
     ]
     assert "R12,13, N" in names
     assert "R1,12, N" in names

@@ -14,9 +14,10 @@ import numpy as np
 import pytest
 
 from drawings.figures.linkage.pairs import Pairs
-from drawings.figures.linkage.position_plan import figure, letters
+from drawings.figures.linkage.position_plan import layers, letters
 from drawings.figures.linkage.skeleton import Skeletons, skeletons
-from drawings.layout.labels import Ink, Labels
+from drawings.layout.ink import Ink
+from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, picture
 from drawings.layout.place import Place
 from drawings.lettering.extent import bounds
@@ -72,7 +73,7 @@ def drawn(name: str, hand: Hand = A1) -> Figure:
     measured = picture(name, bones.points, ("l", "m"), Margins(0.0, 0.0, 0.0), 0.0)
     place = measured.placed(ROOM, measured.ladder(ROOM.width, ROOM.height).rungs[0].scale)
     pairs = Pairs(bones, place, hand)
-    groups = figure(pairs, "en")
+    groups = layers(pairs, "en")
     ink = Ink(440, 440)
     ink.draw(groups)
     return Figure(
