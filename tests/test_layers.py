@@ -148,7 +148,9 @@ def test_what_is_allowed_is_let_pass(path: str, text: str) -> None:
 ROOMS = (
     ("geometry",),
     ("plans.model",),
+    ("plans.techniques",),
     ("plans.scene", "plans.analytic"),
+    ("plans.study", "plans.explanation"),
     ("plans.linkage", "plans.rotor"),
     ("plans.forces",),
     ("plans.checks", "plans.bench"),
@@ -157,7 +159,7 @@ ROOMS = (
     ("drawings.page", "drawings.files", "drawings.pens"),
     ("drawings.layout", "drawings.report"),
     ("drawings.symbols",),
-    ("drawings.figures.linkage", "drawings.figures.graphs"),
+    ("drawings.figures.linkage", "drawings.figures.graphs", "drawings.figures.rotor"),
     ("drawings.figures.forces",),
     ("drawings.checks", "drawings.sheets"),
     ("drawings.bench", "drawings.gallery"),
