@@ -9,8 +9,8 @@ from functools import cached_property
 
 from drawings.checks import reading
 from drawings.figures.rotor import across, along
-from drawings.figures.rotor.letters import index
-from drawings.figures.rotor.rotor_polygon import MANY
+from drawings.figures.rotor.letters import MOST, index
+from drawings.figures.rotor.rotor_polygon import sum_letters
 from drawings.figures.rotor.rotor_table import DIGITS, MASSES, NOTHING, RESULTS
 from drawings.measure.measure import Measured, MeasuredVector
 from drawings.page.drafting import Drafting, drafting_of
@@ -66,6 +66,17 @@ class Expected:
         arms = {name: self.rotor.arm(place) if plan == COUPLES else 1.0 for name, _, place in placed}
         return {letters(name): value * arms[name] for name, value, _ in placed if value * arms[name]}
 
+    def drawn(self, plan: str) -> Mapping[str, complex]:
+        """Give the vectors that a polygon shows: of more than can be told apart one for all masses."""
+        vectors, planes = self.vectors(plan), self.rotor.planes
+        letters = moment_letters if plan == COUPLES else unbalance_letters
+        closing = letters(planes[0 if plan == COUPLES else -1].name)
+        if len(vectors.keys() - {closing}) <= MOST:
+            return vectors
+        results = {letters(plane.name) for plane in planes} & vectors.keys()
+        masses = (value for name, value in vectors.items() if name not in results)
+        return {sum_letters(plan): sum(masses), **{name: vectors[name] for name in results}}
+
     def centres(self) -> Iterator[tuple[str, complex, float]]:
         """Give name, centre and place m of every mass and counterweight whose radius is known."""
         for one in self.rotor.masses:
@@ -80,7 +91,7 @@ class Expected:
 
 def _vectors(measured: Measured, plan: str, expected: Expected) -> Iterator[str]:
     """Hold the vectors of a polygon: each that must be there, none that is not, end to end, closed."""
-    true = expected.vectors(plan)
+    true = expected.drawn(plan)
     seen = {one.name: one for one in measured.vectors if one.plan == plan}
     scale = max((one.scale for one in seen.values()), default=0.0)
     arm = abs(expected.rotor.arm(expected.rotor.planes[0].place)) if plan == COUPLES else 1.0
@@ -90,9 +101,8 @@ def _vectors(measured: Measured, plan: str, expected: Expected) -> Iterator[str]
     for name, one in seen.items():
         if name in true and not abs(one.value - true[name]) <= slack:
             yield f"{name} on {plan} (against the analysis)"
-    if len(true) <= MANY:
-        yield from (f"{name} on {plan} is missing" for name in true if name not in seen)
-        yield from _open(list(seen.values()), plan, slack)
+    yield from (f"{name} on {plan} is missing" for name in true if name not in seen)
+    yield from _open(list(seen.values()), plan, slack)
 
 
 def _open(vectors: list[MeasuredVector], plan: str, slack: float) -> Iterator[str]:
@@ -112,7 +122,7 @@ def _points(measured: Measured, plan: str, expected: Expected) -> Iterator[str]:
             and not abs(one.value - true[name]) <= 1e-9 * abs(true[name]) + 2 * measured.quantum * one.scale
         ):
             yield f"{name} on {plan} (against the analysis)"
-    if len(expected.rotor.masses) + len(expected.rotor.planes) <= MANY:
+    if len(expected.rotor.masses) + len(expected.rotor.planes) <= MOST:
         yield from (f"{name} on {plan} is missing" for name in true.keys() - seen.keys())
 
 

@@ -13,6 +13,7 @@ from plans.rotor.letters import unbalance_letters
 
 GRAM_MILLIMETRES = 1e6  # of a kg*m
 PLACES = 5  # digits of results
+ANGLE = "\N{NO-BREAK SPACE}∠\N{NO-BREAK SPACE}"  # between the size of a vector and its direction
 
 
 def notes(rotor: Rotor, balance: Balance, drafting: Drafting) -> tuple[str, ...]:
@@ -40,7 +41,7 @@ def _sums(rotor: Rotor, balance: Balance, drafting: Drafting) -> Iterator[str]:
 def _vector(one: Resultant, unit: str, drafting: Drafting) -> str:
     """Write a vector by its size and direction; one that vanishes is 0."""
     size = f"{drafting.number(one.size, PLACES)} {drafting.word(unit)}"
-    return size if one.angle is None else f"{size} ∠ {drafting.number(one.angle, PLACES)}°"
+    return size if one.angle is None else f"{size}{ANGLE}{drafting.number(one.angle, PLACES)}°"
 
 
 def _counterweight(one: Correction, drafting: Drafting) -> str:

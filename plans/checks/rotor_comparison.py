@@ -44,7 +44,7 @@ class _Compared(NamedTuple):
     def sums(self) -> Iterator[Finding]:
         """Compare what is unbalanced."""
         yield _finding(COUPLES, "ΣmDh", "kg*m2", self.ours.couple, self.theirs.couple, self._largest_moment)
-        yield _finding(UNBALANCES, "ΣmD", "kg*m", self.ours.unbalance, self.theirs.unbalance, self._largest)
+        yield _finding(UNBALANCES, "ΣmD", "kg*m", self.ours.unbalance, self.theirs.unbalance, self._largest_mass)
 
     def corrections(self) -> Iterator[Finding]:
         """Compare the counterweights."""
@@ -73,9 +73,14 @@ class _Compared(NamedTuple):
             yield _vanishing("ΣmDh", "kg*m2", moments, slack * abs(float(last - first)))
 
     @property
+    def _largest_mass(self) -> float:
+        """The largest static moment kg*m that is to be balanced."""
+        return max(one.moment for one in self.rotor.masses)
+
+    @property
     def _largest(self) -> float:
         """The largest static moment kg*m of the polygon of forces."""
-        return max([one.moment for one in self.rotor.masses] + [abs(one.moment.value) for one in self.ours.corrections])
+        return max(self._largest_mass, *(abs(one.moment.value) for one in self.ours.corrections))
 
     @property
     def _largest_moment(self) -> float:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from drawings.figures.rotor.along import BESIDE, BODY, ORIGIN, SYMBOL, UNIT, body, origin
 from drawings.figures.rotor.dimension import dimension, extension
-from drawings.figures.rotor.letters import ALONE, index
+from drawings.figures.rotor.letters import ALONE, index, letter, size
 from drawings.figures.rotor.rotor_view import Body, RotorView
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
@@ -52,8 +52,8 @@ class AcrossFigure:
         hand = self.drafting.hand
         for one in () if self.shown.many else self.shown.bodies:
             spot, up = self.place.on(_side(one)), 1.2 if one.centre.imag >= 0 else -1.2
-            text = f"m_{{{index(one.name, self.drafting)}}}"
-            yield labels.beside(spot, text, hand.letter, BODY * hand.symbol + BESIDE, up)
+            text = letter(one.mark, len(self.shown.bodies), self.drafting)
+            yield labels.beside(spot, text, size(text, self.drafting), BODY * hand.symbol + BESIDE, up)
 
     def _planes(self, labels: Labels) -> Iterator[Stroke]:
         hand = self.drafting.hand
@@ -75,7 +75,7 @@ def measure(shown: RotorView, drafting: Drafting) -> Picture:
     """Measure the room that the view needs: the rotor, its ends, and the dimensions under it."""
     hand, levels = drafting.hand, len(_arms(shown))
     title = text_width(Text(0j, drafting.word("view across"), hand.title))
-    side, below, above = (size * hand.letter for size in MARGINS)
+    side, below, above = (share * hand.letter for share in MARGINS)
     under = below + FIRST * hand.symbol + levels * STEP * hand.number
     margins = Margins(side + END * hand.symbol, under, above + ABOVE * hand.symbol + 2 * hand.title + hand.text)
     corners = [complex(x, y) for x in (min(shown.places), max(shown.places)) for y in (-shown.reach, shown.reach)]
@@ -88,7 +88,7 @@ def draw(shown: RotorView, room: Picture, spot: Spot, drafting: Drafting) -> Acr
     title = heading(spot.box, drafting.word("view across"), drafting.scale(spot.scale), hand)
     lines = [*_shaft(shown, place, hand), *_shells(shown, place, hand), *_planes(shown, place, hand)]
     lines += [] if shown.many else [_stem(one, place, hand) for one in shown.bodies]
-    bodies = [body(one, _side(one), place, NAME, shown.many, drafting) for one in shown.bodies]
+    bodies = [body(shown, one, _side(one), place, NAME, drafting) for one in shown.bodies]
     arms = _dimensions(shown, place, drafting)
     base = complex(shown.planes[-1][1])
     zero = origin(NAME, base, place, pole(place.on(base)))
@@ -118,7 +118,7 @@ def _shaft(shown: RotorView, place: Place, hand: Hand) -> Iterator[Stroke]:
 
 def _shells(shown: RotorView, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw a bearing: a fixed line over the shaft and one under it (подшипник)."""
-    length, gap = (size * hand.symbol for size in SHELL)
+    length, gap = (share * hand.symbol for share in SHELL)
     for where in shown.bearings:
         for side in (1j, -1j):
             middle = place.on(complex(where)) + side * (SHAFT * hand.symbol + gap)

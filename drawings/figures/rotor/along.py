@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-from drawings.figures.rotor.letters import index
+from drawings.figures.rotor.letters import FEW, letter, size
 from drawings.figures.rotor.rotor_view import Body, RotorView
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
@@ -62,17 +62,17 @@ class AlongFigure:
     def _letter(self, labels: Labels, one: Body) -> Stroke:
         hand = self.drafting.hand
         gap = BODY * hand.symbol + BESIDE
-        text = f"m_{{{index(one.name, self.drafting)}}}"
-        return labels.beside(self.place.on(one.centre), text, hand.letter, gap, cmath.phase(one.centre))
+        text = letter(one.mark, len(self.shown.bodies), self.drafting)
+        return labels.beside(self.place.on(one.centre), text, size(text, self.drafting), gap, cmath.phase(one.centre))
 
 
 def measure(shown: RotorView, drafting: Drafting) -> Picture:
     """Measure the room that the view needs: a circle about the axis."""
     hand, reach = drafting.hand, shown.reach
     title = text_width(Text(0j, drafting.word("view along"), hand.title))
-    side, below, above = (size * hand.letter for size in MARGINS)
+    side, below, above = (share * hand.letter for share in MARGINS)
     margins = Margins(side, below, above + 2 * hand.title + hand.text)
-    least = hand.letter * max(LETTERS, EACH * (0 if shown.many else len(shown.bodies)))
+    least = hand.letter * max(LETTERS, EACH * min(len(shown.bodies), FEW))
     corners = [complex(x, y) for x in (-reach, reach) for y in (-reach, reach)]
     return picture(NAME, corners, (SYMBOL, UNIT), margins, title, least)
 
@@ -84,7 +84,7 @@ def draw(shown: RotorView, room: Picture, spot: Spot, drafting: Drafting) -> Alo
     title = heading(spot.box, drafting.word("view along"), under, hand)
     lines = [*_axes(shown, place, hand), *_turning(shown, place, hand)]
     lines += [] if shown.many else [_spoke(one, place, hand) for one in shown.bodies]
-    bodies = (body(one, one.centre, place, NAME, shown.many, drafting) for one in shown.bodies)
+    bodies = (body(shown, one, one.centre, place, NAME, drafting) for one in shown.bodies)
     (circle,) = hinge(place.on(0j), hand)
     axis = origin(NAME, 0j, place, circle)
     return AlongFigure(shown, place, (title, *lines, axis, *bodies), drafting)
@@ -110,16 +110,15 @@ def _spoke(one: Body, place: Place, hand: Hand) -> Stroke:
     return Line(*ends, style if one.known else fit(style._replace(dash=hand.dashed), abs(ends[1] - ends[0])))
 
 
-def body(one: Body, centre: complex, place: Place, plan: str, small: bool, drafting: Drafting) -> Group:
+def body(shown: RotorView, one: Body, centre: complex, place: Place, plan: str, drafting: Drafting) -> Group:
     """Draw a mass as a circle, a counterweight as a black one; measurable where its radius is known."""
-    hand = drafting.hand
-    style = INK if one.added or small else LineStyle(hand.main, fill="#ffffff")
-    circle = Circle(place.on(centre), (DOT if small else BODY) * hand.symbol, style)
-    name = f"m_{one.name}"
-    if small or not one.known:  # many masses bear no letters; the table has them
-        return Group((circle,), "", {}, name)
-    drawn = point(Subject(plan, QUANTITY, None), name, centre, place, circle)
-    return replace(drawn, title=f"m_{{{index(one.name, drafting)}}}")
+    hand, many = drafting.hand, shown.many
+    style = INK if one.added or many else LineStyle(hand.main, fill="#ffffff")
+    circle = Circle(place.on(centre), (DOT if many else BODY) * hand.symbol, style)
+    if many or not one.known:  # too many masses bear no letters; the table has them
+        return Group((circle,), "", {}, one.mark)
+    drawn = point(Subject(plan, QUANTITY, None), one.mark, centre, place, circle)
+    return replace(drawn, title=letter(one.mark, len(shown.bodies), drafting))
 
 
 def origin(plan: str, zero: complex, place: Place, circle: Circle) -> Group:

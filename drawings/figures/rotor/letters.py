@@ -7,6 +7,7 @@ import re
 from drawings.page.drafting import Drafting
 
 ALONE = "cw"  # the name of the only plane of correction
+FEW, MOST = 9, 40  # masses: of more each is numbered alone; of more still the table alone tells them apart
 _INDEX = re.compile(r"_([^_]+?)(?=[Dh]_|$)")
 
 
@@ -18,3 +19,16 @@ def lowered(name: str, drafting: Drafting) -> str:
 def index(name: str, drafting: Drafting) -> str:
     """Give the index of a mass or a plane."""
     return drafting.word("counterweight index") if name == ALONE else name
+
+
+def letter(name: str, count: int, drafting: Drafting) -> str:
+    """Letter one of so many vectors: with its letters, or of many masses by the number of its mass alone."""
+    number = _INDEX.search(name)
+    if count > FEW and number is not None and number[1].isdigit():
+        return number[1]
+    return lowered(name, drafting)
+
+
+def size(text: str, drafting: Drafting) -> float:
+    """Give the size of a letter, mm: numbers alone are smaller."""
+    return drafting.hand.number if text.isdigit() else drafting.hand.letter

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import cmath
-from collections.abc import Iterator
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
-from drawings.figures.rotor.letters import lowered
+from drawings.figures.rotor.letters import FEW, MOST, letter, lowered, size
 from drawings.layout.labels import Labels
 from drawings.layout.parallel_offsets import APART, Box, Segment, lanes, moved
 from drawings.layout.picture import Margins, Picture, Spot, picture
@@ -19,7 +19,7 @@ from drawings.page.drafting import Drafting
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
 from drawings.paper.limits import SEEN
-from drawings.paper.strokes import INK, LEAN, Circle, Group, Line, LineStyle, Stroke, Text
+from drawings.paper.strokes import LEAN, Group, Line, LineStyle, Stroke, Text
 from drawings.symbols.figure import Subject, heading, point
 from drawings.symbols.symbols import arrowhead, pole
 from plans.rotor.balancing import COUPLES
@@ -33,8 +33,7 @@ LETTERS, EACH = 14.0, 1.8  # a polygon is drawn at least so many letters large, 
 BESIDE = 0.9  # mm from a vector to its letter
 ROOM = 4.7 + 1.9j  # width + 1j * height of a letter between two lanes, in its sizes, with what it keeps clear of them
 PAST = 1.0  # mm that the thin lines to a lane run past it
-MANY = 24  # vectors: of more only the results are lettered and measured, and the table has the others
-DOT = 0.4  # mm, radius of a corner
+SUM = "Σ"  # before the letters of all vectors together, that stand for more than can be told apart
 
 
 class Vector(NamedTuple):
@@ -64,11 +63,6 @@ class Polygon(NamedTuple):
         return [0j, *(end for one in self.vectors for end in (one.start, one.end))]
 
     @property
-    def many(self) -> bool:
-        """Whether there are too many vectors to letter each."""
-        return len(self.vectors) > MANY
-
-    @property
     def subject(self) -> Subject:
         """What its marks belong to."""
         return Subject(self.plan, self.symbol[0].strip("{}"), None)
@@ -80,7 +74,7 @@ class Polygon(NamedTuple):
 
     def faint(self, mu: float) -> tuple[str, ...]:
         """Name the vectors that are not to be seen at a scale: a sheet lists them beside."""
-        return tuple(one.name for one in self.vectors if abs(one.value) < SEEN * mu and (one.found or not self.many))
+        return tuple(one.name for one in self.vectors if abs(one.value) < SEEN * mu)
 
 
 def polygon(drawn: Construction, names: frozenset[str] = frozenset()) -> Polygon:
@@ -89,10 +83,24 @@ def polygon(drawn: Construction, names: frozenset[str] = frozenset()) -> Polygon
         Vector(side.vector.name, complex(side.start.point), complex(side.vector.point), side.vector.name in names)
         for side in drawn.sides
     ]
+    if len(vectors) > MOST:
+        vectors = _together(vectors, drawn.board.subject)
     if not drawn.closed:
         start = vectors[-1].end if vectors else 0j
         vectors.append(Vector(drawn.closing.name, start, complex(drawn.closing.point), True))
     return Polygon(drawn.board.subject, tuple(vectors), drawn.closed)
+
+
+def _together(vectors: Sequence[Vector], plan: str) -> list[Vector]:
+    """Draw one vector for all that are no results."""
+    found = [one for one in vectors if one.found]
+    end = found[0].start if found else vectors[-1].end
+    return [Vector(sum_letters(plan), 0j, end), *found]
+
+
+def sum_letters(plan: str) -> str:
+    """Letter all vectors of a polygon together."""
+    return SUM + SYMBOLS.get(plan, SYMBOL)[0].strip("{}")
 
 
 class LaidVector(NamedTuple):
@@ -120,8 +128,8 @@ class PolygonFigure:
         letters = [labels.beside(self.place.on(0j), "0", self.drafting.hand.letter, 1.6, -cmath.pi / 4)]
         for one, (start, end), shift in sorted(self.arrows, key=lambda arrow: abs(arrow.vector.value)):
             outward = shift or (start + end) / 2 - middle or 1j
-            text, size = lowered(one.name, self.drafting), self.drafting.hand.letter
-            letters.append(labels.along(start, end, text, size, BESIDE, cmath.phase(outward)))
+            text = letter(one.name, len(self.shown.vectors), self.drafting)
+            letters.append(labels.along(start, end, text, size(text, self.drafting), BESIDE, cmath.phase(outward)))
         return (Group((*self.lines, Group(tuple(letters))), self.shown.plan),)
 
 
@@ -131,9 +139,9 @@ def measure(shown: Polygon, drafting: Drafting) -> Picture:
     title = text_width(Text(0j, _title(shown, drafting), hand.title)) + 2 * LEAN * hand.title
     wide, high = float(np.ptp(points.real)), float(np.ptp(points.imag))
     beside = 2 * APART * hand.symbol if min(wide, high) < FLAT * max(wide, high) else 0.0
-    side, below, above = (size * hand.letter + beside for size in MARGINS)
+    side, below, above = (share * hand.letter + beside for share in MARGINS)
     margins = Margins(side, below, above + 2 * hand.title + hand.text)
-    least = hand.letter * max(LETTERS, EACH * min(len(shown.vectors), MANY))
+    least = hand.letter * max(LETTERS, EACH * min(len(shown.vectors), FEW))
     return picture(shown.plan, shown.points, shown.symbol, margins, title, least)
 
 
@@ -142,9 +150,6 @@ def draw(shown: Polygon, room: Picture, spot: Spot, drafting: Drafting) -> Polyg
     place, hand = room.placed(*spot), drafting.hand
     title = heading(spot.box, _title(shown, drafting), _under(shown, spot, drafting), hand)
     zero = point(shown.subject, "0", 0j, place, pole(place.on(0j)), "pole")
-    if shown.many:
-        ends = [LaidVector(one, (place.on(one.start), place.on(one.end)), 0j) for one in shown.vectors if one.found]
-        return PolygonFigure(shown, place, (title, *_chain(shown, place, drafting), zero), tuple(ends), drafting)
     order = sorted(shown.vectors, key=lambda one: (not one.found, -abs(one.value)))
     seen = [one for one in order if place.length(abs(one.value)) >= SEEN]
     segments = [(place.on(one.start), place.on(one.end)) for one in seen]
@@ -170,18 +175,7 @@ def _side(shown: Polygon, one: LaidVector, place: Place, drafting: Drafting) -> 
     head = arrowhead(*one.ends, hand.symbol)
     strokes = (Line(*one.ends, style),) if head is None else (Line(*one.ends, style), head)
     data = shown.subject.data("vector", vector.name, vector.value, place.scale)
-    return Group(strokes, "", data, lowered(vector.name, drafting))
-
-
-def _chain(shown: Polygon, place: Place, drafting: Drafting) -> Iterator[Stroke]:
-    """Draw many vectors as a thin chain with its corners dotted, and of the results those that close it."""
-    for one in shown.vectors:
-        ends = place.on(one.start), place.on(one.end)
-        if one.found:
-            yield _side(shown, LaidVector(one, ends, 0j), place, drafting)
-        else:
-            yield Line(*ends, LineStyle(drafting.hand.thin))
-            yield Circle(ends[1], DOT * drafting.hand.symbol, INK)
+    return Group(strokes, "", data, letter(vector.name, len(shown.vectors), drafting))
 
 
 def _carried(segments: list[Segment], shifts: list[complex], hand: Hand) -> list[Stroke]:

@@ -7,10 +7,10 @@ import math
 from fractions import Fraction
 from typing import NamedTuple
 
+from drawings.figures.rotor.letters import MOST
 from plans.model.rotor import Balance, Rotor
 
 NOMINAL = 0.8  # of the largest known radius: where a mass without one is drawn
-MANY = 24  # masses: of more the letters hide the rotor, and the table has them
 
 
 class Body(NamedTuple):
@@ -25,6 +25,11 @@ class Body(NamedTuple):
     arm: float  # m, from the last plane of correction
     added: bool
     known: bool
+
+    @property
+    def mark(self) -> str:
+        """Its letters: m_1."""
+        return f"m_{self.name}"
 
 
 class RotorView(NamedTuple):
@@ -48,7 +53,7 @@ class RotorView(NamedTuple):
     @property
     def many(self) -> bool:
         """Whether there are too many masses to letter each."""
-        return len(self.bodies) > MANY
+        return len(self.bodies) > MOST
 
     @property
     def places(self) -> list[float]:
