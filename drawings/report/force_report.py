@@ -11,6 +11,7 @@ from drawings.lettering.words import number, runs
 from drawings.report.chapters import Chapters
 from drawings.report.gap_lines import gap_lines
 from plans.checks.force_comparison import ForceComparison
+from plans.forces.reading.form import ForceForm
 from plans.forces.statics import Statics
 from plans.model.kinetostatics import FORCES, Kinetostatics
 from plans.model.losses import Friction
@@ -41,7 +42,8 @@ def headline(study: Study) -> str:
 
 def idle(scene: Scene) -> list[str]:
     """Say what a scene gives of forces that its sheets do not need."""
-    if not scene.masses and scene.loads is None:
+    form = scene.of(ForceForm)
+    if not form.masses and form.loads is None:
         return ["- Masses and loads: the sheet does not need them and the scene gives none."]
     return ["- Masses and loads of the scene: a kinematics sheet does not need them."]
 
