@@ -172,10 +172,6 @@ UPWARD = {
 # The one import that still closes a circle of files, with the reason.
 CIRCLE = {
     ("drawings/commands/process.py", "drawings/commands/cli.py"): "signals are caught before the command is imported",
-    (
-        "plans/scene/scene.py",
-        "plans/scene/linkage.py",
-    ): "faults of meaning are told with those of form, by what reads it",
 }
 MOST = 25  # files in a room: more are not known by heart
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from geometry.errors import DraftError, LimitError
-from plans.scene.linkage import mechanism_of
+from plans.linkage.reading.linkage import mechanism_of
 from plans.scene.scene import read_scene
 
 SCENES = sorted(Path(__file__).parent.glob("*.toml"))

@@ -280,7 +280,7 @@ def test_an_offset_slide_is_joined_to_its_block_square_and_rigidly(name: str, pi
     assert len(bracket) == 1 and shape(bracket[0]).distance(shape(block)) < HAIR  # type: ignore[attr-defined]
     fills = [s for s in found.strokes("shown-position") if isinstance(s, Fill)]
     assert sum(shape(fill).distance(shape(block)) < HAIR for fill in fills) == 2  # type: ignore[attr-defined]
-    offset = found.place.length(abs(float(found.bones.study.scene.mechanism.slides[0].offset)))
+    offset = found.place.length(abs(float(found.bones.study.form.mechanism.slides[0].offset)))
     assert abs(np.mean(block.points) - circle.centre) == pytest.approx(offset)  # type: ignore[arg-type]
 
 
