@@ -12,6 +12,7 @@ from itertools import pairwise
 from pathlib import Path
 from xml.etree import ElementTree
 
+import numpy as np
 import pytest
 import svgwrite
 from hypothesis import given
@@ -39,6 +40,7 @@ from drawings.paper.strokes import (
     Text,
 )
 from drawings.pens import svg as pen
+from plans.model.motion import Complexes, Floats
 
 NS = "{http://www.w3.org/2000/svg}"
 THIN = LineStyle(width=0.25)
@@ -203,13 +205,13 @@ def followed(path: str) -> list[complex]:
     return [complex(point.real, 297 - point.imag) for point in points]
 
 
-def off(point: complex, line: Polyline) -> float:
-    """How far a point is from a chain of lines."""
+def off(points: Complexes, line: Polyline) -> Floats:
+    """How far points are from a chain of lines."""
     closed = (*line.points, line.points[0]) if line.closed else line.points
-    best = math.inf
+    best = np.full(len(points), math.inf)
     for a, b in pairwise(closed):
-        along = (point - a) / (b - a) if b != a else 0j
-        best = min(best, abs(along - min(max(along.real, 0), 1)) * abs(b - a))
+        along = ((points - a) / (b - a)).real if b != a else np.zeros(len(points))
+        best = np.minimum(best, np.abs(points - a - np.clip(along, 0, 1) * (b - a)))
     return best
 
 
@@ -222,13 +224,12 @@ def test_letters_stand_where_the_alphabet_has_them(content: str, anchor: str, sl
     text = Text(123.4567 + 98.7654j, 5 * content, 5.0, anchor, slanted, rotation)  # type: ignore[arg-type]
     [element] = written(text)
     paths = [element] if element.tag == f"{NS}path" else list(element)
-    drawn_points = [point for path in paths for point in followed(path.get("d", ""))]
+    points = np.array([point for path in paths for point in followed(path.get("d", ""))])
     lines = outline(text)
     chord = FLATNESS * 0.5 * 1.3  # by so much a chord may miss its curve in letters of 5 mm, and more where they lean
-    for point in drawn_points:
-        assert min(off(point, line) for line in lines) <= chord + 0.0056 * math.sqrt(2)
-    for true in (point for line in lines for point in line.points):
-        assert min(abs(point - true) for point in drawn_points) <= 0.15  # the curves' own points are 0.2 mm apart
+    assert np.min([off(points, line) for line in lines], axis=0).max() <= chord + 0.0056 * math.sqrt(2)
+    for line in lines:  # the curves' own points are 0.2 mm apart
+        assert np.abs(np.array(line.points)[:, None] - points).min(axis=1).max() <= 0.15
 
 
 def test_a_text_is_one_path_or_one_for_each_pen() -> None:
