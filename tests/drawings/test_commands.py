@@ -29,6 +29,7 @@ from drawings.paper.strokes import Group, Leaf, Line, Stroke
 from drawings.pens import svg as pen
 from plans.checks import compare as comparing
 from plans.model.motion import Motion
+from tests.rows import over
 
 ROOT = Path(__file__).parent.parent.parent
 GALLERY = sorted((ROOT / "drawings/gallery").glob("*.toml"))
@@ -448,7 +449,7 @@ def test_an_unknown_mark_is_answered_with_the_nearest_one(run: Run) -> None:
     assert "did you mean v_D?" in err
 
 
-@pytest.mark.parametrize("position", [-1, 12, 999999999999])
+@over("position", [-1, 12, 999999999999])
 def test_a_position_out_of_range_is_answered_with_the_range(run: Run, position: int) -> None:
     code, out, err = run("explain", SHAPER, "B", f"--position={position}")
     assert (code, out) == (3, "")
@@ -595,7 +596,7 @@ def test_a_group_without_a_sketch_ends_with_3_and_what_to_add(run: Run, tmp_path
     assert "sketch" in err
 
 
-@pytest.mark.parametrize("scene", CATALOGUE, ids=lambda scene: scene.stem)
+@over("scene", CATALOGUE)
 def test_a_scene_of_the_catalogue_ends_the_command_as_its_header_says(run: Run, scene: Path) -> None:
     expected = re.search(r"# expect (\d+)", scene.read_text("utf-8", "replace"))
     assert expected

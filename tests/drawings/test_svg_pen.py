@@ -41,6 +41,7 @@ from drawings.paper.strokes import (
 )
 from drawings.pens import svg as pen
 from plans.model.motion import Complexes, Floats
+from tests.rows import over
 
 NS = "{http://www.w3.org/2000/svg}"
 THIN = LineStyle(width=0.25)
@@ -155,7 +156,7 @@ def test_levels_are_moved_by_dy_and_returned() -> None:
     assert b"baseline-shift" not in pen.svg(leaf(Text(0j, "v_B")))
 
 
-@pytest.mark.parametrize("content", ["План скоростей", "a^n_{BA}", "ω₂ = 3,5 с⁻¹"])
+@over("content", ["План скоростей", "a^n_{BA}", "ω₂ = 3,5 с⁻¹"])
 def test_text_is_as_long_as_our_own_letters_would_be(content: str) -> None:
     letters = Text(0j, content, 5.0, slanted=True)
     [text] = drawn(letters)
@@ -215,10 +216,8 @@ def off(points: Complexes, line: Polyline) -> Floats:
     return best
 
 
-@pytest.mark.parametrize("content", ["Щука, 10·φ", "a^n_{BA}", "i, j: й ẍ", "oО8@&"])
-@pytest.mark.parametrize(
-    ("anchor", "slanted", "rotation"), [("start", False, 0.0), ("middle", True, 0.0), ("end", True, 90)]
-)
+@over("content", ["Щука, 10·φ", "a^n_{BA}", "i, j: й ẍ", "oО8@&"])
+@over("anchor, slanted, rotation", [("start", False, 0.0), ("middle", True, 0.0), ("end", True, 90)])
 def test_letters_stand_where_the_alphabet_has_them(content: str, anchor: str, slanted: bool, rotation: float) -> None:
     """To a hundredth of a millimetre, wherever in a letter and however far along the text: nothing adds up."""
     text = Text(123.4567 + 98.7654j, 5 * content, 5.0, anchor, slanted, rotation)  # type: ignore[arg-type]
@@ -298,7 +297,7 @@ def test_stated_numbers_keep_twelve_digits(value: float) -> None:
     assert float(text) == pytest.approx(value, rel=1e-11, abs=0)
 
 
-@pytest.mark.parametrize("bad", [math.nan, math.inf, -math.inf, 1e22])
+@over("bad", [math.nan, math.inf, -math.inf, 1e22])
 def test_no_place_on_paper_is_refused(bad: float) -> None:
     for stroke in (
         Line(complex(bad, 0), 1j),

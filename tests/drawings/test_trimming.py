@@ -15,6 +15,7 @@ from drawings.paper.strokes import Arc, Circle, Line, LineStyle, Polyline, Strok
 from drawings.symbols.dashes import fit
 from drawings.symbols.symbols import block, ground, gusset, slot
 from drawings.symbols.trimming import Mask, trimmed
+from tests.rows import over
 
 shapely = pytest.importorskip("shapely")
 
@@ -87,8 +88,8 @@ def test_dashes_fill_a_line_of_any_length(size: float, closed: bool) -> None:
         assert tuple(rest) == style.dash[1:]
 
 
-@pytest.mark.parametrize("turn", [1, 1j, -1, -1j, cmath.rect(1, 0.7)])
-@pytest.mark.parametrize("size", [12.0, 28.0, 28.7])
+@over("turn", [1, 1j, -1, -1j, cmath.rect(1, 0.7)])
+@over("size", [12.0, 28.0, 28.7])
 def test_the_hatching_of_a_ground_is_equal_and_within_its_base(turn: complex, size: float) -> None:
     for side in (1j, -1j):
         base, *hatch = ground(0j, size * turn, side * turn, HAND)
