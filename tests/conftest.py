@@ -8,6 +8,7 @@ import pytest
 from hypothesis import settings
 
 from tests import parts
+from tests.parts import SEEDED
 
 settings.register_profile("same", derandomize=True, deadline=None)
 settings.load_profile("same")
@@ -24,13 +25,14 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    parts.whole = config.getoption("whole")
+    whole = config.getoption("whole")
+    parts.whole = whole or config.getoption("--hypothesis-profile") == SEEDED
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     kept: dict[bool, list[pytest.Item]] = {True: [], False: []}
     for item in items:
         names = {mark.name for mark in item.iter_markers()}
-        kept[bool(names & {"part", "rest"}) if parts.whole else "rest" not in names].append(item)
+        kept[bool(names & {"part", "rest"}) if config.getoption("whole") else "rest" not in names].append(item)
     config.hook.pytest_deselected(items=kept[False])
     items[:] = kept[True]

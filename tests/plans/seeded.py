@@ -16,16 +16,18 @@ from typing import Any, NamedTuple
 import pytest
 from hypothesis import Phase, settings
 
+from tests.parts import SEEDED
+
 ROOT = Path(__file__).parents[2]
 FOLDER = "tests/plans"  # of the tests that the table names
 OWN = ("geometry", "plans", "drawings", "tests")
 # The first example that fails is enough: none is looked for that is smaller.
 settings.register_profile(
-    "seeded", derandomize=True, deadline=None, phases=(Phase.explicit, Phase.generate), report_multiple_bugs=False
+    SEEDED, derandomize=True, deadline=None, phases=(Phase.explicit, Phase.generate), report_multiple_bugs=False
 )
 # A run within a run, as bare as it can be; what is imported already stays as it is.
 BARE = (
-    *("-q", "--tb=no", "--assert=plain", "--hypothesis-profile=seeded", "-o", "addopts=--import-mode=importlib"),
+    *("-q", "--tb=no", "--assert=plain", f"--hypothesis-profile={SEEDED}", "-o", "addopts=--import-mode=importlib"),
     *("-W", "ignore::pytest.PytestAssertRewriteWarning"),
     *(f"-pno:{plugin}" for plugin in ("cacheprovider", "faulthandler", "unraisableexception", "threadexception")),
 )

@@ -29,6 +29,7 @@ def test_every_fault_still_finds_the_text_that_it_replaces():
         assert fault.text
 
 
+@pytest.mark.rest
 def test_a_harmless_change_is_seen_by_none_of_them():
     nodes = sorted({node for fault in FAULTS for node in fault.nodes})
     assert verdicts(HARMLESS, nodes) == dict.fromkeys(nodes, "passed")
