@@ -749,19 +749,21 @@ def test_a_terminal_without_greek_letters_ends_no_command(tmp_path: Path) -> Non
 
 
 WAYS: dict[str, dict[str, Any]] = {
-    "hash seed 0": {"PYTHONHASHSEED": "0"},
-    "hash seed 1": {"PYTHONHASHSEED": "1"},
-    "C locale": {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"},
-    "another zone": {"TZ": "Asia/Tokyo"},
-    "without asserts": {"options": ("-O",)},
-    "another folder": {},
+    "hash seed 0, without asserts": {"PYTHONHASHSEED": "0", "options": ("-O",)},
+    "hash seed 1, C locale, another zone, another folder": {
+        "PYTHONHASHSEED": "1",
+        "LC_ALL": "C",
+        "PYTHONUTF8": "0",
+        "PYTHONCOERCECLOCALE": "0",
+        "TZ": "Asia/Tokyo",
+    },
 }
 
 
 @pytest.mark.parametrize("way", WAYS)
 def test_the_same_scene_gives_the_same_bytes(run: Run, tmp_path: Path, way: str) -> None:
     run("draw", SHAPER, "-o", tmp_path / "here")
-    cwd = tmp_path if way == "another folder" else ROOT
+    cwd = tmp_path if "another folder" in way else ROOT
     done = process("draw", SHAPER, "-o", tmp_path / "there", cwd=cwd, **WAYS[way])
     assert done.returncode == 0, done.stderr
     for file in (tmp_path / "here").iterdir():
