@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -18,6 +18,7 @@ from plans.checks.compare import Comparison
 from plans.checks.expected import Expected
 from plans.linkage.study import LinkageStudy
 from plans.model.motion import ORDERS, POINT_KEYS
+from plans.words.words import message
 
 if TYPE_CHECKING:
     from plans.forces.statics import Statics
@@ -38,7 +39,7 @@ def verify(
     try:
         measured = measure_file(path)
     except SheetRefused as refused:
-        raise SelfCheckFailed(f"the written sheet cannot be measured: {refused}") from refused
+        raise SelfCheckFailed(message("check.unmeasured", refusal=refused)) from refused
     wrong = [f"{miss.key.name} on {miss.key.plan}" for miss in check(measured)]
     if leaf.metadata["sheet"] == "forces":
         from drawings.checks.verify_forces import forces_of, table_names  # noqa: PLC0415  (only a force sheet pays for it)
@@ -56,8 +57,7 @@ def verify(
             wrong += reading.table(group, names, positions)
     wrong += unlettered(leaf)
     if wrong:
-        more = f" and {len(wrong) - TOLD} more" if len(wrong) > TOLD else ""
-        raise SelfCheckFailed(f"the written sheet does not measure back: {', '.join(wrong[:TOLD])}{more}")
+        raise SelfCheckFailed(message("check.sheet", marks=first_of(wrong)))
     return measured
 
 
@@ -67,7 +67,13 @@ def check_report(text: str, comparison: Comparison) -> None:
 
     wrong = list(report_of(text, comparison))
     if wrong:
-        raise SelfCheckFailed(f"the report does not tell what the analysis gives: {', '.join(wrong[:TOLD])}")
+        raise SelfCheckFailed(message("check.report", marks=first_of(wrong)))
+
+
+def first_of(wrong: Sequence[str]) -> object:
+    """Name the first of what is wrong, and how much more there is."""
+    named, more = ", ".join(wrong[:TOLD]), len(wrong) - TOLD
+    return message("check.more", marks=named, count=more) if more > 0 else named
 
 
 def _kinematics(measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: Comparison) -> Iterator[str]:

@@ -182,7 +182,9 @@ def _run(arguments: Sequence[str] | None, options: argparse.Namespace) -> int:
 def _open_stdout() -> None:
     """Let every sign through a stdout that lacks it; where there is no stdout, data has nowhere to go."""
     if sys.stdout is None:
-        raise OSError("standard output is closed: there is nowhere to print")
+        from plans.words.words import message
+
+        raise OSError(message("file.stdout"))
     if isinstance(sys.stdout, io.TextIOWrapper):
         sys.stdout.reconfigure(errors="backslashreplace")
 

@@ -24,7 +24,7 @@ from plans.checks.compare import Comparison, compare, compare_extremes
 from plans.linkage.study import LinkageStudy
 from plans.model.motion import ORDERS
 from plans.scene.scene import Scene, read_scene
-from plans.scene.wording import said
+from plans.words.words import Message, message, placed
 
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
@@ -54,7 +54,7 @@ def run(options: argparse.Namespace) -> int:
     for path in drawn.paths:
         print(path)
     for path in _earlier(drawn, options.output):
-        _say(drawn.study.scene, f"{path}: left by an earlier run with more sheets; it belongs to none of these")
+        _say(drawn.study.scene, placed(path, message("file.earlier")))
     if options.trace:
         tell(trace.told(drawn.study.made))
     return max(_verdict(drawn.study, drawn.comparison), _jams(drawn))
@@ -105,10 +105,8 @@ def _compared(study: LinkageStudy, statics: Statics | None) -> Comparison:
 def _construct(study: LinkageStudy) -> None:
     """Make all plans that the sheet needs."""
     if len(study.turn) > POSITIONS_DRAWN:
-        raise LimitError(
-            f"{study.scene.file}: drive.positions = {len(study.turn)}: a sheet shows at most {POSITIONS_DRAWN}. "
-            "Fix: fewer positions, or plandraft solve for the numbers alone"
-        )
+        where = f"{study.scene.file}: drive.positions = {len(study.turn)}"
+        raise LimitError(placed(where, message("limit.sheet", most=POSITIONS_DRAWN)))
     _ = study.found, study.drafts().accelerations  # each is made when it is asked for
 
 
@@ -120,7 +118,7 @@ def _demand(scene: Scene) -> None:
         except UnknownLetter as unknown:
             line, column = scene.place(path)
             where = f"{scene.file}:{line}:{column}: {'.'.join(map(str, path))}"
-            raise SheetError(f"{where}: {unknown}") from None
+            raise SheetError(placed(where, unknown.args[0])) from None
 
 
 def _own_words(scene: Scene) -> Iterator[tuple[tuple[str | int, ...], str]]:
@@ -142,24 +140,12 @@ def _agree(comparison: Comparison) -> None:
     from drawings.checks.verify import SelfCheckFailed
 
     for road, gap in comparison.alone[:1]:
-        said_of = f"position {gap.position} ({gap.plan}: {gap.reason})"
-        raise SelfCheckFailed(
-            f"construction gives up {said_of} and analysis does not; the sheet is withheld"
-            if road.by == "construction"
-            else f"analysis gives up {said_of} and construction does not; the sheet is withheld"
-        )
+        raise SelfCheckFailed(message(f"check.{road.by}", position=gap.position, plan=gap.plan, reason=gap.reason))
     if not comparison.agrees:
         worst = max(comparison.findings, key=lambda finding: float(finding.excess.max()))
         if worst.plan == ORDERS[0]:
-            raise SelfCheckFailed(
-                f"construction and analysis assemble the mechanism in two ways (they differ in {worst.name}); "
-                "the sheet is withheld. Fix: show more points in mechanism.sketch, nearer to where they are at the "
-                "first position"
-            )
-        raise SelfCheckFailed(
-            f"construction and analysis differ in {worst.name}: {float(worst.excess.max()):.3g} times the allowed "
-            "difference; the sheet is withheld"
-        )
+            raise SelfCheckFailed(message("check.assembly", name=worst.name))
+        raise SelfCheckFailed(message("check.differ", name=worst.name, times=f"{float(worst.excess.max()):.3g}"))
 
 
 def _sheets(study: LinkageStudy, comparison: Comparison, statics: Statics | None, folder: Path, trace: Trace) -> Drawn:
@@ -185,15 +171,15 @@ def _sheets(study: LinkageStudy, comparison: Comparison, statics: Statics | None
             for path, leaf in zip(paths, sheets, strict=True):
                 verify(written[path], leaf, study, comparison, statics)
         for path in publish(folder, manifest, written):
-            _say(scene, f"{path}: of an earlier run with more sheets; removed")
+            _say(scene, placed(path, message("file.surplus")))
     return Drawn(study, comparison, statics, tuple(sheets), tuple(contents))
 
 
-def _strangers(scene: Scene, folder: Path) -> Iterator[str]:
+def _strangers(scene: Scene, folder: Path) -> Iterator[Message]:
     """Tell what the last run of a scene has written otherwise than it now is."""
     last = read_manifest(folder / manifest_name(_stem(scene)))
     for name in last.strangers(folder) if last is not None else ():
-        yield f"{folder / name}: not as it was drawn: changed since, or its run was stopped; the set is drawn anew"
+        yield placed(folder / name, message("file.changed"))
 
 
 def _leaves(kind: str, study: LinkageStudy, comparison: Comparison, statics: Statics | None) -> tuple[Leaf, ...]:
@@ -215,8 +201,8 @@ def _stem(scene: Scene) -> str:
     return Path(os.fspath(scene.file)).stem
 
 
-def _say(scene: Scene, message: str) -> None:
-    tell(said(message, scene.sheet.language))
+def _say(scene: Scene, saying: Message) -> None:
+    tell(saying.worded(scene.sheet.language))
 
 
 def _earlier(drawn: Drawn, folder: Path) -> list[Path]:
@@ -237,8 +223,7 @@ def _jams(drawn: Drawn) -> int:
     for pair in dict.fromkeys(jam.pair for jam in found.jams):
         own = [jam for jam in found.jams if jam.pair == pair]
         where = runs([jam.position for jam in own], "-")
-        told = f"pair {pair} jams by friction in positions {where}: {own[0].advice}"
-        _say(drawn.study.scene, told)
+        _say(drawn.study.scene, message("jam.pair", pair=pair, positions=where, advice=own[0].advice))
     return GAPS if found.jams else 0
 
 

@@ -20,6 +20,7 @@ from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.model.motion import ORDERS, POINT_UNITS
 from plans.scene.scene import read_scene
+from plans.words.words import message
 
 PAIR = re.compile(r"[RPF]_(?P<giver>\d+?),?(?P<taker>\d+)")  # a reaction: of the first link on the second
 UNITS = {**dict(zip(ORDERS, POINT_UNITS, strict=True)), "forces": "N", "lever": "m/s"}
@@ -99,10 +100,11 @@ def _rate(name: str, arm: Mark, turning: Mark) -> str:
 
 def _position(study: LinkageStudy, wanted: int) -> int:
     if not 0 <= wanted < len(study.turn):
-        raise UnknownMark(f"position {wanted} is none of 0 to {len(study.turn) - 1}")
+        raise UnknownMark(message("mark.position", position=wanted, last=len(study.turn) - 1))
     if study.lost[wanted]:
         gap = next(gap for gap in study.motion(0).gaps if gap.position == wanted)
-        raise UnknownMark(f"position {wanted} is a gap: {gap.reason} at {gap.where}; {gap.advice}")
+        parts = {"reason": gap.reason, "where": gap.where, "advice": gap.advice}
+        raise UnknownMark(message("mark.gap", position=wanted, **parts))
     return wanted
 
 
@@ -117,7 +119,7 @@ def find(study: LinkageStudy, drafts: Drafts, name: str) -> list[Mark]:
     if head in ("omega", "epsilon", "ω", "ε") and tail.isdigit() and int(tail) in study.mechanism.links:
         plan = drafts.velocities if head in ("omega", "ω") else drafts.accelerations
         if int(tail) == FRAME or int(tail) not in plan.readings:
-            raise UnknownMark(f"link {tail} does not turn: {name} is 0 and rests on no step")
+            raise UnknownMark(message("mark.still", link=tail, mark=name))
         return [*plan.readings[int(tail)]]
     for plan in (drafts.positions, drafts.velocities, drafts.accelerations):
         for letter in (name, name.replace("_", "")):  # a3 is written with its index lowered: a_3
@@ -125,11 +127,9 @@ def find(study: LinkageStudy, drafts: Drafts, name: str) -> list[Mark]:
                 return [plan.board[letter]]
     known = [*points, *(f"v_{p}" for p in points), *(f"a_{p}" for p in points)]  # forces are found before
     near = difflib.get_close_matches(name, known, 1)
-    hint = f"did you mean {near[0]}? " if near else ""
-    listed = ", ".join(sorted(points))
-    if study.scene.masses or study.scene.loads:
-        raise UnknownMark(f"no mark is named {name}: {hint}points are {listed}; also v_B, a_B, omega_3, R_12, M_bal")
-    raise UnknownMark(f"no mark is named {name}: {hint}points are {listed}; also v_B, a_B, omega_3")
+    hint = message("mark.near", near=near[0]) if near else ""
+    key = "mark.unknown_force" if study.scene.masses or study.scene.loads else "mark.unknown"
+    raise UnknownMark(message(key, mark=name, hint=hint, points=", ".join(sorted(points))))
 
 
 def _plan(drafts: Drafts, symbol: str) -> Plan:

@@ -154,6 +154,6 @@ def described(study: LinkageStudy, motion: Motion, orders: list[int], extremes: 
 
 def _gap(gap: Gap) -> dict[str, Any]:
     return {
-        "position": gap.position, "phi": gap.phi, "plan": gap.plan, "reason": gap.reason, "where": gap.where,
-        "miss": gap.miss, "advice": gap.advice,
+        "position": gap.position, "phi": gap.phi, "plan": gap.plan, "reason": gap.reason, "where": str(gap.where),
+        "miss": gap.miss, "advice": str(gap.advice),
     }  # fmt: skip

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from drawings.commands.process import tell
+from drawings.files.file_error import of_system
 from drawings.lettering.words import runs
 from plans.linkage.barrier import Barrier
 from plans.model.motion import Gap
@@ -12,7 +13,7 @@ from plans.scene.faults import SceneError
 from plans.scene.notes import notes_of
 from plans.scene.scene import Scene
 from plans.scene.source import language_of
-from plans.scene.wording import said
+from plans.words.words import Message, message, placed, said
 
 __all__ = ["language_of", "noted", "verdict", "worded"]
 
@@ -21,10 +22,10 @@ def worded(error: Exception, language: str) -> str:
     """Word an error that ends the command; a file that cannot be read or written by its name and the reason."""
     if isinstance(error, SceneError):
         return error.worded(language)
-    text = str(error)
     if isinstance(error, OSError) and error.strerror:
-        text = f"{error.filename}: {error.strerror}" if error.filename else error.strerror
-    return "\n".join(said(line, language) for line in text.splitlines())
+        reason = of_system(error)
+        return said(placed(error.filename, reason) if error.filename else reason, language)
+    return said(error, language)
 
 
 def noted(scene: Scene, forces: bool = False) -> Scene:
@@ -41,27 +42,22 @@ def verdict(gaps: Sequence[Gap], met: Iterable[Barrier], near: Sequence[int], la
     """
     lines = [_gap(together) for together in _alike(gaps)]
     if not gaps:
-        lines += [f"{barrier.kind} at {barrier.where} between two positions: see the report" for barrier in met]
+        lines += [message("verdict.between", reason=barrier.kind, where=barrier.where) for barrier in met]
     if near:
-        lines.append(f"{_positions(near)}: too near a dead centre to be graded: see Conditions in the report")
-    return [said(line, language) for line in lines]
+        lines.append(message("verdict.near", count=len(near), positions=runs(near, "-")))
+    return [line.worded(language) for line in lines]
 
 
 def _alike(gaps: Sequence[Gap]) -> list[list[Gap]]:
     """Put gaps of one plan, reason and place together."""
-    kinds: dict[tuple[str, str, str], list[Gap]] = {}
+    kinds: dict[tuple[str, str, object], list[Gap]] = {}
     for gap in gaps:
         kinds.setdefault((gap.plan, gap.reason, gap.where), []).append(gap)
     return list(kinds.values())
 
 
-def _gap(together: Sequence[Gap]) -> str:
-    first = together[0]
-    alone = len({gap.advice for gap in together}) == 1
-    where = first.where if alone else f"{first.where}, in position {first.position}"
-    numbers = _positions([gap.position for gap in together])
-    return f"{numbers}: {first.plan}: {first.reason} at {where}: {first.advice}"
-
-
-def _positions(numbers: Sequence[int]) -> str:
-    return f"position {numbers[0]}" if len(numbers) == 1 else f"positions {runs(numbers, '-')}"
+def _gap(together: Sequence[Gap]) -> Message:
+    first, numbers = together[0], [gap.position for gap in together]
+    parts = {"plan": first.plan, "reason": first.reason, "where": first.where, "advice": first.advice}
+    key = "verdict.gap" if len({gap.advice for gap in together}) == 1 else "verdict.gap_in"
+    return message(key, count=len(numbers), positions=runs(numbers, "-"), first=first.position, **parts)

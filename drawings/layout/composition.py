@@ -10,6 +10,7 @@ from drawings.layout.trials import Content, Sheet, Trial
 from drawings.layout.value_table import Setting, Table
 from drawings.page.page import Field, Page
 from drawings.paper.strokes import SheetError
+from plans.words.words import message
 
 
 class Composed(NamedTuple):
@@ -32,7 +33,7 @@ def compose(content: Content, page: Page) -> tuple[Composed, ...]:
     alone = Content(content.main, (), (), None, content.notes)
     first = Sheet(alone, page).best()
     if first is None:
-        raise SheetError(f"format {page.name} has no room for the plan of positions. Fix: take a larger format")
+        raise SheetError(message("refused.positions", format=page.name))
     return _composed(first, alone, slice(0, 0)), *_following(content, page)
 
 
@@ -57,7 +58,7 @@ def _next(content: Content, page: Page, start: int) -> tuple[Trial, Content, sli
             found = Sheet(part, page).best(legible=end - start > 1)
             if found is not None:
                 return found, part, chosen
-    raise SheetError(f"format {page.name} has no room for a velocity plan. Fix: take a larger format")
+    raise SheetError(message("refused.plan", format=page.name))
 
 
 def _tables(table: Table, page: Page) -> Iterator[Composed]:
@@ -70,7 +71,7 @@ def _tables(table: Table, page: Page) -> Iterator[Composed]:
             if found is not None:
                 break
         else:
-            raise SheetError(f"format {page.name} has no room for the table of values. Fix: take a larger format")
+            raise SheetError(message("refused.table", format=page.name))
         yield _composed(found, part, slice(0, 0))
         start = end
 

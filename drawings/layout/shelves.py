@@ -14,6 +14,7 @@ from drawings.layout.trials import room_of
 from drawings.layout.value_table import Setting, Table
 from drawings.page.page import Field, Page
 from drawings.paper.strokes import SheetError
+from plans.words.words import message
 
 FEW = 4  # loose pictures that are stacked in every way; more of them only in columns of about equal numbers
 
@@ -92,7 +93,7 @@ def _runs(whole: _Sheet) -> list[Composed]:
             if found is not None:
                 break
         else:
-            raise SheetError(f"format {page.name} has no room for a column of figures. Fix: take a larger format")
+            raise SheetError(message("refused.column", format=page.name))
         composed.append(found)
         start = end
     return composed
@@ -107,7 +108,7 @@ def _tables(table: Table, page: Page) -> Iterator[Composed]:
             if found is not None:
                 break
         else:
-            raise SheetError(f"format {page.name} has no room for the table of values. Fix: take a larger format")
+            raise SheetError(message("refused.table", format=page.name))
         yield found
         start = end
 

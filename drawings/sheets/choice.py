@@ -10,6 +10,7 @@ from drawings.paper.strokes import SheetError
 from plans.checks.compare import Comparison
 from plans.linkage.study import LinkageStudy
 from plans.linkage.travel import frame_slide
+from plans.words.words import message, placed
 
 
 def position(study: LinkageStudy, comparison: Comparison) -> int:
@@ -20,10 +21,9 @@ def position(study: LinkageStudy, comparison: Comparison) -> int:
         return 0  # nothing can be assembled: the sheet explains why, in the first position
     if wanted is not None:
         if study.lost[wanted]:
-            raise SheetError(
-                f"{study.scene.file}: sheet.position = {wanted}: the mechanism cannot be assembled there. "
-                f"Fix: choose one of {', '.join(str(k) for k in np.flatnonzero(free)[:12])}"
-            )
+            others = ", ".join(str(k) for k in np.flatnonzero(free)[:12])
+            refused = message("refused.position", position=wanted, positions=others)
+            raise SheetError(placed(study.scene.file, refused))
         return int(wanted)
     named = [k for k in study.scene.sheet.plans if free[k]]
     return named[0] if named else _best(_telling(study, comparison, 1), free & _working(study), free)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from geometry.errors import LimitError
+from plans.words.words import message, placed
 
 # Links times positions of one run. Their numbers, and the text of them, take 1.0 to 1.6 kB each, and those of forces
 # by both roads up to 3.8 kB: a run stays under 2 GB.
@@ -16,7 +17,5 @@ def check_capacity(links: int, positions: int, forces: bool) -> None:
     if forces:
         name, limit = "FORCE_POSITIONS_LIMIT", FORCE_POSITIONS_LIMIT
     if links * positions > limit:
-        raise LimitError(
-            f"drive.positions = {positions}: links times positions, {links} x {positions}, is more than {name} = "
-            f"{limit}. Fix: {limit // links} positions at most"
-        )
+        counts = {"links": links, "positions": positions, "name": name, "limit": limit, "most": limit // links}
+        raise LimitError(placed(f"drive.positions = {positions}", message("limit.link_positions", **counts)))

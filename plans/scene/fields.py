@@ -13,10 +13,12 @@ from plans.scene import units
 from plans.scene.faults import suggestion, wrong
 from plans.scene.tables import either, many, one
 from plans.scene.units import type_name
+from plans.words.words import Message, message, placed
 
 T = TypeVar("T")
 
 POSITIONS_LIMIT = 100_000
+MANY = message("limit.more", name="POSITIONS_LIMIT", limit=POSITIONS_LIMIT)
 ENTRIES_LIMIT = 1_000  # of any other table or list; 60 links have far fewer points, lengths and loads
 TITLE_LIMIT = 1_000  # characters
 NAME_LIMIT = 40  # characters
@@ -46,10 +48,19 @@ def split_line(text: str) -> tuple[str, ...]:
     return split_letters(text) or tuple(text.split("-"))
 
 
+def _text(example: str, how: str = "text") -> Message:
+    return message(f"example.{how}", written=f'"{example}"')
+
+
 def check_name(value: object) -> str:
     """Read the name of one point."""
     if not isinstance(value, str):
-        raise wrong("wrong_type", wanted="the name of a point", found=type_name(value), example='text: "D"')
+        raise wrong(
+            "wrong_type",
+            wanted="the name of a point",
+            found=type_name(value),
+            example=_text("D"),
+        )
     if not NAME.fullmatch(value) or len(value) > NAME_LIMIT or value != unicodedata.normalize("NFC", value):
         raise wrong("name")
     return value
@@ -66,7 +77,12 @@ def check_letters(value: object) -> tuple[str, ...]:
         if not names:
             raise wrong("letters")
     else:
-        raise wrong("wrong_type", wanted="letters of points", found=type_name(value), example='text: "OA"')
+        raise wrong(
+            "wrong_type",
+            wanted="letters of points",
+            found=type_name(value),
+            example=_text("OA"),
+        )
     for name in names:
         if names.count(name) > 1:
             raise wrong("repeated", entry=name)
@@ -89,7 +105,7 @@ def check_line(value: object) -> tuple[str, ...]:
 def check_text(value: object, limit: int = TITLE_LIMIT) -> str:
     """Read a text for the sheet; line ends and tabs become spaces, other invisible characters are faults."""
     if not isinstance(value, str):
-        raise wrong("wrong_type", wanted="text", found=type_name(value), example='text in quotes: "..."')
+        raise wrong("wrong_type", wanted="text", found=type_name(value), example=_text("...", "quoted"))
     text = re.sub(r"[\t\r\n]+", " ", value).strip()
     if len(text) > limit:
         raise wrong("text_length", most=limit)
@@ -106,7 +122,12 @@ def check_symbol(value: object) -> str:
     'F_us'
     """
     if not isinstance(value, str):
-        raise wrong("wrong_type", wanted="the letters of a load", found=type_name(value), example='text: "F_us"')
+        raise wrong(
+            "wrong_type",
+            wanted="the letters of a load",
+            found=type_name(value),
+            example=_text("F_us"),
+        )
     if not SYMBOL_SIGNS.fullmatch(value) or len(value) > NAME_LIMIT or value != unicodedata.normalize("NFC", value):
         raise wrong("symbol")
     if TAKEN.fullmatch(value):
@@ -155,10 +176,15 @@ def loaded_link(value: object) -> int:
 def choice(value: object, choices: tuple[str, ...], kind: str = "choice") -> str:
     """Read one of the words that are allowed."""
     if not isinstance(value, str):
-        raise wrong("wrong_type", wanted="text", found=type_name(value), example=f'text: "{choices[0]}"')
+        raise wrong(
+            "wrong_type",
+            wanted="text",
+            found=type_name(value),
+            example=_text(choices[0]),
+        )
     if value not in choices:
-        listed = ", ".join(choices)
-        raise wrong(kind, choices=listed, suggestion=suggestion(value, choices, f'write "{choices[0]}"'))
+        listed, advice = ", ".join(choices), message("advice.write", name=choices[0])
+        raise wrong(kind, choices=listed, suggestion=suggestion(value, choices, advice))
     return value
 
 
@@ -188,10 +214,10 @@ def link_key(key: object) -> int:
 def check_pair(value: object, what: str = "[x, y]") -> object:
     """See that a list has two entries; four or three of them are mostly decimal commas."""
     if not isinstance(value, list):
-        raise wrong("pair", what=what, found=type_name(value), advice=f"write {what}")
+        raise wrong("pair", what=what, found=type_name(value), advice=message("advice.two", what=what))
     if len(value) != 2:
         commas = len(value) in (3, 4) and any(isinstance(entry, int) for entry in value)
-        advice = "decimal comma? Use a point: [1.5, 2.5]" if commas else f"write {what}"
+        advice = message("advice.decimal_comma") if commas else message("advice.two", what=what)
         raise wrong("pair", what=what, found=len(value), advice=advice)
     return value
 
@@ -212,7 +238,7 @@ def count_positions(value: object) -> int:
         wanted = "a whole number, or a list of crank angles"
         raise wrong("wrong_type", wanted=wanted, found=type_name(value), example="positions = 12")
     if value > POSITIONS_LIMIT:
-        raise LimitError(f"drive.positions = {value}: more than POSITIONS_LIMIT = {POSITIONS_LIMIT}")
+        raise LimitError(placed(f"drive.positions = {value}", MANY))
     return value
 
 
@@ -221,7 +247,7 @@ def position_list(value: tuple[Decimal, ...]) -> tuple[Decimal, ...]:
     if not value:
         raise wrong("empty")
     if len(value) > POSITIONS_LIMIT:
-        raise LimitError(f"drive.positions: more than POSITIONS_LIMIT = {POSITIONS_LIMIT}")
+        raise LimitError(placed("drive.positions", MANY))
     seen: dict[Decimal, Decimal] = {}
     for place in value:
         # In EXACT the remainder is exact; a whole turn more is the same position of the crank.
@@ -251,7 +277,7 @@ def no_repeats(value: tuple[T, ...]) -> tuple[T, ...]:
 def few(value: object, limit: int, name: str) -> object:
     """See that a table or list is no longer than a named limit, before its entries are looked at."""
     if isinstance(value, list | dict) and len(value) > limit:
-        raise LimitError(f"a table or list of {len(value)} entries: more than {name} = {limit}")
+        raise LimitError(message("limit.entries", count=len(value), name=name, limit=limit))
     return value
 
 

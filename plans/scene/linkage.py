@@ -17,6 +17,7 @@ from plans.scene.scene import FrameLine, Scene, SlideTable
 from plans.scene.shapes import Shaper, Spot, as_complex, line_name
 from plans.scene.survey import RATIO_LIMIT, Survey, natural, spread
 from plans.scene.units import EXACT
+from plans.words.words import Message, message
 
 ORIGIN: Spot = (Decimal(0), Decimal(0))
 # Directions of whole right angles have exact unit numbers.
@@ -99,7 +100,7 @@ def _drive_ends(survey: Survey) -> tuple[str, str] | None:
         survey.report(path, "many_hinges", points=", ".join(fixed), link=link)
         survey.doubts.add(("mechanism", "links", str(link)))
     elif not fixed:
-        advice = f"give link {link} a point of [mechanism.frame]"
+        advice = message("advice.hinge", link=link)
         survey.report(path, "no_hinge", suggestion=survey.twin(points, survey.points_of[FRAME]) or advice)
     elif not free:
         survey.report(path, "no_end", link=link, pivot=fixed[0])
@@ -151,7 +152,7 @@ def _check_length(survey: Survey, pair: frozenset[str], path: Path) -> None:
     if not owners:
         if not survey.doubtful(("mechanism", "links"), ("mechanism", "points")):
             near = [line_name(*link[:2]) for link in survey.scene.mechanism.links.values() if len(link) > 1]
-            advice = suggestion(str(path[2]), near, "add the link, or correct the letters")
+            advice = suggestion(str(path[2]), near, message("advice.add_link"))
             survey.report(path, "no_common_link", first=first, second=second, suggestion=advice)
     elif not moving:
         survey.report(path, "fixed_length", first=first, second=second)
@@ -232,7 +233,7 @@ class Guides:
             self.survey.report(path, "not_itself")
         else:
             lines = {line_name(*points[:2]): link for link, points in self.survey.points_of.items() if len(points) > 1}
-            advice = suggestion(line_name(*along), lines, "name two points of the link it slides along")
+            advice = suggestion(line_name(*along), lines, message("advice.two_points"))
             self.survey.report(path, "no_common_link", first=along[0], second=along[1], suggestion=advice)
         return None
 
@@ -269,20 +270,19 @@ def _wrong_mobility(scene: Scene, mechanism: Mechanism) -> StructureError:
         "advice": _mobility_advice(scene, mechanism),
     }
     links = tuple(sorted(scene.mechanism.links))
-    return StructureError(str(scene.fault(("mechanism", "links"), "mobility", **details)), links, mechanism.mobility)
+    return StructureError(scene.fault(("mechanism", "links"), "mobility", **details), links, mechanism.mobility)
 
 
-def _mobility_advice(scene: Scene, mechanism: Mechanism) -> str:
+def _mobility_advice(scene: Scene, mechanism: Mechanism) -> Message:
     fixed = mechanism.links[FRAME].points
     unused = [name for name in fixed if name not in mechanism.hinges]
     if mechanism.mobility > 1 and unused:
-        return f"add a hinge or a slide; no link has the fixed point {', '.join(unused)}"
+        return message("advice.joint_fixed", points=", ".join(unused))
     ends = _free_ends(scene, mechanism)
     if mechanism.mobility > 1 and ends:
         link, name = ends[0]
-        where = f"point {name} is of link {link} alone: give it to [mechanism.frame] or to another link"
-        return f"add a hinge or a slide; {where}"
-    return "add a hinge or a slide" if mechanism.mobility > 1 else "take out a link that is held twice, or a slide"
+        return message("advice.joint_end", name=name, link=link)
+    return message("advice.joint" if mechanism.mobility > 1 else "advice.held_twice")
 
 
 def _free_ends(scene: Scene, mechanism: Mechanism) -> list[tuple[int, str]]:

@@ -12,6 +12,7 @@ from plans.scene.faults import Path
 from plans.scene.loads import MIDDLE, EndTable, ForceTable, LoadsTable, MomentTable, PairTable, SpringTable, holders
 from plans.scene.scene import FORCES
 from plans.scene.survey import Survey, natural
+from plans.words.words import message
 
 HINGE, SLIDE = "a hinge", "a sliding pair"
 # Whole numbers some of which a comma without a space joins in pairs, while a space follows the others.
@@ -126,7 +127,7 @@ def _check_pairs(survey: Survey, known: Mapping[str, str]) -> None:
 
 def _know_pair(survey: Survey, path: Path, name: str, known: Mapping[str, str]) -> bool:
     if name not in known:
-        advice = f"the pairs are {', '.join(known)}"
+        advice = message("advice.pairs", pairs=", ".join(known))
         survey.report(path, "unknown_pair", name=name, suggestion=advice)
     return name in known
 

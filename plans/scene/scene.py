@@ -29,6 +29,7 @@ from plans.scene.loads import (
 from plans.scene.refusal import REFUSALS_LIMIT, doubts_of, refusals, spare
 from plans.scene.source import Source, parse_source, read_source
 from plans.scene.tables import Refused, Table, either, key, many, named, one, read, table
+from plans.words.words import ENGLISH, languages, placed
 
 KINEMATICS, FORCES = "kinematics", "forces"
 SHEETS = (KINEMATICS, FORCES)  # what this version draws
@@ -117,7 +118,7 @@ class OutputTable(Table):
             raise wrong("one_of_two", first="link", second="point", found=found)
 
 
-LANGUAGES, STANDARDS = ("en", "ru"), ("GOST", "ISO")
+LANGUAGES, STANDARDS = languages(), ("GOST", "ISO")
 FORMATS, ORIENTATIONS = ("A1", "A2", "A3", "A4"), ("landscape", "portrait")
 LETTERINGS, NOTATIONS, REACTIONS = ("strokes", "text"), ("mu", "K"), ("R", "P", "F")
 
@@ -125,7 +126,7 @@ LETTERINGS, NOTATIONS, REACTIONS = ("strokes", "text"), ("mu", "K"), ("R", "P", 
 class SheetTable(Table):
     """What stands on the sheet: language, standard, format, the positions drawn in full, and the title block."""
 
-    language: str = key(one(f.choice, choices=LANGUAGES), "en")
+    language: str = key(one(f.choice, choices=LANGUAGES), ENGLISH)
     standard: str = key(one(f.choice, choices=STANDARDS), "GOST")
     format: str = key(one(f.choice, choices=FORMATS), "A1")
     # Default: landscape, and portrait for A4.
@@ -231,7 +232,7 @@ def _scene(source: Source) -> Scene:
         meaning = [] if unlisted else _further_faults(source, faults)
         raise SceneError([*faults, *meaning], unlisted) from None
     except LimitError as error:
-        raise LimitError(f"{source.file}: {error}") from None
+        raise LimitError(placed(source.file, error.args[0])) from None
 
 
 def _bounded(scene: Scene) -> Scene:

@@ -20,9 +20,8 @@ from drawings.layout.picture import Margins, Picture, picture
 from drawings.layout.place import Place
 from drawings.layout.shelves import Composed, Content, compose
 from drawings.layout.value_table import Row
-from drawings.lettering.force_words import letter
 from drawings.lettering.lettering import text_width
-from drawings.lettering.words import word
+from drawings.lettering.words import letter, word
 from drawings.page.page import Page
 from drawings.paper.strokes import Group, Leaf, Line, Stroke, Text
 from drawings.sheets.notes import measured, written

@@ -12,7 +12,7 @@ from drawings.figures.forces.force_letters import lettered
 from drawings.figures.linkage.vector_plan import written
 from drawings.layout.parallel_offsets import Segment, merging
 from drawings.layout.place import Place
-from drawings.lettering.force_words import letter as letter_of
+from drawings.lettering.words import letter as letter_of
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
 from drawings.symbols.arms import Arm
