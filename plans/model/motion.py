@@ -63,6 +63,11 @@ class Motion:
     links: Mapping[int, LinkMotion]
     gaps: tuple[Gap, ...]
 
+    @property
+    def unanswered(self) -> tuple[Gap, ...]:
+        """The gaps of the motion: all of them are its own."""
+        return self.gaps
+
     def rows(self) -> Iterator[npt.NDArray[Any]]:
         """Give the values of all points and links that were asked for, row by row."""
         for rows in (*self.points.values(), *self.links.values()):

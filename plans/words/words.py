@@ -1,7 +1,7 @@
 """Words (слова): every phrase of plandraft by its key, in a file for each language: `en.json`, `ru.json`.
 
 All languages have the same keys with the same parts. In a phrase {name} stands for a part as it is; {name:term} for the
-word that the group "term" has for it; {names:and} and {names:or} for a list. A phrase in several forms is a plural: by
+word that the group "term" has for it; {names:or} for a list, joined as "join.or" says. A phrase in several forms is a plural: by
 the language's patterns of numbers under "plural" the part `count` chooses one of them.
 """
 
@@ -123,7 +123,7 @@ class _Part:
     def __format__(self, wish: str) -> str:
         if not wish:
             return said(self.value, self.language)
-        if wish in ("and", "or") and isinstance(self.value, tuple):
+        if isinstance(self.value, tuple):
             return self._joined(*words(self.language)[f"join.{wish}"])
         return said(self.value, self.language) if isinstance(self.value, Worded) else self._term(wish)
 
