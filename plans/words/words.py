@@ -1,8 +1,8 @@
 """Words (слова): every phrase of plandraft by its key, in a file for each language: `en.json`, `ru.json`.
 
 All languages have the same keys with the same parts. In a phrase {name} stands for a part as it is; {name:term} for the
-word that the group "term" has for it; {names:or} for a list, joined as "join.or" says. A phrase in several forms is a plural: by
-the language's patterns of numbers under "plural" the part `count` chooses one of them.
+word that the group "term" has for it; {names:or} for a list, joined as "join.or" says. A phrase in several forms is a
+plural: by the language's patterns of numbers under "plural" the part `count` chooses one of them.
 """
 
 from __future__ import annotations
