@@ -45,7 +45,7 @@ def run(options: argparse.Namespace) -> int:
     trace: Trace = options.trace or Trace()
     sheets = draw(options.scene, options.output, trace)
     study = sheets.study
-    print(summary(study.comparisons))
+    print(summary(study.comparisons, study.scene.sheet.language))
     for line in (*headlines(study), *sheets.paths):
         print(line)
     for path in _earlier(sheets, options.output):

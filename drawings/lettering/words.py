@@ -48,14 +48,23 @@ def number(value: float, language: str = "en", digits: int = 4) -> str:
     if "." in text:
         text = text.rstrip("0").rstrip(".")
     sign = "−" if value < 0 and float(text) != 0 else ""
-    return (sign + text).replace(".", words.word(language, "number.decimal"))
+    return decimal(sign + text, language)
+
+
+def decimal(text: str, language: str) -> str:
+    """Give a number's text the decimal mark of a language.
+
+    >>> decimal("1.50e-09", "ru")
+    '1,50e-09'
+    """
+    return text.replace(".", words.word(language, "number.decimal"))
 
 
 def fixed(value: float, language: str = "en", places: int = 2) -> str:
     """Write a number with a fixed number of decimals, no -0, and the language's decimal mark."""
     text = f"{abs(value):.{places}f}"
     sign = "−" if value < 0 and float(text) != 0 else ""
-    return (sign + text).replace(".", words.word(language, "number.decimal"))
+    return decimal(sign + text, language)
 
 
 def runs(positions: Iterable[int], dash: str = "–") -> str:

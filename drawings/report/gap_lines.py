@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
-from drawings.lettering.words import runs
+from drawings.lettering.words import decimal, runs
 from plans.model.motion import Gap
-from plans.words.words import Message, message
+from plans.words.words import Message, message, word
 
 
 def gap_lines(gaps: Sequence[Gap]) -> list[Message]:
@@ -22,6 +23,13 @@ def _line(together: Sequence[Gap]) -> Message:
     parts = {"plan": first.plan, "reason": first.reason, "where": first.where, "advice": first.advice}
     key = "verdict.gap" if len({gap.advice for gap in together}) == 1 else "verdict.gap_in"
     return message(key, **positions([gap.position for gap in together]), first=first.position, **parts)
+
+
+def gap_line(key: str, gap: Gap, language: str) -> str:
+    """Tell one gap in the report, by the key of its line."""
+    angle = decimal(f"{math.degrees(gap.phi):.3f}", language)
+    parts = {"plan": gap.plan, "reason": gap.reason, "advice": gap.advice}
+    return word(language, key, position=gap.position, angle=angle, **parts)
 
 
 def positions(numbers: Sequence[int]) -> dict[str, object]:

@@ -77,6 +77,11 @@ class LinkageStudy:
         return placed(f"{self.scene.file}:{line}:{column}: mechanism.{table}", error.args[0])
 
     @property
+    def language(self) -> str:
+        """The language of the scene's sheets and messages."""
+        return self.scene.sheet.language
+
+    @property
     def sense(self) -> int:
         """Sense of rotation: +1 counter-clockwise, -1 clockwise."""
         return -1 if self.mechanism.drive.omega < 0 else 1
