@@ -17,10 +17,10 @@ class UnknownMark(DraftError, ValueError):  # noqa: N818  (the message's own wor
 class Explanation(NamedTuple):
     """The steps behind a mark, with the units of the plans that they were drawn on, and what follows from them."""
 
-    title: str
+    title: Message
     steps: tuple[Mark, ...]
     units: Mapping[str, str]
-    notes: tuple[str, ...] = ()
+    notes: tuple[Message, ...] = ()
 
 
 class NoMark(NamedTuple):

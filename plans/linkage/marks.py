@@ -15,7 +15,7 @@ from plans.linkage.plan import Plan
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.model.motion import ORDERS, POINT_UNITS
-from plans.words.words import message
+from plans.words.words import Message, message
 
 if TYPE_CHECKING:
     from plans.study import Study
@@ -34,9 +34,10 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     return Explanation(title(linkage, name, wanted), tuple(behind(*targets)), UNITS, notes)
 
 
-def title(study: LinkageStudy, name: str, position: int) -> str:
+def title(study: LinkageStudy, name: str, position: int) -> Message:
     """Head an explanation with the name of the mark and its position."""
-    return f"{name} in position {position} (φ = {np.degrees(study.turn.phi[position]):.4f}°)"
+    angle = f"{np.degrees(study.turn.phi[position]):.4f}"
+    return message("explain.title", mark=name, position=position, angle=angle)
 
 
 def position_of(study: LinkageStudy, wanted: int) -> int:
@@ -92,14 +93,13 @@ def _plan(drafts: Drafts, symbol: str) -> Plan:
     return drafts.velocities if symbol == "v" else drafts.accelerations
 
 
-def _rate(name: str, arm: Mark, turning: Mark) -> str:
+def _rate(name: str, arm: Mark, turning: Mark) -> Message:
     """Say how an angular velocity or acceleration is read off: the size of the turning part over the arm."""
     along, across = at(arm.point, 0), at(turning.point, 0)
     moment = float(cross(along, across))
     unit, rate = (UNITS[ORDERS[1]], "rad/s") if turning.subject == ORDERS[1] else (UNITS[ORDERS[2]], "rad/s2")
     sense = "at rest" if moment == 0 else "counter-clockwise" if moment > 0 else "clockwise"
     value = moment / abs(along) ** 2
-    return (
-        f"{name} = {turning.name}/{arm.name} = {abs(across):.10g} {unit} / {abs(along):.10g} m = "
-        f"{value:.10g} {rate}, {sense}"
-    )
+    sizes = {"across": abs(across), "along": abs(along), "value": value}
+    parts = {"turning": turning.name, "arm": arm.name, "unit": unit, "rate": rate, "sense": sense}
+    return message("explain.rate", mark=name, **parts, **{key: f"{size:.10g}" for key, size in sizes.items()})

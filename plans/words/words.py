@@ -1,8 +1,9 @@
 """Words (слова): every phrase of plandraft by its key, in a file for each language: `en.json`, `ru.json`.
 
 All languages have the same keys with the same parts. In a phrase {name} stands for a part as it is; {name:term} for the
-word that the group "term" has for it; {names:or} for a list, joined as "join.or" says. A phrase in several forms is a
-plural: by the language's patterns of numbers under "plural" the part `count` chooses one of them.
+word that the group "term" has for it; {size:number} for a number's text with the decimal mark of the language;
+{names:or} for a list, joined as "join.or" says. A phrase in several forms is a plural: by the language's patterns of
+numbers under "plural" the part `count` chooses one of them.
 """
 
 from __future__ import annotations
@@ -57,6 +58,15 @@ def message(key: str, /, **parts: object) -> Message:
     'did you mean "AB" or "CB"?'
     """
     return Message(key, tuple(parts.items()))
+
+
+def because(key: str, /, **parts: object) -> Message:
+    """Give the reason of a drafting step, by its key among the steps.
+
+    >>> because("link", link=4).worded("ru")
+    'звено 4'
+    """
+    return message(f"step.{key}", **parts)
 
 
 def placed(where: object, what: object) -> Message:
@@ -123,6 +133,8 @@ class _Part:
     def __format__(self, wish: str) -> str:
         if not wish:
             return said(self.value, self.language)
+        if wish == "number":
+            return str(self.value).replace(".", word(self.language, "number.decimal"))
         if isinstance(self.value, tuple):
             return self._joined(*words(self.language)[f"join.{wish}"])
         return said(self.value, self.language) if isinstance(self.value, Worded) else self._term(wish)
