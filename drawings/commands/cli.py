@@ -193,9 +193,10 @@ def _open_stdout() -> None:
 def _told(error: Exception, options: argparse.Namespace) -> str:
     """Word an error in the language of the scene, which may be named in a file that is otherwise at fault."""
     from drawings.commands.talk import language_of, worded  # only an error pays for it
+    from plans.words.words import ENGLISH
 
     scene = getattr(options, "scene", None)  # the vectors of a sheet are measured without any scene
-    return worded(error, language_of(scene) if scene else "en")
+    return worded(error, language_of(scene) if scene else ENGLISH)
 
 
 def _code(error: Exception) -> int:
