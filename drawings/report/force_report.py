@@ -17,7 +17,6 @@ from plans.forces.statics import Statics
 from plans.model.kinetostatics import FORCES, Kinetostatics
 from plans.model.losses import Friction
 from plans.model.machine import Machine
-from plans.scene.scene import Scene
 from plans.study import Study
 from plans.words.words import Message, message, word
 
@@ -43,12 +42,6 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
 def headline(study: Study) -> str:
     """Say nothing more on the screen than the motion does."""
     return ""
-
-
-def idle(scene: Scene) -> list[str]:
-    """Say what a scene gives of forces that its sheets do not need."""
-    given = scene.masses or scene.loads is not None
-    return [word(scene.sheet.language, "report.idle_loads" if given else "report.no_loads")]
 
 
 def remarks(study: Study) -> list[Message]:

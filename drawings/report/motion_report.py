@@ -24,7 +24,6 @@ from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.model.motion import ORDERS
 from plans.model.structure import RUSSIAN, formula, mechanism_class
-from plans.scene.scene import Scene
 from plans.study import Study
 from plans.words.words import Message, message, term, word
 
@@ -61,11 +60,6 @@ def remarks(study: Study) -> list[Message]:
     if near:
         lines.append(message("verdict.near", **positions(near)))
     return lines
-
-
-def idle(scene: Scene) -> list[str]:
-    """Say nothing: a scene without a linkage has nothing of it to leave out."""
-    return []
 
 
 def faults(text: str, study: Study) -> Iterator[str]:
