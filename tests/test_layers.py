@@ -34,6 +34,7 @@ SHARED = (
     "plans.model.machine",
     "plans.model.kinetostatics",
     "plans.model.losses",
+    "plans.model.rotor",
 )
 ONLY_IN = {
     "svgwrite": ("drawings/pens/svg.py", "drawings/bench/plain_pen.py"),  # the bench times its defaults beside our pen
@@ -154,7 +155,7 @@ ROOMS = (
     ("plans.techniques",),
     ("plans.scene", "plans.analytic"),
     ("plans.study", "plans.explanation"),
-    ("plans.linkage",),
+    ("plans.linkage", "plans.rotor"),
     ("plans.forces",),
     ("plans.checks", "plans.bench"),
     ("drawings.paper",),
@@ -162,7 +163,7 @@ ROOMS = (
     ("drawings.page", "drawings.files", "drawings.pens"),
     ("drawings.layout", "drawings.report"),
     ("drawings.symbols",),
-    ("drawings.figures.linkage", "drawings.figures.graphs"),
+    ("drawings.figures.linkage", "drawings.figures.graphs", "drawings.figures.rotor"),
     ("drawings.figures.forces",),
     ("drawings.checks", "drawings.sheets"),
     ("drawings.bench", "drawings.gallery"),
