@@ -8,8 +8,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
+from drawings.figures.forces.force_kinds import BALANCE, PAIR
 from drawings.figures.forces.force_letters import letter_of
-from drawings.figures.forces.shown_force import BALANCE, PAIR, ShownForce
 from drawings.figures.linkage.vector_plan import written
 from drawings.layout.parallel_offsets import Segment, merging
 from drawings.layout.place import Place
@@ -19,6 +19,7 @@ from drawings.page.page import Field
 from drawings.paper.hand import Hand
 from drawings.symbols.arms import Arm
 from drawings.symbols.force_arrow import ForceArrow, marked
+from drawings.symbols.polygon import ShownVector
 from drawings.symbols.symbols import ARROW_LENGTH, STAND
 
 LONGEST, SHORTEST = 26.0, 13.0  # mm, to the factor of the hand's symbols: the greatest force, and one that is nothing
@@ -51,7 +52,7 @@ class Taken(NamedTuple):
     box: Field  # of the figure
 
 
-def forces(pushes: Sequence[ShownForce], place: Place, taken: Taken, drafting: Drafting) -> list[ForceArrow]:
+def forces(pushes: Sequence[ShownVector], place: Place, taken: Taken, drafting: Drafting) -> list[ForceArrow]:
     """Place the forces, the greatest first: each from its image or to it, where it runs along no other line."""
     greatest = max((abs(one.value) for one in pushes), default=1.0)
     arrows = []
@@ -87,7 +88,7 @@ def _shown(arm: Arm, box: Field) -> bool:
     return arm.length > ROOM * ARROW_LENGTH and _within(arm.foot, box)
 
 
-def reach(pushes: Sequence[ShownForce]) -> float:
+def reach(pushes: Sequence[ShownVector]) -> float:
     """Give how far forces reach from their images, mm: one of their length, or two where many share a line there."""
     lines = [(one.at, (one.direction) ** 2) for one in pushes]
     most = max((sum(at == image and abs(way - own) < PARALLEL for image, way in lines) for at, own in lines), default=0)
@@ -95,7 +96,7 @@ def reach(pushes: Sequence[ShownForce]) -> float:
 
 
 def arms(
-    pushes: Sequence[ShownForce], images: Mapping[complex, str], place: Place, taken: Taken, language: str
+    pushes: Sequence[ShownVector], images: Mapping[complex, str], place: Place, taken: Taken, language: str
 ) -> list[tuple[Reach, Arm | None]]:
     """Give all arms, and of the greatest moments those that run along nothing else to be drawn, numbered as hung."""
     loads = [one for one in pushes if one.kind != PAIR]
@@ -114,7 +115,7 @@ def arms(
     return found
 
 
-def _chosen(loads: Sequence[ShownForce], every: Mapping[str, Arm], taken: Taken) -> set[str]:
+def _chosen(loads: Sequence[ShownVector], every: Mapping[str, Arm], taken: Taken) -> set[str]:
     """Choose the arms that are drawn."""
     least = TELLING * max((abs(one.moment) for one in loads), default=0.0)
     lines, chosen = [*taken.rods, *taken.forces], set[str]()

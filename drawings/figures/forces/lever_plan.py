@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
 
+from drawings.figures.forces.force_kinds import BALANCE, LOAD, PAIR
 from drawings.figures.forces.force_polygon import ZERO
 from drawings.figures.forces.lever_layout import (
     SAME,
@@ -18,7 +19,6 @@ from drawings.figures.forces.lever_layout import (
     forces,
     reach,
 )
-from drawings.figures.forces.shown_force import BALANCE, LOAD, PAIR, ShownForce
 from drawings.figures.linkage.vector_plan import LEAST, diagram, written
 from drawings.layout.labels import Labels
 from drawings.layout.parallel_offsets import Segment
@@ -31,6 +31,7 @@ from drawings.paper.strokes import LEAN, Circle, Group, Line, LineStyle, Stroke,
 from drawings.symbols.arms import Arm
 from drawings.symbols.figure import Subject, heading, point
 from drawings.symbols.force_arrow import ForceArrow
+from drawings.symbols.polygon import ShownVector
 from drawings.symbols.symbols import HINGE, POINT, fixed_hinge
 from geometry.board import Mark, at
 from plans.forces.force import ForcePlan
@@ -50,7 +51,7 @@ class Hanging(NamedTuple):
     pole: str
     images: tuple[tuple[str, str, complex], ...]  # name on the velocity plan, its letters, true place
     rods: tuple[tuple[Segment, bool], ...]  # true ends; whether it comes from the pole
-    forces: tuple[ShownForce, ...]
+    forces: tuple[ShownVector, ...]
 
     @property
     def points(self) -> list[complex]:
@@ -91,17 +92,17 @@ def _turned(ends: tuple[complex, complex]) -> Segment:
     return QUARTER * ends[0], QUARTER * ends[1]
 
 
-def _forces(lever: Lever, column: int) -> Iterator[ShownForce]:
+def _forces(lever: Lever, column: int) -> Iterator[ShownVector]:
     """Give the forces that are not zero, the balancing one first; one at the hinge of the lever does nothing there."""
     driven, force = at(lever.driven.point, column), at(lever.force.point, column)
-    every = [ShownForce(lever.force.name, BALANCE, driven, force)]
+    every = [ShownVector(lever.force.name, BALANCE, driven, force)]
     for one in lever.hung:
         place, force = at(one.at.point, column), at(one.force.point, column)
-        every.append(ShownForce(one.name, LOAD, place, force))
+        every.append(ShownVector(one.name, LOAD, place, force))
     for pair in lever.pairs:
         force = at(pair.force.point, column)
         ends = (pair.end, force), (pair.start, -force)
-        every += [ShownForce(pair.force.name, PAIR, at(end.point, column), half) for end, half in ends]
+        every += [ShownVector(pair.force.name, PAIR, at(end.point, column), half) for end, half in ends]
     greatest = max(abs(one.value) for one in every)
     reach = max(abs(one.at) for one in every)
     yield from (one for one in every if abs(one.value) > ZERO * greatest and abs(one.at) > ZERO * reach)

@@ -10,9 +10,9 @@ from typing import NamedTuple
 
 from drawings.figures.forces.acting import ShownMoment
 from drawings.figures.forces.force_fan import UNSIZED, fan, lengths
+from drawings.figures.forces.force_kinds import KNOWN, PRESSING
 from drawings.figures.forces.force_letters import letter_of
 from drawings.figures.forces.scheme import Scheme
-from drawings.figures.forces.shown_force import KNOWN, PRESSING, ShownForce
 from drawings.figures.linkage.pairs import Joints
 from drawings.layout.ink import Ink
 from drawings.layout.place import Place
@@ -25,6 +25,7 @@ from drawings.symbols.couples import HALF, THREE_QUARTERS, Couple
 from drawings.symbols.dashes import fitted
 from drawings.symbols.figure import Subject
 from drawings.symbols.force_arrow import ForceArrow, marked
+from drawings.symbols.polygon import ShownVector
 from drawings.symbols.symbols import ARROW_LENGTH, BLOCK, MASS, POINT, arrowhead, mass_centre
 from drawings.symbols.transmission import Gear
 
@@ -177,18 +178,18 @@ class Layout:
         spots = [self.place.on(spot) for spot in self.shown.named.values()]
         return fan(arrows, [self._reach(force) for force in forces], self._around, spots, box, self.hand)
 
-    def _arrow(self, force: ShownForce, length: float) -> ForceArrow:
+    def _arrow(self, force: ShownVector, length: float) -> ForceArrow:
         """Give a force's arrow at its point; that of a guide presses on its slider."""
         at, size = self.place.on(force.at), length * self.hand.symbol
         letter = self.letter(force.name)
         return marked(letter, force.direction, at, size, force.kind == PRESSING, force.kind != KNOWN)
 
-    def _reach(self, force: ShownForce) -> float:
+    def _reach(self, force: ShownVector) -> float:
         """Give how far from a force's point symbols reach."""
         pressing = force.kind == PRESSING and self._on_block(force)
         return BLOCK[1] / 2 * self.hand.symbol if pressing else self._rim(force.spot)
 
-    def _on_block(self, force: ShownForce) -> bool:
+    def _on_block(self, force: ShownVector) -> bool:
         """Tell whether a guide's reaction meets its slider's block."""
         at, reach = self.place.on(force.at), BLOCK[0] / 2 * self.hand.symbol
         return any(abs(at - spot) <= reach for spot in self._blocks)
