@@ -147,7 +147,9 @@ def test_what_is_allowed_is_let_pass(path: str, text: str) -> None:
 ROOMS = (
     ("geometry",),
     ("plans.model",),
+    ("plans.techniques",),
     ("plans.scene", "plans.analytic"),
+    ("plans.study", "plans.explanation"),
     ("plans.linkage",),
     ("plans.forces",),
     ("plans.checks", "plans.bench"),

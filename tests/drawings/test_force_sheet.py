@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from drawings.checks.verify import SelfCheckFailed, verify
+from drawings.checks.verify import SelfCheckFailed
 from drawings.commands.draw import draw
 from drawings.lettering.lettering import lettered
 from drawings.measure.measure import measure_file
@@ -18,22 +18,23 @@ from drawings.paper.strokes import Group, Leaf, Line, SheetError, Stroke, Text, 
 from drawings.paper.walk import groups, texts
 from drawings.pens.svg import svg
 from drawings.sheets import forces
-from plans.checks.compare import Comparison, compare
-from plans.checks.force_comparison import compare_forces
+from plans.checks.compare import compare
+from plans.checks.force_comparison import ForceComparison, compare_forces
 from plans.forces.statics import Statics, without
 from plans.linkage.study import LinkageStudy
 from plans.scene.faults import SceneError
 from plans.scene.scene import parse_scene, read_scene
 from tests.drawings.collisions import collisions
+from tests.drawings.memo import verify_loaded
 from tests.plans.force_cases import text_of
 from tests.plans.test_statics import YOKE
 
 GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
-Checked = tuple[LinkageStudy, Comparison, Statics, Leaf]
+Checked = tuple[LinkageStudy, ForceComparison, Statics, Leaf]
 Change = Callable[[Stroke], Stroke | None]
 
 
-def sheets_of(study: LinkageStudy) -> tuple[Comparison, Statics, tuple[Leaf, ...]]:
+def sheets_of(study: LinkageStudy) -> tuple[ForceComparison, Statics, tuple[Leaf, ...]]:
     statics = Statics(study)
     comparison = compare_forces(statics, compare(study))
     return comparison, statics, forces.sheets(study, comparison, statics)
@@ -124,19 +125,19 @@ FAULTS: dict[str, Change] = {
 
 
 def test_the_force_sheet_as_drawn_passes(checked: Checked, tmp_path: Path) -> None:
-    study, comparison, statics, leaf = checked
+    _study, comparison, statics, leaf = checked
     (tmp_path / "sheet.svg").write_bytes(svg(lettered(leaf)))
-    assert verify(tmp_path / "sheet.svg", leaf, study, comparison, statics).vectors
+    assert verify_loaded(tmp_path / "sheet.svg", leaf, statics, comparison).vectors
 
 
 @pytest.mark.parametrize("fault", FAULTS.values(), ids=FAULTS.keys())
 def test_a_fault_withholds_the_force_sheet(checked: Checked, tmp_path: Path, fault: Change) -> None:
-    study, comparison, statics, leaf = checked
+    _study, comparison, statics, leaf = checked
     wrong = changed(leaf, fault)
     assert wrong != leaf, "the fault must be there to be seen"
     (tmp_path / "sheet.svg").write_bytes(svg(lettered(wrong)))
     with pytest.raises(SelfCheckFailed):
-        verify(tmp_path / "sheet.svg", wrong, study, comparison, statics)
+        verify_loaded(tmp_path / "sheet.svg", wrong, statics, comparison)
 
 
 # With a ruler
@@ -233,7 +234,7 @@ def test_the_force_sheet_of_each_kind_of_dyad_has_no_collisions(name: str, tmp_p
         assert collisions(leaf) == []
         path = tmp_path / f"{k}.svg"
         path.write_bytes(svg(lettered(leaf)))
-        verify(path, leaf, study, comparison, statics)
+        verify_loaded(path, leaf, statics, comparison)
 
 
 def test_every_force_on_a_scheme_has_one_arrow(checked: Checked) -> None:
@@ -264,15 +265,14 @@ def test_a_balancing_moment_that_is_but_rounding_is_drawn_and_written_as_none() 
 
 def test_a_position_that_the_analysis_alone_gives_up_has_no_ordinate(checked: Checked, tmp_path: Path) -> None:
     study, comparison, statics, whole = checked
-    assert comparison.forces is not None
     gone = np.arange(len(study.turn.phi)) == 5
-    one, other = (without(road, gone) for road in comparison.forces)
-    less = comparison._replace(forces=(one, other))
+    one, other = (without(road, gone) for road in (comparison.construction, comparison.analysis))
+    less = replace(comparison, construction=one, analysis=other)
     leaf = forces.sheets(study, less, statics)[0]
 
-    def ordinates(shown: Leaf, against: Comparison) -> set[int | None]:
+    def ordinates(shown: Leaf, against: ForceComparison) -> set[int | None]:
         (tmp_path / "sheet.svg").write_bytes(svg(lettered(shown)))
-        told = verify(tmp_path / "sheet.svg", shown, study, against, statics)
+        told = verify_loaded(tmp_path / "sheet.svg", shown, statics, against)
         return {vector.position for vector in told.vectors if vector.plan == "balancing"}
 
     assert ordinates(whole, comparison) - ordinates(leaf, less) == {5}
