@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from drawings.layout.contents import Composition, Contents, at_foot
 from drawings.layout.picture import Picture, Spot
 from drawings.layout.table import Table
-from drawings.layout.trials import Sheet, Trial
+from drawings.layout.trials import SheetTrials, Trial
 from drawings.page.page import Field, Page
 from drawings.paper.strokes import SheetError
 
@@ -26,13 +26,13 @@ def fits(contents: Contents) -> bool:
 
 def compose(contents: Contents, page: Page) -> Iterator[Composition]:
     """Compose the sheets: all on one if every figure stays readable there, or else the others on following ones."""
-    whole = Sheet(contents, page).best()
+    whole = SheetTrials(contents, page).best()
     if whole is not None:
         yield _composed(whole, contents)
         return
     assert contents.foremost is not None  # else it is not composed so
     alone = Contents((contents.foremost,), (), contents.notes)
-    first = Sheet(alone, page).best()
+    first = SheetTrials(alone, page).best()
     if first is None:
         raise SheetError(f"format {page.name} has no room for its largest figure. Fix: take a larger format")
     yield _composed(first, alone)
@@ -58,7 +58,7 @@ def _next(contents: Contents, page: Page, start: int) -> tuple[Trial, Contents, 
         panels = tuple(panel for group in contents.others[chosen] for panel in group)
         for tables in (tuple(table.of(chosen) for table in contents.tables), ()):
             part = Contents(panels, tables)
-            found = Sheet(part, page).best(legible=end - start > 1)
+            found = SheetTrials(part, page).best(legible=end - start > 1)
             if found is not None:
                 return found, part, chosen
     raise SheetError(f"format {page.name} has no room for a figure of this sheet. Fix: take a larger format")
@@ -70,7 +70,7 @@ def table_sheets(table: Table, page: Page) -> Iterator[Composition]:
     while start < len(table.lines):
         for end in range(len(table.lines), start, -1):
             part = Contents((), (table.part(slice(start, end)),))
-            found = Sheet(part, page).best()
+            found = SheetTrials(part, page).best()
             if found is not None:
                 break
         else:

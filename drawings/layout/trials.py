@@ -57,7 +57,7 @@ def rows_of(contents: Contents) -> tuple[tuple[Picture, ...], ...]:
 
 
 @dataclass(frozen=True)
-class Sheet:
+class SheetTrials:
     """A sheet to be composed: what it shows, on which paper."""
 
     contents: Contents
@@ -161,7 +161,7 @@ class Sheet:
 class Halves(NamedTuple):
     """The foremost figure on the left and the others on the right, table and notes at the foot of either."""
 
-    sheet: Sheet
+    sheet: SheetTrials
     spot: Spot
     setting: Setting | None
     way: Rows

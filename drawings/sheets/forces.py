@@ -45,7 +45,9 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
 
 def sheets(study: LinkageStudy, comparison: ForceComparison, statics: Statics) -> tuple[Leaf, ...]:
     """Lay out the force sheets: one for each position that is asked for, and following ones where one has no room."""
-    return lay_out(study.scene, [_Forces(study, comparison, statics, k).draft for k in positions(study, comparison)])
+    return lay_out(
+        study.scene, [_ForceSheet(study, comparison, statics, k).draft for k in positions(study, comparison)]
+    )
 
 
 def positions(study: LinkageStudy, comparison: ForceComparison) -> tuple[int, ...]:
@@ -73,7 +75,7 @@ def positions(study: LinkageStudy, comparison: ForceComparison) -> tuple[int, ..
 
 
 @dataclass(frozen=True)
-class _Forces:
+class _ForceSheet:
     """What the force sheets of one position are drawn from."""
 
     study: LinkageStudy
@@ -145,7 +147,7 @@ class _Forces:
         room = curve_graph.measure(curve, "balancing", self.drafting)
         return Exhibit(Panel(room), partial(curve_graph.draw, curve, room, drafting=self.drafting))
 
-    def _curve(self) -> curve_graph.Curve:
+    def _curve(self) -> curve_graph.GraphCurve:
         own, least = self.forces, self.forces.nothing[1]
         stations = np.degrees(self.study.sense * (own.phi - own.phi[0])) % 360
         angles = np.arange(STEPS + 1) * 360 / STEPS
@@ -153,7 +155,7 @@ class _Forces:
         dense, ordinates = (np.where(np.abs(row) <= least, 0.0, row) for row in moments)
         dense = curve_graph.bounded(dense, ordinates)
         letter = letter_of(BALANCING, self.drafting)
-        return curve_graph.swing(curve_graph.Curve(letter, "N*m", angles, dense, stations, ordinates))
+        return curve_graph.swing(curve_graph.GraphCurve(letter, "N*m", angles, dense, stations, ordinates))
 
     def _hodographs(self) -> Iterator[Exhibit]:
         """The reactions whose hodographs the scene asks for."""

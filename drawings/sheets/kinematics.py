@@ -11,7 +11,7 @@ import numpy as np
 
 from drawings.figures.linkage import missing_plan, position_plan, vector_plan
 from drawings.figures.linkage.skeleton import Skeletons, skeletons
-from drawings.figures.linkage.vector_plan import Diagram, diagram
+from drawings.figures.linkage.vector_plan import VectorDiagram, diagram
 from drawings.layout import value_table
 from drawings.layout.contents import Panel
 from drawings.layout.table import Table
@@ -36,7 +36,7 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
 
 def sheets(study: LinkageStudy, comparison: MotionComparison) -> tuple[Leaf, ...]:
     """Lay out the kinematics sheet, and as many following ones as its figures need to stay readable."""
-    return lay_out(study.scene, [_Kinematics(study, comparison).draft])
+    return lay_out(study.scene, [_KinematicsSheet(study, comparison).draft])
 
 
 def sheet(study: LinkageStudy, comparison: MotionComparison) -> Leaf:
@@ -45,7 +45,7 @@ def sheet(study: LinkageStudy, comparison: MotionComparison) -> Leaf:
 
 
 @dataclass(frozen=True)
-class _Kinematics:
+class _KinematicsSheet:
     """What a set of kinematics sheets is drawn from; nothing is made that the scene's sheets do not need."""
 
     study: LinkageStudy
@@ -96,7 +96,7 @@ class _Kinematics:
         draw = partial(vector_plan.draw, shown, room, drafting=self.drafting)
         return Exhibit(Panel(room, together=str(k)), draw)
 
-    def _diagram(self, subject: str, k: int) -> Diagram:
+    def _diagram(self, subject: str, k: int) -> VectorDiagram:
         drafts = self.study.drafts()
         return diagram(drafts.velocities if subject == ORDERS[1] else drafts.accelerations, k)
 

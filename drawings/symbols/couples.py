@@ -17,7 +17,7 @@ RADIUS = 8.0  # mm, to the factor of the hand's symbols
 BESIDE = 1.2  # mm from the arc to its letter
 
 
-class Couple(NamedTuple):
+class CoupleArc(NamedTuple):
     """A couple about a place on paper: +1 counter-clockwise, -1 clockwise; the arc's middle faces a direction, rad."""
 
     letter: str

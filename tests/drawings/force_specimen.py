@@ -11,7 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from drawings.figures.graphs import curve_graph, hodograph
-from drawings.figures.graphs.curve_graph import Curve
+from drawings.figures.graphs.curve_graph import GraphCurve
 from drawings.figures.graphs.hodograph import Hodograph
 from drawings.layout import value_table
 from drawings.layout.composer import compose
@@ -31,7 +31,7 @@ from drawings.page.page import Page
 from drawings.paper.strokes import Group, Leaf, Line, Stroke, Text
 from drawings.sheets.paragraphs import measure, write
 from drawings.symbols import arms, force_arrow, symbols, transmission
-from drawings.symbols.couples import Couple
+from drawings.symbols.couples import CoupleArc
 from drawings.symbols.figure import Subject, heading, point
 from drawings.symbols.force_arrow import ForceArrow
 
@@ -68,13 +68,13 @@ class Draft:
         turn = np.linspace(0, 360, 181)
         at = np.arange(12) * 30.0
         shape = lambda phi: 120 + 170 * np.sin(np.radians(phi)) - 60 * np.cos(2 * np.radians(phi))  # noqa: E731
-        self.curve = Curve(
+        self.curve = GraphCurve(
             letter(self.language, "M_{bal}"), "N*m", turn, shape(turn), at, shape(at), self.title("balancing-graph")
         )
         way = lambda phi: 1200 * np.exp(1j * np.radians(phi)) + 500 * np.exp(-2j * np.radians(phi)) + 300j  # noqa: E731
         self.hodograph = Hodograph("R_{34}", "F", "N", way(turn), way(at), 2)
         self.strokes: list[Stroke] = []
-        self.lettered: list[ForceArrow | Couple | arms.Arm] = []
+        self.lettered: list[ForceArrow | CoupleArc | arms.Arm] = []
 
     def title(self, name: str) -> str:
         kind, _, group = name.partition("-")
@@ -173,7 +173,7 @@ class Draft:
         groups = [stroke if isinstance(stroke, Group) else Group((stroke,)) for stroke in self.strokes]
         return Leaf(*page.size, (page.frame(), page.corners(), *groups, Group(tuple(letters)), *lettered))
 
-    def add(self, one: ForceArrow | Couple | arms.Arm) -> None:
+    def add(self, one: ForceArrow | CoupleArc | arms.Arm) -> None:
         drawn = one.draw(self.hand)
         self.strokes += drawn if isinstance(drawn, tuple) else [drawn]
         self.lettered.append(one)
@@ -198,7 +198,7 @@ class Draft:
             self.shown("F_{us}", 1, on(D), ending=False, length=7.0)
             self.shown("G_5", -1j, on(D))
             self.shown("R_{05}", 1j, on(D), unknown=True)
-            self.add(Couple("M^Φ_4", on(S4), -1, 8.0 * hand.symbol, math.pi / 2))
+            self.add(CoupleArc("M^Φ_4", on(S4), -1, 8.0 * hand.symbol, math.pi / 2))
             subject = Subject(name, "l", 2)
             self.add(arms.to_scale("h_1", on(D), on(S4), -1j, place.scale, subject))
             self.add(arms.to_scale("h_2", on(D), on(S4), PHI4, place.scale, subject))
@@ -215,7 +215,7 @@ class Draft:
             self.shown("G_3", -1j, on(S3))
             self.shown("Φ_3", PHI3, on(S3))
             self.shown("R_{03}", R03, on(C), unknown=True)
-            self.add(Couple("M^Φ_3", on(S3), -1, 9.0 * hand.symbol, math.pi))
+            self.add(CoupleArc("M^Φ_3", on(S3), -1, 9.0 * hand.symbol, math.pi))
             self.add(arms.to_scale("h_3", on(C), on(B), -R34, place.scale, Subject(name, "l", 2)))
         else:
             wheel = transmission.Gear(on(SHAFT), place.length(0.18), math.radians(210), RZ / abs(RZ))
@@ -229,7 +229,9 @@ class Draft:
             self.shown("F_z", RZ, wheel.contact, 7.0)
             self.shown("R_{01}", R01, on(SHAFT), unknown=True)
             self.add(
-                Couple(letter(self.language, "M_{bal}"), on(SHAFT), 1, 10.0 * hand.symbol, math.radians(100), math.pi)
+                CoupleArc(
+                    letter(self.language, "M_{bal}"), on(SHAFT), 1, 10.0 * hand.symbol, math.radians(100), math.pi
+                )
             )
 
     def polygon(self, name: str, place: Place) -> None:

@@ -15,7 +15,7 @@ from drawings.paper.strokes import Arc, Fill, Group, Leaf, Line, Polyline, Text
 from drawings.pens.svg import svg
 from drawings.symbols import arms, force_arrow
 from drawings.symbols.arms import Arm
-from drawings.symbols.couples import HALF, THREE_QUARTERS, Couple
+from drawings.symbols.couples import HALF, THREE_QUARTERS, CoupleArc
 from drawings.symbols.figure import Subject
 
 HAND = hand_of("A1")
@@ -95,7 +95,7 @@ def _texts(group: Group) -> list[Text]:
 @pytest.mark.parametrize("sweep", [HALF, THREE_QUARTERS])
 def test_a_couples_arrowhead_leads_in_its_sense(sense: int, sweep: float) -> None:
     at = 60 + 60j
-    arc, head = Couple("M^Φ_4", at, sense, 8.0, math.pi / 2, sweep).draw(HAND).strokes
+    arc, head = CoupleArc("M^Φ_4", at, sense, 8.0, math.pi / 2, sweep).draw(HAND).strokes
     assert isinstance(arc, Arc) and isinstance(head, Fill)
     tip, *wings = head.points
     ahead = tip - sum(wings) / 2
@@ -105,7 +105,7 @@ def test_a_couples_arrowhead_leads_in_its_sense(sense: int, sweep: float) -> Non
 
 
 def test_a_couple_has_its_letter_beyond_its_arc() -> None:
-    text = Couple("M^Φ_4", 100 + 100j, 1, 8.0, math.pi / 2).letter_beside(labels(), HAND)
+    text = CoupleArc("M^Φ_4", 100 + 100j, 1, 8.0, math.pi / 2).letter_beside(labels(), HAND)
     assert bounds(text)[1] > 108.0
 
 

@@ -37,7 +37,7 @@ class Shift(NamedTuple):
     value: complex
 
 
-class Acting(NamedTuple):
+class SchemeForces(NamedTuple):
     """All forces and moments on the links of a cut, and the distances along guides at which reactions act."""
 
     forces: tuple[ShownVector, ...]
@@ -45,7 +45,7 @@ class Acting(NamedTuple):
     shifts: tuple[Shift, ...]
 
 
-def acting(plan: ForcePlan, cut: Cut, links: CutLinks, column: int) -> Acting:
+def acting(plan: ForcePlan, cut: Cut, links: CutLinks, column: int) -> SchemeForces:
     """List what acts on a cut in one position; what is zero there is left out."""
     least = NOTHING * largest(cut, column)
     forces = list[ShownVector]()
@@ -66,7 +66,7 @@ def acting(plan: ForcePlan, cut: Cut, links: CutLinks, column: int) -> Acting:
     if cut.group is None:
         forces += _driving(plan, column)
     kept = tuple(force for force in forces if abs(force.value) > least)
-    return Acting(kept, tuple(moments), tuple(shifts))
+    return SchemeForces(kept, tuple(moments), tuple(shifts))
 
 
 def _couples(plan: ForcePlan, cut: Cut, links: CutLinks, column: int) -> Iterator[ShownMoment]:

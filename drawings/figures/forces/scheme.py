@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
-from drawings.figures.forces.acting import Acting, acting
+from drawings.figures.forces.acting import SchemeForces, acting
 from drawings.figures.forces.cut_links import CutLinks, cut_links
 from drawings.figures.forces.leverage import Leverage, leverages
 from geometry.board import at
@@ -36,7 +36,7 @@ class Scheme:
     cut: Cut
     column: int
     links: CutLinks
-    acting: Acting
+    acting: SchemeForces
     arms: tuple[Leverage, ...]
     wheel: Wheel | None
 

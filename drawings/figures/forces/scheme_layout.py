@@ -21,7 +21,7 @@ from drawings.page.page import Field
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Circle, Group, Line, Stroke
 from drawings.symbols.arms import Arm, to_scale
-from drawings.symbols.couples import HALF, THREE_QUARTERS, Couple
+from drawings.symbols.couples import HALF, THREE_QUARTERS, CoupleArc
 from drawings.symbols.dashes import fitted
 from drawings.symbols.figure import Subject
 from drawings.symbols.force_arrow import ForceArrow, marked
@@ -220,13 +220,13 @@ class Layout:
         return [*thick, *marks, *thin, *wheel]
 
     @cached_property
-    def couples(self) -> list[Couple]:
+    def couples(self) -> list[CoupleArc]:
         """The moments as arcs: each faces where it crosses the fewest lines; one about a point is inside the next."""
         drawn = Ink()
         for stroke, weight in self._around:
             drawn.draw([stroke], weight)
         drawn.draw((arrow.shaft for arrow in self.arrows), ARROW)
-        found: list[Couple] = []
+        found: list[CoupleArc] = []
         for moment in self.shown.acting.moments:
             at = self.place.on(moment.at)
             before = sum(abs(other.at - at) < RADIUS for other in found)
@@ -234,10 +234,10 @@ class Layout:
             found.append(self._couple(moment, at, (least + APART * before) * self.hand.symbol, drawn))
         return found
 
-    def _couple(self, moment: ShownMoment, at: complex, radius: float, drawn: Ink) -> Couple:
+    def _couple(self, moment: ShownMoment, at: complex, radius: float, drawn: Ink) -> CoupleArc:
         letter = self.letter(moment.name)
         choices = [
-            Couple(letter, at, moment.sense, radius, 2 * math.pi * k / FACINGS, sweep)
+            CoupleArc(letter, at, moment.sense, radius, 2 * math.pi * k / FACINGS, sweep)
             for sweep in (THREE_QUARTERS, HALF)
             for k in range(FACINGS)
         ]

@@ -33,7 +33,7 @@ BELOW = -math.pi / 2  # a number stands on the side of its axis away from the or
 LEAST = 0.05  # mm: a shorter ordinate is a point
 
 
-class Curve(NamedTuple):
+class GraphCurve(NamedTuple):
     """A quantity over the angle of the crank, degrees in the sense of rotation; NaN is a gap.
 
     A crank that turns fully is followed over a turn from position 0 on, any other one through its positions.
@@ -64,7 +64,7 @@ class Curve(NamedTuple):
         return self.length == TURN
 
 
-def swing(curve: Curve) -> Curve:
+def swing(curve: GraphCurve) -> GraphCurve:
     """Give the part of a curve over a turn that a crank which cannot turn fully passes through in its positions."""
     held = np.unique(curve.stations[~np.isnan(curve.ordinates)])
     if not np.isnan(curve.values).any() or len(held) < 2:
@@ -85,7 +85,7 @@ def bounded(dense: Any, own: Any) -> Any:
     return np.where(np.abs(dense) > TALLEST * np.nanmax(np.abs(own), initial=0.0), np.nan, dense)
 
 
-def measure(curve: Curve, name: str, drafting: Drafting) -> Picture:
+def measure(curve: GraphCurve, name: str, drafting: Drafting) -> Picture:
     """Measure the room of a graph: its scale is that of the angle, the quantity's own follows from the height."""
     hand = drafting.hand
     side, below, above = (size * hand.letter for size in MARGINS)
@@ -97,7 +97,7 @@ def measure(curve: Curve, name: str, drafting: Drafting) -> Picture:
     )
 
 
-def scale_of(curve: Curve, room: Picture, spot: Spot, standard: str) -> Scale:
+def scale_of(curve: GraphCurve, room: Picture, spot: Spot, standard: str) -> Scale:
     """Choose the largest standard scale of the quantity for the height of a graph."""
     low, high = curve.span
     symbol = curve.letter.split("_")[0].split("^")[0]
@@ -108,7 +108,7 @@ def scale_of(curve: Curve, room: Picture, spot: Spot, standard: str) -> Scale:
 class GraphFigure:
     """A graph placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
 
-    curve: Curve
+    curve: GraphCurve
     name: str
     lines: tuple[Stroke, ...]
     stations: tuple[tuple[str, complex, float], ...]  # number, foot, side of the number
@@ -134,7 +134,7 @@ class _Axes(NamedTuple):
         return complex(self.place.on(complex(angle)).real, self.zero + value / self.scale.mu)
 
 
-def draw(curve: Curve, room: Picture, spot: Spot, drafting: Drafting) -> GraphFigure:
+def draw(curve: GraphCurve, room: Picture, spot: Spot, drafting: Drafting) -> GraphFigure:
     """Draw the graph in its spot, with its title and both of its scales above it."""
     hand, scale = drafting.hand, scale_of(curve, room, spot, drafting.standard)
     place = room.placed(*spot)
@@ -153,7 +153,7 @@ def draw(curve: Curve, room: Picture, spot: Spot, drafting: Drafting) -> GraphFi
     return GraphFigure(curve, room.name, lines, tuple(stations), axes, hand)
 
 
-def _axes(curve: Curve, frame: _Axes, hand: Hand) -> Iterator[Stroke]:
+def _axes(curve: GraphCurve, frame: _Axes, hand: Hand) -> Iterator[Stroke]:
     """Draw both axes with their arrowheads, and a tick at their end."""
     low, high = curve.span
     first, last = frame.on(0.0), frame.on(curve.length)
@@ -166,7 +166,7 @@ def _axes(curve: Curve, frame: _Axes, hand: Hand) -> Iterator[Stroke]:
 
 
 def _ordinates(
-    curve: Curve, plan: str, frame: _Axes, hand: Hand
+    curve: GraphCurve, plan: str, frame: _Axes, hand: Hand
 ) -> tuple[list[Stroke], list[tuple[str, complex, float]]]:
     """Draw tick, ordinate and point of each position that is no gap; each ordinate can be measured."""
     drawn: list[Stroke] = []
@@ -188,7 +188,7 @@ def _ordinates(
     return drawn, stations
 
 
-def _line(curve: Curve, frame: _Axes, hand: Hand) -> Iterator[Stroke]:
+def _line(curve: GraphCurve, frame: _Axes, hand: Hand) -> Iterator[Stroke]:
     """Draw the curve, broken at its gaps."""
     for run in stretches(curve.values):
         points = [frame.on(float(curve.angles[k]), float(curve.values[k])) for k in run]

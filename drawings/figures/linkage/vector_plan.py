@@ -45,7 +45,7 @@ class Arrow:
 
 
 @dataclass(frozen=True)
-class Diagram:
+class VectorDiagram:
     """What one position of a plan shows: vectors, lines of known direction, and the letters at its points."""
 
     plan: Plan
@@ -62,7 +62,7 @@ class Diagram:
         return [0j, *ends, *(end for ray in self.rays for end in ray)]
 
 
-def diagram(plan: Plan, column: int) -> Diagram:
+def diagram(plan: Plan, column: int) -> VectorDiagram:
     """Read a figure from a plan's record: what the named points rest on is drawn, the rest is left out."""
     needed = [mark for mark in behind(*plan.letters.values()) if mark.subject == plan.board.subject]
     images = [mark for mark in needed if mark.rays and mark is not plan.pole]
@@ -76,7 +76,7 @@ def diagram(plan: Plan, column: int) -> Diagram:
             arrows.setdefault((plan.pole, mark), _arrow(plan, plan.pole, mark, column))
     rays = tuple(ray for mark in needed if mark.step.op == "meet" for ray in _rays(mark, column))
     rules = tuple(rule for mark in needed if (rule := turned(mark, column)) is not None)
-    return Diagram(plan, column, tuple(arrows.values()), rays, tuple(images), rules)
+    return VectorDiagram(plan, column, tuple(arrows.values()), rays, tuple(images), rules)
 
 
 def _arrow(plan: Plan, start: Mark, end: Mark, column: int) -> Arrow:
@@ -95,7 +95,7 @@ def _rays(mark: Mark, column: int) -> list[tuple[complex, complex]]:
 class PlanFigure:
     """A diagram placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
 
-    shown: Diagram
+    shown: VectorDiagram
     place: Place
     lines: tuple[Stroke, ...]
     position: int
@@ -111,7 +111,7 @@ class PlanFigure:
         return (Group((*self.lines, letters, *(rule for rule in rules if rule is not None)), name),)
 
 
-def measure(shown: Diagram, name: str, drafting: Drafting) -> Picture:
+def measure(shown: VectorDiagram, name: str, drafting: Drafting) -> Picture:
     """Measure the room that a plan needs: its points, letters around them, its heading above."""
     kind, hand = shown.plan.board.subject, drafting.hand
     title = text_width(Text(0j, drafting.word(kind, position=shown.column), hand.title))
@@ -121,7 +121,7 @@ def measure(shown: Diagram, name: str, drafting: Drafting) -> Picture:
     return picture(name, shown.points, (SYMBOL[kind], UNIT[kind]), margins, title, least)
 
 
-def draw(shown: Diagram, room: Picture, spot: Spot, drafting: Drafting) -> PlanFigure:
+def draw(shown: VectorDiagram, room: Picture, spot: Spot, drafting: Drafting) -> PlanFigure:
     """Draw the plan in its spot, with its title and its written scale above it."""
     position, hand = shown.column, drafting.hand
     kind = shown.plan.board.subject
@@ -136,7 +136,7 @@ def draw(shown: Diagram, room: Picture, spot: Spot, drafting: Drafting) -> PlanF
     )
 
 
-def _heading(shown: Diagram, spot: Spot, drafting: Drafting) -> Group:
+def _heading(shown: VectorDiagram, spot: Spot, drafting: Drafting) -> Group:
     """Write a plan's title and its scale above it."""
     title = drafting.word(shown.plan.board.subject, position=shown.column)
     under = drafting.scale(spot.scale) if any(shown.points) else drafting.word("at rest")
@@ -153,7 +153,7 @@ def _arrow_of(subject: Subject, arrow: Arrow, place: Place, hand: Hand) -> Group
     return vector(subject, arrow.name, arrow.ends, place, style)
 
 
-def _directions(shown: Diagram, place: Place, hand: Hand) -> list[Stroke]:
+def _directions(shown: VectorDiagram, place: Place, hand: Hand) -> list[Stroke]:
     """Draw each line of known direction from a little before its start to a little past the meeting."""
     drawn: list[Stroke] = []
     for start, end in shown.rays:
@@ -166,7 +166,7 @@ def _directions(shown: Diagram, place: Place, hand: Hand) -> list[Stroke]:
     return drawn
 
 
-def _letters(shown: Diagram, place: Place, hand: Hand, labels: Labels) -> list[Stroke]:
+def _letters(shown: VectorDiagram, place: Place, hand: Hand, labels: Labels) -> list[Stroke]:
     """Letter the pole and every image once; images that fall on one place share it."""
     names: dict[complex, list[str]] = {place.on(0j): [shown.plan.pole.name]}
     for mark in shown.letters:
