@@ -9,7 +9,7 @@ from itertools import pairwise, product, takewhile
 from typing import NamedTuple, TypeVar
 
 from drawings.layout.block import Block
-from drawings.layout.columns import Column, Filled, Part, Zone, filled
+from drawings.layout.columns import Column, Filled, Part, Zone, fill
 from drawings.layout.contents import Composition, Contents, at_foot
 from drawings.layout.footing import NARROW, PAD, Foot, Notes, feet
 from drawings.layout.picture import Ladder, Picture
@@ -155,7 +155,7 @@ class _Sheet:
         heights = [room.top - floor for floor in base.floors]
         zones = [Zone(columns[:split], base.widths[0], heights[0])] if split else []
         zones.append(Zone(columns[split:], base.widths[1], heights[1]))
-        return filled(tuple(zones), room.width, legible)
+        return fill(tuple(zones), room.width, legible)
 
     def _feet(self, room: Field) -> Iterator[_Base]:
         table, notes, block = self.contents.table, self.contents.notes, self.page.block
@@ -175,7 +175,7 @@ class _Sheet:
     def _composed(self, trial: Filled, base: _Base, room: Field) -> Composition:
         floors = base.floors if len(trial.zones) > 1 else base.floors[1:]
         feet = at_foot(self.contents.table, base.table, base.setting)
-        return Composition(*trial.stood(room, floors), feet, base.notes)
+        return Composition(*trial.stand(room, floors), feet, base.notes)
 
 
 def _standing(
@@ -212,7 +212,7 @@ def _smallest(part: Part, legible: bool) -> tuple[float, float]:
     """Give width and height that a part has at least, mm."""
     if isinstance(part, Block):
         return part.sizes[0][0], part.sizes[-1][1]
-    sizes = [(rung.wide, rung.high) for rung in part.rungs if not legible or rung.drawn >= part.least]
+    sizes = [(rung.wide, rung.high) for rung in part.rungs if not legible or rung.extent >= part.least]
     return min(sizes, default=(0.0, 0.0))
 
 

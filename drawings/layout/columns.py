@@ -40,10 +40,10 @@ class Filled:
     def score(self) -> float:
         """How good it is: the harmonic mean of the sizes of its pictures, mm, to which the small ones matter most."""
         every = (pair for zone, own in zip(self.zones, self.rungs, strict=True) for pair in _pairs(zone, own))
-        sizes = [rung.drawn / one.weight for one, rung in every if rung.drawn > 0]
+        sizes = [rung.extent / one.weight for one, rung in every if rung.extent > 0]
         return len(sizes) / sum(1 / size for size in sizes) if sizes else 0.0
 
-    def stood(self, room: Field, floors: Sequence[float]) -> tuple[dict[str, Spot], dict[str, Field]]:
+    def stand(self, room: Field, floors: Sequence[float]) -> tuple[dict[str, Spot], dict[str, Field]]:
         """Stand the columns in a room, each zone on its floor: spare paper is shared, first headings are level."""
         spots: dict[str, Spot] = {}
         blocks: dict[str, Field] = {}
@@ -55,7 +55,7 @@ class Filled:
         ]
         level = min((rack.spare(room.top) / (len(rack.parts) + 1) for rack in racks), default=0.0)
         for rack in racks:
-            for one, rung, box in rack.stood(room.top, level):
+            for one, rung, box in rack.stand(room.top, level):
                 if rung is None:
                     blocks[one.name] = box
                 else:
@@ -92,7 +92,7 @@ class _Rack(NamedTuple):
         """Give the height that is left over, mm."""
         return top - self.floor - sum(high for _, high in self.sizes)
 
-    def stood(self, top: float, level: float) -> Iterator[tuple[Part, Rung | None, Field]]:
+    def stand(self, top: float, level: float) -> Iterator[tuple[Part, Rung | None, Field]]:
         """Give each part its box, the first one some millimetres under the top, lettering close under its picture."""
         under = [isinstance(part, Block) and k > 0 for k, part in enumerate(self.parts)]
         spare = self.spare(top) - level
@@ -105,21 +105,21 @@ class _Rack(NamedTuple):
             top -= high
 
 
-def filled(zones: tuple[Zone, ...], width: float, legible: bool = True) -> Filled | None:
+def fill(zones: tuple[Zone, ...], width: float, legible: bool = True) -> Filled | None:
     """Fit zones of columns into a width: from the least legible scales on, the smallest picture is enlarged first."""
     growth = _start(zones, legible)
     if growth is None or not growth.fits(width):
         return None
     places = [(c, i) for c, column in enumerate(growth.columns) for i, part in enumerate(column) if _ladder(part)]
-    growing = [(growth.drawn(c, i), c, i) for c, i in places]
+    growing = [(growth.extent(c, i), c, i) for c, i in places]
     heapq.heapify(growing)
     while growing:
         _, c, i = growing[0]
-        if growth.enlarged(c, i, width):
-            heapq.heapreplace(growing, (growth.drawn(c, i), c, i))
+        if growth.enlarge(c, i, width):
+            heapq.heapreplace(growing, (growth.extent(c, i), c, i))
         else:
             heapq.heappop(growing)
-    return growth.filled()
+    return growth.fill()
 
 
 @dataclass
@@ -133,10 +133,10 @@ class _Growth:
     sizes: list[tuple[float, float]]
     wide: list[float]
 
-    def drawn(self, c: int, i: int) -> float:
+    def extent(self, c: int, i: int) -> float:
         part = self.columns[c][i]
         assert isinstance(part, Ladder)
-        return part.rungs[self.steps[c][i]].drawn / part.weight
+        return part.rungs[self.steps[c][i]].extent / part.weight
 
     def fits(self, width: float) -> bool:
         """Tell whether all columns fit their zones, and the zones the width."""
@@ -147,7 +147,7 @@ class _Growth:
     def _across(self) -> float:
         return sum([max(own, zone.least) for own, zone in zip(self.wide, self.zones, strict=True)], _gaps(self.zones))
 
-    def enlarged(self, c: int, i: int, width: float) -> bool:
+    def enlarge(self, c: int, i: int, width: float) -> bool:
         """Draw a picture at the next larger scale if all still fits."""
         if self.steps[c][i] == 0:
             return False
@@ -163,7 +163,7 @@ class _Growth:
         self.steps[c][i] += 1
         return False
 
-    def filled(self) -> Filled:
+    def fill(self) -> Filled:
         rungs: list[list[tuple[Rung | None, ...]]] = [[] for _ in self.zones]
         for column, steps, z in zip(self.columns, self.steps, self.zone_of, strict=True):
             rungs[z].append(_rungs(column, steps))
@@ -188,7 +188,7 @@ def _least(part: Part, legible: bool) -> int:
     """Give the place of the smallest allowed scale in a ladder; -1 where it has none."""
     if isinstance(part, Block):
         return 0
-    allowed = [k for k, rung in enumerate(part.rungs) if not legible or rung.drawn >= part.least or rung.drawn == 0]
+    allowed = [k for k, rung in enumerate(part.rungs) if not legible or rung.extent >= part.least or rung.extent == 0]
     return allowed[-1] if allowed else -1
 
 

@@ -34,7 +34,7 @@ def merging(one: Segment, other: Segment) -> bool:
     return run > SHARE * shorter or (abreast and run > most)
 
 
-def lanes(
+def parallel_offsets(
     segments: Sequence[Segment], apart: float = APART, room: complex = APART * (1 + 1j), inside: Box = EVERYWHERE
 ) -> list[complex]:
     """Give the shift of each line, mm, that keeps it from merging with those before it; most have none.
@@ -49,11 +49,11 @@ def lanes(
     for segment in segments:
         merges = segment[0] != segment[1] and any(merging(segment, other) for other in placed)
         shifts.append(_shift(segment, placed, _lanes(segment, middle, apart, room), inside) if merges else 0j)
-        placed.append(moved(segment, shifts[-1]))
+        placed.append(offset(segment, shifts[-1]))
     return shifts
 
 
-def moved(segment: Segment, shift: complex) -> Segment:
+def offset(segment: Segment, shift: complex) -> Segment:
     """Shift a line."""
     return segment[0] + shift, segment[1] + shift
 
@@ -75,7 +75,7 @@ def _shift(
             free = [
                 (_crowd(line, placed), number, shift)
                 for number, shift in enumerate(sides)
-                if _clear(line := moved(segment, shift), placed)
+                if _clear(line := offset(segment, shift), placed)
                 and (not kept or _within(line, inside)) and (not lettered or _roomy(line, placed, 0.95 * room))
             ]  # fmt: skip
             if free:

@@ -34,7 +34,7 @@ class Trial(NamedTuple):
 
 def merit(spot: Spot | None, weight: float, plans: Grid | None) -> float:
     """Rate a composition: the sizes of its figures by their logarithms, twice as large counting alike for all."""
-    sizes = plans.drawn if plans is not None else []
+    sizes = plans.extent if plans is not None else []
     others = sum(map(math.log, sizes)) / len(sizes) if sizes else 0.0
     return others + (weight * math.log(max(spot.box.width, spot.box.height)) if spot is not None else 0.0)
 
@@ -95,7 +95,7 @@ class SheetTrials:
                 large = not legible or trial.grid is None or trial.grid.legible
                 if large and (best is None or trial.score > best.score):
                     best = trial
-        return best if best is None or best.halves is None else best.halves.evened(best)
+        return best if best is None or best.halves is None else best.halves.even_out(best)
 
     def _spots(self) -> list[Spot | None]:
         """Give the foremost figure at the largest scale that fits, and smaller ones that still fill half a sheet."""
@@ -191,7 +191,7 @@ class Halves(NamedTuple):
         said = self.sheet.contents.notes if self.notes_left == on_left else None
         return feet(column, block, table, self.setting if table is not None else None, said)
 
-    def evened(self, found: Trial) -> Trial:
+    def even_out(self, found: Trial) -> Trial:
         """Share out what the right half has too much of, if the composition stays as good."""
         assert found.grid is not None and found.plans is not None  # halves have both
         own, others = self.spot.box.width, found.grid.size[0]

@@ -9,7 +9,7 @@ from typing import NamedTuple
 from drawings.layout.labels import Labels
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Stroke
-from drawings.symbols.force_arrow import named
+from drawings.symbols.force_arrow import plain_name
 from drawings.symbols.symbols import turning_arrow
 
 HALF, THREE_QUARTERS = math.pi, 1.5 * math.pi  # rad: the arcs of a couple
@@ -36,7 +36,7 @@ class CoupleArc(NamedTuple):
         """Draw the arc and its head."""
         start = self.facing - self.sense * self.sweep / 2
         arrow = turning_arrow(self.at, self.radius, start, self.sense * self.sweep, hand, hand.relative)
-        data = {"kind": "couple", "name": named(self.letter), "sense": f"{self.sense:+d}"}
+        data = {"kind": "couple", "name": plain_name(self.letter), "sense": f"{self.sense:+d}"}
         return Group(arrow, "", data, self.letter)
 
     def letter_beside(self, labels: Labels, hand: Hand) -> Stroke:

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.layout.labels import Labels
-from drawings.layout.parallel_offsets import APART, Box, Segment, lanes, moved
+from drawings.layout.parallel_offsets import APART, Box, Segment, offset, parallel_offsets
 from drawings.layout.picture import Margins
 from drawings.layout.place import Place
 from drawings.page.page import Field
@@ -89,9 +89,9 @@ def lay(order: Sequence[ShownVector], place: Place, box: Field, room: complex, h
     wide, high = room.real * hand.letter, room.imag * hand.letter  # of a letter beside the outermost lane
     top = box.top - 2 * hand.title - hand.text - high
     inside: Box = (box.left + wide, box.bottom + high, box.right - wide, top)
-    shifts = lanes(segments, APART * hand.symbol, room * hand.letter, inside)
+    shifts = parallel_offsets(segments, APART * hand.symbol, room * hand.letter, inside)
     placed = zip(order, segments, shifts, strict=True)
-    return tuple(LaidVector(one, moved(line, shift), shift) for one, line, shift in placed)
+    return tuple(LaidVector(one, offset(line, shift), shift) for one, line, shift in placed)
 
 
 def carriers(arrows: Sequence[LaidVector], place: Place, hand: Hand) -> list[Stroke]:

@@ -15,10 +15,10 @@ from drawings.paper.strokes import TURN, Arc, Circle, Line, Polyline, Stroke
 Mask = Circle | Polyline  # a circle, or a closed convex outline
 
 
-def trimmed(strokes: Iterable[Stroke], masks: Sequence[Mask]) -> Iterator[Stroke]:
+def trim(strokes: Iterable[Stroke], masks: Sequence[Mask]) -> Iterator[Stroke]:
     """Cut lines, chains and arcs at the outlines of masks and drop what is inside; other strokes pass.
 
-    >>> [line.start for line in trimmed([Line(-5 + 0j, 5 + 0j)], [Circle(0j, 2)])]
+    >>> [line.start for line in trim([Line(-5 + 0j, 5 + 0j)], [Circle(0j, 2)])]
     [(-5+0j), (2+0j)]
     """
     for stroke in strokes:

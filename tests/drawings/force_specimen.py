@@ -153,7 +153,7 @@ class Draft:
             self.strokes.append(self.passage(name).write(field, hand))
         figures: list[Figure] = []
         for name, spot in composed.spots.items():
-            place = self.pictures[name].placed(*spot)
+            place = self.pictures[name].place(*spot)
             scale = spot.scale.written(self.language)
             if name == "balancing-graph":
                 figures.append(curve_graph.draw(self.curve, self.pictures[name], spot, self.drafting))
@@ -167,7 +167,7 @@ class Draft:
         labels = Labels(ink, hand.drafted)
         letters = [one.letter_beside(labels, hand) for one in self.lettered]
         if "lever" in composed.spots:
-            pole = self.pictures["lever"].placed(*composed.spots["lever"]).on(0j)
+            pole = self.pictures["lever"].place(*composed.spots["lever"]).on(0j)
             letters.append(labels.beside(pole, "p", hand.letter, 1.6, -math.pi / 2))
         lettered = [group for one in figures for group in one.letter(labels)]
         groups = [stroke if isinstance(stroke, Group) else Group((stroke,)) for stroke in self.strokes]
@@ -179,7 +179,7 @@ class Draft:
         self.lettered.append(one)
 
     def shown(self, name: str, direction: complex, at: complex, length: float = 5.0, **how: bool) -> None:
-        self.add(force_arrow.marked(letter(self.language, name), direction, at, length * self.hand.letter, **how))
+        self.add(force_arrow.not_to_scale(letter(self.language, name), direction, at, length * self.hand.letter, **how))
 
     def scheme(self, name: str, place: Place) -> None:
         on, hand = place.on, self.hand

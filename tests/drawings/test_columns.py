@@ -6,7 +6,7 @@ import time
 import pytest
 
 from drawings.layout.block import Block
-from drawings.layout.columns import Column, Zone, filled
+from drawings.layout.columns import Column, Zone, fill
 from drawings.layout.composer import compose
 from drawings.layout.contents import Composition, Contents, Item, Panel
 from drawings.layout.footing import Notes
@@ -131,7 +131,7 @@ def test_scales_are_standard_ones_and_every_figure_can_be_read(page: Page) -> No
     pictures = {one.item.name: one.item for one in SHAPER.panels if isinstance(one.item, Picture)}
     for one in compose(SHAPER, page):
         for name, spot in one.spots.items():
-            size = pictures[name].drawn(spot.scale)
+            size = pictures[name].extent(spot.scale)
             assert size >= LEAST or len(one.spots) <= len(COLUMNS[0])
             if spot.scale.letter == "F":
                 mantissa = float(f"{spot.scale.mu:e}".split("e")[0])
@@ -179,7 +179,7 @@ def test_no_picture_could_be_drawn_larger_by_itself() -> None:
         tuple(item.ladder(width, height) if isinstance(item, Picture) else item for item in column)
         for column in COLUMNS
     )
-    found = filled((Zone(columns, 0.0, height),), width)
+    found = fill((Zone(columns, 0.0, height),), width)
     assert found is not None
     rungs = [list(own) for own in found.rungs[0]]
     assert _fits(columns, rungs, width, height)

@@ -50,7 +50,7 @@ def apart(one: Field, other: Field) -> bool:
 def test_a_ladder_lists_the_standard_scales_from_the_largest_that_fits() -> None:
     rungs = plan("p", 2.0, 1.0).ladder(220.0, 200.0).rungs
     assert [rung.scale.mu for rung in rungs[:5]] == [0.01, 0.02, 0.025, 0.04, 0.05]
-    assert rungs[0].wide == 220.0 and rungs[0].drawn == 200.0 and rungs[0].high == 130.0
+    assert rungs[0].wide == 220.0 and rungs[0].extent == 200.0 and rungs[0].high == 130.0
 
 
 def test_a_picture_that_is_one_point_has_one_scale() -> None:

@@ -10,7 +10,7 @@ from drawings.checks.labelled import unlettered
 from drawings.figures.forces.force_kinds import WHOLE
 from drawings.figures.forces.force_polygon import Polygon, draw, polygon
 from drawings.figures.forces.force_polygon import measure as room_of
-from drawings.layout.parallel_offsets import lanes, merging, moved
+from drawings.layout.parallel_offsets import merging, offset, parallel_offsets
 from drawings.lettering.extent import bounds
 from drawings.measure.measure import Measured, MeasuredVector, check, measure
 from drawings.page.drafting import Drafting
@@ -231,10 +231,10 @@ def test_each_vector_ends_in_an_arrowhead() -> None:
 
 def test_lanes_keep_the_first_and_shift_what_runs_along_it() -> None:
     segments = [(0j, 100 + 0j), (100 + 0j, 40 + 0.2j), (40 + 0.2j, 40 + 60j), (0j, 30 + 0j)]
-    shifts = lanes(segments, 4.0, 12 + 10j)
+    shifts = parallel_offsets(segments, 4.0, 12 + 10j)
     assert shifts[0] == 0
     assert shifts[2] == 0
-    placed = [moved(one, shift) for one, shift in zip(segments, shifts, strict=True)]
+    placed = [offset(one, shift) for one, shift in zip(segments, shifts, strict=True)]
     assert not any(merging(one, other) for k, one in enumerate(placed) for other in placed[:k])
     for one, shift in zip(segments, shifts, strict=True):
         assert abs(((one[1] - one[0]) * shift.conjugate()).real) < 1e-9  # a shift is square to its line

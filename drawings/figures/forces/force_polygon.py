@@ -117,7 +117,7 @@ def measure(shown: Polygon, name: str, drafting: Drafting) -> Picture:
 
 def draw(shown: Polygon, room: Picture, spot: Spot, drafting: Drafting) -> PolygonFigure:
     """Draw the polygon in its spot: its sides in main lines, diagonals thinner, directions thin, title above."""
-    place, hand = room.placed(*spot), drafting.hand
+    place, hand = room.place(*spot), drafting.hand
     lengths = {one: place.length(abs(one.value)) for one in shown.forces}
     order = sorted((one for one in lengths if lengths[one] >= SEEN), key=_rank)
     arrows = lay(order, place, spot.box, ROOM, hand)

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from drawings.figures.forces.force_kinds import BALANCE, PAIR
 from drawings.figures.forces.force_letters import letter_of
-from drawings.figures.linkage.vector_plan import written
+from drawings.figures.linkage.vector_plan import with_index
 from drawings.layout.parallel_offsets import Segment, merging
 from drawings.layout.place import Place
 from drawings.lettering.force_words import letter as by_language
@@ -18,7 +18,7 @@ from drawings.page.drafting import Drafting
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
 from drawings.symbols.arms import Arm
-from drawings.symbols.force_arrow import ForceArrow, marked
+from drawings.symbols.force_arrow import ForceArrow, not_to_scale
 from drawings.symbols.polygon import ShownVector
 from drawings.symbols.symbols import ARROW_LENGTH, STAND
 
@@ -67,8 +67,8 @@ def forces(pushes: Sequence[ShownVector], place: Place, taken: Taken, drafting: 
 def _beside(letter: str, force: complex, image: complex, length: float, taken: Taken) -> ForceArrow:
     """Draw a force from its image or to it; where both run along others, further on along its line of action."""
     along, step = force / abs(force), length + AFTER
-    tries = [marked(letter, force, image, length), marked(letter, force, image, length, ending=True)]
-    tries += [marked(letter, force, image + along * step * k, length, ending=k < 0) for k in (1, -1, 2, -2)]
+    tries = [not_to_scale(letter, force, image, length), not_to_scale(letter, force, image, length, ending=True)]
+    tries += [not_to_scale(letter, force, image + along * step * k, length, ending=k < 0) for k in (1, -1, 2, -2)]
 
     def cost(arrow: ForceArrow) -> int:
         ends = arrow.start, arrow.tip
@@ -109,7 +109,7 @@ def arms(
             index = "bal" if one.kind == BALANCE else str(next(numbers))
             letter = by_language(language, f"h′_{{{index}}}")
         elif _ray(arm):
-            letter = "p" + written(images[min(images, key=lambda true: abs(true - one.at))])
+            letter = "p" + with_index(images[min(images, key=lambda true: abs(true - one.at))])
         kept = replace(arm, letter=letter) if one.name in chosen else None
         found.append((Reach(one.name, arm.length * place.scale.mu, letter), kept))
     return found

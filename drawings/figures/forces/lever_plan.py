@@ -19,7 +19,7 @@ from drawings.figures.forces.lever_layout import (
     forces,
     reach,
 )
-from drawings.figures.linkage.vector_plan import LEAST, diagram, written
+from drawings.figures.linkage.vector_plan import LEAST, diagram, with_index
 from drawings.layout.labels import Labels
 from drawings.layout.parallel_offsets import Segment
 from drawings.layout.picture import Margins, Picture, Spot, picture
@@ -138,7 +138,7 @@ class LeverFigure:
         for spot, own in names.items():
             prefer = cmath.phase(spot - middle) if abs(spot - middle) > SAME else math.pi / 4
             gap = BESIDE if spot != self.place.on(0j) else HINGE * self.hand.symbol + 1.0
-            yield labels.beside(spot, ", ".join(map(written, own)), self.hand.number, gap, prefer)
+            yield labels.beside(spot, ", ".join(map(with_index, own)), self.hand.number, gap, prefer)
 
 
 def measure(shown: Hanging, name: str, drafting: Drafting) -> Picture:
@@ -152,7 +152,7 @@ def measure(shown: Hanging, name: str, drafting: Drafting) -> Picture:
 
 def draw(shown: Hanging, room: Picture, spot: Spot, drafting: Drafting) -> LeverFigure:
     """Draw the lever in its spot: the turned plan on its hinge, the forces not to scale, arms of the greatest."""
-    place, hand = room.placed(*spot), drafting.hand
+    place, hand = room.place(*spot), drafting.hand
     subject = Subject(PLAN, SYMBOL, shown.column)
     rods = [(Line(place.on(start), place.on(end), _style(thin, hand))) for (start, end), thin in shown.rods]
     rods = [rod for rod in rods if abs(rod.end - rod.start) >= LEAST]

@@ -22,9 +22,9 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Circle, Group, Line, Stroke
 from drawings.symbols.arms import Arm, to_scale
 from drawings.symbols.couples import HALF, THREE_QUARTERS, CoupleArc
-from drawings.symbols.dashes import fitted
+from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.figure import Subject
-from drawings.symbols.force_arrow import ForceArrow, marked
+from drawings.symbols.force_arrow import ForceArrow, not_to_scale
 from drawings.symbols.polygon import ShownVector
 from drawings.symbols.symbols import ARROW_LENGTH, BLOCK, MASS, POINT, arrowhead, mass_centre
 from drawings.symbols.transmission import Gear
@@ -111,7 +111,7 @@ class Layout:
             reach = [((end - spot) * along.conjugate()).real for end in ends]
             low, high = min([0.0, *reach]), max([0.0, *reach])
             more = GUIDE * self.hand.symbol
-            yield from fitted([Line(spot + (low - more) * along, spot + (high + more) * along, self.hand.axis)])
+            yield from fit_dashes([Line(spot + (low - more) * along, spot + (high + more) * along, self.hand.axis)])
 
     def _ties(self) -> Iterator[Stroke]:
         """Tie a mass centre to its link where that is drawn as no more than its point."""
@@ -182,7 +182,7 @@ class Layout:
         """Give a force's arrow at its point; that of a guide presses on its slider."""
         at, size = self.place.on(force.at), length * self.hand.symbol
         letter = self.letter(force.name)
-        return marked(letter, force.direction, at, size, force.kind == PRESSING, force.kind != KNOWN)
+        return not_to_scale(letter, force.direction, at, size, force.kind == PRESSING, force.kind != KNOWN)
 
     def _reach(self, force: ShownVector) -> float:
         """Give how far from a force's point symbols reach."""

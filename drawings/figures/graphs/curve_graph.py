@@ -17,7 +17,7 @@ from drawings.page.drafting import Drafting
 from drawings.page.scale import Scale, fitting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Circle, Group, Line, Polyline, Stroke, Text
-from drawings.symbols.dashes import fitted
+from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.figure import Subject, heading
 from drawings.symbols.symbols import TICK, arrowhead
 from plans.model.motion import Floats
@@ -137,7 +137,7 @@ class _Axes(NamedTuple):
 def draw(curve: GraphCurve, room: Picture, spot: Spot, drafting: Drafting) -> GraphFigure:
     """Draw the graph in its spot, with its title and both of its scales above it."""
     hand, scale = drafting.hand, scale_of(curve, room, spot, drafting.standard)
-    place = room.placed(*spot)
+    place = room.place(*spot)
     low, high = curve.span
     spare = room.high / spot.scale.mu - (high - low) / scale.mu
     frame = _Axes(place, place.on(0j).imag + spare / 2 - low / scale.mu, scale)
@@ -192,7 +192,7 @@ def _line(curve: GraphCurve, frame: _Axes, hand: Hand) -> Iterator[Stroke]:
     """Draw the curve, broken at its gaps."""
     for run in stretches(curve.values):
         points = [frame.on(float(curve.angles[k]), float(curve.values[k])) for k in run]
-        yield from fitted([Polyline(tuple(points), False, hand.result)])
+        yield from fit_dashes([Polyline(tuple(points), False, hand.result)])
 
 
 def stretches(values: Floats) -> Iterator[Sequence[int]]:

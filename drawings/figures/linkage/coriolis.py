@@ -21,7 +21,7 @@ STEP, AROUND = 4.0, 60.0  # mm: the search for a free place, step by step, and h
 APART = 2.0  # mm between the figure and everything else
 
 
-class Turned(NamedTuple):
+class QuarterTurn(NamedTuple):
     """A slip and the Coriolis acceleration that it gives, by directions; `sense` is that of the guide's turning.
 
     `size` is that of the acceleration, true units: what vanishes on paper has no direction either.
@@ -34,7 +34,7 @@ class Turned(NamedTuple):
     point: str
 
 
-def turned(mark: Mark, column: int) -> Turned | None:
+def quarter_turn(mark: Mark, column: int) -> QuarterTurn | None:
     """Read the figure off the record of an acceleration plan; nothing where the slip or the turning is zero."""
     if mark.step.op != "similar" or not mark.name.startswith("a^k_"):
         return None
@@ -45,10 +45,10 @@ def turned(mark: Mark, column: int) -> Turned | None:
     direction = slip / abs(slip)
     sense = 1 if turning > 0 else -1
     size = abs(at(mark.point, column))
-    return Turned(direction, 1j * sense * direction, sense, size, mark.name.removeprefix("a^k_"))
+    return QuarterTurn(direction, 1j * sense * direction, sense, size, mark.name.removeprefix("a^k_"))
 
 
-def rule(shown: Turned, centre: complex, hand: Hand) -> Group:
+def rule(shown: QuarterTurn, centre: complex, hand: Hand) -> Group:
     """Draw the slip, the acceleration, and the quarter turn between them."""
     arm = ARM * hand.letter
     corner = centre - arm / 2 * (shown.slip + shown.result)
@@ -67,7 +67,7 @@ def rule(shown: Turned, centre: complex, hand: Hand) -> Group:
     return Group((*drawn, *_letters(shown, corner, arm, hand)))
 
 
-def _letters(shown: Turned, corner: complex, arm: float, hand: Hand) -> list[Stroke]:
+def _letters(shown: QuarterTurn, corner: complex, arm: float, hand: Hand) -> list[Stroke]:
     """Letter both vectors beyond their tips."""
     drawn: list[Stroke] = []
     for direction, content in ((shown.slip, "v_r"), (shown.result, f"a^k_{{{shown.point}}}")):
@@ -90,7 +90,7 @@ def _outward(rings: int) -> Iterator[complex]:
                 yield complex(ring, off) * turn
 
 
-def placed(shown: Turned, box: Field, ink: Ink, hand: Hand) -> Group | None:
+def draw_nearby(shown: QuarterTurn, box: Field, ink: Ink, hand: Hand) -> Group | None:
     """Draw the figure in the free place nearest to its plan; nothing where there is none."""
     left, bottom, right, top = bounds(rule(shown, 0j, hand))
     middle = complex(left + right, bottom + top) / 2

@@ -11,7 +11,7 @@ from drawings.layout.place import Place
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Line, Stroke
 from drawings.symbols.symbols import BLOCK, ground, tick
-from drawings.symbols.trimming import trimmed
+from drawings.symbols.trimming import trim
 from plans.model.mechanism import FRAME, Slide
 
 BEYOND = 16.0  # mm of a guide's axis past the block's outermost places
@@ -57,8 +57,8 @@ def grounds(pairs: Pairs, drawn: Ink) -> list[Stroke]:
             1
         ]
         over = [symbol for other, symbol in pairs.blocks if other != slide]
-        found += trimmed([base], over)
-        found += [line for line in hatch if list(trimmed([line], over)) == [line]]  # hatching is whole or left out
+        found += trim([base], over)
+        found += [line for line in hatch if list(trim([line], over)) == [line]]  # hatching is whole or left out
     return found
 
 

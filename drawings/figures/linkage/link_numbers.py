@@ -19,7 +19,7 @@ ROUND = 0.85  # radius of the circle, in sizes of its number: of two digits it i
 DIRECTIONS = 16
 
 
-def numbered(joints: Joints, links: list[int], labels: Labels, hand: Hand) -> Iterator[Stroke]:
+def link_numbers(joints: Joints, links: list[int], labels: Labels, hand: Hand) -> Iterator[Stroke]:
     """Number the links where the lines of all figures leave room."""
     for link in links:
         yield _number(str(link), list(_spots(joints, link, hand)), labels, hand)

@@ -16,7 +16,7 @@ from drawings.figures.linkage.rotation import turnings
 from drawings.figures.linkage.skeleton import Poses, Skeletons
 from drawings.figures.linkage.stroke_dimension import stroke
 from drawings.figures.linkage.trajectories import trajectories
-from drawings.figures.linkage.vector_plan import written
+from drawings.figures.linkage.vector_plan import with_index
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels, free_side
 from drawings.layout.picture import Margins, Picture, Spot, picture
@@ -28,9 +28,9 @@ from drawings.paper.hand import Hand
 from drawings.paper.limits import MANY
 from drawings.paper.strokes import Arc, Group, Line, LineStyle, Stroke, Text
 from drawings.symbols import symbols
-from drawings.symbols.dashes import fitted
+from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.symbols import ARROW_LENGTH
-from drawings.symbols.trimming import trimmed
+from drawings.symbols.trimming import trim
 from geometry.board import Arc as Notch
 from geometry.board import at
 from plans.linkage.barrier import CHANGE
@@ -67,7 +67,7 @@ def measure(bones: Skeletons, name: str, drafting: Drafting) -> Picture:
 
 def draw(bones: Skeletons, room: Picture, spot: Spot, drafting: Drafting) -> PositionFigure:
     """Draw the plan of positions in its spot, with its title and its written scale above it."""
-    pairs = Pairs(bones, room.placed(*spot), drafting.hand)
+    pairs = Pairs(bones, room.place(*spot), drafting.hand)
     lines = Group(tuple(layers(pairs, drafting.language)), NAME)
     return PositionFigure(pairs, (_heading(spot, drafting), lines))
 
@@ -100,7 +100,7 @@ def layers(pairs: Pairs, language: str) -> list[Group]:
         ("guides", lines),
         ("notches", _notches(bones, place, hand)),
     ]
-    groups = [Group(tuple(fitted(trimmed(strokes, pairs.masks))), name) for name, strokes in under]
+    groups = [Group(tuple(fit_dashes(trim(strokes, pairs.masks))), name) for name, strokes in under]
     groups += [
         Group(tuple(grounded), "grounds"),
         Group((*blocks, *body, *pairs.corners()), "shown-position"),
@@ -209,10 +209,10 @@ def letters(pairs: Pairs, labels: Labels) -> Group:
         value = bones.spot(name, bones.shown)
         if not math.isnan(value.real):
             gap = pairs.clear(name) + 1.0
-            drawn.append(labels.beside(place.on(value), written(name), hand.letter, gap, _free(pairs, name)))
+            drawn.append(labels.beside(place.on(value), with_index(name), hand.letter, gap, _free(pairs, name)))
     for name in bones.masses:
         if name in pairs.centres:
-            drawn.append(labels.beside(pairs.centres[name], written(name), hand.letter, 2.5, math.pi / 4))
+            drawn.append(labels.beside(pairs.centres[name], with_index(name), hand.letter, 2.5, math.pi / 4))
     for turning in turnings(pairs):
         middle, away = turning.middle
         drawn.append(labels.beside(middle, turning.letter, hand.letter, 1.5, away))

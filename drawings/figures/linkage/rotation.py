@@ -65,14 +65,14 @@ def turnings(pairs: Pairs) -> tuple[Turning, ...]:
     drawn = Ink()
     drawn.draw([*pairs.bars(), *pairs.stands(), *(block for _, block in pairs.blocks)], THICK)
     drawn.draw(circle for circles in pairs.hinges.values() for circle in circles)
-    found = [_placed(f"ω_{drive.link}", bones.study.sense, pairs, drawn)]
+    found = [_best(f"ω_{drive.link}", bones.study.sense, pairs, drawn)]
     if drive.epsilon:
         drawn.draw(found[0].field, THICK)
-        found.append(_placed(f"ε_{drive.link}", int(math.copysign(1, drive.epsilon)), pairs, drawn))
+        found.append(_best(f"ε_{drive.link}", int(math.copysign(1, drive.epsilon)), pairs, drawn))
     return tuple(found)
 
 
-def _placed(letter: str, sense: int, pairs: Pairs, drawn: Ink) -> Turning:
+def _best(letter: str, sense: int, pairs: Pairs, drawn: Ink) -> Turning:
     bones, place = pairs.bones, pairs.place
     crank = cmath.phase(place.on(bones.crank_end(bones.shown)) - bones.pivot(place))
 

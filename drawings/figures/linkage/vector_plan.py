@@ -6,7 +6,7 @@ import cmath
 import math
 from dataclasses import dataclass
 
-from drawings.figures.linkage.coriolis import Turned, placed, turned
+from drawings.figures.linkage.coriolis import QuarterTurn, draw_nearby, quarter_turn
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
@@ -53,7 +53,7 @@ class VectorDiagram:
     arrows: tuple[Arrow, ...]
     rays: tuple[tuple[complex, complex], ...]  # true ends of lines of known direction: from its start to the meeting
     letters: tuple[Mark, ...]
-    turned: tuple[Turned, ...]  # the Coriolis parts' directions
+    turned: tuple[QuarterTurn, ...]  # the Coriolis parts' directions
 
     @property
     def points(self) -> list[complex]:
@@ -75,7 +75,7 @@ def diagram(plan: Plan, column: int) -> VectorDiagram:
         if mark.step.op == "meet" or mark in plan.letters.values():
             arrows.setdefault((plan.pole, mark), _arrow(plan, plan.pole, mark, column))
     rays = tuple(ray for mark in needed if mark.step.op == "meet" for ray in _rays(mark, column))
-    rules = tuple(rule for mark in needed if (rule := turned(mark, column)) is not None)
+    rules = tuple(rule for mark in needed if (rule := quarter_turn(mark, column)) is not None)
     return VectorDiagram(plan, column, tuple(arrows.values()), rays, tuple(images), rules)
 
 
@@ -107,7 +107,7 @@ class PlanFigure:
         name = f"{self.shown.plan.board.subject}-{self.position}"
         letters = Group(tuple(_letters(self.shown, self.place, self.hand, labels)))
         seen = (rule for rule in self.shown.turned if self.place.length(rule.size) >= LEAST)
-        rules = (placed(rule, self.box, labels.ink, self.hand) for rule in seen)
+        rules = (draw_nearby(rule, self.box, labels.ink, self.hand) for rule in seen)
         return (Group((*self.lines, letters, *(rule for rule in rules if rule is not None)), name),)
 
 
@@ -126,7 +126,7 @@ def draw(shown: VectorDiagram, room: Picture, spot: Spot, drafting: Drafting) ->
     position, hand = shown.column, drafting.hand
     kind = shown.plan.board.subject
     subject = Subject(kind, SYMBOL[kind], position)
-    place = room.placed(*spot)
+    place = room.place(*spot)
     title = _heading(shown, spot, drafting)
     lines = Group(tuple(_directions(shown, place, hand)))
     arrows = [_arrow_of(subject, arrow, place, hand) for arrow in shown.arrows if _visible(arrow, place)]
@@ -178,14 +178,14 @@ def _letters(shown: VectorDiagram, place: Place, hand: Hand, labels: Labels) -> 
     drawn: list[Stroke] = []
     for spot, letters in names.items():
         prefer = cmath.phase(spot - middle) if abs(spot - middle) > 1e-9 else math.pi / 4
-        drawn.append(labels.beside(spot, ", ".join(written(letter) for letter in letters), hand.letter, 1.6, prefer))
+        drawn.append(labels.beside(spot, ", ".join(with_index(letter) for letter in letters), hand.letter, 1.6, prefer))
     return drawn
 
 
-def written(letter: str) -> str:
+def with_index(letter: str) -> str:
     """Write a mark's letter with its index lowered: b, a_3, n_BA.
 
-    >>> written("a3"), written("n_BA"), written("s12'")
+    >>> with_index("a3"), with_index("n_BA"), with_index("s12'")
     ('a_{3}', 'n_{BA}', "s_{12}'")
     """
     if "_" in letter:
