@@ -49,10 +49,10 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[str]:
 
 def table_names(comparison: ForceComparison, statics: Statics) -> dict[str, Finding]:
     """Name the findings as the table of a force sheet does."""
-    sheet = statics.study.scene.sheet
+    language, letter = statics.study.scene.sheet.language, statics.form.sheet.reactions
     found = {}
     for finding in comparison.of("forces"):
-        written = label(finding, sheet.language, sheet.reactions)
+        written = label(finding, language, letter)
         found[Text(0j, written).plain.rsplit(", ", 1)[0]] = finding
     return found
 
@@ -89,9 +89,9 @@ class _Check:
         """Give the forces of a cut and their parts by the names that the sheet writes."""
         expected, cuts = self.expected(), self.statics.drafts().plans.plan.cuts
         group = next(cut.group for cut in cuts if cut.label == label)
-        sheet = self.statics.study.scene.sheet
+        language, letter = self.statics.study.scene.sheet.language, self.statics.form.sheet.reactions
         told = expected.polygon(self.statics.study.groups, group) | expected.parts(group)
-        return {plain_name(force_letter(name, sheet.language, sheet.reactions)): value for name, value in told.items()}
+        return {plain_name(force_letter(name, language, letter)): value for name, value in told.items()}
 
     def plans(self) -> Iterator[str]:
         """Hold the force plans and the lever's images."""
@@ -153,11 +153,11 @@ class _Check:
         moments = {str(k): complex(0, value) for k, value in enumerate(told.balancing.moment)}
         largest = max(np.nanmax(one.allowed) for one in self.comparison.of("forces") if one.name.startswith("M_bal"))
         yield from self._held("balancing", moments, 2 * float(largest) + told.nothing[1])
-        sheet = self.statics.study.scene.sheet
+        language, sheet = self.statics.study.scene.sheet.language, self.statics.form.sheet
         for key in sheet.hodographs:
             one = told.reactions[key]
             ends = {str(k): complex(value) for k, value in enumerate(one.force)}
-            shown = force_letter(f"R_{indices(one.giver, one.taker)}", sheet.language, sheet.reactions)
+            shown = force_letter(f"R_{indices(one.giver, one.taker)}", language, sheet.reactions)
             ends[plain_name(shown)] = complex(one.force[self.position])
             yield from self._held(f"hodograph-{key}", ends, self.slack)
 

@@ -36,4 +36,4 @@ class Drafting(NamedTuple):
 def drafting_of(scene: Scene) -> Drafting:
     """Give what a scene asks for."""
     sheet = scene.sheet
-    return Drafting(page_of(scene).hand, sheet.language, sheet.standard, sheet.notation, sheet.reactions)
+    return Drafting(page_of(scene).hand, sheet.language, sheet.standard, sheet.notation)

@@ -7,7 +7,7 @@ from plans.scene.scene import Scene
 
 def of_forces(scene: Scene) -> list[str]:
     """Say what a scene gives of forces that its sheets do not need."""
-    if not scene.masses and scene.loads is None:
+    if not scene.has(("masses",)) and not scene.has(("loads",)):
         return ["- Masses and loads: the sheet does not need them and the scene gives none."]
     return ["- Masses and loads of the scene: a kinematics sheet does not need them."]
 

@@ -26,6 +26,7 @@ from plans.checks.force_comparison import ForceComparison
 from plans.forces.cut import Cut, indices
 from plans.forces.force import ForcePlan
 from plans.forces.primary import BALANCING
+from plans.forces.reading.form import ForceForm
 from plans.forces.statics import Statics
 from plans.linkage.study import LinkageStudy
 from plans.model.kinetostatics import Kinetostatics
@@ -61,15 +62,16 @@ def positions(study: LinkageStudy, comparison: ForceComparison) -> tuple[int, ..
             f"{study.scene.file}: no position has forces: {first.reason} at {first.where}, in position "
             f"{first.position}: {first.advice}"
         )
-    for index, k in enumerate(study.scene.sheet.forces):
+    wanted = study.scene.of(ForceForm).sheet.forces
+    for index, k in enumerate(wanted):
         if k in gone:
             line, column = study.scene.place(("sheet", "forces", index))
             raise SheetError(
                 f"{study.scene.file}:{line}:{column}: sheet.forces: {gone[k].reason} at {gone[k].where}, so that "
                 f"position {k} has no forces. Fix: choose one of {', '.join(map(str, have[:CHOICES]))}"
             )
-    if study.scene.sheet.forces:
-        return tuple(study.scene.sheet.forces)
+    if wanted:
+        return wanted
     shown = position(study, comparison.motion)
     return (shown if shown in have else have[0],)
 
@@ -85,7 +87,7 @@ class _ForceSheet:
 
     @cached_property
     def drafting(self) -> Drafting:
-        return drafting_of(self.study.scene)
+        return drafting_of(self.study.scene)._replace(reactions=self.statics.form.sheet.reactions)
 
     @property
     def draft(self) -> Draft:
@@ -159,7 +161,7 @@ class _ForceSheet:
 
     def _hodographs(self) -> Iterator[Exhibit]:
         """The reactions whose hodographs the scene asks for."""
-        for key in self.study.scene.sheet.hodographs:
+        for key in self.statics.form.sheet.hodographs:
             dense, own = self.turned.reactions[key], self.forces.reactions[key]
             letter = letter_of(f"R_{indices(own.giver, own.taker)}", self.drafting)
             around = curve_graph.bounded(dense.force, own.force)

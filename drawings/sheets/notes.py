@@ -40,7 +40,7 @@ def notes(study: LinkageStudy, comparison: MotionComparison, language: str) -> l
 
 def lengths(study: LinkageStudy, language: str) -> list[str]:
     """Tell the lengths of the scene, where they are not too many."""
-    given = study.scene.mechanism.lengths
+    given = study.form.mechanism.lengths
     if not 0 < len(given) <= MOST_LENGTHS:
         return []
     told = (f"l_{{{name}}} = {number(1000 * float(length), language)}" for name, length in given.items())

@@ -105,12 +105,12 @@ def carriers(arrows: Sequence[LaidVector], place: Place, hand: Hand) -> list[Str
     ]
 
 
-def letters(arrows: Sequence[LaidVector], letter: Callable[[str], str], labels: Labels, hand: Hand) -> list[Stroke]:
-    """Letter each vector on its outer side, the shortest served first."""
+def letters(arrows: Sequence[LaidVector], mark: Callable[[str], tuple[str, float]], labels: Labels) -> list[Stroke]:
+    """Letter each vector on its outer side, the shortest served first; `mark` gives a name's letter and its size."""
     spots = [end for arrow in arrows for end in arrow.ends]
     middle = sum(spots, 0j) / max(len(spots), 1)
     found = []
     for one, (start, end), shift in sorted(arrows, key=lambda arrow: abs(arrow.vector.value)):
         outward = shift or (start + end) / 2 - middle or 1j
-        found.append(labels.along(start, end, letter(one.name), hand.letter, BESIDE, cmath.phase(outward)))
+        found.append(labels.along(start, end, *mark(one.name), BESIDE, cmath.phase(outward)))
     return found

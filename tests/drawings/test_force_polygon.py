@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-import pytest
 
 from drawings.checks.force_marks import polygon_marks
 from drawings.checks.labelled import unlettered
@@ -23,6 +22,7 @@ from plans.forces.cut import CLOSING, KNOWN
 from tests.drawings.collisions import collisions
 from tests.drawings.collisions import strokes as flat
 from tests.drawings.force_cases import CASES, Forced, forced, leaf, polygons, sheet, spot
+from tests.rows import over
 
 A1 = hand_of("A1")
 ROUNDING = 1e-9  # of the greatest force: what the construction may differ from the equilibrium by
@@ -61,7 +61,7 @@ def test_a_ruler_finds_the_forces_of_the_worked_example() -> None:
         assert abs(found[key].stated - value) <= 1e-5, key
 
 
-@pytest.mark.parametrize("name", sorted(set(CASES) - {"shaper at 60"}))
+@over("name", sorted(set(CASES) - {"shaper at 60"}))
 def test_every_written_force_is_what_the_equilibrium_of_all_links_gives(name: str) -> None:
     case = forced(name)
     for k in range(0, len(case.study.turn), 5):
@@ -92,7 +92,7 @@ def test_the_check_sees_a_force_that_is_turned_that_lacks_or_that_nobody_knows()
     assert wrong() == ["the force plan of 2-3 in position 0 is missing"]
 
 
-@pytest.mark.parametrize("name", sorted(CASES))
+@over("name", sorted(CASES))
 def test_the_sides_of_a_polygon_close_it_and_follow_one_another(name: str) -> None:
     case = forced(name)
     for cut in case.plan.cuts:
@@ -108,8 +108,8 @@ def test_the_sides_of_a_polygon_close_it_and_follow_one_another(name: str) -> No
                 assert min(abs(end - corner) for corner in corners) <= ROUNDING * greatest
 
 
-@pytest.mark.parametrize("name", sorted(CASES))
-@pytest.mark.parametrize(("paper", "language"), [("A1", "en"), ("A3", "ru")])
+@over("name", sorted(CASES))
+@over("paper, language", [("A1", "en"), ("A3", "ru")])
 def test_no_letter_touches_a_line_and_each_force_has_its_own(name: str, paper: str, language: str) -> None:
     for k in range(0, len(forced(name).study.turn), 7):
         drawn = sheet(name, k, paper, language)
@@ -117,7 +117,7 @@ def test_no_letter_touches_a_line_and_each_force_has_its_own(name: str, paper: s
         assert list(unlettered(drawn)) == []
 
 
-@pytest.mark.parametrize("name", sorted(CASES))
+@over("name", sorted(CASES))
 def test_no_two_vectors_lie_on_one_another(name: str) -> None:
     for k in range(0, len(forced(name).study.turn), 3):
         for one in polygons(forced(name), k, A1):
@@ -126,7 +126,7 @@ def test_no_two_vectors_lie_on_one_another(name: str) -> None:
             assert merged == []
 
 
-@pytest.mark.parametrize("name", sorted(CASES))
+@over("name", sorted(CASES))
 def test_the_lines_of_a_figure_stay_on_the_paper_that_it_asked_for(name: str) -> None:
     case, hair = forced(name), 1e-6
     for k in range(0, len(case.study.turn), 3):

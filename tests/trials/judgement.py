@@ -91,7 +91,7 @@ def _extremes(study: LinkageStudy, comparison: MotionComparison) -> Iterator[tup
 
 def _direction(study: LinkageStudy, position: int) -> Any:
     """Give the crank's direction as the scene means it: listed, or a share of a turn from the first position."""
-    drive = study.scene.drive
+    drive = study.form.drive
     if isinstance(drive.positions, tuple):
         return _turned(Fraction(drive.positions[position]) / 360)
     share = Fraction(study.sense * position, drive.positions)

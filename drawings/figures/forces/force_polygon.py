@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import partial
 from typing import NamedTuple
 
 from drawings.figures.forces.force_kinds import CLOSING, WHOLE
@@ -102,9 +101,11 @@ class PolygonFigure:
 
     def letter(self, labels: Labels) -> tuple[Group, ...]:
         """Give the whole figure with the letter of each vector beside it, the shortest served first."""
-        letter = partial(letter_of, drafting=self.drafting)
-        beside = letters(self.arrows, letter, labels, self.drafting.hand)
+        beside = letters(self.arrows, self._mark, labels)
         return (Group((*self.lines, Group(tuple(beside))), f"{self.shown.plan}-{self.shown.column}"),)
+
+    def _mark(self, name: str) -> tuple[str, float]:
+        return letter_of(name, self.drafting), self.drafting.hand.letter
 
 
 def measure(shown: Polygon, name: str, drafting: Drafting) -> Picture:

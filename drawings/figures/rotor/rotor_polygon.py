@@ -1,0 +1,148 @@
+"""The figure of a polygon of static moments or of their moments: vectors end to end, and what closes them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from drawings.figures.rotor.letters import FEW, MOST, letter, lowered, size
+from drawings.layout.labels import Labels
+from drawings.layout.picture import Margins, Picture, Spot, picture
+from drawings.layout.place import Place
+from drawings.lettering.lettering import text_width
+from drawings.page.drafting import Drafting
+from drawings.paper.limits import SEEN
+from drawings.paper.strokes import LEAN, Group, Stroke, Text
+from drawings.symbols.figure import Subject, heading, point
+from drawings.symbols.polygon import LaidVector, ShownVector, carriers, ends, lay, letters, margins
+from drawings.symbols.symbols import pole
+from plans.rotor.balancing import COUPLES
+from plans.rotor.polygon import Polygon as Construction
+
+SYMBOLS = {COUPLES: ("{mDh}", "kg*m2")}  # letter and unit of the scale
+SYMBOL = ("{mD}", "kg*m")
+MARGINS = Margins(4.0, 2.4, 2.4)  # paper around a polygon for its letters, in their sizes
+LETTERS, EACH = 14.0, 1.8  # a polygon is drawn at least so many letters large, and so many for each of its vectors
+ROOM = 4.7 + 1.9j  # width + 1j * height of a letter between two lanes, in its sizes, with what it keeps clear of them
+SIDE, RESULT = "side", "result"  # what a vector is: given, or found
+SUM = "Σ"  # before the letters of all vectors together, that stand for more than can be told apart
+
+
+class Polygon(NamedTuple):
+    """What a polygon shows: the vectors in the order of laying, the closing one last if there is one."""
+
+    plan: str  # the board: "couples" or "unbalances"
+    vectors: tuple[ShownVector, ...]
+    closed: bool  # by itself, so that no vector closes it
+
+    @property
+    def points(self) -> list[complex]:
+        """All true points that the figure must hold."""
+        return [0j, *(end for one in self.vectors for end in (one.at, one.end))]
+
+    @property
+    def subject(self) -> Subject:
+        """What its marks belong to."""
+        return Subject(self.plan, self.symbol[0].strip("{}"), None)
+
+    @property
+    def symbol(self) -> tuple[str, str]:
+        """The letter of its scale, and its unit."""
+        return SYMBOLS.get(self.plan, SYMBOL)
+
+    def faint(self, mu: float) -> tuple[str, ...]:
+        """Name the vectors that are not to be seen at a scale: a sheet lists them beside."""
+        return tuple(one.name for one in self.vectors if abs(one.value) < SEEN * mu)
+
+
+def polygon(drawn: Construction, names: frozenset[str] = frozenset()) -> Polygon:
+    """Read a polygon from its record; `names` are vectors in it that are results themselves."""
+    vectors = [
+        ShownVector(one.name, RESULT if one.name in names else SIDE, complex(start.point), complex(one.point))
+        for one, start in ((side.vector, side.start) for side in drawn.sides)
+    ]
+    if len(vectors) > MOST:
+        vectors = _together(vectors, drawn.board.subject)
+    if not drawn.closed:
+        start = vectors[-1].end if vectors else 0j
+        vectors.append(ShownVector(drawn.closing.name, RESULT, start, complex(drawn.closing.point)))
+    return Polygon(drawn.board.subject, tuple(vectors), drawn.closed)
+
+
+def _together(vectors: Sequence[ShownVector], plan: str) -> list[ShownVector]:
+    """Draw one vector for all that are no results."""
+    found = [one for one in vectors if one.kind == RESULT]
+    end = found[0].at if found else vectors[-1].end
+    return [ShownVector(sum_letters(plan), SIDE, 0j, end), *found]
+
+
+def sum_letters(plan: str) -> str:
+    """Letter all vectors of a polygon together."""
+    return SUM + SYMBOLS.get(plan, SYMBOL)[0].strip("{}")
+
+
+@dataclass(frozen=True)
+class RotorPolygonFigure:
+    """A polygon placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
+
+    shown: Polygon
+    place: Place
+    lines: tuple[Stroke, ...]
+    arrows: tuple[LaidVector, ...]  # those that are lettered
+    drafting: Drafting
+
+    def letter(self, labels: Labels) -> tuple[Group, ...]:
+        """Give the whole figure with the letter of each vector beside it, the shortest served first."""
+        zero = labels.beside(self.place.on(0j), "0", self.drafting.hand.letter, 1.6, -math.pi / 4)
+        beside = letters(self.arrows, self._mark, labels)
+        return (Group((*self.lines, Group((zero, *beside))), self.shown.plan),)
+
+    def _mark(self, name: str) -> tuple[str, float]:
+        text = letter(name, len(self.shown.vectors), self.drafting)
+        return text, size(text, self.drafting)
+
+
+def measure(shown: Polygon, drafting: Drafting) -> Picture:
+    """Measure the room that a polygon needs: its points, letters around them, lanes beside a flat one, its heading."""
+    hand = drafting.hand
+    title = text_width(Text(0j, _title(shown, drafting), hand.title)) + 2 * LEAN * hand.title
+    least = hand.letter * max(LETTERS, EACH * min(len(shown.vectors), FEW))
+    return picture(shown.plan, shown.points, shown.symbol, margins(shown.points, MARGINS, hand), title, least)
+
+
+def draw(shown: Polygon, room: Picture, spot: Spot, drafting: Drafting) -> RotorPolygonFigure:
+    """Draw the polygon in its spot: results in main lines, the others thinner, title and scale above."""
+    place, hand = room.place(*spot), drafting.hand
+    title = heading(spot.box, _title(shown, drafting), _under(shown, spot, drafting), hand)
+    zero = point(shown.subject, "0", 0j, place, pole(place.on(0j)), "pole")
+    order = sorted(shown.vectors, key=lambda one: (one.kind != RESULT, -abs(one.value)))
+    seen = [one for one in order if place.length(abs(one.value)) >= SEEN]
+    arrows = lay(seen, place, spot.box, ROOM, hand)
+    short = (LaidVector(one, ends(one, place)) for one in order if one not in seen)
+    thin = carriers(arrows, place, hand)
+    sides = (_side(shown, one, place, drafting) for one in (*reversed(arrows), *short))
+    return RotorPolygonFigure(shown, place, (title, *thin, *sides, zero), arrows, drafting)
+
+
+def _side(shown: Polygon, one: LaidVector, place: Place, drafting: Drafting) -> Group:
+    hand, vector = drafting.hand, one.vector
+    style = hand.result if vector.kind == RESULT else hand.relative
+    text = letter(vector.name, len(shown.vectors), drafting)
+    return one.draw(shown.subject, text, place, style, hand.symbol)
+
+
+def _title(shown: Polygon, drafting: Drafting) -> str:
+    return drafting.word("polygon of moments" if shown.plan == COUPLES else "polygon of static moments")
+
+
+def _under(shown: Polygon, spot: Spot, drafting: Drafting) -> str:
+    """Write the scale; of a polygon that closes by itself that it does, and what is too short to bear a letter."""
+    if not shown.vectors:
+        return drafting.word("no vectors")
+    parts = [drafting.scale(spot.scale)]
+    parts += [drafting.word("closes by itself")] if shown.closed else []
+    faint = ", ".join(lowered(name, drafting) for name in shown.faint(spot.scale.mu))
+    parts += [drafting.word("unlettered", names=faint)] if faint else []
+    return ";  ".join(parts)
