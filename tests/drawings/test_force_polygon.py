@@ -7,7 +7,7 @@ import numpy as np
 from drawings.checks.force_marks import polygon_marks
 from drawings.checks.labelled import unlettered
 from drawings.figures.forces.force_kinds import WHOLE
-from drawings.figures.forces.force_polygon import Polygon, draw, polygon
+from drawings.figures.forces.force_polygon import ForcePolygon, draw, polygon
 from drawings.figures.forces.force_polygon import measure as room_of
 from drawings.layout.parallel_offsets import merging, offset, parallel_offsets
 from drawings.lettering.extent import bounds
@@ -149,7 +149,7 @@ def test_a_vector_beside_its_place_keeps_its_value_and_thin_lines_lead_to_it() -
         ShownVector("G_3", KNOWN, -40j, -60j),
         ShownVector("R_03", CLOSING, -100j, 100j),
     )
-    shown = Polygon("2-3", True, 0, down, ())
+    shown = ForcePolygon("2-3", True, 0, down, ())
     measure_ = room_of(shown, "forces-2-3-0", Drafting(A1))
     placed = spot(measure_, Field(10, 10, 300, 300))
     drawn = draw(shown, measure_, placed, Drafting(A1))
@@ -245,6 +245,6 @@ def test_an_unknown_position_is_not_finite_and_raises_nothing() -> None:
     assert not np.isfinite(shown.points).all()
 
 
-def replace_start(shown: Polygon) -> Polygon:
+def replace_start(shown: ForcePolygon) -> ForcePolygon:
     first, *others = shown.forces
     return shown._replace(forces=(first._replace(value=complex("nan")), *others))

@@ -33,7 +33,7 @@ ROOM = 2.7 + 1.9j  # width + 1j * height of a letter between two lanes, in its s
 ZERO = 256 * EPS
 
 
-class Polygon(NamedTuple):
+class ForcePolygon(NamedTuple):
     """What one position of a force plan shows: its vectors in the order of laying, diagonals last, and directions."""
 
     label: str  # the links: "4-5"
@@ -57,7 +57,7 @@ class Polygon(NamedTuple):
         return tuple(one.name for one in self.forces if abs(one.value) < SEEN * mu)
 
 
-def polygon(plan: ForcePlan, cut: Cut, column: int) -> Polygon:
+def polygon(plan: ForcePlan, cut: Cut, column: int) -> ForcePolygon:
     """Read a force polygon from its record; forces that are zero are left out."""
     named = {side.name: _vector(side.name, side.kind, side.start, side.end, column) for side in cut.sides}
     for support in cut.reactions:
@@ -68,7 +68,7 @@ def polygon(plan: ForcePlan, cut: Cut, column: int) -> Polygon:
     kept = tuple(one for one in named.values() if not abs(one.value) <= ZERO * greatest)  # what is unknown is kept
     closing = {corner for side in cut.sides if side.kind == CLOSING for corner in (side.start, side.end)}
     rays = tuple(ray for corner in cut.sides for ray in _rays(corner.start, column) if corner.start in closing)
-    return Polygon(cut.label, cut.group is not None, column, kept, rays)
+    return ForcePolygon(cut.label, cut.group is not None, column, kept, rays)
 
 
 def _ends(mark: Mark) -> tuple[Mark, Mark]:
@@ -92,7 +92,7 @@ def _rays(corner: Mark, column: int) -> list[Segment]:
 class PolygonFigure:
     """A polygon placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
 
-    shown: Polygon
+    shown: ForcePolygon
     place: Place
     lines: tuple[Stroke, ...]
     arrows: tuple[LaidVector, ...]  # the vectors that are seen
@@ -108,7 +108,7 @@ class PolygonFigure:
         return letter_of(name, self.drafting), self.drafting.hand.letter
 
 
-def measure(shown: Polygon, name: str, drafting: Drafting) -> Picture:
+def measure(shown: ForcePolygon, name: str, drafting: Drafting) -> Picture:
     """Measure the room that a polygon needs: its points, letters around them, lanes beside a flat one, its heading."""
     hand = drafting.hand
     title = text_width(Text(0j, _title(shown, drafting), hand.title)) + 2 * LEAN * hand.title
@@ -116,7 +116,7 @@ def measure(shown: Polygon, name: str, drafting: Drafting) -> Picture:
     return picture(name, shown.points, (SYMBOL, UNIT), margins(shown.points, MARGINS, hand), title, least)
 
 
-def draw(shown: Polygon, room: Picture, spot: Spot, drafting: Drafting) -> PolygonFigure:
+def draw(shown: ForcePolygon, room: Picture, spot: Spot, drafting: Drafting) -> PolygonFigure:
     """Draw the polygon in its spot: its sides in main lines, diagonals thinner, directions thin, title above."""
     place, hand = room.place(*spot), drafting.hand
     lengths = {one: place.length(abs(one.value)) for one in shown.forces}
@@ -131,7 +131,7 @@ def draw(shown: Polygon, room: Picture, spot: Spot, drafting: Drafting) -> Polyg
     return PolygonFigure(shown, place, lines, arrows, faint, drafting)
 
 
-def _side(shown: Polygon, one: LaidVector, place: Place, drafting: Drafting) -> Group:
+def _side(shown: ForcePolygon, one: LaidVector, place: Place, drafting: Drafting) -> Group:
     """Draw a side in a main line, a diagonal in a thinner one."""
     hand, vector = drafting.hand, one.vector
     style = hand.relative if vector.kind == WHOLE else hand.result
@@ -139,7 +139,7 @@ def _side(shown: Polygon, one: LaidVector, place: Place, drafting: Drafting) -> 
     return one.draw(subject, letter_of(vector.name, drafting), place, style, hand.symbol)
 
 
-def _under(shown: Polygon, faint: tuple[str, ...], spot: Spot, drafting: Drafting) -> str:
+def _under(shown: ForcePolygon, faint: tuple[str, ...], spot: Spot, drafting: Drafting) -> str:
     """Write the scale, and beside it the forces that are too short to bear a letter."""
     if not shown.forces:
         return drafting.word("unloaded")
@@ -153,7 +153,7 @@ def _rank(one: ShownVector) -> tuple[bool, float]:
     return one.kind == WHOLE, -abs(one.value)
 
 
-def _directions(shown: Polygon, place: Place, hand: Hand) -> list[Stroke]:
+def _directions(shown: ForcePolygon, place: Place, hand: Hand) -> list[Stroke]:
     """Draw each line of known direction from a little before its start to a little past the meeting."""
     drawn: list[Stroke] = []
     for start, end in shown.rays:
@@ -164,6 +164,6 @@ def _directions(shown: Polygon, place: Place, hand: Hand) -> list[Stroke]:
     return drawn
 
 
-def _title(shown: Polygon, drafting: Drafting) -> str:
+def _title(shown: ForcePolygon, drafting: Drafting) -> str:
     key = "force plan" if shown.grouped else "primary force plan"
     return f"{drafting.word(key, group=shown.label)}, {drafting.word('position', position=shown.column)}"

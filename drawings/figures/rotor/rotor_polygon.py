@@ -30,7 +30,7 @@ SIDE, RESULT = "side", "result"  # what a vector is: given, or found
 SUM = "Σ"  # before the letters of all vectors together, that stand for more than can be told apart
 
 
-class Polygon(NamedTuple):
+class RotorPolygon(NamedTuple):
     """What a polygon shows: the vectors in the order of laying, the closing one last if there is one."""
 
     plan: str  # the board: "couples" or "unbalances"
@@ -57,7 +57,7 @@ class Polygon(NamedTuple):
         return tuple(one.name for one in self.vectors if abs(one.value) < SEEN * mu)
 
 
-def polygon(drawn: Construction, names: frozenset[str] = frozenset()) -> Polygon:
+def polygon(drawn: Construction, names: frozenset[str] = frozenset()) -> RotorPolygon:
     """Read a polygon from its record; `names` are vectors in it that are results themselves."""
     vectors = [
         ShownVector(one.name, RESULT if one.name in names else SIDE, complex(start.point), complex(one.point))
@@ -68,7 +68,7 @@ def polygon(drawn: Construction, names: frozenset[str] = frozenset()) -> Polygon
     if not drawn.closed:
         start = vectors[-1].end if vectors else 0j
         vectors.append(ShownVector(drawn.closing.name, RESULT, start, complex(drawn.closing.point)))
-    return Polygon(drawn.board.subject, tuple(vectors), drawn.closed)
+    return RotorPolygon(drawn.board.subject, tuple(vectors), drawn.closed)
 
 
 def _together(vectors: Sequence[ShownVector], plan: str) -> list[ShownVector]:
@@ -87,7 +87,7 @@ def sum_letters(plan: str) -> str:
 class RotorPolygonFigure:
     """A polygon placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
 
-    shown: Polygon
+    shown: RotorPolygon
     place: Place
     lines: tuple[Stroke, ...]
     arrows: tuple[LaidVector, ...]  # those that are lettered
@@ -104,7 +104,7 @@ class RotorPolygonFigure:
         return text, size(text, self.drafting)
 
 
-def measure(shown: Polygon, drafting: Drafting) -> Picture:
+def measure(shown: RotorPolygon, drafting: Drafting) -> Picture:
     """Measure the room that a polygon needs: its points, letters around them, lanes beside a flat one, its heading."""
     hand = drafting.hand
     title = text_width(Text(0j, _title(shown, drafting), hand.title)) + 2 * LEAN * hand.title
@@ -112,7 +112,7 @@ def measure(shown: Polygon, drafting: Drafting) -> Picture:
     return picture(shown.plan, shown.points, shown.symbol, margins(shown.points, MARGINS, hand), title, least)
 
 
-def draw(shown: Polygon, room: Picture, spot: Spot, drafting: Drafting) -> RotorPolygonFigure:
+def draw(shown: RotorPolygon, room: Picture, spot: Spot, drafting: Drafting) -> RotorPolygonFigure:
     """Draw the polygon in its spot: results in main lines, the others thinner, title and scale above."""
     place, hand = room.place(*spot), drafting.hand
     title = heading(spot.box, _title(shown, drafting), _under(shown, spot, drafting), hand)
@@ -126,18 +126,18 @@ def draw(shown: Polygon, room: Picture, spot: Spot, drafting: Drafting) -> Rotor
     return RotorPolygonFigure(shown, place, (title, *thin, *sides, zero), arrows, drafting)
 
 
-def _side(shown: Polygon, one: LaidVector, place: Place, drafting: Drafting) -> Group:
+def _side(shown: RotorPolygon, one: LaidVector, place: Place, drafting: Drafting) -> Group:
     hand, vector = drafting.hand, one.vector
     style = hand.result if vector.kind == RESULT else hand.relative
     text = letter(vector.name, len(shown.vectors), drafting)
     return one.draw(shown.subject, text, place, style, hand.symbol)
 
 
-def _title(shown: Polygon, drafting: Drafting) -> str:
+def _title(shown: RotorPolygon, drafting: Drafting) -> str:
     return drafting.word("polygon of moments" if shown.plan == COUPLES else "polygon of static moments")
 
 
-def _under(shown: Polygon, spot: Spot, drafting: Drafting) -> str:
+def _under(shown: RotorPolygon, spot: Spot, drafting: Drafting) -> str:
     """Write the scale; of a polygon that closes by itself that it does, and what is too short to bear a letter."""
     if not shown.vectors:
         return drafting.word("no vectors")
