@@ -62,12 +62,12 @@ def _runs(whole: _Sheet) -> Iterator[tuple[_Sheet, Composition]]:
     while start < count:
         for end in range(count, start, -1):
             sheet = whole.part(slice(start, end))
-            found = sheet.best() or (sheet.best(legible=False) if end == start + 1 else None)
-            if found is not None:
+            composition = sheet.best() or (sheet.best(legible=False) if end == start + 1 else None)
+            if composition is not None:
                 break
         else:
             raise SheetError(message("refused.column", format=page.name))
-        yield sheet, found
+        yield sheet, composition
         start = end
 
 
@@ -76,12 +76,12 @@ def _tables(table: Table, page: Page) -> Iterator[Composition]:
     start = 0
     while start < len(table.lines):
         for end in range(len(table.lines), start, -1):
-            found = _Sheet(Contents((), (table.part(slice(start, end)),)), page, {}).best()
-            if found is not None:
+            composition = _Sheet(Contents((), (table.part(slice(start, end)),)), page, {}).best()
+            if composition is not None:
                 break
         else:
             raise SheetError(message("refused.table", format=page.name))
-        yield found
+        yield composition
         start = end
 
 
@@ -127,7 +127,7 @@ class _Sheet:
 
     def best(self, legible: bool = True) -> Composition | None:
         """Find the composition with the largest figures."""
-        room, found = room_of(self.page), None
+        room, best = room_of(self.page), None
         if sum(_area(column, legible) for column in self.columns) > room.width * room.height:
             return None
         bases = _best_of(self._feet(room))
@@ -136,9 +136,9 @@ class _Sheet:
                 continue
             for base, split in product(bases, range(max(len(columns), 1))):
                 trial = self._filled(columns, split, base, room, legible)
-                if trial is not None and (found is None or trial.score > found[0].score):
-                    found = trial, base
-        return None if found is None else self._composed(*found, room)
+                if trial is not None and (best is None or trial.score > best[0].score):
+                    best = trial, base
+        return None if best is None else self._composed(*best, room)
 
     def _ways(self, room: Field) -> Iterator[tuple[Column, ...]]:
         """List the ways to stand columns and loose pictures; on paper that stands upright columns stand on columns."""
@@ -169,9 +169,9 @@ class _Sheet:
                 rights = _standing(room, block, 0.0 if table_left else wide, *other)
                 for (one, low), (two, high) in product(list(lefts), list(rights)):
                     floors = low.top + PAD if low.top > room.bottom else room.bottom, high.top + PAD
-                    said = low.notes if notes_left else high.notes
+                    words = low.notes if notes_left else high.notes
                     corner = (low.table if table_left else high.table) if table is not None else None
-                    yield _Base((one, two), floors, corner, setting, said)
+                    yield _Base((one, two), floors, corner, setting, words)
 
     def _composed(self, trial: Filled, base: _Base, room: Field) -> Composition:
         floors = base.floors if len(trial.zones) > 1 else base.floors[1:]

@@ -153,13 +153,13 @@ class _Growth:
             return False
         kept, z = self.sizes[c], self.zone_of[c]
         self.steps[c][i] -= 1
-        found = _measured(self.columns[c], self.steps[c])
-        if found[1] <= self.zones[z].height:
-            self.wide[z] += found[0] - kept[0]
+        size = _measured(self.columns[c], self.steps[c])
+        if size[1] <= self.zones[z].height:
+            self.wide[z] += size[0] - kept[0]
             if self._across() <= width:
-                self.sizes[c] = found
+                self.sizes[c] = size
                 return True
-            self.wide[z] += kept[0] - found[0]
+            self.wide[z] += kept[0] - size[0]
         self.steps[c][i] += 1
         return False
 
@@ -250,8 +250,8 @@ def _across(zone: Zone, rungs: Sequence[Sequence[Rung | None]], field: Field) ->
     """Give middle and width of each column of a zone: columns share what is left over."""
     widths = _widths(zone, rungs)
     across = (field.width - sum(widths)) / (len(widths) + 1)
-    found, left = [], field.left + across
+    places, left = [], field.left + across
     for width in widths:
-        found.append((left + width / 2, width))
+        places.append((left + width / 2, width))
         left += width + across
-    return found
+    return places

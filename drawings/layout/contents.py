@@ -56,10 +56,10 @@ class Contents:
     @cached_property
     def groups(self) -> tuple[tuple[Panel, ...], ...]:
         """The panels that stand together; one that belongs to no others is alone."""
-        found: dict[tuple[str, int], list[Panel]] = {}
+        groups: dict[tuple[str, int], list[Panel]] = {}
         for k, panel in enumerate(self.panels):
-            found.setdefault((panel.together, 0 if panel.together else k), []).append(panel)
-        return tuple(map(tuple, found.values()))
+            groups.setdefault((panel.together, 0 if panel.together else k), []).append(panel)
+        return tuple(map(tuple, groups.values()))
 
     @cached_property
     def others(self) -> tuple[tuple[Panel, ...], ...]:

@@ -97,13 +97,13 @@ class Passage(NamedTuple):
         """Measure the ways to break it, each at the least width for its number of lines."""
         least = max(_length((piece,), self.size) for one in self.equations for piece in one.pieces)
         width = max(_length(one.pieces, self.size) for one in self.equations)
-        found: dict[float, float] = {}
-        while not found or width >= max(least, NARROWEST * self.size):
+        widths: dict[float, float] = {}
+        while not widths or width >= max(least, NARROWEST * self.size):
             rows = self.rows(width)
             width = max(_length(row, self.size) for row in rows)
-            found[self._height(len(rows))] = width  # the last is the least width for this height
+            widths[self._height(len(rows))] = width  # the last is the least width for this height
             width -= self.size / 10  # narrower by a pen's width: a line must break
-        return Block(self.name, tuple((wide, high) for high, wide in reversed(found.items())))
+        return Block(self.name, tuple((wide, high) for high, wide in reversed(widths.items())))
 
     def _height(self, rows: int) -> float:
         return self.size * (ASCENT + STEP * (rows - 1) + DESCENT)

@@ -44,8 +44,8 @@ def _following(contents: Contents, page: Page) -> Iterator[Composition]:
     """Compose the following sheets: as many groups on each as stay readable, their table with them or after."""
     count, start = len(contents.others), 0
     while start < count:
-        found, part, chosen = _next(contents, page, start)
-        yield _composed(found, part)
+        trial, part, chosen = _next(contents, page, start)
+        yield _composed(trial, part)
         if part.table is None and contents.table is not None:
             yield from table_sheets(contents.table.of(chosen), page)
         start = chosen.stop
@@ -59,9 +59,9 @@ def _next(contents: Contents, page: Page, start: int) -> tuple[Trial, Contents, 
         panels = tuple(panel for group in contents.others[chosen] for panel in group)
         for tables in (tuple(table.of(chosen) for table in contents.tables), ()):
             part = Contents(panels, tables)
-            found = SheetTrials(part, page).best(legible=end - start > 1)
-            if found is not None:
-                return found, part, chosen
+            trial = SheetTrials(part, page).best(legible=end - start > 1)
+            if trial is not None:
+                return trial, part, chosen
     raise SheetError(message("refused.figure", format=page.name))
 
 
@@ -71,12 +71,12 @@ def table_sheets(table: Table, page: Page) -> Iterator[Composition]:
     while start < len(table.lines):
         for end in range(len(table.lines), start, -1):
             part = Contents((), (table.part(slice(start, end)),))
-            found = SheetTrials(part, page).best()
-            if found is not None:
+            trial = SheetTrials(part, page).best()
+            if trial is not None:
                 break
         else:
             raise SheetError(message("refused.table", format=page.name))
-        yield _composed(found, part)
+        yield _composed(trial, part)
         start = end
 
 

@@ -48,10 +48,10 @@ def _cells(finding: Finding, position: int, language: str) -> tuple[str, str, st
         return "—", "—", "—"
     true = [float(abs(value)) if np.iscomplexobj(value) else float(value) for value in (ours, theirs)]
     places = max(DIGITS - 1 - int(np.floor(np.log10(finding.largest))), 0)
-    told = _per_cent(float(finding.difference[position]) / finding.largest * 100, language)
+    share = _per_cent(float(finding.difference[position]) / finding.largest * 100, language)
     if max(map(abs, true)) <= finding.allowed[position]:
-        told = "—"  # of what is nothing but for rounding there is no share
-    return fixed(true[0], language, places), fixed(true[1], language, places), told
+        share = "—"  # of what is nothing but for rounding there is no share
+    return fixed(true[0], language, places), fixed(true[1], language, places), share
 
 
 def _per_cent(value: float, language: str) -> str:

@@ -105,12 +105,12 @@ def outline(text: Text) -> tuple[Polyline, ...]:
     turn = cmath.rect(1, math.radians(text.rotation)) if text.rotation else 1 + 0j
     start = text.at - {"start": 0.0, "middle": 0.5, "end": 1.0}[text.anchor] * length * turn
     lean = SLANT if text.slanted else 0.0
-    written: list[Polyline] = []
+    chains: list[Polyline] = []
     for letter, along, rise, unit in places:
         origin, scale, style = start + turn * complex(along + lean * rise, rise), turn * unit, pen(unit, text.style)
         for points, closed in leaning(letter) if text.slanted else glyph(letter).strokes:
-            written.append(Polyline(tuple([origin + scale * point for point in points]), closed, style))
-    return tuple(written)
+            chains.append(Polyline(tuple([origin + scale * point for point in points]), closed, style))
+    return tuple(chains)
 
 
 def letters_of(text: Text) -> tuple[Placed, ...]:
@@ -137,15 +137,15 @@ def _line(pieces: tuple[Run, ...], size: float) -> tuple[tuple[Placed, ...], flo
         raise UnknownLetter(plain, lacks)
     units = {0: size / 10, -1: index_size(size) / 10, 1: index_size(size) / 10}
     rises = {0: 0.0, -1: -LOWERED * size, 1: RAISED * size}
-    placed: list[Placed] = []
+    places: list[Placed] = []
     along, last, before = 0.0, "", 0
     for letter, now in _levelled(pieces):
         if last:
             along += min(units[now], units[before]) * (gap(last, letter) if now == before else GAP)
-        placed.append(Placed(letter, along, rises[now], units[now]))
+        places.append(Placed(letter, along, rises[now], units[now]))
         along += glyph(letter).width * units[now]
         last, before = letter, now
-    return tuple(placed), along
+    return tuple(places), along
 
 
 def _levelled(pieces: tuple[Run, ...]) -> Iterator[tuple[str, int]]:

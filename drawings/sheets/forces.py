@@ -90,11 +90,11 @@ class _ForceSheet:
     @property
     def draft(self) -> Draft:
         """Title, figures, equations, table and notes of the sheets."""
-        said = notes(self.statics, self.position, self.drafting.language)
+        words = notes(self.statics, self.position, self.drafting.language)
         columns = (one for cut in self.plan.cuts for one in self._column(cut))
         loose = (*self._lever(), self._graph(), *self._hodographs())
         title = self.drafting.word("forces sheet title")
-        return Draft("forces", title, (*columns, *loose), (self._table(),), tuple(said), self._facts)
+        return Draft("forces", title, (*columns, *loose), (self._table(),), tuple(words), self._facts)
 
     @property
     def plan(self) -> ForcePlan:

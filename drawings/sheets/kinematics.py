@@ -58,9 +58,9 @@ class _KinematicsSheet:
     @property
     def draft(self) -> Draft:
         """Title, figures, table and notes of the sheets."""
-        said = notes(self.study, self.comparison, self.drafting.language)
+        words = notes(self.study, self.comparison, self.drafting.language)
         title = self.drafting.word("sheet title")
-        return Draft("kinematics", title, (self._main(), *self._plans()), self._tables(), tuple(said), self._facts)
+        return Draft("kinematics", title, (self._main(), *self._plans()), self._tables(), tuple(words), self._facts)
 
     @cached_property
     def shown(self) -> int:

@@ -109,8 +109,8 @@ def letters(arrows: Sequence[LaidVector], mark: Callable[[str], tuple[str, float
     """Letter each vector on its outer side, the shortest served first; `mark` gives a name's letter and its size."""
     spots = [end for arrow in arrows for end in arrow.ends]
     middle = sum(spots, 0j) / max(len(spots), 1)
-    found = []
+    strokes = []
     for one, (start, end), shift in sorted(arrows, key=lambda arrow: abs(arrow.vector.value)):
         outward = shift or (start + end) / 2 - middle or 1j
-        found.append(labels.along(start, end, *mark(one.name), BESIDE, cmath.phase(outward)))
-    return found
+        strokes.append(labels.along(start, end, *mark(one.name), BESIDE, cmath.phase(outward)))
+    return strokes

@@ -98,14 +98,14 @@ def _line_cuts(start: complex, run: complex, mask: Mask) -> list[float]:
         towards = (mask.centre - start) * run.conjugate() / length
         half = mask.radius**2 - towards.imag**2
         return [] if half <= 0 else [(towards.real + sign * math.sqrt(half)) / length for sign in (-1, 1)]
-    found = []
+    shares = []
     for corner, following in _sides(mask):
         side = following - corner
         crossed = (run.conjugate() * side).imag
         share = ((corner - start).conjugate() * side).imag / crossed if crossed else -1.0
         off = ((corner - start).conjugate() * run).imag / crossed if crossed else -1.0
-        found += [share] if 0 <= off <= 1 else []
-    return found
+        shares += [share] if 0 <= off <= 1 else []
+    return shares
 
 
 def _arc_cuts(arc: Arc, mask: Mask) -> list[float]:

@@ -124,7 +124,7 @@ class Equations:
 
     def _found(self) -> Iterator[Equation]:
         """Tell the reactions that the polygon gives."""
-        found = [self.statement(one.force.name, self._size(one.force), "N") for one in self.cut.reactions]
+        statements = [self.statement(one.force.name, self._size(one.force), "N") for one in self.cut.reactions]
         moments = [one.moment for one in self.cut.reactions if one.moment is not None]
-        found += [self.statement(one.name, self._value(one).real, "N*m") for one in moments if self._size(one) > 0]
-        yield plain(*(f"{one}," for one in found[:-1]), found[-1])
+        statements += [self.statement(one.name, self._value(one).real, "N*m") for one in moments if self._size(one) > 0]
+        yield plain(*(f"{one}," for one in statements[:-1]), statements[-1])

@@ -155,13 +155,13 @@ def _rank(one: ShownVector) -> tuple[bool, float]:
 
 def _directions(shown: ForcePolygon, place: Place, hand: Hand) -> list[Stroke]:
     """Draw each line of known direction from a little before its start to a little past the meeting."""
-    drawn: list[Stroke] = []
+    lines: list[Stroke] = []
     for start, end in shown.rays:
         first, last = place.on(start), place.on(end)
         if abs(last - first) >= LEAST:
             along = (last - first) / abs(last - first) * BEYOND * hand.symbol
-            drawn.append(Line(first - along / 2, last + along, hand.drafted))
-    return drawn
+            lines.append(Line(first - along / 2, last + along, hand.drafted))
+    return lines
 
 
 def _title(shown: ForcePolygon, drafting: Drafting) -> str:

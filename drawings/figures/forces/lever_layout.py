@@ -102,7 +102,7 @@ def arms(
     loads = [one for one in pushes if one.kind != PAIR]
     every = {one.name: Arm("", place.on(0j), place.on(one.at), one.direction) for one in loads}
     chosen, numbers = _chosen(loads, every, taken), iter(range(1, ARMS + 1))
-    found: list[tuple[Reach, Arm | None]] = []
+    reaches: list[tuple[Reach, Arm | None]] = []
     for one in loads:
         arm, letter = every[one.name], ""
         if one.name in chosen:
@@ -111,8 +111,8 @@ def arms(
         elif _ray(arm):
             letter = "p" + with_index(images[min(images, key=lambda true: abs(true - one.at))])
         kept = replace(arm, letter=letter) if one.name in chosen else None
-        found.append((Reach(one.name, arm.length * place.scale.mu, letter), kept))
-    return found
+        reaches.append((Reach(one.name, arm.length * place.scale.mu, letter), kept))
+    return reaches
 
 
 def _chosen(loads: Sequence[ShownVector], every: Mapping[str, Arm], taken: Taken) -> set[str]:

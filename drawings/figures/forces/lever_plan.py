@@ -71,8 +71,8 @@ def hanging(plan: ForcePlan, lever: Lever, column: int) -> Hanging:
         if name is not None and mark.name != lever.pole.name:
             images[name] = name, place
             joined.append(((0j, place), True))
-    told = tuple((name, letters, place) for name, (letters, place) in images.items())
-    return Hanging(column, lever.pole.name, told, tuple(joined), tuple(_forces(lever, column)))
+    spots = tuple((name, letters, place) for name, (letters, place) in images.items())
+    return Hanging(column, lever.pole.name, spots, tuple(joined), tuple(_forces(lever, column)))
 
 
 def _new(name: str, place: complex, images: Mapping[str, tuple[str, complex]]) -> str | None:

@@ -125,7 +125,7 @@ class Layout:
     @cached_property
     def marks(self) -> list[Stroke]:
         """Hinges, mass centres and other points, each under its letter."""
-        found: list[Stroke] = []
+        symbols: list[Stroke] = []
         for name, value in self.shown.named.items():
             at = self.place.on(value)
             if name in self.joints.hinges:
@@ -134,8 +134,8 @@ class Layout:
                 symbol = mass_centre(at, self.hand)
             else:
                 symbol = (Circle(at, POINT * self.hand.symbol, INK),)
-            found.append(Group(symbol, "", {}, name))
-        return found
+            symbols.append(Group(symbol, "", {}, name))
+        return symbols
 
     @cached_property
     def gear(self) -> Gear | None:
@@ -158,12 +158,12 @@ class Layout:
     @cached_property
     def shifts(self) -> list[Dimension]:
         """How far from their sliders' points guides press, beyond the block from where the reaction comes."""
-        found = []
+        dimensions = []
         for shift in self.shown.acting.shifts:
             start, end = self.place.on(shift.start), self.place.on(shift.end)
             ahead = shift.value / abs(shift.value)
-            found.append(Dimension(self.letter(shift.name), start, end, DIMENSION * self.hand.symbol * ahead))
-        return [one for one in found if one.length >= LEAST]
+            dimensions.append(Dimension(self.letter(shift.name), start, end, DIMENSION * self.hand.symbol * ahead))
+        return [one for one in dimensions if one.length >= LEAST]
 
     @cached_property
     def arrows(self) -> list[ForceArrow]:
@@ -222,26 +222,26 @@ class Layout:
     @cached_property
     def couples(self) -> list[CoupleArc]:
         """The moments as arcs: each faces where it crosses the fewest lines; one about a point is inside the next."""
-        drawn = Ink()
+        ink = Ink()
         for stroke, weight in self._around:
-            drawn.draw([stroke], weight)
-        drawn.draw((arrow.shaft for arrow in self.arrows), ARROW)
-        found: list[CoupleArc] = []
+            ink.draw([stroke], weight)
+        ink.draw((arrow.shaft for arrow in self.arrows), ARROW)
+        arcs: list[CoupleArc] = []
         for moment in self.shown.acting.moments:
             at = self.place.on(moment.at)
-            before = sum(abs(other.at - at) < RADIUS for other in found)
+            before = sum(abs(other.at - at) < RADIUS for other in arcs)
             least = BLOCKED if any(abs(spot - at) < RADIUS for spot in self._blocks) else RADIUS
-            found.append(self._couple(moment, at, (least + APART * before) * self.hand.symbol, drawn))
-        return found
+            arcs.append(self._couple(moment, at, (least + APART * before) * self.hand.symbol, ink))
+        return arcs
 
-    def _couple(self, moment: ShownMoment, at: complex, radius: float, drawn: Ink) -> CoupleArc:
+    def _couple(self, moment: ShownMoment, at: complex, radius: float, ink: Ink) -> CoupleArc:
         letter = self.letter(moment.name)
         choices = [
             CoupleArc(letter, at, moment.sense, radius, 2 * math.pi * k / FACINGS, sweep)
             for sweep in (THREE_QUARTERS, HALF)
             for k in range(FACINGS)
         ]
-        return min(choices, key=lambda one: drawn.crossed_by([one.draw(self.hand)]) + NARROW * (one.sweep == HALF))
+        return min(choices, key=lambda one: ink.crossed_by([one.draw(self.hand)]) + NARROW * (one.sweep == HALF))
 
     def strokes(self) -> Iterator[Stroke]:
         """Draw everything but letters, from the thinnest lines to the arrows."""

@@ -50,8 +50,8 @@ class GraphCurve(NamedTuple):
     @property
     def span(self) -> tuple[float, float]:
         """The least and the largest value, zero among them."""
-        found = np.concatenate([self.values, self.ordinates])
-        return float(np.nanmin(found, initial=0.0)), float(np.nanmax(found, initial=0.0))
+        values = np.concatenate([self.values, self.ordinates])
+        return float(np.nanmin(values, initial=0.0)), float(np.nanmax(values, initial=0.0))
 
     @property
     def length(self) -> float:
@@ -66,16 +66,16 @@ class GraphCurve(NamedTuple):
 
 def swing(curve: GraphCurve) -> GraphCurve:
     """Give the part of a curve over a turn that a crank which cannot turn fully passes through in its positions."""
-    held = np.unique(curve.stations[~np.isnan(curve.ordinates)])
-    if not np.isnan(curve.values).any() or len(held) < 2:
+    reached = np.unique(curve.stations[~np.isnan(curve.ordinates)])
+    if not np.isnan(curve.values).any() or len(reached) < 2:
         return curve
-    apart = np.diff(held, append=held[0] + TURN)
-    start, length = np.roll(held, -1)[apart.argmax()], TURN - apart.max()
+    apart = np.diff(reached, append=reached[0] + TURN)
+    start, length = np.roll(reached, -1)[apart.argmax()], TURN - apart.max()
     stations, angles = (np.mod(row - start, TURN) for row in (curve.stations, curve.angles[:-1]))
-    values, found = np.concatenate([curve.values[:-1], curve.ordinates]), np.concatenate([angles, stations])
-    order = np.argsort(found, kind="stable")
-    order = order[found[order] <= length]
-    return curve._replace(angles=found[order], values=values[order], stations=stations)
+    values, turns = np.concatenate([curve.values[:-1], curve.ordinates]), np.concatenate([angles, stations])
+    order = np.argsort(turns, kind="stable")
+    order = order[turns[order] <= length]
+    return curve._replace(angles=turns[order], values=values[order], stations=stations)
 
 
 def bounded(dense: Any, own: Any) -> Any:
@@ -169,7 +169,7 @@ def _ordinates(
     curve: GraphCurve, plan: str, frame: _Axes, hand: Hand
 ) -> tuple[list[Stroke], list[tuple[str, complex, float]]]:
     """Draw tick, ordinate and point of each position that is no gap; each ordinate can be measured."""
-    drawn: list[Stroke] = []
+    strokes: list[Stroke] = []
     stations: list[tuple[str, complex, float]] = []
     quantity = frame.scale.letter
     for k, (angle, value) in enumerate(zip(curve.stations, curve.ordinates, strict=True)):
@@ -177,15 +177,15 @@ def _ordinates(
             continue
         foot = frame.on(float(angle))
         stations.append((str(k), foot, -BELOW if value < 0 else BELOW))
-        drawn.append(Line(foot - 1j * TICK, foot + 1j * TICK, hand.drafted))
+        strokes.append(Line(foot - 1j * TICK, foot + 1j * TICK, hand.drafted))
         if math.isnan(value):
             continue
         tip = frame.on(float(angle), float(value))
         if abs(tip - foot) > LEAST:
             data = Subject(plan, quantity, k).data("vector", str(k), 1j * float(value), frame.scale)
-            drawn.append(Group((Line(foot, tip, hand.drafted),), "", data, str(k)))
-        drawn.append(Circle(tip, DOT * hand.symbol, INK))
-    return drawn, stations
+            strokes.append(Group((Line(foot, tip, hand.drafted),), "", data, str(k)))
+        strokes.append(Circle(tip, DOT * hand.symbol, INK))
+    return strokes, stations
 
 
 def _line(curve: GraphCurve, frame: _Axes, hand: Hand) -> Iterator[Stroke]:

@@ -42,8 +42,8 @@ class Hodograph(NamedTuple):
     @property
     def points(self) -> list[complex]:
         """All true points that the figure must hold."""
-        found = np.concatenate([[0j], self.values, self.ends])
-        return [complex(value) for value in found[~np.isnan(found.real)]]
+        values = np.concatenate([[0j], self.values, self.ends])
+        return [complex(value) for value in values[~np.isnan(values.real)]]
 
 
 def measure(shown: Hodograph, name: str, drafting: Drafting) -> Picture:

@@ -52,32 +52,32 @@ def rule(shown: QuarterTurn, centre: complex, hand: Hand) -> Group:
     """Draw the slip, the acceleration, and the quarter turn between them."""
     arm = ARM * hand.letter
     corner = centre - arm / 2 * (shown.slip + shown.result)
-    drawn: list[Stroke] = []
+    strokes: list[Stroke] = []
     for direction in (shown.slip, shown.result):
         tip = corner + arm * direction
         head = arrowhead(corner, tip)
-        drawn += [Line(corner, tip, hand.other), *([head] if head is not None else [])]
+        strokes += [Line(corner, tip, hand.other), *([head] if head is not None else [])]
     start, end = sorted((0.0, shown.sense * math.pi / 2))
     base, radius = cmath.phase(shown.slip), arm / 2
-    drawn.append(Arc(corner, radius, base + start, base + end, hand.drafted))
+    strokes.append(Arc(corner, radius, base + start, base + end, hand.drafted))
     tip = corner + radius * shown.result
     back = corner + cmath.rect(radius, base + shown.sense * (math.pi / 2 - 0.4))
     head = arrowhead(back, tip)
-    drawn += [head] if head is not None else []
-    return Group((*drawn, *_letters(shown, corner, arm, hand)))
+    strokes += [head] if head is not None else []
+    return Group((*strokes, *_letters(shown, corner, arm, hand)))
 
 
 def _letters(shown: QuarterTurn, corner: complex, arm: float, hand: Hand) -> list[Stroke]:
     """Letter both vectors beyond their tips."""
-    drawn: list[Stroke] = []
+    texts: list[Stroke] = []
     for direction, content in ((shown.slip, "v_r"), (shown.result, f"a^k_{{{shown.point}}}")):
         text = Text(0j, content, hand.text, "start", True)
         left, bottom, right, top = bounds(text)
         half = complex(right - left, top - bottom) / 2
         reach = 1.0 + abs(half.real * direction.real) + abs(half.imag * direction.imag)
         spot = corner + (arm + reach) * direction - half - complex(left, bottom)
-        drawn.append(Text(spot, content, hand.text, "start", True))
-    return drawn
+        texts.append(Text(spot, content, hand.text, "start", True))
+    return texts
 
 
 def _outward(rings: int) -> Iterator[complex]:
@@ -101,7 +101,7 @@ def draw_nearby(shown: QuarterTurn, box: Field, ink: Ink, hand: Hand) -> Group |
             continue
         low, high = spot - half, spot + half
         if not ink.under((low.real, low.imag, high.real, high.imag)):
-            drawn = rule(shown, spot - middle, hand)
-            ink.draw([drawn])
-            return drawn
+            group = rule(shown, spot - middle, hand)
+            ink.draw([group])
+            return group
     return None

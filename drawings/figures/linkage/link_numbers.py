@@ -69,9 +69,9 @@ def _number(content: str, spots: list[complex], labels: Labels, hand: Hand) -> S
     spot = next((spot for spot in spots if not covered(spot)), None) or min(spots, key=covered)
     left, bottom, right, top = bounds(Text(0j, content, hand.text, "middle"))
     text = Text(spot - complex(left + right, bottom + top) / 2, content, hand.text, "middle")
-    drawn = Group((Circle(spot, radius, hand.other), text), "", {}, content)
-    labels.ink.draw([drawn])
-    return drawn
+    group = Group((Circle(spot, radius, hand.other), text), "", {}, content)
+    labels.ink.draw([group])
+    return group
 
 
 def _square(middle: complex, half: float) -> Box:

@@ -84,11 +84,11 @@ def _arrow(plan: Plan, start: Mark, end: Mark, column: int) -> Arrow:
 
 
 def _rays(mark: Mark, column: int) -> list[tuple[complex, complex]]:
-    found = []
+    rays = []
     for line in mark.step.inputs:
         if isinstance(line.value, Direction):
-            found.append((at(line.value.through, column), at(mark.point, column)))
-    return found
+            rays.append((at(line.value.through, column), at(mark.point, column)))
+    return rays
 
 
 @dataclass(frozen=True)
@@ -155,15 +155,15 @@ def _arrow_of(subject: Subject, arrow: Arrow, place: Place, hand: Hand) -> Group
 
 def _directions(shown: VectorDiagram, place: Place, hand: Hand) -> list[Stroke]:
     """Draw each line of known direction from a little before its start to a little past the meeting."""
-    drawn: list[Stroke] = []
+    lines: list[Stroke] = []
     for start, end in shown.rays:
         first, last = place.on(start), place.on(end)
         length = abs(last - first)
         if length < LEAST:
             continue
         along = (last - first) / length * BEYOND * hand.symbol
-        drawn.append(Line(first - along / 2, last + along, hand.drafted))
-    return drawn
+        lines.append(Line(first - along / 2, last + along, hand.drafted))
+    return lines
 
 
 def _letters(shown: VectorDiagram, place: Place, hand: Hand, labels: Labels) -> list[Stroke]:
@@ -175,11 +175,13 @@ def _letters(shown: VectorDiagram, place: Place, hand: Hand, labels: Labels) -> 
         own = [shown.plan.letter(point) for point, image in shown.plan.letters.items() if image is mark]
         names.setdefault(same, []).extend(name for name in (mark.name, *own) if name not in names[same])
     middle = sum(names, 0j) / len(names)
-    drawn: list[Stroke] = []
+    strokes: list[Stroke] = []
     for spot, letters in names.items():
         prefer = cmath.phase(spot - middle) if abs(spot - middle) > 1e-9 else math.pi / 4
-        drawn.append(labels.beside(spot, ", ".join(with_index(letter) for letter in letters), hand.letter, 1.6, prefer))
-    return drawn
+        strokes.append(
+            labels.beside(spot, ", ".join(with_index(letter) for letter in letters), hand.letter, 1.6, prefer)
+        )
+    return strokes
 
 
 def with_index(letter: str) -> str:

@@ -58,25 +58,25 @@ class RotorPolygon(NamedTuple):
         return tuple(one.name for one in self.vectors if abs(one.value) < SEEN * mu)
 
 
-def polygon(drawn: Construction, names: frozenset[str] = frozenset()) -> RotorPolygon:
+def polygon(construction: Construction, names: frozenset[str] = frozenset()) -> RotorPolygon:
     """Read a polygon from its record; `names` are vectors in it that are results themselves."""
     vectors = [
         ShownVector(one.name, RESULT if one.name in names else SIDE, complex(start.point), complex(one.point))
-        for one, start in ((side.vector, side.start) for side in drawn.sides)
+        for one, start in ((side.vector, side.start) for side in construction.sides)
     ]
     if len(vectors) > MOST:
-        vectors = _together(vectors, drawn.board.subject)
-    if not drawn.closed:
+        vectors = _together(vectors, construction.board.subject)
+    if not construction.closed:
         start = vectors[-1].end if vectors else 0j
-        vectors.append(ShownVector(drawn.closing.name, RESULT, start, complex(drawn.closing.point)))
-    return RotorPolygon(drawn.board.subject, tuple(vectors), drawn.closed)
+        vectors.append(ShownVector(construction.closing.name, RESULT, start, complex(construction.closing.point)))
+    return RotorPolygon(construction.board.subject, tuple(vectors), construction.closed)
 
 
 def _together(vectors: Sequence[ShownVector], plan: str) -> list[ShownVector]:
     """Draw one vector for all that are no results."""
-    found = [one for one in vectors if one.kind == RESULT]
-    end = found[0].at if found else vectors[-1].end
-    return [ShownVector(sum_letters(plan), SIDE, 0j, end), *found]
+    results = [one for one in vectors if one.kind == RESULT]
+    end = results[0].at if results else vectors[-1].end
+    return [ShownVector(sum_letters(plan), SIDE, 0j, end), *results]
 
 
 def sum_letters(plan: str) -> str:
