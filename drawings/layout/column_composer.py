@@ -8,12 +8,12 @@ from functools import cached_property
 from itertools import pairwise, product, takewhile
 from typing import NamedTuple, TypeVar
 
-from drawings.layout.block import Block
+from drawings.layout.block import TextBlock
 from drawings.layout.columns import Column, Filled, Part, Zone, fill
 from drawings.layout.contents import Composition, Contents, at_foot
 from drawings.layout.footing import NARROW, PAD, Foot, Notes, feet
 from drawings.layout.picture import Ladder, Picture
-from drawings.layout.table import Setting, Table
+from drawings.layout.table import RuledTable, Setting
 from drawings.layout.trials import room_of
 from drawings.page.page import Field, Page
 from drawings.paper.strokes import SheetError
@@ -71,7 +71,7 @@ def _runs(whole: _Sheet) -> Iterator[tuple[_Sheet, Composition]]:
         start = end
 
 
-def _tables(table: Table, page: Page) -> Iterator[Composition]:
+def _tables(table: RuledTable, page: Page) -> Iterator[Composition]:
     """Set a table on sheets of its own, as many rows on each as fit."""
     start = 0
     while start < len(table.lines):
@@ -180,7 +180,12 @@ class _Sheet:
 
 
 def _standing(
-    room: Field, block: Field | None, wide: float, table: Table | None, setting: Setting | None, notes: Notes | None
+    room: Field,
+    block: Field | None,
+    wide: float,
+    table: RuledTable | None,
+    setting: Setting | None,
+    notes: Notes | None,
 ) -> Iterator[tuple[float, Foot]]:
     """List widths of a zone with the ways to stand its foot in it."""
     needed = PAD if wide and notes else 0.0
@@ -211,7 +216,7 @@ def _best_of(ways: Iterable[_Base]) -> list[_Base]:
 
 def _smallest(part: Part, legible: bool) -> tuple[float, float]:
     """Give width and height that a part has at least, mm."""
-    if isinstance(part, Block):
+    if isinstance(part, TextBlock):
         return part.sizes[0][0], part.sizes[-1][1]
     sizes = [(rung.wide, rung.high) for rung in part.rungs if not legible or rung.extent >= part.least]
     return min(sizes, default=(0.0, 0.0))

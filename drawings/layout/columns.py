@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias
 
-from drawings.layout.block import Block
+from drawings.layout.block import TextBlock
 from drawings.layout.grid import GAP
 from drawings.layout.picture import Ladder, Rung, Spot
 from drawings.page.page import Field
@@ -17,7 +17,7 @@ UNDER = 8.0  # mm from a picture to the lettering that belongs to it
 FOOT = 0.6  # share of the gap between two pictures that is left below the last one
 
 
-Part: TypeAlias = Ladder | Block
+Part: TypeAlias = Ladder | TextBlock
 Column: TypeAlias = tuple[Part, ...]
 
 
@@ -94,7 +94,7 @@ class _Rack(NamedTuple):
 
     def stand(self, top: float, level: float) -> Iterator[tuple[Part, Rung | None, Field]]:
         """Give each part its box, the first one some millimetres under the top, lettering close under its picture."""
-        under = [isinstance(part, Block) and k > 0 for k, part in enumerate(self.parts)]
+        under = [isinstance(part, TextBlock) and k > 0 for k, part in enumerate(self.parts)]
         spare = self.spare(top) - level
         close = min(UNDER, spare / len(self.parts))
         up = (spare - close * sum(under)) / (len(self.parts) - sum(under) - 1 + FOOT)
@@ -186,7 +186,7 @@ def _start(zones: tuple[Zone, ...], legible: bool) -> _Growth | None:
 
 def _least(part: Part, legible: bool) -> int:
     """Give the place of the smallest allowed scale in a ladder; -1 where it has none."""
-    if isinstance(part, Block):
+    if isinstance(part, TextBlock):
         return 0
     allowed = [k for k, rung in enumerate(part.rungs) if not legible or rung.extent >= part.least or rung.extent == 0]
     return allowed[-1] if allowed else -1
@@ -220,7 +220,7 @@ def _measured(column: Column, steps: Sequence[int]) -> tuple[float, float]:
 
 
 def _size(part: Part, rung: Rung | None, width: float) -> tuple[float, float]:
-    if isinstance(part, Block):
+    if isinstance(part, TextBlock):
         return part.size(width)
     assert rung is not None  # every picture has a scale
     return rung.wide, rung.high
@@ -236,7 +236,7 @@ def _pairs(zone: Zone, rungs: Sequence[Sequence[Rung | None]]) -> Iterator[tuple
 
 def _widths(zone: Zone, rungs: Sequence[Sequence[Rung | None]]) -> list[float]:
     return [
-        max(part.sizes[0][0] if isinstance(part, Block) else rung.wide if rung else 0.0 for part, rung in pairs)
+        max(part.sizes[0][0] if isinstance(part, TextBlock) else rung.wide if rung else 0.0 for part, rung in pairs)
         for pairs in (list(zip(column, own, strict=True)) for column, own in zip(zone.columns, rungs, strict=True))
     ]
 

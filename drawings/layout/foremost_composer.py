@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from drawings.layout.contents import Composition, Contents, at_foot
 from drawings.layout.picture import Picture, Spot
-from drawings.layout.table import Table
+from drawings.layout.table import RuledTable
 from drawings.layout.trials import SheetTrials, Trial
 from drawings.page.page import Field, Page
 from drawings.paper.strokes import SheetError
@@ -65,7 +65,7 @@ def _next(contents: Contents, page: Page, start: int) -> tuple[Trial, Contents, 
     raise SheetError(message("refused.figure", format=page.name))
 
 
-def table_sheets(table: Table, page: Page) -> Iterator[Composition]:
+def table_sheets(table: RuledTable, page: Page) -> Iterator[Composition]:
     """Set a table on sheets of its own, as many rows on each as fit."""
     start = 0
     while start < len(table.lines):

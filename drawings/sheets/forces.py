@@ -16,7 +16,7 @@ from drawings.figures.forces.force_letters import letter_of
 from drawings.figures.graphs import curve_graph, hodograph
 from drawings.layout import value_table
 from drawings.layout.contents import Panel
-from drawings.layout.table import Table
+from drawings.layout.table import RuledTable
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf, SheetError
 from drawings.sheets.choice import position
@@ -167,7 +167,7 @@ class _ForceSheet:
             room = hodograph.measure(shown, f"hodograph-{key}", self.drafting)
             yield Exhibit(Panel(room), partial(hodograph.draw, shown, room, drafting=self.drafting))
 
-    def _table(self) -> Table:
+    def _table(self) -> RuledTable:
         drafting = self.drafting
         lines = force_table.rows(self.comparison, self.position, drafting.language, drafting.reactions)
         return value_table.table(lines, (self.position,), drafting)

@@ -14,7 +14,7 @@ from drawings.figures.linkage.skeleton import Skeletons, skeletons
 from drawings.figures.linkage.vector_plan import VectorDiagram, diagram
 from drawings.layout import value_table
 from drawings.layout.contents import Panel
-from drawings.layout.table import Table
+from drawings.layout.table import RuledTable
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.sheets.choice import plans, position
@@ -107,7 +107,7 @@ class _KinematicsSheet:
         plan = self.drafting.word(f"{subject} plan")
         return self.drafting.word("no plan", plan=plan, position=k, reason=reason)
 
-    def _tables(self) -> tuple[Table, ...]:
+    def _tables(self) -> tuple[RuledTable, ...]:
         """The table of values, without what the scene states."""
         given = {f"{symbol}_{self.study.mechanism.drive.link}" for symbol in ("ω", "ε")}
         language = self.drafting.language

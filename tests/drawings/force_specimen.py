@@ -22,7 +22,7 @@ from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, picture
 from drawings.layout.place import Place
-from drawings.layout.table import Row
+from drawings.layout.table import TableRow
 from drawings.lettering.lettering import text_width
 from drawings.lettering.words import letter, word
 from drawings.page.drafting import Drafting
@@ -117,7 +117,7 @@ class Draft:
         ]
         columns.append((schemes["scheme-1"], polygons["polygon-1"]))
         lines = [
-            Row(f"R_{{{k}}}, {word(self.language, 'N')}", ("1644.10", "1644.10", "<10^{−9}"))
+            TableRow(f"R_{{{k}}}, {word(self.language, 'N')}", ("1644.10", "1644.10", "<10^{−9}"))
             for k in (12, 34, "05", "03", "01")
         ]
         loose = (

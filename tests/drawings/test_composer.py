@@ -12,7 +12,7 @@ import pytest
 from drawings.layout.composer import compose
 from drawings.layout.contents import Contents, Panel
 from drawings.layout.picture import Margins, Picture, picture
-from drawings.layout.table import Row, table
+from drawings.layout.table import TableRow, table
 from drawings.page.page import Field, Page
 
 ROOT = Path(__file__).parent.parent.parent
@@ -54,7 +54,7 @@ def test_a_figure_of_more_weight_is_drawn_larger() -> None:
 
 
 def test_further_tables_stand_among_the_figures_and_on_nothing() -> None:
-    lines = [Row(f"R_{k}", ("1.00", "2.00")) for k in range(6)]
+    lines = [TableRow(f"R_{k}", ("1.00", "2.00")) for k in range(6)]
     tables = tuple(table(lines[:k], "quantity", ("m, kg", "D, mm"), 3.5)._replace(name=f"table-{k}") for k in (6, 4, 2))
     (sheet,) = compose(Contents((Panel(figure("a", 1.0, 1.0)), Panel(figure("b", 1.0, 0.5))), tables), Page("A2"))
     assert {one.table.name for one in sheet.tables} == {"table-6", "table-4", "table-2"} and not sheet.blocks
