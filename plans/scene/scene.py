@@ -87,6 +87,10 @@ class Scene(Table):
             raise SceneError([lacking((), missing, self._source, (kind,))])
         return kind()
 
+    def part(self, technique: str) -> TechniqueForm | None:
+        """Give what it says of a technique by its name, nothing where it has no part in it; imports nothing."""
+        return dict(zip(self.techniques, self.forms, strict=True)).get(technique)
+
     def changed(self, *forms: TechniqueForm, **values: Any) -> Scene:
         """Give the scene with other values, which are not checked again."""
         found = copy(self)
