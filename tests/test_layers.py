@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.rows import over
+
 ROOT = Path(__file__).parent.parent
 TOPS = ("geometry", "plans", "drawings")
 FILES = sorted(file.relative_to(ROOT).as_posix() for top in TOPS for file in (ROOT / top).rglob("*.py"))
@@ -80,7 +82,7 @@ def faults(path: str, text: str) -> Iterator[str]:
             yield f"{where} at start-up"
 
 
-@pytest.mark.parametrize("path", FILES)
+@over("path", FILES)
 def test_a_file_imports_only_what_its_layer_may(path: str) -> None:
     assert list(faults(path, (ROOT / path).read_text("utf-8"))) == []
 
@@ -147,7 +149,9 @@ def test_what_is_allowed_is_let_pass(path: str, text: str) -> None:
 ROOMS = (
     ("geometry",),
     ("plans.model",),
+    ("plans.techniques",),
     ("plans.scene", "plans.analytic"),
+    ("plans.study", "plans.explanation"),
     ("plans.linkage",),
     ("plans.forces",),
     ("plans.checks", "plans.bench"),
@@ -209,7 +213,7 @@ def circles(knows: dict[str, set[str]]) -> set[str]:
         knows = left
 
 
-@pytest.mark.parametrize("path", FILES)
+@over("path", FILES)
 def test_a_room_knows_only_the_rooms_below(path: str) -> None:
     found = upward(path, (ROOT / path).read_text("utf-8"))
     assert [one for one in found if not any(one[0] == file and within(one[1], module) for file, module in UPWARD)] == []

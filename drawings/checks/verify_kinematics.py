@@ -9,6 +9,7 @@ from drawings.checks import reading
 from drawings.figures.linkage.vector_plan import LEAST
 from drawings.measure.measure import Measured, MeasuredVector
 from drawings.paper.strokes import Leaf
+from drawings.paper.walk import groups
 from plans.checks.compare import MotionComparison
 from plans.checks.expected import Expected
 from plans.linkage.study import LinkageStudy
@@ -72,5 +73,5 @@ def _points(measured: Measured, comparison: MotionComparison, shown: int) -> Ite
 def _scales(leaf: Leaf) -> Iterator[str]:
     """Read the written scale of each plan."""
     for group in leaf.groups:
-        marked = (one.data for one in reading.groups(group) if one.data.get("kind") in ("vector", "point"))
+        marked = (one.data for one in groups((group,)) if one.data.get("kind") in ("vector", "point"))
         yield from reading.scales(group, {float(data["scale"]) for data in marked})

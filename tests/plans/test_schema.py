@@ -22,6 +22,7 @@ from plans.scene.schema import schema
 from plans.scene.source import read_source
 from plans.scene.tables import Refused, holders_of, read_parts, tables_of
 from plans.scene.units import Kind
+from tests.rows import over
 
 ROOT = Path(__file__).parent.parent.parent
 FORM = schema()
@@ -81,7 +82,7 @@ def test_the_schema_is_one() -> None:
     assert FORM["$schema"] == "https://json-schema.org/draft/2020-12/schema"
 
 
-@pytest.mark.parametrize("path", [path for path in SCENES if readable(path)], ids=lambda path: path.stem)
+@over("path", [path for path in SCENES if readable(path)])
 def test_an_editor_says_of_a_scene_what_its_reader_says(path: Path) -> None:
     marked = [error.message for error in EDITOR.iter_errors(readable(path))]
     assert not marked if taken(path) or path.stem in UNSEEN else marked
@@ -125,9 +126,9 @@ KINDS = (units.LENGTH, units.ANGLE, units.SPEED, units.ANGULAR_ACCELERATION, uni
 KINDS += (units.MASS, units.INERTIA, units.FORCE, units.MOMENT, units.STIFFNESS)
 
 
-@pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.name)
-@pytest.mark.parametrize("form", ["{n} {unit}", "{n}{unit}", " {n}  {unit} ", "{n}", "{n} {unit}x", "x {n} {unit}"])
-@pytest.mark.parametrize("n", ["1", "-0.5", "+1e-3", "1.5E6", ".5", "5.", "1,5", "0x10", "1_000"])
+@over("kind", KINDS)
+@over("form", ["{n} {unit}", "{n}{unit}", " {n}  {unit} ", "{n}", "{n} {unit}x", "x {n} {unit}"])
+@over("n", ["1", "-0.5", "+1e-3", "1.5E6", ".5", "5.", "1,5", "0x10", "1_000"])
 def test_a_quantity_is_marked_where_the_reader_refuses_it(kind: Kind, form: str, n: str) -> None:
     for unit in (*kind.units, "turn", "kg·m²", "kg * m^2", "kg m2", "N m", "m/s**2"):
         text = form.format(n=n, unit=unit)
