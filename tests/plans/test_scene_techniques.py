@@ -134,7 +134,8 @@ def test_a_scene_of_a_technique_without_a_linkage_imports_none() -> None:
 
 def test_a_technique_says_itself_what_its_part_lacks_and_means() -> None:
     said = wheels(
-        "for text in ('sheets = [\\'wheels\\']', '[wheel]', '[wheel]\\nradius = 7', '[wheel]\\nradius = 2\\nplans = 1', ''):",
+        "key = '[wheel]\\nradius = '",
+        "for text in ('sheets = [\\'wheels\\']', '[wheel]', f'{key}7', f'{key}2\\nplans = 1', ''):",
         "    try:",
         "        print(*parse_scene(text).meaning.faults)",
         "    except ValueError as error:",
