@@ -33,6 +33,7 @@ SHARED = (
     "plans.model.machine",
     "plans.model.kinetostatics",
     "plans.model.losses",
+    "plans.model.rotor",
 )
 ONLY_IN = {
     "svgwrite": ("drawings/pens/svg.py", "drawings/bench/plain_pen.py"),  # the bench times its defaults beside our pen
@@ -152,7 +153,7 @@ ROOMS = (
     ("plans.techniques",),
     ("plans.scene", "plans.analytic"),
     ("plans.study", "plans.explanation"),
-    ("plans.linkage",),
+    ("plans.linkage", "plans.rotor"),
     ("plans.forces",),
     ("plans.checks", "plans.bench"),
     ("drawings.paper",),
@@ -160,7 +161,7 @@ ROOMS = (
     ("drawings.page", "drawings.files", "drawings.pens"),
     ("drawings.layout", "drawings.report"),
     ("drawings.symbols",),
-    ("drawings.figures.linkage", "drawings.figures.graphs"),
+    ("drawings.figures.linkage", "drawings.figures.graphs", "drawings.figures.rotor"),
     ("drawings.figures.forces",),
     ("drawings.checks", "drawings.sheets"),
     ("drawings.bench", "drawings.gallery"),

@@ -66,7 +66,7 @@ def _marks(strokes: tuple[Stroke, ...]) -> Iterator[tuple[str, str, str, list[co
                     yield stroke.data["plan"], name, stroke.title or name, _along(line)
             case Group((Circle() as circle, *_)) if stroke.data.get("kind") in ("point", "pole"):
                 name = stroke.data["name"]
-                yield stroke.data["plan"], name, name, [circle.centre]
+                yield stroke.data["plan"], name, stroke.title or name, [circle.centre]
 
 
 def _along(line: Line) -> list[complex]:

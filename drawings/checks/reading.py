@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from drawings.lettering.words import number
 from drawings.paper.strokes import Group, Leaf, Text
-from drawings.paper.walk import texts
+from drawings.paper.walk import groups, texts
 from plans.checks.comparison import Finding
 
 _NUMBER = re.compile(r"[-−]?\d+(?:[.,]\d+)?")
@@ -62,6 +62,13 @@ def reads(text: str, true: float, slack: float) -> bool:
     written = text.replace("−", "-").replace(",", ".")
     places = len(written.partition(".")[2])
     return abs(float(written) - true) <= 0.5000001 * 10.0**-places + 1e-9 * abs(true) + slack
+
+
+def marked_scales(leaf: Leaf) -> Iterator[str]:
+    """Read the written scale of each figure that has marks."""
+    for figure in leaf.groups:
+        marked = (one.data for one in groups((figure,)) if one.data.get("kind") in ("vector", "point"))
+        yield from scales(figure, {float(data["scale"]) for data in marked})
 
 
 def scales(group: Group, stated: Iterable[float]) -> Iterator[str]:
