@@ -28,12 +28,11 @@ def position_asked(study: LinkageStudy) -> int | None:
     free = ~study.lost
     if not free.any():
         return 0  # nothing can be assembled: the sheet explains why, in the first position
-    if wanted is not None:
-        if study.lost[wanted]:
-            raise SheetError(
-                f"{study.scene.file}: sheet.position = {wanted}: the mechanism cannot be assembled there. "
-                f"Fix: choose one of {', '.join(str(k) for k in np.flatnonzero(free)[:12])}"
-            )
+    if wanted is not None and study.lost[wanted]:
+        raise SheetError(
+            f"{study.scene.file}: sheet.position = {wanted}: the mechanism cannot be assembled there. "
+            f"Fix: choose one of {', '.join(str(k) for k in np.flatnonzero(free)[:12])}"
+        )
     return None if wanted is None else int(wanted)
 
 

@@ -109,6 +109,16 @@ def number(kind: units.Kind) -> Field:
     return one(units.quantity, partial(forms.quantity, kind), kind.si, kind=kind)
 
 
+def not_negative(kind: units.Kind) -> Field:
+    """Read a quantity of zero or above."""
+    return one(units.not_negative, partial(forms.quantity, kind, minimum=0), kind.si, kind=kind)
+
+
+def positive(kind: units.Kind) -> Field:
+    """Read a quantity above zero."""
+    return one(units.positive, partial(forms.quantity, kind, exclusiveMinimum=0), kind.si, kind=kind)
+
+
 def words(*choices: str, kind: str = "choice") -> Field:
     """Read one of some words."""
     shown = ", ".join(f'"{word}"' for word in choices)
@@ -145,10 +155,7 @@ ANGULAR_ACCELERATION = one(
     units.ANGULAR_ACCELERATION.si,
     kind=units.ANGULAR_ACCELERATION,
 )
-MASS, INERTIA = (
-    one(units.not_negative, partial(forms.quantity, kind, minimum=0), kind.si, kind=kind)
-    for kind in (units.MASS, units.INERTIA)
-)
+MASS, INERTIA = not_negative(units.MASS), not_negative(units.INERTIA)
 POSITION = one(whole, lambda: forms.whole(0), "number", least=0)  # of the crank, by its number
 
 

@@ -8,7 +8,7 @@ from decimal import Decimal
 
 from plans.scene import forms, units
 from plans.scene.faults import wrong
-from plans.scene.fields import NAME_LIMIT, not_empty, number, pair, whole
+from plans.scene.fields import NAME_LIMIT, not_empty, number, pair, positive, whole
 from plans.scene.readers import Check, either, one
 from plans.scene.units import type_name
 
@@ -63,12 +63,7 @@ SHARE = one(share, lambda: {"type": "number", "minimum": 0, "exclusiveMaximum": 
 OVERRUN = either(list, pair(SHARE, "[start, end]"), SHARE)
 TRAVEL = one(units.quantity, lambda: {"type": "number", "minimum": 0, "maximum": 1}, "share", kind=units.NUMBER)
 FORCE, MOMENT, GRAVITY = number(units.FORCE), number(units.MOMENT), number(units.ACCELERATION)
-STIFFNESS = one(
-    units.positive,
-    lambda: forms.quantity(units.STIFFNESS, exclusiveMinimum=0),
-    units.STIFFNESS.si,
-    kind=units.STIFFNESS,
-)
+STIFFNESS = positive(units.STIFFNESS)
 FREE_LENGTH = one(
     units.free_length, lambda: forms.quantity(units.LENGTH, minimum=0, maximum=float(units.LENGTH_LIMIT)), "m"
 )
