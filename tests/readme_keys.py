@@ -36,7 +36,7 @@ def rows(kind: type[Table], path: KeyPath = ()) -> Iterator[str]:
 
 def _header(path: KeyPath, known: Key) -> str:
     """Write a table as its header stands in the file, a list of tables in double brackets."""
-    name = table_name(path)
+    name = str(table_name(path))
     return f"[{name}]" if known.field.shown == "[table, ...]" else name
 
 

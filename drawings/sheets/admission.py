@@ -8,6 +8,7 @@ from drawings.lettering.lettering import UnknownLetter, demand
 from drawings.paper.strokes import Run, SheetError, Text
 from plans.scene.faults import Path
 from plans.scene.scene import Scene
+from plans.words.words import placed
 
 CELLS = ("designation", "drawn", "checked", "approved", "date", "group", "organisation")
 
@@ -25,4 +26,4 @@ def letter(scene: Scene, words: Iterator[tuple[Path, str]] | list[tuple[Path, st
         except UnknownLetter as unknown:
             line, column = scene.place(path)
             where = f"{scene.file}:{line}:{column}: {'.'.join(map(str, path))}"
-            raise SheetError(f"{where}: {unknown}") from None
+            raise SheetError(placed(where, unknown.args[0])) from None
