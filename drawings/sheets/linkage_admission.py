@@ -9,6 +9,7 @@ from geometry.errors import LimitError
 from plans.linkage.reading.form import LinkageForm
 from plans.scene.faults import Path
 from plans.scene.scene import Scene
+from plans.words.words import message, placed
 
 POSITIONS_DRAWN = 360  # more positions than degrees cannot be told apart on any sheet
 
@@ -18,10 +19,8 @@ def of_linkage(scene: Scene) -> None:
     letter(scene, _points(scene))
     count = scene.of(LinkageForm).drive.count
     if count > POSITIONS_DRAWN:
-        raise LimitError(
-            f"{scene.file}: drive.positions = {count}: a sheet shows at most {POSITIONS_DRAWN}. "
-            "Fix: fewer positions, or plandraft solve for the numbers alone"
-        )
+        most = message("limit.sheet", most=POSITIONS_DRAWN)
+        raise LimitError(placed(f"{scene.file}: drive.positions = {count}", most))
 
 
 def _points(scene: Scene) -> Iterator[tuple[Path, str]]:
