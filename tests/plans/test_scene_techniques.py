@@ -132,6 +132,14 @@ def test_a_scene_of_a_technique_without_a_linkage_imports_none() -> None:
     ) == ["('wheel',) ('wheels',) 2 False", "[]", "[]"]
 
 
+def test_a_scene_without_forces_imports_nothing_of_them() -> None:
+    assert wheels(
+        f"scene = parse_scene({LINKAGE!r})",
+        "print(scene.meaning.faults, scene.meaning['linkage'].mechanism.mobility)",
+        "print([name for name in sys.modules if name.startswith(('plans.forces', 'plans.rotor'))])",
+    ) == ["[] 1", "[]"]
+
+
 def test_a_technique_says_itself_what_its_part_lacks_and_means() -> None:
     said = wheels(
         "key = '[wheel]\\nradius = '",
