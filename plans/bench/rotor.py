@@ -9,7 +9,7 @@ from typing import Any
 from geometry.replay import DIGITS
 from plans.analytic.rotor import balance
 from plans.bench.error import Errors
-from plans.bench.truth import REACTION, NotInstalled
+from plans.bench.truth import REACTION, digits
 from plans.model.rotor import Balance, Rotor
 from plans.rotor.bearings import BEARINGS
 from plans.rotor.letters import unbalance_letters
@@ -32,7 +32,7 @@ def ways(rotor: Rotor) -> list[tuple[str, Callable[[], Balance]]]:
 
 def truth(rotor: Rotor) -> Truth:
     """Find the counterweights and the reactions before any correction in many digits."""
-    mp = _digits()
+    mp = digits()
     loads = [(_moment(mp, one.moment, one.angle), one.place) for one in rotor.masses]
     found = {
         unbalance_letters(plane.name): _shared(mp, loads, plane.place, [p.place for p in rotor.planes])
@@ -78,16 +78,3 @@ def _shared(mp: Any, loads: Sequence[tuple[Any, Fraction]], here: Fraction, plac
     shares = [(place - others[0]) / (here - others[0]) if others else Fraction(1) for _, place in loads]
     terms = [load * share.numerator / mp.mpf(share.denominator) for (load, _), share in zip(loads, shares, strict=True)]
     return -mp.fsum(terms)
-
-
-def _digits() -> Any:
-    try:
-        import mpmath  # noqa: PLC0415  (only the truth pays for it)
-    except ImportError:
-        raise NotInstalled(
-            "the truth is reckoned in 50 digits by mpmath, which is not installed. "
-            "Fix: python -m pip install '.[bench]'"
-        ) from None
-    mp = mpmath.mp.clone()
-    mp.dps = DIGITS
-    return mp
