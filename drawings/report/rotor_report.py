@@ -10,6 +10,7 @@ from drawings.paper.limits import DECIMALS
 from drawings.paper.strokes import Line
 from drawings.paper.walk import groups
 from drawings.report.chapters import Chapters
+from drawings.report.markdown import chapter
 from drawings.report.rotor_notes import GRAM_MILLIMETRES, RotorNotes, grade_name
 from drawings.report.subject import Subject
 from plans.model.balance_quality import letters
@@ -57,13 +58,11 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     rotor, notes = study["rotor"].rotor, _notes(study)
     residual = residuals(comparison.analysis, [leaf for own in leaves.values() for leaf in own])
     return Chapters(
-        subject=_listed(word(drafting.language, "report.rotor"), [*_masses(rotor, drafting), *notes.sums()]),
-        values=_listed(word(drafting.language, "report.counterweights"), notes.counterweights()),
+        subject=_listed(chapter(drafting.language, "rotor").lstrip(), [*_masses(rotor, drafting), *notes.sums()]),
+        values=_listed(chapter(drafting.language, "counterweights"), notes.counterweights()),
         conditions=[
-            *_listed(
-                word(drafting.language, "report.quality"), [*notes.quality(), *_residual(rotor, residual, drafting)]
-            ),
-            *_listed(word(drafting.language, "report.bearings"), notes.reactions()),
+            *_listed(chapter(drafting.language, "quality"), [*notes.quality(), *_residual(rotor, residual, drafting)]),
+            *_listed(chapter(drafting.language, "bearings"), notes.reactions()),
         ],
         left_out=[word(drafting.language, "report.rotor_left_out")],
     )
@@ -90,7 +89,7 @@ def _written(place: complex) -> complex:
 def _residual(rotor: Rotor, residual: Mapping[str, float], drafting: Drafting) -> Iterator[str]:
     for name, off in residual.items():
         told = drafting.number(GRAM_MILLIMETRES * off, 3)
-        yield word(drafting.language, "report.residual", letters=unbalance_letters(name), residual=told)
+        yield word(drafting.language, "report.plane_residual", letters=unbalance_letters(name), residual=told)
     quality = rotor.quality(*residual.values())
     if quality is not None:
         told = drafting.number(quality, 3)
@@ -101,7 +100,7 @@ def _masses(rotor: Rotor, drafting: Drafting) -> Iterator[str]:
     for one in rotor.masses:
         numbers = {"moment": one.moment, "angle": float(one.angle), "arm": 1000 * rotor.arm(one.place)}
         told = {name: drafting.number(value, DIGITS) for name, value in numbers.items()}
-        yield word(drafting.language, "report.rotor_mass", name=one.name, **told)
+        yield word(drafting.language, "report.mass", name=one.name, **told)
 
 
 def _notes(study: Study) -> RotorNotes:

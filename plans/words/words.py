@@ -55,7 +55,7 @@ def because(key: str, /, **parts: object) -> Message:
     >>> because("link", link=4).worded("ru")
     'звено 4'
     """
-    return message(f"step.{key}", **parts)
+    return Message(f"step.{key}", tuple(parts.items()))
 
 
 def placed(where: object, what: object) -> Message:

@@ -66,7 +66,8 @@ def drawn(*texts: Text) -> list[complex]:
 def on_sheets(language: str) -> list[str]:
     """Give the phrases that stand on sheets."""
     groups = ("sheet.", "unit.", "reason.", "index.")
-    return [str(phrase) for key, phrase in words(language).items() if key.startswith(groups)]
+    found = [phrase for key, phrase in words(language).items() if key.startswith(groups)]
+    return [form for phrase in found for form in ([phrase] if isinstance(phrase, str) else phrase)]
 
 
 @over("language", languages())
