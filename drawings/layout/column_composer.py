@@ -2,26 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise, product, takewhile
-from typing import NamedTuple, TypeVar
+from typing import NamedTuple
 
 from drawings.layout.block import TextBlock
 from drawings.layout.columns import Column, Filled, Part, Zone, fill
 from drawings.layout.contents import Composition, Contents, at_foot
 from drawings.layout.footing import NARROW, PAD, Foot, Notes, feet
 from drawings.layout.picture import Ladder, Picture
+from drawings.layout.stacking import even, stacks
 from drawings.layout.table import RuledTable, Setting
 from drawings.layout.trials import room_of
 from drawings.page.page import Field, Page
 from drawings.paper.strokes import SheetError
 from plans.words.words import message
-
-FEW = 4  # loose pictures that are stacked in every way; more of them only in columns of about equal numbers
-
-T = TypeVar("T")
 
 
 def compose(contents: Contents, page: Page) -> tuple[Composition, ...]:
@@ -230,32 +227,5 @@ def _area(column: Column, legible: bool) -> float:
     return sum(wide * high for wide, high in (_smallest(part, legible) for part in column))
 
 
-def even(units: Sequence[T]) -> list[tuple[tuple[T, ...], ...]]:
-    """List the ways to stack units in columns of about equal numbers, their order kept.
-
-    >>> [[len(column) for column in way] for way in even("abcde")]
-    [[1, 1, 1, 1, 1], [2, 2, 1], [3, 2], [5]]
-    """
-    count = len(units)
-    highs = sorted({-(-count // columns) for columns in range(1, count + 1)})
-    return [tuple(tuple(units[k : k + high]) for k in range(0, count, high)) for high in highs] or [()]
-
-
 def _joined(way: Iterable[Iterable[Column]]) -> tuple[Column, ...]:
     return tuple(tuple(part for column in stack for part in column) for stack in way)
-
-
-def stacks(loose: Sequence[T]) -> list[tuple[tuple[T, ...], ...]]:
-    """List the ways to stack pictures in columns, their order kept.
-
-    >>> [[len(column) for column in way] for way in stacks("abc")]
-    [[3], [2, 1], [1, 2], [1, 1, 1]]
-    """
-    count = len(loose)
-    if count > FEW:
-        return even(loose)
-    ways = []
-    for broken in product((False, True), repeat=max(count - 1, 0)):
-        cuts = [0, *(k + 1 for k, cut in enumerate(broken) if cut), count]
-        ways.append(tuple(tuple(loose[a:b]) for a, b in pairwise(cuts) if b > a))
-    return sorted(ways, key=len)

@@ -3,25 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 
 import numpy as np
 from shapely import LineString, MultiLineString, Polygon, STRtree
 from shapely.geometry.base import BaseGeometry
 
 from drawings.lettering.lettering import outline
-from drawings.paper.strokes import Arc, Circle, Fill, Group, Leaf, Line, Polyline, Stroke, Text
+from drawings.paper.strokes import Arc, Circle, Fill, Leaf, Line, Polyline, Stroke, Text
+from drawings.paper.walk import flat
 
 LEAST = 0.1  # mm between the ink of a letter and any other ink: what a pen of 0.2 mm leaves of a clear gap
 CHORDS = 64  # of a whole circle; on 100 mm of radius the chords miss it by 0.12 mm
-
-
-def strokes(groups: tuple[Stroke, ...]) -> Iterator[Stroke]:
-    for stroke in groups:
-        if isinstance(stroke, Group):
-            yield from strokes(stroke.strokes)
-        else:
-            yield stroke
 
 
 def shape(stroke: Stroke) -> BaseGeometry:
@@ -54,7 +46,7 @@ def _pairs(points: tuple[complex, ...], closed: bool = False) -> list[tuple[floa
 
 def collisions(leaf: Leaf) -> list[str]:
     """Name every lettering that touches other ink, but for the frame's paper and what lettering is written on."""
-    parts = [stroke for stroke in strokes(leaf.groups) if not _paper(stroke, leaf)]
+    parts = [stroke for stroke in flat(leaf.groups) if not _paper(stroke, leaf)]
     shapes = np.array([shape(stroke) for stroke in parts], dtype=object)
     tree = STRtree(shapes)
     found = []

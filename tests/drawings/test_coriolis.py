@@ -10,12 +10,12 @@ import pytest
 from drawings.figures.linkage.coriolis import QuarterTurn, quarter_turn, rule
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Line, Text
+from drawings.paper.walk import flat
 from drawings.sheets.kinematics import sheets
 from plans.analytic.kinematics import solve
 from plans.checks.compare import compare
 from plans.linkage.study import LinkageStudy
 from plans.scene.scene import parse_scene
-from tests.drawings.collisions import strokes as flat
 
 SHAPER = Path(__file__).parents[2] / "drawings/gallery/shaper.toml"
 

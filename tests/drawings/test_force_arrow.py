@@ -12,6 +12,7 @@ from drawings.measure.measure import check, measure
 from drawings.page.scale import Scale
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Arc, Fill, Group, Leaf, Line, Polyline, Text
+from drawings.paper.walk import texts
 from drawings.pens.svg import svg
 from drawings.symbols import arms, force_arrow
 from drawings.symbols.arms import Arm
@@ -77,18 +78,11 @@ def test_letters_of_forces_on_one_point_do_not_touch() -> None:
     forces = [force_arrow.not_to_scale(f"R_{{{k}}}", cmath.rect(1, k * 0.4), 100 + 100j, 20.0) for k in range(15)]
     ink = Ink(300.0, 200.0)
     ink.draw([one.draw(HAND) for one in forces])
-    found = [bounds(text) for text in _texts(force_arrow.letters(forces, Labels(ink, HAND.drafted), HAND))]
+    found = [bounds(text) for text in texts([force_arrow.letters(forces, Labels(ink, HAND.drafted), HAND)])]
     assert len(found) == 15
     for k, one in enumerate(found):
         for other in found[:k]:
             assert one[2] <= other[0] or other[2] <= one[0] or one[3] <= other[1] or other[3] <= one[1]
-
-
-def _texts(group: Group) -> list[Text]:
-    found: list[Text] = []
-    for stroke in group.strokes:
-        found += _texts(stroke) if isinstance(stroke, Group) else [stroke] if isinstance(stroke, Text) else []
-    return found
 
 
 @pytest.mark.parametrize("sense", [1, -1])

@@ -16,11 +16,11 @@ from drawings.page.drafting import Drafting
 from drawings.page.page import Field
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Fill, Group, Line, Text
+from drawings.paper.walk import flat
 from drawings.pens.svg import svg
 from drawings.symbols.polygon import ShownVector
 from plans.forces.cut import CLOSING, KNOWN
 from tests.drawings.collisions import collisions
-from tests.drawings.collisions import strokes as flat
 from tests.drawings.force_cases import CASES, Forced, forced, leaf, polygons, sheet, spot
 from tests.rows import over
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 from decimal import Decimal
 from pathlib import Path
 
@@ -19,7 +18,6 @@ from drawings.lettering.extent import bounds
 from drawings.measure.seal import digest, sealed
 from drawings.page.page import page_of
 from drawings.paper.limits import QUANTUM
-from drawings.paper.strokes import Group, Stroke
 from plans.scene.scene import read_scene
 from plans.study import Study
 from tests.drawings.collisions import collisions
@@ -45,16 +43,8 @@ def drawn(entry: Entry, tmp_path_factory: pytest.TempPathFactory) -> SheetSet:
 
 
 @pytest.fixture(scope="session")
-def exhibit(entry: Entry, drawn: SheetSet) -> index.Exhibit:
-    return index.Exhibit(entry, drawn.study, drawn.paths)
-
-
-def strokes(groups: tuple[Stroke, ...]) -> Iterator[Stroke]:
-    for stroke in groups:
-        if isinstance(stroke, Group):
-            yield from strokes(stroke.strokes)
-        else:
-            yield stroke
+def exhibit(entry: Entry, drawn: SheetSet) -> index.GalleryScene:
+    return index.GalleryScene(entry, drawn.study, drawn.paths)
 
 
 def place(number: str) -> Decimal:
@@ -135,12 +125,12 @@ def test_every_scene_says_in_its_opening_what_the_mechanism_is_and_gives_its_rus
 # The index page
 
 
-def shaper(*names: str) -> index.Exhibit:
+def shaper(*names: str) -> index.GalleryScene:
     (entry,) = (entry for entry in ENTRIES if entry.name == "shaper")
-    return index.Exhibit(entry, Study(read_scene(entry.path)), tuple(map(Path, names)))
+    return index.GalleryScene(entry, Study(read_scene(entry.path)), tuple(map(Path, names)))
 
 
-def test_the_index_page_has_the_scene_s_row_and_section(exhibit: index.Exhibit) -> None:
+def test_the_index_page_has_the_scene_s_row_and_section(exhibit: index.GalleryScene) -> None:
     page = (GALLERY / index.PAGE).read_text("utf-8")
     assert index.row(exhibit) in page
     assert index.section(exhibit) in page
@@ -153,7 +143,7 @@ def test_the_index_page_has_nothing_else() -> None:
     assert re.findall(r"\| `([\w-]+)` \|", page) == [entry.name for entry in ENTRIES]
 
 
-def test_the_links_of_a_section_lead_to_the_scene_and_all_that_was_drawn(exhibit: index.Exhibit) -> None:
+def test_the_links_of_a_section_lead_to_the_scene_and_all_that_was_drawn(exhibit: index.GalleryScene) -> None:
     links = set(re.findall(r"\]\(([^)#]+)\)", index.section(exhibit)))
     assert links == {f"{exhibit.entry.name}.toml", *(path.name for path in exhibit.paths)}
 

@@ -13,10 +13,10 @@ from drawings.figures.forces.lever_plan import Hanging, hanging
 from drawings.measure.measure import Measured, check, measure
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Circle, Group, Line, Text
+from drawings.paper.walk import flat
 from drawings.pens.svg import svg
 from drawings.symbols.force_arrow import ForceArrow
 from geometry.board import at
-from tests.drawings.collisions import strokes as flat
 from tests.drawings.force_cases import CASES, Forced, forced, hung, leaf, sheet
 
 A1 = hand_of("A1")

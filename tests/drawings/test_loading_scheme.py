@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 from typing import NamedTuple
@@ -20,7 +20,8 @@ from drawings.layout.picture import Spot
 from drawings.page.drafting import Drafting
 from drawings.page.page import Field
 from drawings.paper.hand import Hand, hand_of
-from drawings.paper.strokes import Group, Leaf, Line, Stroke, Text
+from drawings.paper.strokes import Group, Leaf, Line, Text
+from drawings.paper.walk import flat
 from geometry.board import at
 from plans.forces.cut import PART, Cut
 from plans.forces.force import ForcePlan
@@ -110,14 +111,6 @@ def drawn(name: str, number: int, column: int, hand: Hand | None = None, languag
     ink = Ink(300, 300)
     ink.draw(found.lines)
     return Drawn(plan, cut, column, shown, found, found.letter(Labels(ink, hand.other))[0])
-
-
-def flat(strokes: tuple[Stroke, ...]) -> Iterator[Stroke]:
-    for stroke in strokes:
-        if isinstance(stroke, Group):
-            yield from flat(stroke.strokes)
-        else:
-            yield stroke
 
 
 def written(found: Drawn) -> list[str]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -15,7 +14,8 @@ from drawings.lettering.specimen import specimen
 from drawings.measure.measure import measure
 from drawings.page.page import Page, page_of
 from drawings.paper.limits import QUANTUM
-from drawings.paper.strokes import Group, Leaf, Line, Stroke, Text
+from drawings.paper.strokes import Group, Leaf, Line, Text
+from drawings.paper.walk import flat
 from drawings.pens.svg import svg
 from drawings.sheets.choice import position
 from drawings.sheets.kinematics import sheet, sheets
@@ -61,16 +61,8 @@ def four_bar(**changes: object) -> str:
     return FOUR_BAR.format(**(data | changes))
 
 
-def strokes(groups: tuple[Stroke, ...]) -> Iterator[Stroke]:
-    for stroke in groups:
-        if isinstance(stroke, Group):
-            yield from strokes(stroke.strokes)
-        else:
-            yield stroke
-
-
 def texts(leaf: Leaf) -> list[Text]:
-    return [stroke for stroke in strokes(leaf.groups) if isinstance(stroke, Text)]
+    return [stroke for stroke in flat(leaf.groups) if isinstance(stroke, Text)]
 
 
 def test_lettering_across_a_line_is_found() -> None:

@@ -6,7 +6,6 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
 
 from drawings.figures.forces.acting import ShownMoment
 from drawings.figures.forces.force_fan import UNSIZED, fan, lengths
@@ -23,54 +22,19 @@ from drawings.paper.strokes import INK, Circle, Group, Line, Stroke
 from drawings.symbols.arms import Arm, to_scale
 from drawings.symbols.couples import HALF, THREE_QUARTERS, CoupleArc
 from drawings.symbols.dashes import fit_dashes
+from drawings.symbols.dimension import Dimension
 from drawings.symbols.figure import Subject
 from drawings.symbols.force_arrow import ForceArrow, not_to_scale
 from drawings.symbols.polygon import ShownVector
-from drawings.symbols.symbols import ARROW_LENGTH, BLOCK, MASS, POINT, arrowhead, mass_centre
+from drawings.symbols.symbols import BLOCK, MASS, POINT, mass_centre
 from drawings.symbols.transmission import Gear
 
 GUIDE = 16.0  # mm of a guide's axis on either side of its slider
 RADIUS, BLOCKED, APART = 6.5, 9.0, 2.5  # mm: radius of a couple's arc, about a block, and what each further is wider
-DIMENSION, PAST, LEAST = 9.0, 1.5, 0.5  # mm: from a guide to the dimension along it, past that; the least shown
+DIMENSION, LEAST = 9.0, 0.5  # mm: from a guide to the dimension along it; the least shown
 FACINGS = 12  # directions that an arc may face
 BAR, ARROW, THIN = 3.0, 6.0, 1.0  # thin lines that a link, an arrow and an arm count as
 NARROW = 0.4  # what an arc of half a turn costs against one of three quarters
-
-
-class Dimension(NamedTuple):
-    """A distance along a guide, dimensioned beside it: its letter, its ends, and the way to its line, mm."""
-
-    letter: str
-    start: complex
-    end: complex
-    off: complex
-
-    @property
-    def length(self) -> float:
-        """The distance on paper, mm."""
-        return abs(self.end - self.start)
-
-    @property
-    def middle(self) -> complex:
-        """The middle of its line: beside it stands the letter."""
-        return (self.start + self.end) / 2 + self.off
-
-    @property
-    def lines(self) -> tuple[tuple[complex, complex], ...]:
-        """The dimension line, then the two extension lines."""
-        past = self.off * (1 + PAST / abs(self.off))
-        ends = ((one, one + past) for one in (self.start, self.end))
-        return (self.start + self.off, self.end + self.off), *ends
-
-    def draw(self, hand: Hand) -> tuple[Stroke, ...]:
-        """Draw its lines, its arrows within or, where there is no room, outside."""
-        start, end = self.lines[0]
-        along = (end - start) / self.length * ARROW_LENGTH * hand.symbol
-        tails = (end, start) if self.length > 3 * abs(along) else (start - 2 * along, end + 2 * along)
-        heads = (arrowhead(tail, tip, hand.symbol) for tail, tip in zip(tails, (start, end), strict=True))
-        outer = () if tails[0] == end else (Line(tails[0], tails[1], hand.drafted),)
-        lines = (Line(*ends, hand.drafted) for ends in self.lines)
-        return *lines, *outer, *(head for head in heads if head is not None)
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,47 @@
+"""A dimension on paper, lettered beside its line: its arrows within or, where there is no room, outside (размер)."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import Line, Stroke
+from drawings.symbols.symbols import ARROW_LENGTH, arrowhead
+
+PAST = 1.5  # mm that an extension line goes past the dimension line
+
+
+class Dimension(NamedTuple):
+    """A distance dimensioned beside it: its letter, its ends, and the way to its line, mm."""
+
+    letter: str
+    start: complex
+    end: complex
+    off: complex
+
+    @property
+    def length(self) -> float:
+        """The distance on paper, mm."""
+        return abs(self.end - self.start)
+
+    @property
+    def middle(self) -> complex:
+        """The middle of its line: beside it stands the letter."""
+        return (self.start + self.end) / 2 + self.off
+
+    @property
+    def lines(self) -> tuple[tuple[complex, complex], ...]:
+        """The dimension line, then the two extension lines."""
+        past = self.off * (1 + PAST / abs(self.off))
+        ends = ((one, one + past) for one in (self.start, self.end))
+        return (self.start + self.off, self.end + self.off), *ends
+
+    def draw(self, hand: Hand) -> tuple[Stroke, ...]:
+        """Draw its lines, its arrows within or, where there is no room, outside."""
+        start, end = self.lines[0]
+        along = (end - start) / self.length * ARROW_LENGTH * hand.symbol
+        tails = (end, start) if self.length > 3 * abs(along) else (start - 2 * along, end + 2 * along)
+        heads = (arrowhead(tail, tip, hand.symbol) for tail, tip in zip(tails, (start, end), strict=True))
+        outer = () if tails[0] == end else (Line(tails[0], tails[1], hand.drafted),)
+        lines = (Line(*ends, hand.drafted) for ends in self.lines)
+        return *lines, *outer, *(head for head in heads if head is not None)
