@@ -23,7 +23,7 @@ from plans.checks.compare import Comparison, Finding
 from plans.checks.force_expected import ExpectedForces
 from plans.forces.cut import indices
 from plans.forces.statics import Statics
-from plans.model.motion import ORDERS
+from plans.model.order import VELOCITIES
 
 # The least that an arrow not to scale is turned by to be wrong: its direction is drawn with the coordinates of paper.
 ASKEW = 1e-3
@@ -96,7 +96,7 @@ class _Check:
             yield from polygon_marks(self.measured, expected, study.groups, cuts[name], self.slack)
         velocities = study.drafts().velocities
         letters = {name: velocities.point(name).name for name in self.comparison.analysis.points}
-        speed = max(float(one.allowed[self.position]) for one in self.comparison.of(ORDERS[1]))
+        speed = max(float(one.allowed[self.position]) for one in self.comparison.of(VELOCITIES.plan))
         yield from lever_marks(self.measured, expected, letters, 2 * speed)
 
     def arrows(self) -> Iterator[str]:

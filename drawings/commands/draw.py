@@ -22,7 +22,7 @@ from drawings.report.report import report, shallow, shown, summary
 from geometry.errors import LimitError
 from plans.checks.compare import Comparison, compare, compare_extremes
 from plans.linkage.study import LinkageStudy
-from plans.model.motion import ORDERS
+from plans.model.order import POSITIONS
 from plans.scene.scene import Scene, read_scene
 from plans.scene.wording import said
 
@@ -150,7 +150,7 @@ def _agree(comparison: Comparison) -> None:
         )
     if not comparison.agrees:
         worst = max(comparison.findings, key=lambda finding: float(finding.excess.max()))
-        if worst.plan == ORDERS[0]:
+        if worst.plan == POSITIONS.plan:
             raise SelfCheckFailed(
                 f"construction and analysis assemble the mechanism in two ways (they differ in {worst.name}); "
                 "the sheet is withheld. Fix: show more points in mechanism.sketch, nearer to where they are at the "

@@ -18,11 +18,11 @@ from plans.linkage.drafts import Drafts
 from plans.linkage.plan import Plan
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
-from plans.model.motion import ORDERS, POINT_UNITS
+from plans.model.order import ORDERS
 from plans.scene.scene import read_scene
 
 PAIR = re.compile(r"[RPF]_(?P<giver>\d+?),?(?P<taker>\d+)")  # a reaction: of the first link on the second
-UNITS = {**dict(zip(ORDERS, POINT_UNITS, strict=True)), "forces": "N", "lever": "m/s"}
+UNITS = {**{order.plan: order.point.unit for order in ORDERS}, "forces": "N", "lever": "m/s"}
 
 
 # What a reaction rests on besides the forces: the plans that it is found over.
@@ -88,7 +88,7 @@ def _rate(name: str, arm: Mark, turning: Mark) -> str:
     """Say how an angular velocity or acceleration is read off: the size of the turning part over the arm."""
     along, across = at(arm.point, 0), at(turning.point, 0)
     moment = float(cross(along, across))
-    unit, rate = (UNITS[ORDERS[1]], "rad/s") if turning.subject == ORDERS[1] else (UNITS[ORDERS[2]], "rad/s2")
+    unit, rate = next((order.point.unit, order.link.unit) for order in ORDERS if order.plan == turning.subject)
     sense = "at rest" if moment == 0 else "counter-clockwise" if moment > 0 else "clockwise"
     value = moment / abs(along) ** 2
     return (

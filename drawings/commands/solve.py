@@ -14,7 +14,8 @@ from drawings.commands.trace import Trace
 from drawings.files.json_text import print_json
 from drawings.report.numbers import pairs, plain
 from plans.linkage.study import LinkageStudy
-from plans.model.motion import LINK_KEYS, ORDERS, POINT_KEYS, Extremes, Gap, Motion
+from plans.model.motion import Extremes, Gap, Motion
+from plans.model.order import ORDERS
 from plans.scene.scene import read_scene
 
 if TYPE_CHECKING:
@@ -31,7 +32,7 @@ def run(options: argparse.Namespace) -> int:
     with trace.stage("reading the scene"):
         study = LinkageStudy(noted(read_scene(options.scene), forces=not {*FORCES}.isdisjoint(options.only or ())))
     wanted = options.only or wanted_of(study)
-    orders = [k for k, order in enumerate(ORDERS) if order in wanted]
+    orders = [order.number for order in ORDERS if order.plan in wanted]
     forces = [name for name in FORCES if name in wanted]
     with trace.stage(options.by):
         road = _analysis if options.by == "analysis" else _construction
@@ -46,7 +47,7 @@ def run(options: argparse.Namespace) -> int:
 
 def wanted_of(study: LinkageStudy) -> list[str]:
     """Give what the sheets of a scene ask for: the motion, and forces and friction where a force sheet is wanted."""
-    wanted = [*ORDERS]
+    wanted = [order.plan for order in ORDERS]
     if "forces" in study.scene.sheets:
         wanted += [*FORCES] if study.scene.friction else ["forces"]
     return wanted
@@ -133,11 +134,11 @@ def described(study: LinkageStudy, motion: Motion, orders: list[int], extremes: 
         "phi": plain(motion.phi),
         "gaps": [_gap(gap) for gap in motion.gaps],
         "points": {
-            name: {POINT_KEYS[k]: pairs(getattr(found, POINT_KEYS[k]) + (datum if k == 0 else 0)) for k in orders}
+            name: {ORDERS[k].point.key: pairs(found[k] + (datum if k == 0 else 0)) for k in orders}
             for name, found in sorted(motion.points.items())
         },
         "links": {
-            str(number): {LINK_KEYS[k]: plain(getattr(found, LINK_KEYS[k])) for k in orders}
+            str(number): {ORDERS[k].link.key: plain(found[k]) for k in orders}
             for number, found in sorted(motion.links.items())
         },
     }

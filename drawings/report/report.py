@@ -14,7 +14,7 @@ from plans.checks.compare import NOT_GRADED, Comparison, Finding, notches
 from plans.linkage.pressure import interval
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
-from plans.model.motion import ORDERS
+from plans.model.order import ORDERS
 from plans.model.structure import RUSSIAN, formula, mechanism_class
 
 if TYPE_CHECKING:
@@ -27,7 +27,7 @@ NOTE, WARNING = 10.0, 60.0  # kappa = 1/sin of a notch: 6 degrees, 1 degree
 def summary(comparison: Comparison) -> str:
     """Give the short comparison: the worst difference of each plan in per cent of its largest, and of the allowed."""
     lines = [f"{'plan':<14} {'worst difference':>18} {'% of the largest':>18} {'of the allowed':>15}   in"]
-    for plan in (*ORDERS, "extremes", "forces", "equilibrium", "friction"):
+    for plan in (*(order.plan for order in ORDERS), "extremes", "forces", "equilibrium", "friction"):
         findings = comparison.of(plan)
         if findings:
             worst = max(findings, key=lambda finding: (_peak(finding.excess), _peak(finding.difference)))
@@ -163,7 +163,7 @@ def _comparison(comparison: Comparison) -> Iterator[str]:
 def _values(study: LinkageStudy, comparison: Comparison) -> Iterator[str]:
     yield "\n## Values\n"
     yield "Every value by construction; under it by analysis where their ten digits differ. Vectors are x; y.\n"
-    for plan in ORDERS:
+    for plan in (order.plan for order in ORDERS):
         findings = [finding for finding in comparison.of(plan) if np.any(finding.construction != 0)]
         if findings:
             yield f"### {plan.capitalize()}\n"
@@ -233,7 +233,7 @@ def _left_out(study: LinkageStudy, leaves: Mapping[str, Sequence[Leaf]]) -> Iter
         yield "- Masses and loads: the sheet does not need them and the scene gives none."
     else:
         yield "- Masses and loads of the scene: a kinematics sheet does not need them."
-    missing = [plan for plan in ORDERS if plan not in study.made]
+    missing = [order.plan for order in ORDERS if order.plan not in study.made]
     if missing:
         yield f"- Plans not made: {', '.join(missing)}."
     still = [str(n) for n in sorted(study.mechanism.links) if n != FRAME and n not in _turning(study)]

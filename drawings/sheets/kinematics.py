@@ -26,7 +26,7 @@ from drawings.sheets.choice import plans, position
 from drawings.sheets.notes import measured, notes, written
 from plans.checks.compare import Comparison
 from plans.linkage.study import LinkageStudy
-from plans.model.motion import ORDERS
+from plans.model.order import ORDERS, POSITIONS
 from plans.model.structure import formula
 
 # Paper around the plan of positions in sizes of its letters: numbers, symbols, and above it the dimension of a stroke.
@@ -83,8 +83,8 @@ class _Draft:
         """The drawn plans by name, in the order of positions, those that a gap leaves none of left out."""
         drafts = self.study.drafts()
         found = {}
-        for subject in ORDERS[1:]:
-            plan = drafts.velocities if subject == ORDERS[1] else drafts.accelerations
+        for order in ORDERS[1:]:
+            plan, subject = drafts.plan(order.number), order.plan
             for k in self.drawn:
                 found[f"{subject}-{k}"] = diagram(plan, k)
         return found
@@ -95,7 +95,7 @@ class _Draft:
         given = {f"{symbol}_{self.study.mechanism.drive.link}" for symbol in ("ω", "ε")}
         hand = self.page.hand
         lines = value_table.rows(self.comparison, self.drawn, given, self.language) if self.drawn else []
-        rows = [[self._picture(f"{subject}-{k}") for k in self.drawn] for subject in ORDERS[1:]]
+        rows = [[self._picture(f"{order.plan}-{k}") for k in self.drawn] for order in ORDERS[1:]]
         return Content(
             self._main(),
             tuple(rows[0]),
@@ -106,9 +106,10 @@ class _Draft:
 
     def _main(self) -> Picture:
         letter, heading = self.page.hand.letter, self.page.hand.heading
-        title = text_width(Text(0j, word(self.language, ORDERS[0]), heading))
+        title = text_width(Text(0j, word(self.language, POSITIONS.plan), heading))
         side, below, above = (size * letter for size in MARGINS)
-        return picture(ORDERS[0], self.bones.points, ("l", "m"), Margins(side, below, above + 2.5 * heading), title)
+        margins = Margins(side, below, above + 2.5 * heading)
+        return picture(POSITIONS.plan, self.bones.points, ("l", "m"), margins, title)
 
     def _picture(self, name: str) -> Picture:
         subject, k = name.split("-")
@@ -169,8 +170,8 @@ class _Draft:
     def _positions(self, pairs: Pairs, box: Field) -> list[Group]:
         lines = position_plan.figure(pairs, self.language)
         scale = pairs.place.scale.written(self.language, self.study.scene.sheet.notation)
-        title = _heading(box, word(self.language, ORDERS[0]), scale, self.page.hand)
-        return [title, Group(tuple(lines), ORDERS[0])]
+        title = _heading(box, word(self.language, POSITIONS.plan), scale, self.page.hand)
+        return [title, Group(tuple(lines), POSITIONS.plan)]
 
     def _plans(self, composed: Composed) -> tuple[list[PlanFigure], list[Group]]:
         """Draw the plans of this sheet; say of those that have none why."""

@@ -20,18 +20,13 @@ from plans.linkage.margin import margins
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.model.motion import (
-    LINK_KEYS,
-    LINK_SYMBOLS,
-    LINK_UNITS,
-    ORDERS,
-    POINT_KEYS,
-    POINT_UNITS,
     Complexes,
     Extremes,
     Floats,
     Gap,
     Motion,
 )
+from plans.model.order import ORDERS
 
 if TYPE_CHECKING:
     from plans.model.kinetostatics import Kinetostatics
@@ -186,30 +181,29 @@ def _points(
     study: LinkageStudy, drafts: Drafts, order: int, drawn: Motion, solved: Motion, kappa: Floats
 ) -> Iterator[Finding]:
     names = [name for name in drawn.points if name not in study.mechanism.links[FRAME].points]
-    pairs = [(getattr(drawn.points[n], POINT_KEYS[order]), getattr(solved.points[n], POINT_KEYS[order])) for n in names]
+    pairs = [(drawn.points[n][order], solved.points[n][order]) for n in names]
     largest = largest_of([np.abs(ours) for ours, _ in pairs])
-    plan = drafts.plan(order)
+    plan, told = drafts.plan(order), ORDERS[order]
     marks = [plan.point(name) for name in names]
     bounds = errors(*marks)
     for name, mark, (ours, theirs) in zip(names, marks, pairs, strict=True):
         allowed = with_analysis(bounds[mark].place, order, kappa, largest)
-        label = f"{POINT_KEYS[order]}_{name}"
-        yield Finding(ORDERS[order], label, POINT_UNITS[order], ours, theirs, np.abs(ours - theirs), allowed, largest)
+        label = f"{told.point.symbol}_{name}"
+        yield Finding(told.plan, label, told.point.unit, ours, theirs, np.abs(ours - theirs), allowed, largest)
 
 
 def _links(drafts: Drafts, order: int, drawn: Motion, solved: Motion, kappa: Floats) -> Iterator[Finding]:
-    key = LINK_KEYS[order]
-    pairs = {n: (getattr(drawn.links[n], key), getattr(solved.links[n], key)) for n in drawn.links}
+    told = ORDERS[order]
+    pairs = {n: (drawn.links[n][order], solved.links[n][order]) for n in drawn.links}
     largest = (
         np.pi if order == 0 else max(largest_of([np.abs(ours) for ours, _ in pairs.values()]), _slowest(drawn, order))
     )
-    plan = drafts.plan(order)
     for number, (ours, theirs) in pairs.items():
         apart = np.abs(np.angle(np.exp(1j * (ours - theirs)))) if order == 0 else np.abs(ours - theirs)
         bound = _turn_bound(drafts, order, number)
         allowed = with_analysis(bound, order, kappa, largest)
-        label = f"{LINK_SYMBOLS[order]}_{number}"
-        yield Finding(plan.board.subject, label, LINK_UNITS[order], ours, theirs, apart, allowed, largest)
+        label = f"{told.link.symbol}_{number}"
+        yield Finding(told.plan, label, told.link.unit, ours, theirs, apart, allowed, largest)
 
 
 def _slowest(drawn: Motion, order: int) -> float:
@@ -219,7 +213,7 @@ def _slowest(drawn: Motion, order: int) -> float:
     """
     places = np.array([motion.r for motion in drawn.points.values()])
     size = largest_of([np.abs(places - places[0])])
-    vector = largest_of([np.abs(getattr(motion, POINT_KEYS[order])) for motion in drawn.points.values()])
+    vector = largest_of([np.abs(motion[order]) for motion in drawn.points.values()])
     return vector / size if size > 0 else 0.0
 
 

@@ -61,10 +61,8 @@ def acting(
 def _body(mechanism: Mechanism, machine: Machine, motion: Motion, body: Body, bound: tuple[Floats, Floats]) -> Acting:
     """Give inertia and weight of a link; where it is and how it moves follow from one of its points and its turning."""
     turned = motion.links[body.link]
-    assert turned.omega is not None and turned.epsilon is not None  # forces ask for all orders
     name, own = next(iter(mechanism.links[body.link].points.items()))
     point = motion.points[name]
-    assert point.a is not None  # forces ask for all orders
     arm = (body.centre - own) * np.exp(1j * turned.angle)
     bent = point.a + (1j * turned.epsilon - turned.omega**2) * arm
     force = body.mass * (machine.gravity - bent)
@@ -129,7 +127,6 @@ def power(mechanism: Mechanism, motion: Motion, parts: Sequence[Acting], slack: 
     for one in parts:
         turned, name = motion.links[one.link], next(iter(mechanism.links[one.link].points))
         point = motion.points[name]
-        assert turned.omega is not None and point.v is not None  # forces ask for all orders
         v = point.v + 1j * turned.omega * (one.r - point.r)
         terms.append(dot(one.force, v) + one.couple * turned.omega)
         bounds.append(
@@ -140,7 +137,7 @@ def power(mechanism: Mechanism, motion: Motion, parts: Sequence[Acting], slack: 
         )
     sizes = np.array([np.abs(term) for term in terms])
     allowed = np.sum(bounds, axis=0) + len(terms) * EPS * sizes.sum(axis=0)
-    fastest = [np.abs(point.v) for point in motion.points.values() if point.v is not None]
+    fastest = [np.abs(point.v) for point in motion.points.values()]
     most = max(largest_of([sizes]), largest(parts)[0] * largest_of(fastest))
     return vanishing("power", "W", np.abs(np.sum(terms, axis=0)), allowed, most)
 

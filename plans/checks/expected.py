@@ -48,21 +48,15 @@ class Expected:
 
     def v(self, name: str) -> complex:
         """Velocity of a point, m/s."""
-        values = self.motion.points[name].v
-        assert values is not None  # a sheet asks for all orders
-        return complex(values[self.k])
+        return complex(self.motion.points[name].v[self.k])
 
     def a(self, name: str) -> complex:
         """Acceleration of a point, m/s2."""
-        values = self.motion.points[name].a
-        assert values is not None  # a sheet asks for all orders
-        return complex(values[self.k])
+        return complex(self.motion.points[name].a[self.k])
 
     def omega(self, link: int) -> float:
         """Angular velocity of a link, rad/s."""
-        values = self.motion.links[link].omega
-        assert values is not None  # a sheet asks for all orders
-        return float(values[self.k])
+        return float(self.motion.links[link].omega[self.k])
 
     def image(self, name: str, pole: str) -> str:
         """Name a point's image on a plan: the pole for a fixed point."""

@@ -20,7 +20,8 @@ from plans.forces.primary import BALANCING as BALANCED
 from plans.forces.primary import DRIVING
 from plans.forces.statics import Statics
 from plans.model.kinetostatics import FORCES, Kinetostatics, Loading
-from plans.model.motion import ORDERS, Floats
+from plans.model.motion import Floats
+from plans.model.order import ORDERS
 
 ORDER = 3  # forces magnify the analysis's rounding once more than the accelerations that they rest on
 
@@ -133,7 +134,7 @@ class _Compared:
 
     def _most(self, order: int, symbol: str) -> Floats:
         """Give the largest difference that the plan of an order is allowed in its points, or its links' rates."""
-        told = [one.allowed for one in self.comparison.of(ORDERS[order]) if one.name.startswith(symbol)]
+        told = [one.allowed for one in self.comparison.of(ORDERS[order].plan) if one.name.startswith(symbol)]
         return np.asarray(np.max([np.broadcast_to(row, len(self.ours.phi)) for row in told], axis=0))
 
     def _bounds(self) -> Bounds:

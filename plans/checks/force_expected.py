@@ -55,9 +55,7 @@ class ExpectedForces:
 
     def image(self, name: str) -> complex:
         """Give the place of a named point's image on Zhukovsky's lever: its velocity, turned by a quarter."""
-        values = self.motion.points[name].v
-        assert values is not None  # forces ask for all orders
-        return -1j * complex(values[self.k])
+        return -1j * complex(self.motion.points[name].v[self.k])
 
     def _acting(self, link: int) -> Iterator[tuple[str, complex]]:
         """Give the weight, the inertia force and the loads of a link."""
@@ -79,10 +77,10 @@ class ExpectedForces:
     def acceleration(self, body: Body) -> complex:
         """Give the acceleration of a link's mass centre: that of a point of the link, and the turning about it."""
         name, place = next(iter(self.mechanism.links[body.link].points.items()))
-        turning, values = self.motion.links[body.link], self.motion.points[name].a
-        assert turning.omega is not None and turning.epsilon is not None and values is not None
+        turning = self.motion.links[body.link]
         spin = complex(-(float(turning.omega[self.k]) ** 2), float(turning.epsilon[self.k]))
-        return complex(values[self.k]) + spin * cmath.rect(1.0, float(turning.angle[self.k])) * (body.centre - place)
+        turned = spin * cmath.rect(1.0, float(turning.angle[self.k]))
+        return complex(self.motion.points[name].a[self.k]) + turned * (body.centre - place)
 
     def _parts(self, group: Dyad, end: int) -> Iterator[tuple[str, complex]]:
         joint = group.outer[end]

@@ -37,7 +37,8 @@ from plans.model.kinetostatics import (
 )
 from plans.model.machine import Machine
 from plans.model.mechanism import Output, StructureError
-from plans.model.motion import ORDERS, Extremes, Floats, Gap, Motion
+from plans.model.motion import Extremes, Floats, Gap, Motion
+from plans.model.order import VELOCITIES
 from plans.scene.faults import SceneError
 from plans.scene.inventory import machine_of
 
@@ -184,7 +185,7 @@ class Statics:
         gaps, lost = self.study.motion(2).gaps, np.zeros(len(whole.phi), dtype=bool)
         lost[[gap.position for gap in gaps]] = True
         none &= ~lost
-        still = [self._gap(gap.position, without_forces(gap), gap.where) for gap in gaps if gap.plan == ORDERS[1]]
+        still = [self._gap(gap.position, without_forces(gap), gap.where) for gap in gaps if gap.plan == VELOCITIES.plan]
         named = [
             *gaps,
             *still,

@@ -72,12 +72,12 @@ class Drawing:
         links = plans[0].mechanism.links
         letters = sorted({point for link in links.values() for point in link.points})
         points = {
-            letter: PointMotion(*(_row(plan.point(letter).point, len(turn)) for plan in plans)) for letter in letters
+            letter: PointMotion(_row(plan.point(letter).point, len(turn)) for plan in plans) for letter in letters
         }
         moving = [link for link, image in sorted(plans[0].images.items()) if image.arm]
         turned = {
             link: LinkMotion(
-                _row(angle(plans[0], link), len(turn)), *(_row(rate(plan, link), len(turn)) for plan in plans[1:])
+                _row(row, len(turn)) for row in (angle(plans[0], link), *(rate(plan, link) for plan in plans[1:]))
             )
             for link in moving
         }

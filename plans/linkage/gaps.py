@@ -15,6 +15,7 @@ from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.margin import crossing, margins, undefined
 from plans.linkage.plan import Plan
 from plans.model.motion import Floats, Gap, Motion
+from plans.model.order import VELOCITIES
 
 # A position this near to a barrier's edge, rad, whose group is exactly at its dead centre, is the limit itself: half
 # the digits of an angle, for near a dead centre a margin is known to all digits but its angle to half of them.
@@ -193,9 +194,9 @@ def without_velocity(
     drawn: Motion, gone: npt.NDArray[np.bool_], blunt: npt.NDArray[np.bool_], barriers: Sequence[Barrier]
 ) -> list[Gap]:
     """Name the positions that are assembled but have no velocities, and leave none there for any point or link."""
-    letters = [name for name, motion in drawn.points.items() if motion.v is not None]
-    if not letters:
+    if drawn.order < VELOCITIES.number:
         return []
+    letters = list(drawn.points)
     none = np.isnan(np.array([drawn.points[name].v for name in letters]))
     dead = (none.any(axis=0) | blunt) & ~gone
     forget(drawn, dead)
@@ -212,11 +213,6 @@ def without_velocity(
 
 def forget(drawn: Motion, positions: npt.NDArray[np.bool_]) -> None:
     """Leave no velocity and no acceleration where the mechanism as a whole has none."""
-    for points in drawn.points.values():
-        for values in (points.v, points.a):
-            if values is not None:
-                values[positions] = np.nan
-    for links in drawn.links.values():
-        for numbers in (links.omega, links.epsilon):
-            if numbers is not None:
-                numbers[positions] = np.nan
+    for rows in (*drawn.points.values(), *drawn.links.values()):
+        for row in rows[1:]:
+            row[positions] = np.nan

@@ -77,8 +77,8 @@ class PlanTemplate:
         for place, row in self._resting(len(turn)).items():
             seen[place] = row
         seen[self._crank] = turn.headings
-        points = {letter: PointMotion(*[seen[place] for place in places]) for letter, places in self._points.items()}
-        links = {link: LinkMotion(*[seen[place] for place in places]) for link, places in self._links.items()}
+        points = {letter: PointMotion([seen[place] for place in places]) for letter, places in self._points.items()}
+        links = {link: LinkMotion([seen[place] for place in places]) for link, places in self._links.items()}
         return Motion("construction", turn.phi, points, links, ())
 
     def _resting(self, count: int) -> dict[int, npt.NDArray[Any]]:

@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from plans.model.mechanism import FRAME, Mechanism, Slide
-from plans.model.motion import CHANGE_POINT, ORDERS, Complexes, Floats, Gap
+from plans.model.motion import CHANGE_POINT, Complexes, Floats, Gap
+from plans.model.order import VELOCITIES
 
 if TYPE_CHECKING:
     from plans.model.structure import Dyad
@@ -125,7 +126,7 @@ class Kinetostatics:
         """The gaps of the forces: those named, and those of the velocities, where there are no forces either."""
         named = [gap for gap in self.gaps if gap.plan == FORCES]
         known = {gap.position for gap in named}
-        still = [gap for gap in self.gaps if gap.plan == ORDERS[1] and gap.position not in known]
+        still = [gap for gap in self.gaps if gap.plan == VELOCITIES.plan and gap.position not in known]
         return (*named, *(replace(gap, plan=FORCES, reason=without_forces(gap)) for gap in still))
 
     @property
