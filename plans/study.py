@@ -2,21 +2,85 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
+from functools import cached_property
 from typing import Any
 
 from plans.scene.scene import Scene
-from plans.techniques import TECHNIQUES, named
+from plans.techniques import TECHNIQUES, Technique, named
 
 
 class Study:
     """The memo of a scene: study["linkage"] is the linkage's study, made on first demand."""
 
-    def __init__(self, scene: Scene) -> None:
+    def __init__(self, scene: Scene, plans: Iterable[str] | None = None) -> None:
         self.scene = scene
+        self.chosen = plans is not None  # asked for by name, not by the scene's sheets
+        self.plans = frozenset(plans if plans is not None else plans_of(scene))  # what is asked for, by its name
+        self.whole = False  # asked for with all that it rests on
         self._made: dict[str, Any] = {}
+        self._compared: dict[str, Any] = {}
+        self._numbers: dict[tuple[str, str], Any] = {}
+
+    @classmethod
+    def of_all(cls, scene: Scene, whole: bool = False) -> Study:
+        """Give a study of all that the tables of a scene allow, whatever its sheets are."""
+        study = cls(scene, (plan for row in rows_of(scene) for plan in row.plans))
+        study.whole = whole
+        return study
 
     def __getitem__(self, technique: str) -> Any:
         """Give the study of a technique."""
         if technique not in self._made:
             self._made[technique] = named(TECHNIQUES[technique].study)(self)
         return self._made[technique]
+
+    @cached_property
+    def techniques(self) -> tuple[str, ...]:
+        """The techniques that make what is asked for, each after those that it rests on."""
+        asked = [name for name, row in TECHNIQUES.items() if not self.plans.isdisjoint(row.plans)]
+        needed = {*asked, *(need for name in asked for need in TECHNIQUES[name].needs)}
+        return tuple(name for name in TECHNIQUES if name in needed)
+
+    def construct(self) -> None:
+        """Make all that is asked for by construction."""
+        for technique in self.techniques:
+            self[technique].construct(self.plans)
+
+    def comparison(self, technique: str) -> Any:
+        """Give the comparison of the two roads of a technique."""
+        if technique not in self._compared:
+            self._compared[technique] = named(TECHNIQUES[technique].comparison)(self)
+        return self._compared[technique]
+
+    @property
+    def comparisons(self) -> tuple[Any, ...]:
+        """The comparisons of all techniques that are asked for."""
+        return tuple(self.comparison(technique) for technique in self.techniques)
+
+    def numbers(self, technique: str, by: str) -> Any:
+        """Give the numbers of a technique by one road."""
+        if (technique, by) not in self._numbers:
+            self._numbers[technique, by] = named(TECHNIQUES[technique].numbers)(self, by)
+        return self._numbers[technique, by]
+
+    @property
+    def made(self) -> frozenset[str]:
+        """The plans that were made so far."""
+        return frozenset(plan for study in self._made.values() for plan in study.made)
+
+    @property
+    def rows(self) -> tuple[Technique, ...]:
+        """The rows of the techniques that are asked for."""
+        return tuple(TECHNIQUES[technique] for technique in self.techniques)
+
+
+def rows_of(scene: Scene) -> Iterator[Technique]:
+    """Give the techniques that a scene has tables of."""
+    return (row for row in TECHNIQUES.values() if not scene.given.isdisjoint(row.tables))
+
+
+def plans_of(scene: Scene) -> Iterable[str]:
+    """Give the plans that the sheets of a scene need."""
+    sheets = {sheet: plans for row in TECHNIQUES.values() for sheet, plans in row.sheets.items()}
+    return (plan for sheet in scene.sheets for plan in sheets[sheet])

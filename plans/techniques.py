@@ -13,7 +13,8 @@ from typing import Any, Final, NamedTuple
 class Technique(NamedTuple):
     """What one technique reads of a scene, what studies it, and what it can show."""
 
-    study: str  # its class, made of the memo `Study` on first demand
+    tables: tuple[str, ...]  # keys of the scene that are its own
+    study: str  # of the memo `Study` to its own study, on first demand
     comparison: str  # of a study to the comparison of the two roads
     numbers: str  # of a study, a road and the wanted plans to plain data, for `solve`
     marks: str  # of a study, a position and a name to drafting steps, for `explain`
@@ -26,17 +27,19 @@ MOTION: Final = ("extremes", "positions", "velocities", "accelerations")
 
 TECHNIQUES: Final[Mapping[str, Technique]] = {
     "linkage": Technique(
-        study="plans.linkage.study:LinkageStudy",
-        comparison="plans.checks.compare:compare",
-        numbers="plans.linkage.numbers:numbers",
+        tables=("mechanism", "drive", "output"),
+        study="plans.linkage.study:study_of",
+        comparison="plans.checks.compare:comparison_of",
+        numbers="plans.checks.motion_numbers:numbers",
         marks="plans.linkage.marks:marks",
         plans=MOTION,
         sheets={"kinematics": MOTION},
     ),
     "forces": Technique(
-        study="plans.forces.statics:Statics",
-        comparison="plans.checks.force_comparison:compare_forces",
-        numbers="plans.forces.numbers:numbers",
+        tables=("masses", "loads", "friction"),
+        study="plans.forces.statics:study_of",
+        comparison="plans.checks.force_comparison:comparison_of",
+        numbers="plans.checks.force_numbers:numbers",
         marks="plans.forces.marks:marks",
         plans=("forces", "friction"),
         sheets={"forces": (*MOTION, "forces", "friction")},

@@ -27,7 +27,7 @@ from plans.bench.draughtsman import SLIPS, Draughtsman, Toll, toll
 from plans.bench.error import Errors, errors
 from plans.bench.roads import Ground, Road
 from plans.bench.truth import Exact, Truth, replay
-from plans.checks.compare import Comparison, compare
+from plans.checks.compare import MotionComparison, compare
 from plans.linkage.study import LinkageStudy
 from plans.model.order import ORDERS, POINT_ORDERS
 
@@ -44,7 +44,7 @@ class Drawn:
     """A scene's sheets drawn, written and measured together, and the comparison that their tables print."""
 
     leaves: tuple[Leaf, ...]
-    comparison: Comparison
+    comparison: MotionComparison
     measured: Measured
 
     @property

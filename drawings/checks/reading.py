@@ -7,8 +7,8 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 
 from drawings.lettering.words import number
-from drawings.paper.strokes import Group, Stroke, Text
-from plans.checks.compare import Finding
+from drawings.paper.strokes import Group, Leaf, Stroke, Text
+from plans.checks.comparison import Finding
 
 _NUMBER = re.compile(r"[-−]?\d+(?:[.,]\d+)?")
 _SCALE = re.compile(r"(μ|K)\S+ = (\d+(?:[.,]\d+)?) ")  # of a plan, after its letter: mu_v, K_v
@@ -43,6 +43,13 @@ def plain(name: str) -> str:
     'Rt34'
     """
     return name.replace("_", "").replace("^", "")
+
+
+def tables(leaf: Leaf, named: Mapping[str, Finding]) -> Iterator[str]:
+    """Read all tables of values of a sheet back."""
+    for group in leaf.groups:
+        if group.name.startswith("values"):
+            yield from table(group, named, tuple(int(k) for k in group.data["positions"].split()))
 
 
 def table(group: Group, named: Mapping[str, Finding], positions: tuple[int, ...]) -> Iterator[str]:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from drawings.checks import reading
 from drawings.checks.force_marks import lever_marks, polygon_marks
 from drawings.checks.reading import groups, plain, reads, scales, texts
 from drawings.checks.verify_friction import friction_of
@@ -19,29 +20,33 @@ from drawings.lettering.words import word
 from drawings.measure.measure import Measured
 from drawings.paper.strokes import Leaf, Line, Text
 from drawings.symbols.force_arrow import named
-from plans.checks.compare import Comparison, Finding
+from plans.checks.comparison import Finding
+from plans.checks.force_comparison import ForceComparison
 from plans.checks.force_expected import ExpectedForces
 from plans.forces.cut import indices
 from plans.forces.statics import Statics
 from plans.model.order import VELOCITIES
+from plans.study import Study
 
 # The least that an arrow not to scale is turned by to be wrong: its direction is drawn with the coordinates of paper.
 ASKEW = 1e-3
 _TOLD = re.compile(r"(?P<name>\S+) = (?P<value>[−\d.,]+)(?: (?P<unit>\S+?))?,?")
 
 
-def forces_of(measured: Measured, leaf: Leaf, comparison: Comparison, statics: Statics) -> Iterator[str]:
+def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[str]:
     """Hold all that one force sheet shows against the analysis."""
+    comparison, statics = study.comparison("forces"), study["forces"]
     check = _Check(measured, leaf, comparison, statics)
     yield from check.plans()
     yield from check.arrows()
     yield from check.told()
     yield from check.scales()
     yield from check.curves()
-    yield from friction_of(leaf, comparison, check.position, statics.study.scene.sheet.language)
+    yield from friction_of(leaf, comparison, check.position, study.scene.sheet.language)
+    yield from reading.tables(leaf, table_names(comparison, statics))
 
 
-def table_names(comparison: Comparison, statics: Statics) -> dict[str, Finding]:
+def table_names(comparison: ForceComparison, statics: Statics) -> dict[str, Finding]:
     """Name the findings as the table of a force sheet does."""
     sheet = statics.study.scene.sheet
     found = {}
@@ -62,7 +67,7 @@ class _Check:
 
     measured: Measured
     leaf: Leaf
-    comparison: Comparison
+    comparison: ForceComparison
     statics: Statics
 
     @property
@@ -75,10 +80,9 @@ class _Check:
         return 2 * max(float(one.allowed[self.position]) for one in self.comparison.of("forces") if one.unit == "N")
 
     def expected(self) -> ExpectedForces:
-        assert self.comparison.forces is not None  # a force sheet compares them
-        study, loads = self.statics.study, self.statics.loading(self.comparison.analysis)
-        found, machine = self.comparison.forces[1], self.statics.machine
-        return ExpectedForces(study.mechanism, machine, self.comparison.analysis, loads, found, self.position)
+        study, solved = self.statics.study, self.comparison.motion.analysis
+        loads, machine = self.statics.loading(solved), self.statics.machine
+        return ExpectedForces(study.mechanism, machine, solved, loads, self.comparison.analysis, self.position)
 
     def forces(self, label: str) -> dict[str, complex]:
         """Give the forces of a cut and their parts by the names that the sheet writes."""
@@ -95,8 +99,8 @@ class _Check:
         for name in self.leaf.metadata["groups"]:
             yield from polygon_marks(self.measured, expected, study.groups, cuts[name], self.slack)
         velocities = study.drafts().velocities
-        letters = {name: velocities.point(name).name for name in self.comparison.analysis.points}
-        speed = max(float(one.allowed[self.position]) for one in self.comparison.of(VELOCITIES.plan))
+        letters = {name: velocities.point(name).name for name in self.comparison.motion.analysis.points}
+        speed = max(float(one.allowed[self.position]) for one in self.comparison.motion.of(VELOCITIES.plan))
         yield from lever_marks(self.measured, expected, letters, 2 * speed)
 
     def arrows(self) -> Iterator[str]:
@@ -144,8 +148,7 @@ class _Check:
 
     def curves(self) -> Iterator[str]:
         """Hold the ordinates of the balancing moment and the ends of hodographs over the positions."""
-        assert self.comparison.forces is not None  # a force sheet compares them
-        told = self.comparison.forces[1]
+        told = self.comparison.analysis
         moments = {str(k): complex(0, value) for k, value in enumerate(told.balancing.moment)}
         largest = max(np.nanmax(one.allowed) for one in self.comparison.of("forces") if one.name.startswith("M_bal"))
         yield from self._held("balancing", moments, 2 * float(largest) + told.nothing[1])

@@ -12,11 +12,12 @@ import numpy as np
 from drawings.checks.reading import texts
 from drawings.lettering.words import number, runs, word
 from drawings.paper.strokes import Leaf
-from plans.checks.compare import Comparison
+from plans.checks.force_comparison import ForceComparison
 from plans.forces.cut import indices
 from plans.model.kinetostatics import NOTHING
 from plans.model.losses import Friction
 from plans.model.motion import Floats
+from plans.study import Study
 
 _SIGNS = str.maketrans({"\N{NO-BREAK SPACE}": " ", "\n": " "})
 FIGURE = r"[−\d.,]+\d|\d"
@@ -27,7 +28,7 @@ REPORT = "## Friction and efficiency"  # the heading in the report
 class Told:
     """What the analysis finds of friction, as numbers that may be written, with what the two roads may differ by."""
 
-    comparison: Comparison
+    comparison: ForceComparison
 
     @property
     def found(self) -> Friction:
@@ -76,7 +77,7 @@ class Told:
         return {pair: [k for other, k in told if other == pair] for pair, _ in told}
 
 
-def friction_of(leaf: Leaf, comparison: Comparison, position: int, language: str) -> Iterator[str]:
+def friction_of(leaf: Leaf, comparison: ForceComparison, position: int, language: str) -> Iterator[str]:
     """Read what the notes of a force sheet say of friction."""
     notes = [group for group in leaf.groups if group.name == "notes"]
     told = Told(comparison) if comparison.friction is not None else None
@@ -127,7 +128,12 @@ def reads(text: str, value: float, slack: float, language: str = "en", digits: i
     return abs(float(text.replace("−", "-").replace(",", ".")) - value) <= slack
 
 
-def report_of(text: str, comparison: Comparison) -> Iterator[str]:
+def report_faults(text: str, study: Study) -> Iterator[str]:
+    """Read what the report of a scene says of its friction."""
+    return report_of(text, study.comparison("forces"))
+
+
+def report_of(text: str, comparison: ForceComparison) -> Iterator[str]:
     """Read what the report says of friction: every cell of its table, the cycle and the shares."""
     if comparison.friction is None:
         return

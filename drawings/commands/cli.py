@@ -15,6 +15,7 @@ from drawings import VERSION
 from drawings.commands.process import FILES, UNREADABLE, run, tell
 from drawings.files.signals import Stopped
 from geometry.errors import DraftError
+from plans.techniques import TECHNIQUES
 
 BUG, SCENE, STOPPED = 1, 3, 130
 
@@ -128,7 +129,7 @@ def _command(commands: argparse._SubParsersAction[_Parser], name: str, text: str
 
 def _orders(text: str) -> list[str]:
     names = [name.strip() for name in text.split(",")]
-    known = ("positions", "velocities", "accelerations", "forces", "friction")
+    known = [plan for row in TECHNIQUES.values() for plan in row.plans if plan != "extremes"]
     wrong = [name for name in names if name not in known]
     if wrong or not names:
         raise argparse.ArgumentTypeError(f"{', '.join(wrong)} is none of {', '.join(known)}")

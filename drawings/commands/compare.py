@@ -3,69 +3,70 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from drawings.commands.talk import noted
 from drawings.files.json_text import print_json
 from drawings.report.report import left_out
-from plans.checks.compare import Comparison, Finding, compare, compare_extremes
-from plans.linkage.study import LinkageStudy
+from plans.checks.comparison import Comparison, Finding
 from plans.scene.scene import read_scene
+from plans.study import Study
 
 GAPS, FAILED = 4, 5
 
 
 def run(options: argparse.Namespace) -> int:
     """Print the comparison; give the exit code."""
-    study = LinkageStudy(noted(read_scene(options.scene)))
-    comparison = compare_extremes(study, compare(study))
-    if "forces" in study.scene.sheets:
-        from plans.checks.force_comparison import compare_forces
-        from plans.forces.statics import Statics
-
-        comparison = compare_forces(Statics(study), comparison)
+    study = Study(read_scene(options.scene))
+    noted(study)
+    comparisons = study.comparisons
     if options.json:
-        print_json(_told(study, comparison))
+        print_json(_plain(study.scene.title, comparisons))
     else:
-        print(_table(comparison))
-    if not comparison.agrees:
+        print("\n".join(_table(comparisons)))
+    if not all(comparison.agrees for comparison in comparisons):
         return FAILED
-    gaps = comparison.construction.gaps if comparison.forces is None else comparison.forces[0].gaps
-    return GAPS if gaps else 0
+    return GAPS if comparisons[-1].construction.gaps else 0
 
 
-def _told(study: LinkageStudy, comparison: Comparison) -> dict[str, object]:
-    alone = [
-        {"position": gap.position, "by": road.by, "plan": gap.plan, "reason": gap.reason}
-        for road, gap in comparison.alone
-    ]
+def _plain(title: str, comparisons: Sequence[Comparison]) -> dict[str, object]:
+    missing: dict[str, list[int]] = {}
+    for comparison in comparisons:
+        missing |= comparison.left_out
     return {
-        "scene": study.scene.title,
-        "findings": [_plain(finding) for finding in comparison.findings],
-        "left_out": comparison.left_out,
-        "alone": alone,
+        "scene": title,
+        "findings": [_plain_finding(finding) for comparison in comparisons for finding in comparison.findings],
+        "left_out": missing,
+        "alone": [
+            {"position": lone.gap.position, "by": lone.by, "plan": lone.gap.plan, "reason": lone.gap.reason}
+            for comparison in comparisons
+            for lone in comparison.alone
+        ],
     }
 
 
-def _table(comparison: Comparison) -> str:
-    lines = [f"{'plan':<14} {'quantity':<10} {'of its plan':>14} {'worst difference':>17} {'%':>10} {'of allowed':>11}"]
-    for finding in comparison.findings:
-        worst = _worst(finding)
-        lines.append(
-            f"{finding.plan:<14} {finding.name:<10} {finding.largest:>14.6g} {worst:>12.2e} {finding.unit:<6}"
-            f"{finding.per_cent:>8.1e} {float(finding.excess.max()):>11.3f}"
-        )
-    lines += left_out(comparison)
-    lines += [
-        f"position {gap.position}: the {road.by} alone says {gap.plan}: {gap.reason}" for road, gap in comparison.alone
-    ]
-    verdict = "agree" if comparison.agrees else "DIFFER"
-    lines.append(f"construction and analysis {verdict}: worst {comparison.worst:.3f} of the allowed difference")
-    return "\n".join(lines)
+def _table(comparisons: Sequence[Comparison]) -> Iterator[str]:
+    yield f"{'plan':<14} {'quantity':<10} {'of its plan':>14} {'worst difference':>17} {'%':>10} {'of allowed':>11}"
+    for comparison in comparisons:
+        yield from map(_line, comparison.findings)
+    yield from left_out(comparisons)
+    for lone in (lone for comparison in comparisons for lone in comparison.alone):
+        yield f"position {lone.gap.position}: the {lone.by} alone says {lone.gap.plan}: {lone.gap.reason}"
+    verdict = "agree" if all(comparison.agrees for comparison in comparisons) else "DIFFER"
+    worst = max(comparison.worst for comparison in comparisons)
+    yield f"construction and analysis {verdict}: worst {worst:.3f} of the allowed difference"
 
 
-def _plain(finding: Finding) -> dict[str, object]:
+def _line(finding: Finding) -> str:
+    return (
+        f"{finding.plan:<14} {finding.name:<10} {finding.largest:>14.6g} {_worst(finding):>12.2e} {finding.unit:<6}"
+        f"{finding.per_cent:>8.1e} {float(finding.excess.max()):>11.3f}"
+    )
+
+
+def _plain_finding(finding: Finding) -> dict[str, object]:
     excess = float(finding.excess.max())
     return {
         "plan": finding.plan,

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from contextlib import contextmanager
 from importlib.machinery import ModuleSpec, PathFinder
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-PLANS = ("extremes", "positions", "velocities", "accelerations")
+if TYPE_CHECKING:
+    from plans.study import Study
+
 # Libraries that cost a tenth of a run or more, or whose need a scene decides.
 LIBRARIES = ("numpy", "svgwrite", "mpmath", "scipy", "shapely", "matplotlib")
 
@@ -33,18 +35,19 @@ class Trace:
         finally:
             self.stages[name] = self.stages.get(name, 0.0) + time.perf_counter() - began
 
-    def told(self, made: Mapping[str, Any]) -> str:
+    def told(self, study: Study) -> str:
         """Tell the stages, the plans made and not made, the libraries imported and left out."""
         total = time.perf_counter() - self.begun
         rows = {**self.stages, "the rest": total - sum(self.stages.values()), "together": total}
+        plans = [plan for row in study.rows for plan in row.plans]
         imported = [f"{name} ({self._cost(name)})" for name in LIBRARIES if name in sys.modules]
         return "\n".join(
             (
                 f"{'stage':<20} {'ms':>8} {'share':>7}",
                 *(f"{name:<20} {1000 * took:>8.1f} {took / total:>7.1%}" for name, took in rows.items()),
                 f"before: the interpreter and the command line, {1000 * self.before:.0f} ms of the processor",
-                f"made: {_listed(plan for plan in PLANS if plan in made)}",
-                f"not made: {_listed(plan for plan in PLANS if plan not in made)}",
+                f"made: {_listed(plan for plan in plans if plan in study.made)}",
+                f"not made: {_listed(plan for plan in plans if plan not in study.made)}",
                 f"imported: {_listed(imported)}",
                 f"left out: {_listed(name for name in LIBRARIES if name not in sys.modules)}",
             )

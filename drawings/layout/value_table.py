@@ -11,7 +11,7 @@ from drawings.lettering.lettering import text_width
 from drawings.lettering.words import fixed, number, word
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Line, LineStyle, Stroke, Text
-from plans.checks.compare import Comparison, Finding
+from plans.checks.comparison import Comparison, Finding
 
 # In sizes of the letters: a row, how far a text stands above its row's line, and the least cell.
 ROW, UNDER, CELL = 2.0, 0.65, 4.0

@@ -2,24 +2,65 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import Any
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from drawings.lettering.words import number
-from plans.checks.compare import Comparison
+from drawings.lettering.words import number, runs
+from drawings.report.chapters import Chapters
+from drawings.report.gap_lines import gap_lines
+from plans.checks.force_comparison import ForceComparison
 from plans.forces.statics import Statics
-from plans.model.kinetostatics import Kinetostatics
+from plans.model.kinetostatics import FORCES, Kinetostatics
 from plans.model.losses import Friction
+from plans.scene.scene import Scene
+from plans.study import Study
+
+if TYPE_CHECKING:
+    from drawings.paper.strokes import Leaf
 
 DIGITS = 10
 
 
-def forces(comparison: Comparison, statics: Statics) -> Iterator[str]:
+def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
+    """Tell the forces of a linkage."""
+    shown = dict.fromkeys(
+        leaf.metadata["position"] for own in leaves.values() for leaf in own if "position" in leaf.metadata
+    )
+    return Chapters(
+        values=forces(study.comparison("forces"), study["forces"]),
+        left_out=[f"- Force plans are drawn for position {', '.join(map(str, shown))}; the forces of all stand above."],
+    )
+
+
+def headline(study: Study) -> str:
+    """Say nothing more on the screen than the motion does."""
+    return ""
+
+
+def idle(scene: Scene) -> list[str]:
+    """Say what a scene gives of forces that its sheets do not need."""
+    if not scene.masses and scene.loads is None:
+        return ["- Masses and loads: the sheet does not need them and the scene gives none."]
+    return ["- Masses and loads of the scene: a kinematics sheet does not need them."]
+
+
+def remarks(study: Study) -> list[str]:
+    """Say which positions have no forces, and which pairs jam by friction, and where."""
+    comparison, friction = study.comparison("forces"), study["forces"].friction
+    lines = gap_lines([gap for gap in comparison.construction.gaps if gap.plan == FORCES])
+    jams = friction.jams if friction is not None else ()
+    for pair in dict.fromkeys(jam.pair for jam in jams):
+        own = [jam for jam in jams if jam.pair == pair]
+        where = runs([jam.position for jam in own], "-")
+        lines.append(f"pair {pair} jams by friction in positions {where}: {own[0].advice}")
+    return lines
+
+
+def forces(comparison: ForceComparison, statics: Statics) -> Iterator[str]:
     """Tell what acts, every reaction by construction, and what friction takes."""
-    assert comparison.forces is not None  # a force sheet compares them
-    found = comparison.forces[0]
+    found = comparison.construction
     yield from _bodies(statics)
     yield from _reactions(found)
     yield from _gaps(found)

@@ -1,48 +1,87 @@
-"""The report beside a sheet, in Markdown: structure, extremes, every value both ways, conditions, what was left out."""
+"""The report beside a set of sheets, in Markdown: the chapters of its techniques, and both roads compared (отчёт)."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from drawings.lettering.words import number, runs
-from drawings.paper.limits import MANY
-from plans.checks.compare import NOT_GRADED, Comparison, Finding, notches
-from plans.linkage.pressure import interval
-from plans.linkage.study import LinkageStudy
-from plans.model.mechanism import FRAME
-from plans.model.order import ORDERS
-from plans.model.structure import RUSSIAN, formula, mechanism_class
+from drawings.lettering.words import runs
+from drawings.report.chapters import Chapters
+from drawings.report.table import REPORTS
+from plans.checks.comparison import Comparison, Finding
+from plans.study import Study
+from plans.techniques import TECHNIQUES, named
 
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
-    from plans.forces.statics import Statics
-
-NOTE, WARNING = 10.0, 60.0  # kappa = 1/sin of a notch: 6 degrees, 1 degree
 
 
-def summary(comparison: Comparison) -> str:
+def report(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> str:
+    """Write the report beside the sheets, whose leaves are given by kind."""
+    told: list[Chapters] = [named(REPORTS[name].chapters)(study, leaves) for name in study.techniques]
+    parts = [
+        f"# {study.scene.title}: {', '.join(leaves)}",
+        *(line for one in told for line in one.subject),
+        *_comparison(study.comparisons),
+        *(line for one in told for line in one.values),
+        *(line for one in told for line in one.conditions),
+        "\n## Left out\n",
+        *(line for one in told for line in one.left_out),
+        *(line for name in _idle(study) for line in named(REPORTS[name].idle)(study.scene)),
+    ]
+    return "\n".join(parts) + "\n"
+
+
+def _idle(study: Study) -> Iterator[str]:
+    """Give the techniques that rest on what is studied, and are not asked for."""
+    rest = (name for name in REPORTS if name not in study.techniques)
+    return (name for name in rest if not set(TECHNIQUES[name].needs).isdisjoint(study.techniques))
+
+
+def headlines(study: Study) -> Iterator[str]:
+    """Give what each technique says first of a study."""
+    yield from filter(None, (named(REPORTS[name].headline)(study) for name in study.techniques))
+
+
+def remarks(study: Study) -> list[str]:
+    """Give what is not whole about a study: gaps, positions that are not for grading, pairs that jam."""
+    return [line for name in study.techniques for line in named(REPORTS[name].remarks)(study)]
+
+
+def faults(text: str, study: Study) -> Iterator[str]:
+    """Give what a report tells otherwise than the analysis."""
+    return (fault for name in study.techniques for fault in named(REPORTS[name].faults)(text, study))
+
+
+def summary(comparisons: Iterable[Comparison]) -> str:
     """Give the short comparison: the worst difference of each plan in per cent of its largest, and of the allowed."""
     lines = [f"{'plan':<14} {'worst difference':>18} {'% of the largest':>18} {'of the allowed':>15}   in"]
-    for plan in (*(order.plan for order in ORDERS), "extremes", "forces", "equilibrium", "friction"):
-        findings = comparison.of(plan)
-        if findings:
-            worst = max(findings, key=lambda finding: (_peak(finding.excess), _peak(finding.difference)))
-            per_cent = max(finding.per_cent for finding in findings)
-            lines.append(
-                f"{plan:<14} {_peak(worst.difference):>13.2e} {worst.unit:<4} {per_cent:>18.2e} "
-                f"{_peak(worst.excess):>15.3f}   {worst.name}"
-            )
-    return "\n".join([*lines, *left_out(comparison)])
+    told = list(comparisons)
+    for comparison in told:
+        lines += [_worst(plan, comparison.of(plan)) for plan in _plans(comparison)]
+    return "\n".join([*lines, *left_out(told)])
 
 
-def left_out(comparison: Comparison) -> list[str]:
-    """Tell which positions the comparison leaves out, as both roads give them up, and how many they are."""
+def _plans(comparison: Comparison) -> dict[str, None]:
+    return dict.fromkeys(finding.plan for finding in comparison.findings)
+
+
+def _worst(plan: str, findings: Sequence[Finding]) -> str:
+    worst = max(findings, key=lambda finding: (peak(finding.excess), peak(finding.difference)))
+    per_cent = max(finding.per_cent for finding in findings)
+    return (
+        f"{plan:<14} {peak(worst.difference):>13.2e} {worst.unit:<4} {per_cent:>18.2e} "
+        f"{peak(worst.excess):>15.3f}   {worst.name}"
+    )
+
+
+def left_out(comparisons: Iterable[Comparison]) -> list[str]:
+    """Tell which positions the comparisons leave out, as both roads give them up, and how many they are."""
     return [
         f"left out, given up by both roads ({plan}): {count_of(positions)} ({runs(positions, '-')})"
+        for comparison in comparisons
         for plan, positions in comparison.left_out.items()
     ]
 
@@ -52,198 +91,19 @@ def count_of(positions: Sequence[int]) -> str:
     return f"{len(positions)} position{'s' if len(positions) != 1 else ''}"
 
 
-def shown(study: LinkageStudy) -> str:
-    """Say which link is the output, and who chose it."""
-    out, named = study.output, study.mechanism.output is not None
-    chosen = "as [output] names it" if named else "the last link on the frame; [output] names another"
-    if not named and not any(FRAME in group.hosts for group in study.groups[-1:]):
-        chosen = "the last link; [output] names another"
-    return f"output: link {out.link}{f' by its point {out.point}' if out.point else ''}, {chosen}"
-
-
-def shallow(study: LinkageStudy) -> list[int]:
-    """Give the assembled positions in which some group is too near a dead centre to be graded."""
-    if not study.groups:
-        return []
-    worst = notches(study).max(axis=0)
-    return [int(k) for k in np.flatnonzero(~study.lost & ~(worst < NOT_GRADED))]
-
-
-def report(
-    study: LinkageStudy, comparison: Comparison, leaves: Mapping[str, Sequence[Leaf]], statics: Statics | None = None
-) -> str:
-    """Write the report beside the sheets, whose leaves are given by kind."""
-    told = _forces(comparison, statics) if statics is not None else ()
-    parts = [
-        f"# {study.scene.title}: {', '.join(leaves)}",
-        *_structure(study),
-        *_extremes(study),
-        *_passage(study, comparison),
-        *_comparison(comparison),
-        *_values(study, comparison),
-        *told,
-        *_conditions(study),
-        *_left_out(study, leaves),
-    ]
-    return "\n".join(parts) + "\n"
-
-
-def _structure(study: LinkageStudy) -> Iterator[str]:
-    mechanism = study.mechanism
-    yield "\n## Structure\n"
-    yield f"- Mobility W = 3·{mechanism.moving_links} - 2·{mechanism.lower_pairs} = {mechanism.mobility}"
-    yield f"- Formula of structure: {formula(mechanism, study.groups)}; class {mechanism_class(study.groups)}"
-    for group, side in zip(study.groups, study.sweep.sides, strict=True):
-        joints = f"{group.kind} ({RUSSIAN[group.kind]})"
-        yield f"- Group {group.label}: {joints}, assembly side {side:+.0f}, kept in every position"
-    yield f"- Drive: link {mechanism.drive.link}, omega = {number(mechanism.drive.omega)} rad/s, " + (
-        f"epsilon = {number(mechanism.drive.epsilon)} rad/s²"
-    )
-
-
-def _extremes(study: LinkageStudy) -> Iterator[str]:
-    yield "\n## Extreme positions\n"
-    yield f"- O{shown(study)[1:]}"
-    if study.found is None:
-        yield f"- Output link {study.output.link} has no extreme positions over the turn."
-    else:
-        found = study.found.extremes
-        way = "by notches" if study.found.notched else "where the velocity plan gives the output no velocity"
-        angles = ", ".join(f"{np.degrees(phi):.9f}°" for phi in found.phi)
-        unit = "m" if found.sliding else "rad"
-        yield f"- Crank angles, found {way}: {angles} (the working stroke begins at the first)"
-        yield f"- {'Stroke H' if found.sliding else 'Swing'} = {number(found.stroke, digits=10)} {unit}" + (
-            "" if found.sliding else f" = {np.degrees(found.stroke):.8f}°"
-        )
-        if len(study.found.rests) > 2:
-            rests = ", ".join(f"{np.degrees(phi):.6f}°" for phi in study.found.rests)
-            yield f"- The output reverses {len(study.found.rests)} times in a turn, at {rests}: no one time ratio"
-        else:
-            yield f"- Time-ratio angle θ = {np.degrees(found.overlap):.8f}°, K = {number(found.ratio, digits=10)}"
-    if study.groups and not study.nodes.size:
-        yield "- Pressure angles: none, for no position is assembled"
-    for group in study.groups if study.nodes.size else ():
-        seen = interval(study.sweep, group, study.nodes)
-        low, high = np.degrees(seen.low), np.degrees(seen.high)
-        yield f"- Pressure angle of group {group.label}: {low:.6f}° to {high:.6f}°"
-
-
-def _passage(study: LinkageStudy, comparison: Comparison) -> Iterator[str]:
-    gaps = comparison.construction.gaps
-    if not study.met and not gaps and not study.passed:
-        return
-    yield "\n## Gaps and dead centres\n"
-    for barrier in study.passed:
-        at = number(float(np.degrees((barrier.start + barrier.end) / 2)) % 360.0)
-        yield f'- change point at {barrier.where}, φ = {at}°: carried through (through = "{study.mechanism.through}")'
-    for barrier in study.met:
-        low, high = np.degrees(barrier.start), np.degrees(barrier.end)
-        miss = f", the loci miss by up to {barrier.miss:.6g} m" if barrier.miss else ""
-        yield f"- {barrier.kind} at {barrier.where}: crank angles {low:.6f}° to {high:.6f}°{miss}"
-    lost = {gap.position for gap in gaps if gap.plan == "positions"}
-    count = len(study.turn)
-    yield f"- {count - len(lost)} of {count} positions are assembled"
-    for gap in gaps:
-        yield f"- Position {gap.position} (φ = {np.degrees(gap.phi):.3f}°), {gap.plan}: {gap.reason}; {gap.advice}"
-
-
-def _comparison(comparison: Comparison) -> Iterator[str]:
+def _comparison(comparisons: Iterable[Comparison]) -> Iterator[str]:
     yield "\n## Comparison of construction and analysis\n"
     yield "Differences are per cent of the largest of their kind on the plan; the allowed one is derived from the"
     yield "conditions of the construction's steps and of the analytic Jacobian.\n"
     yield "| plan | quantity | worst difference | % of the largest | of the allowed |"
     yield "|---|---|---|---|---|"
-    for finding in comparison.findings:
+    for finding in (finding for comparison in comparisons for finding in comparison.findings):
         yield (
-            f"| {finding.plan} | {finding.name}, {finding.unit} | {_peak(finding.difference):.2e} "
-            f"| {finding.per_cent:.2e} | {_peak(finding.excess):.3f} |"
+            f"| {finding.plan} | {finding.name}, {finding.unit} | {peak(finding.difference):.2e} "
+            f"| {finding.per_cent:.2e} | {peak(finding.excess):.3f} |"
         )
 
 
-def _values(study: LinkageStudy, comparison: Comparison) -> Iterator[str]:
-    yield "\n## Values\n"
-    yield "Every value by construction; under it by analysis where their ten digits differ. Vectors are x; y.\n"
-    for plan in (order.plan for order in ORDERS):
-        findings = [finding for finding in comparison.of(plan) if np.any(finding.construction != 0)]
-        if findings:
-            yield f"### {plan.capitalize()}\n"
-            yield "| position | φ, ° | " + " | ".join(f"{f.name}, {f.unit}" for f in findings) + " |"
-            yield "|---|---|" + "---|" * len(findings)
-            for k, phi in enumerate(study.turn.phi):
-                cells = " | ".join(_cell(finding, k) for finding in findings)
-                yield f"| {k} | {np.degrees(phi):.4f} | {cells} |"
-            yield ""
-
-
-def _cell(finding: Finding, position: int) -> str:
-    ours, theirs = (_text(values[position], finding.largest) for values in (finding.construction, finding.analysis))
-    return ours if ours == theirs else f"{ours}<br>{theirs}"
-
-
-def _text(value: complex | float, largest: float) -> str:
-    if math.isnan(abs(value)):
-        return "gap"
-    if isinstance(value, complex):
-        return f"{_text(value.real, largest)}; {_text(value.imag, largest)}"
-    return number(0.0 if abs(value) < 1e-10 * largest else float(value), digits=10)
-
-
-def _conditions(study: LinkageStudy) -> Iterator[str]:
-    yield "\n## Conditions\n"
-    if not study.groups:
-        yield "The crank alone has no meeting."
-        return
-    table = notches(study)
-    yield "kappa = 1/sin of the crossing angle magnifies every error of a meeting: from 10 a note, from 60 a warning"
-    yield "(0.01 mm in a length moves the point by more than half a millimetre), from 600 not for grading.\n"
-    yield "| group | largest kappa | in position | |"
-    yield "|---|---|---|---|"
-    for group, row in zip(study.groups, np.where(study.lost, np.nan, table), strict=True):
-        if np.isnan(row).all():
-            continue
-        worst = int(np.nanargmax(row))
-        said = "not for grading" if row[worst] >= NOT_GRADED else ""
-        said = said or ("warning" if row[worst] >= WARNING else "note" if row[worst] >= NOTE else "")
-        largest = f"{row[worst]:.4g}" if np.isfinite(row[worst]) else "no bound: a dead centre"
-        yield f"| {group.label} | {largest} | {worst} | {said} |"
-
-
-def _forces(comparison: Comparison, statics: Statics) -> Iterator[str]:
-    from drawings.report.force_report import forces  # noqa: PLC0415  (only a force sheet pays for it)
-
-    return forces(comparison, statics)
-
-
-def _left_out(study: LinkageStudy, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[str]:
-    yield "\n## Left out\n"
-    count, sheets = len(study.turn), leaves.get("kinematics", ())
-    names = ", ".join(str(k) for leaf in sheets for k in leaf.metadata["plans"])
-    if sheets:
-        yield f"- Velocity and acceleration plans are drawn for positions {names} of {count}; the other values stand"
-        yield f"  above. Notch arcs, pairs and letters are drawn for position {sheets[0].metadata['shown']} only."
-    if "forces" in leaves:
-        shown = dict.fromkeys(leaf.metadata["position"] for leaf in leaves["forces"])
-        yield f"- Force plans are drawn for position {', '.join(map(str, shown))}; the forces of all stand above."
-    if sheets and count > MANY:
-        yield f"- Of {count} positions about {MANY} are drawn with their links, the others by ticks; numbers that would"
-        yield "  crowd each other are left out."
-    if "forces" in leaves:
-        pass
-    elif not study.scene.masses and study.scene.loads is None:
-        yield "- Masses and loads: the sheet does not need them and the scene gives none."
-    else:
-        yield "- Masses and loads of the scene: a kinematics sheet does not need them."
-    missing = [order.plan for order in ORDERS if order.plan not in study.made]
-    if missing:
-        yield f"- Plans not made: {', '.join(missing)}."
-    still = [str(n) for n in sorted(study.mechanism.links) if n != FRAME and n not in _turning(study)]
-    if still:
-        yield f"- Links {', '.join(still)} do not turn: their angular velocity and acceleration have no column."
-
-
-def _turning(study: LinkageStudy) -> set[int]:
-    return set(study.drafts().velocities.readings) if "velocities" in study.made else set(study.mechanism.links)
-
-
-def _peak(values: np.ndarray[tuple[int, ...], np.dtype[np.float64]]) -> float:
+def peak(values: np.ndarray[tuple[int, ...], np.dtype[Any]]) -> float:
+    """Give the largest of some numbers, gaps left out."""
     return float(np.nanmax(values)) if np.isfinite(values).any() else float(np.max(np.nan_to_num(values, nan=0.0)))

@@ -7,12 +7,12 @@ from typing import Any
 import numpy as np
 
 from drawings.paper.strokes import SheetError
-from plans.checks.compare import Comparison
+from plans.checks.compare import MotionComparison
 from plans.linkage.study import LinkageStudy
 from plans.linkage.travel import frame_slide
 
 
-def position(study: LinkageStudy, comparison: Comparison) -> int:
+def position(study: LinkageStudy, comparison: MotionComparison) -> int:
     """Give the position drawn in full lines: the scene's own, or the output's fastest one."""
     wanted = study.scene.sheet.position
     free = ~study.lost
@@ -29,7 +29,7 @@ def position(study: LinkageStudy, comparison: Comparison) -> int:
     return named[0] if named else _best(_telling(study, comparison, 1), free & _working(study), free)
 
 
-def plans(study: LinkageStudy, comparison: Comparison, shown: int) -> tuple[int, ...]:
+def plans(study: LinkageStudy, comparison: MotionComparison, shown: int) -> tuple[int, ...]:
     """Give the positions whose plans are drawn: the scene's own, or the shown one and one of a large acceleration."""
     if study.lost.all():
         return ()
@@ -45,7 +45,7 @@ def plans(study: LinkageStudy, comparison: Comparison, shown: int) -> tuple[int,
     return tuple(sorted((shown, other)))
 
 
-def _telling(study: LinkageStudy, comparison: Comparison, order: int) -> Any:
+def _telling(study: LinkageStudy, comparison: MotionComparison, order: int) -> Any:
     """Rate the positions by what their plan shows: the output moves, and the plan is an open figure, not one line."""
     motions = comparison.construction.points.values()
     ends = np.array([np.zeros(len(study.turn)), *(m.v if order == 1 else m.a for m in motions)])
@@ -70,7 +70,7 @@ def _best(sizes: Any, preferred: Any, allowed: Any) -> int:
     return int(np.argmax(np.where(chosen & ~np.isnan(sizes), sizes, -1.0)))
 
 
-def _output_rate(study: LinkageStudy, comparison: Comparison, order: int) -> Any:
+def _output_rate(study: LinkageStudy, comparison: MotionComparison, order: int) -> Any:
     """Give the output's velocity or acceleration over the positions, of its pin or of its turning."""
     out, motion = study.output, comparison.construction
     slide = frame_slide(study.mechanism, out.link)

@@ -26,13 +26,14 @@ from drawings.sheets.choice import position
 from drawings.sheets.force_notes import notes
 from drawings.sheets.kinematics import KEPT
 from drawings.sheets.notes import measured, written
-from plans.checks.compare import Comparison
+from plans.checks.force_comparison import ForceComparison
 from plans.forces.cut import Cut, indices
 from plans.forces.primary import BALANCING
 from plans.forces.statics import Statics
 from plans.linkage.study import LinkageStudy
 from plans.model.kinetostatics import Kinetostatics
 from plans.model.structure import formula
+from plans.study import Study
 
 CHOICES = 12  # positions that a message offers at most
 LARGEST = 2.2  # times the least size at which it is legible: a crank is not drawn larger than the mechanism
@@ -47,17 +48,22 @@ class Figure(Protocol):
     def lettered(self, labels: Labels) -> Group: ...  # noqa: D102
 
 
-def sheets(study: LinkageStudy, comparison: Comparison, statics: Statics) -> tuple[Leaf, ...]:
+def leaves(study: Study) -> tuple[Leaf, ...]:
+    """Lay out the force sheets of a scene."""
+    return sheets(study["linkage"], study.comparison("forces"), study["forces"])
+
+
+def sheets(study: LinkageStudy, comparison: ForceComparison, statics: Statics) -> tuple[Leaf, ...]:
     """Lay out the force sheets: one for each position that is asked for, and following ones where one has no room."""
     drafts = [_Draft(study, comparison, statics, k) for k in positions(study, comparison)]
     composed = [(draft, one) for draft in drafts for one in compose(draft.content, draft.page)]
     return tuple(draft.leaf(one, k + 1, len(composed)) for k, (draft, one) in enumerate(composed))
 
 
-def positions(study: LinkageStudy, comparison: Comparison) -> tuple[int, ...]:
+def positions(study: LinkageStudy, comparison: ForceComparison) -> tuple[int, ...]:
     """Give the positions whose forces are drawn: the scene's own, or the one that is shown in full lines."""
-    assert comparison.forces is not None  # a force sheet compares them
-    gone = {gap.position: gap for road in reversed(comparison.forces) for gap in road.gaps}
+    roads = comparison.analysis, comparison.construction
+    gone = {gap.position: gap for road in roads for gap in road.gaps}
     have = [k for k in range(len(study.turn)) if k not in gone]
     if not have:
         first = gone[min(gone)]
@@ -74,7 +80,7 @@ def positions(study: LinkageStudy, comparison: Comparison) -> tuple[int, ...]:
             )
     if study.scene.sheet.forces:
         return tuple(study.scene.sheet.forces)
-    shown = position(study, comparison)
+    shown = position(study, comparison.motion)
     return (shown if shown in have else have[0],)
 
 
@@ -83,7 +89,7 @@ class _Draft:
     """What the force sheets of one position are drawn from."""
 
     study: LinkageStudy
-    comparison: Comparison
+    comparison: ForceComparison
     statics: Statics
     position: int
 
@@ -133,8 +139,7 @@ class _Draft:
     @property
     def forces(self) -> Kinetostatics:
         """The forces of the construction in the positions in which the analysis has them too."""
-        assert self.comparison.forces is not None  # a force sheet compares them
-        return self.comparison.forces[0]
+        return self.comparison.construction
 
     @cached_property
     def turned(self) -> Kinetostatics:

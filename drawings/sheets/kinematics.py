@@ -24,24 +24,30 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Leaf, Text
 from drawings.sheets.choice import plans, position
 from drawings.sheets.notes import measured, notes, written
-from plans.checks.compare import Comparison
+from plans.checks.compare import MotionComparison
 from plans.linkage.study import LinkageStudy
 from plans.model.order import ORDERS, POSITIONS
 from plans.model.structure import formula
+from plans.study import Study
 
 # Paper around the plan of positions in sizes of its letters: numbers, symbols, and above it the dimension of a stroke.
 MARGINS = Margins(3.5, 3.5, 11.0)
 KEPT = 1.0  # mm inside the frame that letters keep clear of
 
 
-def sheets(study: LinkageStudy, comparison: Comparison) -> tuple[Leaf, ...]:
+def leaves(study: Study) -> tuple[Leaf, ...]:
+    """Lay out the kinematics sheets of a scene."""
+    return sheets(study["linkage"], study.comparison("linkage"))
+
+
+def sheets(study: LinkageStudy, comparison: MotionComparison) -> tuple[Leaf, ...]:
     """Lay out the kinematics sheet, and as many following ones as its figures need to stay readable."""
     draft = _Draft(study, comparison)
     composed = compose(draft.content, draft.page)
     return tuple(draft.leaf(one, k + 1, len(composed)) for k, one in enumerate(composed))
 
 
-def sheet(study: LinkageStudy, comparison: Comparison) -> Leaf:
+def sheet(study: LinkageStudy, comparison: MotionComparison) -> Leaf:
     """Lay out the first kinematics sheet."""
     return sheets(study, comparison)[0]
 
@@ -51,7 +57,7 @@ class _Draft:
     """What a set of kinematics sheets is drawn from; nothing is made that the scene's sheets do not need."""
 
     study: LinkageStudy
-    comparison: Comparison
+    comparison: MotionComparison
 
     @cached_property
     def page(self) -> Page:

@@ -12,7 +12,7 @@ from drawings.lettering.lettering import text_width
 from drawings.lettering.words import fixed, number, runs, word
 from drawings.page.page import Field
 from drawings.paper.strokes import Group, Stroke, Text
-from plans.checks.compare import Comparison
+from plans.checks.compare import MotionComparison
 from plans.linkage.pressure import interval
 from plans.linkage.study import LinkageStudy
 from plans.model.structure import formula, mechanism_class
@@ -23,7 +23,7 @@ MOST_LENGTHS = 16  # of a mechanism with more the report and the scene tell them
 STEP = 1.8  # sizes of the letters from line to line: GOST 2.304-81 asks for 1.7 at least
 
 
-def notes(study: LinkageStudy, comparison: Comparison, language: str) -> list[str]:
+def notes(study: LinkageStudy, comparison: MotionComparison, language: str) -> list[str]:
     """Write what the sheet says in words: structure, drive, stroke, time ratio, pressure angles, gaps, agreement."""
     mechanism, drive = study.mechanism, study.mechanism.drive
     said = [
@@ -56,7 +56,7 @@ def lengths(study: LinkageStudy, language: str) -> list[str]:
     return [word(language, "lengths", lengths=",  ".join(told))]
 
 
-def _gaps(comparison: Comparison, language: str) -> list[str]:
+def _gaps(comparison: MotionComparison, language: str) -> list[str]:
     """Name the gaps, those of one reason together, runs of positions as first-last."""
     reasons: dict[tuple[str, str], list[int]] = {}
     for gap in comparison.construction.gaps:
@@ -67,7 +67,7 @@ def _gaps(comparison: Comparison, language: str) -> list[str]:
     ]
 
 
-def _why(study: LinkageStudy, comparison: Comparison) -> list[str]:
+def _why(study: LinkageStudy, comparison: MotionComparison) -> list[str]:
     """Say on a sheet without any position what would mend the mechanism."""
     return [worded(comparison.construction.gaps[0].advice, study.scene.sheet.language)] if study.lost.all() else []
 

@@ -8,31 +8,28 @@ linear systems magnify a rounding by the condition of the Jacobian once for ever
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, NamedTuple, TypeVar
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from geometry.meet import EPS
 from geometry.precision import condition, errors
 from plans.analytic.kinematics import Analysis
+from plans.checks.comparison import Comparison, Finding
 from plans.linkage.drafts import Drafts
 from plans.linkage.margin import margins
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.model.motion import (
-    Complexes,
     Extremes,
     Floats,
-    Gap,
     Motion,
 )
-from plans.model.order import ORDERS
+from plans.model.order import ORDERS, numbers_of
 
 if TYPE_CHECKING:
-    from plans.model.kinetostatics import Kinetostatics
-    from plans.model.losses import Friction
-
-_Road = TypeVar("_Road")
+    from plans.study import Study
 
 # A Newton step or a linear solution at rest leaves a few roundings of the largest term in each of its rows.
 ANALYSIS = 8.0
@@ -45,85 +42,19 @@ NOT_GRADED = 600.0  # kappa of a notch of 6 minutes of arc: 0.01 mm in a length 
 EXTREMES = ("φ_start", "φ_end", "H", "θ")
 
 
-class Finding(NamedTuple):
-    """One quantity over all positions by both roads, with the allowed difference; NaN at gaps."""
-
-    plan: str
-    name: str  # "v_B", "ω_3"
-    unit: str
-    construction: Complexes | Floats
-    analysis: Complexes | Floats
-    difference: Floats
-    allowed: Floats
-    largest: float  # the largest of its kind on the plan, over all positions
-
-    @property
-    def excess(self) -> Floats:
-        """The difference in units of the allowed one; an undetermined comparison counts as infinite."""
-        with np.errstate(divide="ignore", invalid="ignore"):
-            share = np.where(self.difference == 0, 0.0, self.difference / self.allowed)
-        gap = np.isnan(np.abs(self.construction)) & np.isnan(np.abs(self.analysis))
-        return np.where(gap, 0.0, np.where(np.isnan(share), np.inf, share))
-
-    @property
-    def per_cent(self) -> float:
-        """The worst difference in per cent of the plan's largest."""
-        if not np.isfinite(self.difference).any() or self.largest == 0:
-            return 0.0
-        return float(100 * np.nanmax(self.difference) / self.largest)
-
-
-class Comparison(NamedTuple):
-    """All findings of a study."""
+@dataclass(frozen=True)
+class MotionComparison(Comparison):
+    """The motion of a linkage by both roads."""
 
     construction: Motion
     analysis: Motion
     findings: tuple[Finding, ...]
     kappa: Floats  # condition of the scaled Jacobian at every position
     road: Analysis  # by which the analysis was made
-    forces: tuple[Kinetostatics, Kinetostatics] | None = None  # by construction and by analysis, where asked for
-    friction: tuple[Friction, Friction] | None = None  # likewise
-
-    @property
-    def alone(self) -> tuple[tuple[Motion | Kinetostatics, Gap], ...]:
-        """Gaps that one road names and the other does not, or for another reason; each with the road that names it."""
-        roads = self.construction, self.analysis
-        found = _alone(roads, [road.gaps for road in roads])
-        forces = self.forces or ()
-        return (*found, *_alone(forces, [road.unanswered for road in forces]))
-
-    @property
-    def left_out(self) -> dict[str, list[int]]:
-        """Positions left out of the comparison, as both roads give them up, by the first plan that has none of them."""
-        found: dict[str, list[int]] = {}
-        for gap in (*self.construction.gaps, *(self.forces[0].unanswered if self.forces else ())):
-            found.setdefault(gap.plan, []).append(gap.position)
-        return found
-
-    def of(self, plan: str) -> tuple[Finding, ...]:
-        """Give the findings of one plan."""
-        return tuple(finding for finding in self.findings if finding.plan == plan)
-
-    @property
-    def worst(self) -> float:
-        """The largest difference in units of its allowed one."""
-        return max((float(np.max(finding.excess)) for finding in self.findings), default=0.0)
-
-    @property
-    def agrees(self) -> bool:
-        """Whether every difference is within its allowed one, and both roads name the same gaps."""
-        return self.worst <= 1.0 and not self.alone
-
-
-def _alone(roads: Sequence[_Road], told: Sequence[Sequence[Gap]]) -> Iterator[tuple[_Road, Gap]]:
-    """Give the gaps told by one of two roads and not by the other."""
-    named = [{(gap.position, gap.plan, gap.reason) for gap in gaps} for gaps in told]
-    for road, gaps, other in zip(roads, told, reversed(named), strict=True):
-        yield from ((road, gap) for gap in gaps if (gap.position, gap.plan, gap.reason) not in other)
 
 
 @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN on both roads
-def compare(study: LinkageStudy, order: int = 2) -> Comparison:
+def compare(study: LinkageStudy, order: int = 2) -> MotionComparison:
     """Compare construction and analysis over all positions of a study, up to an order of derivative."""
     drawn = study.motion(order)
     road = Analysis(study.mechanism, first=study.scene.drive.first is not None, looks=study.looks.phi)
@@ -134,7 +65,13 @@ def compare(study: LinkageStudy, order: int = 2) -> Comparison:
     for k in range(order + 1):
         findings += _points(study, drafts, k, drawn, solved, kappa)
         findings += _links(drafts, k, drawn, solved, kappa)
-    return Comparison(drawn, solved, capped(study, findings), kappa, road)
+    return MotionComparison(drawn, solved, capped(study, findings), kappa, road)
+
+
+def comparison_of(study: Study) -> MotionComparison:
+    """Compare what a scene asks for of its motion (row of the table of techniques)."""
+    found = compare(study["linkage"], max(numbers_of(study.plans), default=0))
+    return compare_extremes(study["linkage"], found) if "extremes" in study.plans else found
 
 
 def notches(study: LinkageStudy) -> Floats:
@@ -152,7 +89,7 @@ def capped(study: LinkageStudy, findings: Sequence[Finding]) -> tuple[Finding, .
     return tuple(finding._replace(allowed=np.minimum(finding.allowed, most)) for finding, most in pairs)
 
 
-def compare_extremes(study: LinkageStudy, comparison: Comparison) -> Comparison:
+def compare_extremes(study: LinkageStudy, comparison: MotionComparison) -> MotionComparison:
     """Add the output's extreme positions, their crank angles, stroke and overlap, found by both roads."""
     ours, theirs = None if study.found is None else study.found.extremes, comparison.road.extremes(study.output)
     told = ours or theirs
@@ -170,7 +107,7 @@ def compare_extremes(study: LinkageStudy, comparison: Comparison) -> Comparison:
         Finding("extremes", *named, values[0][k], values[1][k], apart[k], allowed[k], float(largest[k.start]))
         for k, named in zip(map(slice, range(4), range(1, 5)), zip(EXTREMES, units, strict=True), strict=True)
     )
-    return comparison._replace(findings=comparison.findings + added)
+    return replace(comparison, findings=comparison.findings + added)
 
 
 def _told(found: Extremes) -> Floats:

@@ -13,7 +13,8 @@ import numpy as np
 
 from geometry.meet import EPS, cross, dot
 from geometry.precision import OWN
-from plans.checks.compare import Finding, largest_of
+from plans.checks.compare import largest_of
+from plans.checks.comparison import Finding
 from plans.model.kinetostatics import Kinetostatics, Loading
 from plans.model.machine import Body, Machine
 from plans.model.mechanism import FRAME, Mechanism

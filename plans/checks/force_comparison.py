@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -12,7 +13,8 @@ from geometry.precision import errors
 from plans.analytic.energy import energy_balance
 from plans.analytic.kinetostatics import kinetostatics
 from plans.analytic.power import balancing_moment
-from plans.checks.compare import Comparison, Finding, capped, largest_of, with_analysis
+from plans.checks.compare import MotionComparison, capped, largest_of, with_analysis
+from plans.checks.comparison import Comparison, Finding
 from plans.checks.equilibrium import BALANCING, Bounds, acting, balances, power
 from plans.forces.cut import INERTIA, Support, indices
 from plans.forces.loading import loading
@@ -20,45 +22,65 @@ from plans.forces.primary import BALANCING as BALANCED
 from plans.forces.primary import DRIVING
 from plans.forces.statics import Statics
 from plans.model.kinetostatics import FORCES, Kinetostatics, Loading
+from plans.model.losses import Friction
 from plans.model.motion import Floats
 from plans.model.order import ORDERS
+
+if TYPE_CHECKING:
+    from plans.study import Study
 
 ORDER = 3  # forces magnify the analysis's rounding once more than the accelerations that they rest on
 
 
+@dataclass(frozen=True)
+class ForceComparison(Comparison):
+    """The forces of a linkage by both roads, over its motion by both."""
+
+    construction: Kinetostatics
+    analysis: Kinetostatics
+    findings: tuple[Finding, ...]
+    motion: MotionComparison
+    friction: tuple[Friction, Friction] | None = None  # by construction and by analysis, where there are coefficients
+
+
 @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN on both roads
-def compare_forces(statics: Statics, comparison: Comparison) -> Comparison:
-    """Add the forces of a study to the comparison of its motion."""
+def compare_forces(statics: Statics, motion: MotionComparison) -> ForceComparison:
+    """Compare the forces of a study whose motion is compared."""
     machine, study = statics.machine, statics.study
-    found = statics.over(comparison.road.extremes)
-    loads = loading(machine, comparison.analysis, found)
-    theirs = kinetostatics(comparison.road, machine, comparison.analysis, loads, statics.pairs)
+    found = statics.over(motion.road.extremes)
+    loads = loading(machine, motion.analysis, found)
+    theirs = kinetostatics(motion.road, machine, motion.analysis, loads, statics.pairs)
     ours = statics.forces
-    both = _Compared(statics, comparison, ours, theirs)
+    both = _Compared(statics, motion, ours, theirs)
     forces = *capped(study, [*both.reactions(), *both.balancing(loads)]), both.energy(loads)
-    findings = *comparison.findings, *forces, *capped(study, [*both.sums()])
-    compared = comparison._replace(findings=findings, forces=(ours, theirs))
+    compared = ForceComparison(ours, theirs, (*forces, *capped(study, [*both.sums()])), motion)
     return _with_friction(statics, compared, loads) if machine.friction else compared
 
 
-def _with_friction(statics: Statics, comparison: Comparison, loads: Loading) -> Comparison:
+def comparison_of(study: Study) -> ForceComparison:
+    """Compare the forces of a scene (row of the table of techniques)."""
+    return compare_forces(study["forces"], study.comparison("linkage"))
+
+
+def _with_friction(statics: Statics, comparison: ForceComparison, loads: Loading) -> ForceComparison:
     """Add friction, where the scene gives coefficients."""
     from plans.analytic.friction import friction  # noqa: PLC0415  (only a scene with friction pays for it)
     from plans.checks.friction_comparison import compare_friction  # noqa: PLC0415
 
-    assert comparison.forces is not None  # they are compared before
-    theirs = friction(comparison.road, statics.machine, comparison.analysis, loads, comparison.forces[1], statics.pairs)
-    return compare_friction(statics, comparison, statics.loading(comparison.construction), theirs)
+    motion = comparison.motion
+    theirs = friction(motion.road, statics.machine, motion.analysis, loads, comparison.analysis, statics.pairs)
+    ours, findings = compare_friction(statics, motion, comparison, theirs)
+    return replace(comparison, findings=(*comparison.findings, *findings), friction=(ours, theirs))
 
 
 class _Compared:
     """The forces of a study by both roads, with what rounding allows the construction."""
 
-    def __init__(self, statics: Statics, comparison: Comparison, ours: Kinetostatics, theirs: Kinetostatics) -> None:
-        self.statics, self.comparison, self.ours, self.theirs = statics, comparison, ours, theirs
+    def __init__(self, statics: Statics, motion: MotionComparison, ours: Kinetostatics, theirs: Kinetostatics) -> None:
+        self.statics, self.motion, self.ours, self.theirs = statics, motion, ours, theirs
         self.plans = statics.drafts().plans
         self.largest = ours.largest
-        places = np.array([point.r for point in comparison.construction.points.values()])
+        places = np.array([point.r for point in motion.construction.points.values()])
         self.size = largest_of([np.abs(places)])  # m: the longest arm about the shaft
         self.supports = {_key(one): one for cut in self.plans.plan.cuts for one in cut.reactions}
         marks = [mark for one in self.supports.values() for mark in (one.force, one.moment) if mark is not None]
@@ -81,7 +103,7 @@ class _Compared:
 
     def finding(self, named: tuple[str, str], pair: tuple[Any, Any], off: Floats, largest: float) -> Finding:
         """Put one quantity by both roads beside each other."""
-        allowed = with_analysis(off, ORDER, self.comparison.kappa, largest)
+        allowed = with_analysis(off, ORDER, self.motion.kappa, largest)
         return Finding(FORCES, *named, *pair, np.abs(pair[0] - pair[1]), allowed, largest)
 
     def reactions(self) -> Iterator[Finding]:
@@ -96,7 +118,7 @@ class _Compared:
     def balancing(self, loads: Loading) -> Iterator[Finding]:
         """Compare what the drive gives: with the equilibrium and the power of the other road; the lever."""
         plan, lever, machine = self.plans.plan, self.plans.lever, self.statics.machine
-        road, solved = self.comparison.road, self.comparison.analysis
+        road, solved = self.motion.road, self.motion.analysis
         ours, theirs, off = self.ours.balancing, self.theirs.balancing, self.off(plan.balancing)
         largest = self._largest_moment
         if ours.force is not None:
@@ -112,7 +134,7 @@ class _Compared:
         """Compare with the energy balance; how far its differences may be off is its own word, and is not capped."""
         plan, machine, ours = self.plans.plan, self.statics.machine, self.ours.balancing
         off, largest = self.off(plan.balancing), self._largest_moment
-        stored = energy_balance(self.comparison.road, machine, self.comparison.analysis, loads)
+        stored = energy_balance(self.motion.road, machine, self.motion.analysis, loads)
         judged = np.where(np.isnan(stored.moment), ours.moment, stored.moment)  # NaN: not judged
         one = self.finding((f"{BALANCED} energy", "N*m"), (ours.moment, judged), off, largest)
         return one._replace(allowed=one.allowed + np.where(np.isfinite(stored.allowed), stored.allowed, 0.0))
@@ -126,7 +148,7 @@ class _Compared:
     def sums(self) -> Iterator[Finding]:
         """Check the equilibrium of every link, group and the whole, and the power, by the construction alone."""
         study, machine = self.statics.study, self.statics.machine
-        motion = self.comparison.construction
+        motion = self.motion.construction
         loads = self.statics.loading(motion)
         parts = acting(study.mechanism, machine, motion, loads, self.ours, self._bounds())
         yield from balances(study.mechanism, study.groups, parts, self._most(0, "r_"))
@@ -134,7 +156,7 @@ class _Compared:
 
     def _most(self, order: int, symbol: str) -> Floats:
         """Give the largest difference that the plan of an order is allowed in its points, or its links' rates."""
-        told = [one.allowed for one in self.comparison.of(ORDERS[order].plan) if one.name.startswith(symbol)]
+        told = [one.allowed for one in self.motion.of(ORDERS[order].plan) if one.name.startswith(symbol)]
         return np.asarray(np.max([np.broadcast_to(row, len(self.ours.phi)) for row in told], axis=0))
 
     def _bounds(self) -> Bounds:

@@ -6,9 +6,9 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
-from plans.checks.compare import Comparison, Finding, capped, largest_of, with_analysis
+from plans.checks.compare import MotionComparison, capped, largest_of, with_analysis
+from plans.checks.comparison import Comparison, Finding
 from plans.forces.cut import indices
-from plans.forces.friction import friction
 from plans.forces.rubbing import rate
 from plans.forces.statics import Statics
 from plans.model.kinetostatics import Kinetostatics, Loading, Reaction
@@ -23,36 +23,40 @@ ORDER = 3  # powers rest on reactions
 
 
 @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN on both roads
-def compare_friction(statics: Statics, comparison: Comparison, loads: Loading, theirs: Friction) -> Comparison:
-    """Add friction to a comparison that has the forces; `loads` are those on the construction's motion."""
-    assert comparison.forces is not None  # friction rests on them
-    study, machine, motion = statics.study, statics.machine, comparison.construction
-    ours = friction(study.mechanism, study.groups, machine, motion, loads, comparison.forces[0])
-    both = _Compared(statics, comparison, comparison.forces[0], (ours, theirs))
-    told = *capped(study, [*both.powers(loads), *both.locking()]), *both.efficiency(), *both.wear(), *both.jams()
-    return comparison._replace(findings=(*comparison.findings, *told), friction=(ours, theirs))
+def compare_friction(
+    statics: Statics, motion: MotionComparison, forces: Comparison, theirs: Friction
+) -> tuple[Friction, tuple[Finding, ...]]:
+    """Give friction by construction, and compare it with that of the analysis, over forces that are compared."""
+    study, ours = statics.study, statics.friction
+    assert ours is not None  # the machine has friction
+    both = _Compared(statics, motion, forces, (ours, theirs))
+    powers = both.powers(statics.loading(motion.construction))
+    told = *capped(study, [*powers, *both.locking()]), *both.efficiency(), *both.wear(), *both.jams()
+    return ours, told
 
 
 class _Compared:
     """What friction takes by both roads, with what the differences of reactions and rates allow of it."""
 
     def __init__(
-        self, statics: Statics, comparison: Comparison, forces: Kinetostatics, both: tuple[Friction, Friction]
+        self, statics: Statics, motion: MotionComparison, forces: Comparison, both: tuple[Friction, Friction]
     ) -> None:
         self.mechanism: Mechanism = statics.study.mechanism
-        self.machine, self.comparison, self.forces = statics.machine, comparison, forces
+        self.machine, self.motion, self.compared = statics.machine, motion, forces
+        self.forces: Kinetostatics = forces.construction
         self.ours, self.theirs = both
         self.known = np.isfinite(self.ours.lost + self.theirs.lost)
-        named = {finding.name: finding for finding in comparison.of("forces")}
+        named = {finding.name: finding for finding in forces.of("forces")}
         self.named: Callable[[str], Finding | None] = named.get
         self.slow = self._off("ω_")  # rad/s that any link's rate may differ by
-        self.slip = self._off("v_") + self.slow * forces.size  # m/s that of any point of a link may
-        rates = {key: rate(self.mechanism, comparison.construction, forces.reactions[key]) for key in self.ours.powers}
+        self.slip = self._off("v_") + self.slow * self.forces.size  # m/s that of any point of a link may
+        reactions = self.forces.reactions
+        rates = {key: rate(self.mechanism, motion.construction, reactions[key]) for key in self.ours.powers}
         self.rates = {key: np.abs(one) for key, one in rates.items()}
         self.largest = max((self._largest(key) for key in self.rates), default=0.0)
 
     def _off(self, symbol: str) -> Floats:
-        told = [one.allowed for one in self.comparison.of(VELOCITIES.plan) if one.name.startswith(symbol)]
+        told = [one.allowed for one in self.motion.of(VELOCITIES.plan) if one.name.startswith(symbol)]
         rows = [np.broadcast_to(row, len(self.ours.phi)) for row in told]
         return np.max(rows, axis=0) if rows else np.zeros(len(self.ours.phi))
 
@@ -68,7 +72,7 @@ class _Compared:
     def _fast(self, key: str) -> float:
         """Give the largest rate of the machine that a pair may have: rad/s, or of a slide m/s."""
         symbol = "ω_" if self.forces.reactions[key].along is None else "v_"
-        told = [one.largest for one in self.comparison.of(VELOCITIES.plan) if one.name.startswith(symbol)]
+        told = [one.largest for one in self.motion.of(VELOCITIES.plan) if one.name.startswith(symbol)]
         return max([*told, largest_of([self.rates[key]])])
 
     def _largest(self, key: str) -> float:
@@ -91,13 +95,13 @@ class _Compared:
         rubs, steady = self.machine.friction[key], self._off_rate(self.forces.reactions[key])
         pressed = np.where(self.rates[key] > 0, self.ours.powers[key] / self.rates[key], 0.0)
         own = rubs.coefficient * self._pressed(key) * self.rates[key] + pressed * steady
-        return with_analysis(own, ORDER, self.comparison.kappa, self.largest)
+        return with_analysis(own, ORDER, self.motion.kappa, self.largest)
 
     def _used(self, loads: Loading) -> Floats:
         forces = sum((np.abs(load.force) for load in loads.forces if load.useful), np.zeros(len(self.ours.phi)))
         moments = sum((np.abs(one.moment) for one in loads.moments if one.useful), np.zeros(len(self.ours.phi)))
         largest = max(self.largest, largest_of([self.ours.useful]))
-        return with_analysis(forces * self.slip + moments * self.slow, ORDER, self.comparison.kappa, largest)
+        return with_analysis(forces * self.slip + moments * self.slow, ORDER, self.motion.kappa, largest)
 
     def finding(self, named: tuple[str, str], pair: tuple[Floats, Floats], allowed: Floats, largest: float) -> Finding:
         """Put one quantity by both roads beside each other, where both have forces."""
@@ -120,18 +124,18 @@ class _Compared:
         """
         for key, ours in self.ours.locking.items():
             largest = max(largest_of([ours]), self.machine.friction[key].coefficient)
-            allowed = with_analysis(np.zeros(len(ours)), ORDER, self.comparison.kappa, largest)
+            allowed = with_analysis(np.zeros(len(ours)), ORDER, self.motion.kappa, largest)
             yield self.finding((f"locking {_index(key)}", "1"), (ours, self.theirs.locking[key]), allowed, largest)
             yield self._driving(key)
 
     def _driving(self, key: str) -> Finding:
         one, rubs = self.forces.reactions[key], self.machine.friction[key]
         arm = (self.forces.size if one.along is None else 1.0) * (1.0 + self.ours.locking[key])
-        most = max((finding.allowed for finding in self.comparison.of("forces") if finding.unit == "N"), key=_most)
+        most = max((finding.allowed for finding in self.compared.of("forces") if finding.unit == "N"), key=_most)
         largest = largest_of([arm * self.forces.largest]) * self._fast(key) + self._largest(key)
         turning = self._pressed(key) * rubs.coefficient
         own = (arm * most + turning) * self.rates[key] + arm * self.forces.largest * self._off_rate(one)
-        allowed = with_analysis(own, ORDER, self.comparison.kappa, largest)
+        allowed = with_analysis(own, ORDER, self.motion.kappa, largest)
         pair = self.ours.driving[key], self.theirs.driving[key]
         return self.finding((f"driving {_index(key)}", "W"), pair, allowed, largest)
 

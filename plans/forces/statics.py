@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -44,6 +44,7 @@ from plans.scene.inventory import machine_of
 
 if TYPE_CHECKING:
     from plans.model.losses import Friction
+    from plans.study import Study
 
 SHARED = "the links lie in one line there and may share forces in many ways: take a position beside it"
 UNBOUNDED = "a group is at its dead centre and its reactions grow beyond all bounds: take a position beside it"
@@ -101,6 +102,12 @@ class Statics:
 
     def __init__(self, study: LinkageStudy) -> None:
         self.study = study
+        self.made: dict[str, None] = {}  # what was made, in order
+
+    def construct(self, plans: Collection[str]) -> None:
+        """Find the forces at all positions of the scene."""
+        if "forces" in plans:
+            _ = self.forces
 
     @cached_property
     def machine(self) -> Machine:
@@ -146,7 +153,7 @@ class Statics:
     @cached_property
     def pattern(self) -> ForcePattern | ForceDrawing:
         """The force plan drawn at one position, to be followed at all."""
-        self.study.made.setdefault("forces")
+        self.made.setdefault("forces")
         one = self.study.drafts([0])
         pattern, _ = one.follow(2)
         if isinstance(pattern, Drawing):
@@ -254,3 +261,8 @@ def without(forces: Kinetostatics, gone: npt.NDArray[np.bool_]) -> Kinetostatics
     told = forces.balancing
     balancing = Balancing(kept(told.moment), kept(told.force), told.r)
     return replace(forces, reactions=reactions, balancing=balancing)
+
+
+def study_of(study: Study) -> Statics:
+    """Make the statics of a scene over its linkage's study (row of the table of techniques)."""
+    return Statics(study["linkage"])

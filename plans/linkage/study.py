@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
@@ -22,9 +22,13 @@ from plans.linkage.obstruction import obstruction
 from plans.linkage.sketch import Assembly, SketchError, assembly
 from plans.model.mechanism import Mechanism, Output, StructureError
 from plans.model.motion import Floats, Gap, Motion
+from plans.model.order import numbers_of
 from plans.model.structure import Dyad, decompose
 from plans.scene.linkage import mechanism_of
 from plans.scene.scene import Scene
+
+if TYPE_CHECKING:
+    from plans.study import Study
 
 Flags = npt.NDArray[np.bool_]
 
@@ -45,6 +49,12 @@ class LinkageStudy:
     def __init__(self, scene: Scene) -> None:
         self.scene = scene
         self.made: dict[str, None] = {}  # what was made, in order: the sheet's account of what it left out
+
+    def construct(self, plans: Collection[str]) -> None:
+        """Make the plans that are asked for, at all positions of the scene."""
+        if "extremes" in plans:
+            _ = self.found
+        self.drafts().plan(max(numbers_of(plans), default=0))
 
     @cached_property
     def mechanism(self) -> Mechanism:
@@ -239,3 +249,8 @@ def _filled(whole: Motion, part: Motion, at: slice) -> None:
     for row, value in zip(whole.rows(), part.rows(), strict=True):
         if row.flags.writeable:
             row[at] = value
+
+
+def study_of(study: Study) -> LinkageStudy:
+    """Make the linkage's study of a scene (row of the table of techniques)."""
+    return LinkageStudy(study.scene)

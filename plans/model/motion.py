@@ -85,6 +85,11 @@ class Motion:
         """The highest order of derivative that it has."""
         return min((len(rows) - 1 for rows in self.points.values()), default=0)
 
+    @property
+    def unanswered(self) -> tuple[Gap, ...]:
+        """The gaps of the motion: all of them are its own."""
+        return self.gaps
+
     def rows(self) -> Iterator[npt.NDArray[Any]]:
         """Give the values of all points and links, row by row."""
         for rows in (*self.points.values(), *self.links.values()):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import NamedTuple
 
 
@@ -29,3 +30,12 @@ ORDERS = (POSITIONS, VELOCITIES, ACCELERATIONS)
 # The orders by the keys of what their plans tell of a point, and of a link.
 POINT_ORDERS = {order.point.key: order for order in ORDERS}
 LINK_ORDERS = {order.link.key: order for order in ORDERS}
+
+
+def numbers_of(plans: Collection[str]) -> list[int]:
+    """Give the numbers of the orders whose plans are among some.
+
+    >>> numbers_of(("extremes", "positions", "velocities"))
+    [0, 1]
+    """
+    return [order.number for order in ORDERS if order.plan in plans]

@@ -7,7 +7,8 @@ import numpy as np
 from drawings.figures.forces.force_letters import lettered
 from drawings.layout.value_table import Row, row
 from drawings.lettering.words import word
-from plans.checks.compare import Comparison, Finding
+from plans.checks.comparison import Finding
+from plans.checks.force_comparison import ForceComparison
 
 
 def label(finding: Finding, language: str, reactions: str) -> str:
@@ -18,10 +19,9 @@ def label(finding: Finding, language: str, reactions: str) -> str:
     return f"{letter}{by}, {word(language, finding.unit)}"
 
 
-def rows(comparison: Comparison, position: int, language: str, reactions: str) -> list[Row]:
+def rows(comparison: ForceComparison, position: int, language: str, reactions: str) -> list[Row]:
     """Give the rows of one position; what is zero over the whole turn has none."""
-    assert comparison.forces is not None  # a force sheet compares them
-    nothing = dict(zip(("N", "N*m"), comparison.forces[0].nothing, strict=True))
+    nothing = dict(zip(("N", "N*m"), comparison.construction.nothing, strict=True))
     return [
         row(finding, label(finding, language, reactions), (position,), language)
         for finding in comparison.of("forces")

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import math
+from dataclasses import asdict
 from typing import Any
+
+from plans.model.motion import Gap
 
 
 def plain(values: Any) -> list[float | None]:
@@ -15,3 +18,8 @@ def pairs(values: Any) -> list[list[float] | None]:
     """Give vectors as [x, y], null for NaN."""
     both = zip((values.real + 0.0).tolist(), (values.imag + 0.0).tolist(), strict=True)
     return [None if math.isnan(x) or math.isnan(y) else [x, y] for x, y in both]
+
+
+def gap_numbers(gap: Gap) -> dict[str, Any]:
+    """Give a gap as plain data."""
+    return asdict(gap)

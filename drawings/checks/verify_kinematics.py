@@ -1,0 +1,76 @@
+"""The self-check of a written kinematics sheet: plans, points, table, scales against the analysis (проверка листа)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from drawings.checks import reading
+from drawings.figures.linkage.vector_plan import LEAST
+from drawings.measure.measure import Measured, MeasuredVector
+from drawings.paper.strokes import Leaf
+from plans.checks.compare import MotionComparison
+from plans.checks.expected import Expected
+from plans.linkage.study import LinkageStudy
+from plans.model.order import POSITIONS
+from plans.study import Study
+
+
+def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[str]:
+    """Hold the plans, the points, the table and the scales of a kinematics sheet against the analysis."""
+    linkage, comparison = study["linkage"], study.comparison("linkage")
+    gone = {gap.position for gap in comparison.construction.gaps}
+    for k in leaf.metadata["plans"]:
+        if k not in gone:
+            yield from _plans(measured, linkage, comparison, k)
+    if leaf.metadata["shown"] is not None:
+        yield from _points(measured, comparison, leaf.metadata["shown"])
+    yield from _scales(leaf)
+    yield from reading.tables(leaf, {finding.name.replace("_", ""): finding for finding in comparison.findings})
+
+
+def _plans(measured: Measured, study: LinkageStudy, comparison: MotionComparison, k: int) -> Iterator[str]:
+    """Hold the arrows of one position's plans against the analysis: each that must be there, each that is."""
+    drafts = study.drafts()
+    expected = Expected(study.mechanism, comparison.analysis, k, drafts.velocities.written)
+    letters = {drafts.velocities.point(name).name for name in expected.moving()}  # one image may have several letters
+    arrows = expected.arrows(study.groups)
+    seen = {(v.plan, *v.name.split(" ")): v for v in measured.vectors if v.position == k}
+    scales = {v.plan: v.scale for v in measured.vectors if v.position == k}
+    for (plan, start, end), value in arrows.items():
+        found = seen.get((plan, start, end))
+        must = start in ("p", "π") and end in letters
+        if found is not None:
+            if not abs(found.value - value) <= _allowed(comparison, found, measured):
+                yield f"{start} {end} on {plan} in position {k} (against the analysis)"
+        elif must and not abs(value) <= 2 * LEAST * scales.get(plan, 0.0):
+            yield f"{start} {end} on {plan} in position {k} is missing"
+
+
+def _allowed(comparison: MotionComparison, vector: MeasuredVector, measured: Measured) -> float:
+    """Allow the paper's resolution, and twice the largest difference that the plan's own points are allowed."""
+    position = vector.position or 0
+    own = max((float(finding.allowed[position]) for finding in comparison.of(vector.plan)), default=0.0)
+    return 2 * own + 2 * measured.quantum * vector.scale
+
+
+def _points(measured: Measured, comparison: MotionComparison, shown: int) -> Iterator[str]:
+    """Hold the points of the shown position against the analysis; none may be missing."""
+    seen = {mark.name: mark for mark in measured.points if mark.position == shown}
+    for finding in comparison.of(POSITIONS.plan):
+        symbol, _, name = finding.name.partition("_")
+        true = complex(finding.analysis[shown])
+        if symbol != POSITIONS.point.symbol or math.isnan(true.real):
+            continue
+        mark = seen.get(name)
+        if mark is None:
+            yield f"{name} on the plan of positions is missing"
+        elif not abs(mark.value - true) <= float(finding.allowed[shown]) + 2 * measured.quantum * mark.scale:
+            yield f"{name} on the plan of positions (against the analysis)"
+
+
+def _scales(leaf: Leaf) -> Iterator[str]:
+    """Read the written scale of each plan."""
+    for group in leaf.groups:
+        marked = (one.data for one in reading.groups(group) if one.data.get("kind") in ("vector", "point"))
+        yield from reading.scales(group, {float(data["scale"]) for data in marked})

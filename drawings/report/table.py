@@ -1,0 +1,37 @@
+"""The table of reports (отчёты): what each technique tells of a study beside its sheets, and on the screen."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Final, NamedTuple
+
+
+class Report(NamedTuple):
+    """What one technique tells; each text is "module:name", imported when a scene asks for it."""
+
+    subject: str  # of a study to what it is in a few words, for the gallery's page
+    chapters: str  # of a study and the leaves by their sheets to the chapters of the report
+    headline: str  # of a study to a line about it on the screen, or nothing
+    remarks: str  # of a study to lines of warning: gaps, dead centres, jams
+    idle: str  # of a scene whose sheets do not ask for it to lines that say what is left out of it
+    faults: str  # of a report's text and a study to what is wrong with it
+
+
+REPORTS: Final[Mapping[str, Report]] = {
+    "linkage": Report(
+        subject="drawings.report.linkage_subject:subject",
+        chapters="drawings.report.motion_report:chapters",
+        headline="drawings.report.motion_report:headline",
+        remarks="drawings.report.motion_report:remarks",
+        idle="drawings.report.motion_report:idle",
+        faults="drawings.report.motion_report:faults",
+    ),
+    "forces": Report(
+        subject="drawings.report.linkage_subject:subject",
+        chapters="drawings.report.force_report:chapters",
+        headline="drawings.report.force_report:headline",
+        remarks="drawings.report.force_report:remarks",
+        idle="drawings.report.force_report:idle",
+        faults="drawings.checks.verify_friction:report_faults",
+    ),
+}

@@ -1,0 +1,60 @@
+"""Admission to the board (допуск): what a scene asks that no sheet can show is refused at its line, before any work."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from drawings.lettering.lettering import UnknownLetter, demand
+from drawings.paper.strokes import Run, SheetError, Text
+from geometry.errors import LimitError
+from plans.scene.faults import Path
+from plans.scene.scene import Scene
+
+POSITIONS_DRAWN = 360  # more positions than degrees cannot be told apart on any sheet
+CELLS = ("designation", "drawn", "checked", "approved", "date", "group", "organisation")
+
+
+def of_linkage(scene: Scene) -> None:
+    """See that the names of a linkage can be lettered, and that its positions can be told apart."""
+    letter(scene, _points(scene))
+    if scene.drive.count > POSITIONS_DRAWN:
+        raise LimitError(
+            f"{scene.file}: drive.positions = {scene.drive.count}: a sheet shows at most {POSITIONS_DRAWN}. "
+            "Fix: fewer positions, or plandraft solve for the numbers alone"
+        )
+
+
+def of_forces(scene: Scene) -> None:
+    """See that the names of loads can be lettered too."""
+    letter(scene, _loads(scene))
+    of_linkage(scene)
+
+
+def of_title(scene: Scene) -> None:
+    """See that the title block can be lettered."""
+    letter(scene, [(("title",), scene.title), *((("sheet", cell), getattr(scene.sheet, cell)) for cell in CELLS)])
+
+
+def letter(scene: Scene, words: Iterator[tuple[Path, str]] | list[tuple[Path, str]]) -> None:
+    """See that the alphabet has all letters of what the scene's author wrote, each with its key."""
+    for path, text in words:
+        try:
+            demand([Text(0j, (Run(text),))])
+        except UnknownLetter as unknown:
+            line, column = scene.place(path)
+            where = f"{scene.file}:{line}:{column}: {'.'.join(map(str, path))}"
+            raise SheetError(f"{where}: {unknown}") from None
+
+
+def _points(scene: Scene) -> Iterator[tuple[Path, str]]:
+    mechanism = scene.mechanism
+    for table in ("frame", "points"):
+        yield from ((("mechanism", table, name), name) for name in getattr(mechanism, table))
+    for link, letters in mechanism.links.items():
+        yield from ((("mechanism", "links", str(link)), point) for point in letters)
+
+
+def _loads(scene: Scene) -> Iterator[tuple[Path, str]]:
+    for kind in ("forces", "moments", "springs") if scene.loads else ():
+        loads = enumerate(getattr(scene.loads, kind))
+        yield from ((("loads", kind, k, "name"), load.name) for k, load in loads if load.name)

@@ -1,0 +1,31 @@
+"""The table of sheets (листы): what is asked of a scene before any work, what lays a sheet out, and what checks it.
+
+A row is text alone, "module:name": nothing of a sheet is imported before a scene asks for it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Final, NamedTuple
+
+
+class Sheet(NamedTuple):
+    """One kind of sheet."""
+
+    admit: str  # of a scene to nothing: raises what the sheet cannot show, before any work
+    leaves: str  # of a study to the leaves laid out, one or several
+    faults: str  # of a measured sheet, its leaf and a study to what is wrong with it, in words
+
+
+SHEETS: Final[Mapping[str, Sheet]] = {
+    "kinematics": Sheet(
+        admit="drawings.sheets.admission:of_linkage",
+        leaves="drawings.sheets.kinematics:leaves",
+        faults="drawings.checks.verify_kinematics:faults",
+    ),
+    "forces": Sheet(
+        admit="drawings.sheets.admission:of_forces",
+        leaves="drawings.sheets.forces:leaves",
+        faults="drawings.checks.verify_forces:faults",
+    ),
+}

@@ -1,0 +1,101 @@
+"""What both roads found, beside each other: findings, and the gaps that one road alone names (сравнение двух путей)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any, NamedTuple, Protocol
+
+import numpy as np
+
+from plans.model.motion import Complexes, Floats, Gap
+
+
+class Finding(NamedTuple):
+    """One quantity over all positions by both roads, with the allowed difference; NaN at gaps."""
+
+    plan: str
+    name: str  # "v_B", "ω_3"
+    unit: str
+    construction: Complexes | Floats
+    analysis: Complexes | Floats
+    difference: Floats
+    allowed: Floats
+    largest: float  # the largest of its kind on the plan, over all positions
+
+    @property
+    def excess(self) -> Floats:
+        """The difference in units of the allowed one; an undetermined comparison counts as infinite."""
+        with np.errstate(divide="ignore", invalid="ignore"):
+            share = np.where(self.difference == 0, 0.0, self.difference / self.allowed)
+        gap = np.isnan(np.abs(self.construction)) & np.isnan(np.abs(self.analysis))
+        return np.where(gap, 0.0, np.where(np.isnan(share), np.inf, share))
+
+    @property
+    def per_cent(self) -> float:
+        """The worst difference in per cent of the plan's largest."""
+        if not np.isfinite(self.difference).any() or self.largest == 0:
+            return 0.0
+        return float(100 * np.nanmax(self.difference) / self.largest)
+
+
+class Road(Protocol):
+    """What one road found: by which it was found, and where it finds nothing."""
+
+    @property
+    def by(self) -> str: ...  # noqa: D102
+    @property
+    def unanswered(self) -> tuple[Gap, ...]: ...  # noqa: D102
+
+
+class Lone(NamedTuple):
+    """A gap that one road alone names, or for another reason than the other."""
+
+    by: str
+    gap: Gap
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """What one technique found by both roads, and the findings of their comparison."""
+
+    construction: Any
+    analysis: Any
+    findings: tuple[Finding, ...]
+
+    def of(self, plan: str) -> tuple[Finding, ...]:
+        """Give the findings of one plan."""
+        return tuple(finding for finding in self.findings if finding.plan == plan)
+
+    @property
+    def worst(self) -> float:
+        """The largest difference in units of its allowed one."""
+        return max((float(np.max(finding.excess)) for finding in self.findings), default=0.0)
+
+    @property
+    def alone(self) -> tuple[Lone, ...]:
+        """Gaps that one road names and the other does not, or for another reason."""
+        return (*_alone(self.construction, self.analysis), *_alone(self.analysis, self.construction))
+
+    @property
+    def left_out(self) -> dict[str, list[int]]:
+        """Positions left out of the comparison, as both roads give them up, by the first plan that has none of them."""
+        found: dict[str, list[int]] = {}
+        for gap in self.construction.unanswered:
+            found.setdefault(gap.plan, []).append(gap.position)
+        return found
+
+    @property
+    def agrees(self) -> bool:
+        """Whether every difference is within its allowed one, and both roads name the same gaps."""
+        return self.worst <= 1.0 and not self.alone
+
+
+def _alone(road: Road, other: Road) -> Iterator[Lone]:
+    named = {(gap.position, gap.plan, gap.reason) for gap in other.unanswered}
+    yield from (Lone(road.by, gap) for gap in road.unanswered if (gap.position, gap.plan, gap.reason) not in named)
+
+
+def together(comparisons: Iterable[Comparison]) -> Sequence[Finding]:
+    """Give the findings of some comparisons in their order."""
+    return [finding for comparison in comparisons for finding in comparison.findings]

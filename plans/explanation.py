@@ -1,0 +1,30 @@
+"""An explanation (пояснение): the drafting steps behind a mark, in order, as a technique gives them to be told."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from geometry.board import Mark
+from geometry.errors import DraftError
+
+
+class UnknownMark(DraftError, ValueError):  # noqa: N818  (the message's own word)
+    """A name that no plan of the scene has."""
+
+
+class Explanation(NamedTuple):
+    """The steps behind a mark, with the units of the plans that they were drawn on, and what follows from them."""
+
+    title: str
+    steps: tuple[Mark, ...]
+    units: Mapping[str, str]
+    notes: tuple[str, ...] = ()
+
+
+class NoMark(NamedTuple):
+    """That a technique has no mark of a name: which names it has, in words, and what else it can explain."""
+
+    names: tuple[str, ...]
+    listed: str
+    examples: tuple[str, ...]

@@ -1,0 +1,103 @@
+"""The marks of a linkage's plans by their names: points, letters of plans, rates read off vectors (точки планов)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from geometry.board import Mark, at, behind
+from geometry.meet import cross
+from plans.explanation import Explanation, NoMark, UnknownMark
+from plans.linkage.drafts import Drafts
+from plans.linkage.plan import Plan
+from plans.linkage.study import LinkageStudy
+from plans.model.mechanism import FRAME
+from plans.model.order import ORDERS
+
+if TYPE_CHECKING:
+    from plans.study import Study
+
+UNITS = {order.plan: order.point.unit for order in ORDERS}
+
+
+def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
+    """Give the steps behind a mark of the motion in one position."""
+    linkage = study["linkage"]
+    wanted = position_of(linkage, position)
+    targets = find(linkage, linkage.drafts((wanted,)), name)
+    if not targets:
+        return _no_mark(linkage)
+    notes = (_rate(name, *targets),) if len(targets) > 1 else ()
+    return Explanation(title(linkage, name, wanted), tuple(behind(*targets)), UNITS, notes)
+
+
+def title(study: LinkageStudy, name: str, position: int) -> str:
+    """Head an explanation with the name of the mark and its position."""
+    return f"{name} in position {position} (φ = {np.degrees(study.turn.phi[position]):.4f}°)"
+
+
+def position_of(study: LinkageStudy, wanted: int) -> int:
+    """Give a position that is asked for, if it is there and can be assembled."""
+    if not 0 <= wanted < len(study.turn):
+        raise UnknownMark(f"position {wanted} is none of 0 to {len(study.turn) - 1}")
+    if study.lost[wanted]:
+        gap = next(gap for gap in study.motion(0).gaps if gap.position == wanted)
+        raise UnknownMark(f"position {wanted} is a gap: {gap.reason} at {gap.where}; {gap.advice}")
+    return wanted
+
+
+def letters(study: LinkageStudy) -> set[str]:
+    """Give the names of all points."""
+    return {point for link in study.mechanism.links.values() for point in link.points}
+
+
+def find(study: LinkageStudy, drafts: Drafts, name: str) -> list[Mark]:
+    """Find a mark: B, v_B, a_B for points; omega_3, epsilon_3 for links; any letter of a plan such as a3 or n_BA."""
+    head, _, tail = name.partition("_")
+    points = letters(study)
+    if name in points:
+        return [drafts.positions.point(name)]
+    if head in ("v", "a") and tail in points:
+        return [_plan(drafts, head).point(tail)]
+    if head in ("omega", "epsilon", "ω", "ε") and tail.isdigit() and int(tail) in study.mechanism.links:
+        return _turning(drafts, head, int(tail), name)
+    return list(_lettered(drafts, name))[:1]
+
+
+def _turning(drafts: Drafts, symbol: str, link: int, name: str) -> list[Mark]:
+    plan = drafts.velocities if symbol in ("omega", "ω") else drafts.accelerations
+    if link == FRAME or link not in plan.readings:
+        raise UnknownMark(f"link {link} does not turn: {name} is 0 and rests on no step")
+    return [*plan.readings[link]]
+
+
+def _lettered(drafts: Drafts, name: str) -> Iterator[Mark]:
+    for plan in (drafts.positions, drafts.velocities, drafts.accelerations):
+        for letter in (name, name.replace("_", "")):  # a3 is written with its index lowered: a_3
+            if letter in plan.board:
+                yield plan.board[letter]
+
+
+def _no_mark(study: LinkageStudy) -> NoMark:
+    points = sorted(letters(study))
+    known = [*points, *(f"v_{point}" for point in points), *(f"a_{point}" for point in points)]
+    return NoMark(tuple(known), f"points are {', '.join(points)}", ("v_B", "a_B", "omega_3"))
+
+
+def _plan(drafts: Drafts, symbol: str) -> Plan:
+    return drafts.velocities if symbol == "v" else drafts.accelerations
+
+
+def _rate(name: str, arm: Mark, turning: Mark) -> str:
+    """Say how an angular velocity or acceleration is read off: the size of the turning part over the arm."""
+    along, across = at(arm.point, 0), at(turning.point, 0)
+    moment = float(cross(along, across))
+    unit, rate = next((order.point.unit, order.link.unit) for order in ORDERS if order.plan == turning.subject)
+    sense = "at rest" if moment == 0 else "counter-clockwise" if moment > 0 else "clockwise"
+    value = moment / abs(along) ** 2
+    return (
+        f"{name} = {turning.name}/{arm.name} = {abs(across):.10g} {unit} / {abs(along):.10g} m = "
+        f"{value:.10g} {rate}, {sense}"
+    )
