@@ -17,9 +17,10 @@ from plans.checks.compare import NOT_GRADED, MotionComparison, notches
 from plans.checks.comparison import Finding
 from plans.linkage.pressure import interval
 from plans.linkage.study import LinkageStudy
+from plans.model.dyad import RUSSIAN
 from plans.model.mechanism import FRAME
 from plans.model.order import ORDERS
-from plans.model.structure import RUSSIAN, formula, mechanism_class
+from plans.model.structure import formula, mechanism_class
 from plans.scene.scene import Scene
 from plans.study import Study
 
@@ -72,7 +73,7 @@ def shown(study: LinkageStudy) -> str:
     """Say which link is the output, and who chose it."""
     out, named = study.output, study.mechanism.output is not None
     chosen = "as [output] names it" if named else "the last link on the frame; [output] names another"
-    if not named and not any(FRAME in group.hosts for group in study.groups[-1:]):
+    if not named and not any(pair.giver == FRAME for group in study.groups[-1:] for pair in group.outer_pairs):
         chosen = "the last link; [output] names another"
     return f"output: link {out.link}{f' by its point {out.point}' if out.point else ''}, {chosen}"
 

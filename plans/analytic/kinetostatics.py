@@ -18,7 +18,8 @@ from plans.analytic.gaps import unbalanced
 from plans.analytic.inertia import borne
 from plans.analytic.kinematics import Analysis
 from plans.analytic.positions import blocks
-from plans.model.kinetostatics import DEAD_CENTRE, INDETERMINATE, Kinetostatics, Loading, Pair, Reaction, without_forces
+from plans.model.group import Pair
+from plans.model.kinetostatics import DEAD_CENTRE, INDETERMINATE, Kinetostatics, Loading, Reaction, without_forces
 from plans.model.machine import Machine
 from plans.model.mechanism import Mechanism
 from plans.model.motion import Complexes, Floats, Gap, Motion

@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 
 from plans.linkage.study import LinkageStudy
+from plans.model.dyad import Dyad
 from plans.model.mechanism import FRAME
 from plans.model.motion import Complexes, Floats, LinkMotion, Motion, PointMotion
 
@@ -63,9 +64,9 @@ def four_bar(study: LinkageStudy) -> FourBar | None:
     """See the mechanism as a four-bar with coupler points; None if it is anything else."""
     mechanism, groups = study.mechanism, study.groups
     drive, links = mechanism.drive, mechanism.links
-    if len(groups) != 1 or groups[0].kind != "RRR" or set(groups[0].hosts) != {drive.link, FRAME}:
+    dyad = groups[0] if len(groups) == 1 else None
+    if not isinstance(dyad, Dyad) or mechanism.slides or set(dyad.hosts) != {drive.link, FRAME}:
         return None
-    dyad = groups[0]
     moved = dyad.hosts.index(drive.link)
     coupler, rocker = dyad.links[moved], dyad.links[1 - moved]
     a, c, b = dyad.hinge(moved), dyad.hinge(1 - moved), dyad.pin

@@ -152,9 +152,7 @@ def _of_motion(study: LinkageStudy, positions: Sequence[int], plans: Sequence[Pl
     arms: dict[str, tuple[Mark, complex]] = {}
     rates: dict[Key, tuple[Mark, Mark]] = {}
     for number in links:
-        image = plans[0].images[number]
-        assert image.arm is not None  # every link has an arm on the plan of positions
-        arms[str(number)] = (image.arm, image.span)
+        arms[str(number)] = (plans[0].arm(number), plans[0].images[number].span)
         for order, plan in zip(ORDERS[1:], plans[1:], strict=True):
             if number in plan.readings:  # a link that does not turn has no rate that could be wrong
                 rates[order.link.key, str(number)] = plan.readings[number]

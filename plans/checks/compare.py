@@ -158,8 +158,7 @@ def _turn_bound(drafts: Drafts, order: int, number: int) -> Floats:
     """Bound the error of an angle or a rate read from a vector: the vector's own error over the arm's length."""
     plan = drafts.plan(order)
     if order == 0:
-        arm = plan.images[number].arm
-        assert arm is not None  # every link has an arm on the plan of positions
+        arm = plan.arm(number)
         return np.asarray(errors(arm)[arm].place / np.abs(np.asarray(arm.point)) + 2 * EPS)
     if number not in plan.readings:
         return np.zeros(1)

@@ -15,11 +15,11 @@ from geometry.meet import EPS, cross, dot
 from geometry.precision import OWN
 from plans.checks.compare import largest_of
 from plans.checks.comparison import Finding
+from plans.model.group import Group
 from plans.model.kinetostatics import Kinetostatics, Loading
 from plans.model.machine import Body, Machine
 from plans.model.mechanism import FRAME, Mechanism
 from plans.model.motion import Floats, Motion
-from plans.model.structure import Dyad
 
 
 class Acting(NamedTuple):
@@ -108,7 +108,7 @@ def largest(parts: Sequence[Acting]) -> tuple[float, float]:
     return largest_of([np.abs(one.force) for one in parts]), largest_of(moments)
 
 
-def balances(mechanism: Mechanism, groups: Sequence[Dyad], parts: Sequence[Acting], own: Floats) -> list[Finding]:
+def balances(mechanism: Mechanism, groups: Sequence[Group], parts: Sequence[Acting], own: Floats) -> list[Finding]:
     """Check each link, each group and the whole; reactions within a group and within the whole cancel."""
     found: list[Finding] = []
     most = largest(parts)

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import Any, Generic, NamedTuple, TypeVar
 
 from plans.forces import polygon
 from plans.forces.cut import Cut
 from plans.forces.force import ForcePlan
-from plans.model.structure import Dyad
+from plans.model.dyad import Dyad
+from plans.model.group import Pair
+
+Of = TypeVar("Of")  # what groups of the kind are, such as dyads
 
 
 def rrr(plan: ForcePlan, dyad: Dyad) -> Cut:
@@ -93,11 +97,41 @@ def rpp(plan: ForcePlan, dyad: Dyad) -> Cut:
     return polygon.cut(plan, dyad, supports, slotted, [], closed.polygon)
 
 
-# A new kind of group has a line here, and one in plans/linkage/groups/kinds.py.
-DYADS: Mapping[str, Callable[[ForcePlan, Dyad], Cut]] = {
-    "RRR": rrr,
-    "RRP": rrp,
-    "RPR": rpr,
-    "PRP": prp,
-    "RPP": rpp,
+class Split(NamedTuple):
+    """An outer reaction that a polygon may show in two parts: along a line and square to it, with their letters.
+
+    The line is that through two points, or that of a sliding pair.
+    """
+
+    pair: Pair
+    along: tuple[str, str] | Pair
+    letters: str
+
+
+def leads(dyad: Dyad) -> Iterator[Split]:
+    """Split the reactions of outer hinges along the leads: normal and tangential parts."""
+    for outer in dyad.outer_pairs:
+        if isinstance(outer.joint, str):
+            yield Split(outer, (outer.joint, dyad.pin), "nt")
+
+
+def stone(dyad: Dyad) -> Iterator[Split]:
+    """Split the reaction of a stone's hinge along the slot and square to it."""
+    yield Split(dyad.outer_pairs[0], dyad.inner_pairs[0], "un")
+
+
+class ForceKind(NamedTuple, Generic[Of]):
+    """The forces of one kind of group: its construction, and which outer reactions that may show in parts."""
+
+    cut: Callable[[ForcePlan, Of], Cut]
+    splits: Callable[[Of], Iterable[Split]]
+
+
+# A new kind of group has a row here, and one in plans/linkage/groups/kinds.py.
+GROUP_FORCES: Mapping[str, ForceKind[Any]] = {
+    "RRR": ForceKind(rrr, leads),
+    "RRP": ForceKind(rrp, leads),
+    "RPR": ForceKind(rpr, stone),
+    "PRP": ForceKind(prp, leads),
+    "RPP": ForceKind(rpp, stone),
 }

@@ -16,16 +16,16 @@ from plans.forces.groups import forces
 from plans.forces.lever import lever
 from plans.linkage.groups import guide
 from plans.linkage.plan import Plan
+from plans.model.group import Group
 from plans.model.kinetostatics import Balancing, Kinetostatics, Loading, Reaction
 from plans.model.machine import Machine
 from plans.model.motion import Floats
-from plans.model.structure import Dyad
 
 
 class ForceDrawing:
     """What a pattern of forces does, by drawing: the plans below take the place of its numbers."""
 
-    def __init__(self, groups: Sequence[Dyad], machine: Machine) -> None:
+    def __init__(self, groups: Sequence[Group], machine: Machine) -> None:
         self.groups, self.machine = groups, machine
 
     def follow(self, plans: Sequence[Plan], loading: Loading) -> ForcePlan:

@@ -20,10 +20,10 @@ from plans.linkage.groups import guide
 from plans.linkage.plan import Plan
 from plans.linkage.plan_template import PlanTemplate, resting
 from plans.linkage.redrawing import remade
+from plans.model.group import Group
 from plans.model.kinetostatics import Balancing, Kinetostatics, Loading, Reaction
 from plans.model.machine import Machine
 from plans.model.motion import Floats
-from plans.model.structure import Dyad
 
 
 class Drawn(NamedTuple):
@@ -46,7 +46,7 @@ class _Places(NamedTuple):
 class ForcePattern:
     """The force plan over a pattern of accelerations; the lever is hung when it is looked at."""
 
-    def __init__(self, pattern: PlanTemplate, groups: Sequence[Dyad], machine: Machine, loading: Loading) -> None:
+    def __init__(self, pattern: PlanTemplate, groups: Sequence[Group], machine: Machine, loading: Loading) -> None:
         self.pattern = pattern
         self.plan = forces(pattern.plans[2], groups, machine, loading)
         self._below = [plan.board for plan in pattern.plans]

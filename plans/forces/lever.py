@@ -95,8 +95,7 @@ def _drive(plan: ForcePlan, board: Board) -> tuple[Mark, Mark, Mark]:
     """Give the turned image of the point where the drive acts, that point, and the line of its force on the lever."""
     base, speeds, drive = plan.positions, plan.velocities, plan.mechanism.drive
     if plan.driven is None or plan.driven is base.point(drive.end):
-        point, image, arm = base.point(drive.end), speeds.point(drive.end), base.images[drive.link].arm
-        assert arm is not None  # the crank has an arm on the plan of positions
+        point, image, arm = base.point(drive.end), speeds.point(drive.end), base.arm(drive.link)
         turned = _turned(board, image)
         return turned, point, board.square(f"⊥{arm.name}", turned, arm, "the balancing force is square to the crank")
     image = speeds.transport(drive.link, plan.driven, plan.driven.name.lower())

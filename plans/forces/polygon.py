@@ -9,8 +9,8 @@ from geometry.board import Mark
 from plans.forces.cut import CLOSING, KNOWN, PART, REACTION, Couple, Cut, Equation, Load, Side, Support, indices
 from plans.forces.force import ForcePlan
 from plans.linkage.groups import guide
+from plans.model.dyad import Dyad
 from plans.model.mechanism import Slide
-from plans.model.structure import Dyad
 
 
 class Chain(NamedTuple):
@@ -58,11 +58,10 @@ def tangential(plan: ForcePlan, dyad: Dyad, end: int) -> Equation | None:
     """
     link, index = dyad.links[end], indices(dyad.hosts[end], dyad.links[end])
     base, (loads, couples) = plan.positions, plan.acting(link)
-    about, at, arm = base.point(dyad.pin), base.point(dyad.hinge(end)), base.images[link].arm
+    about, at, arm = base.point(dyad.pin), base.point(dyad.hinge(end)), base.arm(link)
     terms = moments(plan, about, loads, couples)
     if not terms:
         return None
-    assert arm is not None  # a lead has an arm on the plan of positions
     line = base.board.square(f"⊥{arm.name}", at, arm, f"the tangential part is square to {arm.name}")
     found = plan.board.balance(f"R^t_{index}", about, line, *terms, why=f"moments about {about.name} of link {link}")
     return Equation(about, tuple(load for load in loads if load.at is not about), tuple(couples), line, found)
@@ -97,9 +96,7 @@ def guide_of(plan: ForcePlan, dyad: Dyad, end: int) -> Mark:
 
 def lead_of(plan: ForcePlan, dyad: Dyad, end: int) -> Mark:
     """Carry the direction of a lead to the plan of forces."""
-    arm = plan.positions.images[dyad.links[end]].arm
-    assert arm is not None  # a lead has an arm on the plan of positions
-    return carried(plan, arm)
+    return carried(plan, plan.positions.arm(dyad.links[end]))
 
 
 def carried(plan: ForcePlan, direction: Mark) -> Mark:

@@ -46,8 +46,7 @@ def _line(plan: ForcePlan) -> Mark | None:
     """Draw the line along which the crank is driven; None where a moment drives it."""
     base, drive, how = plan.positions, plan.mechanism.drive, plan.machine.transmission
     if how.kind == FORCE:
-        arm = base.images[drive.link].arm
-        assert arm is not None  # the crank has an arm on the plan of positions
+        arm = base.arm(drive.link)
         return base.board.square(f"⊥{arm.name}", base.point(drive.end), arm, "the driving force is square to the crank")
     if how.kind == GEAR:
         pitch = base.board.given("W", cmath.rect(how.radius, how.at), "pitch point of the gears")

@@ -23,6 +23,7 @@ from plans.linkage.gaps import near_edge
 from plans.linkage.obstruction import obstruction
 from plans.linkage.plan_template import PlanTemplate
 from plans.linkage.study import BLOCK, LinkageStudy
+from plans.model.group import Pair
 from plans.model.kinetostatics import (
     DEAD_CENTRE,
     FORCES,
@@ -30,7 +31,6 @@ from plans.model.kinetostatics import (
     Balancing,
     Kinetostatics,
     Loading,
-    Pair,
     Reaction,
     pairs,
     without_forces,

@@ -18,14 +18,14 @@ from plans.linkage.acceleration import accelerations
 from plans.linkage.barrier import CHANGE, GAP, PARALLEL, SAME, Barrier, Edge
 from plans.linkage.carrying import Drawing, Passed, carried
 from plans.linkage.crank_positions import CrankPositions
-from plans.linkage.margin import deciding, margins, of_arcs
+from plans.linkage.margin import margins, meeting, of_arcs
 from plans.linkage.plan import Plan
 from plans.linkage.plan_template import PlanTemplate
 from plans.linkage.position import positions
 from plans.linkage.velocity import velocities
+from plans.model.group import Group
 from plans.model.mechanism import Mechanism
 from plans.model.motion import Floats, Motion
-from plans.model.structure import Dyad
 
 NODES = 720  # crank angles of a sweep: half a degree
 NODE_ANGLES = 2 * np.pi * np.arange(NODES) / NODES
@@ -47,7 +47,7 @@ class Sweep:
     def __init__(
         self,
         mechanism: Mechanism,
-        groups: Sequence[Dyad],
+        groups: Sequence[Group],
         sides: Sequence[float],
         home: float = 0.0,
         passed: tuple[Passed, ...] = (),
@@ -75,8 +75,9 @@ class Sweep:
     @cached_property
     def pinned(self) -> bool:
         """Tell whether a pin comes to its own slot's pivot, or all but: the slot has any direction there."""
-        marks = [deciding(self.plan(NODE_ANGLES), group) for group in self.groups if group.kind == "RPR"]
-        ends = [tuple(np.asarray(end.point) for end in mark.step.inputs) for mark in marks]
+        marks = [meeting(self.plan(NODE_ANGLES), group) for group in self.groups]
+        slots = [mark.step.inputs for mark in marks if mark.step.op == "tangent"]
+        ends = [tuple(np.asarray(end.point) for end in slot) for slot in slots]
         return any(bool((np.abs(pivot - pin) <= np.abs(pin).max() / NODES * 8).any()) for pivot, pin in ends)
 
     @cached_property

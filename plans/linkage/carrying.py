@@ -19,8 +19,8 @@ from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.plan import Plan
 from plans.linkage.plan_template import resting
 from plans.linkage.velocity import velocities
+from plans.model.group import Group
 from plans.model.motion import Floats, LinkMotion, Motion, PointMotion
-from plans.model.structure import Dyad
 
 FULL = 2 * np.pi
 
@@ -49,7 +49,7 @@ def carried(sides: Sequence[float], passed: Sequence[Passed], phi: Floats, home:
 class Drawing:
     """Plans up to an order, drawn anew wherever they are asked for: no pattern fits sides that change."""
 
-    def __init__(self, drawn: Callable[[CrankPositions], Plan], groups: Sequence[Dyad], order: int) -> None:
+    def __init__(self, drawn: Callable[[CrankPositions], Plan], groups: Sequence[Group], order: int) -> None:
         self._drawn, self.groups, self.order = drawn, groups, order
 
     def follow(self, turn: CrankPositions) -> list[Plan]:

@@ -18,9 +18,9 @@ from plans.linkage.plan import Plan
 from plans.linkage.plan_template import PlanTemplate
 from plans.linkage.sketch import Assembly
 from plans.linkage.velocity import velocities
+from plans.model.group import Group
 from plans.model.motion import Motion
 from plans.model.order import ORDERS, VELOCITIES
-from plans.model.structure import Dyad
 
 
 class Drawable(Protocol):
@@ -33,7 +33,7 @@ class Drawable(Protocol):
         """The mechanism with its chosen assembly."""
 
     @property
-    def groups(self) -> tuple[Dyad, ...]:
+    def groups(self) -> tuple[Group, ...]:
         """Its structural groups."""
 
     @property

@@ -58,6 +58,12 @@ class Plan:
         """The velocity plan that an acceleration plan rests on."""
         return self.below[1]
 
+    def arm(self, link: int) -> Mark:
+        """Give a link's vector on the plan of positions, where every link has one."""
+        arm = self.positions.images[link].arm
+        assert arm is not None  # a vector's image is missing only where a link does not turn
+        return arm
+
     def trial(self) -> Plan:
         """Give a copy to try an assembly on; the board is shared, what is known of links and points is not."""
         other = copy(self)

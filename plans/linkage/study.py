@@ -20,10 +20,11 @@ from plans.linkage.drafts import Drafts
 from plans.linkage.extreme import Found, extremes, output
 from plans.linkage.obstruction import obstruction
 from plans.linkage.sketch import Assembly, SketchError, assembly
+from plans.model.group import Group
 from plans.model.mechanism import Mechanism, Output, StructureError
 from plans.model.motion import Floats, Gap, Motion
 from plans.model.order import numbers_of
-from plans.model.structure import Dyad, decompose
+from plans.model.structure import decompose
 from plans.scene.linkage import mechanism_of
 from plans.scene.scene import Scene
 
@@ -62,7 +63,7 @@ class LinkageStudy:
         return mechanism_of(self.scene)
 
     @cached_property
-    def groups(self) -> tuple[Dyad, ...]:
+    def groups(self) -> tuple[Group, ...]:
         """The Assur groups in solving order."""
         try:
             return decompose(self.mechanism)

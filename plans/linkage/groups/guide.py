@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+import numpy as np
+
 from geometry.board import Mark
 from plans.linkage.plan import Image, Plan
+from plans.model.dyad import Dyad
 from plans.model.mechanism import Slide
-from plans.model.structure import Dyad
+from plans.model.motion import Floats
 
 
 class Offset(NamedTuple):
@@ -39,9 +42,21 @@ def unit(plan: Plan, slide: Slide, host: int) -> Mark | None:
 
 def direction(plan: Plan, slide: Slide, host: int) -> Mark:
     """Give a guide's unit direction on the plan of positions."""
-    found = unit(plan.positions, slide, host)
-    assert found is not None  # every line has a direction on the plan of positions
-    return found
+    unit(plan.positions, slide, host)
+    return constructed(plan, slide)
+
+
+def constructed(plan: Plan, slide: Slide) -> Mark:
+    """Give the direction of a sliding line that stands on the plan of positions already."""
+    direction = plan.positions.units[key(slide)]
+    assert direction is not None  # every line has a direction on the plan of positions
+    return direction
+
+
+def crossing(plan: Plan, first: Slide, second: Slide) -> Floats:
+    """Give 90 degrees less the angle between the sliding lines of a group with two of them, (N,) rad."""
+    turned = np.asarray(constructed(plan, first).point) / np.asarray(constructed(plan, second).point)
+    return np.asarray(np.arctan2(turned.real, np.abs(turned.imag)))
 
 
 def shifted(plan: Plan, through: Mark, along: Mark, left: float, name: str) -> Mark:

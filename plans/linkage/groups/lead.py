@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from geometry.board import Mark
+from plans.linkage.groups.vectors import Turning
 from plans.linkage.plan import Image, Plan, Reading
-from plans.model.structure import Dyad
+from plans.model.dyad import Dyad
 
 
 def vector(plan: Plan, dyad: Dyad, end: int) -> complex:
@@ -13,11 +14,19 @@ def vector(plan: Plan, dyad: Dyad, end: int) -> complex:
     return points[dyad.pin] - points[dyad.hinge(end)]
 
 
+def meeting(plan: Plan, dyad: Dyad) -> Mark:
+    """Give the inner hinge: where it has no place, the group has none."""
+    return plan.letters[dyad.pin]
+
+
+def turning(dyad: Dyad, end: int) -> Turning:
+    """Tell the vectors of the plans that a lead's turning about its outer hinge gives."""
+    return Turning(dyad.links[end], dyad.hinge(end), dyad.pin)
+
+
 def arm(plan: Plan, link: int) -> Mark:
     """Carry a lead's vector from the plan of positions."""
-    found = plan.positions.images[link].arm
-    assert found is not None  # every link has an arm on the plan of positions
-    return plan.carry(found)
+    return plan.carry(plan.arm(link))
 
 
 def placed(plan: Plan, dyad: Dyad, end: int, start: Mark, tip: Mark) -> None:

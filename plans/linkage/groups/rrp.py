@@ -2,10 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
+import numpy as np
+
+from geometry.board import Mark
 from geometry.meet import Sizes
-from plans.linkage.groups import guide, lead
+from plans.linkage.groups import crank_line, guide, lead
+from plans.linkage.groups.vectors import Vector
 from plans.linkage.plan import Plan
-from plans.model.structure import Dyad
+from plans.model.dyad import Dyad
+from plans.model.motion import Floats
 
 
 def positions(plan: Plan, dyad: Dyad, side: Sizes) -> None:
@@ -37,3 +44,28 @@ def accelerations(plan: Plan, dyad: Dyad) -> None:
     b = lead.met(plan, dyad.pin, along, lead.about(plan, dyad.links[0], n))
     lead.turned(plan, dyad.links[0], a, n, b)
     guide.ride(plan, dyad, 1, b, plan.positions.images[dyad.links[1]].at)
+
+
+def vectors(dyad: Dyad) -> Iterator[Vector]:
+    """Tell the vectors of its plans: the rod turns about its outer hinge."""
+    yield lead.turning(dyad, 0)
+
+
+def pressure(plan: Plan, dyad: Dyad) -> Floats:
+    """Read off its pressure angle, (N,) rad: the rod's acute angle to the guide, signed from the guide to the rod."""
+    turned = np.asarray(plan.arm(dyad.links[0]).point) / np.asarray(guide.constructed(plan, dyad.slide(1)).point)
+    return np.asarray(np.arctan2(turned.imag, np.abs(turned.real)))
+
+
+def extremes(plan: Plan, dyad: Dyad, side: float) -> list[Mark]:
+    """Notch the crank and the rod in one line on the guide (M1.6); none where the crank bears the guide."""
+    if dyad.hosts[0] != plan.mechanism.drive.link:
+        return []
+    slide = dyad.slide(1)
+    left = guide.offset(plan, slide, dyad.links[1], dyad.pin).left
+
+    def notch(arc: Mark, side: float, name: str) -> Mark:
+        along = guide.line(plan, slide, dyad.hosts[1], left)
+        return plan.board.meet(name, along, arc, side, "the arc notches the guide")
+
+    return crank_line.extremes(plan, dyad, side, notch)
