@@ -12,7 +12,7 @@ from geometry.meet import dot
 from plans.linkage.angles import rate
 from plans.linkage.groups.kinds import KINDS
 from plans.linkage.plan import Image, Plan, Reading
-from plans.model.group import Group
+from plans.model.dyad import Dyad
 from plans.model.mechanism import Drive, Slide, Way
 from tests.plans import linkages
 from tests.plans.digits import printed
@@ -58,7 +58,7 @@ def _guide(plan: Plan, order: int, guide: int) -> None:
         plan.readings[guide] = Reading(plan.positions.board[f"way {guide}"], turning)
 
 
-def drawn(dyad: Group, links: dict[int, dict[str, complex]], side: float = 1.0) -> list[Plan]:
+def drawn(dyad: Dyad, links: dict[int, dict[str, complex]], side: float = 1.0) -> list[Plan]:
     """Draw the three plans of a dyad of links 2 and 3."""
     slides = tuple(joint for joint in (*dyad.outer, dyad.inner) if isinstance(joint, Slide))
     plans, kind = hosts(links, slides), KINDS[dyad.kind]
@@ -90,7 +90,7 @@ SWAPPED = pytest.mark.parametrize("swapped", [False, True], ids=["as named", "th
 
 def test_kind_1_two_links():
     links = {2: {"A": 0j, "B": 0.30 + 0j}, 3: {"C": 0j, "B": 0.28 + 0j}}
-    r, v, a = drawn(Group("RRR", (2, 3), (5, 6), ("A", "C"), "B"), links)
+    r, v, a = drawn(Dyad("RRR", (2, 3), (5, 6), ("A", "C"), "B"), links)
     assert printed(shown(r, "B"), shown(v, "b"), shown(a, "b")) == (
         0.3356923697 + 0.2356047059j,
         0.2221789736 - 0.09008145837j,
@@ -106,7 +106,7 @@ def test_kind_2_rod_and_slider(left, swapped):
     """The slider may hold its pin beside the guide: then the guide is drawn as far to the other side."""
     links = {2: {"A": 0j, "B": 0.25 + 0j}, 3: {"B": 0j}}
     guide = pair(3, Way(-left * 1j, 1 + 0j), 7, Way(-left * 1j, 1 + 0j), swapped)
-    r, v, a = drawn(Group("RRP", (2, 3), (5, 7), ("A", guide), "B"), links)
+    r, v, a = drawn(Dyad("RRP", (2, 3), (5, 7), ("A", guide), "B"), links)
     u = direction(7)
     assert printed(shown(r, "B"), shown(v, "b")) == (0.342217383 - 0.01189296708j, -0.4902797506 + 0.3466912809j)
     assert printed(along(v, "b7", "b", u)) == (-0.5321999585,)
@@ -121,7 +121,7 @@ def test_kind_3_stone_and_slotted_link(swapped):
     """The slot passes its pivot C at 0.03 m: C lies to the left of the slot, which leads from its foot T to A."""
     links = {2: {"A": 0j}, 3: {"C": 0j}}
     slot = pair(2, AXIS, 3, Way(-0.03j, 1 + 0j), swapped)
-    r, v, a = drawn(Group("RPR", (2, 3), (5, 6), ("A", "C"), slot), links)
+    r, v, a = drawn(Dyad("RPR", (2, 3), (5, 6), ("A", "C"), slot), links)
     foot = value(r.place(3, -0.03j, "T").point)
     u = value(r.units[slot.slider, slot.owner].point)
     assert printed(foot, np.degrees(cmath.phase(u))) == (0.4533901382 + 0.009807833918j, 173.5114528)
@@ -137,7 +137,7 @@ def test_kind_3_named_from_the_slotted_link(swapped):
     """The same group with its slotted link first: the pivot then lies ahead of the pin or behind it."""
     links = {2: {"C": 0j}, 3: {"A": 0j}}
     slot = pair(3, AXIS, 2, Way(-0.03j, 1 + 0j), swapped)
-    r, v, a = drawn(Group("RPR", (2, 3), (6, 5), ("C", "A"), slot), links, side=-1.0)
+    r, v, a = drawn(Dyad("RPR", (2, 3), (6, 5), ("C", "A"), slot), links, side=-1.0)
     assert printed(value(r.place(2, -0.03j, "T").point)) == (0.4533901382 + 0.009807833918j,)
     assert rates(v, 2, 3) == (-2.044243565, -2.044243565)
     assert rates(a, 2, 3) == (29.07073353, 29.07073353)
@@ -148,7 +148,7 @@ def test_kind_4_two_sliders(swapped):
     links = {2: {"B": 0j}, 3: {"B": 0j}}
     first = pair(2, Way(-0.02j, 1 + 0j), 7, AXIS, swapped)
     second = pair(3, Way(0.015j, 1 + 0j), 8, AXIS, swapped)
-    r, v, a = drawn(Group("PRP", (2, 3), (7, 8), (first, second), "B"), links)
+    r, v, a = drawn(Dyad("PRP", (2, 3), (7, 8), (first, second), "B"), links)
     assert printed(shown(r, "B"), shown(v, "b"), shown(a, "b")) == (
         0.3485359592 + 0.01050561394j,
         -0.3959064981 + 0.3966190336j,
@@ -174,7 +174,7 @@ def test_kind_5_stone_and_sliding_link(left, swapped):
     cut = cmath.exp(1j * radians(70))
     slot = pair(2, Way(-left * 1j, 1 + 0j), 3, Way(-left * 1j * cut, cut), swapped)
     guide = pair(3, AXIS, 7, AXIS, swapped)
-    r, v, a = drawn(Group("RPP", (2, 3), (5, 7), ("A", guide), slot), links)
+    r, v, a = drawn(Dyad("RPP", (2, 3), (5, 7), ("A", guide), slot), links)
     assert printed(value(r.point("N").point)) == (0.08864058879 - 0.0798386643j,)
     w, u = direction(7, 70), direction(7)
     assert printed(shown(v, "a3"), along(v, "a", "a3", w), along(v, "a7", "a3", u)) == (
