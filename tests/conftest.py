@@ -1,6 +1,38 @@
 """Settings of all tests: properties are drawn the same on every run, and no test is judged by the clock."""
 
+import os
+import sys
+from pathlib import Path
+
+import pytest
 from hypothesis import settings
+
+from tests import parts
+from tests.parts import SEEDED
 
 settings.register_profile("same", derandomize=True, deadline=None)
 settings.load_profile("same")
+
+# Where Python is told to keep no bytecode, every worker and every command that a test starts would compile all packages
+# anew; it goes to pytest's own folder instead.
+if sys.dont_write_bytecode and "PYTEST_XDIST_WORKER" not in os.environ:
+    os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+    os.environ.setdefault("PYTHONPYCACHEPREFIX", str(Path(__file__).parents[1] / ".pytest_cache" / "bytecode"))
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--whole", action="store_true", help="run whole, and alone, what the everyday run makes a part of")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    whole = config.getoption("whole")
+    parts.whole = whole or config.getoption("--hypothesis-profile") == SEEDED
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    kept: dict[bool, list[pytest.Item]] = {True: [], False: []}
+    for item in items:
+        names = {mark.name for mark in item.iter_markers()}
+        kept[bool(names & {"part", "rest"}) if config.getoption("whole") else "rest" not in names].append(item)
+    config.hook.pytest_deselected(items=kept[False])
+    items[:] = kept[True]

@@ -43,7 +43,12 @@ def test_what_is_checked_of_a_clone_is_what_the_readme_says() -> None:
     assert shown.startswith(told)
     checks = shown.removeprefix(told).splitlines()
     folders = "geometry plans drawings tests"
-    assert checks == [f"python -m ruff check {folders}", f"python -m ruff format --check {folders}", "python -m mypy"]
+    assert checks == [
+        "python -m pytest --whole",
+        f"python -m ruff check {folders}",
+        f"python -m ruff format --check {folders}",
+        "python -m mypy",
+    ]
 
 
 def test_every_picture_and_file_of_the_readme_exists() -> None:

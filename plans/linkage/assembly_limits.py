@@ -18,6 +18,7 @@ from plans.linkage.acceleration import accelerations
 from plans.linkage.barrier import CHANGE, GAP, PARALLEL, SAME, Barrier, Edge
 from plans.linkage.carrying import Drawing, Passed, carried
 from plans.linkage.crank_positions import CrankPositions
+from plans.linkage.groups.kinds import KINDS
 from plans.linkage.margin import margins, meeting, of_arcs
 from plans.linkage.plan import Plan
 from plans.linkage.plan_template import PlanTemplate
@@ -75,9 +76,9 @@ class Sweep:
     @cached_property
     def pinned(self) -> bool:
         """Tell whether a pin comes to its own slot's pivot, or all but: the slot has any direction there."""
-        marks = [meeting(self.plan(NODE_ANGLES), group) for group in self.groups]
-        slots = [mark.step.inputs for mark in marks if mark.step.op == "tangent"]
-        ends = [tuple(np.asarray(end.point) for end in slot) for slot in slots]
+        slotted = [group for group in self.groups if KINDS[group.kind].pivoted]
+        marks = [meeting(self.plan(NODE_ANGLES), group) for group in slotted]
+        ends = [tuple(np.asarray(end.point) for end in mark.step.inputs) for mark in marks]
         return any(bool((np.abs(pivot - pin) <= np.abs(pin).max() / NODES * 8).any()) for pivot, pin in ends)
 
     @cached_property

@@ -6,11 +6,10 @@ import re
 import time
 from pathlib import Path
 
-import pytest
-
 from geometry.errors import DraftError, LimitError
-from plans.scene.linkage import mechanism_of
+from plans.linkage.reading.linkage import mechanism_of
 from plans.scene.scene import read_scene
+from tests.rows import over
 
 SCENES = sorted(Path(__file__).parent.glob("*.toml"))
 EXPECTED = re.compile(r"# expect (\d+)(?:: (.*))?")
@@ -26,7 +25,7 @@ def outcome(path: Path) -> tuple[int, str]:
     return 0, ""
 
 
-@pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
+@over("path", SCENES)
 def test_a_scene_of_the_catalogue_ends_as_its_header_says(path: Path) -> None:
     expected = [match for line in path.read_text().splitlines() if (match := EXPECTED.fullmatch(line))]
     began = time.perf_counter()

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-import pytest
+from tests.rows import over
 
 HERE = Path(__file__).parent
 ROOT = HERE.parent.parent
@@ -45,7 +45,7 @@ def exists(test: str) -> bool:
     return f"\ndef {name}(" in (ROOT / path).read_text("utf-8")
 
 
-@pytest.mark.parametrize("name", ROWS)
+@over("name", ROWS)
 def test_a_row_has_its_cases_or_says_why_not(name: str) -> None:
     told = ROWS[name]
     stems = {path.stem for path in SCENES}

@@ -6,6 +6,7 @@ import json
 import subprocess
 import sys
 from pathlib import Path
+from typing import NamedTuple
 
 import pytest
 
@@ -27,8 +28,7 @@ with contextlib.redirect_stdout(io.StringIO()):
     LinkageStudy.__init__ = watched
     code = cli.main(sys.argv[1:])
     assert code == 0, code
-modules = sorted({name.partition(".")[0] for name in sys.modules})
-print(json.dumps({"modules": modules, "made": [list(study) for study in made]}))
+print(json.dumps({"modules": sorted(sys.modules), "made": [list(study) for study in made]}))
 """
 
 
@@ -38,7 +38,22 @@ def watched(*arguments: object) -> tuple[set[str], set[str]]:
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False, timeout=120)
     assert done.returncode == 0, done.stderr
     told = json.loads(done.stdout)
-    return set(told["modules"]), {plan for study in told["made"] for plan in study}
+    modules = {*told["modules"], *(name.partition(".")[0] for name in told["modules"])}
+    return modules, {plan for study in told["made"] for plan in study}
+
+
+class Run(NamedTuple):
+    """A run of `draw` that was watched: the folder of its sheets, what it imported and what it made."""
+
+    out: Path
+    modules: set[str]
+    made: set[str]
+
+
+@pytest.fixture(scope="module")
+def draw(tmp_path_factory: pytest.TempPathFactory) -> Run:
+    out = tmp_path_factory.mktemp("plain")
+    return Run(out, *watched("draw", SHAPER, "-o", out))
 
 
 def test_positions_alone_need_no_velocities_and_no_paper(tmp_path: Path) -> None:
@@ -103,7 +118,7 @@ def test_the_trace_of_a_positions_only_run(tmp_path: Path) -> None:
     assert not {"analysis", "layout", "measuring"} & set(told)
 
 
-def test_the_trace_of_a_kinematics_sheet(tmp_path: Path) -> None:
+def test_the_trace_of_a_kinematics_sheet_which_leaves_no_trace_in_the_files(draw: Run, tmp_path: Path) -> None:
     told = traced("draw", SHAPER, "-o", tmp_path)
     assert told["made"] == "extremes, positions, velocities, accelerations"
     assert told["not made"] == "nothing"
@@ -116,22 +131,13 @@ def test_the_trace_of_a_kinematics_sheet(tmp_path: Path) -> None:
     imported = [float(cost.split(" (")[1].removesuffix(" ms)")) for cost in told["imported"].split(", ")]
     assert 0 < sum(imported) < times["imports"]
     assert told["before"].startswith("the interpreter and the command line")
-
-
-def test_a_trace_leaves_no_trace_in_the_files(tmp_path: Path) -> None:
-    watched("draw", SHAPER, "-o", tmp_path / "plain")
-    traced("draw", SHAPER, "-o", tmp_path / "traced")
     for name in ("shaper-kinematics.svg", "shaper-report.md"):
-        assert (tmp_path / "plain" / name).read_bytes() == (tmp_path / "traced" / name).read_bytes()
+        assert (draw.out / name).read_bytes() == (tmp_path / name).read_bytes()
 
 
-def test_what_sheets_never_use_of_the_standard_library_is_not_imported_either(tmp_path: Path) -> None:
-    lines = "import sys; from drawings.commands import cli; cli.main(sys.argv[1:]); print(*sys.modules)"
-    command = [sys.executable, "-c", lines, "draw", SHAPER, "-o", str(tmp_path)]
-    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False, timeout=60)
-    modules = set(done.stdout.splitlines()[-1].split())
-    assert not modules & {"urllib.request", "http.client", "ssl", "socket", "difflib", "secrets", "importlib.metadata"}
-    assert not modules & {"numpy.random", "numpy.ma", "svgwrite.data.svgparser"}
+def test_what_sheets_never_use_of_the_standard_library_is_not_imported_either(draw: Run) -> None:
+    unused = {"urllib.request", "http.client", "ssl", "socket", "difflib", "secrets", "importlib.metadata"}
+    assert not draw.modules & {*unused, "numpy.random", "numpy.ma", "svgwrite.data.svgparser"}
 
 
 @pytest.mark.parametrize("arguments", [["--help"], ["draw", "--help"]], ids=" ".join)
@@ -145,17 +151,15 @@ def test_help_needs_no_library(arguments: list[str]) -> None:
     assert not modules & {"numpy", "svgwrite", "tomllib", *HEAVY}
 
 
-def test_drawing_needs_one_pen_and_no_other_library(tmp_path: Path) -> None:
-    modules, made = watched("draw", SHAPER, "-o", tmp_path)
-    assert made >= {"positions", "velocities", "accelerations"}
-    assert {"numpy", "svgwrite"} <= modules
-    assert not modules & set(HEAVY)
+def test_drawing_needs_one_pen_and_no_other_library(draw: Run) -> None:
+    assert draw.made >= {"positions", "velocities", "accelerations"}
+    assert {"numpy", "svgwrite"} <= draw.modules
+    assert not draw.modules & set(HEAVY)
 
 
-def test_measuring_a_sheet_needs_no_mechanism(tmp_path: Path) -> None:
-    watched("draw", SHAPER, "-o", tmp_path)
+def test_measuring_a_sheet_needs_no_mechanism(draw: Run) -> None:
     lines = "import sys; from drawings.commands import cli; cli.main(sys.argv[1:]); print(*sys.modules)"
-    command = [sys.executable, "-c", lines, "measure", str(tmp_path / "shaper-kinematics.svg")]
+    command = [sys.executable, "-c", lines, "measure", str(draw.out / "shaper-kinematics.svg")]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False, timeout=60)
     assert done.returncode == 0, done.stderr
     modules = set(done.stdout.splitlines()[-1].split())

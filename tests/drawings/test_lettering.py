@@ -18,6 +18,7 @@ from drawings.lettering.lettering import SIZES, UnknownLetter, demand, index_siz
 from drawings.lettering.specimen import LARGE, LETTERS, PHRASES, SIGNS, specimen
 from drawings.lettering.words import WORDS
 from drawings.paper.strokes import LineStyle, Polyline, Run, SheetError, Text, runs
+from tests.rows import over
 
 FILE = Path(alphabet.__file__).with_name("alphabet.json")
 RUSSIAN, DIGITS = "АБВГДЕЁЖЗИЙКЛМНОПРСТУФХЦЧШЩЪЫЬЭЮЯ", "0123456789"
@@ -62,7 +63,7 @@ def drawn(*texts: Text) -> list[complex]:
     return [point for text in texts for stroke in outline(text) for point in stroke.points]
 
 
-@pytest.mark.parametrize("language", WORDS)
+@over("language", WORDS)
 def test_every_phrase_of_the_words_can_be_written(language: str) -> None:
     for phrase in WORDS[language].values():
         assert lacking(phrase) == (), phrase
@@ -78,13 +79,13 @@ def test_the_data_name_each_letter_once_and_as_texts_will_ask_for_it() -> None:
     assert all(unicodedata.normalize("NFC", name) == name and len(name) <= 1 for name in named)
 
 
-@pytest.mark.parametrize(("cell", "letters"), TABLE.items())
+@over("cell, letters", TABLE.items())
 def test_widths_are_those_of_the_standard(cell: float, letters: str) -> None:
     for letter in letters:
         assert glyph(letter).width == cell, letter
 
 
-@pytest.mark.parametrize("letter", RUSSIAN + LATIN + GREEK + DIGITS)
+@over("letter", RUSSIAN + LATIN + GREEK + DIGITS)
 def test_capitals_and_digits_are_ten_d_high(letter: str) -> None:
     body = unicodedata.normalize("NFD", letter)[0]
     heights = [point.imag for point in points(body)]
@@ -92,7 +93,7 @@ def test_capitals_and_digits_are_ten_d_high(letter: str) -> None:
     assert min(heights) == pytest.approx(-1 if letter in HANGING else 0.5, abs=0.01)
 
 
-@pytest.mark.parametrize("letter", RUSSIAN.lower() + LATIN.lower())
+@over("letter", RUSSIAN.lower() + LATIN.lower())
 def test_small_letters_are_seven_d_high_with_tails_of_three(letter: str) -> None:
     body = unicodedata.normalize("NFD", letter)[0]
     heights = [point.imag for point in points(body)]
@@ -104,7 +105,7 @@ def test_small_letters_are_seven_d_high_with_tails_of_three(letter: str) -> None
     assert min(heights) == pytest.approx(lowest, abs=0.01)
 
 
-@pytest.mark.parametrize("letter", every_letter() + list("ЁЙёйїўéŻ") + ["φ̇"])
+@over("letter", every_letter() + list("ЁЙёйїўéŻ") + ["φ̇"])
 def test_no_stroke_leaves_its_cell(letter: str) -> None:
     across, up = [point.real for point in points(letter)], [point.imag for point in points(letter)]
     assert min(across, default=0.5) > 0.4
@@ -113,7 +114,7 @@ def test_no_stroke_leaves_its_cell(letter: str) -> None:
     assert max(up, default=0) < 13
 
 
-@pytest.mark.parametrize("letter", ALL)
+@over("letter", ALL)
 def test_a_letter_fills_its_cell(letter: str) -> None:
     across = [point.real for point in points(letter)]
     assert min(across) == pytest.approx(0.5, abs=0.2)
@@ -172,8 +173,8 @@ def test_anchor_and_rotation_move_the_whole_text(anchor: str) -> None:
         assert there == pytest.approx(10 + 20j + turn * (plain - share * length))
 
 
-@pytest.mark.parametrize("phrase", [phrase for table in WORDS.values() for phrase in table.values()])
-@pytest.mark.parametrize("size", [3.5, 10.0])
+@over("phrase", [phrase for table in WORDS.values() for phrase in table.values()])
+@over("size", [3.5, 10.0])
 def test_the_width_is_what_is_drawn(phrase: str, size: float) -> None:
     text = Text(0j, (Run(phrase),), size)
     reach = [point.real for point in drawn(text)]
@@ -187,17 +188,17 @@ def test_words_stand_six_d_apart_and_letters_two() -> None:
     assert text_width(Text(0j, "", 10.0)) == 0
 
 
-@pytest.mark.parametrize("pair", ["ГА", "АТ", "ТА", "LT", "AV", "VA", "РА", "АУ", "Го", "To"])
+@over("pair", ["ГА", "АТ", "ТА", "LT", "AV", "VA", "РА", "АУ", "Го", "To"])
 def test_letters_whose_lines_are_not_parallel_stand_nearer(pair: str) -> None:
     assert gap(*pair) == 1
 
 
-@pytest.mark.parametrize("pair", ["НН", "ОО", "АА", "ИН", "oo", "nn", "ЛЛ", "74", "47", "1,", "−1", "L="])
+@over("pair", ["НН", "ОО", "АА", "ИН", "oo", "nn", "ЛЛ", "74", "47", "1,", "−1", "L="])
 def test_all_other_neighbours_keep_their_gap(pair: str) -> None:
     assert gap(*pair) == 2
 
 
-@pytest.mark.parametrize("left", "АГДЛРТУЧЪгтАLTVпрЖ")
+@over("left", "АГДЛРТУЧЪгтАLTVпрЖ")
 def test_neighbours_stay_a_gap_apart_wherever_they_face_each_other(left: str) -> None:
     for right in RUSSIAN + RUSSIAN.lower():
         shift = glyph(left).width + gap(left, right)

@@ -7,7 +7,7 @@ import time
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from drawings.measure import pathdata
@@ -17,6 +17,7 @@ from drawings.measure.transform import Affine, transform
 from drawings.paper.limits import QUANTUM, SheetRefused
 from drawings.paper.strokes import Circle, Fill, Group, Leaf, Line, numeral, stated
 from drawings.pens.svg import BEARERS, numbers, svg
+from tests.parts import examples
 
 WIDTH, HEIGHT = 420, 297
 HEAD = '<svg xmlns="http://www.w3.org/2000/svg" width="420mm" height="297mm" viewBox="0 0 420 297">'
@@ -66,7 +67,7 @@ def wrapped(source: bytes, attributes: str) -> bytes:
 # Round trips
 
 
-@settings(max_examples=200)
+@examples(50, 200)
 @given(st.lists(st.tuples(places, places), min_size=1, max_size=6), scales)
 def test_vectors_and_points_are_read_back(ends: list[tuple[complex, complex]], scale: float) -> None:
     parts = [vector(a, b, scale, f"B{k}") for k, (a, b) in enumerate(ends)]

@@ -14,9 +14,10 @@ import numpy as np
 import pytest
 
 from drawings.figures.linkage.pairs import Pairs
-from drawings.figures.linkage.position_plan import figure, letters
+from drawings.figures.linkage.position_plan import layers, letters
 from drawings.figures.linkage.skeleton import Skeletons, skeletons
-from drawings.layout.labels import Ink, Labels
+from drawings.layout.ink import Ink
+from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, picture
 from drawings.layout.place import Place
 from drawings.lettering.extent import bounds
@@ -31,6 +32,7 @@ from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.scene.scene import parse_scene, read_scene
 from tests.drawings import mechanisms
+from tests.rows import over
 
 shapely = pytest.importorskip("shapely")
 
@@ -72,7 +74,7 @@ def drawn(name: str, hand: Hand = A1) -> Figure:
     measured = picture(name, bones.points, ("l", "m"), Margins(0.0, 0.0, 0.0), 0.0)
     place = measured.placed(ROOM, measured.ladder(ROOM.width, ROOM.height).rungs[0].scale)
     pairs = Pairs(bones, place, hand)
-    groups = figure(pairs, "en")
+    groups = layers(pairs, "en")
     ink = Ink(440, 440)
     ink.draw(groups)
     return Figure(
@@ -137,8 +139,8 @@ def thick(found: Figure) -> list[Stroke]:
     return [bar for bar in bars if bar.style.width == found.hand.main]
 
 
-@pytest.mark.parametrize("name", NAMES)
-@pytest.mark.parametrize("hand", [A1, A4], ids=["A1", "A4"])
+@over("name", NAMES)
+@over("hand", [A1, A4])
 def test_links_end_at_the_circles_of_their_hinges(name: str, hand: Hand) -> None:
     found = drawn(name, hand)
     assert thick(found)
@@ -146,7 +148,7 @@ def test_links_end_at_the_circles_of_their_hinges(name: str, hand: Hand) -> None
         assert shape(bar).intersection(disc(circle)).length < 1e-3 * circle.radius, (letter, bar)  # type: ignore[attr-defined]
 
 
-@pytest.mark.parametrize("name", NAMES)
+@over("name", NAMES)
 def test_no_thin_line_runs_inside_a_hinge(name: str) -> None:
     found = drawn(name)
     lines = found.strokes("paths", "all-positions", "extremes", "guides", "notches")
@@ -155,7 +157,7 @@ def test_no_thin_line_runs_inside_a_hinge(name: str) -> None:
         assert shape(line).intersection(area).length < 0.02, line  # type: ignore[attr-defined]
 
 
-@pytest.mark.parametrize("name", NAMES)
+@over("name", NAMES)
 def test_every_bar_of_the_shown_position_reaches_its_hinges(name: str) -> None:
     """Trimming takes nothing but what is inside: from every hinge of a bar a thick line starts at its circle."""
     found = drawn(name)
@@ -169,7 +171,7 @@ def test_every_bar_of_the_shown_position_reaches_its_hinges(name: str) -> None:
                 assert any(abs(abs(end - circle.centre) - circle.radius) < HAIR for end in ends), (link, letter)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@over("name", NAMES)
 def test_broken_lines_begin_and_end_with_a_dash(name: str) -> None:
     broken = [s for s in drawn(name).strokes() if not isinstance(s, Fill | Text) and s.style.dash]
     assert broken or name in ("leg", "tangent")
@@ -182,7 +184,7 @@ def test_broken_lines_begin_and_end_with_a_dash(name: str) -> None:
         assert least <= dash <= most
 
 
-@pytest.mark.parametrize("name", NAMES)
+@over("name", NAMES)
 def test_the_sense_of_rotation_is_clear_of_every_link_hinge_and_number(name: str) -> None:
     found = drawn(name)
     numbers = shapely.union_all([box(text) for text in flat(found.letters) if isinstance(text, Text)])
@@ -192,7 +194,7 @@ def test_the_sense_of_rotation_is_clear_of_every_link_hinge_and_number(name: str
         assert shape(arrow).distance(numbers) > 0  # type: ignore[attr-defined]
 
 
-@pytest.mark.parametrize("name", NAMES)
+@over("name", NAMES)
 def test_no_line_strikes_the_number_of_the_stroke_through(name: str) -> None:
     found = drawn(name)
     if name in SWINGING:
@@ -204,7 +206,7 @@ def test_no_line_strikes_the_number_of_the_stroke_through(name: str) -> None:
             assert not shape(line).intersects(box(number)), line  # type: ignore[attr-defined]
 
 
-@pytest.mark.parametrize("name", NAMES)
+@over("name", NAMES)
 def test_the_dimension_of_the_stroke_is_as_long_as_the_stroke(name: str) -> None:
     found = drawn(name)
     if "stroke" in found.groups:
@@ -217,7 +219,7 @@ def test_the_dimension_of_the_stroke_is_as_long_as_the_stroke(name: str) -> None
         assert apart == pytest.approx(found.place.length(found.bones.study.found.extremes.stroke), abs=1e-6)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@over("name", NAMES)
 def test_hatching_is_equal_on_its_side_of_the_base_and_within_it(name: str) -> None:
     found = drawn(name)
     for layer in ("pairs", "grounds"):
@@ -279,7 +281,7 @@ def test_an_offset_slide_is_joined_to_its_block_square_and_rigidly(name: str, pi
     assert len(bracket) == 1 and shape(bracket[0]).distance(shape(block)) < HAIR  # type: ignore[attr-defined]
     fills = [s for s in found.strokes("shown-position") if isinstance(s, Fill)]
     assert sum(shape(fill).distance(shape(block)) < HAIR for fill in fills) == 2  # type: ignore[attr-defined]
-    offset = found.place.length(abs(float(found.bones.study.scene.mechanism.slides[0].offset)))
+    offset = found.place.length(abs(float(found.bones.study.form.mechanism.slides[0].offset)))
     assert abs(np.mean(block.points) - circle.centre) == pytest.approx(offset)  # type: ignore[arg-type]
 
 
@@ -331,7 +333,7 @@ def test_of_36_positions_every_one_is_numbered_at_the_crank_and_few_at_the_outpu
     assert len([s for s in found.strokes("all-positions") if isinstance(s, Line)]) < 36 * 4
 
 
-@pytest.mark.parametrize("name", NAMES)
+@over("name", NAMES)
 def test_no_letter_or_number_lies_on_another(name: str) -> None:
     texts = [text for text in flat(drawn(name).letters) if isinstance(text, Text)]
     for one, other in itertools.combinations(texts, 2):
@@ -361,7 +363,7 @@ def test_epsilon_has_its_own_arrow_and_letter_only_where_it_is_given() -> None:
         assert ("ε1" in said) == (arrows == 2) and "ω1" in said
 
 
-@pytest.mark.parametrize("name", NAMES)
+@over("name", NAMES)
 def test_every_named_point_keeps_its_data(name: str) -> None:
     found = drawn(name)
     marks = [mark for mark in found.groups["pairs"].strokes if isinstance(mark, Group) and mark.data]

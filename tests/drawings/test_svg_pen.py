@@ -12,6 +12,7 @@ from itertools import pairwise
 from pathlib import Path
 from xml.etree import ElementTree
 
+import numpy as np
 import pytest
 import svgwrite
 from hypothesis import given
@@ -39,6 +40,8 @@ from drawings.paper.strokes import (
     Text,
 )
 from drawings.pens import svg as pen
+from plans.model.motion import Complexes, Floats
+from tests.rows import over
 
 NS = "{http://www.w3.org/2000/svg}"
 THIN = LineStyle(width=0.25)
@@ -153,7 +156,7 @@ def test_levels_are_moved_by_dy_and_returned() -> None:
     assert b"baseline-shift" not in pen.svg(leaf(Text(0j, "v_B")))
 
 
-@pytest.mark.parametrize("content", ["План скоростей", "a^n_{BA}", "ω₂ = 3,5 с⁻¹"])
+@over("content", ["План скоростей", "a^n_{BA}", "ω₂ = 3,5 с⁻¹"])
 def test_text_is_as_long_as_our_own_letters_would_be(content: str) -> None:
     letters = Text(0j, content, 5.0, slanted=True)
     [text] = drawn(letters)
@@ -203,32 +206,29 @@ def followed(path: str) -> list[complex]:
     return [complex(point.real, 297 - point.imag) for point in points]
 
 
-def off(point: complex, line: Polyline) -> float:
-    """How far a point is from a chain of lines."""
+def off(points: Complexes, line: Polyline) -> Floats:
+    """How far points are from a chain of lines."""
     closed = (*line.points, line.points[0]) if line.closed else line.points
-    best = math.inf
+    best = np.full(len(points), math.inf)
     for a, b in pairwise(closed):
-        along = (point - a) / (b - a) if b != a else 0j
-        best = min(best, abs(along - min(max(along.real, 0), 1)) * abs(b - a))
+        along = ((points - a) / (b - a)).real if b != a else np.zeros(len(points))
+        best = np.minimum(best, np.abs(points - a - np.clip(along, 0, 1) * (b - a)))
     return best
 
 
-@pytest.mark.parametrize("content", ["Щука, 10·φ", "a^n_{BA}", "i, j: й ẍ", "oО8@&"])
-@pytest.mark.parametrize(
-    ("anchor", "slanted", "rotation"), [("start", False, 0.0), ("middle", True, 0.0), ("end", True, 90)]
-)
+@over("content", ["Щука, 10·φ", "a^n_{BA}", "i, j: й ẍ", "oО8@&"])
+@over("anchor, slanted, rotation", [("start", False, 0.0), ("middle", True, 0.0), ("end", True, 90)])
 def test_letters_stand_where_the_alphabet_has_them(content: str, anchor: str, slanted: bool, rotation: float) -> None:
     """To a hundredth of a millimetre, wherever in a letter and however far along the text: nothing adds up."""
     text = Text(123.4567 + 98.7654j, 5 * content, 5.0, anchor, slanted, rotation)  # type: ignore[arg-type]
     [element] = written(text)
     paths = [element] if element.tag == f"{NS}path" else list(element)
-    drawn_points = [point for path in paths for point in followed(path.get("d", ""))]
+    points = np.array([point for path in paths for point in followed(path.get("d", ""))])
     lines = outline(text)
     chord = FLATNESS * 0.5 * 1.3  # by so much a chord may miss its curve in letters of 5 mm, and more where they lean
-    for point in drawn_points:
-        assert min(off(point, line) for line in lines) <= chord + 0.0056 * math.sqrt(2)
-    for true in (point for line in lines for point in line.points):
-        assert min(abs(point - true) for point in drawn_points) <= 0.15  # the curves' own points are 0.2 mm apart
+    assert np.min([off(points, line) for line in lines], axis=0).max() <= chord + 0.0056 * math.sqrt(2)
+    for line in lines:  # the curves' own points are 0.2 mm apart
+        assert np.abs(np.array(line.points)[:, None] - points).min(axis=1).max() <= 0.15
 
 
 def test_a_text_is_one_path_or_one_for_each_pen() -> None:
@@ -297,7 +297,7 @@ def test_stated_numbers_keep_twelve_digits(value: float) -> None:
     assert float(text) == pytest.approx(value, rel=1e-11, abs=0)
 
 
-@pytest.mark.parametrize("bad", [math.nan, math.inf, -math.inf, 1e22])
+@over("bad", [math.nan, math.inf, -math.inf, 1e22])
 def test_no_place_on_paper_is_refused(bad: float) -> None:
     for stroke in (
         Line(complex(bad, 0), 1j),

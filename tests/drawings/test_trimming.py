@@ -15,6 +15,8 @@ from drawings.paper.strokes import Arc, Circle, Line, LineStyle, Polyline, Strok
 from drawings.symbols.dashes import fit
 from drawings.symbols.symbols import block, ground, gusset, slot
 from drawings.symbols.trimming import Mask, trimmed
+from tests.parts import examples
+from tests.rows import over
 
 shapely = pytest.importorskip("shapely")
 
@@ -52,12 +54,14 @@ def left(spots: list[complex], own: list[Mask]) -> float:
     return float(shapely.length(shapely.difference(pieces, whole)).sum())
 
 
+@examples(25)
 @given(places, places, st.lists(masks, min_size=1, max_size=3))
 def test_what_is_left_of_a_line_is_what_lies_outside(start: complex, end: complex, own: list[Mask]) -> None:
     kept = list(trimmed([Line(start, end)], own))
     assert sum(map(length, kept)) == pytest.approx(left([start, end], own), abs=2e-3)
 
 
+@examples(25)
 @given(places, st.floats(2, 30), st.floats(-3, 3), st.floats(0.1, 6), st.lists(masks, min_size=1, max_size=3))
 def test_what_is_left_of_an_arc_is_what_lies_outside(
     centre: complex, radius: float, start: float, sweep: float, own: list[Mask]
@@ -87,8 +91,8 @@ def test_dashes_fill_a_line_of_any_length(size: float, closed: bool) -> None:
         assert tuple(rest) == style.dash[1:]
 
 
-@pytest.mark.parametrize("turn", [1, 1j, -1, -1j, cmath.rect(1, 0.7)])
-@pytest.mark.parametrize("size", [12.0, 28.0, 28.7])
+@over("turn", [1, 1j, -1, -1j, cmath.rect(1, 0.7)])
+@over("size", [12.0, 28.0, 28.7])
 def test_the_hatching_of_a_ground_is_equal_and_within_its_base(turn: complex, size: float) -> None:
     for side in (1j, -1j):
         base, *hatch = ground(0j, size * turn, side * turn, HAND)

@@ -7,13 +7,14 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 
 from geometry.board import Arc, Board, Line, Mark
 from geometry.meet import EPS
 from geometry.precision import condition, errors
 from geometry.replay import exact
 from tests.geometry.constructions import Construction, constructions
+from tests.parts import examples
 
 
 def notch(gap: float) -> Mark:
@@ -23,7 +24,7 @@ def notch(gap: float) -> Mark:
     return board.meet("B", board.arc("AB", a, 1.0), board.arc("CB", c, 2.0), side=+1)
 
 
-@settings(max_examples=300)
+@examples(75, 300)
 @given(constructions())
 def test_every_mark_lies_within_its_bound_of_the_exact_construction(drawn: Construction) -> None:
     marks = drawn.marks

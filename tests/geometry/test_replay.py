@@ -16,6 +16,8 @@ from geometry.board import Arc, Board, Line, Mark
 from geometry.meet import EPS
 from geometry.replay import exact, redraw
 from tests.geometry.constructions import Construction, constructions, places
+from tests.parts import examples
+from tests.rows import over
 
 MP = mpmath.mp.clone()
 MP.dps = 60
@@ -57,7 +59,7 @@ def numbers(value: Any) -> tuple[complex, ...]:
     return tuple(complex(x) for x in value) if isinstance(value, tuple) else (complex(value),)
 
 
-@pytest.mark.parametrize("verb", ACTS)
+@over("verb", ACTS)
 def test_a_record_drawn_again_from_other_givens_is_the_new_drawing(verb: str) -> None:
     givens, old = draw(ACTS[verb], GIVENS)
     _, new = draw(ACTS[verb], MOVED)
@@ -68,8 +70,8 @@ def test_a_record_drawn_again_from_other_givens_is_the_new_drawing(verb: str) ->
     assert again.subject == old.subject
 
 
-@pytest.mark.parametrize("verb", ACTS)
-@pytest.mark.parametrize("values", [GIVENS, MOVED], ids=["here", "moved"])
+@over("verb", ACTS)
+@over("values", [GIVENS, MOVED])
 def test_fifty_digits_agree_with_each_verb(verb: str, values: tuple[complex, ...]) -> None:
     _, mark = draw(ACTS[verb], values)
     found = exact([mark])[mark]
@@ -78,6 +80,7 @@ def test_fifty_digits_agree_with_each_verb(verb: str, values: tuple[complex, ...
         assert abs(ours - complex(exactly)) <= 64 * EPS * max(1.0, abs(ours))
 
 
+@examples(25)
 @given(constructions())
 def test_any_record_drawn_again_from_its_own_givens_is_itself(drawn: Construction) -> None:
     again = redraw(drawn.marks, {})

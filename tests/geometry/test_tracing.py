@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from geometry.board import Board, Line, Mark
@@ -12,6 +12,7 @@ from geometry.precision import errors
 from geometry.replay import redraw
 from geometry.tracing import Tracing
 from tests.geometry.constructions import Construction, constructions
+from tests.parts import examples
 
 
 def words(mark: Mark) -> tuple[object, ...]:
@@ -19,7 +20,7 @@ def words(mark: Mark) -> tuple[object, ...]:
     return mark.subject, mark.number, mark.name, step.op, [source.name for source in step.inputs], step.why
 
 
-@settings(max_examples=150)
+@examples(40, 150)
 @given(constructions(), st.floats(-0.01, 0.01))
 def test_a_record_that_is_followed_is_the_one_that_is_drawn_again(drawn: Construction, moved: float) -> None:
     free = drawn.board["A"]

@@ -14,7 +14,6 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
-from hypothesis import settings
 from hypothesis import strategies as st
 
 from geometry.meet import EPS
@@ -27,6 +26,7 @@ from plans.model.machine import FORCE, GEAR, MOMENT, Body, Force, Machine, Momen
 from plans.model.mechanism import FRAME, Mechanism
 from plans.model.motion import Motion
 from plans.scene.scene import parse_scene, read_scene
+from tests.parts import examples
 from tests.plans.chains import SIGNS, TURNS, chains, numbers
 from tests.plans.force_cases import DYADS, text_of
 from tests.plans.machines import pointed
@@ -35,8 +35,8 @@ from tests.plans.studies import study_of
 ROUNDINGS = 16.0  # of the plan's largest, in each of the equations: as of the motion, see chains.allowed
 GALLERY = sorted((Path(__file__).parents[2] / "drawings" / "gallery").glob("*.toml"))
 
-# As many machines as kill every fault of tests/cases/force_faults.toml that is a relation's to see.
-push = settings(max_examples=20)
+# The whole is as many machines as kill every fault of tests/cases/force_faults.toml that is a relation's to see.
+push = examples(6, 20)
 
 Joint = tuple[int, str, int]  # link, point, and of a sliding pair the other link, of a hinge -1
 
@@ -196,7 +196,7 @@ def scenes() -> tuple[tuple[Mechanism, tuple[float, ...]], ...]:
 
 def _angles(study: LinkageStudy) -> tuple[float, ...]:
     """Give the angles of a scene; one that starts at an extreme is taken from its sketch on."""
-    positions = study.scene.drive.positions
+    positions = study.form.drive.positions
     if isinstance(positions, tuple):
         return tuple(float(angle) for angle in positions)
     assert study.assembly.phi is not None

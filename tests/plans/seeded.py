@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import subprocess
 import sys
 import tomllib
 from collections.abc import Iterator, Sequence
@@ -15,16 +16,18 @@ from typing import Any, NamedTuple
 import pytest
 from hypothesis import Phase, settings
 
+from tests.parts import SEEDED
+
 ROOT = Path(__file__).parents[2]
 FOLDER = "tests/plans"  # of the tests that the table names
 OWN = ("geometry", "plans", "drawings", "tests")
 # The first example that fails is enough: none is looked for that is smaller.
 settings.register_profile(
-    "seeded", derandomize=True, deadline=None, phases=(Phase.explicit, Phase.generate), report_multiple_bugs=False
+    SEEDED, derandomize=True, deadline=None, phases=(Phase.explicit, Phase.generate), report_multiple_bugs=False
 )
 # A run within a run, as bare as it can be; what is imported already stays as it is.
 BARE = (
-    *("-q", "--tb=no", "--assert=plain", "--hypothesis-profile=seeded", "-o", "addopts=--import-mode=importlib"),
+    *("-q", "--tb=no", "--assert=plain", f"--hypothesis-profile={SEEDED}", "-o", "addopts=--import-mode=importlib"),
     *("-W", "ignore::pytest.PytestAssertRewriteWarning"),
     *(f"-pno:{plugin}" for plugin in ("cacheprovider", "faulthandler", "unraisableexception", "threadexception")),
 )
@@ -58,6 +61,29 @@ def faults(path: Path) -> list[Fault]:
     """Read a table of faults."""
     table = tomllib.loads(path.read_text(encoding="utf-8"))
     return [Fault(**{**one, "seen_by": tuple(one["seen_by"])}) for one in table["faults"]]
+
+
+MORE = 10  # faults of files that nobody has touched
+
+
+def everyday(table: Sequence[Fault]) -> list[Any]:
+    """Mark as the rest all faults but those of files changed lately and ten more: these are left to `--whole`."""
+    changed = _changed()
+    more = table[:: -(-len(table) // MORE)]
+    return [
+        pytest.param(fault, id=fault.name, marks=() if fault in more or fault.file in changed else pytest.mark.rest)
+        for fault in table
+    ]
+
+
+def _changed() -> frozenset[str]:
+    """Name the files changed since the commit before the last; where nobody can tell, all."""
+    command = ["git", "diff", "--name-only", "HEAD~1"]
+    try:
+        told = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True, timeout=60).stdout
+    except (OSError, subprocess.SubprocessError):
+        return frozenset(path.relative_to(ROOT).as_posix() for path in ROOT.rglob("*.py"))
+    return frozenset(told.splitlines())
 
 
 @cache

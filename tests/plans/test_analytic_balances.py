@@ -8,7 +8,7 @@ from math import pi, radians
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from plans.analytic.energy import energy_balance
@@ -19,6 +19,7 @@ from plans.model.kinetostatics import Kinetostatics, Loading
 from plans.model.machine import FORCE, GEAR, Body, Machine, Transmission
 from plans.model.mechanism import FRAME, Link, Mechanism, Slide, Way
 from plans.model.motion import Complexes, Floats, Motion
+from tests.parts import examples
 from tests.plans import linkages
 from tests.plans.chains import Chain, chains, numbers
 from tests.plans.machines import DOWN, SHAPER, Run, machine, pointed, steady
@@ -107,7 +108,7 @@ def in_balance(run: Run) -> None:
         assert (np.abs(moment) <= allowed * reach).all(), link
 
 
-@settings(max_examples=50)
+@examples(10, 50)
 @given(run=runs())
 def test_every_link_is_in_equilibrium_and_slides_push_square_to_their_line(run):
     in_balance(run)
@@ -117,7 +118,7 @@ def test_every_link_is_in_equilibrium_and_slides_push_square_to_their_line(run):
             assert np.abs(along) <= 4 * EPS * np.abs(reaction.force), key
 
 
-@settings(max_examples=50)
+@examples(10, 50)
 @given(run=runs())
 def test_three_balances_agree(run):
     found, kappa = run.forces, run.road.conditions(run.motion)

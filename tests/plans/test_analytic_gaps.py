@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 from plans.analytic.kinematics import conditions, solve
 from plans.model.mechanism import Mechanism, StructureError
 from plans.model.motion import Floats
+from tests.parts import examples
 from tests.plans import linkages
 
 EPS = float(np.finfo(float).eps)
@@ -114,6 +115,7 @@ def test_past_a_near_change_point_the_assembly_stays(miss):
 # The assembly
 
 
+@examples(25)
 @given(
     share=st.floats(0, 0.6),
     way=st.floats(0, 2 * pi),

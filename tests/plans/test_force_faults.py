@@ -10,19 +10,23 @@ from pathlib import Path
 
 import pytest
 
-from tests.plans.seeded import FOLDER, ROOT, Fault, faults, verdicts
+from tests.plans.seeded import FOLDER, ROOT, Fault, everyday, faults, verdicts
 
 FAULTS = faults(Path(__file__).parents[1] / "cases" / "force_faults.toml")
-HARMLESS = Fault(
-    "fewer examples", f"{FOLDER}/loaded.py", "push = settings(max_examples=20)", "push = settings(max_examples=2)", ()
-)
+HARMLESS = Fault("fewer examples", f"{FOLDER}/loaded.py", "push = examples(6, 20)", "push = examples(6, 2)", ())
 
 
-@pytest.mark.parametrize("fault", FAULTS, ids=lambda fault: fault.name)
+@pytest.mark.parametrize("fault", everyday(FAULTS))
 def test_a_fault_is_seen_by_the_tests_named_beside_it(fault):
     assert verdicts(fault, fault.nodes) == dict.fromkeys(fault.nodes, "red")
 
 
+def test_every_fault_still_finds_the_text_that_it_replaces():
+    for fault in FAULTS:
+        assert fault.text
+
+
+@pytest.mark.rest
 def test_a_harmless_change_is_seen_by_none_of_them():
     nodes = sorted({node for fault in FAULTS for node in fault.nodes})
     assert verdicts(HARMLESS, nodes) == dict.fromkeys(nodes, "passed")

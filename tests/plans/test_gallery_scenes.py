@@ -13,9 +13,12 @@ import numpy as np
 import pytest
 
 from plans.checks.compare import compare, compare_extremes, notches
+from plans.forces.reading.form import ForceForm
+from plans.linkage.reading.form import LinkageForm
 from plans.linkage.study import LinkageStudy
 from plans.model.motion import Motion
 from plans.scene.scene import read_scene
+from tests.rows import over
 
 GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
 SCENES = sorted(GALLERY.glob("*.toml"))
@@ -51,7 +54,7 @@ def ratio_of(overlap: float) -> float:
     return (pi + overlap) / (pi - overlap)
 
 
-@pytest.mark.parametrize("scene", SCENES, ids=lambda path: path.stem)
+@over("scene", SCENES)
 def test_construction_and_analysis_agree_in_every_position(scene: Path) -> None:
     comparison = compare_extremes(study(scene.stem), compare(study(scene.stem)))
     assert comparison.agrees
@@ -59,10 +62,10 @@ def test_construction_and_analysis_agree_in_every_position(scene: Path) -> None:
     assert np.nanmax(notches(study(scene.stem))) < WARNING
 
 
-@pytest.mark.parametrize("scene", SCENES, ids=lambda path: path.stem)
+@over("scene", SCENES)
 def test_no_plan_of_a_named_position_is_one_line(scene: Path) -> None:
-    points, sheet = motion(scene.stem).points.values(), study(scene.stem).scene.sheet
-    named = sheet.plans or sheet.forces
+    points, found = motion(scene.stem).points.values(), study(scene.stem)
+    named = found.form.sheet.plans or found.scene.of(ForceForm).sheet.forces
     assert named
     for k in named:
         for ends in ([0, *(p.v[k] for p in points)], [0, *(p.a[k] for p in points)]):
@@ -85,7 +88,7 @@ def test_the_gallery_has_sheets_of_both_languages_both_standards_and_every_forma
     assert {table.notation for table in tables} == {"mu", "K"}
 
 
-@pytest.mark.parametrize("scene", SCENES, ids=lambda path: path.stem)
+@over("scene", SCENES)
 def test_its_title_block_is_filled_and_no_designation_is_given_twice(scene: Path) -> None:
     table = study(scene.stem).scene.sheet
     assert all((table.designation, table.drawn, table.checked, table.group, table.organisation))
@@ -317,9 +320,10 @@ def test_the_published_lengths_of_jansen_s_leg_stand_in_its_scene() -> None:
     assert sorted(given + place) == sorted(published)
 
 
-@pytest.mark.parametrize("scene", SCENES, ids=lambda path: path.stem)
+@over("scene", SCENES)
 def test_both_roads_agree_where_the_crank_turns_the_other_way(scene: Path) -> None:
     """From an extreme the other stroke begins: the sketch shows another position, and the assembly stays the same."""
     there = read_scene(scene)
-    back = LinkageStudy(there.changed(drive=there.drive.changed(speed=-there.drive.speed)))
+    form = there.of(LinkageForm)
+    back = LinkageStudy(there.changed(form.changed(drive=form.drive.changed(speed=-form.drive.speed))))
     assert compare_extremes(back, compare(back)).agrees

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import product
 
+import pytest
 from hypothesis import given, settings
 
 from plans.model.dyad import NUMBERS, Dyad
@@ -55,6 +56,7 @@ EVERY = {
 }
 
 
+@pytest.mark.rest
 def test_every_feature_is_reached():
     seen: set[tuple[object, ...]] = set()
 

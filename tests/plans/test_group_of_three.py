@@ -102,7 +102,7 @@ def _weld(plan: Plan, group: Three) -> None:
 
 @pytest.fixture(autouse=True)
 def row(monkeypatch: pytest.MonkeyPatch) -> None:
-    kind = Kind(positions, velocities, accelerations, 2, meeting, vectors, pressure, extremes)
+    kind = Kind(positions, velocities, accelerations, 2, meeting, vectors, pressure, extremes=extremes)
     monkeypatch.setitem(KINDS, "three", kind)
 
 

@@ -9,21 +9,30 @@ from pathlib import Path
 
 import pytest
 
-from tests.plans.seeded import Fault, faults, verdicts
+from tests.plans.seeded import Fault, everyday, faults, verdicts
 
 FAULTS = faults(Path(__file__).parents[1] / "cases" / "reading_faults.toml")
 # What both roads have in common and carries a sign; plans/model/machine.py holds values alone.
-SHARED = ("scene/linkage", "scene/shapes", "scene/inventory", "scene/loads", "forces/loading", "forces/stroke")
+SHARED = (
+    *("linkage/reading/linkage", "linkage/reading/guides", "linkage/reading/shapes", "forces/reading/inventory"),
+    *("forces/reading/form", "forces/loading", "forces/stroke"),
+)
 HARMLESS = Fault(
-    "another word", "plans/scene/linkage.py", '"add a hinge or a slide; no link', '"add a slide; no link', ()
+    "another word", "plans/linkage/reading/linkage.py", '"add a hinge or a slide; no link', '"add a slide; no link', ()
 )
 
 
-@pytest.mark.parametrize("fault", FAULTS, ids=lambda fault: fault.name)
+@pytest.mark.parametrize("fault", everyday(FAULTS))
 def test_a_wrong_sign_is_seen_by_the_hand_values_named_beside_it(fault):
     assert verdicts(fault, fault.nodes) == dict.fromkeys(fault.nodes, "red")
 
 
+def test_every_fault_still_finds_the_text_that_it_replaces():
+    for fault in FAULTS:
+        assert fault.text
+
+
+@pytest.mark.rest
 def test_a_harmless_change_is_seen_by_none_of_them():
     nodes = sorted({node for fault in FAULTS for node in fault.nodes})
     assert verdicts(HARMLESS, nodes) == dict.fromkeys(nodes, "passed")

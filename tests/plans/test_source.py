@@ -17,6 +17,7 @@ from plans.scene import faults, source
 from plans.scene.faults import SceneError
 from plans.scene.places import Places
 from plans.scene.source import parse_source, read_source
+from tests.parts import examples
 
 NESTED = '''# a comment with [brackets] and "quotes
 title = "x = 1" # speed = 3
@@ -112,6 +113,7 @@ def leaves(value: Any, path: faults.Path = ()) -> list[tuple[faults.Path, Any]]:
     return [(path, value)]
 
 
+@examples(25)
 @given(texts())
 def test_what_stands_at_a_path_is_its_value(text: str) -> None:
     tables = tomllib.loads(text)

@@ -14,12 +14,13 @@ from plans.linkage.crank_positions import even, listed
 from plans.linkage.study import LinkageStudy
 from plans.scene.scene import parse_scene
 from plans.scene.units import within
+from tests.rows import over
 
 CRANK_ROCKER = (Path(__file__).parent.parent / "catalogue" / "plain.toml").read_text("utf-8")
 
 
-@pytest.mark.parametrize("turns", [1, -2, 277, 2_777_777])
-@pytest.mark.parametrize("angle", ["0", "280", "-30", "0.1"])
+@over("turns", [1, -2, 277, 2_777_777])
+@over("angle", ["0", "280", "-30", "0.1"])
 def test_whole_turns_change_nothing(turns: int, angle: str) -> None:
     small = Fraction(Decimal(angle))
     large = small + 360 * turns

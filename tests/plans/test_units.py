@@ -12,10 +12,11 @@ from plans.scene import units
 from plans.scene.faults import Wrong
 from plans.scene.messages.english import FAULTS
 from plans.scene.units import Kind
+from tests.rows import over
 
 
-@pytest.mark.parametrize(
-    ("written", "kind", "exact"),
+@over(
+    "written, kind, exact",
     [
         ("110 mm", units.LENGTH, "0.11"),
         ("11cm", units.LENGTH, "0.11"),
@@ -51,8 +52,8 @@ def test_pi_is_good_for_every_conversion() -> None:
     assert float(units.quantity("60 об/мин", units.SPEED)) == float(sixty)
 
 
-@pytest.mark.parametrize(
-    ("written", "kind", "fault"),
+@over(
+    "written, kind, fault",
     [
         ("nan m", units.LENGTH, "not_a_quantity"),
         ("inf m", units.LENGTH, "not_a_quantity"),

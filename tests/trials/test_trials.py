@@ -1,4 +1,4 @@
-"""A fiftieth of the long trials; `python -m tests.trials` makes them all."""
+"""A part of the long trials: a two-hundredth, a fiftieth with --whole; `python -m tests.trials` makes them all."""
 
 from __future__ import annotations
 
@@ -12,32 +12,33 @@ import pytest
 
 from geometry.errors import DraftError
 from plans.analytic.kinematics import Analysis
+from plans.linkage.reading.form import LinkageForm
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.model.motion import Motion
 from plans.model.structure import decompose
 from plans.scene.scene import Scene, parse_scene
+from tests import parts
 from tests.trials import trial
 from tests.trials.__main__ import main
 from tests.trials.chains import KINDS as DYADS
 from tests.trials.changes import GALLERY
 from tests.trials.series import trials
 from tests.trials.table import failing, table
-from tests.trials.trial import ALONE, APART, KINDS, SLOW, TRACEBACK, WARNED, WITHHELD, Verdict, text_of, tried
+from tests.trials.trial import ALONE, APART, KINDS, SLOW, TRACEBACK, WARNED, WITHHELD, text_of, tried
 
-SHARE = 50
-
-
-@pytest.fixture(scope="module")
-def verdicts() -> list[Verdict]:
-    return [*trials(tuple(KINDS), SHARE)]
+SHARE = 50 if parts.whole else 200
 
 
+@pytest.mark.part
 @pytest.mark.parametrize("kind", KINDS)
-def test_a_fiftieth_of_the_long_trials(verdicts, kind):
-    verdicts = [verdict for verdict in verdicts if verdict.kind == kind]
-    assert len(verdicts) == KINDS[kind][1] // SHARE
+def test_a_part_of_the_long_trials(kind):
+    verdicts = [tried(kind, number) for number in range(0, KINDS[kind][1], SHARE)]
     assert not any(verdict.faults for verdict in verdicts), "\n".join([table(verdicts), *failing(verdicts)])
+
+
+def test_a_series_is_the_same_trials_shared_between_the_cores():
+    assert [*trials(("changes",), 500)] == [tried("changes", number) for number in range(0, 2000, 500)]
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -60,10 +61,10 @@ def test_chains_have_all_dyads_both_senses_and_all_kinds_of_positions():
     scenes = [parse_scene(text_of("chains", number)) for number in range(100)]
     groups = Counter(dyad.kind for scene in scenes for dyad in decompose(LinkageStudy(scene).mechanism))
     assert set(groups) == set(DYADS)
-    assert {1, 5} <= {len(scene.mechanism.links) // 2 for scene in scenes}
-    assert {scene.drive.speed > 0 for scene in scenes} == {True, False}
-    assert {type(scene.drive.positions) for scene in scenes} == {int, tuple}
-    assert any(scene.drive.start == "extreme" for scene in scenes)
+    assert {1, 5} <= {len(scene.of(LinkageForm).mechanism.links) // 2 for scene in scenes}
+    assert {scene.of(LinkageForm).drive.speed > 0 for scene in scenes} == {True, False}
+    assert {type(scene.of(LinkageForm).drive.positions) for scene in scenes} == {int, tuple}
+    assert any(scene.of(LinkageForm).drive.start == "extreme" for scene in scenes)
 
 
 def test_a_change_changes_one_line_of_the_gallery():
