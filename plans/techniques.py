@@ -41,7 +41,7 @@ TECHNIQUES: Final[Mapping[str, Technique]] = {
         numbers="plans.checks.motion_numbers:numbers",
         marks="plans.linkage.marks:marks",
         plans=MOTION,
-        sheets={"kinematics": MOTION},
+        sheets={"kinematics": MOTION, "positions": ("positions",)},
     ),
     "forces": Technique(
         form="plans.forces.reading.form:ForceForm",

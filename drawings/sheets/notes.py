@@ -28,7 +28,7 @@ def notes(study: LinkageStudy, comparison: MotionComparison, language: str) -> l
         ),
     ]  # fmt: skip
     said += lengths(study, language)
-    if study.found is not None:
+    if study.travel is not None:
         said.append(_travel(study, language))
     for group in study.groups:
         found = interval(study.sweep, group, study.nodes)
@@ -64,7 +64,7 @@ def _why(study: LinkageStudy, comparison: MotionComparison) -> list[str]:
 
 
 def _travel(study: LinkageStudy, language: str) -> str:
-    found = study.found
+    found = study.travel
     assert found is not None  # asked only where there are extremes
     extremes = found.extremes
     overlap = word(

@@ -41,6 +41,10 @@ BLOCK = 8000  # positions constructed together: enough to hide the calls, few en
 np.empty(2**25 - 2**16, dtype=np.int8)
 
 
+EXTREMES = "extremes"
+ALL = (EXTREMES, *ORDERS)
+
+
 class NoExtreme(ConstructionError):  # noqa: N818  (the exception tree's own word)
     """A start at an extreme position was asked of an output link that has none."""
 
@@ -48,14 +52,15 @@ class NoExtreme(ConstructionError):  # noqa: N818  (the exception tree's own wor
 class LinkageStudy:
     """A scene with its mechanism, groups, assembly, turn and plans; nothing is made before it is asked for."""
 
-    def __init__(self, scene: Scene) -> None:
+    def __init__(self, scene: Scene, plans: Collection[str] = ALL) -> None:
         self.scene = scene
+        self.plans = plans  # what is asked for, by its name
         self.form = scene.of(LinkageForm)
         self.made: dict[str, None] = {}  # what was made, in order: the sheet's account of what it left out
 
     def construct(self, plans: Collection[str]) -> None:
         """Make the plans that are asked for, at all positions of the scene."""
-        if "extremes" in plans:
+        if EXTREMES in plans:
             _ = self.found
         self.drafts().plan(max(numbers_of(plans), default=0))
 
@@ -129,8 +134,13 @@ class LinkageStudy:
     @cached_property
     def found(self) -> Found | None:
         """The output's extreme positions, None where it has none."""
-        self.made.setdefault("extremes")
+        self.made.setdefault(EXTREMES)
         return extremes(self.sweep, self.output)
+
+    @property
+    def travel(self) -> Found | None:
+        """The output's extreme positions where they are asked for; None also where it has none."""
+        return self.found if EXTREMES in self.plans else None
 
     @cached_property
     def turn(self) -> CrankPositions:
@@ -256,4 +266,4 @@ def _filled(whole: Motion, part: Motion, at: slice) -> None:
 
 def study_of(study: Study) -> LinkageStudy:
     """Make the linkage's study of a scene (row of the table of techniques)."""
-    return LinkageStudy(study.scene)
+    return LinkageStudy(study.scene, study.plans)

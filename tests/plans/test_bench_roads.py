@@ -28,6 +28,7 @@ from plans.bench.roads import (
 )
 from plans.linkage import study as studies
 from plans.linkage.plan_template import PlanTemplate
+from plans.linkage.reading.form import LinkageForm
 from plans.scene.scene import parse_scene, read_scene
 
 GALLERY = Path(__file__).parent.parent.parent / "drawings/gallery"
