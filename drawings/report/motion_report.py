@@ -19,7 +19,7 @@ from plans.linkage.pressure import interval
 from plans.linkage.study import LinkageStudy
 from plans.model.dyad import RUSSIAN
 from plans.model.mechanism import FRAME
-from plans.model.order import ORDERS
+from plans.model.order import PLANS
 from plans.model.structure import formula, mechanism_class
 from plans.study import Study
 
@@ -142,7 +142,7 @@ def _passage(study: LinkageStudy, comparison: MotionComparison) -> Iterator[str]
 def _values(study: LinkageStudy, comparison: MotionComparison) -> Iterator[str]:
     yield "\n## Values\n"
     yield "Every value by construction; under it by analysis where their ten digits differ. Vectors are x; y.\n"
-    for plan in (order.plan for order in ORDERS):
+    for plan in PLANS:
         findings = [finding for finding in comparison.of(plan) if np.any(finding.construction != 0)]
         if findings:
             yield f"### {plan.capitalize()}\n"
@@ -197,7 +197,7 @@ def _left_out(study: Study, linkage: LinkageStudy, leaves: Mapping[str, Sequence
     if sheets and count > MANY:
         yield f"- Of {count} positions about {MANY} are drawn with their links, the others by ticks; numbers that would"
         yield "  crowd each other are left out."
-    missing = [order.plan for order in ORDERS if order.plan not in study.made]
+    missing = [plan for plan in PLANS if plan not in study.made]
     if missing:
         yield f"- Plans not made: {', '.join(missing)}."
     still = [str(n) for n in sorted(linkage.mechanism.links) if n != FRAME and n not in _turning(linkage)]

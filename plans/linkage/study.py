@@ -25,7 +25,7 @@ from plans.linkage.sketch import Assembly, SketchError, assembly
 from plans.model.group import Group
 from plans.model.mechanism import Mechanism, Output, StructureError
 from plans.model.motion import Floats, Gap, Motion
-from plans.model.order import numbers_of
+from plans.model.order import PLANS, numbers_of
 from plans.model.structure import decompose
 from plans.scene.scene import Scene
 
@@ -42,7 +42,7 @@ np.empty(2**25 - 2**16, dtype=np.int8)
 
 
 EXTREMES = "extremes"
-ALL = (EXTREMES, *ORDERS)
+ALL = (EXTREMES, *PLANS)
 
 
 class NoExtreme(ConstructionError):  # noqa: N818  (the exception tree's own word)

@@ -27,6 +27,7 @@ POSITIONS = Order(0, "positions", Quantity("r", "r", "m"), Quantity("angle", "φ
 VELOCITIES = Order(1, "velocities", Quantity("v", "v", "m/s"), Quantity("omega", "ω", "rad/s"))
 ACCELERATIONS = Order(2, "accelerations", Quantity("a", "a", "m/s2"), Quantity("epsilon", "ε", "rad/s2"))
 ORDERS = (POSITIONS, VELOCITIES, ACCELERATIONS)
+PLANS = tuple(order.plan for order in ORDERS)
 # The orders by the keys of what their plans tell of a point, and of a link.
 POINT_ORDERS = {order.point.key: order for order in ORDERS}
 LINK_ORDERS = {order.link.key: order for order in ORDERS}
