@@ -14,7 +14,7 @@ import pytest
 
 from geometry.board import Mark
 from geometry.meet import Sizes
-from plans.checks.equilibrium import Acting, balances
+from plans.checks.equilibrium import LinkForce, balances
 from plans.checks.expected import Expected
 from plans.linkage.groups import lead, rrr
 from plans.linkage.groups.kinds import KINDS, Kind
@@ -143,6 +143,6 @@ def test_its_class_its_pairs_and_its_vectors_are_told() -> None:
     assert keys == ["0-1", "1-2", "0-3", "2-3", "3-4", "4-5", "0-6", "5-6"]
     arrows = Expected(study.mechanism, study.motion(), 0, Letters(study.mechanism)).arrows(study.groups)
     assert ("velocities", "a", "b") in arrows and ("accelerations", "n_BA", "b") in arrows
-    parts = [Acting(link, *5 * [np.zeros(24)]) for link in study.mechanism.links if link != FRAME]
+    parts = [LinkForce(link, *5 * [np.zeros(24)]) for link in study.mechanism.links if link != FRAME]
     sums = balances(study.mechanism, study.groups, parts, np.zeros(24))
     assert any("2-3-4" in found.name for found in sums)
