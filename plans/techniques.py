@@ -57,6 +57,19 @@ TECHNIQUES: Final[Mapping[str, Technique]] = {
         sheets={"forces": (*MOTION, "forces", "friction")},
         needs=("linkage",),
     ),
+    "rotor": Technique(
+        form="plans.rotor.form:RotorForm",
+        tables=("rotor",),
+        shares={},
+        meaning="plans.rotor.reading:survey_of",
+        notes="plans.rotor.reading:notes_of",
+        study="plans.rotor.study:study_of",
+        comparison="plans.checks.rotor_comparison:comparison_of",
+        numbers="plans.rotor.numbers:numbers",
+        marks="plans.rotor.marks:marks",
+        plans=("couples", "unbalances", "reactions"),
+        sheets={"rotor": ("couples", "unbalances", "reactions")},
+    ),
 }
 
 

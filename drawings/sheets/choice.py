@@ -10,6 +10,7 @@ from drawings.paper.strokes import SheetError
 from plans.checks.compare import MotionComparison
 from plans.linkage.study import LinkageStudy
 from plans.linkage.travel import frame_slide
+from plans.words.words import message, placed
 
 
 def position(study: LinkageStudy, comparison: MotionComparison) -> int:
@@ -28,12 +29,10 @@ def position_asked(study: LinkageStudy) -> int | None:
     free = ~study.lost
     if not free.any():
         return 0  # nothing can be assembled: the sheet explains why, in the first position
-    if wanted is not None:
-        if study.lost[wanted]:
-            raise SheetError(
-                f"{study.scene.file}: sheet.position = {wanted}: the mechanism cannot be assembled there. "
-                f"Fix: choose one of {', '.join(str(k) for k in np.flatnonzero(free)[:12])}"
-            )
+    if wanted is not None and study.lost[wanted]:
+        others = ", ".join(str(k) for k in np.flatnonzero(free)[:12])
+        refused = message("refused.position", position=wanted, positions=others)
+        raise SheetError(placed(study.scene.file, refused))
     return None if wanted is None else int(wanted)
 
 

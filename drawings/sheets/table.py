@@ -33,4 +33,9 @@ SHEETS: Final[Mapping[str, Sheet]] = {
         leaves="drawings.sheets.forces:leaves",
         faults="drawings.checks.verify_forces:faults",
     ),
+    "rotor": Sheet(
+        admit="drawings.sheets.rotor:admit",
+        leaves="drawings.sheets.rotor:leaves",
+        faults="drawings.checks.verify_rotor:faults",
+    ),
 }

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from geometry.board import Board, Mark
 from plans.forces.cut import REACTION, Couple, Load
 from plans.forces.primary import BALANCING, DRIVING
+from plans.words.words import because
 
 if TYPE_CHECKING:
     from plans.forces.force import ForcePlan
@@ -44,12 +45,12 @@ def lever(plan: ForcePlan) -> Lever | None:
     if plan.mechanism.drive.omega == 0:
         return None
     board = Board("lever")
-    pole = board.given("p", 0j, "pole: the hinge of the lever")
+    pole = board.given("p", 0j, because("lever_pole"))
     links = sorted(plan.mechanism.links)
     loads, pairs, moments = list[Load](), list[Pairing](), list[tuple[str, Mark]]()
     for load in _loads(plan, board, [load for link in links for load in plan.loads[link] if load.kind != REACTION]):
         loads.append(load)
-        moments.append((load.name, board.moment(f"p({load.name})", pole, load.at, load.force, "force by arm")))
+        moments.append((load.name, board.moment(f"p({load.name})", pole, load.at, load.force, because("moment"))))
     for pair in _pairs(plan, board, [one for link in links for one in plan.couples[link] if one.kind != REACTION]):
         pairs.append(pair)
         moments.append((pair.name, _turning(board, pair)))
@@ -57,9 +58,9 @@ def lever(plan: ForcePlan) -> Lever | None:
     if not moments:
         return None
     terms = [moment for _, moment in moments]
-    force = board.balance(DRIVING, pole, line, *terms, why="the lever is in balance about its pole")
+    force = board.balance(DRIVING, pole, line, *terms, why=because("lever_balance"))
     shaft = plan.positions.point(plan.mechanism.drive.pivot)
-    moment = board.moment(BALANCING, shaft, point, force, "what that force does on the shaft")
+    moment = board.moment(BALANCING, shaft, point, force, because("shaft_moment"))
     return Lever(board, pole, tuple(loads), tuple(pairs), tuple(moments), image, force, moment)
 
 
@@ -83,15 +84,15 @@ def _pair(plan: ForcePlan, board: Board, couple: Couple, reading: Reading) -> Pa
     arm = reading.arm.step.inputs[0] if reading.arm.step.op == "transfer" else reading.arm
     start, end = arm.step.inputs
     base = plan.positions.board
-    line = base.square(f"⊥{arm.name}", end, arm, f"square to {arm.name}")
-    holding = board.balance(f"-{couple.name}/{arm.name}", start, line, couple.moment, why="against the couple")
-    force = board.turn(f"{couple.name}/{arm.name}", holding, -1.0, f"the couple over {arm.name}, at its ends")
+    line = base.square(f"⊥{arm.name}", end, arm, because("square", line=arm.name))
+    holding = board.balance(f"-{couple.name}/{arm.name}", start, line, couple.moment, why=because("against_couple"))
+    force = board.turn(f"{couple.name}/{arm.name}", holding, -1.0, because("couple", line=arm.name))
     images = [_turned(board, image) for image in reading.turning.step.inputs]
     return Pairing(couple.name, images[0], images[1], force)
 
 
 def _turning(board: Board, pair: Pairing) -> Mark:
-    why = "a couple has one moment about any point"
+    why = because("couple_moment")
     return board.moment(f"p({pair.name})", pair.start, pair.end, pair.force, why)
 
 
@@ -101,15 +102,15 @@ def _drive(plan: ForcePlan, board: Board) -> tuple[Mark, Mark, Mark]:
     if plan.driven is None or plan.driven is base.point(drive.end):
         point, image, arm = base.point(drive.end), speeds.point(drive.end), base.arm(drive.link)
         turned = _turned(board, image)
-        return turned, point, board.square(f"⊥{arm.name}", turned, arm, "the balancing force is square to the crank")
+        return turned, point, board.square(f"⊥{arm.name}", turned, arm, because("balancing_square"))
     image = speeds.transport(drive.link, plan.driven, plan.driven.name.lower())
     turned = _turned(board, image)
     along = plan.board["line of action"]
-    return turned, plan.driven, board.parallel("line of action", turned, along, "the teeth press along it")
+    return turned, plan.driven, board.parallel("line of action", turned, along, because("teeth"))
 
 
 def _turned(board: Board, image: Mark) -> Mark:
     """Turn an image by a quarter clockwise about the pole; once turned it is used again."""
     if image.name in board and board[image.name].step.inputs in ((image,), ()):
         return board[image.name]
-    return board.turn(image.name, image, -1j, "turned by a quarter about the pole")
+    return board.turn(image.name, image, -1j, because("quarter"))

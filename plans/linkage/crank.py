@@ -9,6 +9,7 @@ from plans.linkage.groups import lead
 from plans.linkage.groups.vectors import Turning, Vector
 from plans.linkage.plan import Image, Plan, Reading
 from plans.model.mechanism import Mechanism
+from plans.words.words import because
 
 
 def positions(mechanism: Mechanism, turn: CrankPositions) -> Plan:
@@ -17,10 +18,10 @@ def positions(mechanism: Mechanism, turn: CrankPositions) -> Plan:
     drive, points = mechanism.drive, mechanism.links[mechanism.drive.link].points
     pivot = plan.point(drive.pivot)
     lead = points[drive.end] - points[drive.pivot]
-    circle = plan.board.arc(f"{drive.pivot}{drive.end}", pivot, abs(lead), "crank circle")
-    angles = plan.board.given("φ", turn.directions, "crank directions")
-    end = plan.name(drive.end, plan.board.divide(drive.end, circle, angles, "the crank circle is divided"))
-    arm = plan.board.join(f"{drive.pivot}{drive.end}", pivot, end, f"link {drive.link}")
+    circle = plan.board.arc(f"{drive.pivot}{drive.end}", pivot, abs(lead), because("crank_circle"))
+    angles = plan.board.given("φ", turn.directions, because("crank_directions"))
+    end = plan.name(drive.end, plan.board.divide(drive.end, circle, angles, because("divided")))
+    arm = plan.board.join(f"{drive.pivot}{drive.end}", pivot, end, because("link", link=drive.link))
     plan.images[drive.link] = Image(pivot, arm, points[drive.pivot], lead)
     return plan
 
@@ -30,8 +31,8 @@ def velocities(plan: Plan) -> None:
     drive = plan.mechanism.drive
     base, arm = plan.positions.images[drive.link], plan.carry(plan.arm(drive.link))
     omega = 1j * drive.omega
-    part = plan.board.turn(f"v_{drive.end}", arm, omega, "omega l, square to the crank in the sense of rotation")
-    tip = plan.board.lay_off(plan.letter(drive.end), plan.pole, part, "velocity of the crank's end")
+    part = plan.board.turn(f"v_{drive.end}", arm, omega, because("crank_velocity"))
+    tip = plan.board.lay_off(plan.letter(drive.end), plan.pole, part, because("crank_end_velocity"))
     end = plan.name(drive.end, tip)
     relative = plan.board.join(f"{plan.pole.name}{end.name}", plan.pole, end)
     plan.images[drive.link] = Image(plan.pole, relative, base.at, base.span)
@@ -44,9 +45,9 @@ def accelerations(plan: Plan) -> None:
     base = plan.positions.images[drive.link]
     normal = lead.normal(plan, drive.link, plan.pole, (drive.pivot, drive.end))
     arm = lead.arm(plan, drive.link)
-    why = "epsilon l, square to the crank" if drive.epsilon else "the crank turns evenly"
+    why = because("crank_tangential") if drive.epsilon else because("even")
     part = plan.board.turn(f"a^t_{drive.end}", arm, 1j * drive.epsilon, why)
-    tip = plan.board.lay_off(plan.letter(drive.end), normal, part, "acceleration of the crank's end")
+    tip = plan.board.lay_off(plan.letter(drive.end), normal, part, because("crank_end_acceleration"))
     end = plan.name(drive.end, tip)
     whole = plan.board.join(f"{plan.pole.name}{end.name}", plan.pole, end)
     plan.images[drive.link] = Image(plan.pole, whole, base.at, base.span)

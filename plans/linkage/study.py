@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from geometry.errors import ConstructionError
+from geometry.errors import ConstructionError, DraftError
 from plans.linkage import assembly_limits, gaps
 from plans.linkage.assembly_limits import Sweep
 from plans.linkage.barrier import Barrier
@@ -28,6 +28,7 @@ from plans.model.motion import Floats, Gap, Motion
 from plans.model.order import PLANS, numbers_of
 from plans.model.structure import decompose
 from plans.scene.scene import Scene
+from plans.words.words import Message, message, placed
 
 if TYPE_CHECKING:
     from plans.study import Study
@@ -75,13 +76,18 @@ class LinkageStudy:
         try:
             return decompose(self.mechanism)
         except StructureError as error:
-            raise StructureError(f"{self._at('links')}: {error}", error.links, error.found, error.needed) from None
+            raise StructureError(self._at("links", error), error.links, error.found, error.needed) from None
 
-    def _at(self, table: str) -> str:
-        """Say where a table of the mechanism stands in the scene's file."""
+    def _at(self, table: str, error: DraftError) -> Message:
+        """Say of a table of the mechanism, where it stands in the scene's file, what is wrong."""
         there = table == "links" or bool(self.form.mechanism.sketch)
         line, column = self.scene.place(("mechanism", table) if there else ("mechanism",))
-        return f"{self.scene.file}:{line}:{column}: mechanism.{table}"
+        return placed(f"{self.scene.file}:{line}:{column}: mechanism.{table}", error.args[0])
+
+    @property
+    def language(self) -> str:
+        """The language of the scene's sheets and messages."""
+        return self.scene.sheet.language
 
     @property
     def sense(self) -> int:
@@ -96,7 +102,7 @@ class LinkageStudy:
         try:
             return assembly(self.mechanism, self.groups, start, self.looks)
         except SketchError as error:
-            raise SketchError(f"{self._at('sketch')}: {error}", error.points) from None
+            raise SketchError(self._at("sketch", error), error.points) from None
 
     @cached_property
     def looks(self) -> CrankPositions:
@@ -151,17 +157,15 @@ class LinkageStudy:
         if drive.first is not None:
             return even(Fraction(drive.first), drive.positions, self.sense)
         if self.found is None:
-            raise NoExtreme(f"{self.scene.file}:{self.scene.place(('drive', 'start'))[0]}: {self._no_extreme()}")
+            line, _ = self.scene.place(("drive", "start"))
+            raise NoExtreme(placed(f"{self.scene.file}:{line}", self._no_extreme()))
         return from_direction(self.found.directions[0], self.found.extremes.phi[0], drive.positions, self.sense)
 
-    def _no_extreme(self) -> str:
+    def _no_extreme(self) -> Message:
         if self.assembly.phi is None:
-            return f'drive.start = "extreme", but {obstruction(self.sweep)}'
-        why = obstruction(self.sweep) if self.barriers else "it turns fully or stands still"
-        return (
-            f'drive.start = "extreme", but output link {self.output.link} has no extreme position: {why}. '
-            "Fix: give the first crank angle in degrees, or name another [output]"
-        )
+            return message("extreme.unassembled", why=obstruction(self.sweep))
+        why = obstruction(self.sweep) if self.barriers else message("extreme.turns")
+        return message("extreme.none", link=self.output.link, why=why)
 
     @cached_property
     def lost(self) -> npt.NDArray[np.bool_]:

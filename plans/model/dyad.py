@@ -9,6 +9,7 @@ from typing import NamedTuple
 from geometry.meet import EPS, TANGENCY
 from plans.model.group import Joint, Pair
 from plans.model.mechanism import FRAME, Mechanism, Slide, StructureError
+from plans.words.words import message
 
 # The five kinds of two-lead groups, numbered as the textbook does (figure 6.12): outer, inner, outer pair.
 NUMBERS = {"RRR": 1, "RRP": 2, "RPR": 3, "PRP": 4, "RPP": 5}
@@ -110,7 +111,7 @@ def _named(links: tuple[int, int], hosts: tuple[int, int], outer: tuple[Joint, J
     kind = "".join(letters)
     if kind not in NUMBERS:
         raise StructureError(
-            f"links {links[0]} and {links[1]} are joined by three sliding pairs: such a group has no fixed position",
+            message("structure.three_slides", first=links[0], second=links[1]),
             links,
         )
     dyad = Dyad(kind, links, hosts, outer, inner)
@@ -118,8 +119,7 @@ def _named(links: tuple[int, int], hosts: tuple[int, int], outer: tuple[Joint, J
         slot, guided = (slide.way(links[1]).direction for slide in (inner, outer[1]))
         if abs((slot.conjugate() * guided).imag) <= TANGENCY * EPS:
             raise StructureError(
-                f"link {links[1]} has its slot parallel to the line it slides along: links {links[0]} and {links[1]} "
-                "have no fixed position; turn the slot by the slide's angle",
+                message("structure.slot", link=links[1], first=links[0], second=links[1]),
                 links,
             )
     return dyad

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from plans.model.dyad import dyads
 from plans.model.group import Group
 from plans.model.mechanism import FRAME, Mechanism, StructureError
+from plans.words.words import Message, message
 
 CLASSES = ("I", "II", "III", "IV")  # of groups and mechanisms, the simplest first
 SEARCHES = (dyads,)  # for groups that hang on solved links, those of the fewest links first
@@ -38,10 +39,7 @@ def mechanism_class(groups: Sequence[Group]) -> str:
     return max([CLASSES[0], *(group.order for group in groups)], key=CLASSES.index)
 
 
-def _no_group(mechanism: Mechanism, left: list[int]) -> str:
+def _no_group(mechanism: Mechanism, left: list[int]) -> Message:
     names = ", ".join(str(link) for link in left)
     pairs = sum(len([o for o in owners if o in left]) for owners in mechanism.hinges.values())
-    held = f"links {names} form no two-lead group with the links before them"
-    if len(left) >= 4 and pairs:
-        return f"{held}: a group of class III or higher (triad), which this version does not construct"
-    return f"{held}: each lead needs one joint with a known link and one with the other lead"
+    return message("structure.triad" if len(left) >= 4 and pairs else "structure.leads", links=names)

@@ -8,6 +8,7 @@ from geometry.board import Mark
 from plans.linkage.groups import lead
 from plans.linkage.plan import Plan
 from plans.model.dyad import Dyad
+from plans.words.words import because
 
 # Meets an arc about the crank's pivot, on a side, with what guides the inner pin; the third is the name of the meeting.
 Notch = Callable[[Mark, float, str], Mark]
@@ -37,13 +38,13 @@ def extremes(plan: Plan, dyad: Dyad, side: float, notch: Notch) -> list[Mark]:
     near, far = abs(pin(plan, dyad)), abs(lead.vector(plan, dyad, crank_end(plan, dyad)))
     found = []
     for number, radius in ((1, far + near), (2, abs(far - near))):
-        arc = board.arc(f"{pivot.name}{name}_{number}", pivot, radius, "crank and coupler in one line")
+        arc = board.arc(f"{pivot.name}{name}_{number}", pivot, radius, because("in_line"))
         # Of the folded pair the coupler points away from O where it is the longer: then B sees A as before.
         flip = -1.0 if number == 2 and far < near else 1.0
         b = notch(arc, side * flip, f"{name}_{number}")
         ray = board.join(f"{pivot.name}{b.name}", pivot, b)
         sense = flip if number == 2 else -1.0
         by = -sense * near / radius * (end(plan) / pin(plan, dyad))
-        arm = board.turn(f"{pivot.name}{drive.end}_{number}", ray, by, "crank on that line")
-        found.append(board.lay_off(f"{drive.end}_{number}", pivot, arm, f"extreme position {number}"))
+        arm = board.turn(f"{pivot.name}{drive.end}_{number}", ray, by, because("crank_on_line"))
+        found.append(board.lay_off(f"{drive.end}_{number}", pivot, arm, because("extreme", number=number)))
     return found

@@ -13,6 +13,7 @@ from plans.linkage.groups.vectors import Vector
 from plans.linkage.plan import Plan
 from plans.model.dyad import Dyad
 from plans.model.motion import Floats
+from plans.words.words import because
 
 
 def positions(plan: Plan, dyad: Dyad, side: Sizes) -> None:
@@ -21,7 +22,7 @@ def positions(plan: Plan, dyad: Dyad, side: Sizes) -> None:
     left = guide.offset(plan, dyad.slide(1), dyad.links[1], name).left
     along = guide.line(plan, dyad.slide(1), dyad.hosts[1], left)
     arc = board.arc(f"{a.name}{name}", a, abs(lead.vector(plan, dyad, 0)), f"|{a.name}{name}|")
-    b = plan.name(name, board.meet(name, along, arc, side, f"{name} is |{a.name}{name}| from {a.name}, on the guide"))
+    b = plan.name(name, board.meet(name, along, arc, side, because("on_guide", point=name, start=a.name)))
     lead.placed(plan, dyad, 0, a, b)
     guide.ride(plan, dyad, 1, b, plan.mechanism.links[dyad.links[1]].points[name])
 
@@ -66,6 +67,6 @@ def extremes(plan: Plan, dyad: Dyad, side: float) -> list[Mark]:
 
     def notch(arc: Mark, side: float, name: str) -> Mark:
         along = guide.line(plan, slide, dyad.hosts[1], left)
-        return plan.board.meet(name, along, arc, side, "the arc notches the guide")
+        return plan.board.meet(name, along, arc, side, because("arc_guide"))
 
     return crank_line.extremes(plan, dyad, side, notch)

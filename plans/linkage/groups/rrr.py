@@ -13,6 +13,7 @@ from plans.linkage.groups.vectors import Vector
 from plans.linkage.plan import Plan
 from plans.model.dyad import Dyad
 from plans.model.motion import Floats
+from plans.words.words import because
 
 
 def positions(plan: Plan, dyad: Dyad, side: Sizes) -> None:
@@ -22,7 +23,7 @@ def positions(plan: Plan, dyad: Dyad, side: Sizes) -> None:
         board.arc(f"{start.name}{name}", start, abs(lead.vector(plan, dyad, end)), f"|{start.name}{name}|")
         for end, start in enumerate((a, c))
     ]
-    why = f"{name} is |{a.name}{name}| from {a.name} and |{c.name}{name}| from {c.name}"
+    why = because("notched", point=name, start=a.name, end=c.name)
     b = plan.name(name, board.meet(name, arcs[0], arcs[1], side, why))
     lead.placed(plan, dyad, 0, a, b)
     lead.placed(plan, dyad, 1, c, b)
@@ -66,8 +67,8 @@ def extremes(plan: Plan, dyad: Dyad, side: float) -> list[Mark]:
     fixed, rocker = plan.point(dyad.hinge(1 - end)), abs(lead.vector(plan, dyad, 1 - end))
 
     def notch(arc: Mark, side: float, name: str) -> Mark:
-        other = plan.board.arc(f"{fixed.name}{name}", fixed, rocker, "the rocker's end")
-        return plan.board.meet(name, arc, other, side if end == 0 else -side, "the arcs notch each other")
+        other = plan.board.arc(f"{fixed.name}{name}", fixed, rocker, because("rocker_end"))
+        return plan.board.meet(name, arc, other, side if end == 0 else -side, because("arcs"))
 
     return crank_line.extremes(plan, dyad, side, notch)
 
