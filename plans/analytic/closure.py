@@ -50,7 +50,7 @@ def inverses(matrices: Floats) -> Floats:
         return found
 
 
-def sharpness(matrices: Floats, inverse: Floats) -> Floats:
+def reciprocal_condition(matrices: Floats, inverse: Floats) -> Floats:
     """Give the reciprocal condition (Frobenius) of N matrices with columns of unit length; 0 where one is singular."""
     lengths = np.sqrt((matrices**2).sum(axis=1))
     norms = np.sqrt(((lengths[:, :, None] * inverse) ** 2).sum(axis=(1, 2)))

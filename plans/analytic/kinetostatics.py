@@ -12,17 +12,17 @@ from typing import NamedTuple
 import numpy as np
 
 from plans.analytic.action import action, balancing, unit_force
-from plans.analytic.closure import BLUNT, inverses, rank_loss, sharpness, solutions
+from plans.analytic.closure import BLUNT, inverses, rank_loss, reciprocal_condition, solutions
 from plans.analytic.constraints import TURN, Constraints, Placement, X, Y
 from plans.analytic.gaps import unbalanced
 from plans.analytic.inertia import borne
 from plans.analytic.kinematics import Analysis
 from plans.analytic.positions import blocks
 from plans.model.group import Pair
-from plans.model.kinetostatics import DEAD_CENTRE, INDETERMINATE, Kinetostatics, Loading, Reaction, without_forces
+from plans.model.kinetostatics import INDETERMINATE, Kinetostatics, Loading, Reaction, without_forces
 from plans.model.machine import Machine
 from plans.model.mechanism import Mechanism
-from plans.model.motion import Complexes, Floats, Gap, Motion
+from plans.model.motion import DEAD_CENTRE, Complexes, Floats, Gap, Motion
 
 
 def kinetostatics(
@@ -93,7 +93,7 @@ def _lost(constraints: Constraints, poses: Floats, motion: Motion) -> dict[int, 
     told = {gap.position: without_forces(gap) for gap in motion.gaps if np.isfinite(poses[gap.position]).all()}
     at = constraints.place(poses[list(told)])
     matrices = constraints.jacobian(at)
-    blunt = sharpness(matrices, inverses(matrices)) <= BLUNT
+    blunt = reciprocal_condition(matrices, inverses(matrices)) <= BLUNT
     return {k: told[k] for k, faint in zip(told, blunt, strict=True) if faint}
 
 

@@ -11,22 +11,20 @@ from plans.analytic.assembly import Shape, assemblies, home, signs_of
 from plans.analytic.blocks import Block
 from plans.analytic.closure import EPS, SQRT_EPS, Flags, close, close_singular, closed
 from plans.analytic.constraints import TURN, Indices
-from plans.analytic.ends import (
-    AT_CHANGE,
-    BESIDE,
-    CHANGE_POINT,
-    CLEAR,
-    DEAD_CENTRE,
-    NOT_REACHABLE,
-    PARALLEL,
-    SHORTEST,
-    End,
-    Station,
-)
-from plans.analytic.gaps import BEYOND, OUT_OF_REACH, gap
+from plans.analytic.ends import AT_CHANGE, BESIDE, CLEAR, SHORTEST, End, Station
+from plans.analytic.gaps import gap
 from plans.analytic.sharpness import DOUBTFUL, least
 from plans.analytic.turn import FULL, March, survey
-from plans.model.motion import Floats, Gap
+from plans.model.motion import (
+    BEYOND_CHANGE_POINT,
+    CHANGE_POINT,
+    DEAD_CENTRE,
+    NOT_REACHABLE,
+    OUT_OF_REACH,
+    PARALLEL_GUIDES,
+    Floats,
+    Gap,
+)
 
 BLOCK = 2048  # positions solved together: their matrices stay in the cache
 # So near to a dead centre, rad, that a rounding of the crank angle moves a velocity by a thousandth of itself: more
@@ -121,7 +119,7 @@ def _at_the_end(found: Positions, shape: Shape, turn: March, end: End) -> Flags:
     apart = _apart(found.phi, end)
     at = np.abs(apart) <= end.blind
     places = [k for k in np.flatnonzero(at).tolist() if k not in found.known()]  # both may end at one position
-    treat = {CHANGE_POINT: _at_change, DEAD_CENTRE: _at_dead_centre, PARALLEL: _at_parallel}.get(end.reason)
+    treat = {CHANGE_POINT: _at_change, DEAD_CENTRE: _at_dead_centre, PARALLEL_GUIDES: _at_parallel}.get(end.reason)
     if treat is None or not places:
         return np.zeros_like(at)
     treat(found, shape, turn, end, places, apart[places])
@@ -188,7 +186,7 @@ def _at_parallel(found: Positions, shape: Shape, turn: March, end: End, places: 
         if left >= UNBORNE and reached[0] and _same(shape, turn.near(end.reached), poses[0]):
             found.poses[k], found.regular[k] = wrapped(poses)[0], True
         elif abs(left) < UNBORNE:
-            found.miss(k, "positions", PARALLEL, end)
+            found.miss(k, "positions", PARALLEL_GUIDES, end)
 
 
 def _away(last: Station, end: End, left: float) -> Floats:
@@ -222,7 +220,7 @@ def _lost(found: Positions, shape: Shape, turn: March) -> None:
         if folded or not other:
             found.miss(k, "positions", OUT_OF_REACH, end)
         elif end and end.reason == CHANGE_POINT:
-            found.miss(k, "positions", BEYOND, end)
+            found.miss(k, "positions", BEYOND_CHANGE_POINT, end)
         else:
             found.miss(k, "positions", NOT_REACHABLE, end)
 

@@ -14,8 +14,9 @@ from typing import Any
 import numpy as np
 
 from geometry import meet as loci
-from geometry.board import Arc, Line, Mark, behind
+from geometry.board import Arc, Line, Mark
 from geometry.meet import cross
+from geometry.steps import behind
 from plans.bench.error import shares
 from plans.bench.truth import MOMENT, Replay, Truth
 from plans.model.motion import Complexes, Floats

@@ -9,8 +9,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from geometry.board import behind
 from geometry.meet import UNBORNE
+from geometry.steps import behind
 from geometry.tracing import Tracing
 from plans.forces.cut import Support
 from plans.forces.force import ForcePlan

@@ -17,7 +17,6 @@ from plans.forces.reading.form import ForceForm
 from plans.forces.reading.inventory import machine_of
 from plans.forces.stroke import NoStroke, Stroke, strokes
 from plans.linkage.assembly_limits import at_angles
-from plans.linkage.barrier import CHANGE
 from plans.linkage.carrying import Drawing
 from plans.linkage.drafts import Drafts
 from plans.linkage.extreme import extremes
@@ -27,7 +26,6 @@ from plans.linkage.plan_template import PlanTemplate
 from plans.linkage.study import BLOCK, LinkageStudy
 from plans.model.group import Pair
 from plans.model.kinetostatics import (
-    DEAD_CENTRE,
     FORCES,
     INDETERMINATE,
     Balancing,
@@ -39,7 +37,7 @@ from plans.model.kinetostatics import (
 )
 from plans.model.machine import Machine
 from plans.model.mechanism import Output, StructureError
-from plans.model.motion import Extremes, Floats, Gap, Motion
+from plans.model.motion import CHANGE_POINT, DEAD_CENTRE, Extremes, Floats, Gap, Motion
 from plans.model.order import VELOCITIES
 from plans.scene.faults import SceneError
 from plans.words.words import Message, message, placed
@@ -221,8 +219,10 @@ class Statics:
 
     def _reason(self, position: int) -> str:
         """Say why a position that has velocities has no forces."""
-        changes = [b for b in (*self.study.barriers, *self.study.passed) if b.kind == CHANGE]
-        return INDETERMINATE if near_edge(self.study.turn.phi[[position]], changes, (CHANGE,)).any() else DEAD_CENTRE
+        changes = [b for b in (*self.study.barriers, *self.study.passed) if b.kind == CHANGE_POINT]
+        return (
+            INDETERMINATE if near_edge(self.study.turn.phi[[position]], changes, (CHANGE_POINT,)).any() else DEAD_CENTRE
+        )
 
     def _gap(self, position: int, reason: str, where: str | Message) -> Gap:
         """Name a position that can be assembled, but has no forces."""

@@ -15,7 +15,7 @@ import numpy.typing as npt
 from geometry.board import Mark
 from geometry.meet import UNBORNE
 from plans.linkage.acceleration import accelerations
-from plans.linkage.barrier import CHANGE, GAP, PARALLEL, SAME, Barrier, Edge
+from plans.linkage.barrier import SAME, Barrier, Edge
 from plans.linkage.carrying import Drawing, Passed, carried
 from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.groups.kinds import KINDS
@@ -26,7 +26,7 @@ from plans.linkage.position import positions
 from plans.linkage.velocity import velocities
 from plans.model.group import Group
 from plans.model.mechanism import Mechanism
-from plans.model.motion import Floats, Motion
+from plans.model.motion import CHANGE_POINT, OUT_OF_REACH, PARALLEL_GUIDES, Floats, Motion
 
 NODES = 720  # crank angles of a sweep: half a degree
 NODE_ANGLES = 2 * np.pi * np.arange(NODES) / NODES
@@ -65,7 +65,7 @@ class Sweep:
         """Give the sweep that is carried through all change points; group after group, for one moves the next."""
         sweep = self
         while True:
-            met = [Passed(b.group, b.middle) for b in sweep.barriers if b.kind == CHANGE]
+            met = [Passed(b.group, b.middle) for b in sweep.barriers if b.kind == CHANGE_POINT]
             new = [one for one in met if not any(_alike(one, other) for other in sweep.passed)]
             if not new:
                 return sweep
@@ -89,7 +89,7 @@ class Sweep:
     def passes(self, barrier: Barrier) -> bool:
         """Tell whether a barrier is a change point that the linkage is carried through."""
         here = Passed(barrier.group, barrier.middle)
-        return barrier.kind == CHANGE and any(_alike(here, other) for other in self.passed)
+        return barrier.kind == CHANGE_POINT and any(_alike(here, other) for other in self.passed)
 
     def pattern(self, order: int) -> PlanTemplate | Drawing:
         """Give the pattern of the plans up to an order: 0 positions, 1 velocities, 2 accelerations."""
@@ -197,7 +197,7 @@ class Sweep:
             failing = ~(field > UNBORNE)  # with a pin that runs to infinity, groups that hang on it fail as well
         if not missing.any():
             group = int(np.nanargmin(np.nanmin(field, axis=1)))
-            ends = [Edge(phi, beyond, CHANGE, group, marks[group].name) for phi, beyond in (start, end)]
+            ends = [Edge(phi, beyond, CHANGE_POINT, group, marks[group].name) for phi, beyond in (start, end)]
             return Barrier((ends[0], ends[1]), 0.0)
         groups = [int(np.argmax(failing[:, k] if failing[:, k].any() else missing)) for k in (-2, -1)]
         ends = [self._named(*edge, group, marks[group]) for edge, group in zip((start, end), groups, strict=True)]
@@ -205,7 +205,7 @@ class Sweep:
         return Barrier((ends[0], ends[1]), max(misses, default=0.0))
 
     def _named(self, phi: float, beyond: float, group: int, mark: Mark) -> Edge:
-        return Edge(phi, beyond, GAP if of_arcs(mark) else PARALLEL, group, mark.name)
+        return Edge(phi, beyond, OUT_OF_REACH if of_arcs(mark) else PARALLEL_GUIDES, group, mark.name)
 
 
 def _least(before: float, middle: float, after: float) -> float:

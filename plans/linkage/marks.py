@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from geometry.board import Mark, at, behind
+from geometry.board import Mark, at
 from geometry.meet import cross
+from geometry.steps import behind
 from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.linkage.drafts import Drafts
 from plans.linkage.plan import Plan

@@ -14,11 +14,11 @@ import numpy as np
 
 from plans.model.group import Group, Joint, Pair
 from plans.model.mechanism import FRAME, Mechanism
-from plans.model.motion import CHANGE_POINT, Complexes, Floats, Gap
+from plans.model.motion import CHANGE_POINT, DEAD_CENTRE, Complexes, Floats, Gap
 from plans.model.order import VELOCITIES
 
 FORCES = "forces"  # the plan of gaps where a machine is assembled, but has no forces; their two reasons
-DEAD_CENTRE, INDETERMINATE = "dead centre", "statically indeterminate"
+INDETERMINATE = "statically indeterminate"
 # Share of a machine's largest force: less is the rounding of numbers that a scene gives with twelve digits.
 NOTHING = 1e-9
 

@@ -11,7 +11,9 @@ import numpy.typing as npt
 
 from plans.words.words import Message
 
-CHANGE_POINT = "change point"  # why a position that is assembled may have no velocities
+# Why a position has no places, or no velocities; the first three are also what bars the crank.
+OUT_OF_REACH, CHANGE_POINT, PARALLEL_GUIDES = "out of reach", "change point", "parallel guides"
+DEAD_CENTRE, BEYOND_CHANGE_POINT, NOT_REACHABLE = "dead centre", "beyond a change point", "not reachable"
 
 Complexes = npt.NDArray[np.complex128]
 Floats = npt.NDArray[np.float64]

@@ -7,10 +7,11 @@ from decimal import Decimal
 import numpy as np
 import pytest
 
-from geometry.board import Mark, at, behind
+from geometry.board import Mark, at
 from geometry.meet import EPS
 from geometry.precision import condition, errors
 from geometry.replay import exact
+from geometry.steps import behind
 from plans.forces.cut import INERTIA
 from plans.forces.statics import Statics
 from tests.plans.force_cases import DYADS, ROADS, WORKED, compared, finding, of_road, statics_of, text_of, worked

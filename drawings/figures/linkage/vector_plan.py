@@ -18,7 +18,8 @@ from drawings.paper.strokes import Group, Line, LineStyle, Stroke, Text
 from drawings.symbols.figure import Subject, heading, point, vector
 from drawings.symbols.symbols import pole
 from geometry.board import Line as Direction
-from geometry.board import Mark, at, behind
+from geometry.board import Mark, at
+from geometry.steps import behind
 from plans.linkage.plan import Plan
 from plans.model.order import ORDERS
 
