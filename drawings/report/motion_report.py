@@ -18,7 +18,7 @@ from drawings.report.markdown import chapter, header, heading, row
 from plans.checks.compare import NOT_GRADED, MotionComparison, notches
 from plans.checks.comparison import Finding
 from plans.linkage.barrier import Barrier
-from plans.linkage.extreme import Found
+from plans.linkage.extreme import ExtremePositions
 from plans.linkage.pressure import interval
 from plans.linkage.study import LinkageStudy
 from plans.model.dyad import RUSSIAN
@@ -103,14 +103,14 @@ def _structure(study: LinkageStudy) -> Iterator[str]:
 def _extremes(study: LinkageStudy) -> Iterator[str]:
     yield chapter(study.language, "extremes")
     yield word(study.language, "report.output", output=shown(study)[1:])
-    if study.found is None:
+    if study.extreme_positions is None:
         yield word(study.language, "report.no_extremes", link=study.output.link)
     else:
-        yield from _travel(study, study.found)
+        yield from _travel(study, study.extreme_positions)
     yield from _pressure(study)
 
 
-def _travel(study: LinkageStudy, found: Found) -> Iterator[str]:
+def _travel(study: LinkageStudy, found: ExtremePositions) -> Iterator[str]:
     """Tell the extreme positions of an output, how far it goes, and its time ratio."""
     say, extremes = partial(word, study.language), found.extremes
     way = "report.by_notches" if found.notched else "report.by_velocity"

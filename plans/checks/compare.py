@@ -65,7 +65,7 @@ def compare(study: LinkageStudy, order: int = 2) -> MotionComparison:
     for k in range(order + 1):
         findings += _points(study, drafts, k, drawn, solved, kappa)
         findings += _links(drafts, k, drawn, solved, kappa)
-    return MotionComparison(drawn, solved, capped(study, findings), kappa, road)
+    return MotionComparison(drawn, solved, cap(study, findings), kappa, road)
 
 
 def comparison_of(study: Study) -> MotionComparison:
@@ -81,7 +81,7 @@ def notches(study: LinkageStudy) -> Floats:
     return np.array([np.broadcast_to(condition(mark), count) for mark in marks]).reshape(len(marks), count)
 
 
-def capped(study: LinkageStudy, findings: Sequence[Finding]) -> tuple[Finding, ...]:
+def cap(study: LinkageStudy, findings: Sequence[Finding]) -> tuple[Finding, ...]:
     """Allow no more than MOST_ALLOWED of the largest where the construction is sharp."""
     sharp = ~(notches(study).max(axis=0, initial=1.0) >= NOT_GRADED)
     mosts = (np.where(sharp, MOST_ALLOWED * finding.largest, np.inf) for finding in findings)
@@ -91,7 +91,8 @@ def capped(study: LinkageStudy, findings: Sequence[Finding]) -> tuple[Finding, .
 
 def compare_extremes(study: LinkageStudy, comparison: MotionComparison) -> MotionComparison:
     """Add the output's extreme positions, their crank angles, stroke and overlap, found by both roads."""
-    ours, theirs = None if study.found is None else study.found.extremes, comparison.road.extremes(study.output)
+    found, theirs = study.extreme_positions, comparison.road.extremes(study.output)
+    ours = None if found is None else found.extremes
     told = ours or theirs
     if told is None:
         return comparison

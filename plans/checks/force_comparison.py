@@ -13,7 +13,7 @@ from geometry.precision import errors
 from plans.analytic.energy import energy_balance
 from plans.analytic.kinetostatics import kinetostatics
 from plans.analytic.power import balancing_moment
-from plans.checks.compare import MotionComparison, capped, largest_of, with_analysis
+from plans.checks.compare import MotionComparison, cap, largest_of, with_analysis
 from plans.checks.comparison import Comparison, Finding
 from plans.checks.equilibrium import BALANCING, Bounds, acting, balances, power
 from plans.forces.cut import INERTIA, Support, indices
@@ -57,8 +57,8 @@ def compare_forces(statics: Statics, motion: MotionComparison) -> ForceCompariso
     theirs = kinetostatics(motion.road, machine, motion.analysis, loads, statics.pairs)
     ours = statics.forces
     both = _Compared(statics, motion, ours, theirs)
-    forces = *capped(study, [*both.reactions(), *both.balancing(loads)]), both.energy(loads)
-    compared = ForceComparison(ours, theirs, (*forces, *capped(study, [*both.sums()])), motion)
+    forces = *cap(study, [*both.reactions(), *both.balancing(loads)]), both.energy(loads)
+    compared = ForceComparison(ours, theirs, (*forces, *cap(study, [*both.sums()])), motion)
     return _with_friction(statics, compared, loads) if machine.friction else compared
 
 

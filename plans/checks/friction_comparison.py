@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
-from plans.checks.compare import MotionComparison, capped, largest_of, with_analysis
+from plans.checks.compare import MotionComparison, cap, largest_of, with_analysis
 from plans.checks.comparison import Comparison, Finding
 from plans.forces.cut import indices
 from plans.forces.rubbing import rate
@@ -31,7 +31,7 @@ def compare_friction(
     assert ours is not None  # the machine has friction
     both = _Compared(statics, motion, forces, (ours, theirs))
     powers = both.powers(statics.loading(motion.construction))
-    told = *capped(study, [*powers, *both.locking()]), *both.efficiency(), *both.wear(), *both.jams()
+    told = *cap(study, [*powers, *both.locking()]), *both.efficiency(), *both.wear(), *both.jams()
     return ours, told
 
 

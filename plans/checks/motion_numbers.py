@@ -84,7 +84,8 @@ def numbers(study: Study, by: str) -> MotionNumbers:
 
 def _constructed(study: LinkageStudy, order: int) -> tuple[Motion, Extremes | None, None]:
     motion = study.motion(order)
-    return motion, study.found.extremes if study.form.drive.first is None and study.found else None, None
+    found = study.extreme_positions if study.form.drive.first is None else None
+    return motion, found.extremes if found else None, None
 
 
 def _analysed(study: LinkageStudy, order: int) -> tuple[Motion, Extremes | None, Analysis]:

@@ -92,7 +92,7 @@ class ForcePlan:
             self.given.append(mark)
             self.couples[twist.link].append(Couple(twist.name, twist.link, mark, LOAD))
 
-    def redrawn(self, boards: Mapping[str, Board], made: Mapping[Mark, Mark], below: Sequence[Plan]) -> ForcePlan:
+    def redraw(self, boards: Mapping[str, Board], made: Mapping[Mark, Mark], below: Sequence[Plan]) -> ForcePlan:
         """Give this plan as it is on other boards, whose marks are named by those of this one."""
         other = copy(self)
         other.positions, other.velocities, other.accelerations = below

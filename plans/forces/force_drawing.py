@@ -11,7 +11,7 @@ from geometry.board import Mark
 from geometry.meet import UNBORNE
 from plans.forces.cut import Support
 from plans.forces.force import ForcePlan
-from plans.forces.force_template import Drawn, reaction_of, row
+from plans.forces.force_template import ForcePlans, reaction_of, row
 from plans.forces.groups import forces
 from plans.forces.lever import lever
 from plans.linkage.groups import guide
@@ -33,13 +33,13 @@ class ForceDrawing:
         return forces(plans[2], self.groups, self.machine, loading)
 
     @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, and is named outside
-    def drawn(self, plan: ForcePlan) -> Drawn:
+    def plans_of(self, plan: ForcePlan) -> ForcePlans:
         """Give the force plan itself, and the lever."""
-        return Drawn(plan, lever(plan))
+        return ForcePlans(plan, lever(plan))
 
     def hung(self, plan: ForcePlan, count: int) -> Floats | None:
         """Read the balancing moment off the lever."""
-        hung = self.drawn(plan).lever
+        hung = self.plans_of(plan).lever
         return None if hung is None else np.asarray(row(hung.moment.point, count).real)
 
     def singular(self, plan: ForcePlan, count: int) -> Any:

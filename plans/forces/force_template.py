@@ -26,7 +26,7 @@ from plans.model.machine import Machine
 from plans.model.motion import Floats
 
 
-class Drawn(NamedTuple):
+class ForcePlans(NamedTuple):
     """The force plan and the lever at the positions of some plans, their marks made."""
 
     plan: ForcePlan
@@ -112,14 +112,14 @@ class ForcePattern:
         force, r = (numbers[self.tracing.place(mark)] for mark in (plan.drive, plan.driven))
         return Balancing(moment, row(force, count), row(r, count))
 
-    def drawn(self, numbers: list[Any]) -> Drawn:
+    def plans_of(self, numbers: list[Any]) -> ForcePlans:
         """Make the plans that have these numbers of the force plan, and the lever."""
         boards, made = self._hung.boards(self.hang(numbers))
         plans: list[Plan] = []
         for plan in self.pattern.plans:
-            plans.append(plan.redrawn(boards[plan.board.subject], made, tuple(plans)))
-        found = self.plan.redrawn(boards, made, plans)
-        return Drawn(found, remade(self.lever, made, boards))
+            plans.append(plan.redraw(boards[plan.board.subject], made, tuple(plans)))
+        found = self.plan.redraw(boards, made, plans)
+        return ForcePlans(found, remade(self.lever, made, boards))
 
 
 def reaction_of(support: Support, r: Any, force: Any, moment: Any, along: Any, *, count: int) -> Reaction:

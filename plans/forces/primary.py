@@ -33,7 +33,7 @@ def primary(plan: ForcePlan) -> Cut:
         driving = [(DRIVING, plan.drive, PART)]
     armed = tuple(load for load in loads if load.at is not shaft)
     equation = Equation(shaft, armed, tuple(couples), line, plan.drive or plan.balancing)
-    laid = statics.chain(plan, str(drive.link), *driving, *statics.known(loads))
+    laid = statics.chain(plan, str(drive.link), *driving, *statics.known_sides(loads))
     name = f"R_{indices(FRAME, drive.link)}"
     force = board.join(name, laid.end, laid.start, because("closing"))
     support = statics.support(plan, (FRAME, drive.link), drive.pivot, force)

@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from plans.forces.force_drawing import ForceDrawing
-from plans.forces.force_template import Drawn, ForcePattern
+from plans.forces.force_template import ForcePattern, ForcePlans
 from plans.forces.loading import loading
 from plans.forces.reading.form import ForceForm
 from plans.forces.reading.inventory import machine_of
@@ -77,10 +77,10 @@ class ForceDrafts:
         return self.statics.loading(self.motion)
 
     @cached_property
-    def plans(self) -> Drawn:
+    def plans(self) -> ForcePlans:
         """The force plan and the lever, their marks made."""
         pattern, numbers = self._followed
-        return pattern.drawn(numbers)
+        return pattern.plans_of(numbers)
 
     def read(self) -> tuple[Kinetostatics, npt.NDArray[np.bool_]]:
         """Read the forces off the plans; tell where they have no answer."""
@@ -142,7 +142,7 @@ class Statics:
 
     def _extremes(self, output: Output) -> Extremes | None:
         """Find the extreme positions of an output by construction."""
-        found = self.study.found if output == self.study.output else extremes(self.study.sweep, output)
+        found = self.study.extreme_positions if output == self.study.output else extremes(self.study.sweep, output)
         return None if found is None else found.extremes
 
     def loading(self, motion: Motion) -> Loading:

@@ -94,7 +94,7 @@ class Sweep:
     def pattern(self, order: int) -> PlanTemplate | Drawing:
         """Give the pattern of the plans up to an order: 0 positions, 1 velocities, 2 accelerations."""
         if self.passed:
-            return Drawing(self.drawn, self.groups, order)
+            return Drawing(self.positions, self.groups, order)
         if order not in self._patterns:
             plans = [self.plan(np.zeros(1))]
             if order > 0:
@@ -106,14 +106,14 @@ class Sweep:
 
     def plan(self, phi: Floats) -> Plan:
         """Draw the plan of positions at some crank angles."""
-        return self.drawn(at_angles(phi))
+        return self.positions(at_angles(phi))
 
     def motion(self, turn: CrankPositions, order: int) -> Motion:
         """Give the motion at the crank positions of a turn, reached or not, by the pattern of an order of plans."""
         pattern = self.pattern(order)
         return pattern.read(pattern.follow(turn), turn)
 
-    def drawn(self, turn: CrankPositions) -> Plan:
+    def positions(self, turn: CrankPositions) -> Plan:
         """Draw the plan of positions at the crank positions of a turn."""
         sides = carried(self.sides, self.passed, turn.phi, self.home) if self.passed else self.sides
         return positions(self.mechanism, self.groups, sides, turn)

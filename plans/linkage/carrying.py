@@ -49,12 +49,12 @@ def carried(sides: Sequence[float], passed: Sequence[Passed], phi: Floats, home:
 class Drawing:
     """Plans up to an order, drawn anew wherever they are asked for: no pattern fits sides that change."""
 
-    def __init__(self, drawn: Callable[[CrankPositions], Plan], groups: Sequence[Group], order: int) -> None:
-        self._drawn, self.groups, self.order = drawn, groups, order
+    def __init__(self, positions: Callable[[CrankPositions], Plan], groups: Sequence[Group], order: int) -> None:
+        self._positions, self.groups, self.order = positions, groups, order
 
     def follow(self, turn: CrankPositions) -> list[Plan]:
         """Draw the plans at some crank positions."""
-        plans = [self._drawn(turn)]
+        plans = [self._positions(turn)]
         for draw in (velocities, accelerations)[: self.order]:
             plans.append(draw(plans[-1], self.groups))
         return plans
@@ -63,7 +63,7 @@ class Drawing:
         """Tell whether no meeting of the plans is near a miss or a dead centre."""
         return all(plan.board.clear for plan in plans)
 
-    def drawn(self, plans: list[Plan]) -> list[Plan]:
+    def plans_of(self, plans: list[Plan]) -> list[Plan]:
         """Give the plans themselves."""
         return plans
 

@@ -85,7 +85,7 @@ class Drafts:
         """The plan of an order: 0 positions, 1 velocities, 2 accelerations."""
         if not self._plans:
             pattern, numbers = self._record or self.follow(order)
-            self._plans = pattern.drawn(numbers)
+            self._plans = pattern.plans_of(numbers)
         for asked in ORDERS[len(self._plans) : order + 1]:
             self.study.made.setdefault(asked.plan)
             draw = velocities if asked is VELOCITIES else accelerations

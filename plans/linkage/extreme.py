@@ -31,7 +31,7 @@ EQUAL = 1e-7
 STILL = CrankPositions(np.zeros(1), np.ones(1, dtype=complex))  # a crank to draw extremes over: at any angle
 
 
-class Found(NamedTuple):
+class ExtremePositions(NamedTuple):
     """Extremes with the crank's directions there, for a turn that starts exactly at one of them."""
 
     extremes: Extremes
@@ -65,7 +65,7 @@ def notches(mechanism: Mechanism, groups: Sequence[Group], sides: Sequence[float
     return None
 
 
-def extremes(sweep: Sweep, out: Output) -> Found | None:
+def extremes(sweep: Sweep, out: Output) -> ExtremePositions | None:
     """Find the output's two extreme positions over a free turn; None where it has none, as a link that turns fully.
 
     The working stroke, to which the crank gives the larger angle, comes first (рабочий ход).
@@ -92,7 +92,9 @@ def extremes(sweep: Sweep, out: Output) -> Found | None:
         (phi[0], phi[1]), (float(reach[first]), float(reach[second])), travel.sliding, max(work - np.pi, 0.0)
     )
     by_notch = drawn[0] if drawn and all(directions[k][1] for k in (first, second)) else None
-    return Found(found, (complex(exact.directions[first]), complex(exact.directions[second])), by_notch, tuple(places))
+    return ExtremePositions(
+        found, (complex(exact.directions[first]), complex(exact.directions[second])), by_notch, tuple(places)
+    )
 
 
 def _resting(sweep: Sweep) -> Sweep:

@@ -122,7 +122,7 @@ def of_positions(
     """Say why some positions are lost, and what would mend them; `turn` holds those positions alone."""
     if not positions:
         return []
-    plan = sweep.drawn(turn)
+    plan = sweep.positions(turn)
     field, marks = margins(plan, sweep.groups, sweep.sides)
     nowhere = undefined(plan, sweep.groups)
     misses = [np.broadcast_to(0.0 if mark.miss is None else mark.miss, len(turn)) for mark in marks]

@@ -125,7 +125,8 @@ def test_it_is_drawn_as_the_same_links_without_the_plate_are() -> None:
     for name, point in theirs.points.items():
         assert all(np.array_equal(one, other) for one, other in zip(ours.points[name], point, strict=True)), name
     assert all(np.array_equal(one, other) for one, other in zip(ours.links[4], ours.links[3], strict=True))
-    assert three.found == two.found or (three.found and two.found and three.found.extremes == two.found.extremes)
+    ends, same = three.extreme_positions, two.extreme_positions
+    assert ends is not None and same is not None and ends.extremes == same.extremes
 
 
 def test_its_pressure_angle_and_its_barriers_are_those_of_its_row() -> None:

@@ -79,8 +79,8 @@ def _at(
 
 def _extremes(study: LinkageStudy, comparison: MotionComparison) -> Iterator[tuple[str, str, str, float, float]]:
     """Judge the extreme positions of the output by both roads."""
-    roads = {"construction": study.found.extremes if study.found else None}
-    roads["analysis"] = comparison.road.extremes(study.output) if study.found else None
+    roads = {"construction": study.extreme_positions.extremes if study.extreme_positions else None}
+    roads["analysis"] = comparison.road.extremes(study.output) if study.extreme_positions else None
     for road, told in roads.items():
         for name, phi in zip(("start", "end"), told.phi if told else (), strict=False):
             try:
