@@ -129,11 +129,11 @@ def _both(shape: Shape, block: Block, poses: Floats, phi: Floats) -> Floats:
         done = np.sort(np.concatenate((done, here)))
     lost = np.asarray(np.isnan(found[:, :, 0, 0]).all(axis=0))
     lost[::coarse] = False
-    _probed(block, found, np.flatnonzero(lost), poses, phi)
+    _probe(block, found, np.flatnonzero(lost), poses, phi)
     return found
 
 
-def _probed(block: Block, found: Floats, lost: Indices, poses: Floats, phi: Floats) -> None:
+def _probe(block: Block, found: Floats, lost: Indices, poses: Floats, phi: Floats) -> None:
     """Try crank angles without an assembly beside them from rough poses: an arc of the crank may begin there."""
     every = -(-lost.size // PROBES) or 1
     probes = lost[::every]

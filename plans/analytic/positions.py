@@ -74,7 +74,7 @@ def find(shape: Shape, phi: Floats, first: bool, looks: Floats, tolerance: float
     for end in (*turn.ends, *turn.passed):
         passed &= ~_at_the_end(found, shape, turn, end)
     _along(found, shape, turn, crank, passed, tolerance)
-    _lost(found, shape, turn)
+    _tell_lost(found, shape, turn)
     found.gaps.sort(key=lambda missing: missing.position)
     return found
 
@@ -100,10 +100,10 @@ def _along(found: Positions, shape: Shape, turn: March, crank: Floats, passed: F
         found.poses[here[reached]] = poses[reached]
         found.regular[here[reached]] = True
         if min(station.sharp for station in turn.stations) < DOUBTFUL:
-            _unborne(found, shape, turn, here[reached])
+            _tell_unborne(found, shape, turn, here[reached])
 
 
-def _unborne(found: Positions, shape: Shape, turn: March, here: Indices) -> None:
+def _tell_unborne(found: Positions, shape: Shape, turn: March, here: Indices) -> None:
     """Tell no velocities right beside a change point, or where a block all but comes to its dead centre."""
     jacobian = shape.constraints.jacobian(shape.constraints.place(found.poses[here]))
     for k in here[least(shape.blocks, jacobian, found.poses[here]) ** 2 < UNBORNE].tolist():
@@ -202,7 +202,7 @@ def _same(shape: Shape, near: Station, poses: Floats) -> bool:
     return bool((signs_of(shape.blocks, jacobian) == np.sign(near.dets)).all())
 
 
-def _lost(found: Positions, shape: Shape, turn: March) -> None:
+def _tell_lost(found: Positions, shape: Shape, turn: March) -> None:
     """Say of every position not found why that is."""
     untold = np.isnan(found.poses[:, 0, 0])
     untold[list(found.known())] = False

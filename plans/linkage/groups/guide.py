@@ -44,10 +44,10 @@ def unit(plan: Plan, slide: Slide, host: int) -> Mark | None:
 def direction(plan: Plan, slide: Slide, host: int) -> Mark:
     """Give a guide's unit direction on the plan of positions."""
     unit(plan.positions, slide, host)
-    return constructed(plan, slide)
+    return known_direction(plan, slide)
 
 
-def constructed(plan: Plan, slide: Slide) -> Mark:
+def known_direction(plan: Plan, slide: Slide) -> Mark:
     """Give the direction of a sliding line that stands on the plan of positions already."""
     direction = plan.positions.units[key(slide)]
     assert direction is not None  # every line has a direction on the plan of positions
@@ -56,11 +56,11 @@ def constructed(plan: Plan, slide: Slide) -> Mark:
 
 def crossing(plan: Plan, first: Slide, second: Slide) -> Floats:
     """Give 90 degrees less the angle between the sliding lines of a group with two of them, (N,) rad."""
-    turned = np.asarray(constructed(plan, first).point) / np.asarray(constructed(plan, second).point)
+    turned = np.asarray(known_direction(plan, first).point) / np.asarray(known_direction(plan, second).point)
     return np.asarray(np.arctan2(turned.real, np.abs(turned.imag)))
 
 
-def shifted(plan: Plan, through: Mark, along: Mark, left: float, name: str) -> Mark:
+def shift(plan: Plan, through: Mark, along: Mark, left: float, name: str) -> Mark:
     """Draw the line through a point along a unit direction, shifted to the left by a distance."""
     board = plan.board
     if left != 0:
@@ -72,7 +72,7 @@ def shifted(plan: Plan, through: Mark, along: Mark, left: float, name: str) -> M
 def line(plan: Plan, slide: Slide, host: int, left: float) -> Mark:
     """Draw on the plan of positions the line that a pin `left` of a host's guide runs along."""
     through = plan.place(host, slide.way(host).through, f"K{slide.slider}")
-    return shifted(plan, through, direction(plan, slide, host), left, f"guide of {slide.point}")
+    return shift(plan, through, direction(plan, slide, host), left, f"guide of {slide.point}")
 
 
 def sliding_line(plan: Plan, slide: Slide, host: int, over: Mark) -> Mark:

@@ -30,7 +30,7 @@ def arm(plan: Plan, link: int) -> Mark:
     return plan.carry(plan.arm(link))
 
 
-def placed(plan: Plan, dyad: Dyad, end: int, start: Mark, tip: Mark) -> None:
+def keep_place(plan: Plan, dyad: Dyad, end: int, start: Mark, tip: Mark) -> None:
     """Keep a lead on the plan of positions by the vector between its hinges."""
     link = plan.mechanism.links[dyad.links[end]]
     drawn = plan.board.join(f"{start.name}{tip.name}", start, tip, because("link", link=link.number))
@@ -54,13 +54,13 @@ def normal(plan: Plan, link: int, start: Mark, ends: tuple[str, str]) -> Mark:
     return plan.board.lay_off(name, start, part, because("to_centre"))
 
 
-def met(plan: Plan, point: str, first: Mark, second: Mark) -> Mark:
+def meet_directions(plan: Plan, point: str, first: Mark, second: Mark) -> Mark:
     """Meet the two known directions in the image of the inner pair's point."""
     name = plan.letter(point)
     return plan.name(point, plan.board.meet(name, first, second, why=because("both_directions", point=name)))
 
 
-def turned(plan: Plan, link: int, start: Mark, turning_from: Mark, tip: Mark) -> None:
+def keep_turning(plan: Plan, link: int, start: Mark, turning_from: Mark, tip: Mark) -> None:
     """Keep a lead's image from start to tip, and the turning part that its omega or epsilon is read from."""
     base = plan.positions.images[link]
     relative = plan.board.join(f"{start.name}{tip.name}", start, tip)

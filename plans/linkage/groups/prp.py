@@ -52,7 +52,7 @@ def pressure(plan: Plan, dyad: Dyad) -> Floats:
 
 
 def _met(plan: Plan, dyad: Dyad, lines: list[Mark]) -> Mark:
-    b = lead.met(plan, dyad.pin, lines[0], lines[1])
+    b = lead.meet_directions(plan, dyad.pin, lines[0], lines[1])
     for end, link in enumerate(dyad.links):
         guide.ride(plan, dyad, end, b, plan.positions.images[link].at)
     return b

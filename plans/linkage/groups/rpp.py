@@ -24,7 +24,7 @@ def positions(plan: Plan, dyad: Dyad, side: Sizes) -> None:
     slot = board.turn(f"u{yoke}", guided, angle, because("slot_angle"))
     plan.units[guide.key(inner)] = slot
     left = guide.offset(plan, inner, stone, dyad.hinge(0)).left
-    through = guide.shifted(plan, a, slot, -left, f"slot of {dyad.hinge(0)}")
+    through = guide.shift(plan, a, slot, -left, f"slot of {dyad.hinge(0)}")
     local, own = _crossing(inner.way(yoke), outer.way(yoke)), plan.mechanism.links[yoke].points
     name = next((point for point, place in own.items() if place == local), f"N{yoke}")
     n = board.meet(name, through, guide.line(plan, outer, dyad.hosts[1], 0.0), why=because("slot_crosses"))

@@ -68,7 +68,7 @@ def accelerations(plan: Plan, dyad: Dyad) -> None:
 
 def meeting(plan: Plan, dyad: Dyad) -> Mark:
     """Give the slot's direction: it has none where the pin comes to the pivot."""
-    return guide.constructed(plan, dyad.slide())
+    return guide.known_direction(plan, dyad.slide())
 
 
 def vectors(dyad: Dyad) -> Iterator[Vector]:
@@ -79,7 +79,7 @@ def vectors(dyad: Dyad) -> Iterator[Vector]:
 def pressure(plan: Plan, dyad: Dyad) -> Floats:
     """Read off its pressure angle, (N,) rad: from the slot to the arm from its link's pivot to the pin."""
     a, c = (np.asarray(mark.point) for mark in _outer(plan, dyad))
-    turned = (a - c) / np.asarray(guide.constructed(plan, dyad.slide()).point)
+    turned = (a - c) / np.asarray(guide.known_direction(plan, dyad.slide()).point)
     return np.asarray(np.arctan2(turned.imag, np.abs(turned.real)))
 
 

@@ -25,16 +25,16 @@ def positions(plan: Plan, dyad: Dyad, side: Sizes) -> None:
     ]
     why = because("notched", point=name, start=a.name, end=c.name)
     b = plan.name(name, board.meet(name, arcs[0], arcs[1], side, why))
-    lead.placed(plan, dyad, 0, a, b)
-    lead.placed(plan, dyad, 1, c, b)
+    lead.keep_place(plan, dyad, 0, a, b)
+    lead.keep_place(plan, dyad, 1, c, b)
 
 
 def velocities(plan: Plan, dyad: Dyad) -> None:
     """Meet the velocity of B about A, square to AB, with that about C, square to CB (M3.2)."""
     a, c = _outer(plan, dyad)
-    b = lead.met(plan, dyad.pin, lead.about(plan, dyad.links[0], a), lead.about(plan, dyad.links[1], c))
-    lead.turned(plan, dyad.links[0], a, a, b)
-    lead.turned(plan, dyad.links[1], c, c, b)
+    b = lead.meet_directions(plan, dyad.pin, lead.about(plan, dyad.links[0], a), lead.about(plan, dyad.links[1], c))
+    lead.keep_turning(plan, dyad.links[0], a, a, b)
+    lead.keep_turning(plan, dyad.links[1], c, c, b)
 
 
 def accelerations(plan: Plan, dyad: Dyad) -> None:
@@ -44,9 +44,11 @@ def accelerations(plan: Plan, dyad: Dyad) -> None:
         lead.normal(plan, link, start, (dyad.hinge(end), dyad.pin))
         for end, (link, start) in enumerate(zip(dyad.links, starts, strict=True))
     ]
-    b = lead.met(plan, dyad.pin, lead.about(plan, dyad.links[0], ends[0]), lead.about(plan, dyad.links[1], ends[1]))
+    b = lead.meet_directions(
+        plan, dyad.pin, lead.about(plan, dyad.links[0], ends[0]), lead.about(plan, dyad.links[1], ends[1])
+    )
     for link, start, end in zip(dyad.links, starts, ends, strict=True):
-        lead.turned(plan, link, start, end, b)
+        lead.keep_turning(plan, link, start, end, b)
 
 
 def vectors(dyad: Dyad) -> Iterator[Vector]:
