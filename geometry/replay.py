@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from geometry.board import Arc, Board, Line, Mark, Value, at, behind
+from geometry.board import Arc, Board, Line, Mark, Value, at
+from geometry.steps import behind
 
 if TYPE_CHECKING:
     import mpmath

@@ -29,8 +29,10 @@ FORBIDDEN = {
 SHARED = (
     "plans.words",
     "plans.analytic",
+    "plans.model.group",
     "plans.model.mechanism",
     "plans.model.motion",
+    "plans.model.order",
     "plans.model.machine",
     "plans.model.kinetostatics",
     "plans.model.losses",

@@ -20,7 +20,7 @@ from plans.bench.truth import replay
 from plans.checks.force_comparison import compare_forces
 from plans.forces.statics import Statics
 from plans.linkage.study import LinkageStudy
-from plans.model.motion import ORDERS
+from plans.model.order import ORDERS
 
 FORCES_BY_HAND = f"forces {BY_HAND}"
 FORCES = "forces"  # the board of the record, on a sheet a figure of each group: "forces-4-5"
@@ -40,7 +40,7 @@ def by_hand(
     if ready is None or not positions:
         raise DraftError("no position of a force sheet has forces")
     wanted = replay(study, positions, ready)
-    found = {plan: np.array([scale(drawn.measured, plan, k) for k in positions]) for plan in ORDERS}
+    found = {order.plan: np.array([scale(drawn.measured, order.plan, k) for k in positions]) for order in ORDERS}
     found[FORCES] = np.array([scales[k] for k in positions])
     truth, only = wanted.truth(), wanted.only_forces
     tolls = {FORCES_BY_HAND.format(slip): toll(only, Draughtsman(slip, found), truth, largest) for slip in SLIPS}

@@ -29,14 +29,14 @@ from plans.bench.roads import Ground, Road
 from plans.bench.truth import Exact, Truth, replay
 from plans.checks.compare import MotionComparison, compare
 from plans.linkage.study import LinkageStudy
-from plans.model.motion import LINK_KEYS, LINK_SYMBOLS, ORDERS, POINT_KEYS
+from plans.model.order import ORDERS, POINT_ORDERS
 
 MEASURED, PRINTED = "sheet: measured back", "sheet: its table"
 BY_HAND = "by hand to {} mm"
 DRAWN = 360  # positions: more cannot be told apart on any sheet, and no sheet shows them
 
 _NAME = re.compile(r"(\w)_\{(.+?)\}")
-_KINDS = dict(zip((*POINT_KEYS[1:], *LINK_SYMBOLS[1:]), (*POINT_KEYS[1:], *LINK_KEYS[1:]), strict=True))
+_KINDS = {told.symbol: told.key for order in ORDERS[1:] for told in (order.point, order.link)}
 
 
 @dataclass(frozen=True)
@@ -100,7 +100,8 @@ def by_ruler(study: LinkageStudy, drawn: DrawnSheets, truth: Truth, largest: Map
     points = {("r", name): np.array([value]) for name, value in places.items() if ("r", name) in truth.values}
     found = errors(points, truth.at([drawn.shown]), largest)
     drafts = study.drafts()
-    for kind, plan in zip(POINT_KEYS[1:], (drafts.velocities, drafts.accelerations), strict=True):
+    for order in ORDERS[1:]:
+        kind, plan = order.point.key, drafts.plan(order.number)
         names = [name for key, name in truth.values if key == kind]
         letters = {name: f"{plan.pole.name} {plan.point(name).name}" for name in names}
         for position in drawn.plans:
@@ -130,7 +131,7 @@ def by_table(study: LinkageStudy, drawn: DrawnSheets, truth: Truth, largest: Map
 def _sizes(truth: Truth) -> Truth:
     """Give a truth in which vectors are their sizes: the table has no directions."""
     sized = {
-        key: Exact(np.abs(v.near), np.zeros(len(v.near))) if key[0] in POINT_KEYS else v
+        key: Exact(np.abs(v.near), np.zeros(len(v.near))) if key[0] in POINT_ORDERS else v
         for key, v in truth.values.items()
     }
     return Truth(truth.positions, sized)
@@ -146,12 +147,12 @@ def _number(cell: str) -> float:
 def by_hand(study: LinkageStudy, drawn: DrawnSheets, largest: Mapping[str, float]) -> dict[str, Toll]:
     """Draw the sheet's plans by hand, at the sheet's own scales, with slips of a hand's usual sizes."""
     marked = {(mark.plan, mark.position) for mark in drawn.measured.marks}
-    whole = [k for k in drawn.plans if all((plan, k) in marked for plan in ORDERS[1:])]
+    whole = [k for k in drawn.plans if all((order.plan, k) in marked for order in ORDERS[1:])]
     if not whole:
         raise DraftError(f"no plan can be drawn in positions {runs(list(drawn.plans))}")
     wanted = replay(study, tuple(whole))
     truth = wanted.truth()
-    scales = {plan: np.array([scale(drawn.measured, plan, k) for k in whole]) for plan in ORDERS}
+    scales = {order.plan: np.array([scale(drawn.measured, order.plan, k) for k in whole]) for order in ORDERS}
     return {BY_HAND.format(slip): toll(wanted, Draughtsman(slip, scales), truth, largest) for slip in SLIPS}
 
 

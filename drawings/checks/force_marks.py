@@ -8,11 +8,11 @@ from drawings.figures.forces.lever_plan import PLAN
 from drawings.measure.measure import Measured
 from drawings.paper.limits import SEEN
 from plans.checks.force_expected import ExpectedForces, missed
-from plans.model.structure import Dyad
+from plans.model.group import Group
 
 
 def polygon_marks(
-    measured: Measured, expected: ExpectedForces, groups: tuple[Dyad, ...], group: Dyad | None, allowed: float
+    measured: Measured, expected: ExpectedForces, groups: tuple[Group, ...], group: Group | None, allowed: float
 ) -> Iterator[str]:
     """Hold the vectors of one written force plan against the analysis: each that must be there, each that is.
 

@@ -26,7 +26,7 @@ from plans.checks.force_comparison import ForceComparison
 from plans.checks.force_expected import ExpectedForces
 from plans.forces.cut import indices
 from plans.forces.statics import Statics
-from plans.model.motion import ORDERS
+from plans.model.order import VELOCITIES
 from plans.study import Study
 
 # The least that an arrow not to scale is turned by to be wrong: its direction is drawn with the coordinates of paper.
@@ -101,7 +101,7 @@ class _Check:
             yield from polygon_marks(self.measured, expected, study.groups, cuts[name], self.slack)
         velocities = study.drafts().velocities
         letters = {name: velocities.point(name).name for name in self.comparison.motion.analysis.points}
-        speed = max(float(one.allowed[self.position]) for one in self.comparison.motion.of(ORDERS[1]))
+        speed = max(float(one.allowed[self.position]) for one in self.comparison.motion.of(VELOCITIES.plan))
         yield from lever_marks(self.measured, expected, letters, 2 * speed)
 
     def arrows(self) -> Iterator[str]:

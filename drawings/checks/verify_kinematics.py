@@ -12,7 +12,7 @@ from drawings.paper.strokes import Leaf
 from plans.checks.compare import MotionComparison
 from plans.checks.expected import Expected
 from plans.linkage.study import LinkageStudy
-from plans.model.motion import ORDERS, POINT_KEYS
+from plans.model.order import POSITIONS
 from plans.study import Study
 
 
@@ -57,10 +57,10 @@ def _allowed(comparison: MotionComparison, vector: MeasuredVector, measured: Mea
 def _points(measured: Measured, comparison: MotionComparison, shown: int) -> Iterator[str]:
     """Hold the points of the shown position against the analysis; none may be missing."""
     seen = {mark.name: mark for mark in measured.points if mark.position == shown}
-    for finding in comparison.of(ORDERS[0]):
+    for finding in comparison.of(POSITIONS.plan):
         symbol, _, name = finding.name.partition("_")
         true = complex(finding.analysis[shown])
-        if symbol != POINT_KEYS[0] or math.isnan(true.real):
+        if symbol != POSITIONS.point.symbol or math.isnan(true.real):
             continue
         mark = seen.get(name)
         if mark is None:

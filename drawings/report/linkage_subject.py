@@ -10,7 +10,8 @@ from drawings.lettering.words import number
 from drawings.report.subject import Subject
 from plans.linkage.study import LinkageStudy
 from plans.linkage.travel import frame_slide
-from plans.model.structure import Dyad, formula, mechanism_class
+from plans.model.group import Group
+from plans.model.structure import formula, mechanism_class
 from plans.study import Study
 
 PAIRS = {"R": "turning", "P": "sliding"}
@@ -35,9 +36,9 @@ def _sentence(study: LinkageStudy) -> str:
     )
 
 
-def _group(group: Dyad) -> str:
+def _group(group: Group) -> str:
     pairs = ", ".join(PAIRS[letter] for letter in group.kind)
-    return f"links {group.links[0]} and {group.links[1]}, {group.kind} ({pairs})"
+    return f"links {' and '.join(map(str, group.links))}, {group.kind} ({pairs})"
 
 
 def _travel(study: LinkageStudy) -> str:

@@ -18,12 +18,13 @@ from drawings.report.markdown import chapter, header, heading, row
 from plans.checks.compare import NOT_GRADED, MotionComparison, notches
 from plans.checks.comparison import Finding
 from plans.linkage.barrier import Barrier
-from plans.linkage.extreme import Found
+from plans.linkage.extreme import ExtremePositions
 from plans.linkage.pressure import interval
 from plans.linkage.study import LinkageStudy
+from plans.model.dyad import RUSSIAN
 from plans.model.mechanism import FRAME
-from plans.model.motion import ORDERS
-from plans.model.structure import RUSSIAN, formula, mechanism_class
+from plans.model.order import PLANS
+from plans.model.structure import formula, mechanism_class
 from plans.study import Study
 from plans.words.words import Message, message, term, word
 
@@ -71,7 +72,7 @@ def shown(study: LinkageStudy) -> str:
     """Say which link is the output, and who chose it."""
     out, named = study.output, study.mechanism.output is not None
     how = "named" if named else "framed"
-    if not named and not any(FRAME in group.hosts for group in study.groups[-1:]):
+    if not named and not any(pair.giver == FRAME for group in study.groups[-1:] for pair in group.outer_pairs):
         how = "last"
     point = "_point" if out.point else ""
     return word(study.language, f"report.output_{how}{point}", link=out.link, point=out.point)
@@ -102,14 +103,14 @@ def _structure(study: LinkageStudy) -> Iterator[str]:
 def _extremes(study: LinkageStudy) -> Iterator[str]:
     yield chapter(study.language, "extremes")
     yield word(study.language, "report.output", output=shown(study)[1:])
-    if study.found is None:
+    if study.extreme_positions is None:
         yield word(study.language, "report.no_extremes", link=study.output.link)
     else:
-        yield from _travel(study, study.found)
+        yield from _travel(study, study.extreme_positions)
     yield from _pressure(study)
 
 
-def _travel(study: LinkageStudy, found: Found) -> Iterator[str]:
+def _travel(study: LinkageStudy, found: ExtremePositions) -> Iterator[str]:
     """Tell the extreme positions of an output, how far it goes, and its time ratio."""
     say, extremes = partial(word, study.language), found.extremes
     way = "report.by_notches" if found.notched else "report.by_velocity"
@@ -167,7 +168,7 @@ def _barrier(barrier: Barrier, language: str) -> str:
 def _values(study: LinkageStudy, comparison: MotionComparison) -> Iterator[str]:
     language = study.language
     yield chapter(language, "values")
-    for plan in ORDERS:
+    for plan in PLANS:
         findings = [finding for finding in comparison.of(plan) if np.any(finding.construction != 0)]
         if findings:
             title = term(language, "plan", plan)
@@ -225,7 +226,7 @@ def _left_out(study: Study, linkage: LinkageStudy, leaves: Mapping[str, Sequence
         yield say("report.plans_drawn", plans=names, count=count, shown=sheets[0].metadata["shown"])
     if sheets and count > MANY:
         yield say("report.ticks", count=count, most=MANY)
-    missing = [term(linkage.language, "plan", plan) for plan in ORDERS if plan not in study.made]
+    missing = [term(linkage.language, "plan", plan) for plan in PLANS if plan not in study.made]
     if missing:
         yield say("report.not_made", plans=", ".join(missing))
     still = [str(n) for n in sorted(linkage.mechanism.links) if n != FRAME and n not in _turning(linkage)]

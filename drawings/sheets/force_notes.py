@@ -81,8 +81,7 @@ def _lever(statics: Statics, position: int, language: str) -> Iterator[str]:
     lever = statics.drafts().plans.lever
     if lever is None:
         return
-    told = [(one.name, at(one.moment.point, position).real) for one in lever.hung]
-    told += [(one.name, at(one.moment.point, position).real) for one in lever.pairs]
+    told = [(name, at(moment.point, position).real) for name, moment in lever.moments]
     total = sum(power for _, power in told)
     least = NOTHING * max((abs(power) for _, power in told), default=0.0)
     seen = [(name, power) for name, power in told if abs(power) > least]

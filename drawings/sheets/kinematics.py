@@ -22,7 +22,7 @@ from drawings.sheets.leaves import Draft, Exhibit, lay_out
 from drawings.sheets.notes import notes
 from plans.checks.compare import MotionComparison
 from plans.linkage.study import LinkageStudy
-from plans.model.motion import ORDERS
+from plans.model.order import ORDERS, POSITIONS, VELOCITIES
 from plans.model.structure import formula
 from plans.study import Study
 
@@ -77,13 +77,13 @@ class _KinematicsSheet:
 
     def _main(self) -> Exhibit:
         """The plan of positions."""
-        room = position_plan.measure(self.bones, ORDERS[0], self.drafting)
+        room = position_plan.measure(self.bones, POSITIONS.plan, self.drafting)
         draw = partial(position_plan.draw, self.bones, room, drafting=self.drafting)
         return Exhibit(Panel(room, FOREMOST), draw)
 
     def _plans(self) -> list[Exhibit]:
         """The plans of each position, which stand together."""
-        return [self._plan(subject, k) for subject in ORDERS[1:] for k in self.positions]
+        return [self._plan(order.plan, k) for order in ORDERS[1:] for k in self.positions]
 
     def _plan(self, subject: str, k: int) -> Exhibit:
         """A plan, or in its place why it is not drawn."""
@@ -98,7 +98,7 @@ class _KinematicsSheet:
 
     def _diagram(self, subject: str, k: int) -> VectorDiagram:
         drafts = self.study.drafts()
-        return diagram(drafts.velocities if subject == ORDERS[1] else drafts.accelerations, k)
+        return diagram(drafts.velocities if subject == VELOCITIES.plan else drafts.accelerations, k)
 
     def _why(self, subject: str, k: int) -> str:
         """Say in words why a plan is not drawn."""
@@ -119,6 +119,6 @@ class _KinematicsSheet:
         return {
             "structure": formula(self.study.mechanism, self.study.groups),
             "positions": len(self.study.turn),
-            "shown": self.shown if ORDERS[0] in names else None,
-            "plans": [k for k in self.positions if f"{ORDERS[1]}-{k}" in names],
+            "shown": self.shown if POSITIONS.plan in names else None,
+            "plans": [k for k in self.positions if f"{VELOCITIES.plan}-{k}" in names],
         }

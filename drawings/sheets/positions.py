@@ -17,7 +17,7 @@ from drawings.sheets.choice import position_asked
 from drawings.sheets.leaves import Draft, Exhibit, lay_out
 from drawings.sheets.notes import notes
 from plans.linkage.study import LinkageStudy
-from plans.model.motion import ORDERS
+from plans.model.order import POSITIONS
 from plans.model.structure import formula
 from plans.study import Study
 
@@ -29,19 +29,19 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
     linkage, drafting = study["linkage"], drafting_of(study.scene)
     comparison, shown = study.comparison("linkage"), _shown(linkage)
     bones = skeletons(linkage, comparison.construction, shown)
-    room = position_plan.measure(bones, ORDERS[0], drafting)
+    room = position_plan.measure(bones, POSITIONS.plan, drafting)
     figure = Exhibit(Panel(room, FOREMOST), partial(position_plan.draw, bones, room, drafting=drafting))
 
     def facts(names: Collection[str]) -> dict[str, Any]:
         return {
             "structure": formula(linkage.mechanism, linkage.groups),
             "positions": len(linkage.turn),
-            "shown": shown if ORDERS[0] in names else None,
+            "shown": shown if POSITIONS.plan in names else None,
             "plans": [],
         }
 
     words = tuple(notes(linkage, comparison, drafting.language))
-    return lay_out(study.scene, [Draft("positions", drafting.word(ORDERS[0]), (figure,), (), words, facts)])
+    return lay_out(study.scene, [Draft("positions", drafting.word(POSITIONS.plan), (figure,), (), words, facts)])
 
 
 def _shown(study: LinkageStudy) -> int:

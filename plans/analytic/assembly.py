@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from plans.analytic.blocks import Block
-from plans.analytic.closure import Flags, close, closed, inverses, settle, sharpness, solutions
+from plans.analytic.closure import Flags, close, closed, inverses, reciprocal_condition, settle, solutions
 from plans.analytic.constraints import TURN, Constraints, Indices, X, Y
 from plans.analytic.guess import Guess
 from plans.model.mechanism import Mechanism
@@ -129,11 +129,11 @@ def _both(shape: Shape, block: Block, poses: Floats, phi: Floats) -> Floats:
         done = np.sort(np.concatenate((done, here)))
     lost = np.asarray(np.isnan(found[:, :, 0, 0]).all(axis=0))
     lost[::coarse] = False
-    _probed(block, found, np.flatnonzero(lost), poses, phi)
+    _probe(block, found, np.flatnonzero(lost), poses, phi)
     return found
 
 
-def _probed(block: Block, found: Floats, lost: Indices, poses: Floats, phi: Floats) -> None:
+def _probe(block: Block, found: Floats, lost: Indices, poses: Floats, phi: Floats) -> None:
     """Try crank angles without an assembly beside them from rough poses: an arc of the crank may begin there."""
     every = -(-lost.size // PROBES) or 1
     probes = lost[::every]
@@ -199,7 +199,7 @@ def _by_sign(block: Block, tried: Floats, reached: Flags) -> Floats:
     flat = tried.reshape(-1, *tried.shape[2:])
     jacobian = block.equations.jacobian(block.equations.place(np.nan_to_num(flat)))
     det = np.linalg.det(jacobian).reshape(reached.shape)
-    sharp = np.where(reached, sharpness(jacobian, inverses(jacobian)).reshape(reached.shape), -1.0)
+    sharp = np.where(reached, reciprocal_condition(jacobian, inverses(jacobian)).reshape(reached.shape), -1.0)
     found = np.full((len(BOTH), *tried.shape[1:]), np.nan)
     each: Indices = np.arange(tried.shape[1])
     for row, sign in zip(found, BOTH, strict=True):

@@ -50,7 +50,7 @@ def inverses(matrices: Floats) -> Floats:
         return found
 
 
-def sharpness(matrices: Floats, inverse: Floats) -> Floats:
+def reciprocal_condition(matrices: Floats, inverse: Floats) -> Floats:
     """Give the reciprocal condition (Frobenius) of N matrices with columns of unit length; 0 where one is singular."""
     lengths = np.sqrt((matrices**2).sum(axis=1))
     norms = np.sqrt(((lengths[:, :, None] * inverse) ** 2).sum(axis=(1, 2)))
@@ -144,16 +144,16 @@ def transfer(constraints: Constraints, poses: Floats, order: int) -> tuple[Float
     jacobian = constraints.jacobian(at)
     unit = np.zeros(jacobian.shape[:2])
     unit[:, -1] = 1.0  # the drive is the last equation
-    first = as_poses(_refined(jacobian, unit))
+    first = as_poses(_refine(jacobian, unit))
     first[:, constraints.crank, TURN] = 1.0  # the crank turns as the crank does, with no rounding
     if order == 1:
         return (first,)
-    second = as_poses(_refined(jacobian, -constraints.convective(at, first)))
+    second = as_poses(_refine(jacobian, -constraints.convective(at, first)))
     second[:, constraints.crank, TURN] = 0.0
     return first, second
 
 
-def _refined(jacobian: Floats, right: Floats) -> Floats:
+def _refine(jacobian: Floats, right: Floats) -> Floats:
     """Solve N linear systems, and once more for what their rounding left."""
     found = solutions(jacobian, right)
     left = right - (jacobian @ found[..., None])[..., 0]

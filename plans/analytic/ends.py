@@ -16,9 +16,8 @@ from plans.analytic.blocks import Block
 from plans.analytic.closure import EPS, SQRT_EPS, as_poses, closed
 from plans.analytic.constraints import TURN, Constraints
 from plans.analytic.sharpness import sharpness
-from plans.model.motion import Floats
+from plans.model.motion import CHANGE_POINT, DEAD_CENTRE, PARALLEL_GUIDES, Floats
 
-DEAD_CENTRE, CHANGE_POINT, PARALLEL, NOT_REACHABLE = "dead centre", "change point", "parallel guides", "not reachable"
 SHORTEST = 2.0**-30  # rad, 1e-9: the shortest step of a march
 # So near to a change point, rad, that a position is that of the change point: two ways part there by as much, and the
 # poses are known to eps over it.
@@ -99,7 +98,7 @@ def end_of(constraints: Constraints, blocks: Sequence[Block], way: Sequence[Stat
         loose = _place(block, blocks) if _loose(block, last, loss) else None
         return End(last.phi, singular, CHANGE_POINT, sense, loose=loose)
     if block.linear:
-        return End(last.phi, _root(way, _place(block, blocks), 0.0), PARALLEL, sense)
+        return End(last.phi, _root(way, _place(block, blocks), 0.0), PARALLEL_GUIDES, sense)
     fold = _fold(constraints, last, sense)
     if fold is None:
         return End(last.phi, _root(way, _place(block, blocks), 0.0, power=2), DEAD_CENTRE, sense)

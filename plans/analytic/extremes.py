@@ -96,7 +96,7 @@ def extremes(shape: Shape, output: Output, looks: Floats, turn: March | None = N
     signs = np.where(speed >= 0.0, 1.0, -1.0)
     signs[-1] = signs[0]  # one position: a rounding of a rest there is no second rest
     changes = np.flatnonzero(signs[1:] != signs[:-1])
-    found = _refined(constraints, blocks, [_Rest(coordinate, turn.stations[k], turn.stations[k + 1]) for k in changes])
+    found = _refine(constraints, blocks, [_Rest(coordinate, turn.stations[k], turn.stations[k + 1]) for k in changes])
     sense = -1.0 if mechanism.drive.omega < 0.0 else 1.0
     return _strokes(found, sense, coordinate)
 
@@ -158,7 +158,7 @@ def _coordinate(mechanism: Mechanism, constraints: Constraints, output: Output) 
     return _Coordinate(constraints.numbers.index(output.link), guide, own, constraints.size)
 
 
-def _refined(constraints: Constraints, blocks: Blocks, rests: list[_Rest]) -> list[tuple[float, float]]:
+def _refine(constraints: Constraints, blocks: Blocks, rests: list[_Rest]) -> list[tuple[float, float]]:
     """Close in on all rests together: their crank angles and the coordinate there."""
     if not rests:
         return []

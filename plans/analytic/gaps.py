@@ -4,27 +4,33 @@ from __future__ import annotations
 
 import numpy as np
 
-from plans.analytic.ends import CHANGE_POINT, DEAD_CENTRE, NOT_REACHABLE, PARALLEL, End
+from plans.analytic.ends import End
 from plans.model.kinetostatics import FORCES, INDETERMINATE
-from plans.model.motion import Gap
+from plans.model.motion import (
+    BEYOND_CHANGE_POINT,
+    CHANGE_POINT,
+    DEAD_CENTRE,
+    NOT_REACHABLE,
+    OUT_OF_REACH,
+    PARALLEL_GUIDES,
+    Gap,
+)
 from plans.words.words import message
-
-OUT_OF_REACH, BEYOND = "out of reach", "beyond a change point"
 
 ADVICE = {
     reason: message(f"analysis.{key}")
     for reason, key in (
         (OUT_OF_REACH, "out_of_reach"),
         (DEAD_CENTRE, "dead_centre"),
-        (PARALLEL, "parallel"),
+        (PARALLEL_GUIDES, "parallel"),
         (CHANGE_POINT, "change_point"),
-        (BEYOND, "beyond"),
+        (BEYOND_CHANGE_POINT, "beyond"),
         (NOT_REACHABLE, "not_reachable"),
         (INDETERMINATE, "indeterminate"),
     )
 }
 # What the end of the march is, by why it ended.
-WHAT = {DEAD_CENTRE: "rank", CHANGE_POINT: "rank", PARALLEL: "infinity", NOT_REACHABLE: "way"}
+WHAT = {DEAD_CENTRE: "rank", CHANGE_POINT: "rank", PARALLEL_GUIDES: "infinity", NOT_REACHABLE: "way"}
 UNASSEMBLED, FAINT, UNBALANCED = (message(f"analysis.{key}") for key in ("unassembled", "faint", "unbalanced"))
 
 

@@ -18,9 +18,7 @@ def borne(mechanism: Mechanism, machine: Machine, motion: Motion) -> Loading:
     for link, body in machine.bodies.items():
         force = body.mass * (machine.gravity - acceleration(mechanism, motion, link, body.centre))
         forces.append(Applied(f"S{link}", link, f"S{link}", body.centre, force))
-        epsilon = motion.links[link].epsilon
-        assert epsilon is not None  # a motion of order 2 has them all
-        moments.append(Twist(f"M{link}", link, -body.inertia * epsilon))
+        moments.append(Twist(f"M{link}", link, -body.inertia * motion.links[link].epsilon))
     return Loading(tuple(forces), tuple(moments))
 
 

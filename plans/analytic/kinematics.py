@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from plans.analytic.assembly import Shape
@@ -12,7 +14,7 @@ from plans.analytic.extremes import extremes
 from plans.analytic.positions import blocks, find, wrapped
 from plans.analytic.turn import March
 from plans.model.mechanism import FRAME, Mechanism, Output
-from plans.model.motion import Extremes, Floats, Gap, LinkMotion, Motion, PointMotion
+from plans.model.motion import Complexes, Extremes, Floats, Gap, LinkMotion, Motion, PointMotion
 
 DEGREES = np.radians(np.arange(360.0))  # the whole degrees of a turn
 
@@ -92,30 +94,29 @@ def _motion(
 ) -> Motion:
     """Read points and links off the poses; the drive's omega and epsilon turn transfer functions into rates."""
     omega, epsilon = mechanism.drive.omega, mechanism.drive.epsilon
-    speeds = omega * rates[0] if rates else None
-    growths = omega**2 * rates[1] + epsilon * rates[0] if len(rates) > 1 else None
+    rows = [poses]
+    if rates:
+        rows.append(omega * rates[0])
+    if len(rates) > 1:
+        rows.append(omega**2 * rates[1] + epsilon * rates[0])
     points: dict[str, PointMotion] = {}
     links: dict[int, LinkMotion] = {}
     for place, number in enumerate(constraints.numbers):
-        speed = None if speeds is None else speeds[:, place]
-        growth = None if growths is None else growths[:, place]
+        moved = [row[:, place] for row in rows]
         for point, own in mechanism.links[number].points.items():
             if point not in points:
-                points[point] = _point(constraints.size, own, poses[:, place], speed, growth)
+                points[point] = PointMotion(_point(constraints.size, own, *moved))
         if number != FRAME:
-            spin, gain = (None if rate is None else rate[:, TURN] for rate in (speed, growth))
-            links[number] = LinkMotion(poses[:, place, TURN], spin, gain)
+            links[number] = LinkMotion(row[:, TURN] for row in moved)
     return Motion("analysis", phi, points, links, gaps)
 
 
-def _point(size: float, own: complex, pose: Floats, speed: Floats | None, growth: Floats | None) -> PointMotion:
+def _point(size: float, own: complex, pose: Floats, *rates: Floats) -> Iterator[Complexes]:
+    """Give place, velocity and acceleration of a link's point, as far as the rates (N, 3) of its pose go."""
     arm = own / size * np.exp(1j * pose[:, TURN])
-    r = size * (pose[:, X] + 1j * pose[:, Y] + arm)
-    if speed is None:
-        return PointMotion(r)
-    spin = speed[:, TURN]
-    v = size * (speed[:, X] + 1j * speed[:, Y] + 1j * spin * arm)
-    if growth is None:
-        return PointMotion(r, v)
-    a = size * (growth[:, X] + 1j * growth[:, Y] + (1j * growth[:, TURN] - spin**2) * arm)
-    return PointMotion(r, v, a)
+    yield size * (pose[:, X] + 1j * pose[:, Y] + arm)
+    for speed in rates[:1]:
+        yield size * (speed[:, X] + 1j * speed[:, Y] + 1j * speed[:, TURN] * arm)
+    for growth in rates[1:]:
+        turned = (1j * growth[:, TURN] - rates[0][:, TURN] ** 2) * arm
+        yield size * (growth[:, X] + 1j * growth[:, Y] + turned)

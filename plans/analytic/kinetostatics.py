@@ -12,16 +12,17 @@ from typing import NamedTuple
 import numpy as np
 
 from plans.analytic.action import action, balancing, unit_force
-from plans.analytic.closure import BLUNT, inverses, rank_loss, sharpness, solutions
+from plans.analytic.closure import BLUNT, inverses, rank_loss, reciprocal_condition, solutions
 from plans.analytic.constraints import TURN, Constraints, Placement, X, Y
 from plans.analytic.gaps import unbalanced
 from plans.analytic.inertia import borne
 from plans.analytic.kinematics import Analysis
 from plans.analytic.positions import blocks
-from plans.model.kinetostatics import DEAD_CENTRE, INDETERMINATE, Kinetostatics, Loading, Pair, Reaction, without_forces
+from plans.model.group import Pair
+from plans.model.kinetostatics import INDETERMINATE, Kinetostatics, Loading, Reaction, without_forces
 from plans.model.machine import Machine
 from plans.model.mechanism import Mechanism
-from plans.model.motion import Complexes, Floats, Gap, Motion
+from plans.model.motion import DEAD_CENTRE, Complexes, Floats, Gap, Motion
 
 
 def kinetostatics(
@@ -33,13 +34,13 @@ def kinetostatics(
     loads = Loading(loading.forces + masses.forces, loading.moments + masses.moments)
     line = action(machine.transmission, mechanism, constraints, poses)
     drive = None if line is None else unit_force(constraints, poses, line)
-    multipliers, singular = _balanced(constraints, poses, _generalised(constraints, poses, loads), drive)
+    multipliers, singular = _balance(constraints, poses, _generalised(constraints, poses, loads), drive)
     multipliers[[gap.position for gap in motion.gaps]] = np.nan  # where velocities are not borne, neither are forces
     forces = _Forces(mechanism, constraints, motion, poses, multipliers, constraints.place(poses))
     return Kinetostatics(
         by="analysis",
         phi=motion.phi,
-        reactions=_in_order(pairs, _hinged(forces, pairs) | _sliding(forces, pairs)),
+        reactions=_in_order(pairs, _hinge_reactions(forces, pairs) | _sliding(forces, pairs)),
         balancing=balancing(constraints, line, multipliers[:, -1]),
         gaps=_gaps(motion, singular | _lost(constraints, poses, motion)),
     )
@@ -69,7 +70,7 @@ def _generalised(constraints: Constraints, poses: Floats, loading: Loading) -> F
     return reduced[:, 1:].reshape(len(poses), -1)
 
 
-def _balanced(
+def _balance(
     constraints: Constraints, poses: Floats, loads: Floats, drive: Floats | None
 ) -> tuple[Floats, dict[int, str]]:
     """Solve the equations of equilibrium; name the positions without an answer, and why."""
@@ -92,7 +93,7 @@ def _lost(constraints: Constraints, poses: Floats, motion: Motion) -> dict[int, 
     told = {gap.position: without_forces(gap) for gap in motion.gaps if np.isfinite(poses[gap.position]).all()}
     at = constraints.place(poses[list(told)])
     matrices = constraints.jacobian(at)
-    blunt = sharpness(matrices, inverses(matrices)) <= BLUNT
+    blunt = reciprocal_condition(matrices, inverses(matrices)) <= BLUNT
     return {k: told[k] for k, faint in zip(told, blunt, strict=True) if faint}
 
 
@@ -107,7 +108,7 @@ def _in_order(pairs: Sequence[Pair], found: dict[str, Reaction]) -> dict[str, Re
     return {pair.key: found[pair.key] for pair in pairs}
 
 
-def _hinged(forces: _Forces, pairs: Sequence[Pair]) -> dict[str, Reaction]:
+def _hinge_reactions(forces: _Forces, pairs: Sequence[Pair]) -> dict[str, Reaction]:
     """Read the reactions of all hinges: the equations tie every link of a hinge to its lowest, x rows before y rows."""
     found: dict[str, Reaction] = {}
     hinges, row = forces.constraints.hinges, 0
@@ -118,12 +119,12 @@ def _hinged(forces: _Forces, pairs: Sequence[Pair]) -> dict[str, Reaction]:
         on_lowest = (x + 1j * y) / forces.constraints.size
         on_links = dict(zip(links, (on_lowest.sum(axis=0), *-on_lowest), strict=True))
         r = forces.motion.points[point].r
-        for pair, force in _peeled([pair for pair in pairs if pair.joint == point], on_links):
+        for pair, force in _peel([pair for pair in pairs if pair.joint == point], on_links):
             found[pair.key] = Reaction(pair.giver, pair.taker, point, r, force)
     return found
 
 
-def _peeled(tree: list[Pair], on_links: dict[int, Complexes]) -> list[tuple[Pair, Complexes]]:
+def _peel(tree: list[Pair], on_links: dict[int, Complexes]) -> list[tuple[Pair, Complexes]]:
     """Share the forces of a pin on its links out to its pairs, a tree of links, from its leaves inward."""
     told = []
     while tree:

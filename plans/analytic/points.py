@@ -26,6 +26,4 @@ def acceleration(mechanism: Mechanism, motion: Motion, link: int, own: complex) 
     """Carry the acceleration m/s2 of the link's first point to another of its points."""
     point, first = next(iter(mechanism.links[link].points.items()))
     turn, omega, epsilon = motion.links[link]
-    a = motion.points[point].a
-    assert a is not None and omega is not None and epsilon is not None  # a motion of order 2 has them all
-    return np.asarray(a + (1j * epsilon - omega**2) * (own - first) * np.exp(1j * turn))
+    return np.asarray(motion.points[point].a + (1j * epsilon - omega**2) * (own - first) * np.exp(1j * turn))

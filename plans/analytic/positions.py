@@ -11,22 +11,20 @@ from plans.analytic.assembly import Shape, assemblies, home, signs_of
 from plans.analytic.blocks import Block
 from plans.analytic.closure import EPS, SQRT_EPS, Flags, close, close_singular, closed
 from plans.analytic.constraints import TURN, Indices
-from plans.analytic.ends import (
-    AT_CHANGE,
-    BESIDE,
-    CHANGE_POINT,
-    CLEAR,
-    DEAD_CENTRE,
-    NOT_REACHABLE,
-    PARALLEL,
-    SHORTEST,
-    End,
-    Station,
-)
-from plans.analytic.gaps import BEYOND, OUT_OF_REACH, gap
+from plans.analytic.ends import AT_CHANGE, BESIDE, CLEAR, SHORTEST, End, Station
+from plans.analytic.gaps import gap
 from plans.analytic.sharpness import DOUBTFUL, least
 from plans.analytic.turn import FULL, March, survey
-from plans.model.motion import Floats, Gap
+from plans.model.motion import (
+    BEYOND_CHANGE_POINT,
+    CHANGE_POINT,
+    DEAD_CENTRE,
+    NOT_REACHABLE,
+    OUT_OF_REACH,
+    PARALLEL_GUIDES,
+    Floats,
+    Gap,
+)
 
 BLOCK = 2048  # positions solved together: their matrices stay in the cache
 # So near to a dead centre, rad, that a rounding of the crank angle moves a velocity by a thousandth of itself: more
@@ -76,7 +74,7 @@ def find(shape: Shape, phi: Floats, first: bool, looks: Floats, tolerance: float
     for end in (*turn.ends, *turn.passed):
         passed &= ~_at_the_end(found, shape, turn, end)
     _along(found, shape, turn, crank, passed, tolerance)
-    _lost(found, shape, turn)
+    _tell_lost(found, shape, turn)
     found.gaps.sort(key=lambda missing: missing.position)
     return found
 
@@ -102,10 +100,10 @@ def _along(found: Positions, shape: Shape, turn: March, crank: Floats, passed: F
         found.poses[here[reached]] = poses[reached]
         found.regular[here[reached]] = True
         if min(station.sharp for station in turn.stations) < DOUBTFUL:
-            _unborne(found, shape, turn, here[reached])
+            _tell_unborne(found, shape, turn, here[reached])
 
 
-def _unborne(found: Positions, shape: Shape, turn: March, here: Indices) -> None:
+def _tell_unborne(found: Positions, shape: Shape, turn: March, here: Indices) -> None:
     """Tell no velocities right beside a change point, or where a block all but comes to its dead centre."""
     jacobian = shape.constraints.jacobian(shape.constraints.place(found.poses[here]))
     for k in here[least(shape.blocks, jacobian, found.poses[here]) ** 2 < UNBORNE].tolist():
@@ -121,7 +119,7 @@ def _at_the_end(found: Positions, shape: Shape, turn: March, end: End) -> Flags:
     apart = _apart(found.phi, end)
     at = np.abs(apart) <= end.blind
     places = [k for k in np.flatnonzero(at).tolist() if k not in found.known()]  # both may end at one position
-    treat = {CHANGE_POINT: _at_change, DEAD_CENTRE: _at_dead_centre, PARALLEL: _at_parallel}.get(end.reason)
+    treat = {CHANGE_POINT: _at_change, DEAD_CENTRE: _at_dead_centre, PARALLEL_GUIDES: _at_parallel}.get(end.reason)
     if treat is None or not places:
         return np.zeros_like(at)
     treat(found, shape, turn, end, places, apart[places])
@@ -188,7 +186,7 @@ def _at_parallel(found: Positions, shape: Shape, turn: March, end: End, places: 
         if left >= UNBORNE and reached[0] and _same(shape, turn.near(end.reached), poses[0]):
             found.poses[k], found.regular[k] = wrapped(poses)[0], True
         elif abs(left) < UNBORNE:
-            found.miss(k, "positions", PARALLEL, end)
+            found.miss(k, "positions", PARALLEL_GUIDES, end)
 
 
 def _away(last: Station, end: End, left: float) -> Floats:
@@ -204,7 +202,7 @@ def _same(shape: Shape, near: Station, poses: Floats) -> bool:
     return bool((signs_of(shape.blocks, jacobian) == np.sign(near.dets)).all())
 
 
-def _lost(found: Positions, shape: Shape, turn: March) -> None:
+def _tell_lost(found: Positions, shape: Shape, turn: March) -> None:
     """Say of every position not found why that is."""
     untold = np.isnan(found.poses[:, 0, 0])
     untold[list(found.known())] = False
@@ -222,7 +220,7 @@ def _lost(found: Positions, shape: Shape, turn: March) -> None:
         if folded or not other:
             found.miss(k, "positions", OUT_OF_REACH, end)
         elif end and end.reason == CHANGE_POINT:
-            found.miss(k, "positions", BEYOND, end)
+            found.miss(k, "positions", BEYOND_CHANGE_POINT, end)
         else:
             found.miss(k, "positions", NOT_REACHABLE, end)
 

@@ -17,9 +17,9 @@ from plans.analytic.assembly import Assembly, Shape
 from plans.analytic.blocks import Block
 from plans.analytic.closure import EPS, ROUNDINGS, SQRT_EPS, as_poses, close, closed, inverses, solutions
 from plans.analytic.constraints import Constraints
-from plans.analytic.ends import BESIDE, CHANGE_POINT, CLEAR, NOT_REACHABLE, SHORTEST, End, Station, end_of
+from plans.analytic.ends import BESIDE, CLEAR, SHORTEST, End, Station, end_of
 from plans.analytic.sharpness import DOUBTFUL, MERGED, least
-from plans.model.motion import Floats
+from plans.model.motion import CHANGE_POINT, NOT_REACHABLE, Floats
 
 Blocks = Sequence[Block]
 

@@ -14,16 +14,19 @@ from typing import Any
 import numpy as np
 
 from geometry import meet as loci
-from geometry.board import Arc, Line, Mark, behind
+from geometry.board import Arc, Line, Mark
 from geometry.meet import cross
+from geometry.steps import behind
 from plans.bench.error import shares
 from plans.bench.truth import MOMENT, Replay, Truth
-from plans.model.motion import LINK_KEYS, POINT_KEYS, Complexes, Floats
+from plans.model.motion import Complexes, Floats
+from plans.model.order import ORDERS
 
 DRAWINGS = 200  # of which 5 % are ten: enough to tell where the worst of them begin
 SLIPS = (0.1, 0.2)  # mm: a good hand's and a fair one's
 SEED = 1
 EDGE = 100.0  # mm of a set square's edge that lies along a line: a longer line is carried no more truly
+RATES = {told.key for order in ORDERS[1:] for told in (order.point, order.link)}
 TOLD = 0.01  # of the largest: a smaller value has no per cent of itself
 
 # Which inputs of a verb are places on the paper, where a given point must have been pricked.
@@ -183,6 +186,6 @@ def _single(off: Mapping[tuple[str, str], Floats], truth: Truth, largest: Mappin
     found = []
     for key, share in off.items():
         size = np.abs(truth.values[key].near) / largest[key[0]] if largest[key[0]] else np.zeros(share.shape[1])
-        if key[0] in (*POINT_KEYS[1:], *LINK_KEYS[1:]):
+        if key[0] in RATES:
             found.append((share[:, size >= TOLD] / size[size >= TOLD]).ravel())
     return np.concatenate(found) if found else np.zeros(0)

@@ -12,7 +12,8 @@ from plans.forces.reading.form import FORCES
 from plans.forces.statics import Statics
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
-from plans.model.motion import LINK_KEYS, POINT_KEYS, Floats
+from plans.model.motion import Floats
+from plans.model.order import ORDERS, POSITIONS
 
 SIZED = 360  # positions whose largest vector is the plan's largest: every degree of the turn
 
@@ -53,14 +54,15 @@ def sizes(study: LinkageStudy) -> dict[str, float]:
     """Give the largest of each kind over a turn, by which its errors are counted."""
     motion = study.motion(2)
     moving = [m for name, m in motion.points.items() if name not in study.mechanism.links[FRAME].points]
-    found = {key: _largest([getattr(point, key) for point in moving]) for key in POINT_KEYS}
+    found = {order.point.key: _largest([np.abs(point[order.number]) for point in moving]) for order in ORDERS}
     places = np.array([point.r for point in motion.points.values()])
     extent = _largest([places - places[0]])
-    found["angle"] = np.pi
-    for key, vector in zip(LINK_KEYS[1:], POINT_KEYS[1:], strict=True):
+    found[POSITIONS.link.key] = np.pi
+    for order in ORDERS[1:]:
         # Rates of links that only translate are truly zero, and no share of themselves.
-        slowest = found[vector] / extent if extent > 0 else 0.0
-        found[key] = max(_largest([getattr(link, key) for link in motion.links.values()]), slowest)
+        slowest = found[order.point.key] / extent if extent > 0 else 0.0
+        rates = [link[order.number] for link in motion.links.values()]
+        found[order.link.key] = max(_largest(rates), slowest)
     if FORCES in study.scene.sheets:
         found[REACTION] = _largest([np.abs(one.force) for one in Statics(study).forces.reactions.values()])
         found[MOMENT] = found[REACTION] * extent

@@ -17,8 +17,9 @@ from typing import Any
 import numpy as np
 
 from plans.linkage.study import LinkageStudy
+from plans.model.dyad import Dyad
 from plans.model.mechanism import FRAME
-from plans.model.motion import LINK_KEYS, Complexes, Floats, LinkMotion, Motion, PointMotion
+from plans.model.motion import Complexes, Floats, LinkMotion, Motion, PointMotion
 
 PYLINKAGE, MECHANISM = "pylinkage", "mechanism"
 NEEDED = {PYLINKAGE: ("pylinkage", "numba"), MECHANISM: ("mechanism",)}
@@ -63,9 +64,9 @@ def four_bar(study: LinkageStudy) -> FourBar | None:
     """See the mechanism as a four-bar with coupler points; None if it is anything else."""
     mechanism, groups = study.mechanism, study.groups
     drive, links = mechanism.drive, mechanism.links
-    if len(groups) != 1 or groups[0].kind != "RRR" or set(groups[0].hosts) != {drive.link, FRAME}:
+    dyad = groups[0] if len(groups) == 1 else None
+    if not isinstance(dyad, Dyad) or mechanism.slides or set(dyad.hosts) != {drive.link, FRAME}:
         return None
-    dyad = groups[0]
     moved = dyad.hosts.index(drive.link)
     coupler, rocker = dyad.links[moved], dyad.links[1 - moved]
     a, c, b = dyad.hinge(moved), dyad.hinge(1 - moved), dyad.pin
@@ -123,7 +124,7 @@ def _pylinkage(study: LinkageStudy, bar: FourBar) -> Peer:
         # The crank steps before it is solved: the last of the turn is the first position.
         r, v, a = (np.roll(values[..., 0] + 1j * values[..., 1], 1, axis=0) for values in found)
         names = (bar.letters[1], bar.letters[2], *bar.points)
-        points = {name: PointMotion(r[:, k], v[:, k], a[:, k]) for k, name in enumerate(names, 2)}
+        points = {name: PointMotion(row[:, k] for row in (r, v, a)) for k, name in enumerate(names, 2)}
         return Motion(PYLINKAGE, study.turn.phi, points, {}, ())
 
     return Peer(PYLINKAGE, lambda: linkage.step_fast_with_kinematics(count), read)
@@ -175,7 +176,7 @@ def _guess(study: LinkageStudy, bar: FourBar) -> tuple[Floats, ...]:
     found = study.motion(2).links
     spans = zip(bar.links[1:], (bar.coupler, bar.rocker), strict=True)
     angles = np.array([found[number].angle[0] + cmath.phase(span) for number, span in spans])
-    rates = [np.array([getattr(found[number], key)[0] for number in bar.links[1:]]) for key in LINK_KEYS[1:]]
+    rates = [np.array([found[number][order][0] for number in bar.links[1:]]) for order in (1, 2)]
     return angles, *rates
 
 
@@ -183,9 +184,9 @@ def _point(joint: Any) -> PointMotion:
     def vector(kind: str) -> Complexes:
         return np.asarray(getattr(joint, f"x_{kind}") + 1j * getattr(joint, f"y_{kind}"))
 
-    return PointMotion(vector("positions"), vector("velocities"), vector("accelerations"))
+    return PointMotion(map(vector, ("positions", "velocities", "accelerations")))
 
 
 def _link(vector: Any, span: complex) -> LinkMotion:
     angle = np.angle(np.exp(1j * (vector.pos.thetas - cmath.phase(span))))
-    return LinkMotion(np.asarray(angle), np.array(vector.vel.omegas), np.array(vector.acc.alphas))
+    return LinkMotion(map(np.asarray, (angle, vector.vel.omegas, vector.acc.alphas)))

@@ -21,13 +21,14 @@ from plans.linkage.plan import Plan
 from plans.linkage.study import LinkageStudy
 from plans.model.kinetostatics import Kinetostatics
 from plans.model.mechanism import FRAME
-from plans.model.motion import LINK_KEYS, ORDERS, POINT_KEYS, Complexes, Floats, Motion
+from plans.model.motion import Complexes, Floats, Motion
+from plans.model.order import LINK_ORDERS, ORDERS, POINT_ORDERS
 
 Key: TypeAlias = tuple[str, str]  # kind of quantity and its point or link: ("v", "B"), ("omega", "3")
 Values: TypeAlias = Mapping[Key, Complexes | Floats]
 
 FORCE_KINDS = REACTION, MOMENT = "R", "M"  # of the pairs, and what the drive gives: M_bal, and the force R_bal
-KINDS = (*POINT_KEYS, *LINK_KEYS, *FORCE_KINDS)
+KINDS = (*POINT_ORDERS, *LINK_ORDERS, *FORCE_KINDS)
 BALANCING = "bal"
 
 
@@ -147,16 +148,14 @@ def _of_motion(study: LinkageStudy, positions: Sequence[int], plans: Sequence[Pl
     links = {number: link for number, link in study.mechanism.links.items() if number != FRAME}
     fixed = study.mechanism.links[FRAME].points
     letters = sorted({name for link in links.values() for name in link.points} - set(fixed))
-    points = {(kind, name): plan.point(name) for kind, plan in zip(POINT_KEYS, plans, strict=True) for name in letters}
+    points = {(kind, name): plans[order.number].point(name) for kind, order in POINT_ORDERS.items() for name in letters}
     arms: dict[str, tuple[Mark, complex]] = {}
     rates: dict[Key, tuple[Mark, Mark]] = {}
     for number in links:
-        image = plans[0].images[number]
-        assert image.arm is not None  # every link has an arm on the plan of positions
-        arms[str(number)] = (image.arm, image.span)
-        for kind, plan in zip(LINK_KEYS[1:], plans[1:], strict=True):
+        arms[str(number)] = (plans[0].arm(number), plans[0].images[number].span)
+        for order, plan in zip(ORDERS[1:], plans[1:], strict=True):
             if number in plan.readings:  # a link that does not turn has no rate that could be wrong
-                rates[kind, str(number)] = plan.readings[number]
+                rates[order.link.key, str(number)] = plan.readings[number]
     wanted = [*points.values(), *(arm for arm, _ in arms.values()), *(mark for pair in rates.values() for mark in pair)]
     return Replay(study, tuple(positions), points, arms, rates, wanted, plans[0].board["φ"])
 
@@ -168,11 +167,11 @@ def values(motion: Motion, truth: Truth) -> dict[Key, Any]:
     for kind, name in truth.values:
         if kind in FORCE_KINDS:
             continue
-        owners: Mapping[Any, Any] = motion.points if kind in POINT_KEYS else motion.links
-        owner = owners.get(name if kind in POINT_KEYS else int(name))
-        given = getattr(owner, kind, None)
-        if given is not None:
-            found[kind, name] = given[chosen]
+        owners: Mapping[Any, Any] = motion.points if kind in POINT_ORDERS else motion.links
+        rows = owners.get(name if kind in POINT_ORDERS else int(name), ())
+        order = {**POINT_ORDERS, **LINK_ORDERS}[kind].number
+        if order < len(rows):
+            found[kind, name] = rows[order][chosen]
     return found
 
 
@@ -238,6 +237,6 @@ def _turned(mp: Any, share: Fraction) -> Any:
 
 def _exact(key: Key, numbers: Sequence[Any]) -> Exact:
     """Split numbers of 50 digits into what float64 holds and the rest."""
-    plain = complex if key[0] in (*POINT_KEYS, REACTION) else float
+    plain = complex if key[0] in (*POINT_ORDERS, REACTION) else float
     near = [plain(number) for number in numbers]
     return Exact(np.array(near), np.array([plain(number - own) for number, own in zip(numbers, near, strict=True)]))

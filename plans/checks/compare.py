@@ -22,16 +22,11 @@ from plans.linkage.margin import margins
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.model.motion import (
-    LINK_KEYS,
-    LINK_SYMBOLS,
-    LINK_UNITS,
-    ORDERS,
-    POINT_KEYS,
-    POINT_UNITS,
     Extremes,
     Floats,
     Motion,
 )
+from plans.model.order import ORDERS, numbers_of
 
 if TYPE_CHECKING:
     from plans.study import Study
@@ -70,13 +65,12 @@ def compare(study: LinkageStudy, order: int = 2) -> MotionComparison:
     for k in range(order + 1):
         findings += _points(study, drafts, k, drawn, solved, kappa)
         findings += _links(drafts, k, drawn, solved, kappa)
-    return MotionComparison(drawn, solved, capped(study, findings), kappa, road)
+    return MotionComparison(drawn, solved, cap(study, findings), kappa, road)
 
 
 def comparison_of(study: Study) -> MotionComparison:
     """Compare what a scene asks for of its motion (row of the table of techniques)."""
-    orders = [order for order, name in enumerate(ORDERS) if name in study.plans]
-    found = compare(study["linkage"], max(orders, default=0))
+    found = compare(study["linkage"], max(numbers_of(study.plans), default=0))
     return compare_extremes(study["linkage"], found) if "extremes" in study.plans else found
 
 
@@ -87,7 +81,7 @@ def notches(study: LinkageStudy) -> Floats:
     return np.array([np.broadcast_to(condition(mark), count) for mark in marks]).reshape(len(marks), count)
 
 
-def capped(study: LinkageStudy, findings: Sequence[Finding]) -> tuple[Finding, ...]:
+def cap(study: LinkageStudy, findings: Sequence[Finding]) -> tuple[Finding, ...]:
     """Allow no more than MOST_ALLOWED of the largest where the construction is sharp."""
     sharp = ~(notches(study).max(axis=0, initial=1.0) >= NOT_GRADED)
     mosts = (np.where(sharp, MOST_ALLOWED * finding.largest, np.inf) for finding in findings)
@@ -97,7 +91,8 @@ def capped(study: LinkageStudy, findings: Sequence[Finding]) -> tuple[Finding, .
 
 def compare_extremes(study: LinkageStudy, comparison: MotionComparison) -> MotionComparison:
     """Add the output's extreme positions, their crank angles, stroke and overlap, found by both roads."""
-    ours, theirs = None if study.found is None else study.found.extremes, comparison.road.extremes(study.output)
+    found, theirs = study.extreme_positions, comparison.road.extremes(study.output)
+    ours = None if found is None else found.extremes
     told = ours or theirs
     if told is None:
         return comparison
@@ -124,30 +119,29 @@ def _points(
     study: LinkageStudy, drafts: Drafts, order: int, drawn: Motion, solved: Motion, kappa: Floats
 ) -> Iterator[Finding]:
     names = [name for name in drawn.points if name not in study.mechanism.links[FRAME].points]
-    pairs = [(getattr(drawn.points[n], POINT_KEYS[order]), getattr(solved.points[n], POINT_KEYS[order])) for n in names]
+    pairs = [(drawn.points[n][order], solved.points[n][order]) for n in names]
     largest = largest_of([np.abs(ours) for ours, _ in pairs])
-    plan = drafts.plan(order)
+    plan, told = drafts.plan(order), ORDERS[order]
     marks = [plan.point(name) for name in names]
     bounds = errors(*marks)
     for name, mark, (ours, theirs) in zip(names, marks, pairs, strict=True):
         allowed = with_analysis(bounds[mark].place, order, kappa, largest)
-        label = f"{POINT_KEYS[order]}_{name}"
-        yield Finding(ORDERS[order], label, POINT_UNITS[order], ours, theirs, np.abs(ours - theirs), allowed, largest)
+        label = f"{told.point.symbol}_{name}"
+        yield Finding(told.plan, label, told.point.unit, ours, theirs, np.abs(ours - theirs), allowed, largest)
 
 
 def _links(drafts: Drafts, order: int, drawn: Motion, solved: Motion, kappa: Floats) -> Iterator[Finding]:
-    key = LINK_KEYS[order]
-    pairs = {n: (getattr(drawn.links[n], key), getattr(solved.links[n], key)) for n in drawn.links}
+    told = ORDERS[order]
+    pairs = {n: (drawn.links[n][order], solved.links[n][order]) for n in drawn.links}
     largest = (
         np.pi if order == 0 else max(largest_of([np.abs(ours) for ours, _ in pairs.values()]), _slowest(drawn, order))
     )
-    plan = drafts.plan(order)
     for number, (ours, theirs) in pairs.items():
         apart = np.abs(np.angle(np.exp(1j * (ours - theirs)))) if order == 0 else np.abs(ours - theirs)
         bound = _turn_bound(drafts, order, number)
         allowed = with_analysis(bound, order, kappa, largest)
-        label = f"{LINK_SYMBOLS[order]}_{number}"
-        yield Finding(plan.board.subject, label, LINK_UNITS[order], ours, theirs, apart, allowed, largest)
+        label = f"{told.link.symbol}_{number}"
+        yield Finding(told.plan, label, told.link.unit, ours, theirs, apart, allowed, largest)
 
 
 def _slowest(drawn: Motion, order: int) -> float:
@@ -157,7 +151,7 @@ def _slowest(drawn: Motion, order: int) -> float:
     """
     places = np.array([motion.r for motion in drawn.points.values()])
     size = largest_of([np.abs(places - places[0])])
-    vector = largest_of([np.abs(getattr(motion, POINT_KEYS[order])) for motion in drawn.points.values()])
+    vector = largest_of([np.abs(motion[order]) for motion in drawn.points.values()])
     return vector / size if size > 0 else 0.0
 
 
@@ -165,8 +159,7 @@ def _turn_bound(drafts: Drafts, order: int, number: int) -> Floats:
     """Bound the error of an angle or a rate read from a vector: the vector's own error over the arm's length."""
     plan = drafts.plan(order)
     if order == 0:
-        arm = plan.images[number].arm
-        assert arm is not None  # every link has an arm on the plan of positions
+        arm = plan.arm(number)
         return np.asarray(errors(arm)[arm].place / np.abs(np.asarray(arm.point)) + 2 * EPS)
     if number not in plan.readings:
         return np.zeros(1)

@@ -15,14 +15,14 @@ from geometry.meet import EPS, cross, dot
 from geometry.precision import OWN
 from plans.checks.compare import largest_of
 from plans.checks.comparison import Finding
+from plans.model.group import Group
 from plans.model.kinetostatics import Kinetostatics, Loading
 from plans.model.machine import Body, Machine
 from plans.model.mechanism import FRAME, Mechanism
 from plans.model.motion import Floats, Motion
-from plans.model.structure import Dyad
 
 
-class Acting(NamedTuple):
+class LinkForce(NamedTuple):
     """A force N on a link at r m, with how far rounding can have moved it; a couple N*m is a force of none."""
 
     link: int
@@ -42,49 +42,51 @@ EQUILIBRIUM = "equilibrium"  # the plan of the findings
 
 def acting(
     mechanism: Mechanism, machine: Machine, motion: Motion, loading: Loading, forces: Kinetostatics, bounds: Bounds
-) -> list[Acting]:
+) -> list[LinkForce]:
     """List everything that acts on the moving links: inertia, weights, loads, reactions, and what drives the crank."""
     zero = np.zeros(len(motion.phi))
     found = [_body(mechanism, machine, motion, body, bounds[str(body.link)]) for body in machine.bodies.values()]
     for load in loading.forces:
         if load.link != FRAME:
-            found.append(Acting(load.link, motion.points[load.point].r, load.force, zero, EPS * abs(load.force), zero))
+            found.append(
+                LinkForce(load.link, motion.points[load.point].r, load.force, zero, EPS * abs(load.force), zero)
+            )
     for twist in loading.moments:
-        found.append(Acting(twist.link, 0j * zero, 0j * zero, twist.moment, zero, EPS * abs(twist.moment)))
+        found.append(LinkForce(twist.link, 0j * zero, 0j * zero, twist.moment, zero, EPS * abs(twist.moment)))
     for key, one in forces.reactions.items():
         moment = zero if one.moment is None else one.moment
         off, off_moment = bounds[key]
-        found.append(Acting(one.taker, one.r, one.force, moment, off, off_moment))
-        found.append(Acting(one.giver, one.r, -one.force, -moment, off, off_moment))
+        found.append(LinkForce(one.taker, one.r, one.force, moment, off, off_moment))
+        found.append(LinkForce(one.giver, one.r, -one.force, -moment, off, off_moment))
     return [one for one in (*found, _drive(mechanism, forces, bounds[BALANCING])) if one.link != FRAME]
 
 
-def _body(mechanism: Mechanism, machine: Machine, motion: Motion, body: Body, bound: tuple[Floats, Floats]) -> Acting:
+def _body(
+    mechanism: Mechanism, machine: Machine, motion: Motion, body: Body, bound: tuple[Floats, Floats]
+) -> LinkForce:
     """Give inertia and weight of a link; where it is and how it moves follow from one of its points and its turning."""
     turned = motion.links[body.link]
-    assert turned.omega is not None and turned.epsilon is not None  # forces ask for all orders
     name, own = next(iter(mechanism.links[body.link].points.items()))
     point = motion.points[name]
-    assert point.a is not None  # forces ask for all orders
     arm = (body.centre - own) * np.exp(1j * turned.angle)
     bent = point.a + (1j * turned.epsilon - turned.omega**2) * arm
     force = body.mass * (machine.gravity - bent)
     # Taken here from a point and the turning of the link, on the plan from the image of the mass centre: twice a bound.
     rounded = OWN * EPS * (np.abs(body.mass * machine.gravity) + body.mass * (np.abs(point.a) + np.abs(bent - point.a)))
     couple = -body.inertia * turned.epsilon
-    return Acting(body.link, point.r + arm, force, couple, 2 * bound[0] + rounded, 2 * bound[1])
+    return LinkForce(body.link, point.r + arm, force, couple, 2 * bound[0] + rounded, 2 * bound[1])
 
 
-def _drive(mechanism: Mechanism, forces: Kinetostatics, bound: tuple[Floats, Floats]) -> Acting:
+def _drive(mechanism: Mechanism, forces: Kinetostatics, bound: tuple[Floats, Floats]) -> LinkForce:
     told, link = forces.balancing, mechanism.drive.link
     zero = 0.0 * told.moment
     if told.force is None or told.r is None:
-        return Acting(link, 0j * zero, 0j * zero, told.moment, zero, bound[1])
-    return Acting(link, told.r, told.force, zero, bound[0], zero)
+        return LinkForce(link, 0j * zero, 0j * zero, told.moment, zero, bound[1])
+    return LinkForce(link, told.r, told.force, zero, bound[0], zero)
 
 
 def balance(
-    name: str, parts: Sequence[Acting], own: Floats, most: tuple[float, float] | None = None
+    name: str, parts: Sequence[LinkForce], own: Floats, most: tuple[float, float] | None = None
 ) -> tuple[Finding, Finding]:
     """Sum forces and moments about the shaft; `own` is the bound m of the places.
 
@@ -104,13 +106,13 @@ def balance(
     )
 
 
-def largest(parts: Sequence[Acting]) -> tuple[float, float]:
+def largest(parts: Sequence[LinkForce]) -> tuple[float, float]:
     """Give the largest force N and the largest moment N*m about the shaft that act anywhere, over all positions."""
     moments = [np.abs(one.r) * np.abs(one.force) + np.abs(one.couple) for one in parts]
     return largest_of([np.abs(one.force) for one in parts]), largest_of(moments)
 
 
-def balances(mechanism: Mechanism, groups: Sequence[Dyad], parts: Sequence[Acting], own: Floats) -> list[Finding]:
+def balances(mechanism: Mechanism, groups: Sequence[Group], parts: Sequence[LinkForce], own: Floats) -> list[Finding]:
     """Check each link, each group and the whole; reactions within a group and within the whole cancel."""
     found: list[Finding] = []
     most = largest(parts)
@@ -121,7 +123,7 @@ def balances(mechanism: Mechanism, groups: Sequence[Dyad], parts: Sequence[Actin
     return [*found, *balance("whole", parts, own, most)]
 
 
-def power(mechanism: Mechanism, motion: Motion, parts: Sequence[Acting], slack: Floats, turning: Floats) -> Finding:
+def power(mechanism: Mechanism, motion: Motion, parts: Sequence[LinkForce], slack: Floats, turning: Floats) -> Finding:
     """Sum the power W of all that acts on the moving links: reactions of ideal pairs have none (M5.8).
 
     `slack` m/s and `turning` rad/s are the bounds of the velocities.
@@ -130,7 +132,6 @@ def power(mechanism: Mechanism, motion: Motion, parts: Sequence[Acting], slack: 
     for one in parts:
         turned, name = motion.links[one.link], next(iter(mechanism.links[one.link].points))
         point = motion.points[name]
-        assert turned.omega is not None and point.v is not None  # forces ask for all orders
         v = point.v + 1j * turned.omega * (one.r - point.r)
         terms.append(dot(one.force, v) + one.couple * turned.omega)
         bounds.append(
@@ -141,7 +142,7 @@ def power(mechanism: Mechanism, motion: Motion, parts: Sequence[Acting], slack: 
         )
     sizes = np.array([np.abs(term) for term in terms])
     allowed = np.sum(bounds, axis=0) + len(terms) * EPS * sizes.sum(axis=0)
-    fastest = [np.abs(point.v) for point in motion.points.values() if point.v is not None]
+    fastest = [np.abs(point.v) for point in motion.points.values()]
     most = max(largest_of([sizes]), largest(parts)[0] * largest_of(fastest))
     return vanishing("power", "W", np.abs(np.sum(terms, axis=0)), allowed, most)
 

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from plans.linkage.groups.kinds import KINDS
+from plans.linkage.groups.vectors import Slotted, Turning
 from plans.linkage.letters import Letters
+from plans.linkage.primary import PRIMARIES
+from plans.model.group import Group
 from plans.model.mechanism import FRAME, Mechanism
 from plans.model.motion import Motion
-from plans.model.structure import Dyad
 
 # A vector by the plan's subject and the names of its ends: ("velocities", "a", "b").
 Arrow = tuple[str, str, str]
@@ -19,18 +22,14 @@ class Expected:
     def __init__(self, mechanism: Mechanism, motion: Motion, position: int, letters: Letters) -> None:
         self.mechanism, self.motion, self.k, self.letters = mechanism, motion, position, letters
 
-    def arrows(self, groups: Sequence[Dyad]) -> dict[Arrow, complex]:
+    def arrows(self, groups: Sequence[Group]) -> dict[Arrow, complex]:
         """Give every arrow that a plan may show between named points, normal and Coriolis ends."""
         found = dict(self._absolute())
-        drive = self.mechanism.drive
-        found.update(self._normal(drive.link, drive.pivot, drive.end))
+        told = [*PRIMARIES[self.mechanism.drive.kind].vectors(self.mechanism)]
         for group in groups:
-            if group.kind in ("RRR", "RRP"):
-                found.update(self._lead(group, 0))
-            if group.kind == "RRR":
-                found.update(self._lead(group, 1))
-            if group.kind == "RPR":
-                found.update(self._slotted(group))
+            told += KINDS[group.kind].vectors(group)
+        for vector in told:
+            found.update(self._turning(vector) if isinstance(vector, Turning) else self._slotted(vector))
         return found
 
     def moving(self) -> list[str]:
@@ -48,42 +47,33 @@ class Expected:
 
     def v(self, name: str) -> complex:
         """Velocity of a point, m/s."""
-        values = self.motion.points[name].v
-        assert values is not None  # a sheet asks for all orders
-        return complex(values[self.k])
+        return complex(self.motion.points[name].v[self.k])
 
     def a(self, name: str) -> complex:
         """Acceleration of a point, m/s2."""
-        values = self.motion.points[name].a
-        assert values is not None  # a sheet asks for all orders
-        return complex(values[self.k])
+        return complex(self.motion.points[name].a[self.k])
 
     def omega(self, link: int) -> float:
         """Angular velocity of a link, rad/s."""
-        values = self.motion.links[link].omega
-        assert values is not None  # a sheet asks for all orders
-        return float(values[self.k])
+        return float(self.motion.links[link].omega[self.k])
 
     def image(self, name: str, pole: str) -> str:
         """Name a point's image on a plan: the pole for a fixed point."""
         return pole if name in self.mechanism.links[FRAME].points else self.letters.small(name)
 
-    def _normal(self, link: int, start: str, tip: str) -> Iterator[tuple[Arrow, complex]]:
-        """The normal part of a tip's acceleration about a start, and the tangential one from its end."""
+    def _turning(self, vector: Turning) -> Iterator[tuple[Arrow, complex]]:
+        """A tip over a start: its velocity, the normal part of its acceleration, and the tangential one from there."""
+        link, start, tip = vector
+        yield ("velocities", self.image(start, "p"), self.letters.small(tip)), self.v(tip) - self.v(start)
         image = self.image(start, "π")
         end = self.letters.normal(tip, "" if image == "π" else start)
         normal = -(self.omega(link) ** 2) * (self.r(tip) - self.r(start))
         yield ("accelerations", image, end), normal
         yield ("accelerations", end, self.letters.small(tip)), self.a(tip) - self.a(start) - normal
 
-    def _lead(self, group: Dyad, end: int) -> Iterator[tuple[Arrow, complex]]:
-        start, tip = group.hinge(end), group.pin
-        yield ("velocities", self.image(start, "p"), self.letters.small(tip)), self.v(tip) - self.v(start)
-        yield from self._normal(group.links[end], start, tip)
-
-    def _slotted(self, group: Dyad) -> Iterator[tuple[Arrow, complex]]:
+    def _slotted(self, vector: Slotted) -> Iterator[tuple[Arrow, complex]]:
         """The point of the slotted link under the pin: its velocity, the slip, Coriolis and normal parts (M3.4)."""
-        pin, pivot, link = group.hinge(0), group.hinge(1), group.links[1]
+        link, pivot, pin = vector
         under, spin = self.letters.under(pin, link), self.omega(link)
         arm = self.r(pin) - self.r(pivot)
         turning = 1j * spin * arm

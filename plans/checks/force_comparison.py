@@ -13,7 +13,7 @@ from geometry.precision import errors
 from plans.analytic.energy import energy_balance
 from plans.analytic.kinetostatics import kinetostatics
 from plans.analytic.power import balancing_moment
-from plans.checks.compare import MotionComparison, capped, largest_of, with_analysis
+from plans.checks.compare import MotionComparison, cap, largest_of, with_analysis
 from plans.checks.comparison import Comparison, Finding
 from plans.checks.equilibrium import BALANCING, Bounds, acting, balances, power
 from plans.forces.cut import INERTIA, Support, indices
@@ -23,7 +23,8 @@ from plans.forces.primary import DRIVING
 from plans.forces.statics import Statics
 from plans.model.kinetostatics import FORCES, Kinetostatics, Loading
 from plans.model.losses import Friction
-from plans.model.motion import ORDERS, Floats
+from plans.model.motion import Floats
+from plans.model.order import ORDERS
 
 if TYPE_CHECKING:
     from plans.study import Study
@@ -56,8 +57,8 @@ def compare_forces(statics: Statics, motion: MotionComparison) -> ForceCompariso
     theirs = kinetostatics(motion.road, machine, motion.analysis, loads, statics.pairs)
     ours = statics.forces
     both = _Compared(statics, motion, ours, theirs)
-    forces = *capped(study, [*both.reactions(), *both.balancing(loads)]), both.energy(loads)
-    compared = ForceComparison(ours, theirs, (*forces, *capped(study, [*both.sums()])), motion)
+    forces = *cap(study, [*both.reactions(), *both.balancing(loads)]), both.energy(loads)
+    compared = ForceComparison(ours, theirs, (*forces, *cap(study, [*both.sums()])), motion)
     return _with_friction(statics, compared, loads) if machine.friction else compared
 
 
@@ -160,7 +161,7 @@ class _Compared:
 
     def _most(self, order: int, symbol: str) -> Floats:
         """Give the largest difference that the plan of an order is allowed in its points, or its links' rates."""
-        told = [one.allowed for one in self.motion.of(ORDERS[order]) if one.name.startswith(symbol)]
+        told = [one.allowed for one in self.motion.of(ORDERS[order].plan) if one.name.startswith(symbol)]
         return np.asarray(np.max([np.broadcast_to(row, len(self.ours.phi)) for row in told], axis=0))
 
     def _bounds(self) -> Bounds:

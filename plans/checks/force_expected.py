@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import cmath
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from plans.forces.cut import indices
+from plans.forces.dyads import GROUP_FORCES, Split
 from plans.forces.primary import DRIVING
+from plans.model.group import Group, Joint, Pair
 from plans.model.kinetostatics import Kinetostatics, Loading, pair
 from plans.model.machine import Body, Machine
 from plans.model.mechanism import FRAME, Mechanism
 from plans.model.motion import Motion
-from plans.model.structure import Dyad, Joint
 
 
 class ExpectedForces:
@@ -23,29 +24,27 @@ class ExpectedForces:
         self.mechanism, self.machine, self.motion, self.loading = mechanism, machine, motion, loading
         self.found, self.k = found, k
 
-    def polygon(self, groups: tuple[Dyad, ...], group: Dyad | None) -> dict[str, complex]:
+    def polygon(self, groups: Sequence[Group], group: Group | None) -> dict[str, complex]:
         """Give every force that the polygon of a group must show; None is the primary link."""
         links = (self.mechanism.drive.link,) if group is None else group.links
         told = {name: force for link in links for name, force in self._acting(link)}
-        outer: list[tuple[int, int, Joint]]
         if group is None:
-            outer = [(FRAME, links[0], self.mechanism.drive.pivot)]
+            outer = [Pair(FRAME, links[0], self.mechanism.drive.pivot)]
             if self.found.balancing.force is not None:
                 told[DRIVING] = complex(self.found.balancing.force[self.k])
         else:
-            outer = list(zip(group.hosts, group.links, group.outer, strict=True))
-            outer.append((*group.links[::-1], group.inner))
+            outer = [*group.outer_pairs, *(Pair(taker, giver, joint) for giver, taker, joint in group.inner_pairs)]
         outer += self._handed(groups, links)
         return told | {f"R_{indices(giver, taker)}": self.reaction(giver, taker, j) for giver, taker, j in outer}
 
-    def parts(self, group: Dyad | None) -> dict[str, complex]:
+    def parts(self, group: Group | None) -> dict[str, complex]:
         """Give the parts of a group's outer reactions, which its polygon shows where a link has moments.
 
         Of a hinge they are along the lead and square to it; of a stone's hinge along the slot and square to it.
         """
         if group is None:
             return {}
-        return {name: part for end in (0, 1) for name, part in self._parts(group, end)}
+        return dict(part for split in GROUP_FORCES[group.kind].splits(group) for part in self._parts(split))
 
     def reaction(self, giver: int, taker: int, joint: Joint) -> complex:
         """Give the force of one link on another, N."""
@@ -55,9 +54,7 @@ class ExpectedForces:
 
     def image(self, name: str) -> complex:
         """Give the place of a named point's image on Zhukovsky's lever: its velocity, turned by a quarter."""
-        values = self.motion.points[name].v
-        assert values is not None  # forces ask for all orders
-        return -1j * complex(values[self.k])
+        return -1j * complex(self.motion.points[name].v[self.k])
 
     def _acting(self, link: int) -> Iterator[tuple[str, complex]]:
         """Give the weight, the inertia force and the loads of a link."""
@@ -69,44 +66,37 @@ class ExpectedForces:
             if load.link == link:
                 yield load.name, complex(load.force[self.k])
 
-    def _handed(self, groups: tuple[Dyad, ...], links: tuple[int, ...]) -> Iterator[tuple[int, int, Joint]]:
+    def _handed(self, groups: Sequence[Group], links: Sequence[int]) -> Iterator[Pair]:
         """Give the reactions of groups that hang on some links."""
         for group in groups:
-            for host, link, joint in zip(group.hosts, group.links, group.outer, strict=True):
+            for host, link, joint in group.outer_pairs:
                 if host in links:
-                    yield link, host, joint
+                    yield Pair(link, host, joint)
 
     def acceleration(self, body: Body) -> complex:
         """Give the acceleration of a link's mass centre: that of a point of the link, and the turning about it."""
         name, place = next(iter(self.mechanism.links[body.link].points.items()))
-        turning, values = self.motion.links[body.link], self.motion.points[name].a
-        assert turning.omega is not None and turning.epsilon is not None and values is not None
+        turning = self.motion.links[body.link]
         spin = complex(-(float(turning.omega[self.k]) ** 2), float(turning.epsilon[self.k]))
-        return complex(values[self.k]) + spin * cmath.rect(1.0, float(turning.angle[self.k])) * (body.centre - place)
+        turned = spin * cmath.rect(1.0, float(turning.angle[self.k]))
+        return complex(self.motion.points[name].a[self.k]) + turned * (body.centre - place)
 
-    def _parts(self, group: Dyad, end: int) -> Iterator[tuple[str, complex]]:
-        joint = group.outer[end]
-        if not isinstance(joint, str):
-            return
-        along, letters = self._lead(group, end)
-        if along is None:
-            return
-        host, link = group.hosts[end], group.links[end]
-        force, index = self.reaction(host, link, joint), indices(host, link)
+    def _parts(self, split: Split) -> Iterator[tuple[str, complex]]:
+        host, link, joint = split.pair
+        along, index = self._direction(split), indices(host, link)
+        force = self.reaction(host, link, joint)
         part = along * (along.conjugate() * force).real
-        yield f"R^{letters[0]}_{index}", part
-        yield f"R^{letters[1]}_{index}", force - part
+        yield f"R^{split.letters[0]}_{index}", part
+        yield f"R^{split.letters[1]}_{index}", force - part
 
-    def _lead(self, group: Dyad, end: int) -> tuple[complex | None, str]:
-        """Give the unit direction that a hinge's reaction is taken apart by, and the letters of its parts."""
-        if isinstance(group.inner, str):
-            start, tip = (complex(self.motion.points[name].r[self.k]) for name in (group.hinge(end), group.inner))
-            return (tip - start) / abs(tip - start), "nt"
-        if end == 1:  # the pivot of a slotted link closes the polygon whole
-            return None, ""
-        slide = self.found.reactions[pair(*group.links, group.inner).key]
-        assert slide.along is not None  # a sliding pair has a direction
-        return complex(slide.along[self.k]), "un"
+    def _direction(self, split: Split) -> complex:
+        """Give the unit direction that a hinge's reaction is taken apart by."""
+        if isinstance(split.along, Pair):
+            slide = self.found.reactions[pair(*split.along).key]
+            assert slide.along is not None  # a sliding pair has a direction
+            return complex(slide.along[self.k])
+        start, tip = (complex(self.motion.points[name].r[self.k]) for name in split.along)
+        return (tip - start) / abs(tip - start)
 
 
 def missed(

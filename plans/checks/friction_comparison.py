@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
-from plans.checks.compare import MotionComparison, capped, largest_of, with_analysis
+from plans.checks.compare import MotionComparison, cap, largest_of, with_analysis
 from plans.checks.comparison import Comparison, Finding
 from plans.forces.cut import indices
 from plans.forces.rubbing import rate
@@ -15,7 +15,8 @@ from plans.model.kinetostatics import Kinetostatics, Loading, Reaction
 from plans.model.losses import Friction
 from plans.model.machine import Rubbing
 from plans.model.mechanism import Mechanism
-from plans.model.motion import ORDERS, Floats
+from plans.model.motion import Floats
+from plans.model.order import VELOCITIES
 
 FRICTION = "friction"  # the plan of the findings
 ORDER = 3  # powers rest on reactions
@@ -30,7 +31,7 @@ def compare_friction(
     assert ours is not None  # the machine has friction
     both = _Compared(statics, motion, forces, (ours, theirs))
     powers = both.powers(statics.loading(motion.construction))
-    told = *capped(study, [*powers, *both.locking()]), *both.efficiency(), *both.wear(), *both.jams()
+    told = *cap(study, [*powers, *both.locking()]), *both.efficiency(), *both.wear(), *both.jams()
     return ours, told
 
 
@@ -55,7 +56,7 @@ class _Compared:
         self.largest = max((self._largest(key) for key in self.rates), default=0.0)
 
     def _off(self, symbol: str) -> Floats:
-        told = [one.allowed for one in self.motion.of(ORDERS[1]) if one.name.startswith(symbol)]
+        told = [one.allowed for one in self.motion.of(VELOCITIES.plan) if one.name.startswith(symbol)]
         rows = [np.broadcast_to(row, len(self.ours.phi)) for row in told]
         return np.max(rows, axis=0) if rows else np.zeros(len(self.ours.phi))
 
@@ -71,7 +72,7 @@ class _Compared:
     def _fast(self, key: str) -> float:
         """Give the largest rate of the machine that a pair may have: rad/s, or of a slide m/s."""
         symbol = "ω_" if self.forces.reactions[key].along is None else "v_"
-        told = [one.largest for one in self.motion.of(ORDERS[1]) if one.name.startswith(symbol)]
+        told = [one.largest for one in self.motion.of(VELOCITIES.plan) if one.name.startswith(symbol)]
         return max([*told, largest_of([self.rates[key]])])
 
     def _largest(self, key: str) -> float:

@@ -14,7 +14,8 @@ import numpy as np
 from plans.analytic.kinematics import Analysis
 from plans.checks.plain_numbers import gap_numbers, pairs, plain
 from plans.linkage.study import LinkageStudy
-from plans.model.motion import LINK_KEYS, ORDERS, POINT_KEYS, Extremes, Motion
+from plans.model.motion import Extremes, Motion
+from plans.model.order import ACCELERATIONS, ORDERS, numbers_of
 
 if TYPE_CHECKING:
     from plans.study import Study
@@ -52,16 +53,13 @@ class MotionNumbers:
         points = sorted(self.motion.points.items())
         places = {k: self.datum if k == 0 else 0 for k in self.orders}
         return {
-            name: {POINT_KEYS[k]: pairs(getattr(point, POINT_KEYS[k]) + place) for k, place in places.items()}
+            name: {ORDERS[k].point.key: pairs(point[k] + place) for k, place in places.items()}
             for name, point in points
         }
 
     def _links(self) -> dict[str, Any]:
         links = sorted(self.motion.links.items())
-        return {
-            str(number): {LINK_KEYS[k]: plain(getattr(link, LINK_KEYS[k])) for k in self.orders}
-            for number, link in links
-        }
+        return {str(number): {ORDERS[k].link.key: plain(link[k]) for k in self.orders} for number, link in links}
 
 
 def _extremes(extremes: Extremes) -> dict[str, Any]:
@@ -77,8 +75,8 @@ def _extremes(extremes: Extremes) -> dict[str, Any]:
 def numbers(study: Study, by: str) -> MotionNumbers:
     """Find the motion of a scene by a road: what is asked for of it, and what the forces rest on."""
     linkage = study["linkage"]
-    orders = [order for order, name in enumerate(ORDERS) if name in study.plans]
-    order = len(ORDERS) - 1 if study.techniques[-1] != "linkage" else max(orders, default=0)
+    orders = numbers_of(study.plans)
+    order = ACCELERATIONS.number if study.techniques[-1] != "linkage" else max(orders, default=0)
     datum = complex(*(float(x) for x in linkage.mechanism.datum))
     found = _analysed(linkage, order) if by == "analysis" else _constructed(linkage, order)
     return MotionNumbers(study.scene.title, datum, found[0], found[1], orders, found[2])
@@ -86,7 +84,8 @@ def numbers(study: Study, by: str) -> MotionNumbers:
 
 def _constructed(study: LinkageStudy, order: int) -> tuple[Motion, Extremes | None, None]:
     motion = study.motion(order)
-    return motion, study.found.extremes if study.form.drive.first is None and study.found else None, None
+    found = study.extreme_positions if study.form.drive.first is None else None
+    return motion, found.extremes if found else None, None
 
 
 def _analysed(study: LinkageStudy, order: int) -> tuple[Motion, Extremes | None, Analysis]:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from geometry.board import Mark
+from plans.model.group import Group
 from plans.model.mechanism import Slide
-from plans.model.structure import Dyad
 
 WEIGHT, INERTIA, LOAD, REACTION = "weight", "inertia", "load", "reaction"
 KNOWN, PART, CLOSING = "known", "part", "closing"
@@ -70,7 +70,7 @@ class Equation(NamedTuple):
 class Cut(NamedTuple):
     """A group, or the primary link, with its known forces, its reactions, its equations and its polygon in order."""
 
-    group: Dyad | None
+    group: Group | None
     links: tuple[int, ...]
     loads: tuple[Load, ...]
     couples: tuple[Couple, ...]

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import Any, Generic, NamedTuple, TypeVar
 
 from plans.forces import polygon
 from plans.forces.cut import Cut
 from plans.forces.force import ForcePlan
-from plans.model.structure import Dyad
+from plans.model.dyad import Dyad
+from plans.model.group import Pair
 from plans.words.words import because
+
+Of = TypeVar("Of")  # what groups of the kind are, such as dyads
 
 
 def rrr(plan: ForcePlan, dyad: Dyad) -> Cut:
@@ -16,14 +20,14 @@ def rrr(plan: ForcePlan, dyad: Dyad) -> Cut:
     board, (first, second) = plan.board, dyad.links
     equations = [polygon.tangential(plan, dyad, end) for end in (0, 1)]
     parts = [one and one.found for one in equations]
-    laid, inner = polygon.laid(plan, dyad, parts[0], last=parts[1])
+    laid, inner = polygon.lay_out(plan, dyad, parts[0], last=parts[1])
     lines = [
         board.parallel(f"∥{lead.name}", start, lead, because("along_normal", line=lead.name))
         for lead, start in ((polygon.lead_of(plan, dyad, 0), laid.start), (polygon.lead_of(plan, dyad, 1), laid.end))
     ]
     names = [polygon.normal_name(dyad, end, parts[end]) for end in (0, 1)]
-    closed = polygon.closed(plan, laid, (names[0], names[1]), (lines[0], lines[1]))
-    supports = [polygon.hinged(plan, dyad, end, closed, parts[end]) for end in (0, 1)]
+    closed = polygon.close(plan, laid, (names[0], names[1]), (lines[0], lines[1]))
+    supports = [polygon.hinge_reaction(plan, dyad, end, closed, parts[end]) for end in (0, 1)]
     pin = polygon.support(plan, (second, first), dyad.pin, polygon.cut_at(plan, dyad, closed.corner, inner))
     return polygon.cut(plan, dyad, supports, pin, equations, closed.polygon)
 
@@ -33,16 +37,16 @@ def rrp(plan: ForcePlan, dyad: Dyad) -> Cut:
     board, (rod, slider) = plan.board, dyad.links
     equation = polygon.tangential(plan, dyad, 0)
     part = equation and equation.found
-    laid, inner = polygon.laid(plan, dyad, part)
+    laid, inner = polygon.lay_out(plan, dyad, part)
     lead, along = polygon.lead_of(plan, dyad, 0), polygon.guide_of(plan, dyad, 1)
     lines = (
         board.parallel(f"∥{lead.name}", laid.start, lead, because("along_normal", line=lead.name)),
         board.square(f"⊥{along.name}", laid.end, along, because("guide_presses")),
     )
     names = polygon.normal_name(dyad, 0, part), polygon.name_of(dyad, 1)
-    closed = polygon.closed(plan, laid, names, lines)
+    closed = polygon.close(plan, laid, names, lines)
     pin = polygon.support(plan, (slider, rod), dyad.pin, polygon.cut_at(plan, dyad, closed.corner, inner))
-    supports = [polygon.hinged(plan, dyad, 0, closed, part), polygon.guided(plan, dyad, 1, closed, pin)]
+    supports = [polygon.hinge_reaction(plan, dyad, 0, closed, part), polygon.guide_reaction(plan, dyad, 1, closed, pin)]
     return polygon.cut(plan, dyad, supports, pin, [equation], closed.polygon)
 
 
@@ -50,7 +54,7 @@ def rpr(plan: ForcePlan, dyad: Dyad) -> Cut:
     """Find the pin's part along the slot, then the one square to it by moments about C, and close in C (M5.4)."""
     part = polygon.along_slot(plan, dyad)
     across = polygon.across_slot(plan, dyad, part)
-    laid, inner = polygon.laid(plan, dyad, part, across and across.found)
+    laid, inner = polygon.lay_out(plan, dyad, part, across and across.found)
     name = polygon.name_of(dyad, 1)
     pivot = polygon.support(
         plan,
@@ -58,24 +62,24 @@ def rpr(plan: ForcePlan, dyad: Dyad) -> Cut:
         dyad.hinge(1),
         plan.board.join(name, laid.end, laid.start, because("closing")),
     )
-    pin = polygon.pressed(plan, dyad, laid, across, part)
-    slotted = polygon.slotted(plan, dyad, polygon.cut_at(plan, dyad, laid.start, inner), pin)
+    pin = polygon.stone_reaction(plan, dyad, laid, across, part)
+    slotted = polygon.slot_reaction(plan, dyad, polygon.cut_at(plan, dyad, laid.start, inner), pin)
     supports = [pin, pivot]
     return polygon.cut(plan, dyad, supports, slotted, [across], (*laid.sides, polygon.closing(name, laid)))
 
 
 def prp(plan: ForcePlan, dyad: Dyad) -> Cut:
     """Close the polygon of all forces square to both guides; the pin's moments give their moments (M5.5)."""
-    laid, inner = polygon.laid(plan, dyad)
+    laid, inner = polygon.lay_out(plan, dyad)
     guides = polygon.guide_of(plan, dyad, 0), polygon.guide_of(plan, dyad, 1)
     lines = [
         plan.board.square(f"⊥{along.name}", start, along, because("guide_presses"))
         for along, start in zip(guides, (laid.start, laid.end), strict=True)
     ]
     names = polygon.name_of(dyad, 0), polygon.name_of(dyad, 1)
-    closed = polygon.closed(plan, laid, names, (lines[0], lines[1]))
+    closed = polygon.close(plan, laid, names, (lines[0], lines[1]))
     pin = polygon.support(plan, dyad.links[::-1], dyad.pin, polygon.cut_at(plan, dyad, closed.corner, inner))
-    supports = [polygon.guided(plan, dyad, end, closed, pin) for end in (0, 1)]
+    supports = [polygon.guide_reaction(plan, dyad, end, closed, pin) for end in (0, 1)]
     return polygon.cut(plan, dyad, supports, pin, [], closed.polygon)
 
 
@@ -83,25 +87,55 @@ def rpp(plan: ForcePlan, dyad: Dyad) -> Cut:
     """Find the pin's part along the slot, then close square to the slot and square to the guide (M5.6)."""
     board = plan.board
     part = polygon.along_slot(plan, dyad)
-    laid, inner = polygon.laid(plan, dyad, part)
+    laid, inner = polygon.lay_out(plan, dyad, part)
     slot, along = polygon.slot_of(plan, dyad), polygon.guide_of(plan, dyad, 1)
     lines = (
         board.square(f"⊥{slot.name}", laid.start, slot, because("slot_presses")),
         board.square(f"⊥{along.name}", laid.end, along, because("guide_presses")),
     )
     names = polygon.normal_name(dyad, 0, part), polygon.name_of(dyad, 1)
-    closed = polygon.closed(plan, laid, names, lines)
-    pin = polygon.hinged(plan, dyad, 0, closed, part)
-    slotted = polygon.slotted(plan, dyad, polygon.cut_at(plan, dyad, closed.corner, inner), pin)
-    supports = [pin, polygon.guided(plan, dyad, 1, closed, slotted)]
+    closed = polygon.close(plan, laid, names, lines)
+    pin = polygon.hinge_reaction(plan, dyad, 0, closed, part)
+    slotted = polygon.slot_reaction(plan, dyad, polygon.cut_at(plan, dyad, closed.corner, inner), pin)
+    supports = [pin, polygon.guide_reaction(plan, dyad, 1, closed, slotted)]
     return polygon.cut(plan, dyad, supports, slotted, [], closed.polygon)
 
 
-# A new kind of group has a line here, and one in plans/linkage/groups/kinds.py.
-DYADS: Mapping[str, Callable[[ForcePlan, Dyad], Cut]] = {
-    "RRR": rrr,
-    "RRP": rrp,
-    "RPR": rpr,
-    "PRP": prp,
-    "RPP": rpp,
+class Split(NamedTuple):
+    """An outer reaction that a polygon may show in two parts: along a line and square to it, with their letters.
+
+    The line is that through two points, or that of a sliding pair.
+    """
+
+    pair: Pair
+    along: tuple[str, str] | Pair
+    letters: str
+
+
+def leads(dyad: Dyad) -> Iterator[Split]:
+    """Split the reactions of outer hinges along the leads: normal and tangential parts."""
+    for outer in dyad.outer_pairs:
+        if isinstance(outer.joint, str):
+            yield Split(outer, (outer.joint, dyad.pin), "nt")
+
+
+def stone(dyad: Dyad) -> Iterator[Split]:
+    """Split the reaction of a stone's hinge along the slot and square to it."""
+    yield Split(dyad.outer_pairs[0], dyad.inner_pairs[0], "un")
+
+
+class ForceKind(NamedTuple, Generic[Of]):
+    """The forces of one kind of group: its construction, and which outer reactions that may show in parts."""
+
+    cut: Callable[[ForcePlan, Of], Cut]
+    splits: Callable[[Of], Iterable[Split]]
+
+
+# A new kind of group has a row here, and one in plans/linkage/groups/kinds.py.
+GROUP_FORCES: Mapping[str, ForceKind[Any]] = {
+    "RRR": ForceKind(rrr, leads),
+    "RRP": ForceKind(rrp, leads),
+    "RPR": ForceKind(rpr, stone),
+    "PRP": ForceKind(prp, leads),
+    "RPP": ForceKind(rpp, stone),
 }

@@ -52,9 +52,8 @@ class ForcePlan:
             yield Load(name, link, at, force, INERTIA)
         if self.machine.gravity:
             name = f"G_{link}"
-            yield Load(
-                name, link, at, self.board.given(name, body.mass * self.machine.gravity, because("weight")), WEIGHT
-            )
+            force = self.board.given(name, body.mass * self.machine.gravity, because("weight"))
+            yield Load(name, link, at, force, WEIGHT)
 
     def _turning(self, body: Body) -> Iterator[Couple]:
         """Give a link its inertia couple, against its angular acceleration (M5.1)."""
@@ -93,7 +92,7 @@ class ForcePlan:
             self.given.append(mark)
             self.couples[twist.link].append(Couple(twist.name, twist.link, mark, LOAD))
 
-    def redrawn(self, boards: Mapping[str, Board], made: Mapping[Mark, Mark], below: Sequence[Plan]) -> ForcePlan:
+    def redraw(self, boards: Mapping[str, Board], made: Mapping[Mark, Mark], below: Sequence[Plan]) -> ForcePlan:
         """Give this plan as it is on other boards, whose marks are named by those of this one."""
         other = copy(self)
         other.positions, other.velocities, other.accelerations = below

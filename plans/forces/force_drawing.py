@@ -11,21 +11,21 @@ from geometry.board import Mark
 from geometry.meet import UNBORNE
 from plans.forces.cut import Support
 from plans.forces.force import ForcePlan
-from plans.forces.force_template import Drawn, reaction_of, row
+from plans.forces.force_template import ForcePlans, reaction_of, row
 from plans.forces.groups import forces
 from plans.forces.lever import lever
 from plans.linkage.groups import guide
 from plans.linkage.plan import Plan
+from plans.model.group import Group
 from plans.model.kinetostatics import Balancing, Kinetostatics, Loading, Reaction
 from plans.model.machine import Machine
 from plans.model.motion import Floats
-from plans.model.structure import Dyad
 
 
 class ForceDrawing:
     """What a pattern of forces does, by drawing: the plans below take the place of its numbers."""
 
-    def __init__(self, groups: Sequence[Dyad], machine: Machine) -> None:
+    def __init__(self, groups: Sequence[Group], machine: Machine) -> None:
         self.groups, self.machine = groups, machine
 
     def follow(self, plans: Sequence[Plan], loading: Loading) -> ForcePlan:
@@ -33,13 +33,13 @@ class ForceDrawing:
         return forces(plans[2], self.groups, self.machine, loading)
 
     @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, and is named outside
-    def drawn(self, plan: ForcePlan) -> Drawn:
+    def plans_of(self, plan: ForcePlan) -> ForcePlans:
         """Give the force plan itself, and the lever."""
-        return Drawn(plan, lever(plan))
+        return ForcePlans(plan, lever(plan))
 
     def hung(self, plan: ForcePlan, count: int) -> Floats | None:
         """Read the balancing moment off the lever."""
-        hung = self.drawn(plan).lever
+        hung = self.plans_of(plan).lever
         return None if hung is None else np.asarray(row(hung.moment.point, count).real)
 
     def singular(self, plan: ForcePlan, count: int) -> Any:

@@ -9,8 +9,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from geometry.board import behind
 from geometry.meet import UNBORNE
+from geometry.steps import behind
 from geometry.tracing import Tracing
 from plans.forces.cut import Support
 from plans.forces.force import ForcePlan
@@ -20,13 +20,13 @@ from plans.linkage.groups import guide
 from plans.linkage.plan import Plan
 from plans.linkage.plan_template import PlanTemplate, resting
 from plans.linkage.redrawing import remade
+from plans.model.group import Group
 from plans.model.kinetostatics import Balancing, Kinetostatics, Loading, Reaction
 from plans.model.machine import Machine
 from plans.model.motion import Floats
-from plans.model.structure import Dyad
 
 
-class Drawn(NamedTuple):
+class ForcePlans(NamedTuple):
     """The force plan and the lever at the positions of some plans, their marks made."""
 
     plan: ForcePlan
@@ -46,7 +46,7 @@ class _Places(NamedTuple):
 class ForcePattern:
     """The force plan over a pattern of accelerations; the lever is hung when it is looked at."""
 
-    def __init__(self, pattern: PlanTemplate, groups: Sequence[Dyad], machine: Machine, loading: Loading) -> None:
+    def __init__(self, pattern: PlanTemplate, groups: Sequence[Group], machine: Machine, loading: Loading) -> None:
         self.pattern = pattern
         self.plan = forces(pattern.plans[2], groups, machine, loading)
         self._below = [plan.board for plan in pattern.plans]
@@ -112,14 +112,14 @@ class ForcePattern:
         force, r = (numbers[self.tracing.place(mark)] for mark in (plan.drive, plan.driven))
         return Balancing(moment, row(force, count), row(r, count))
 
-    def drawn(self, numbers: list[Any]) -> Drawn:
+    def plans_of(self, numbers: list[Any]) -> ForcePlans:
         """Make the plans that have these numbers of the force plan, and the lever."""
         boards, made = self._hung.boards(self.hang(numbers))
         plans: list[Plan] = []
         for plan in self.pattern.plans:
-            plans.append(plan.redrawn(boards[plan.board.subject], made, tuple(plans)))
-        found = self.plan.redrawn(boards, made, plans)
-        return Drawn(found, remade(self.lever, made, boards))
+            plans.append(plan.redraw(boards[plan.board.subject], made, tuple(plans)))
+        found = self.plan.redraw(boards, made, plans)
+        return ForcePlans(found, remade(self.lever, made, boards))
 
 
 def reaction_of(support: Support, r: Any, force: Any, moment: Any, along: Any, *, count: int) -> Reaction:

@@ -12,12 +12,12 @@ import numpy as np
 import numpy.typing as npt
 
 from plans.forces import locking, rubbing
+from plans.model.group import Group
 from plans.model.kinetostatics import Kinetostatics, Loading
 from plans.model.losses import Friction
 from plans.model.machine import Machine
 from plans.model.mechanism import Mechanism
 from plans.model.motion import Floats, Motion
-from plans.model.structure import Dyad
 
 EPS = float(np.finfo(float).eps)
 # Two angles of a turn, each rounded once where it was divided, once where it was started and once as radians.
@@ -27,7 +27,7 @@ ROUNDINGS = 6
 @np.errstate(divide="ignore", invalid="ignore")  # a gap is NaN inside; a ray without effect is a dead centre
 def friction(
     mechanism: Mechanism,
-    groups: Sequence[Dyad],
+    groups: Sequence[Group],
     machine: Machine,
     motion: Motion,
     loading: Loading,

@@ -5,6 +5,7 @@ No reaction enters: the turned plan is a rigid lever hinged at its pole; the for
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
 from geometry.board import Board, Mark
@@ -14,25 +15,16 @@ from plans.words.words import because
 
 if TYPE_CHECKING:
     from plans.forces.force import ForcePlan
-
-
-class Hung(NamedTuple):
-    """A force on the lever: its letters, the turned image of its point, its vector, and its moment about the pole."""
-
-    name: str
-    at: Mark
-    force: Mark
-    moment: Mark
+    from plans.linkage.plan import Reading
 
 
 class Pairing(NamedTuple):
-    """A couple on the lever: two forces at the turned images of a link's points, square to it, and their moment."""
+    """A couple on the lever: two forces at the turned images of a link's points, square to it."""
 
     name: str
     start: Mark
     end: Mark
     force: Mark  # at the end; its opposite acts at the start
-    moment: Mark
 
 
 class Lever(NamedTuple):
@@ -40,8 +32,9 @@ class Lever(NamedTuple):
 
     board: Board
     pole: Mark
-    hung: tuple[Hung, ...]
+    loads: tuple[Load, ...]  # at the turned images of their points
     pairs: tuple[Pairing, ...]
+    moments: tuple[tuple[str, Mark], ...]  # about the pole, of each load and each pair by its letters
     driven: Mark  # turned image of the point where the drive's force acts
     force: Mark  # balancing force there
     moment: Mark  # its moment about the shaft
@@ -54,33 +47,40 @@ def lever(plan: ForcePlan) -> Lever | None:
     board = Board("lever")
     pole = board.given("p", 0j, because("lever_pole"))
     links = sorted(plan.mechanism.links)
-    hung = [_hung(plan, board, pole, load) for link in links for load in plan.loads[link] if load.kind != REACTION]
-    pairs = [_paired(plan, board, one) for link in links for one in plan.couples[link] if one.kind != REACTION]
-    kept, turning = [one for one in hung if one is not None], [one for one in pairs if one is not None]
+    loads, pairs, moments = list[Load](), list[Pairing](), list[tuple[str, Mark]]()
+    for load in _loads(plan, board, [load for link in links for load in plan.loads[link] if load.kind != REACTION]):
+        loads.append(load)
+        moments.append((load.name, board.moment(f"p({load.name})", pole, load.at, load.force, because("moment"))))
+    for pair in _pairs(plan, board, [one for link in links for one in plan.couples[link] if one.kind != REACTION]):
+        pairs.append(pair)
+        moments.append((pair.name, _turning(board, pair)))
     image, point, line = _drive(plan, board)
-    moments = [*(one.moment for one in kept), *(one.moment for one in turning)]
     if not moments:
         return None
-    force = board.balance(DRIVING, pole, line, *moments, why=because("lever_balance"))
+    terms = [moment for _, moment in moments]
+    force = board.balance(DRIVING, pole, line, *terms, why=because("lever_balance"))
     shaft = plan.positions.point(plan.mechanism.drive.pivot)
     moment = board.moment(BALANCING, shaft, point, force, because("shaft_moment"))
-    return Lever(board, pole, tuple(kept), tuple(turning), image, force, moment)
+    return Lever(board, pole, tuple(loads), tuple(pairs), tuple(moments), image, force, moment)
 
 
-def _hung(plan: ForcePlan, board: Board, pole: Mark, load: Load) -> Hung | None:
-    """Put a force at the turned image of its point; one at a fixed point does no work."""
-    image = plan.image(load)
-    if image is plan.velocities.pole:
-        return None
-    at = _turned(board, image)
-    return Hung(load.name, at, load.force, board.moment(f"p({load.name})", pole, at, load.force, because("moment")))
+def _loads(plan: ForcePlan, board: Board, loads: Iterable[Load]) -> Iterator[Load]:
+    """Put forces at the turned images of their points; one at a fixed point does no work."""
+    for load in loads:
+        image = plan.image(load)
+        if image is not plan.velocities.pole:
+            yield load._replace(at=_turned(board, image))
 
 
-def _paired(plan: ForcePlan, board: Board, couple: Couple) -> Pairing | None:
-    """Replace a couple by two forces at the ends of a vector of its link; one on a link that does not turn rests."""
-    reading = plan.velocities.readings.get(couple.link)
-    if reading is None:
-        return None
+def _pairs(plan: ForcePlan, board: Board, couples: Iterable[Couple]) -> Iterator[Pairing]:
+    """Replace couples by two forces at the ends of a vector of their link; one on a link that does not turn rests."""
+    for couple in couples:
+        reading = plan.velocities.readings.get(couple.link)
+        if reading is not None:
+            yield _pair(plan, board, couple, reading)
+
+
+def _pair(plan: ForcePlan, board: Board, couple: Couple, reading: Reading) -> Pairing:
     arm = reading.arm.step.inputs[0] if reading.arm.step.op == "transfer" else reading.arm
     start, end = arm.step.inputs
     base = plan.positions.board
@@ -88,16 +88,19 @@ def _paired(plan: ForcePlan, board: Board, couple: Couple) -> Pairing | None:
     holding = board.balance(f"-{couple.name}/{arm.name}", start, line, couple.moment, why=because("against_couple"))
     force = board.turn(f"{couple.name}/{arm.name}", holding, -1.0, because("couple", line=arm.name))
     images = [_turned(board, image) for image in reading.turning.step.inputs]
-    moment = board.moment(f"p({couple.name})", images[0], images[1], force, because("couple_moment"))
-    return Pairing(couple.name, images[0], images[1], force, moment)
+    return Pairing(couple.name, images[0], images[1], force)
+
+
+def _turning(board: Board, pair: Pairing) -> Mark:
+    why = because("couple_moment")
+    return board.moment(f"p({pair.name})", pair.start, pair.end, pair.force, why)
 
 
 def _drive(plan: ForcePlan, board: Board) -> tuple[Mark, Mark, Mark]:
     """Give the turned image of the point where the drive acts, that point, and the line of its force on the lever."""
     base, speeds, drive = plan.positions, plan.velocities, plan.mechanism.drive
     if plan.driven is None or plan.driven is base.point(drive.end):
-        point, image, arm = base.point(drive.end), speeds.point(drive.end), base.images[drive.link].arm
-        assert arm is not None  # the crank has an arm on the plan of positions
+        point, image, arm = base.point(drive.end), speeds.point(drive.end), base.arm(drive.link)
         turned = _turned(board, image)
         return turned, point, board.square(f"⊥{arm.name}", turned, arm, because("balancing_square"))
     image = speeds.transport(drive.link, plan.driven, plan.driven.name.lower())

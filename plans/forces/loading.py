@@ -74,7 +74,6 @@ def _sense(motion: Motion, link: int) -> Floats:
 
 def _moving(speed: Any, growth: Any, motions: Collection[PointMotion | LinkMotion]) -> Any:
     """Give a velocity; where it is zero but for rounding, the acceleration, to which the next velocity is parallel."""
-    assert speed is not None and growth is not None
     rests = np.abs(speed) <= ROUNDING * _largest(one[1] for one in motions)
     if not rests.any():
         return speed

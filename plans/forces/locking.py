@@ -16,8 +16,8 @@ inertia and loads have no say in the ratio, only in whether the link is driven a
 
 The ray joins two hinges, or is square to the slide: RRR and RRP along the rod, RPR and RPP square to the slot through
 the driving hinge, PRP square to the driving guide through the inner hinge. Each pair is taken by itself: friction in
-the driving pairs would turn the ray by an angle of the order f. Groups between two moving links, and a slider that
-drives the crank, are not looked at.
+the driving pairs would turn the ray by an angle of the order f. Groups between moving links, those of more leads than
+two, and a slider that drives the crank are not looked at.
 """
 
 from __future__ import annotations
@@ -29,12 +29,12 @@ import numpy as np
 
 from geometry.meet import cross, dot
 from plans.forces.rubbing import lost, pressing
+from plans.model.group import Group
 from plans.model.kinetostatics import Reaction, pair
 from plans.model.losses import CENTRAL, SLANTED, TILTED, Jam
 from plans.model.machine import Rubbing
 from plans.model.mechanism import FRAME
 from plans.model.motion import Complexes, Floats
-from plans.model.structure import Dyad
 from plans.words.words import Message
 
 
@@ -98,17 +98,13 @@ class Driven(NamedTuple):
         return SLANTED if rubbing.coefficient * abs(ray.imag) >= abs(ray.real) else TILTED
 
 
-def drives(groups: Sequence[Dyad], reactions: Mapping[str, Reaction]) -> Iterator[tuple[str, Driven]]:
+def drives(groups: Sequence[Group], reactions: Mapping[str, Reaction]) -> Iterator[tuple[str, Driven]]:
     """Find the pairs of the frame whose links are driven by a group that hangs on a moving link."""
     for group in groups:
-        on_frame = [end for end in (0, 1) if group.hosts[end] == FRAME]
-        if len(on_frame) != 1:
+        fixed, moving = ([one for one in group.outer_pairs if (one.giver == FRAME) == still] for still in (True, False))
+        if not len(fixed) == len(moving) == len(group.inner_pairs) == 1:
             continue
-        driven, driving = (
-            reactions[pair(group.hosts[end], group.links[end], group.outer[end]).key]
-            for end in (on_frame[0], 1 - on_frame[0])
-        )
-        inner = reactions[pair(*group.links, group.inner).key]
+        driven, driving, inner = (reactions[pair(*one).key] for one in (*fixed, *moving, *group.inner_pairs))
         if driving.along is not None and inner.along is not None:
             continue  # two slides bring a couple alone, which presses nothing
         found = f"{driven.giver}-{driven.taker}"

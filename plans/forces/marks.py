@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from geometry.board import Mark, behind
+from geometry.board import Mark
+from geometry.steps import behind
 from plans.explanation import Explanation, NoMark
 from plans.forces.cut import indices
 from plans.forces.reading.form import ForceForm

@@ -9,8 +9,8 @@ from geometry.board import Mark
 from plans.forces.cut import CLOSING, KNOWN, PART, REACTION, Couple, Cut, Equation, Load, Side, Support, indices
 from plans.forces.force import ForcePlan
 from plans.linkage.groups import guide
+from plans.model.dyad import Dyad
 from plans.model.mechanism import Slide
-from plans.model.structure import Dyad
 from plans.words.words import because
 
 
@@ -40,7 +40,7 @@ def chain(plan: ForcePlan, label: str, *forces: tuple[str, Mark, str]) -> Chain:
     return Chain(tuple(corners), tuple(sides))
 
 
-def known(loads: Sequence[Load]) -> list[tuple[str, Mark, str]]:
+def known_sides(loads: Sequence[Load]) -> list[tuple[str, Mark, str]]:
     """Give loads as the links of a chain."""
     return [(load.name, load.force, KNOWN) for load in loads]
 
@@ -61,11 +61,10 @@ def tangential(plan: ForcePlan, dyad: Dyad, end: int) -> Equation | None:
     """
     link, index = dyad.links[end], indices(dyad.hosts[end], dyad.links[end])
     base, (loads, couples) = plan.positions, plan.acting(link)
-    about, at, arm = base.point(dyad.pin), base.point(dyad.hinge(end)), base.images[link].arm
+    about, at, arm = base.point(dyad.pin), base.point(dyad.hinge(end)), base.arm(link)
     terms = moments(plan, about, loads, couples)
     if not terms:
         return None
-    assert arm is not None  # a lead has an arm on the plan of positions
     line = base.board.square(f"⊥{arm.name}", at, arm, because("square_tangential", line=arm.name))
     found = plan.board.balance(f"R^t_{index}", about, line, *terms, why=because("moments", point=about.name, link=link))
     return Equation(about, tuple(load for load in loads if load.at is not about), tuple(couples), line, found)
@@ -80,7 +79,7 @@ def along_slot(plan: ForcePlan, dyad: Dyad) -> Mark | None:
     if not loads:
         return None
     board, slot = plan.board, slot_of(plan, dyad)
-    own = chain(plan, f"stone {dyad.links[0]}", *known(loads))
+    own = chain(plan, f"stone {dyad.links[0]}", *known_sides(loads))
     through = board.parallel(f"∥{slot.name}", own.end, slot, because("slot_cannot"))
     across = board.square(f"⊥{slot.name}", own.start, slot, because("slot_square"))
     corner = board.meet(f"stone {dyad.links[0]}", through, across, why=because("the_slot_presses"))
@@ -90,22 +89,20 @@ def along_slot(plan: ForcePlan, dyad: Dyad) -> Mark | None:
 def slot_of(plan: ForcePlan, dyad: Dyad) -> Mark:
     """Carry the direction of a group's inner slide to the plan of forces."""
     slide = dyad.slide()
-    return carried(plan, guide.direction(plan.positions, slide, slide.owner))
+    return direction_on(plan, guide.direction(plan.positions, slide, slide.owner))
 
 
 def guide_of(plan: ForcePlan, dyad: Dyad, end: int) -> Mark:
     """Carry the direction of a group's outer slide to the plan of forces."""
-    return carried(plan, guide.direction(plan.positions, dyad.slide(end), dyad.hosts[end]))
+    return direction_on(plan, guide.direction(plan.positions, dyad.slide(end), dyad.hosts[end]))
 
 
 def lead_of(plan: ForcePlan, dyad: Dyad, end: int) -> Mark:
     """Carry the direction of a lead to the plan of forces."""
-    arm = plan.positions.images[dyad.links[end]].arm
-    assert arm is not None  # a lead has an arm on the plan of positions
-    return carried(plan, arm)
+    return direction_on(plan, plan.positions.arm(dyad.links[end]))
 
 
-def carried(plan: ForcePlan, direction: Mark) -> Mark:
+def direction_on(plan: ForcePlan, direction: Mark) -> Mark:
     """Carry a direction from the plan of positions with the set square; once carried it is used again."""
     board = plan.board
     if direction.name in board and board[direction.name].step.inputs == (direction,):
@@ -131,23 +128,23 @@ def normal_name(dyad: Dyad, end: int, part: Mark | None) -> str:
     return name_of(dyad, end) if part is None else name_of(dyad, end).replace("R", "R^n", 1)
 
 
-def laid(plan: ForcePlan, dyad: Dyad, *first: Mark | None, last: Mark | None = None) -> tuple[Chain, Mark]:
+def lay_out(plan: ForcePlan, dyad: Dyad, *first: Mark | None, last: Mark | None = None) -> tuple[Chain, Mark]:
     """Lay off a group's forces, link after link, between the parts found before; give the corner between the links."""
     before = [(part.name, part, PART) for part in first if part is not None]
     after = [] if last is None else [(last.name, last, PART)]
-    one, other = (known(plan.acting(link)[0]) for link in dyad.links)
+    one, other = (known_sides(plan.acting(link)[0]) for link in dyad.links)
     found = chain(plan, "-".join(map(str, dyad.links)), *before, *one, *other, *after)
     return found, found.corners[len(before) + len(one)]
 
 
-def closed(plan: ForcePlan, chained: Chain, names: tuple[str, str], lines: tuple[Mark, Mark]) -> Closed:
+def close(plan: ForcePlan, chained: Chain, names: tuple[str, str], lines: tuple[Mark, Mark]) -> Closed:
     """Close a chain by the two lines drawn through its start and its end."""
     corner = plan.board.meet(f"{names[0]} {names[1]}", *lines, why=because("close_polygon"))
     ends = Side(names[0], corner, chained.start, CLOSING), Side(names[1], chained.end, corner, CLOSING)
     return Closed(chained, corner, (ends[0], *chained.sides, ends[1]))
 
 
-def hinged(plan: ForcePlan, dyad: Dyad, end: int, found: Closed, part: Mark | None) -> Support:
+def hinge_reaction(plan: ForcePlan, dyad: Dyad, end: int, found: Closed, part: Mark | None) -> Support:
     """Read an outer hinge's reaction off a closed polygon: its closing part, and the whole of it (book figure 6.15)."""
     pair, corners = (dyad.hosts[end], dyad.links[end]), found.chain.corners
     ends = (found.corner, corners[0]) if end == 0 else (corners[-1], found.corner)
@@ -159,13 +156,13 @@ def hinged(plan: ForcePlan, dyad: Dyad, end: int, found: Closed, part: Mark | No
     return support(plan, pair, dyad.hinge(end), force, (part, closing))
 
 
-def guided(plan: ForcePlan, dyad: Dyad, end: int, found: Closed, inner: Support) -> Support:
+def guide_reaction(plan: ForcePlan, dyad: Dyad, end: int, found: Closed, inner: Support) -> Support:
     """Read the reaction of an outer guide off a closed polygon; moments give where it acts (book figure 6.15)."""
     pair, corners = (dyad.hosts[end], dyad.links[end]), found.chain.corners
     ends = (found.corner, corners[0]) if end == 0 else (corners[-1], found.corner)
     force = plan.board.join(name_of(dyad, end), *ends, because("closing"))
     loads, couples = plan.acting(dyad.links[end])
-    held, holding = received(inner) if end == 0 else opposite(plan, inner)
+    held, holding = on_taker(inner) if end == 0 else opposite(plan, inner)
     return support(plan, pair, dyad.slide(end), force, (), [*loads, *held], [*couples, *holding])
 
 
@@ -186,7 +183,7 @@ def across_slot(plan: ForcePlan, dyad: Dyad, part: Mark | None) -> Equation | No
     return Equation(about, armed, tuple(couples), line, found)
 
 
-def pressed(plan: ForcePlan, dyad: Dyad, chained: Chain, across: Equation | None, part: Mark | None) -> Support:
+def stone_reaction(plan: ForcePlan, dyad: Dyad, chained: Chain, across: Equation | None, part: Mark | None) -> Support:
     """Give the reaction on a stone's pin: its two parts together, or the one that there is (book figure 6.16)."""
     pair = dyad.hosts[0], dyad.links[0]
     parts = [one for one in (part, across and across.found) if one is not None]
@@ -196,10 +193,10 @@ def pressed(plan: ForcePlan, dyad: Dyad, chained: Chain, across: Equation | None
     return support(plan, pair, dyad.hinge(0), force, parts)
 
 
-def slotted(plan: ForcePlan, dyad: Dyad, force: Mark, outer: Support) -> Support:
+def slot_reaction(plan: ForcePlan, dyad: Dyad, force: Mark, outer: Support) -> Support:
     """Keep the pressure of a slotted link on its stone, with where it acts by the moments on the stone (M5.4)."""
     loads, couples = plan.acting(dyad.links[0])
-    held, _ = received(outer)
+    held, _ = on_taker(outer)
     return support(plan, dyad.links[::-1], dyad.slide(), force, (), [*loads, *held], couples)
 
 
@@ -237,7 +234,7 @@ def support(
     return Support(*pair, at, force, tuple(parts), joint, moment, joint.point)
 
 
-def received(one: Support) -> tuple[list[Load], list[Couple]]:
+def on_taker(one: Support) -> tuple[list[Load], list[Couple]]:
     """Give a reaction as a load on the link that takes it."""
     index = indices(one.giver, one.taker)
     held = [] if one.moment is None else [Couple(f"M_{index}", one.taker, one.moment, REACTION)]

@@ -33,7 +33,7 @@ def primary(plan: ForcePlan) -> Cut:
         driving = [(DRIVING, plan.drive, PART)]
     armed = tuple(load for load in loads if load.at is not shaft)
     equation = Equation(shaft, armed, tuple(couples), line, plan.drive or plan.balancing)
-    laid = statics.chain(plan, str(drive.link), *driving, *statics.known(loads))
+    laid = statics.chain(plan, str(drive.link), *driving, *statics.known_sides(loads))
     name = f"R_{indices(FRAME, drive.link)}"
     force = board.join(name, laid.end, laid.start, because("closing"))
     support = statics.support(plan, (FRAME, drive.link), drive.pivot, force)
@@ -45,8 +45,7 @@ def _line(plan: ForcePlan) -> Mark | None:
     """Draw the line along which the crank is driven; None where a moment drives it."""
     base, drive, how = plan.positions, plan.mechanism.drive, plan.machine.transmission
     if how.kind == FORCE:
-        arm = base.images[drive.link].arm
-        assert arm is not None  # the crank has an arm on the plan of positions
+        arm = base.arm(drive.link)
         return base.board.square(f"⊥{arm.name}", base.point(drive.end), arm, because("driving_square"))
     if how.kind == GEAR:
         pitch = base.board.given("W", cmath.rect(how.radius, how.at), because("pitch_point"))

@@ -70,7 +70,6 @@ def useful(mechanism: Mechanism, motion: Motion, loading: Loading) -> Floats:
 def _velocity(mechanism: Mechanism, motion: Motion, link: int, r: Complexes) -> Complexes:
     """Give the velocity m/s of that point of a link which is at r."""
     _, point = _first(mechanism, motion, link)
-    assert point.v is not None  # a motion of order 2 has it
     return np.asarray(point.v + 1j * _omega(motion, link) * (r - point.r))
 
 
@@ -83,6 +82,4 @@ def _first(mechanism: Mechanism, motion: Motion, link: int) -> tuple[complex, Po
 def _omega(motion: Motion, link: int) -> Floats:
     if link == FRAME:
         return np.zeros(len(motion.phi))
-    omega = motion.links[link].omega
-    assert omega is not None  # a motion of order 2 has it
-    return omega
+    return motion.links[link].omega

@@ -11,13 +11,12 @@ import numpy as np
 import numpy.typing as npt
 
 from plans.forces.force_drawing import ForceDrawing
-from plans.forces.force_template import Drawn, ForcePattern
+from plans.forces.force_template import ForcePattern, ForcePlans
 from plans.forces.loading import loading
 from plans.forces.reading.form import ForceForm
 from plans.forces.reading.inventory import machine_of
 from plans.forces.stroke import NoStroke, Stroke, strokes
 from plans.linkage.assembly_limits import at_angles
-from plans.linkage.barrier import CHANGE
 from plans.linkage.carrying import Drawing
 from plans.linkage.drafts import Drafts
 from plans.linkage.extreme import extremes
@@ -25,21 +24,21 @@ from plans.linkage.gaps import near_edge
 from plans.linkage.obstruction import obstruction
 from plans.linkage.plan_template import PlanTemplate
 from plans.linkage.study import BLOCK, LinkageStudy
+from plans.model.group import Pair
 from plans.model.kinetostatics import (
-    DEAD_CENTRE,
     FORCES,
     INDETERMINATE,
     Balancing,
     Kinetostatics,
     Loading,
-    Pair,
     Reaction,
     pairs,
     without_forces,
 )
 from plans.model.machine import Machine
 from plans.model.mechanism import Output, StructureError
-from plans.model.motion import ORDERS, Extremes, Floats, Gap, Motion
+from plans.model.motion import CHANGE_POINT, DEAD_CENTRE, Extremes, Floats, Gap, Motion
+from plans.model.order import VELOCITIES
 from plans.scene.faults import SceneError
 from plans.words.words import Message, message, placed
 
@@ -78,10 +77,10 @@ class ForceDrafts:
         return self.statics.loading(self.motion)
 
     @cached_property
-    def plans(self) -> Drawn:
+    def plans(self) -> ForcePlans:
         """The force plan and the lever, their marks made."""
         pattern, numbers = self._followed
-        return pattern.drawn(numbers)
+        return pattern.plans_of(numbers)
 
     def read(self) -> tuple[Kinetostatics, npt.NDArray[np.bool_]]:
         """Read the forces off the plans; tell where they have no answer."""
@@ -143,7 +142,7 @@ class Statics:
 
     def _extremes(self, output: Output) -> Extremes | None:
         """Find the extreme positions of an output by construction."""
-        found = self.study.found if output == self.study.output else extremes(self.study.sweep, output)
+        found = self.study.extreme_positions if output == self.study.output else extremes(self.study.sweep, output)
         return None if found is None else found.extremes
 
     def loading(self, motion: Motion) -> Loading:
@@ -192,7 +191,7 @@ class Statics:
         gaps, lost = self.study.motion(2).gaps, np.zeros(len(whole.phi), dtype=bool)
         lost[[gap.position for gap in gaps]] = True
         none &= ~lost
-        still = [self._gap(gap.position, without_forces(gap), gap.where) for gap in gaps if gap.plan == ORDERS[1]]
+        still = [self._gap(gap.position, without_forces(gap), gap.where) for gap in gaps if gap.plan == VELOCITIES.plan]
         named = [
             *gaps,
             *still,
@@ -220,8 +219,10 @@ class Statics:
 
     def _reason(self, position: int) -> str:
         """Say why a position that has velocities has no forces."""
-        changes = [b for b in (*self.study.barriers, *self.study.passed) if b.kind == CHANGE]
-        return INDETERMINATE if near_edge(self.study.turn.phi[[position]], changes, (CHANGE,)).any() else DEAD_CENTRE
+        changes = [b for b in (*self.study.barriers, *self.study.passed) if b.kind == CHANGE_POINT]
+        return (
+            INDETERMINATE if near_edge(self.study.turn.phi[[position]], changes, (CHANGE_POINT,)).any() else DEAD_CENTRE
+        )
 
     def _gap(self, position: int, reason: str, where: str | Message) -> Gap:
         """Name a position that can be assembled, but has no forces."""

@@ -60,9 +60,7 @@ def angle(plan: Plan, link: int) -> Floats:
     """Read off the plan of positions the direction of a link's own +x axis, rad in (-pi, pi]."""
     if link == FRAME:
         return np.zeros(1)
-    image = plan.images[link]
-    assert image.arm is not None  # every link has an arm on the plan of positions
-    return heading(image.arm.point, image.span)
+    return heading(plan.arm(link).point, plan.images[link].span)
 
 
 def rate(plan: Plan, link: int) -> Floats:

@@ -15,17 +15,18 @@ import numpy.typing as npt
 from geometry.board import Mark
 from geometry.meet import UNBORNE
 from plans.linkage.acceleration import accelerations
-from plans.linkage.barrier import CHANGE, GAP, PARALLEL, SAME, Barrier, Edge
+from plans.linkage.barrier import SAME, Barrier, Edge
 from plans.linkage.carrying import Drawing, Passed, carried
 from plans.linkage.crank_positions import CrankPositions
-from plans.linkage.margin import deciding, margins, of_arcs
+from plans.linkage.groups.kinds import KINDS
+from plans.linkage.margin import margins, meeting, of_arcs
 from plans.linkage.plan import Plan
 from plans.linkage.plan_template import PlanTemplate
 from plans.linkage.position import positions
 from plans.linkage.velocity import velocities
+from plans.model.group import Group
 from plans.model.mechanism import Mechanism
-from plans.model.motion import Floats, Motion
-from plans.model.structure import Dyad
+from plans.model.motion import CHANGE_POINT, OUT_OF_REACH, PARALLEL_GUIDES, Floats, Motion
 
 NODES = 720  # crank angles of a sweep: half a degree
 NODE_ANGLES = 2 * np.pi * np.arange(NODES) / NODES
@@ -47,7 +48,7 @@ class Sweep:
     def __init__(
         self,
         mechanism: Mechanism,
-        groups: Sequence[Dyad],
+        groups: Sequence[Group],
         sides: Sequence[float],
         home: float = 0.0,
         passed: tuple[Passed, ...] = (),
@@ -64,7 +65,7 @@ class Sweep:
         """Give the sweep that is carried through all change points; group after group, for one moves the next."""
         sweep = self
         while True:
-            met = [Passed(b.group, b.middle) for b in sweep.barriers if b.kind == CHANGE]
+            met = [Passed(b.group, b.middle) for b in sweep.barriers if b.kind == CHANGE_POINT]
             new = [one for one in met if not any(_alike(one, other) for other in sweep.passed)]
             if not new:
                 return sweep
@@ -75,7 +76,8 @@ class Sweep:
     @cached_property
     def pinned(self) -> bool:
         """Tell whether a pin comes to its own slot's pivot, or all but: the slot has any direction there."""
-        marks = [deciding(self.plan(NODE_ANGLES), group) for group in self.groups if group.kind == "RPR"]
+        slotted = [group for group in self.groups if KINDS[group.kind].pivoted]
+        marks = [meeting(self.plan(NODE_ANGLES), group) for group in slotted]
         ends = [tuple(np.asarray(end.point) for end in mark.step.inputs) for mark in marks]
         return any(bool((np.abs(pivot - pin) <= np.abs(pin).max() / NODES * 8).any()) for pivot, pin in ends)
 
@@ -87,12 +89,12 @@ class Sweep:
     def passes(self, barrier: Barrier) -> bool:
         """Tell whether a barrier is a change point that the linkage is carried through."""
         here = Passed(barrier.group, barrier.middle)
-        return barrier.kind == CHANGE and any(_alike(here, other) for other in self.passed)
+        return barrier.kind == CHANGE_POINT and any(_alike(here, other) for other in self.passed)
 
     def pattern(self, order: int) -> PlanTemplate | Drawing:
         """Give the pattern of the plans up to an order: 0 positions, 1 velocities, 2 accelerations."""
         if self.passed:
-            return Drawing(self.drawn, self.groups, order)
+            return Drawing(self.positions, self.groups, order)
         if order not in self._patterns:
             plans = [self.plan(np.zeros(1))]
             if order > 0:
@@ -104,14 +106,14 @@ class Sweep:
 
     def plan(self, phi: Floats) -> Plan:
         """Draw the plan of positions at some crank angles."""
-        return self.drawn(at_angles(phi))
+        return self.positions(at_angles(phi))
 
     def motion(self, turn: CrankPositions, order: int) -> Motion:
         """Give the motion at the crank positions of a turn, reached or not, by the pattern of an order of plans."""
         pattern = self.pattern(order)
         return pattern.read(pattern.follow(turn), turn)
 
-    def drawn(self, turn: CrankPositions) -> Plan:
+    def positions(self, turn: CrankPositions) -> Plan:
         """Draw the plan of positions at the crank positions of a turn."""
         sides = carried(self.sides, self.passed, turn.phi, self.home) if self.passed else self.sides
         return positions(self.mechanism, self.groups, sides, turn)
@@ -195,7 +197,7 @@ class Sweep:
             failing = ~(field > UNBORNE)  # with a pin that runs to infinity, groups that hang on it fail as well
         if not missing.any():
             group = int(np.nanargmin(np.nanmin(field, axis=1)))
-            ends = [Edge(phi, beyond, CHANGE, group, marks[group].name) for phi, beyond in (start, end)]
+            ends = [Edge(phi, beyond, CHANGE_POINT, group, marks[group].name) for phi, beyond in (start, end)]
             return Barrier((ends[0], ends[1]), 0.0)
         groups = [int(np.argmax(failing[:, k] if failing[:, k].any() else missing)) for k in (-2, -1)]
         ends = [self._named(*edge, group, marks[group]) for edge, group in zip((start, end), groups, strict=True)]
@@ -203,7 +205,7 @@ class Sweep:
         return Barrier((ends[0], ends[1]), max(misses, default=0.0))
 
     def _named(self, phi: float, beyond: float, group: int, mark: Mark) -> Edge:
-        return Edge(phi, beyond, GAP if of_arcs(mark) else PARALLEL, group, mark.name)
+        return Edge(phi, beyond, OUT_OF_REACH if of_arcs(mark) else PARALLEL_GUIDES, group, mark.name)
 
 
 def _least(before: float, middle: float, after: float) -> float:

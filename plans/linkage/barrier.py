@@ -9,7 +9,6 @@ from typing import NamedTuple
 import numpy as np
 
 SAME = 1e-6  # rad: an edge that touches is known to half the digits of an angle
-CHANGE, GAP, PARALLEL = "change point", "out of reach", "parallel guides"
 
 
 class Edge(NamedTuple):

@@ -19,8 +19,8 @@ from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.plan import Plan
 from plans.linkage.plan_template import resting
 from plans.linkage.velocity import velocities
+from plans.model.group import Group
 from plans.model.motion import Floats, LinkMotion, Motion, PointMotion
-from plans.model.structure import Dyad
 
 FULL = 2 * np.pi
 
@@ -49,12 +49,12 @@ def carried(sides: Sequence[float], passed: Sequence[Passed], phi: Floats, home:
 class Drawing:
     """Plans up to an order, drawn anew wherever they are asked for: no pattern fits sides that change."""
 
-    def __init__(self, drawn: Callable[[CrankPositions], Plan], groups: Sequence[Dyad], order: int) -> None:
-        self._drawn, self.groups, self.order = drawn, groups, order
+    def __init__(self, positions: Callable[[CrankPositions], Plan], groups: Sequence[Group], order: int) -> None:
+        self._positions, self.groups, self.order = positions, groups, order
 
     def follow(self, turn: CrankPositions) -> list[Plan]:
         """Draw the plans at some crank positions."""
-        plans = [self._drawn(turn)]
+        plans = [self._positions(turn)]
         for draw in (velocities, accelerations)[: self.order]:
             plans.append(draw(plans[-1], self.groups))
         return plans
@@ -63,7 +63,7 @@ class Drawing:
         """Tell whether no meeting of the plans is near a miss or a dead centre."""
         return all(plan.board.clear for plan in plans)
 
-    def drawn(self, plans: list[Plan]) -> list[Plan]:
+    def plans_of(self, plans: list[Plan]) -> list[Plan]:
         """Give the plans themselves."""
         return plans
 
@@ -72,12 +72,12 @@ class Drawing:
         links = plans[0].mechanism.links
         letters = sorted({point for link in links.values() for point in link.points})
         points = {
-            letter: PointMotion(*(_row(plan.point(letter).point, len(turn)) for plan in plans)) for letter in letters
+            letter: PointMotion(_row(plan.point(letter).point, len(turn)) for plan in plans) for letter in letters
         }
         moving = [link for link, image in sorted(plans[0].images.items()) if image.arm]
         turned = {
             link: LinkMotion(
-                _row(angle(plans[0], link), len(turn)), *(_row(rate(plan, link), len(turn)) for plan in plans[1:])
+                _row(row, len(turn)) for row in (angle(plans[0], link), *(rate(plan, link) for plan in plans[1:]))
             )
             for link in moving
         }

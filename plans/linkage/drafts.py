@@ -18,8 +18,9 @@ from plans.linkage.plan import Plan
 from plans.linkage.plan_template import PlanTemplate
 from plans.linkage.sketch import Assembly
 from plans.linkage.velocity import velocities
-from plans.model.motion import ORDERS, Motion
-from plans.model.structure import Dyad
+from plans.model.group import Group
+from plans.model.motion import Motion
+from plans.model.order import ORDERS, VELOCITIES
 
 
 class Drawable(Protocol):
@@ -32,7 +33,7 @@ class Drawable(Protocol):
         """The mechanism with its chosen assembly."""
 
     @property
-    def groups(self) -> tuple[Dyad, ...]:
+    def groups(self) -> tuple[Group, ...]:
         """Its structural groups."""
 
     @property
@@ -57,8 +58,8 @@ class Drafts:
 
     def follow(self, order: int) -> tuple[PlanTemplate | Drawing, list[Any]]:
         """Work out the numbers of the plans up to an order by their pattern."""
-        for subject in ORDERS[: order + 1]:
-            self.study.made.setdefault(subject)
+        for asked in ORDERS[: order + 1]:
+            self.study.made.setdefault(asked.plan)
         pattern = self.study.sweep.pattern(order)
         self._record = pattern, pattern.follow(self.turn)
         return self._record
@@ -84,10 +85,10 @@ class Drafts:
         """The plan of an order: 0 positions, 1 velocities, 2 accelerations."""
         if not self._plans:
             pattern, numbers = self._record or self.follow(order)
-            self._plans = pattern.drawn(numbers)
-        for subject in ORDERS[len(self._plans) : order + 1]:
-            self.study.made.setdefault(subject)
-            draw = velocities if subject == "velocities" else accelerations
+            self._plans = pattern.plans_of(numbers)
+        for asked in ORDERS[len(self._plans) : order + 1]:
+            self.study.made.setdefault(asked.plan)
+            draw = velocities if asked is VELOCITIES else accelerations
             self._plans.append(draw(self._plans[-1], self.study.groups))
         return self._plans[order]
 

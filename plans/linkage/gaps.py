@@ -10,11 +10,22 @@ import numpy.typing as npt
 from geometry.board import Arc, Mark, at, between
 from geometry.meet import EPS, UNBORNE
 from plans.linkage.assembly_limits import Sweep
-from plans.linkage.barrier import CHANGE, GAP, PARALLEL, Barrier, Edge, bounding
+from plans.linkage.barrier import Barrier, Edge, bounding
 from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.margin import crossing, margins, undefined
 from plans.linkage.plan import Plan
-from plans.model.motion import Floats, Gap, Motion
+from plans.model.motion import (
+    BEYOND_CHANGE_POINT,
+    CHANGE_POINT,
+    DEAD_CENTRE,
+    NOT_REACHABLE,
+    OUT_OF_REACH,
+    PARALLEL_GUIDES,
+    Floats,
+    Gap,
+    Motion,
+)
+from plans.model.order import POSITIONS, VELOCITIES
 from plans.words.words import Message, message
 
 # A position this near to a barrier's edge, rad, whose group is exactly at its dead centre, is the limit itself: half
@@ -27,12 +38,14 @@ BESIDE = 2.0**-20
 AT_CHANGE = 2.0**-23
 ROUNDING = 8.0 * EPS  # rad: an edge is reached, whichever turn its angle is counted in
 
+BARS = CHANGE_POINT, OUT_OF_REACH, PARALLEL_GUIDES
+
 Flags = npt.NDArray[np.bool_]
 
 
 def lost(sweep: Sweep, plan: Plan, turn: CrankPositions, home: float, barriers: Sequence[Barrier]) -> Flags:
     """Tell the positions that are not reached from `home`, or in which a group has no one place; limits are reached."""
-    gone = ~reached(turn.phi, home, barriers) | near_edge(turn.phi, barriers, (PARALLEL,), UNBORNE)
+    gone = ~reached(turn.phi, home, barriers) | near_edge(turn.phi, barriers, (PARALLEL_GUIDES,), UNBORNE)
     if not sweep.groups or (plan.board.clear and not gone.any() and not sweep.pinned):
         return gone
     field, _ = margins(plan, sweep.groups, sweep.sides)
@@ -58,13 +71,13 @@ def reached(phi: Floats, home: float, barriers: Sequence[Barrier]) -> Flags:
 
 def edges(barrier: Barrier) -> tuple[float, float]:
     """Give the two edges of a barrier, rad; a change point is one angle, unless links stay in one line for a while."""
-    if barrier.kind == CHANGE and barrier.end - barrier.start < BESIDE:
+    if barrier.kind == CHANGE_POINT and barrier.end - barrier.start < BESIDE:
         return (barrier.middle, barrier.middle)
     return (barrier.start, barrier.end)
 
 
 def _blur(edge: Edge) -> float:
-    return AT_CHANGE if edge.kind == CHANGE else ROUNDING
+    return AT_CHANGE if edge.kind == CHANGE_POINT else ROUNDING
 
 
 def _ends(home: float, barriers: Sequence[Barrier]) -> list[float]:
@@ -83,9 +96,7 @@ def _near(phi: Floats, angles: Sequence[float], within: float) -> Flags:
     return near
 
 
-def near_edge(
-    phi: Floats, barriers: Sequence[Barrier], kinds: Sequence[str] = (CHANGE, GAP, PARALLEL), within: float = LIMIT
-) -> Flags:
+def near_edge(phi: Floats, barriers: Sequence[Barrier], kinds: Sequence[str] = BARS, within: float = LIMIT) -> Flags:
     """Tell which crank angles lie at the edge of a barrier that is of one of some kinds there, rad."""
     both = (zip(edges(barrier), barrier.edges, strict=True) for barrier in barriers)
     return _near(phi, [angle for pair in both for angle, edge in pair if edge.kind in kinds], within)
@@ -99,10 +110,10 @@ def unborne(sweep: Sweep, plan: Plan, turn: CrankPositions) -> Flags:
     if not sweep.groups or plan.board.clear:
         return np.zeros(len(turn), dtype=bool)
     field, _ = margins(plan, sweep.groups, sweep.sides)
-    told = near_edge(turn.phi, sweep.barriers, (GAP, PARALLEL), BESIDE)
+    told = near_edge(turn.phi, sweep.barriers, (OUT_OF_REACH, PARALLEL_GUIDES), BESIDE)
     blunt = (field < UNBORNE).any(axis=0) & ~told
-    dead = near_edge(turn.phi, sweep.barriers, (GAP,), UNBORNE)
-    return np.asarray(blunt | dead | near_edge(turn.phi, sweep.barriers, (CHANGE,), AT_CHANGE))
+    dead = near_edge(turn.phi, sweep.barriers, (OUT_OF_REACH,), UNBORNE)
+    return np.asarray(blunt | dead | near_edge(turn.phi, sweep.barriers, (CHANGE_POINT,), AT_CHANGE))
 
 
 def of_positions(
@@ -111,7 +122,7 @@ def of_positions(
     """Say why some positions are lost, and what would mend them; `turn` holds those positions alone."""
     if not positions:
         return []
-    plan = sweep.drawn(turn)
+    plan = sweep.positions(turn)
     field, marks = margins(plan, sweep.groups, sweep.sides)
     nowhere = undefined(plan, sweep.groups)
     misses = [np.broadcast_to(0.0 if mark.miss is None else mark.miss, len(turn)) for mark in marks]
@@ -121,7 +132,7 @@ def of_positions(
         phi, told = float(turn.phi[k]), [float(miss[k]) for miss in misses]
         edge = None if home is None else bounding(phi, home, barriers)
         # Beyond a change point or parallel guides it does not matter whether the links would meet.
-        met = edge is None or edge.kind == GAP or near[k]
+        met = edge is None or edge.kind == OUT_OF_REACH or near[k]
         unplaced = _unplaced(field[:, k], nowhere[:, k], marks, told, k, position, phi) if met else None
         found.append(unplaced or _beyond(position, phi, edge))
     return found
@@ -133,7 +144,7 @@ def _unplaced(
     """Name the first meeting that fails at the k-th position drawn; None: all of them are found."""
     for share, nowhere, mark, miss in zip(margin, none, marks, misses, strict=True):
         if share < 0 and crossing(mark) is None:
-            return Gap(position, phi, "positions", GAP, mark.name, miss, _reach(mark, miss, k))
+            return Gap(position, phi, POSITIONS.plan, OUT_OF_REACH, mark.name, miss, _reach(mark, miss, k))
         if nowhere and crossing(mark) is None:
             return _in_one(position, phi, mark.name)
     return None
@@ -141,21 +152,21 @@ def _unplaced(
 
 def _in_one(position: int, phi: float, where: str) -> Gap:
     advice = message("gap.one_line", point=where)
-    return Gap(position, phi, "positions", "dead centre", where, 0.0, advice)
+    return Gap(position, phi, POSITIONS.plan, DEAD_CENTRE, where, 0.0, advice)
 
 
 def _beyond(position: int, phi: float, edge: Edge | None) -> Gap:
     """Name a position that could be assembled, but not without passing a barrier."""
     where = edge.where if edge else ""
-    if edge is not None and edge.kind == CHANGE:
-        return Gap(position, phi, "positions", "beyond a change point", where, 0.0, message("gap.change_point"))
-    if edge is not None and edge.kind == PARALLEL and _near(np.array([phi]), [edge.phi], UNBORNE).any():
+    if edge is not None and edge.kind == CHANGE_POINT:
+        return Gap(position, phi, POSITIONS.plan, BEYOND_CHANGE_POINT, where, 0.0, message("gap.change_point"))
+    if edge is not None and edge.kind == PARALLEL_GUIDES and _near(np.array([phi]), [edge.phi], UNBORNE).any():
         advice = message("gap.parallel", point=where)
-        return Gap(position, phi, "positions", PARALLEL, where, 0.0, advice)
-    if edge is not None and edge.kind == PARALLEL:
+        return Gap(position, phi, POSITIONS.plan, PARALLEL_GUIDES, where, 0.0, advice)
+    if edge is not None and edge.kind == PARALLEL_GUIDES:
         advice = message("gap.guides", point=where)
-        return Gap(position, phi, "positions", "not reachable", where, 0.0, advice)
-    return Gap(position, phi, "positions", "not reachable", where, 0.0, message("gap.barred"))
+        return Gap(position, phi, POSITIONS.plan, NOT_REACHABLE, where, 0.0, advice)
+    return Gap(position, phi, POSITIONS.plan, NOT_REACHABLE, where, 0.0, message("gap.barred"))
 
 
 def _reach(mark: Mark, miss: float, k: int) -> Message:
@@ -185,17 +196,17 @@ def without_velocity(
     drawn: Motion, gone: npt.NDArray[np.bool_], blunt: npt.NDArray[np.bool_], barriers: Sequence[Barrier]
 ) -> list[Gap]:
     """Name the positions that are assembled but have no velocities, and leave none there for any point or link."""
-    letters = [name for name, motion in drawn.points.items() if motion.v is not None]
-    if not letters:
+    if drawn.order < VELOCITIES.number:
         return []
+    letters = list(drawn.points)
     none = np.isnan(np.array([drawn.points[name].v for name in letters]))
     dead = (none.any(axis=0) | blunt) & ~gone
     forget(drawn, dead)
-    change = near_edge(drawn.phi, barriers, (CHANGE,), BESIDE)
+    change = near_edge(drawn.phi, barriers, (CHANGE_POINT,), BESIDE)
     advice = message("gap.no_velocity")
     return [
         Gap(
-            int(k), float(drawn.phi[k]), "velocities", CHANGE if change[k] else "dead centre",
+            int(k), float(drawn.phi[k]), VELOCITIES.plan, CHANGE_POINT if change[k] else DEAD_CENTRE,
             letters[int(np.argmax(none[:, k]))], 0.0, advice,
         )
         for k in np.flatnonzero(dead)
@@ -204,11 +215,6 @@ def without_velocity(
 
 def forget(drawn: Motion, positions: npt.NDArray[np.bool_]) -> None:
     """Leave no velocity and no acceleration where the mechanism as a whole has none."""
-    for points in drawn.points.values():
-        for values in (points.v, points.a):
-            if values is not None:
-                values[positions] = np.nan
-    for links in drawn.links.values():
-        for numbers in (links.omega, links.epsilon):
-            if numbers is not None:
-                numbers[positions] = np.nan
+    for rows in (*drawn.points.values(), *drawn.links.values()):
+        for row in rows[1:]:
+            row[positions] = np.nan

@@ -13,21 +13,22 @@ import numpy.typing as npt
 
 from geometry.board import Arc, Line, Mark, between
 from geometry.meet import UNBORNE, cross
+from plans.linkage.groups.kinds import KINDS
 from plans.linkage.plan import Plan
+from plans.model.group import Group
 from plans.model.motion import Floats
-from plans.model.structure import Dyad
 
 # Two points so much nearer to each other than their figure is large give a direction without a true digit.
 NOWHERE = 8.0 * UNBORNE
 
 
-def margins(plan: Plan, groups: Sequence[Dyad], sides: Sequence[float]) -> tuple[Floats, list[Mark]]:
+def margins(plan: Plan, groups: Sequence[Group], sides: Sequence[float]) -> tuple[Floats, list[Mark]]:
     """Give every group's margin over the positions, (groups, positions): above 0 assembled, 0 dead, below 0 missing.
 
     A miss counts as -1: only its sign is meant. Two guides cross with the sine of their angle, signed as the group's
     side: it changes sign where they are parallel and their pin runs to infinity. NaN: a group before fails.
     """
-    marks = [deciding(plan, group) for group in groups]
+    marks = [meeting(plan, group) for group in groups]
     count = max(np.size(mark.point) for mark in plan.letters.values())
     rows = []
     for mark, side in zip(marks, sides, strict=True):
@@ -50,10 +51,10 @@ def crossing(mark: Mark) -> Floats | None:
     return np.asarray(turned / (np.abs(first.direction) * np.abs(second.direction)))
 
 
-def undefined(plan: Plan, groups: Sequence[Dyad]) -> npt.NDArray[np.bool_]:
+def undefined(plan: Plan, groups: Sequence[Group]) -> npt.NDArray[np.bool_]:
     """Tell at which positions each group has no one place, (groups, positions): its loci miss, fall into one, ..."""
     count = max(np.size(mark.point) for mark in plan.letters.values())
-    return np.array([np.broadcast_to(_nowhere(deciding(plan, group)), count) for group in groups])
+    return np.array([np.broadcast_to(_nowhere(meeting(plan, group)), count) for group in groups])
 
 
 def _nowhere(mark: Mark) -> npt.NDArray[np.bool_]:
@@ -67,16 +68,9 @@ def _nowhere(mark: Mark) -> npt.NDArray[np.bool_]:
     return np.asarray(none | (np.abs(between(*ends)) <= NOWHERE * away))
 
 
-def deciding(plan: Plan, group: Dyad) -> Mark:
+def meeting(plan: Plan, group: Group) -> Mark:
     """Give the mark of a group's own meeting on the plan of positions."""
-    match group.kind:
-        case "RPR":
-            unit = plan.units[group.slide().slider, group.slide().owner]
-            assert unit is not None  # a slot has a direction on the plan of positions
-            return unit
-        case "RPP":
-            return plan.images[group.links[1]].origin
-    return plan.letters[group.pin]
+    return KINDS[group.kind].meeting(plan, group)
 
 
 def of_arcs(mark: Mark) -> bool:

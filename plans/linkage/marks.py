@@ -7,20 +7,21 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from geometry.board import Mark, at, behind
+from geometry.board import Mark, at
 from geometry.meet import cross
+from geometry.steps import behind
 from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.linkage.drafts import Drafts
 from plans.linkage.plan import Plan
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
-from plans.model.motion import ORDERS, POINT_UNITS
+from plans.model.order import ORDERS
 from plans.words.words import Message, message
 
 if TYPE_CHECKING:
     from plans.study import Study
 
-UNITS = dict(zip(ORDERS, POINT_UNITS, strict=True))
+UNITS = {order.plan: order.point.unit for order in ORDERS}
 
 
 def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
@@ -97,7 +98,7 @@ def _rate(name: str, arm: Mark, turning: Mark) -> Message:
     """Say how an angular velocity or acceleration is read off: the size of the turning part over the arm."""
     along, across = at(arm.point, 0), at(turning.point, 0)
     moment = float(cross(along, across))
-    unit, rate = (UNITS[ORDERS[1]], "rad/s") if turning.subject == ORDERS[1] else (UNITS[ORDERS[2]], "rad/s2")
+    unit, rate = next((order.point.unit, order.link.unit) for order in ORDERS if order.plan == turning.subject)
     sense = "at rest" if moment == 0 else "counter-clockwise" if moment > 0 else "clockwise"
     value = moment / abs(along) ** 2
     sizes = {"across": abs(across), "along": abs(along), "value": value}

@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from plans.linkage.assembly_limits import FAN, Sweep, at_angles
-from plans.linkage.barrier import GAP, Barrier
+from plans.linkage.barrier import Barrier
 from plans.linkage.gaps import of_positions
 from plans.linkage.margin import margins
+from plans.model.motion import OUT_OF_REACH
 from plans.words.words import Message, message
 
 
@@ -18,7 +19,7 @@ def obstruction(sweep: Sweep) -> Message:
     if barrier.end - barrier.start < 2 * np.pi:
         parts |= {name: f"{np.degrees(edge):.2f}" for name, edge in (("low", barrier.start), ("high", barrier.end))}
     key = "barrier.turn" if "low" in parts else "barrier.nowhere"
-    if barrier.kind != GAP:
+    if barrier.kind != OUT_OF_REACH:
         return message(key, **parts)
     return message(f"{key}_advice", **parts, advice=_mending(sweep, barrier))
 

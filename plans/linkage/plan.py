@@ -59,6 +59,12 @@ class Plan:
         """The velocity plan that an acceleration plan rests on."""
         return self.below[1]
 
+    def arm(self, link: int) -> Mark:
+        """Give a link's vector on the plan of positions, where every link has one."""
+        arm = self.positions.images[link].arm
+        assert arm is not None  # a vector's image is missing only where a link does not turn
+        return arm
+
     def trial(self) -> Plan:
         """Give a copy to try an assembly on; the board is shared, what is known of links and points is not."""
         other = copy(self)
@@ -66,7 +72,7 @@ class Plan:
         other.units, other.readings = dict(self.units), dict(self.readings)
         return other
 
-    def redrawn(self, board: Board, made: Mapping[Mark, Mark], below: tuple[Plan, ...]) -> Plan:
+    def redraw(self, board: Board, made: Mapping[Mark, Mark], below: tuple[Plan, ...]) -> Plan:
         """Give this plan as it is on another board, whose marks are named by those of this one."""
 
         def images(known: Mapping[Key, Mark]) -> dict[Key, Mark]:
@@ -98,9 +104,9 @@ class Plan:
         """Give the image of a named point, drawn by similarity where it is not drawn yet."""
         if point in self.letters:
             return self.letters[point]
-        return self.name(point, self._drawn(point))
+        return self.name(point, self._construct(point))
 
-    def _drawn(self, point: str) -> Mark:
+    def _construct(self, point: str) -> Mark:
         if point in self.mechanism.links[FRAME].points:
             if self.below:
                 return self.pole

@@ -63,12 +63,12 @@ class PlanTemplate:
         """Tell whether no meeting of the plans is near a miss or a dead centre."""
         return self.tracing.clear(numbers)
 
-    def drawn(self, numbers: list[Any]) -> list[Plan]:
+    def plans_of(self, numbers: list[Any]) -> list[Plan]:
         """Make the plans that have these numbers."""
         boards, made = self.tracing.boards(numbers)
         found: list[Plan] = []
         for plan in self.plans:
-            found.append(plan.redrawn(boards[plan.board.subject], made, tuple(found)))
+            found.append(plan.redraw(boards[plan.board.subject], made, tuple(found)))
         return found
 
     def read(self, numbers: list[Any], turn: CrankPositions) -> Motion:
@@ -77,8 +77,8 @@ class PlanTemplate:
         for place, row in self._resting(len(turn)).items():
             seen[place] = row
         seen[self._crank] = turn.headings
-        points = {letter: PointMotion(*[seen[place] for place in places]) for letter, places in self._points.items()}
-        links = {link: LinkMotion(*[seen[place] for place in places]) for link, places in self._links.items()}
+        points = {letter: PointMotion([seen[place] for place in places]) for letter, places in self._points.items()}
+        links = {link: LinkMotion([seen[place] for place in places]) for link, places in self._links.items()}
         return Motion("construction", turn.phi, points, links, ())
 
     def _resting(self, count: int) -> dict[int, npt.NDArray[Any]]:

@@ -8,9 +8,10 @@ from weakref import WeakKeyDictionary
 import numpy as np
 
 from plans.linkage.assembly_limits import FAN, LOOKS, NODES, Sweep
+from plans.linkage.groups.kinds import KINDS
 from plans.linkage.plan import Plan
+from plans.model.group import Group
 from plans.model.motion import Floats
-from plans.model.structure import Dyad
 
 
 class Interval(NamedTuple):
@@ -27,55 +28,15 @@ _FOUND: WeakKeyDictionary[Sweep, tuple[Floats | None, list[Interval]]] = WeakKey
 
 
 @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside
-def pressure(plan: Plan, group: Dyad) -> Floats:
+def pressure(plan: Plan, group: Group) -> Floats:
     """Read off the plan of positions a group's signed pressure angle, rad, at every position (угол давления, M1.3).
 
-    It stands between the force on the driven link and the velocity of its point over what guides it: RRR: 90 degrees
-    less the transmission angle ABC; RRP: the rod's inclination to the guide; RPR: the pivot's arm to the slot; PRP and
-    RPP: one line to the square of the other.
+    It stands between the force on the driven link and the velocity of its point over what guides it.
     """
-    match group.kind:
-        case "RRR":
-            arms = [plan.images[link].arm for link in group.links]
-        case "RRP":
-            return _inclination(plan, group)
-        case "RPR":
-            return _lag(plan, group)
-        case _:
-            return _crossing(plan, group)
-    ab, cb = (np.asarray(arm.point) for arm in arms if arm is not None)
-    return np.asarray(np.pi / 2 - np.abs(np.angle(ab / cb)))
+    return KINDS[group.kind].pressure(plan, group)
 
 
-def _inclination(plan: Plan, group: Dyad) -> Floats:
-    """A rod's inclination to its guide: the acute angle, signed by the sense from the guide to the rod."""
-    rod, slide = plan.images[group.links[0]].arm, group.slide(1)
-    unit = plan.units[slide.slider, slide.owner]
-    assert rod is not None and unit is not None  # every link has an arm on the plan of positions
-    turned = np.asarray(rod.point) / np.asarray(unit.point)
-    return np.asarray(np.arctan2(turned.imag, np.abs(turned.real)))
-
-
-def _lag(plan: Plan, group: Dyad) -> Floats:
-    """The angle between a slot and the arm from its link's pivot to the pin."""
-    slide = group.slide()
-    unit = plan.units[slide.slider, slide.owner]
-    a, c = (plan.point(group.hinge(end)) for end in (0, 1))
-    assert unit is not None  # a slot has a direction on the plan of positions
-    turned = (np.asarray(a.point) - np.asarray(c.point)) / np.asarray(unit.point)
-    return np.asarray(np.arctan2(turned.imag, np.abs(turned.real)))
-
-
-def _crossing(plan: Plan, group: Dyad) -> Floats:
-    """90 degrees less the angle between the two lines of a group with two sliding pairs."""
-    slides = [joint for joint in (*group.outer, group.inner) if not isinstance(joint, str)]
-    units = [plan.units[slide.slider, slide.owner] for slide in slides]
-    first, second = (np.asarray(unit.point) for unit in units if unit is not None)
-    turned = first / second
-    return np.asarray(np.arctan2(turned.real, np.abs(turned.imag)))
-
-
-def interval(sweep: Sweep, group: Dyad, nodes: Floats | None = None) -> Interval:
+def interval(sweep: Sweep, group: Group, nodes: Floats | None = None) -> Interval:
     """Find the interval of a group's pressure angle (M1.3) over crank angles close to each other, or over a turn."""
     known = _FOUND.get(sweep)
     if known is None or known[0] is not nodes:

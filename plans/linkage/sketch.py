@@ -12,10 +12,11 @@ from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.groups.kinds import KINDS
 from plans.linkage.margin import crossing, margins
 from plans.linkage.plan import Plan
-from plans.linkage.position import crank, positions
+from plans.linkage.position import positions
+from plans.linkage.primary import PRIMARIES
+from plans.model.group import Group
 from plans.model.mechanism import Mechanism
 from plans.model.motion import Complexes, Floats
-from plans.model.structure import Dyad
 from plans.words.words import message
 
 # A hand sketch is trusted to 2 % of the distance between the two assemblies: what hands reach on textbook drawings.
@@ -49,7 +50,7 @@ class Choice(NamedTuple):
 
 
 def assembly(
-    mechanism: Mechanism, groups: Sequence[Dyad], first: CrankPositions | None, whole: CrankPositions
+    mechanism: Mechanism, groups: Sequence[Group], first: CrankPositions | None, whole: CrankPositions
 ) -> Assembly:
     """Choose each group's side by the sketch at the first position, or where the first is not known, over a whole turn.
 
@@ -73,7 +74,7 @@ def assembly(
 
 
 def _crossed(
-    mechanism: Mechanism, groups: Sequence[Dyad], sides: Sequence[float], turn: CrankPositions
+    mechanism: Mechanism, groups: Sequence[Group], sides: Sequence[float], turn: CrankPositions
 ) -> tuple[float, ...]:
     """Give a group with one assembly the sign with which its two lines cross: they must not become parallel."""
     plan = positions(mechanism, groups, sides, turn)
@@ -84,7 +85,7 @@ def _crossed(
 
 
 def _out_of_reach(
-    mechanism: Mechanism, groups: Sequence[Dyad], choices: Sequence[Choice], first: CrankPositions
+    mechanism: Mechanism, groups: Sequence[Group], choices: Sequence[Choice], first: CrankPositions
 ) -> None:
     """See that a first position without places is out of reach, and not one at which a group has no one place."""
     plan = positions(mechanism, groups, [choice.side for choice in choices], first)
@@ -96,8 +97,8 @@ def _out_of_reach(
             raise SketchError(message("sketch.nowhere", group=group.label, point=mark.name), ())
 
 
-def _choices(mechanism: Mechanism, groups: Sequence[Dyad], turn: CrankPositions) -> list[Choice]:
-    plan, choices = crank(mechanism, turn), []
+def _choices(mechanism: Mechanism, groups: Sequence[Group], turn: CrankPositions) -> list[Choice]:
+    plan, choices = PRIMARIES[mechanism.drive.kind].positions(mechanism, turn), []
     for group in groups:
         kind, shown = KINDS[group.kind], _shown(mechanism, group)
         trials = [plan.trial(), plan.trial()]
@@ -110,7 +111,7 @@ def _choices(mechanism: Mechanism, groups: Sequence[Dyad], turn: CrankPositions)
     return choices
 
 
-def _shown(mechanism: Mechanism, group: Dyad) -> list[str]:
+def _shown(mechanism: Mechanism, group: Group) -> list[str]:
     """Give the sketched points of a group's links."""
     points = {point for link in group.links for point in mechanism.links[link].points}
     return sorted(points & set(mechanism.sketch))
@@ -136,7 +137,7 @@ def _choose(mechanism: Mechanism, shown: list[str], places: list[Complexes], cou
     return Choice(np.where(misfits[1] < misfits[0], -1.0, 1.0), clarity, np.minimum(*misfits))
 
 
-def _decided(mechanism: Mechanism, group: Dyad, choice: Choice, position: int) -> float:
+def _decided(mechanism: Mechanism, group: Group, choice: Choice, position: int) -> float:
     if KINDS[group.kind].assemblies > 1 and not choice.clarity[position] >= CLARITY:
         points = sorted({point for link in group.links for point in mechanism.links[link].points})
         free = tuple(p for p in points if p not in mechanism.links[0].points and p != mechanism.drive.end)

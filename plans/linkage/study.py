@@ -17,14 +17,16 @@ from plans.linkage.assembly_limits import Sweep
 from plans.linkage.barrier import Barrier
 from plans.linkage.crank_positions import CrankPositions, even, from_direction, listed
 from plans.linkage.drafts import Drafts
-from plans.linkage.extreme import Found, extremes, output
+from plans.linkage.extreme import ExtremePositions, extremes, output
 from plans.linkage.obstruction import obstruction
 from plans.linkage.reading.form import LinkageForm
 from plans.linkage.reading.linkage import mechanism_of
 from plans.linkage.sketch import Assembly, SketchError, assembly
+from plans.model.group import Group
 from plans.model.mechanism import Mechanism, Output, StructureError
-from plans.model.motion import ORDERS, Floats, Gap, Motion
-from plans.model.structure import Dyad, decompose
+from plans.model.motion import Floats, Gap, Motion
+from plans.model.order import PLANS, numbers_of
+from plans.model.structure import decompose
 from plans.scene.scene import Scene
 from plans.words.words import Message, message, placed
 
@@ -41,7 +43,7 @@ np.empty(2**25 - 2**16, dtype=np.int8)
 
 
 EXTREMES = "extremes"
-ALL = (EXTREMES, *ORDERS)
+ALL = (EXTREMES, *PLANS)
 
 
 class NoExtreme(ConstructionError):  # noqa: N818  (the exception tree's own word)
@@ -60,9 +62,8 @@ class LinkageStudy:
     def construct(self, plans: Collection[str]) -> None:
         """Make the plans that are asked for, at all positions of the scene."""
         if EXTREMES in plans:
-            _ = self.found
-        orders = [order for order, name in enumerate(ORDERS) if name in plans]
-        self.drafts().plan(max(orders, default=0))
+            _ = self.extreme_positions
+        self.drafts().plan(max(numbers_of(plans), default=0))
 
     @cached_property
     def mechanism(self) -> Mechanism:
@@ -70,7 +71,7 @@ class LinkageStudy:
         return mechanism_of(self.scene)
 
     @cached_property
-    def groups(self) -> tuple[Dyad, ...]:
+    def groups(self) -> tuple[Group, ...]:
         """The Assur groups in solving order."""
         try:
             return decompose(self.mechanism)
@@ -137,15 +138,15 @@ class LinkageStudy:
         return output(self.mechanism, self.groups)
 
     @cached_property
-    def found(self) -> Found | None:
+    def extreme_positions(self) -> ExtremePositions | None:
         """The output's extreme positions, None where it has none."""
         self.made.setdefault(EXTREMES)
         return extremes(self.sweep, self.output)
 
     @property
-    def travel(self) -> Found | None:
+    def travel(self) -> ExtremePositions | None:
         """The output's extreme positions where they are asked for; None also where it has none."""
-        return self.found if EXTREMES in self.plans else None
+        return self.extreme_positions if EXTREMES in self.plans else None
 
     @cached_property
     def turn(self) -> CrankPositions:
@@ -155,10 +156,12 @@ class LinkageStudy:
             return listed([Fraction(angle) for angle in drive.positions])
         if drive.first is not None:
             return even(Fraction(drive.first), drive.positions, self.sense)
-        if self.found is None:
+        if self.extreme_positions is None:
             line, _ = self.scene.place(("drive", "start"))
             raise NoExtreme(placed(f"{self.scene.file}:{line}", self._no_extreme()))
-        return from_direction(self.found.directions[0], self.found.extremes.phi[0], drive.positions, self.sense)
+        return from_direction(
+            self.extreme_positions.directions[0], self.extreme_positions.extremes.phi[0], drive.positions, self.sense
+        )
 
     def _no_extreme(self) -> Message:
         if self.assembly.phi is None:
@@ -222,16 +225,16 @@ class LinkageStudy:
         if len(self.turn) <= BLOCK:
             drafts = self.drafts()
             drawn = drafts.motion(order)
-            return drawn if drafts.free else self._gapped(drawn, drafts.lost, drafts.unborne, drafts.clear)
-        whole, lost, clear = self._unread(order), np.zeros(len(self.turn), dtype=bool), True
+            return drawn if drafts.free else self._with_gaps(drawn, drafts.lost, drafts.unborne, drafts.clear)
+        whole, lost, clear = self._table(order), np.zeros(len(self.turn), dtype=bool), True
         blunt = lost.copy()
         for drafts, part in self.blocks():
-            _filled(whole, drafts.motion(order), part)
+            _fill(whole, drafts.motion(order), part)
             lost[part], blunt[part] = drafts.lost, drafts.unborne
             clear = clear and drafts.clear
-        return self._gapped(whole, lost, blunt, clear)
+        return self._with_gaps(whole, lost, blunt, clear)
 
-    def _unread(self, order: int) -> Motion:
+    def _table(self, order: int) -> Motion:
         """Rule the table of a long motion; what is the same at all positions takes no room."""
         phi, one = self.turn.phi, Drafts(self, self.turn.part([0])).motion(order)
 
@@ -240,7 +243,7 @@ class LinkageStudy:
 
         return one.made(phi, room)
 
-    def _gapped(self, drawn: Motion, lost: Flags, blunt: Flags, clear: bool) -> Motion:
+    def _with_gaps(self, drawn: Motion, lost: Flags, blunt: Flags, clear: bool) -> Motion:
         """Make the positions that are not reached, and what has no value in the rest, named gaps."""
         if clear and not (lost | blunt).any():
             return drawn
@@ -260,7 +263,7 @@ def _number(gap: Gap) -> int:
     return gap.position
 
 
-def _filled(whole: Motion, part: Motion, at: slice) -> None:
+def _fill(whole: Motion, part: Motion, at: slice) -> None:
     """Put the motion over a part of the positions into that over them all."""
     for row, value in zip(whole.rows(), part.rows(), strict=True):
         if row.flags.writeable:

@@ -45,11 +45,8 @@ class Travel:
         """Read off the velocity plan the output's velocity, or its omega."""
         seen = self.sweep.motion(turn, 1)
         if self.slide is None:
-            omega = seen.links[self.out.link].omega
-            assert omega is not None  # velocities were asked for
-            return omega
+            return seen.links[self.out.link].omega
         along = seen.points[self._pin(self.slide)].v
-        assert along is not None
         return np.asarray(dot(self.slide.way(FRAME).direction, along))
 
     def _pin(self, slide: Slide) -> str:

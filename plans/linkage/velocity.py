@@ -7,26 +7,16 @@ from collections.abc import Sequence
 import numpy as np
 
 from plans.linkage.groups.kinds import KINDS
-from plans.linkage.plan import Image, Plan, Reading
-from plans.model.structure import Dyad
-from plans.words.words import because
+from plans.linkage.plan import Plan
+from plans.linkage.primary import PRIMARIES
+from plans.model.group import Group
 
 
 @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, and is named outside
-def velocities(positions: Plan, groups: Sequence[Dyad]) -> Plan:
+def velocities(positions: Plan, groups: Sequence[Group]) -> Plan:
     """Draw the velocity plan over a plan of positions, group after group (section 6.4.2, M3.1)."""
     plan = Plan("velocities", positions.mechanism, (positions,))
-    drive = plan.mechanism.drive
-    base = positions.images[drive.link]
-    assert base.arm is not None  # the crank has an arm on the plan of positions
-    arm = plan.carry(base.arm)
-    omega = 1j * drive.omega
-    part = plan.board.turn(f"v_{drive.end}", arm, omega, because("crank_velocity"))
-    tip = plan.board.lay_off(plan.letter(drive.end), plan.pole, part, because("crank_end_velocity"))
-    end = plan.name(drive.end, tip)
-    relative = plan.board.join(f"{plan.pole.name}{end.name}", plan.pole, end)
-    plan.images[drive.link] = Image(plan.pole, relative, base.at, base.span)
-    plan.readings[drive.link] = Reading(arm, relative)
+    PRIMARIES[plan.mechanism.drive.kind].velocities(plan)
     for group in groups:
         KINDS[group.kind].velocities(plan, group)
     return plan

@@ -8,42 +8,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from plans.model.mechanism import FRAME, Mechanism, Slide
-from plans.model.motion import CHANGE_POINT, ORDERS, Complexes, Floats, Gap
-
-if TYPE_CHECKING:
-    from plans.model.structure import Dyad
-
+from plans.model.group import Group, Joint, Pair
+from plans.model.mechanism import FRAME, Mechanism
+from plans.model.motion import CHANGE_POINT, DEAD_CENTRE, Complexes, Floats, Gap
+from plans.model.order import VELOCITIES
 
 FORCES = "forces"  # the plan of gaps where a machine is assembled, but has no forces; their two reasons
-DEAD_CENTRE, INDETERMINATE = "dead centre", "statically indeterminate"
+INDETERMINATE = "statically indeterminate"
 # Share of a machine's largest force: less is the rounding of numbers that a scene gives with twelve digits.
 NOTHING = 1e-9
-
-
-class Pair(NamedTuple):
-    """A lower pair as forces see it: the link that gives its reaction, the one that takes it, and their joint.
-
-    `point` is the hinge, or the slider's point that the scene names: there the reaction is told.
-    """
-
-    giver: int
-    taker: int
-    joint: str | Slide
-
-    @property
-    def key(self) -> str:
-        """The pair as it is named: "3-4"."""
-        return f"{self.giver}-{self.taker}"
-
-    @property
-    def point(self) -> str:
-        """The letter of the point at which the reaction is told."""
-        return self.joint if isinstance(self.joint, str) else self.joint.point
 
 
 class Applied(NamedTuple):
@@ -125,7 +102,7 @@ class Kinetostatics:
         """The gaps of the forces: those named, and those of the velocities, where there are no forces either."""
         named = [gap for gap in self.gaps if gap.plan == FORCES]
         known = {gap.position for gap in named}
-        still = [gap for gap in self.gaps if gap.plan == ORDERS[1] and gap.position not in known]
+        still = [gap for gap in self.gaps if gap.plan == VELOCITIES.plan and gap.position not in known]
         return (*named, *(replace(gap, plan=FORCES, reason=without_forces(gap)) for gap in still))
 
     @property
@@ -159,15 +136,14 @@ def _largest(rows: Sequence[Any]) -> float:
     return max((float(np.fmax.reduce(np.abs(row), initial=0.0)) for row in rows), default=0.0)
 
 
-def pair(one: int, other: int, joint: str | Slide) -> Pair:
+def pair(one: int, other: int, joint: Joint) -> Pair:
     """Name a pair: the reaction of its lower-numbered link on the other."""
     return Pair(min(one, other), max(one, other), joint)
 
 
-def pairs(mechanism: Mechanism, groups: Sequence[Dyad]) -> tuple[Pair, ...]:
+def pairs(mechanism: Mechanism, groups: Sequence[Group]) -> tuple[Pair, ...]:
     """Give all lower pairs in solving order; a hinge of several links is told as the groups hang on it."""
     found = [pair(FRAME, mechanism.drive.link, mechanism.drive.pivot)]
     for group in groups:
-        found += [pair(*outer) for outer in zip(group.hosts, group.links, group.outer, strict=True)]
-        found.append(pair(*group.links, group.inner))
+        found += [pair(*told) for told in (*group.outer_pairs, *group.inner_pairs)]
     return tuple(found)

@@ -14,6 +14,7 @@ from functools import cached_property
 from geometry.errors import DraftError
 
 FRAME = 0
+CRANK = "crank"  # kind of primary link: a crank on the frame
 # What may carry a linkage through its change points: another one beside it, set at another angle, or its inertia.
 PARALLEL, INERTIA = "parallel", "inertia"
 THROUGH = (PARALLEL, INERTIA)
@@ -68,6 +69,7 @@ class Drive:
     end: str
     omega: float
     epsilon: float
+    kind: str = CRANK  # of primary link
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,23 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from plans.words.words import Message
 
-CHANGE_POINT = "change point"  # why a position that is assembled may have no velocities
-# The three orders of a motion: its plan, the keys, symbols and units of a point's and of a link's values on it.
-ORDERS = ("positions", "velocities", "accelerations")
-POINT_KEYS = ("r", "v", "a")
-POINT_UNITS = ("m", "m/s", "m/s2")
-LINK_KEYS = ("angle", "omega", "epsilon")
-LINK_SYMBOLS = ("φ", "ω", "ε")
-LINK_UNITS = ("rad", "rad/s", "rad/s2")
+# Why a position has no places, or no velocities; the first three are also what bars the crank.
+OUT_OF_REACH, CHANGE_POINT, PARALLEL_GUIDES = "out of reach", "change point", "parallel guides"
+DEAD_CENTRE, BEYOND_CHANGE_POINT, NOT_REACHABLE = "dead centre", "beyond a change point", "not reachable"
 
 Complexes = npt.NDArray[np.complex128]
 Floats = npt.NDArray[np.float64]
@@ -37,25 +32,51 @@ class Gap:
     advice: Message  # one sentence: what would mend it
 
 
-class PointMotion(NamedTuple):
-    """A point over the positions: r from the datum m, v m/s, a m/s2; NaN at gaps, None where not asked for."""
+class PointMotion(tuple[Complexes, ...]):
+    """A point over the positions, a row (N,) for each order of its motion; NaN at gaps."""
 
-    r: Complexes
-    v: Complexes | None = None
-    a: Complexes | None = None
+    __slots__ = ()
+
+    @property
+    def r(self) -> Complexes:
+        """Its place from the datum, m."""
+        return self[0]
+
+    @property
+    def v(self) -> Complexes:
+        """Its velocity, m/s."""
+        return self[1]
+
+    @property
+    def a(self) -> Complexes:
+        """Its acceleration, m/s2."""
+        return self[2]
 
 
-class LinkMotion(NamedTuple):
-    """A link over the positions: direction of its own +x axis rad in (-pi, pi], omega rad/s, epsilon rad/s2."""
+class LinkMotion(tuple[Floats, ...]):
+    """A link over the positions, a row (N,) for each order of its motion; NaN at gaps."""
 
-    angle: Floats
-    omega: Floats | None = None
-    epsilon: Floats | None = None
+    __slots__ = ()
+
+    @property
+    def angle(self) -> Floats:
+        """The direction of its own +x axis, rad in (-pi, pi]."""
+        return self[0]
+
+    @property
+    def omega(self) -> Floats:
+        """Its angular velocity, rad/s."""
+        return self[1]
+
+    @property
+    def epsilon(self) -> Floats:
+        """Its angular acceleration, rad/s2."""
+        return self[2]
 
 
 @dataclass(frozen=True)
 class Motion:
-    """All points and moving links of a mechanism over its positions."""
+    """All points and moving links of a mechanism over its positions, up to the order of derivative asked for."""
 
     by: str  # "construction" or "analysis"
     phi: Floats  # rad, not reduced: position k of a turn continues position k - 1
@@ -64,23 +85,24 @@ class Motion:
     gaps: tuple[Gap, ...]
 
     @property
+    def order(self) -> int:
+        """The highest order of derivative that it has."""
+        return min((len(rows) - 1 for rows in self.points.values()), default=0)
+
+    @property
     def unanswered(self) -> tuple[Gap, ...]:
         """The gaps of the motion: all of them are its own."""
         return self.gaps
 
     def rows(self) -> Iterator[npt.NDArray[Any]]:
-        """Give the values of all points and links that were asked for, row by row."""
+        """Give the values of all points and links, row by row."""
         for rows in (*self.points.values(), *self.links.values()):
-            yield from (row for row in rows if row is not None)
+            yield from rows
 
     def made(self, phi: Floats, row: Callable[[Any], Any]) -> Motion:
         """Give this motion with each of its rows made another."""
-
-        def all_made(rows: Iterable[Any]) -> Iterator[Any]:
-            return (None if values is None else row(values) for values in rows)
-
-        points = {name: PointMotion(*all_made(rows)) for name, rows in self.points.items()}
-        links = {link: LinkMotion(*all_made(rows)) for link, rows in self.links.items()}
+        points = {name: PointMotion(map(row, rows)) for name, rows in self.points.items()}
+        links = {link: LinkMotion(map(row, rows)) for link, rows in self.links.items()}
         return replace(self, phi=phi, points=points, links=links)
 
     def own(self) -> Motion:

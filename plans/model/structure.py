@@ -2,142 +2,44 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from itertools import combinations
-from typing import NamedTuple, TypeAlias
+from collections.abc import Sequence
 
-from geometry.meet import EPS, TANGENCY
-from plans.model.mechanism import FRAME, Mechanism, Slide, StructureError
+from plans.model.dyad import dyads
+from plans.model.group import Group
+from plans.model.mechanism import FRAME, Mechanism, StructureError
 from plans.words.words import Message, message
 
-Joint: TypeAlias = str | Slide  # a hinge by its point, or a sliding pair
-
-# The five kinds of two-lead groups, numbered as the textbook does (figure 6.12): outer, inner, outer pair.
-NUMBERS = {"RRR": 1, "RRP": 2, "RPR": 3, "PRP": 4, "RPP": 5}
-RUSSIAN = {"RRR": "ВВВ", "RRP": "ВВП", "RPR": "ВПВ", "PRP": "ПВП", "RPP": "ВПП"}
+CLASSES = ("I", "II", "III", "IV")  # of groups and mechanisms, the simplest first
+SEARCHES = (dyads,)  # for groups that hang on solved links, those of the fewest links first
 
 
-class Dyad(NamedTuple):
-    """A two-lead group of class II (двухповодковая группа): its two links, their hosts, and its three pairs."""
+def decompose(mechanism: Mechanism) -> tuple[Group, ...]:
+    """Break a mechanism into groups in the order of their attachment, whatever the order of the scene's tables.
 
-    kind: str
-    links: tuple[int, int]
-    hosts: tuple[int, int]
-    outer: tuple[Joint, Joint]
-    inner: Joint
-
-    @property
-    def label(self) -> str:
-        """The group as the formula of structure writes it: class, kind, links."""
-        return f"II{NUMBERS[self.kind]}({self.links[0]},{self.links[1]})"
-
-    def hinge(self, end: int) -> str:
-        """Give the point of an outer hinge."""
-        joint = self.outer[end]
-        if not isinstance(joint, str):
-            raise TypeError(f"{self.label} has no hinge there")
-        return joint
-
-    def slide(self, end: int | None = None) -> Slide:
-        """Give the slide of an outer pair, or of the inner pair."""
-        joint = self.inner if end is None else self.outer[end]
-        if isinstance(joint, str):
-            raise TypeError(f"{self.label} has no slide there")
-        return joint
-
-    @property
-    def pin(self) -> str:
-        """The point of the inner hinge."""
-        if not isinstance(self.inner, str):
-            raise TypeError(f"{self.label} has no inner hinge")
-        return self.inner
-
-
-def decompose(mechanism: Mechanism) -> tuple[Dyad, ...]:
-    """Break a mechanism into dyads in the order of their attachment, whatever the order of the scene's tables.
-
-    Raises StructureError where links are left that form no dyad.
+    Raises StructureError where links are left that form no group.
     """
     solved = {FRAME, mechanism.drive.link}
-    groups: list[Dyad] = []
+    groups: list[Group] = []
     while left := sorted(set(mechanism.links) - solved):
-        dyad = next(_dyads(mechanism, solved, left), None)
-        if dyad is None:
-            raise StructureError(_no_dyad(mechanism, left), tuple(left))
-        groups.append(dyad)
-        solved.update(dyad.links)
+        group = next((group for search in SEARCHES for group in search(mechanism, solved, left)), None)
+        if group is None:
+            raise StructureError(_no_group(mechanism, left), tuple(left))
+        groups.append(group)
+        solved.update(group.links)
     return tuple(groups)
 
 
-def formula(mechanism: Mechanism, groups: tuple[Dyad, ...]) -> str:
+def formula(mechanism: Mechanism, groups: Sequence[Group]) -> str:
     """Write the formula of structure (формула строения), such as I(0,1) -> II3(2,3) -> II2(4,5)."""
     return " -> ".join([f"I(0,{mechanism.drive.link})", *(group.label for group in groups)])
 
 
-def mechanism_class(groups: tuple[Dyad, ...]) -> str:
+def mechanism_class(groups: Sequence[Group]) -> str:
     """Give the class of the mechanism: the highest class of its groups (класс механизма)."""
-    return "II" if groups else "I"
+    return max([CLASSES[0], *(group.order for group in groups)], key=CLASSES.index)
 
 
-def _dyads(mechanism: Mechanism, solved: set[int], left: list[int]) -> Iterator[Dyad]:
-    """Yield the dyads that hang on solved links, lowest link numbers first."""
-    for first, second in combinations(left, 2):
-        inner = _joints(mechanism, first, {second}, solved)
-        ends = [_joints(mechanism, link, solved, set()) for link in (first, second)]
-        if len(inner) == 1 and len(ends[0]) == len(ends[1]) == 1:
-            (host, joint), (other_host, other) = ends[0][0], ends[1][0]
-            yield _named((first, second), (host, other_host), (joint, other), inner[0][1])
-
-
-def _joints(mechanism: Mechanism, link: int, others: set[int], solved: set[int]) -> list[tuple[int, Joint]]:
-    """Give the joints of a link with some others; a hinge at a solved point is no joint between unknowns."""
-    found: list[tuple[int, Joint]] = []
-    for point, owners in mechanism.hinges.items():
-        partners = [owner for owner in owners if owner in others]
-        if link in owners and partners and not (solved & set(owners)):
-            found.append((_bearing(mechanism, partners), point))
-    for slide in mechanism.slides:
-        if link == slide.slider and slide.owner in others:
-            found.append((slide.owner, slide))
-        elif link == slide.owner and slide.slider in others:
-            found.append((slide.slider, slide))
-    return found
-
-
-def _bearing(mechanism: Mechanism, partners: list[int]) -> int:
-    """Choose on which of the links that share a pin a group hangs: one borne by the frame, as crank or rocker are.
-
-    Positions are the same on any of them; reactions are told as the textbook does, of the rocker on the rod.
-    """
-    fixed = mechanism.links[FRAME].points
-    borne = {slide.slider for slide in mechanism.slides if slide.owner == FRAME}
-    grounded = [one for one in partners if one in borne or fixed.keys() & mechanism.links[one].points.keys()]
-    return min(grounded or partners)
-
-
-def _named(links: tuple[int, int], hosts: tuple[int, int], outer: tuple[Joint, Joint], inner: Joint) -> Dyad:
-    letters = [("R" if isinstance(joint, str) else "P") for joint in (outer[0], inner, outer[1])]
-    if letters[0] == "P" and letters[2] == "R":  # the hinge's lead comes first
-        links, hosts, outer = links[::-1], hosts[::-1], outer[::-1]
-        letters.reverse()
-    kind = "".join(letters)
-    if kind not in NUMBERS:
-        raise StructureError(
-            message("structure.three_slides", first=links[0], second=links[1]),
-            links,
-        )
-    dyad = Dyad(kind, links, hosts, outer, inner)
-    if kind == "RPP":
-        slot, guided = (dyad.slide(end).way(links[1]).direction for end in (None, 1))
-        if abs((slot.conjugate() * guided).imag) <= TANGENCY * EPS:
-            raise StructureError(
-                message("structure.slot", link=links[1], first=links[0], second=links[1]),
-                links,
-            )
-    return dyad
-
-
-def _no_dyad(mechanism: Mechanism, left: list[int]) -> Message:
+def _no_group(mechanism: Mechanism, left: list[int]) -> Message:
     names = ", ".join(str(link) for link in left)
     pairs = sum(len([o for o in owners if o in left]) for owners in mechanism.hinges.values())
     return message("structure.triad" if len(left) >= 4 and pairs else "structure.leads", links=names)

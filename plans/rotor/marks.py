@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from geometry.board import Board, behind
+from geometry.board import Board
+from geometry.steps import behind
 from plans.explanation import Explanation, NoMark
 from plans.rotor.balancing import COUPLES, UNBALANCES
 from plans.rotor.bearings import REACTIONS

@@ -28,7 +28,7 @@ from drawings.paper.limits import QUANTUM
 from drawings.paper.strokes import Group, Leaf, Line, Stroke
 from drawings.pens import svg as pen
 from plans.checks import compare as comparing
-from plans.model.motion import Motion
+from plans.model.motion import Motion, PointMotion
 from tests.rows import over
 
 ROOT = Path(__file__).parent.parent.parent
@@ -293,9 +293,8 @@ def mislead(monkeypatch: pytest.MonkeyPatch) -> None:
 
     def wrong(*arguments: Any) -> Motion:
         motion = solve(*arguments)
-        velocity = motion.points["D"].v
-        assert velocity is not None
-        return replace(motion, points={**motion.points, "D": motion.points["D"]._replace(v=velocity * (1 + 1e-6))})
+        r, v, a = motion.points["D"]
+        return replace(motion, points={**motion.points, "D": PointMotion((r, v * (1 + 1e-6), a))})
 
     monkeypatch.setattr(comparing.Analysis, "motion", wrong)
 

@@ -210,13 +210,13 @@ def test_no_line_strikes_the_number_of_the_stroke_through(name: str) -> None:
 def test_the_dimension_of_the_stroke_is_as_long_as_the_stroke(name: str) -> None:
     found = drawn(name)
     if "stroke" in found.groups:
-        assert found.bones.study.found is not None
+        assert found.bones.study.extreme_positions is not None
         text, dimension, *extensions = found.strokes("stroke")[:4]
         assert isinstance(text, Text) and isinstance(dimension, Line)
         first, last = (line for line in extensions if isinstance(line, Line))
         along = (dimension.end - dimension.start) / abs(dimension.end - dimension.start)
         apart = abs(((last.end - first.end) * along.conjugate()).real)
-        assert apart == pytest.approx(found.place.length(found.bones.study.found.extremes.stroke), abs=1e-6)
+        assert apart == pytest.approx(found.place.length(found.bones.study.extreme_positions.extremes.stroke), abs=1e-6)
 
 
 @over("name", NAMES)

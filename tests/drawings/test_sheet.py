@@ -237,7 +237,7 @@ start = "extreme"
 def test_an_output_that_reverses_four_times_in_a_turn_has_no_time_ratio() -> None:
     """The toggle of a press passes its straight line twice: the ram comes to its lowest place two times in a turn."""
     study, leaf = drawn(TOGGLE)
-    assert study.found is not None
-    assert np.degrees(study.found.rests) == pytest.approx([1.0, 86.0, 181.3, 274.0], abs=0.1)
+    assert study.extreme_positions is not None
+    assert np.degrees(study.extreme_positions.rests) == pytest.approx([1.0, 86.0, 181.3, 274.0], abs=0.1)
     said = " ".join(text.plain for text in texts(leaf))
     assert "reverses 4 times in a turn" in said and "K =" not in said

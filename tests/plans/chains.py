@@ -217,6 +217,6 @@ def studied(chain: Chain, offsets: Sequence[int | str] = (0,)) -> LinkageStudy:
 def allowed(chain: Chain, motion: Motion, order: int) -> Floats:
     """Bound rounding in positions, velocities or accelerations: the condition magnifies it with every derivative."""
     kappa = conditions(chain.mechanism, motion)
-    vectors = [(point.r, point.v, point.a)[order] for point in motion.points.values()]
+    vectors = [point[order] for point in motion.points.values()]
     largest = np.max([np.abs(vector) for vector in vectors if vector is not None], axis=0)
     return np.asarray(ROUNDINGS * EPS * kappa ** (order + 1) * largest)

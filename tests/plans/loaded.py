@@ -105,8 +105,8 @@ class Loaded:
     def largest(self, forces: Kinetostatics) -> float:
         """Give the largest force N of all: reactions, loads, weights, and all the inertia that the links may have."""
         motion, loading = self.motion, self.loading
-        bent = max(float(abs(point.a[0])) for point in motion.points.values() if point.a is not None)
-        spun = max(float(abs(link.epsilon[0])) for link in motion.links.values() if link.epsilon is not None)
+        bent = max(float(abs(point.a[0])) for point in motion.points.values())
+        spun = max(float(abs(link.epsilon[0])) for link in motion.links.values())
         bodies = self.machine.bodies.values()
         sizes = [b.mass * (abs(self.machine.gravity) + bent + spun * abs(b.centre)) for b in bodies]
         sizes += [b.inertia * spun / self.size for b in bodies]

@@ -34,13 +34,11 @@ def at(mechanism: Mechanism, *degrees: float) -> Motion:
 
 def rva(motion: Motion, point: str) -> tuple[complex, complex, complex]:
     found = motion.points[point]
-    assert found.v is not None and found.a is not None
     return complex(found.r[0]), complex(found.v[0]), complex(found.a[0])
 
 
 def spin(motion: Motion, link: int) -> tuple[float, float, float]:
     found = motion.links[link]
-    assert found.omega is not None and found.epsilon is not None
     return float(np.degrees(found.angle[0])), float(found.omega[0]), float(found.epsilon[0])
 
 
@@ -271,7 +269,6 @@ def test_rates_are_the_derivatives_of_positions(name):
     motion = solve(mechanism, phi)
     assert not motion.gaps
     for point, found in motion.points.items():
-        assert found.v is not None and found.a is not None
         first = (found.r[0] - 8 * found.r[1] + 8 * found.r[3] - found.r[4]) / (12 * step)
         second = (found.v[0] - 8 * found.v[1] + 8 * found.v[3] - found.v[4]) / (12 * step)
         error = 1e-9 * max(1.0, abs(found.v).max(), abs(found.a).max() / omega)  # of order step^4 = eps^(4/5) = 3e-13
@@ -304,7 +301,7 @@ def test_size_changes_nothing(scale):
         "B"
     ]
     assert large.r / scale == pytest.approx(small.r, rel=16 * EPS)
-    assert large.a is not None and large.a / scale == pytest.approx(small.a, rel=1e4 * EPS)
+    assert large.a / scale == pytest.approx(small.a, rel=1e4 * EPS)
 
 
 def test_many_positions_agree_with_few():
@@ -324,10 +321,10 @@ def test_turns_and_sense_do_not_matter():
 
 def test_only_what_is_asked_for():
     motion = solve(crank_rocker(), TURN, order=1)
-    assert motion.by == "analysis" and motion.points["B"].v is not None
-    assert motion.points["B"].a is None and motion.links[3].epsilon is None
+    assert motion.by == "analysis" and motion.order == 1
+    assert len(motion.points["B"]) == len(motion.links[3]) == 2
     positions = solve(crank_rocker(), TURN, order=0)
-    assert positions.points["B"].v is None and positions.links[3].omega is None
+    assert len(positions.points["B"]) == len(positions.links[3]) == 1
 
 
 def test_frame_points_stand():

@@ -14,7 +14,8 @@ from hypothesis import strategies as st
 from plans.analytic.energy import energy_balance
 from plans.analytic.inertia import borne
 from plans.analytic.power import balancing_moment
-from plans.model.kinetostatics import Kinetostatics, Loading, Pair
+from plans.model.group import Pair
+from plans.model.kinetostatics import Kinetostatics, Loading
 from plans.model.machine import FORCE, GEAR, Body, Machine, Transmission
 from plans.model.mechanism import FRAME, Link, Mechanism, Slide, Way
 from plans.model.motion import Complexes, Floats, Motion

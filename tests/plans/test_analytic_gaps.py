@@ -33,7 +33,7 @@ def gaps(mechanism: Mechanism, phi: Floats) -> dict[int, tuple[str, str]]:
     for name, point in motion.points.items():
         lost = [k for k, (plan, _) in found.items() if plan == "positions"]
         assert np.array_equal(np.flatnonzero(np.isnan(point.r)), lost), name
-        assert point.v is not None and np.array_equal(np.flatnonzero(np.isnan(point.v)), list(found)), name
+        assert np.array_equal(np.flatnonzero(np.isnan(point.v)), list(found)), name
     return found
 
 

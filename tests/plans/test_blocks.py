@@ -13,7 +13,7 @@ from plans.analytic.constraints import Constraints
 from plans.analytic.kinematics import Analysis
 from plans.analytic.sharpness import least, sharpness
 from plans.linkage.assembly_limits import Sweep, at_angles
-from plans.linkage.margin import deciding
+from plans.linkage.margin import meeting
 from plans.linkage.sketch import assembly
 from plans.model.mechanism import Mechanism
 from plans.model.structure import decompose
@@ -50,7 +50,7 @@ def test_a_block_is_as_sharp_as_the_notch_of_its_group(make: Callable[[], Mechan
     road = Analysis(mechanism)
     poses = road.poses(road.motion(PHI, 0))
     for block, group in zip(road.shape.blocks[1:], groups, strict=True):
-        notch = 1.0 / np.broadcast_to(condition(deciding(plan, group)), PHI.shape)
+        notch = 1.0 / np.broadcast_to(condition(meeting(plan, group)), PHI.shape)
         assert sharpness(block, poses) == pytest.approx(notch, rel=1e-9)
     jacobian = road.constraints.jacobian(road.constraints.place(poses))
     assert (least(road.shape.blocks, jacobian, poses) > 0.01).all()

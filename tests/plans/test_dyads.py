@@ -12,8 +12,8 @@ from geometry.meet import dot
 from plans.linkage.angles import rate
 from plans.linkage.groups.kinds import KINDS
 from plans.linkage.plan import Image, Plan, Reading
+from plans.model.dyad import Dyad
 from plans.model.mechanism import Drive, Slide, Way
-from plans.model.structure import Dyad
 from tests.plans import linkages
 from tests.plans.digits import printed
 from tests.plans.studies import shown, value

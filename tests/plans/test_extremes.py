@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from plans.analytic.kinematics import Analysis
-from plans.linkage.extreme import Found
+from plans.linkage.extreme import ExtremePositions
 from plans.linkage.reading.linkage import mechanism_of
 from plans.linkage.study import LinkageStudy, NoExtreme
 from plans.model.mechanism import Mechanism
@@ -32,8 +32,8 @@ ALL = {
 }
 
 
-def found(mechanism: Mechanism) -> Found:
-    extremes = study_of(mechanism, None).found
+def found(mechanism: Mechanism) -> ExtremePositions:
+    extremes = study_of(mechanism, None).extreme_positions
     assert extremes is not None
     return extremes
 
@@ -124,7 +124,7 @@ def test_a_turn_that_starts_at_an_extreme_stands_there(name, omega):
 )
 def test_an_output_without_extremes(mechanism, why):
     study = study_of(mechanism, None)
-    assert study.found is None
+    assert study.extreme_positions is None
     with pytest.raises(NoExtreme, match=why):
         study.motion()
 
@@ -155,8 +155,8 @@ point = "B"
 
 def test_extremes_of_a_scene_with_its_guide_drawn_backwards():
     study = LinkageStudy(parse_scene(OUTPUT_OF_A_POINT))
-    assert study.found is not None
-    reach = study.found.extremes.reach
+    assert study.extreme_positions is not None
+    reach = study.extreme_positions.extremes.reach
     assert printed(*reach) == (-0.1385640646, -0.2592296279)
     assert value(study.drafts().positions.point("B").point).real == pytest.approx(0.1385640646, abs=5e-11)
     assert mechanism_of(study.scene).datum == (1, 2)
@@ -185,8 +185,8 @@ speed = 10
 def test_the_output_of_a_four_bar_is_its_rocker_whatever_its_number() -> None:
     study = LinkageStudy(parse_scene(ROD_LAST))
     assert study.output.link == 2
-    assert study.found is not None
-    assert study.found.extremes.stroke < np.pi
+    assert study.extreme_positions is not None
+    assert study.extreme_positions.extremes.stroke < np.pi
 
 
 def test_the_output_that_the_scene_names_is_the_output() -> None:

@@ -128,8 +128,8 @@ def test_a_far_frame_changes_no_bit(text, origin):
         pairs = ((link.angle, turned.angle), (link.omega, turned.omega), (link.epsilon, turned.epsilon))
         assert all(one is not None and same is not None and one.tobytes() == same.tobytes() for one, same in pairs)
     if near.form.drive.start == "extreme":
-        assert near.found is not None and far.found is not None
-        assert near.found.extremes == far.found.extremes
+        assert near.extreme_positions is not None and far.extreme_positions is not None
+        assert near.extreme_positions.extremes == far.extreme_positions.extremes
 
 
 def test_the_braces_are_moved():

@@ -7,10 +7,11 @@ from decimal import Decimal
 import numpy as np
 import pytest
 
-from geometry.board import Mark, at, behind
+from geometry.board import Mark, at
 from geometry.meet import EPS
 from geometry.precision import condition, errors
 from geometry.replay import exact
+from geometry.steps import behind
 from plans.forces.cut import INERTIA
 from plans.forces.statics import Statics
 from tests.plans.force_cases import DYADS, ROADS, WORKED, compared, finding, of_road, statics_of, text_of, worked
@@ -85,7 +86,7 @@ def test_the_power_of_all_forces_but_the_drive_is_that_of_the_worked_example() -
     statics, _ = worked("shaper")
     lever = statics.drafts().plans.lever
     assert lever is not None
-    hung = sum(at(one.moment.point, 0).real for one in (*lever.hung, *lever.pairs))
+    hung = sum(at(moment.point, 0).real for _, moment in lever.moments)
     assert printed(hung, SHAPER["power"])
 
 

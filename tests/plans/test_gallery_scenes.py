@@ -98,7 +98,7 @@ def test_its_title_block_is_filled_and_no_designation_is_given_twice(scene: Path
 
 
 def test_the_shaper_s_slotted_link_swings_by_the_angle_that_its_strokes_differ_by() -> None:
-    found = study("shaper").found
+    found = study("shaper").extreme_positions
     assert found is not None
     swing = 2 * asin(0.120 / 0.350)
     assert found.extremes.overlap == pytest.approx(swing, abs=ROUNDING)
@@ -115,7 +115,7 @@ R, L, E = 0.045, 0.160, 0.010  # crank, rod, offset of the cylinder
 
 
 def test_the_stroke_of_the_offset_engine() -> None:
-    found = study("slider-crank").found
+    found = study("slider-crank").extreme_positions
     assert found is not None
     assert found.extremes.stroke == pytest.approx(sqrt((L + R) ** 2 - E**2) - sqrt((L - R) ** 2 - E**2), abs=ROUNDING)
     dead = asin(E / (L - R)) - asin(E / (L + R))  # between the crank's directions at both dead centres, and half a turn
@@ -159,7 +159,7 @@ def overlap_of(out: complex, back: complex) -> float:
 
 def test_the_crank_rocker_s_swing_and_time_ratio_by_the_law_of_cosines() -> None:
     out, back = rocker_extremes(0.100, 0.400, 0.300, 0.350)
-    found = study("crank-rocker").found
+    found = study("crank-rocker").extreme_positions
     assert found is not None
     swing = abs(cmath.phase((out - 0.350) / (back - 0.350)))
     assert found.extremes.stroke == pytest.approx(swing, abs=ROUNDING)
@@ -175,7 +175,7 @@ def test_the_crank_rocker_obeys_grashof_and_draws_its_coupler_curve() -> None:
 
 
 def test_khurmi_5_4_whitworth_s_time_ratio_and_stroke() -> None:
-    found = study("whitworth").found
+    found = study("whitworth").extreme_positions
     assert found is not None
     quick = 2 * acos(50 / 75)
     assert found.extremes.ratio == pytest.approx((2 * pi - quick) / quick, abs=ROUNDING)
@@ -193,7 +193,7 @@ def test_whitworth_s_slotted_link_points_from_its_pivot_to_the_crank_pin() -> No
 
 
 def test_the_oscillating_cylinder_s_swing_time_ratio_and_stroke() -> None:
-    found, moved = study("oscillating-cylinder").found, motion("oscillating-cylinder").points["A"].r
+    found, moved = study("oscillating-cylinder").extreme_positions, motion("oscillating-cylinder").points["A"].r
     assert found is not None
     swing = 2 * asin(110 / 400)
     assert found.extremes.stroke == pytest.approx(swing, abs=ROUNDING)
@@ -229,7 +229,7 @@ def test_the_knuckle_joint_press_s_stroke_by_triangles() -> None:
     top = 0.580 + 0.250j
     down, up = rocker_extremes(0.070, 0.500, 0.250, top, side=-1)
     ram = [knee.imag - sqrt(0.250**2 - (knee.real - 0.580) ** 2) for knee in (down, up)]
-    found = study("toggle-press").found
+    found = study("toggle-press").extreme_positions
     assert found is not None
     assert found.extremes.stroke == pytest.approx(ram[1] - ram[0], abs=ROUNDING)
     assert found.extremes.ratio == pytest.approx(ratio_of(overlap_of(down, up)), abs=ROUNDING)
@@ -249,7 +249,7 @@ def test_the_jaw_crusher_s_swing_by_triangles() -> None:
     rear, jaw = 0.370 - 0.480j, -0.480 + 0.200j
     low, high = rocker_extremes(0.045, 0.600, 0.390, rear, side=-1)
     ends = [circles_meet(knee, 0.390, jaw, 0.690, 1) for knee in (low, high)]
-    found = study("jaw-crusher").found
+    found = study("jaw-crusher").extreme_positions
     assert found is not None
     assert found.extremes.stroke == pytest.approx(abs(cmath.phase((ends[1] - jaw) / (ends[0] - jaw))), abs=ROUNDING)
     assert found.extremes.overlap == pytest.approx(overlap_of(low, high), abs=ROUNDING)
@@ -280,7 +280,7 @@ def test_the_conveyor_s_stroke_by_triangles() -> None:
     for end in (out, back):
         upper = pivot + (end - pivot) * 320 / 200
         trough.append(upper.real + sqrt(0.340**2 - (upper.imag - 0.260) ** 2))
-    found = study("conveyor").found
+    found = study("conveyor").extreme_positions
     assert found is not None
     assert found.extremes.stroke == pytest.approx(trough[0] - trough[1], abs=ROUNDING)
     assert found.extremes.overlap == pytest.approx(overlap_of(out, back), abs=ROUNDING)

@@ -33,7 +33,7 @@ MECHANISMS = {
 
 def drawn(study: LinkageStudy, turn: CrankPositions) -> list[Plan]:
     """Draw the plans act by act, and on them all named points."""
-    plans = [study.sweep.drawn(turn)]
+    plans = [study.sweep.positions(turn)]
     plans.append(velocities(plans[0], study.groups))
     plans.append(accelerations(plans[1], study.groups))
     for point in sorted({point for link in study.mechanism.links.values() for point in link.points}):

@@ -147,8 +147,8 @@ def test_khurmi_15_3_greatest_velocity_is_where_the_acceleration_vanishes():
 def test_quick_return(name):
     case = RETURNS[name]
     study = study_of(mechanism_of(case), None)
-    assert study.found is not None
-    extremes = study.found.extremes
+    assert study.extreme_positions is not None
+    extremes = study.extreme_positions.extremes
     expected = case["independent"]
     assert extremes.ratio == pytest.approx(expected["ratio"], abs=max(last_digit(expected["ratio"]), 1e-6) / 10)
     assert case["published"]["ratio"] == pytest.approx(extremes.ratio, rel=HAND)

@@ -13,7 +13,8 @@ import numpy as np
 from geometry.errors import DraftError
 from plans.checks.compare import MotionComparison, compare
 from plans.linkage.study import LinkageStudy
-from plans.model.motion import LINK_KEYS, POINT_KEYS, Motion
+from plans.model.motion import Motion
+from plans.model.order import LINK_ORDERS, POINT_ORDERS
 from plans.scene.scene import parse_scene
 from tests.trials.judge import MP, Lost, answers, case, guess, roundings, solved
 from tests.trials.rests import off
@@ -21,7 +22,7 @@ from tests.trials.trial import text_of
 
 POSITIONS = 2  # judged of every scene
 BORNE = 10.0  # roundings of the data: what an answer may be off
-KEYS = (*POINT_KEYS, *LINK_KEYS)
+KEYS = (*POINT_ORDERS, *LINK_ORDERS)
 EXTREME = "extreme"
 
 
@@ -78,8 +79,8 @@ def _at(
 
 def _extremes(study: LinkageStudy, comparison: MotionComparison) -> Iterator[tuple[str, str, str, float, float]]:
     """Judge the extreme positions of the output by both roads."""
-    roads = {"construction": study.found.extremes if study.found else None}
-    roads["analysis"] = comparison.road.extremes(study.output) if study.found else None
+    roads = {"construction": study.extreme_positions.extremes if study.extreme_positions else None}
+    roads["analysis"] = comparison.road.extremes(study.output) if study.extreme_positions else None
     for road, told in roads.items():
         for name, phi in zip(("start", "end"), told.phi if told else (), strict=False):
             try:
@@ -108,7 +109,7 @@ def _turned(share: Fraction) -> Any:
 def _read(road: Motion, key: tuple[str, str], position: int) -> complex:
     """Read a quantity off a road; of a link's direction its unit vector."""
     kind, name = key
-    owner: Any = road.points[name] if kind in POINT_KEYS else road.links[int(name)]
+    owner: Any = road.points[name] if kind in POINT_ORDERS else road.links[int(name)]
     value = complex(getattr(owner, kind)[position])
     return complex(MP.expj(MP.mpf(value.real))) if kind == "angle" else value
 

@@ -8,7 +8,7 @@ import pytest
 
 from plans.analytic.kinematics import Analysis
 from plans.model.mechanism import Mechanism, Output
-from plans.model.motion import Motion
+from plans.model.motion import Motion, PointMotion
 from tests.plans.linkages import four_bar, shaper, slider_crank
 from tests.plans.studies import study_of
 from tests.trials.judge import EPS, MP, Case, Lost, Series, answers, case, guess, roundings, solved
@@ -103,7 +103,7 @@ def test_a_road_that_is_wrong_in_the_last_digits_is_told(monkeypatch):
     def spoilt(self: Analysis, phi: object, order: int = 2) -> Motion:
         found = motion(self, phi, order)
         b = found.points["B"]
-        return replace(found, points={**found.points, "B": b._replace(v=b.v * (1 + 100 * EPS))})
+        return replace(found, points={**found.points, "B": PointMotion((b.r, b.v * (1 + 100 * EPS), b.a))})
 
     monkeypatch.setattr(Analysis, "motion", spoilt)
     wrong = [one for one in judged("crank-rockers", 1) if not one.roundings <= BORNE]

@@ -80,7 +80,7 @@ def tried(kind: str, number: int, draw: bool = False) -> Verdict:
 def _study(scene: Scene) -> LinkageStudy:
     """Make the plans, as a sheet would."""
     study = LinkageStudy(scene)
-    _ = study.found, study.drafts().accelerations
+    _ = study.extreme_positions, study.drafts().accelerations
     return study
 
 

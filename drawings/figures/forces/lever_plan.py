@@ -65,7 +65,7 @@ def hanging(plan: ForcePlan, lever: Lever, column: int) -> Hanging:
     rods = {(arrow.start, arrow.end): (_turned(arrow.ends), arrow.absolute) for arrow in base.arrows}
     images = {mark.name: (_letters(plan, mark), QUARTER * at(mark.point, column)) for mark in base.letters}
     joined = list(rods.values())
-    for mark in (*(one.at for one in lever.hung), *(end for pair in lever.pairs for end in pair[1:3]), lever.driven):
+    for mark in (*(one.at for one in lever.loads), *(end for pair in lever.pairs for end in pair[1:3]), lever.driven):
         place = at(mark.point, column)
         name = _new(mark.name, place, images)
         if name is not None and mark.name != lever.pole.name:
@@ -96,7 +96,7 @@ def _forces(lever: Lever, column: int) -> Iterator[ShownVector]:
     """Give the forces that are not zero, the balancing one first; one at the hinge of the lever does nothing there."""
     driven, force = at(lever.driven.point, column), at(lever.force.point, column)
     every = [ShownVector(lever.force.name, BALANCE, driven, force)]
-    for one in lever.hung:
+    for one in lever.loads:
         place, force = at(one.at.point, column), at(one.force.point, column)
         every.append(ShownVector(one.name, LOAD, place, force))
     for pair in lever.pairs:

@@ -33,10 +33,10 @@ from drawings.symbols.symbols import ARROW_LENGTH
 from drawings.symbols.trimming import trim
 from geometry.board import Arc as Notch
 from geometry.board import at
-from plans.linkage.barrier import CHANGE
-from plans.model.motion import ORDERS
+from plans.model.motion import CHANGE_POINT
+from plans.model.order import POSITIONS
 
-NAME = ORDERS[0]
+NAME = POSITIONS.plan
 # Paper around the plan of positions in sizes of its letters: numbers, symbols, and above it the dimension of a stroke.
 MARGINS = Margins(3.5, 3.5, 11.0)
 STEPS = 360  # of a circle that is cut at a figure's box
@@ -122,7 +122,7 @@ def _circle(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
             tip = pivot + (radius + HATCH * hand.symbol) * ray * cmath.rect(1.0, SLANT)
             strokes.append(Line(pivot + radius * ray, tip, hand.drafted))
     crossed = [complex(d) for d in bones.study.turn.directions[bones.study.lost]]
-    crossed += [cmath.rect(1.0, barrier.start) for barrier in bones.study.met if barrier.kind == CHANGE]
+    crossed += [cmath.rect(1.0, barrier.start) for barrier in bones.study.met if barrier.kind == CHANGE_POINT]
     return strokes + [arm for ray in crossed for arm in symbols.cross(pivot + radius * ray, hand)]
 
 

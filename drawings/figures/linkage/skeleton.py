@@ -194,7 +194,7 @@ def skeletons(study: LinkageStudy, motion: Motion, shown: int) -> Skeletons:
     extremes = None
     if study.travel is not None:
         turn = CrankPositions(np.array(study.travel.extremes.phi), np.array(study.travel.directions))
-        extremes = poses(study.mechanism, study.sweep.drawn(turn), 2)
+        extremes = poses(study.mechanism, study.sweep.positions(turn), 2)
     return Skeletons(study, motion, numbered, _way(study, numbered), extremes, shown)
 
 

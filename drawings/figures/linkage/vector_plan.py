@@ -18,15 +18,16 @@ from drawings.paper.strokes import Group, Line, LineStyle, Stroke, Text
 from drawings.symbols.figure import Subject, heading, point, vector
 from drawings.symbols.symbols import pole
 from geometry.board import Line as Direction
-from geometry.board import Mark, at, behind
+from geometry.board import Mark, at
+from geometry.steps import behind
 from plans.linkage.plan import Plan
-from plans.model.motion import ORDERS, POINT_KEYS, POINT_UNITS
+from plans.model.order import ORDERS
 
 BEYOND = 9.0  # mm a line of known direction is drawn past the meeting
 MARGINS = Margins(2.6, 2.0, 2.0)  # paper around a plan for its letters, in their sizes
 LETTERS = 12.0  # a plan is drawn at least so many of its letters large, and as many as it has: below, they hide it
 LEAST = 0.05  # mm: a shorter vector is a point; the finest line is five times as wide
-SYMBOL, UNIT = dict(zip(ORDERS, POINT_KEYS, strict=True)), dict(zip(ORDERS, POINT_UNITS, strict=True))
+VECTOR = {order.plan: order.point for order in ORDERS}  # what the vectors of a plan are
 
 
 @dataclass(frozen=True)
@@ -118,14 +119,14 @@ def measure(shown: VectorDiagram, name: str, drafting: Drafting) -> Picture:
     side, below, above = (size * hand.letter for size in MARGINS)
     margins = Margins(side, below, above + 2 * hand.title + hand.text)
     least = hand.letter * max(LETTERS, len(shown.letters))
-    return picture(name, shown.points, (SYMBOL[kind], UNIT[kind]), margins, title, least)
+    return picture(name, shown.points, (VECTOR[kind].symbol, VECTOR[kind].unit), margins, title, least)
 
 
 def draw(shown: VectorDiagram, room: Picture, spot: Spot, drafting: Drafting) -> PlanFigure:
     """Draw the plan in its spot, with its title and its written scale above it."""
     position, hand = shown.column, drafting.hand
     kind = shown.plan.board.subject
-    subject = Subject(kind, SYMBOL[kind], position)
+    subject = Subject(kind, VECTOR[kind].symbol, position)
     place = room.place(*spot)
     title = _heading(shown, spot, drafting)
     lines = Group(tuple(_directions(shown, place, hand)))

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+import numpy as np
+
 from geometry.board import Mark
 from plans.linkage.plan import Image, Plan
+from plans.model.dyad import Dyad
 from plans.model.mechanism import Slide
-from plans.model.structure import Dyad
+from plans.model.motion import Floats
 from plans.words.words import because
 
 
@@ -40,12 +43,24 @@ def unit(plan: Plan, slide: Slide, host: int) -> Mark | None:
 
 def direction(plan: Plan, slide: Slide, host: int) -> Mark:
     """Give a guide's unit direction on the plan of positions."""
-    found = unit(plan.positions, slide, host)
-    assert found is not None  # every line has a direction on the plan of positions
-    return found
+    unit(plan.positions, slide, host)
+    return known_direction(plan, slide)
 
 
-def shifted(plan: Plan, through: Mark, along: Mark, left: float, name: str) -> Mark:
+def known_direction(plan: Plan, slide: Slide) -> Mark:
+    """Give the direction of a sliding line that stands on the plan of positions already."""
+    direction = plan.positions.units[key(slide)]
+    assert direction is not None  # every line has a direction on the plan of positions
+    return direction
+
+
+def crossing(plan: Plan, first: Slide, second: Slide) -> Floats:
+    """Give 90 degrees less the angle between the sliding lines of a group with two of them, (N,) rad."""
+    turned = np.asarray(known_direction(plan, first).point) / np.asarray(known_direction(plan, second).point)
+    return np.asarray(np.arctan2(turned.real, np.abs(turned.imag)))
+
+
+def shift(plan: Plan, through: Mark, along: Mark, left: float, name: str) -> Mark:
     """Draw the line through a point along a unit direction, shifted to the left by a distance."""
     board = plan.board
     if left != 0:
@@ -57,7 +72,7 @@ def shifted(plan: Plan, through: Mark, along: Mark, left: float, name: str) -> M
 def line(plan: Plan, slide: Slide, host: int, left: float) -> Mark:
     """Draw on the plan of positions the line that a pin `left` of a host's guide runs along."""
     through = plan.place(host, slide.way(host).through, f"K{slide.slider}")
-    return shifted(plan, through, direction(plan, slide, host), left, f"guide of {slide.point}")
+    return shift(plan, through, direction(plan, slide, host), left, f"guide of {slide.point}")
 
 
 def sliding_line(plan: Plan, slide: Slide, host: int, over: Mark) -> Mark:

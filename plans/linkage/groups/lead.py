@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from geometry.board import Mark
+from plans.linkage.groups.vectors import Turning
 from plans.linkage.plan import Image, Plan, Reading
-from plans.model.structure import Dyad
+from plans.model.dyad import Dyad
 from plans.words.words import because
 
 
@@ -14,14 +15,22 @@ def vector(plan: Plan, dyad: Dyad, end: int) -> complex:
     return points[dyad.pin] - points[dyad.hinge(end)]
 
 
+def meeting(plan: Plan, dyad: Dyad) -> Mark:
+    """Give the inner hinge: where it has no place, the group has none."""
+    return plan.letters[dyad.pin]
+
+
+def turning(dyad: Dyad, end: int) -> Turning:
+    """Tell the vectors of the plans that a lead's turning about its outer hinge gives."""
+    return Turning(dyad.links[end], dyad.hinge(end), dyad.pin)
+
+
 def arm(plan: Plan, link: int) -> Mark:
     """Carry a lead's vector from the plan of positions."""
-    found = plan.positions.images[link].arm
-    assert found is not None  # every link has an arm on the plan of positions
-    return plan.carry(found)
+    return plan.carry(plan.arm(link))
 
 
-def placed(plan: Plan, dyad: Dyad, end: int, start: Mark, tip: Mark) -> None:
+def keep_place(plan: Plan, dyad: Dyad, end: int, start: Mark, tip: Mark) -> None:
     """Keep a lead on the plan of positions by the vector between its hinges."""
     link = plan.mechanism.links[dyad.links[end]]
     drawn = plan.board.join(f"{start.name}{tip.name}", start, tip, because("link", link=link.number))
@@ -45,13 +54,13 @@ def normal(plan: Plan, link: int, start: Mark, ends: tuple[str, str]) -> Mark:
     return plan.board.lay_off(name, start, part, because("to_centre"))
 
 
-def met(plan: Plan, point: str, first: Mark, second: Mark) -> Mark:
+def meet_directions(plan: Plan, point: str, first: Mark, second: Mark) -> Mark:
     """Meet the two known directions in the image of the inner pair's point."""
     name = plan.letter(point)
     return plan.name(point, plan.board.meet(name, first, second, why=because("both_directions", point=name)))
 
 
-def turned(plan: Plan, link: int, start: Mark, turning_from: Mark, tip: Mark) -> None:
+def keep_turning(plan: Plan, link: int, start: Mark, turning_from: Mark, tip: Mark) -> None:
     """Keep a lead's image from start to tip, and the turning part that its omega or epsilon is read from."""
     base = plan.positions.images[link]
     relative = plan.board.join(f"{start.name}{tip.name}", start, tip)

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from geometry.board import Mark
 from geometry.meet import Sizes
 from plans.linkage.groups import guide, lead
+from plans.linkage.groups.vectors import Vector
 from plans.linkage.plan import Plan
-from plans.model.structure import Dyad
+from plans.model.dyad import Dyad
+from plans.model.motion import Floats
 from plans.words.words import because
 
 
@@ -37,8 +41,18 @@ def accelerations(plan: Plan, dyad: Dyad) -> None:
     _met(plan, dyad, [guide.coriolis_line(plan, dyad.slide(end), dyad.hosts[end], over) for end in (0, 1)])
 
 
+def vectors(dyad: Dyad) -> Iterator[Vector]:
+    """Tell the vectors of its plans: none but those of its points."""
+    yield from ()
+
+
+def pressure(plan: Plan, dyad: Dyad) -> Floats:
+    """Read off its pressure angle, (N,) rad: one guide to the square of the other."""
+    return guide.crossing(plan, dyad.slide(0), dyad.slide(1))
+
+
 def _met(plan: Plan, dyad: Dyad, lines: list[Mark]) -> Mark:
-    b = lead.met(plan, dyad.pin, lines[0], lines[1])
+    b = lead.meet_directions(plan, dyad.pin, lines[0], lines[1])
     for end, link in enumerate(dyad.links):
         guide.ride(plan, dyad, end, b, plan.positions.images[link].at)
     return b

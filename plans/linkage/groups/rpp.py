@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from geometry.board import Mark
 from geometry.meet import Sizes
 from plans.linkage.groups import guide
+from plans.linkage.groups.vectors import Vector
 from plans.linkage.plan import Image, Plan
+from plans.model.dyad import Dyad
 from plans.model.mechanism import Way
-from plans.model.structure import Dyad
+from plans.model.motion import Floats
 from plans.words.words import because
 
 
@@ -20,7 +24,7 @@ def positions(plan: Plan, dyad: Dyad, side: Sizes) -> None:
     slot = board.turn(f"u{yoke}", guided, angle, because("slot_angle"))
     plan.units[guide.key(inner)] = slot
     left = guide.offset(plan, inner, stone, dyad.hinge(0)).left
-    through = guide.shifted(plan, a, slot, -left, f"slot of {dyad.hinge(0)}")
+    through = guide.shift(plan, a, slot, -left, f"slot of {dyad.hinge(0)}")
     local, own = _crossing(inner.way(yoke), outer.way(yoke)), plan.mechanism.links[yoke].points
     name = next((point for point, place in own.items() if place == local), f"N{yoke}")
     n = board.meet(name, through, guide.line(plan, outer, dyad.hosts[1], 0.0), why=because("slot_crosses"))
@@ -48,6 +52,21 @@ def accelerations(plan: Plan, dyad: Dyad) -> None:
     along = board.parallel(f"∥{slot.name}", k, plan.carry(slot), because("slip_slot"))
     guided = guide.coriolis_line(plan, dyad.slide(1), dyad.hosts[1], plan.positions.point(dyad.hinge(0)))
     _met(plan, dyad, along, guided)
+
+
+def meeting(plan: Plan, dyad: Dyad) -> Mark:
+    """Give the point in which the slot crosses the guide."""
+    return plan.images[dyad.links[1]].origin
+
+
+def vectors(dyad: Dyad) -> Iterator[Vector]:
+    """Tell the vectors of its plans: none but those of its points."""
+    yield from ()
+
+
+def pressure(plan: Plan, dyad: Dyad) -> Floats:
+    """Read off its pressure angle, (N,) rad: the guide to the square of the slot."""
+    return guide.crossing(plan, dyad.slide(1), dyad.slide())
 
 
 def _met(plan: Plan, dyad: Dyad, along: Mark, guided: Mark) -> Mark:

@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
+import numpy as np
+
 from geometry.board import Mark
 from geometry.meet import Sizes
-from plans.linkage.groups import guide
+from plans.linkage.groups import crank_line, guide
+from plans.linkage.groups.vectors import Slotted, Vector
 from plans.linkage.plan import Image, Plan, Reading
-from plans.model.structure import Dyad
+from plans.model.dyad import Dyad
+from plans.model.motion import Floats
 from plans.words.words import because
 
 
@@ -58,6 +64,40 @@ def accelerations(plan: Plan, dyad: Dyad) -> None:
     tangential = board.join(f"{n.name}{under.name}", n, under, because("tangential"))
     for link in dyad.links:
         plan.readings[link] = Reading(reach, tangential)
+
+
+def meeting(plan: Plan, dyad: Dyad) -> Mark:
+    """Give the slot's direction: it has none where the pin comes to the pivot."""
+    return guide.known_direction(plan, dyad.slide())
+
+
+def vectors(dyad: Dyad) -> Iterator[Vector]:
+    """Tell the vectors of its plans: those of the slotted link's point under the pin."""
+    yield Slotted(dyad.links[1], dyad.hinge(1), dyad.hinge(0))
+
+
+def pressure(plan: Plan, dyad: Dyad) -> Floats:
+    """Read off its pressure angle, (N,) rad: from the slot to the arm from its link's pivot to the pin."""
+    a, c = (np.asarray(mark.point) for mark in _outer(plan, dyad))
+    turned = (a - c) / np.asarray(guide.known_direction(plan, dyad.slide()).point)
+    return np.asarray(np.arctan2(turned.imag, np.abs(turned.real)))
+
+
+def extremes(plan: Plan, dyad: Dyad, side: float) -> list[Mark]:
+    """Draw from the slotted link's pivot the tangents to the crank circle: the crank is square to the slot (M1.7)."""
+    board, drive, end = plan.board, plan.mechanism.drive, crank_line.crank_end(plan, dyad)
+    sense = 1.0 if end == 0 else -1.0
+    left = [guide.offset(plan, dyad.slide(), dyad.links[e], dyad.hinge(e)).left for e in (0, 1)]
+    pivot, fixed = plan.point(drive.pivot), plan.point(dyad.hinge(1 - end))
+    radius_of_pin = crank_line.pin(plan, dyad)
+    near, marks = abs(radius_of_pin), []
+    for number, off in ((1, near), (2, -near)):
+        away = sense * (left[0] - left[1]) + off
+        slot = board.tangent(f"u_{number}", fixed, pivot, away, sense * side, because("tangent"))
+        by = -1j * off * (crank_line.end(plan) / radius_of_pin)
+        arm = board.turn(f"{pivot.name}{drive.end}_{number}", slot, by, because("crank_square"))
+        marks.append(board.lay_off(f"{drive.end}_{number}", pivot, arm, because("extreme", number=number)))
+    return marks
 
 
 def _outer(plan: Plan, dyad: Dyad) -> tuple[Mark, Mark]:

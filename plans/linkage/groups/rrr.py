@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
+import numpy as np
+
 from geometry.board import Mark
 from geometry.meet import Sizes
-from plans.linkage.groups import lead
+from plans.linkage.groups import crank_line, lead
+from plans.linkage.groups.vectors import Vector
 from plans.linkage.plan import Plan
-from plans.model.structure import Dyad
+from plans.model.dyad import Dyad
+from plans.model.motion import Floats
 from plans.words.words import because
 
 
@@ -19,16 +25,16 @@ def positions(plan: Plan, dyad: Dyad, side: Sizes) -> None:
     ]
     why = because("notched", point=name, start=a.name, end=c.name)
     b = plan.name(name, board.meet(name, arcs[0], arcs[1], side, why))
-    lead.placed(plan, dyad, 0, a, b)
-    lead.placed(plan, dyad, 1, c, b)
+    lead.keep_place(plan, dyad, 0, a, b)
+    lead.keep_place(plan, dyad, 1, c, b)
 
 
 def velocities(plan: Plan, dyad: Dyad) -> None:
     """Meet the velocity of B about A, square to AB, with that about C, square to CB (M3.2)."""
     a, c = _outer(plan, dyad)
-    b = lead.met(plan, dyad.pin, lead.about(plan, dyad.links[0], a), lead.about(plan, dyad.links[1], c))
-    lead.turned(plan, dyad.links[0], a, a, b)
-    lead.turned(plan, dyad.links[1], c, c, b)
+    b = lead.meet_directions(plan, dyad.pin, lead.about(plan, dyad.links[0], a), lead.about(plan, dyad.links[1], c))
+    lead.keep_turning(plan, dyad.links[0], a, a, b)
+    lead.keep_turning(plan, dyad.links[1], c, c, b)
 
 
 def accelerations(plan: Plan, dyad: Dyad) -> None:
@@ -38,9 +44,35 @@ def accelerations(plan: Plan, dyad: Dyad) -> None:
         lead.normal(plan, link, start, (dyad.hinge(end), dyad.pin))
         for end, (link, start) in enumerate(zip(dyad.links, starts, strict=True))
     ]
-    b = lead.met(plan, dyad.pin, lead.about(plan, dyad.links[0], ends[0]), lead.about(plan, dyad.links[1], ends[1]))
+    b = lead.meet_directions(
+        plan, dyad.pin, lead.about(plan, dyad.links[0], ends[0]), lead.about(plan, dyad.links[1], ends[1])
+    )
     for link, start, end in zip(dyad.links, starts, ends, strict=True):
-        lead.turned(plan, link, start, end, b)
+        lead.keep_turning(plan, link, start, end, b)
+
+
+def vectors(dyad: Dyad) -> Iterator[Vector]:
+    """Tell the vectors of its plans: both leads turn about their outer hinges."""
+    yield lead.turning(dyad, 0)
+    yield lead.turning(dyad, 1)
+
+
+def pressure(plan: Plan, dyad: Dyad) -> Floats:
+    """Read off its pressure angle, (N,) rad: 90 degrees less the transmission angle ABC (угол передачи, M1.3)."""
+    ab, cb = (np.asarray(plan.arm(link).point) for link in dyad.links)
+    return np.asarray(np.pi / 2 - np.abs(np.angle(ab / cb)))
+
+
+def extremes(plan: Plan, dyad: Dyad, side: float) -> list[Mark]:
+    """Notch the crank and the coupler in one line on the rocker's arc (M1.2)."""
+    end = crank_line.crank_end(plan, dyad)
+    fixed, rocker = plan.point(dyad.hinge(1 - end)), abs(lead.vector(plan, dyad, 1 - end))
+
+    def notch(arc: Mark, side: float, name: str) -> Mark:
+        other = plan.board.arc(f"{fixed.name}{name}", fixed, rocker, because("rocker_end"))
+        return plan.board.meet(name, arc, other, side if end == 0 else -side, because("arcs"))
+
+    return crank_line.extremes(plan, dyad, side, notch)
 
 
 def _outer(plan: Plan, dyad: Dyad) -> tuple[Mark, Mark]:

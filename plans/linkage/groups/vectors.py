@@ -1,0 +1,24 @@
+"""Vectors that the plans of a group have: told by what they come from, not by how they are drawn (векторы планов)."""
+
+from __future__ import annotations
+
+from typing import NamedTuple, TypeAlias
+
+
+class Turning(NamedTuple):
+    """A link's tip turns about its start: a velocity, a normal and a tangential part of an acceleration."""
+
+    link: int
+    start: str
+    tip: str
+
+
+class Slotted(NamedTuple):
+    """A pin in the slot of a link that turns about a pivot: the link's point under it, slip, Coriolis, normal part."""
+
+    link: int
+    pivot: str
+    pin: str
+
+
+Vector: TypeAlias = Turning | Slotted

@@ -1,0 +1,26 @@
+"""The table of primary links: by what a mechanism is driven, and the plans that start from it (начальные звенья)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from typing import NamedTuple
+
+from plans.linkage import crank
+from plans.linkage.crank_positions import CrankPositions
+from plans.linkage.groups.vectors import Vector
+from plans.linkage.plan import Plan
+from plans.model.mechanism import CRANK, Mechanism
+
+
+class Primary(NamedTuple):
+    """The constructions of one kind of primary link, on which the first group hangs."""
+
+    positions: Callable[[Mechanism, CrankPositions], Plan]  # starts the plan
+    velocities: Callable[[Plan], None]
+    accelerations: Callable[[Plan], None]
+    vectors: Callable[[Mechanism], Iterable[Vector]]  # that its plans must have, beside those of its points
+
+
+PRIMARIES: Mapping[str, Primary] = {
+    CRANK: Primary(crank.positions, crank.velocities, crank.accelerations, crank.vectors),
+}

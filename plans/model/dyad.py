@@ -1,0 +1,125 @@
+"""Two-lead groups of class II: what they are, and where a mechanism has them (двухповодковые группы; 6.4.4)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import combinations
+from typing import NamedTuple
+
+from geometry.meet import EPS, TANGENCY
+from plans.model.group import Joint, Pair
+from plans.model.mechanism import FRAME, Mechanism, Slide, StructureError
+from plans.words.words import message
+
+# The five kinds of two-lead groups, numbered as the textbook does (figure 6.12): outer, inner, outer pair.
+NUMBERS = {"RRR": 1, "RRP": 2, "RPR": 3, "PRP": 4, "RPP": 5}
+RUSSIAN = {"RRR": "ВВВ", "RRP": "ВВП", "RPR": "ВПВ", "PRP": "ПВП", "RPP": "ВПП"}
+
+
+class Dyad(NamedTuple):
+    """A two-lead group of class II (двухповодковая группа): its two links, their hosts, and its three pairs."""
+
+    kind: str
+    links: tuple[int, int]
+    hosts: tuple[int, int]
+    outer: tuple[Joint, Joint]
+    inner: Joint
+
+    @property
+    def order(self) -> str:
+        """Its class."""
+        return "II"
+
+    @property
+    def label(self) -> str:
+        """The group as the formula of structure writes it: class, kind, links."""
+        return f"{self.order}{NUMBERS[self.kind]}({self.links[0]},{self.links[1]})"
+
+    @property
+    def outer_pairs(self) -> tuple[Pair, ...]:
+        """The two pairs by which it hangs on its hosts."""
+        return tuple(Pair(*outer) for outer in zip(self.hosts, self.links, self.outer, strict=True))
+
+    @property
+    def inner_pairs(self) -> tuple[Pair, ...]:
+        """The pair between its links."""
+        return (Pair(*self.links, self.inner),)
+
+    def hinge(self, end: int) -> str:
+        """Give the point of an outer hinge."""
+        joint = self.outer[end]
+        if not isinstance(joint, str):
+            raise TypeError(f"{self.label} has no hinge there")
+        return joint
+
+    def slide(self, end: int | None = None) -> Slide:
+        """Give the slide of an outer pair, or of the inner pair."""
+        joint = self.inner if end is None else self.outer[end]
+        if isinstance(joint, str):
+            raise TypeError(f"{self.label} has no slide there")
+        return joint
+
+    @property
+    def pin(self) -> str:
+        """The point of the inner hinge."""
+        if not isinstance(self.inner, str):
+            raise TypeError(f"{self.label} has no inner hinge")
+        return self.inner
+
+
+def dyads(mechanism: Mechanism, solved: set[int], left: list[int]) -> Iterator[Dyad]:
+    """Yield the dyads that hang on solved links, lowest link numbers first."""
+    for first, second in combinations(left, 2):
+        inner = _joints(mechanism, first, {second}, solved)
+        ends = [_joints(mechanism, link, solved, set()) for link in (first, second)]
+        if len(inner) == 1 and len(ends[0]) == len(ends[1]) == 1:
+            (host, joint), (other_host, other) = ends[0][0], ends[1][0]
+            yield _named((first, second), (host, other_host), (joint, other), inner[0][1])
+
+
+def _joints(mechanism: Mechanism, link: int, others: set[int], solved: set[int]) -> list[tuple[int, Joint]]:
+    """Give the joints of a link with some others; a hinge at a solved point is no joint between unknowns."""
+    found: list[tuple[int, Joint]] = []
+    for point, owners in mechanism.hinges.items():
+        partners = [owner for owner in owners if owner in others]
+        if link in owners and partners and not (solved & set(owners)):
+            found.append((_bearing(mechanism, partners), point))
+    for slide in mechanism.slides:
+        if link == slide.slider and slide.owner in others:
+            found.append((slide.owner, slide))
+        elif link == slide.owner and slide.slider in others:
+            found.append((slide.slider, slide))
+    return found
+
+
+def _bearing(mechanism: Mechanism, partners: list[int]) -> int:
+    """Choose on which of the links that share a pin a group hangs: one borne by the frame, as crank or rocker are.
+
+    Positions are the same on any of them; reactions are told as the textbook does, of the rocker on the rod.
+    """
+    fixed = mechanism.links[FRAME].points
+    borne = {slide.slider for slide in mechanism.slides if slide.owner == FRAME}
+    grounded = [one for one in partners if one in borne or fixed.keys() & mechanism.links[one].points.keys()]
+    return min(grounded or partners)
+
+
+def _named(links: tuple[int, int], hosts: tuple[int, int], outer: tuple[Joint, Joint], inner: Joint) -> Dyad:
+    letters = [("R" if isinstance(joint, str) else "P") for joint in (outer[0], inner, outer[1])]
+    if letters[0] == "P" and letters[2] == "R":  # the hinge's lead comes first
+        links, hosts, outer = links[::-1], hosts[::-1], outer[::-1]
+        letters.reverse()
+    kind = "".join(letters)
+    if kind not in NUMBERS:
+        raise StructureError(
+            message("structure.three_slides", first=links[0], second=links[1]),
+            links,
+        )
+    dyad = Dyad(kind, links, hosts, outer, inner)
+    if isinstance(inner, Slide) and isinstance(outer[1], Slide):
+        slot, guided = (slide.way(links[1]).direction for slide in (inner, outer[1]))
+        if abs((slot.conjugate() * guided).imag) <= TANGENCY * EPS:
+            raise StructureError(
+                message("structure.slot", link=links[1], first=links[0], second=links[1]),
+                links,
+            )
+    return dyad
