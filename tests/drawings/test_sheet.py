@@ -25,7 +25,6 @@ from plans.scene.scene import parse_scene
 from tests.drawings.collisions import collisions
 
 GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
-SCENES = sorted(GALLERY.glob("*.toml"))
 NUMBER = re.compile(rb"-?\d+(?:\.\d+)?")
 
 FOUR_BAR = """

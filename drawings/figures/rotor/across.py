@@ -29,7 +29,7 @@ SHAFT = 2.2  # mm, half the thickness of the shaft
 END = 8.0  # mm that the shaft goes past what it bears
 SHELL = (9.0, 0.9)  # mm, length of a bearing's shell, and from the shaft to it
 ABOVE = 5.0  # mm that a plane of correction goes past the outermost mass
-FIRST, STEP = 9.0, 2.2  # mm from the outermost mass to the first dimension; sizes of its numbers from one to the next
+FIRST, STEP = 9.0, 2.4  # mm from the outermost mass to the first dimension; sizes of its numbers from one to the next
 MOST = 9  # different arms: of more the table tells them
 NEAR = 1e-9  # of the rotor's length: places that are one
 

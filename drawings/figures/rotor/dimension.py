@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from drawings.lettering.lettering import text_width
+from drawings.lettering.lettering import text_reach, text_width
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Line, Stroke, Text
 from drawings.symbols.symbols import ARROW_LENGTH, arrowhead
@@ -22,7 +22,8 @@ def dimension(base: float, last: float, level: float, text: str, hand: Hand) -> 
     shelf = start if roomy and fits else start - (tail + (0.0 if fits else wide + 2)) * along
     line = Line(shelf, end if roomy else end + tail * along, hand.drafted)
     middle = (start + end) / 2 if fits else shelf + (wide / 2 + 1) * along
-    letters = Text(middle + ABOVE * 1j, text, hand.number, "middle", True)
+    above = ABOVE - text_reach(Text(0j, text, hand.number, "middle", True))[0]  # an index hangs below its line
+    letters = Text(middle + above * 1j, text, hand.number, "middle", True)
     heads = [head for tip in tips if (head := arrowhead(*tip, hand.symbol)) is not None]
     return Group((line, *heads, letters))
 
