@@ -7,8 +7,9 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Line, Stroke, Text
 from drawings.symbols.symbols import ARROW_LENGTH, arrowhead
 
-PAST = 2.0  # mm an extension line goes past the lowest arrow
+PAST = 1.5  # mm an extension line goes past the lowest arrow
 ABOVE = 0.9  # mm from the dimension line to its number
+TALL = 1.6  # sizes of a number with its index, and paper over it
 TAIL = 8.0  # mm of a dimension line outside its extension lines, where its arrows stand outside
 
 
@@ -26,6 +27,11 @@ def dimension(base: float, last: float, level: float, text: str, hand: Hand) -> 
     letters = Text(middle + above * 1j, text, hand.number, "middle", True)
     heads = [head for tip in tips if (head := arrowhead(*tip, hand.symbol)) is not None]
     return Group((line, *heads, letters))
+
+
+def step(hand: Hand) -> float:
+    """Give how far one dimension is from the next, mm: an extension line that ends here stays clear of its number."""
+    return PAST + ABOVE + TALL * hand.number
 
 
 def extension(across: float, top: float, bottom: float, hand: Hand) -> Stroke:
