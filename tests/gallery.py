@@ -1,9 +1,10 @@
-"""The scenes of the gallery that tests go through: all of them, and those that have a linkage."""
+"""The scenes of the gallery, by what they study: tests of linkages look at linkages alone."""
 
 from __future__ import annotations
 
+import tomllib
 from pathlib import Path
 
-FOLDER = Path(__file__).parent.parent / "drawings" / "gallery"
-SCENES = sorted(FOLDER.glob("*.toml"))
-LINKAGES = [path for path in SCENES if "\n[mechanism" in path.read_text("utf-8")]
+GALLERY = Path(__file__).parents[1] / "drawings" / "gallery"
+SCENES = sorted(GALLERY.glob("*.toml"))
+LINKAGES = [path for path in SCENES if "mechanism" in tomllib.loads(path.read_text(encoding="utf-8"))]
