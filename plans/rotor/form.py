@@ -169,8 +169,14 @@ class RotorTable(Table):
 
     @classmethod
     def rules(cls) -> Form:
-        """Say that a grade needs speed and mass."""
-        return {"dependentRequired": {"grade": ["speed", "mass"]}}
+        """Say that it turns, that a grade needs speed and mass, and that with two planes each thing has its place."""
+        placed = {"items": {"required": ["place"]}}
+        return {
+            "dependentRequired": {"grade": ["speed", "mass"]},
+            "not": {"properties": {"speed": {"const": 0}}, "required": ["speed"]},
+            "if": {"properties": {"planes": {"minItems": PLANES_LIMIT}}, "required": ["planes"]},
+            "then": {"properties": {"masses": placed, "planes": placed}},
+        }
 
 
 class RotorForm(TechniqueForm):

@@ -29,10 +29,10 @@ from drawings.paper.strokes import Group, Leaf, Line, Stroke
 from drawings.pens import svg as pen
 from plans.checks import compare as comparing
 from plans.model.motion import Motion, PointMotion
+from tests.gallery import LINKAGES
 from tests.rows import over
 
 ROOT = Path(__file__).parent.parent.parent
-GALLERY = sorted((ROOT / "drawings/gallery").glob("*.toml"))
 CATALOGUE = sorted((ROOT / "tests/catalogue").glob("*.toml"))
 SHAPER = ROOT / "drawings/gallery/shaper.toml"
 
@@ -218,7 +218,7 @@ def largest(data: dict[str, Any], key: str) -> float:
     return max(math.hypot(*pair) for point in data["points"].values() for pair in point[key] if pair)
 
 
-@pytest.mark.parametrize("scene", GALLERY, ids=lambda scene: scene.stem)
+@pytest.mark.parametrize("scene", LINKAGES, ids=lambda scene: scene.stem)
 def test_both_roads_print_the_same_numbers(run: Run, scene: Path) -> None:
     ours, theirs = (json.loads(run("solve", scene, "--by", by)[1]) for by in ("construction", "analysis"))
     assert theirs["by"] == "analysis"

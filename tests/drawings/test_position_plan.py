@@ -36,8 +36,7 @@ from tests.rows import over
 
 shapely = pytest.importorskip("shapely")
 
-GALLERY = LINKAGES
-NAMES = sorted({path.stem for path in GALLERY} | mechanisms.ALL.keys())
+NAMES = sorted({path.stem for path in LINKAGES} | mechanisms.ALL.keys())
 # The outputs of these turn, or run to infinity: there is no stroke.
 SWINGING = {"crank-rocker", "jaw-crusher", "leg", "offset stone", "oscillating-cylinder", "tangent", "walking-leg"}
 A1, A4 = Hand(0.7, 0.35, 0.25), Hand(0.5, 0.25, 0.18, letter=3.5, number=2.5, symbol=0.6)
@@ -67,7 +66,7 @@ class Figure(NamedTuple):
 
 @cache
 def drawn(name: str, hand: Hand = A1) -> Figure:
-    paths = {path.stem: path for path in GALLERY}
+    paths = {path.stem: path for path in LINKAGES}
     study = LinkageStudy(parse_scene(mechanisms.ALL[name]) if name in mechanisms.ALL else read_scene(paths[name]))
     comparison = compare(study)
     bones = skeletons(study, comparison.construction, position(study, comparison))

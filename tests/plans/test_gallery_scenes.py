@@ -18,11 +18,10 @@ from plans.linkage.reading.form import LinkageForm
 from plans.linkage.study import LinkageStudy
 from plans.model.motion import Motion
 from plans.scene.scene import read_scene
-from tests.gallery import LINKAGES
+from tests.gallery import LINKAGES, SCENES
 from tests.rows import over
 
 GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
-SCENES = LINKAGES
 ROUNDING = 1e-12  # m and rad for mechanisms of about a metre; rates are larger by omega, and its square
 # Kappa from which a report warns: 0.01 mm in a length moves a point by more than half a millimetre.
 WARNING = 60
@@ -55,7 +54,7 @@ def ratio_of(overlap: float) -> float:
     return (pi + overlap) / (pi - overlap)
 
 
-@over("scene", SCENES)
+@over("scene", LINKAGES)
 def test_construction_and_analysis_agree_in_every_position(scene: Path) -> None:
     comparison = compare_extremes(study(scene.stem), compare(study(scene.stem)))
     assert comparison.agrees
@@ -63,7 +62,7 @@ def test_construction_and_analysis_agree_in_every_position(scene: Path) -> None:
     assert np.nanmax(notches(study(scene.stem))) < WARNING
 
 
-@over("scene", SCENES)
+@over("scene", LINKAGES)
 def test_no_plan_of_a_named_position_is_one_line(scene: Path) -> None:
     points, found = motion(scene.stem).points.values(), study(scene.stem)
     named = found.form.sheet.plans or found.scene.of(ForceForm).sheet.forces
@@ -76,12 +75,12 @@ def test_no_plan_of_a_named_position_is_one_line(scene: Path) -> None:
 
 
 def test_the_gallery_has_every_kind_of_group() -> None:
-    kinds = {group.kind for scene in SCENES for group in study(scene.stem).groups}
+    kinds = {group.kind for scene in LINKAGES for group in study(scene.stem).groups}
     assert kinds == {"RRR", "RRP", "RPR", "PRP", "RPP"}
 
 
 def test_the_gallery_has_sheets_of_both_languages_both_standards_and_every_format() -> None:
-    tables = [study(scene.stem).scene.sheet for scene in SCENES]
+    tables = [study(scene.stem).scene.sheet for scene in LINKAGES]
     assert sum(table.language == "ru" for table in tables) >= 2
     assert {table.standard for table in tables} == {"GOST", "ISO"}
     assert {table.format for table in tables} == {"A1", "A2", "A3", "A4"}
@@ -91,7 +90,7 @@ def test_the_gallery_has_sheets_of_both_languages_both_standards_and_every_forma
 
 @over("scene", SCENES)
 def test_its_title_block_is_filled_and_no_designation_is_given_twice(scene: Path) -> None:
-    table = study(scene.stem).scene.sheet
+    table = read_scene(scene).sheet
     assert all((table.designation, table.drawn, table.checked, table.group, table.organisation))
     others = [tomllib.loads(other.read_text("utf-8"))["sheet"]["designation"] for other in SCENES if other != scene]
     assert table.designation not in others
@@ -321,7 +320,7 @@ def test_the_published_lengths_of_jansen_s_leg_stand_in_its_scene() -> None:
     assert sorted(given + place) == sorted(published)
 
 
-@over("scene", SCENES)
+@over("scene", LINKAGES)
 def test_both_roads_agree_where_the_crank_turns_the_other_way(scene: Path) -> None:
     """From an extreme the other stroke begins: the sketch shows another position, and the assembly stays the same."""
     there = read_scene(scene)

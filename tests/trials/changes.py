@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import re
 from functools import cache
-from pathlib import Path
 from random import Random
 from typing import NamedTuple
 
 from tests.gallery import LINKAGES
 
-GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
 TABLE = re.compile(r"^\s*\[+([\w.]+)\]+")
 NUMBER = re.compile(r"(?<![\w.'\"-])\"?(-?\d+(?:\.\d+)?)(?: mm| rpm| rad/s)?\"?(?![\w.])")
 # What is changed: the mechanism's own numbers, and the drive's speed, acceleration, start and listed angles.

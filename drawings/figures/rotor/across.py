@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from drawings.figures.rotor.along import BESIDE, BODY, ORIGIN, SYMBOL, UNIT, body, origin
-from drawings.figures.rotor.dimension import dimension, extension
+from drawings.figures.rotor.dimension import dimension, extension, step
 from drawings.figures.rotor.letters import letter, size
 from drawings.figures.rotor.rotor_view import RotorView, ShownBody
 from drawings.layout.labels import Labels
@@ -29,7 +29,7 @@ SHAFT = 2.2  # mm, half the thickness of the shaft
 END = 8.0  # mm that the shaft goes past what it bears
 SHELL = (9.0, 0.9)  # mm, length of a bearing's shell, and from the shaft to it
 ABOVE = 5.0  # mm that a plane of correction goes past the outermost mass
-FIRST, STEP = 9.0, 2.2  # mm from the outermost mass to the first dimension; sizes of its numbers from one to the next
+FIRST = 9.0  # mm from the outermost mass to the first dimension
 MOST = 9  # different arms: of more the table tells them
 NEAR = 1e-9  # of the rotor's length: places that are one
 
@@ -77,7 +77,7 @@ def measure(shown: RotorView, drafting: Drafting) -> Picture:
     hand, levels = drafting.hand, len(_arms(shown))
     title = text_width(Text(0j, drafting.word("view across"), hand.title))
     side, below, above = (share * hand.letter for share in MARGINS)
-    under = below + FIRST * hand.symbol + levels * STEP * hand.number
+    under = below + FIRST * hand.symbol + levels * step(hand)
     margins = Margins(side + END * hand.symbol, under, above + ABOVE * hand.symbol + 2 * hand.title + hand.text)
     corners = [complex(x, y) for x in (min(shown.places), max(shown.places)) for y in (-shown.reach, shown.reach)]
     return picture(NAME, corners, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
@@ -154,7 +154,7 @@ def _dimensions(shown: RotorView, place: Place, drafting: Drafting) -> Iterator[
     bottom = base.imag - place.length(shown.reach) - FIRST * hand.symbol
     level = bottom
     for number, (arm, own) in enumerate(arms.items()):
-        level = bottom - number * STEP * hand.number
+        level = bottom - number * step(hand)
         across = place.on(complex(own[0].place)).real
         names = " = ".join(f"h_{{{index(one.name, drafting.language)}}}" for one in own)
         yield dimension(base.real, across, level, f"{names} = {drafting.number(1000 * abs(arm))}", hand)

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from drawings.lettering.lettering import text_width
+from drawings.lettering.lettering import text_reach, text_width
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Line, Stroke, Text
 from drawings.symbols.symbols import ARROW_LENGTH, arrowhead
 
-PAST = 2.0  # mm an extension line goes past the lowest arrow
+PAST = 1.5  # mm an extension line goes past the lowest arrow
 ABOVE = 0.9  # mm from the dimension line to its number
+TALL = 1.6  # sizes of a number with its index, and paper over it
 TAIL = 8.0  # mm of a dimension line outside its extension lines, where its arrows stand outside
 
 
@@ -22,9 +23,15 @@ def dimension(base: float, last: float, level: float, text: str, hand: Hand) -> 
     shelf = start if roomy and fits else start - (tail + (0.0 if fits else wide + 2)) * along
     line = Line(shelf, end if roomy else end + tail * along, hand.drafted)
     middle = (start + end) / 2 if fits else shelf + (wide / 2 + 1) * along
-    letters = Text(middle + ABOVE * 1j, text, hand.number, "middle", True)
+    above = ABOVE - text_reach(Text(0j, text, hand.number, "middle", True))[0]  # an index hangs below its line
+    letters = Text(middle + above * 1j, text, hand.number, "middle", True)
     heads = [head for tip in tips if (head := arrowhead(*tip, hand.symbol)) is not None]
     return Group((line, *heads, letters))
+
+
+def step(hand: Hand) -> float:
+    """Give how far one dimension is from the next, mm: an extension line that ends here stays clear of its number."""
+    return PAST + ABOVE + TALL * hand.number
 
 
 def extension(across: float, top: float, bottom: float, hand: Hand) -> Stroke:
