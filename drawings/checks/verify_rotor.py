@@ -68,7 +68,7 @@ class Expected:
         arms = {name: self.rotor.arm(place) if plan == COUPLES else 1.0 for name, _, place in placed}
         return {letters(name): value * arms[name] for name, value, _ in placed if value * arms[name]}
 
-    def drawn(self, plan: str) -> Mapping[str, complex]:
+    def shown(self, plan: str) -> Mapping[str, complex]:
         """Give the vectors that a polygon shows: of more than can be told apart one for all masses."""
         vectors, planes = self.vectors(plan), self.rotor.planes
         letters = moment_letters if plan == COUPLES else unbalance_letters
@@ -80,7 +80,7 @@ class Expected:
         return {sum_letters(plan): sum(masses), **{name: vectors[name] for name in results}}
 
     @property
-    def told(self) -> frozenset[str]:
+    def distinct(self) -> frozenset[str]:
         """Name what the views tell apart: counterweights, and masses if there are not too many."""
         added = [one.plane.name for one in self.balance.corrections if one.moment.size]
         masses = [one.name for one in self.rotor.masses]
@@ -100,7 +100,7 @@ class Expected:
 
 def _vectors(measured: Measured, plan: str, expected: Expected) -> Iterator[str]:
     """Hold the vectors of a polygon: each that must be there, none that is not, end to end, closed."""
-    true = expected.drawn(plan)
+    true = expected.shown(plan)
     seen = {one.name: one for one in measured.vectors if one.plan == plan}
     scale = max((one.scale for one in seen.values()), default=0.0)
     arm = abs(expected.rotor.arm(expected.rotor.planes[0].place)) if plan == COUPLES else 1.0
@@ -129,7 +129,7 @@ def _points(measured: Measured, plan: str, expected: Expected) -> Iterator[str]:
         off = abs(one.value - true.get(name, one.value))
         if not off <= FAR * abs(one.value) + 2 * measured.quantum * one.scale:
             yield f"{name} on {plan} (against the analysis)"
-    yield from (f"{name} on {plan} is missing" for name in expected.told & true.keys() - seen.keys())
+    yield from (f"{name} on {plan} is missing" for name in expected.distinct & true.keys() - seen.keys())
 
 
 def _seen(plan: str, centre: complex, place: float) -> complex:

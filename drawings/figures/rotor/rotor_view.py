@@ -56,7 +56,7 @@ class RotorView(NamedTuple):
         return len(self.bodies) > MOST
 
     @property
-    def told(self) -> tuple[ShownBody, ...]:
+    def distinct(self) -> tuple[ShownBody, ...]:
         """The bodies that are lettered and measured: of too many masses the counterweights alone."""
         return tuple(one for one in self.bodies if one.added or not self.many)
 
