@@ -77,7 +77,7 @@ class Study:
 
 def rows_of(scene: Scene) -> Iterator[Technique]:
     """Give the techniques that a scene has tables of."""
-    return (row for row in TECHNIQUES.values() if not scene.given.isdisjoint(row.tables))
+    return (row for row in TECHNIQUES.values() if any(scene.has((table,)) for table in row.tables))
 
 
 def plans_of(scene: Scene) -> Iterable[str]:

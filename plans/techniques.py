@@ -13,7 +13,11 @@ from typing import Any, Final, NamedTuple
 class Technique(NamedTuple):
     """What one technique reads of a scene, what studies it, and what it can show."""
 
-    tables: tuple[str, ...]  # keys of the scene that are its own
+    form: str  # what a scene says of it: its tables, and its keys of shared ones
+    tables: tuple[str, ...]  # its keys at the top of a file
+    shares: Mapping[str, tuple[str, ...]]  # its keys of tables that are the scene's or another technique's
+    meaning: str  # of a scene's meaning to the survey of its part, with the faults that only the technique can see
+    notes: str  # of a scene to what is odd in its part
     study: str  # of the memo `Study` to its own study, on first demand
     comparison: str  # of a study to the comparison of the two roads
     numbers: str  # of a study, a road and the wanted plans to plain data, for `solve`
@@ -27,7 +31,11 @@ MOTION: Final = ("extremes", "positions", "velocities", "accelerations")
 
 TECHNIQUES: Final[Mapping[str, Technique]] = {
     "linkage": Technique(
+        form="plans.linkage.reading.form:LinkageForm",
         tables=("mechanism", "drive", "output"),
+        shares={"sheet": ("plans", "position")},
+        meaning="plans.linkage.reading.linkage:survey_of",
+        notes="plans.linkage.reading.notes:notes_of",
         study="plans.linkage.study:study_of",
         comparison="plans.checks.compare:comparison_of",
         numbers="plans.checks.motion_numbers:numbers",
@@ -36,7 +44,11 @@ TECHNIQUES: Final[Mapping[str, Technique]] = {
         sheets={"kinematics": MOTION},
     ),
     "forces": Technique(
+        form="plans.forces.reading.form:ForceForm",
         tables=("masses", "loads", "friction"),
+        shares={"drive": ("balancing", "gear"), "sheet": ("forces", "reactions", "hodographs")},
+        meaning="plans.forces.reading.references:survey_of",
+        notes="plans.forces.reading.notes:notes_of",
         study="plans.forces.statics:study_of",
         comparison="plans.checks.force_comparison:comparison_of",
         numbers="plans.checks.force_numbers:numbers",

@@ -7,10 +7,12 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from drawings.figures.linkage.vector_plan import written
-from drawings.layout.labels import CELL, CLEAR, NEAR
+from drawings.layout.ink import CELL, CLEAR
+from drawings.layout.labels import NEAR
 from drawings.lettering.extent import bounds
 from drawings.paper.limits import QUANTUM, SEEN
 from drawings.paper.strokes import Box, Circle, Group, Leaf, Line, Stroke, Text
+from drawings.paper.walk import walk
 
 GAP = 3.0  # mm, the widest gap at which a label is placed beside its point
 SLACK = 2.0  # mm: letters of images that fall on one place stand at the first of them
@@ -37,14 +39,14 @@ def unlettered(leaf: Leaf) -> Iterator[str]:
 
 
 def _labels(strokes: tuple[Stroke, ...]) -> Iterator[Label]:
-    for stroke in strokes:
+    led = set[int]()
+    for stroke in walk(strokes):
         match stroke:
             case Group((Line() as leader, Text() as text)):
                 place = leader.start
+                led.add(id(text))
                 yield Label(text, (place.real, place.imag, place.real, place.imag))
-            case Group():
-                yield from _labels(stroke.strokes)
-            case Text():
+            case Text() if id(stroke) not in led:
                 yield Label(stroke, bounds(stroke))
 
 
@@ -54,7 +56,7 @@ def _marks(strokes: tuple[Stroke, ...]) -> Iterator[tuple[str, str, str, list[co
     A vector named by one letter of its own, as a force or an arm is, bears it anywhere along its line, as its title
     writes it; one that is too short to be seen as a vector has none.
     """
-    for stroke in strokes:
+    for stroke in walk(strokes):
         match stroke:
             case Group((Line() as line, *_)) if stroke.data.get("kind") == "vector":
                 *start, name = stroke.data["name"].split(" ")
@@ -64,9 +66,7 @@ def _marks(strokes: tuple[Stroke, ...]) -> Iterator[tuple[str, str, str, list[co
                     yield stroke.data["plan"], name, stroke.title or name, _along(line)
             case Group((Circle() as circle, *_)) if stroke.data.get("kind") in ("point", "pole"):
                 name = stroke.data["name"]
-                yield stroke.data["plan"], name, name, [circle.centre]
-            case Group():
-                yield from _marks(stroke.strokes)
+                yield stroke.data["plan"], name, stroke.title or name, [circle.centre]
 
 
 def _along(line: Line) -> list[complex]:

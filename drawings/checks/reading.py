@@ -7,33 +7,12 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 
 from drawings.lettering.words import number
-from drawings.paper.strokes import Group, Leaf, Stroke, Text
+from drawings.paper.strokes import Group, Leaf, Text
+from drawings.paper.walk import groups, texts
 from plans.checks.comparison import Finding
 
 _NUMBER = re.compile(r"[-−]?\d+(?:[.,]\d+)?")
 _SCALE = re.compile(r"(μ|K)\S+ = (\d+(?:[.,]\d+)?) ")  # of a plan, after its letter: mu_v, K_v
-
-
-def groups(group: Group) -> Iterator[Group]:
-    """Give a group and all within it."""
-    yield group
-    for stroke in group.strokes:
-        if isinstance(stroke, Group):
-            yield from groups(stroke)
-
-
-def strokes(group: Group) -> Iterator[Stroke]:
-    """Give the strokes of a group and of all within it."""
-    for stroke in group.strokes:
-        if isinstance(stroke, Group):
-            yield from strokes(stroke)
-        else:
-            yield stroke
-
-
-def texts(group: Group) -> list[Text]:
-    """Give the lettering of a group."""
-    return [stroke for stroke in strokes(group) if isinstance(stroke, Text)]
 
 
 def plain(name: str) -> str:
@@ -58,7 +37,7 @@ def table(group: Group, named: Mapping[str, Finding], positions: tuple[int, ...]
     `named` are the findings by what the first cell of their row says before its unit.
     """
     rows: dict[float, list[Text]] = {}
-    for text in texts(group):
+    for text in texts((group,)):
         rows.setdefault(round(text.at.imag, 3), []).append(text)
     for row in rows.values():
         finding, j = None, 0
@@ -85,9 +64,16 @@ def reads(text: str, true: float, slack: float) -> bool:
     return abs(float(written) - true) <= 0.5000001 * 10.0**-places + 1e-9 * abs(true) + slack
 
 
+def marked_scales(leaf: Leaf) -> Iterator[str]:
+    """Read the written scale of each figure that has marks."""
+    for figure in leaf.groups:
+        marked = (one.data for one in groups((figure,)) if one.data.get("kind") in ("vector", "point"))
+        yield from scales(figure, {float(data["scale"]) for data in marked})
+
+
 def scales(group: Group, stated: Iterable[float]) -> Iterator[str]:
     """Read a figure's written scale: mu is the one that its vectors are drawn to, and K is 1/mu to its own digits."""
-    for text in (text.plain for text in texts(group)):
+    for text in (text.plain for text in texts((group,))):
         found = _SCALE.match(text)
         if found is None and not text.startswith("μ"):
             continue

@@ -11,14 +11,15 @@ import numpy as np
 
 from drawings.checks import reading
 from drawings.checks.force_marks import lever_marks, polygon_marks
-from drawings.checks.reading import groups, plain, reads, scales, texts
+from drawings.checks.reading import plain, reads, scales
 from drawings.checks.verify_friction import friction_of
 from drawings.figures.forces.force_equations import DIGITS
-from drawings.figures.forces.force_letters import lettered
+from drawings.figures.forces.force_letters import force_letter
 from drawings.figures.forces.force_table import label
 from drawings.lettering.words import word
 from drawings.measure.measure import Measured
 from drawings.paper.strokes import Leaf, Line, Text
+from drawings.paper.walk import groups, texts
 from drawings.symbols.force_arrow import named
 from plans.checks.comparison import Finding
 from plans.checks.force_comparison import ForceComparison
@@ -48,10 +49,10 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[str]:
 
 def table_names(comparison: ForceComparison, statics: Statics) -> dict[str, Finding]:
     """Name the findings as the table of a force sheet does."""
-    sheet = statics.study.scene.sheet
+    language, letter = statics.study.scene.sheet.language, statics.form.sheet.reactions
     found = {}
     for finding in comparison.of("forces"):
-        written = label(finding, sheet.language, sheet.reactions)
+        written = label(finding, language, letter)
         found[Text(0j, written).plain.rsplit(", ", 1)[0]] = finding
     return found
 
@@ -88,9 +89,9 @@ class _Check:
         """Give the forces of a cut and their parts by the names that the sheet writes."""
         expected, cuts = self.expected(), self.statics.drafts().plans.plan.cuts
         group = next(cut.group for cut in cuts if cut.label == label)
-        sheet = self.statics.study.scene.sheet
+        language, letter = self.statics.study.scene.sheet.language, self.statics.form.sheet.reactions
         told = expected.polygon(self.statics.study.groups, group) | expected.parts(group)
-        return {named(lettered(name, sheet.language, sheet.reactions)): value for name, value in told.items()}
+        return {named(force_letter(name, language, letter)): value for name, value in told.items()}
 
     def plans(self) -> Iterator[str]:
         """Hold the force plans and the lever's images."""
@@ -109,7 +110,7 @@ class _Check:
         for group in self.leaf.groups:
             cut = group.name.removeprefix("scheme-").rpartition("-")[0] if group.name.startswith("scheme-") else ""
             known = self.forces(cut) if cut else whole
-            for arrow in groups(group):
+            for arrow in groups((group,)):
                 name, shaft = arrow.data.get("name", ""), arrow.strokes[0] if arrow.strokes else None
                 if arrow.data.get("kind") != "force" or name not in known or not isinstance(shaft, Line):
                     continue
@@ -127,7 +128,7 @@ class _Check:
             if label == group.name or label not in self._labels():
                 continue
             known = {plain(name): value for name, value in self.forces(label).items()}
-            for text in texts(group):
+            for text in texts((group,)):
                 found = _TOLD.fullmatch(text.plain)
                 if found is None or found["name"] not in known or found["unit"] not in self._newton:
                     continue
@@ -142,7 +143,7 @@ class _Check:
     def scales(self) -> Iterator[str]:
         """Read the written scale of each figure whose vectors are to one scale."""
         for group in self.leaf.groups:
-            stated = {float(s.data["scale"]) for s in groups(group) if s.data.get("kind") in ("vector", "point")}
+            stated = {float(s.data["scale"]) for s in groups((group,)) if s.data.get("kind") in ("vector", "point")}
             if len(stated) == 1 and group.name != "balancing":
                 yield from scales(group, stated)
 
@@ -152,11 +153,11 @@ class _Check:
         moments = {str(k): complex(0, value) for k, value in enumerate(told.balancing.moment)}
         largest = max(np.nanmax(one.allowed) for one in self.comparison.of("forces") if one.name.startswith("M_bal"))
         yield from self._held("balancing", moments, 2 * float(largest) + told.nothing[1])
-        sheet = self.statics.study.scene.sheet
+        language, sheet = self.statics.study.scene.sheet.language, self.statics.form.sheet
         for key in sheet.hodographs:
             one = told.reactions[key]
             ends = {str(k): complex(value) for k, value in enumerate(one.force)}
-            shown = lettered(f"R_{indices(one.giver, one.taker)}", sheet.language, sheet.reactions)
+            shown = force_letter(f"R_{indices(one.giver, one.taker)}", language, sheet.reactions)
             ends[named(shown)] = complex(one.force[self.position])
             yield from self._held(f"hodograph-{key}", ends, self.slack)
 

@@ -9,9 +9,9 @@ from functools import cached_property
 
 import numpy as np
 
-from drawings.checks.reading import texts
 from drawings.lettering.words import number, runs, word
 from drawings.paper.strokes import Leaf
+from drawings.paper.walk import texts
 from plans.checks.force_comparison import ForceComparison
 from plans.forces.cut import indices
 from plans.model.kinetostatics import NOTHING
@@ -83,7 +83,7 @@ def friction_of(leaf: Leaf, comparison: ForceComparison, position: int, language
     told = Told(comparison) if comparison.friction is not None else None
     if told is None or not notes or not np.isfinite(told.found.lost[position]):
         return
-    said = " ".join(text.plain for group in notes for text in texts(group)).translate(_SIGNS)
+    said = " ".join(text.plain for group in notes for text in texts((group,))).translate(_SIGNS)
     for key, power in (("friction index", told.lost(position)), ("useful index", told.useful(position))):
         yield from _held(said, word(language, key, power=f"@ {word(language, 'W')}"), power, language, 4)
     if np.isfinite(told.efficiency(position)[0]):

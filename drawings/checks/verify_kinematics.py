@@ -25,7 +25,7 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[str]:
             yield from _plans(measured, linkage, comparison, k)
     if leaf.metadata["shown"] is not None:
         yield from _points(measured, comparison, leaf.metadata["shown"])
-    yield from _scales(leaf)
+    yield from reading.marked_scales(leaf)
     yield from reading.tables(leaf, {finding.name.replace("_", ""): finding for finding in comparison.findings})
 
 
@@ -67,10 +67,3 @@ def _points(measured: Measured, comparison: MotionComparison, shown: int) -> Ite
             yield f"{name} on the plan of positions is missing"
         elif not abs(mark.value - true) <= float(finding.allowed[shown]) + 2 * measured.quantum * mark.scale:
             yield f"{name} on the plan of positions (against the analysis)"
-
-
-def _scales(leaf: Leaf) -> Iterator[str]:
-    """Read the written scale of each plan."""
-    for group in leaf.groups:
-        marked = (one.data for one in reading.groups(group) if one.data.get("kind") in ("vector", "point"))
-        yield from reading.scales(group, {float(data["scale"]) for data in marked})

@@ -11,8 +11,8 @@ from drawings.bench.session import ACCEPTED, Order, session
 from drawings.bench.sheet import DRAWN
 from drawings.files import atomic_files
 from geometry.errors import LimitError
+from plans.linkage.reading.fields import POSITIONS_LIMIT
 from plans.linkage.study import LinkageStudy
-from plans.scene.fields import POSITIONS_LIMIT
 from plans.scene.scene import read_scene
 
 GAPS = 4

@@ -15,7 +15,6 @@ from drawings import VERSION
 from drawings.commands.process import FILES, UNREADABLE, run, tell
 from drawings.files.signals import Stopped
 from geometry.errors import DraftError
-from plans.techniques import TECHNIQUES
 
 BUG, SCENE, STOPPED = 1, 3, 130
 
@@ -129,6 +128,8 @@ def _command(commands: argparse._SubParsersAction[_Parser], name: str, text: str
 
 def _orders(text: str) -> list[str]:
     names = [name.strip() for name in text.split(",")]
+    from plans.techniques import TECHNIQUES  # only this option asks for the table
+
     known = [plan for row in TECHNIQUES.values() for plan in row.plans if plan != "extremes"]
     wrong = [name for name in names if name not in known]
     if wrong or not names:

@@ -39,6 +39,11 @@ class SheetSet(NamedTuple):
     leaves: Mapping[str, Sequence[Leaf]]
     paths: tuple[Path, ...]
 
+    @property
+    def sheets(self) -> tuple[Leaf, ...]:
+        """All sheets, in the order of their files."""
+        return tuple(leaf for own in self.leaves.values() for leaf in own)
+
 
 def run(options: argparse.Namespace) -> int:
     """Draw a scene's sheets into a folder; give the exit code."""

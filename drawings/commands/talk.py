@@ -24,5 +24,5 @@ def worded(error: Exception, language: str) -> str:
 
 def noted(study: Study) -> None:
     """Say what is odd about a scene, given what is asked of it."""
-    for note in notes_of(study.scene, "forces" in study.techniques):
+    for note in notes_of(study.scene, study.techniques):
         tell(note.worded(study.scene.sheet.language))

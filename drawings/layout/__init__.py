@@ -1,1 +1,1 @@
-"""Layout: labels, obstacles, tables, and how figures share a sheet (компоновка)."""
+"""Layout: labels, ink, tables, and how figures share a sheet (компоновка)."""

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias
 
+from drawings.layout.block import Block
 from drawings.layout.grid import GAP
 from drawings.layout.picture import Ladder, Rung, Spot
 from drawings.page.page import Field
@@ -14,21 +15,6 @@ from drawings.page.page import Field
 UNDER = 8.0  # mm from a picture to the lettering that belongs to it
 
 FOOT = 0.6  # share of the gap between two pictures that is left below the last one
-
-
-class Block(NamedTuple):
-    """Lettering that is kept together: the sizes that it may have, width and height in mm, the narrowest first."""
-
-    name: str
-    sizes: tuple[tuple[float, float], ...]
-
-    def size(self, width: float) -> tuple[float, float]:
-        """Give its size in a column of some width: the widest that fits, or else the narrowest.
-
-        >>> Block("equations", ((60.0, 30.0), (120.0, 10.0))).size(100.0)
-        (60.0, 30.0)
-        """
-        return max((size for size in self.sizes if size[0] <= width), default=self.sizes[0])
 
 
 Part: TypeAlias = Ladder | Block
@@ -53,7 +39,8 @@ class Filled:
     @property
     def score(self) -> float:
         """How good it is: the harmonic mean of the sizes of its pictures, mm, to which the small ones matter most."""
-        sizes = [rung.drawn for zone in self.rungs for column in zone for rung in column if rung and rung.drawn > 0]
+        every = (pair for zone, own in zip(self.zones, self.rungs, strict=True) for pair in _pairs(zone, own))
+        sizes = [rung.drawn / one.weight for one, rung in every if rung.drawn > 0]
         return len(sizes) / sum(1 / size for size in sizes) if sizes else 0.0
 
     def stood(self, room: Field, floors: Sequence[float]) -> tuple[dict[str, Spot], dict[str, Field]]:
@@ -149,7 +136,7 @@ class _Growth:
     def drawn(self, c: int, i: int) -> float:
         part = self.columns[c][i]
         assert isinstance(part, Ladder)
-        return part.rungs[self.steps[c][i]].drawn
+        return part.rungs[self.steps[c][i]].drawn / part.weight
 
     def fits(self, width: float) -> bool:
         """Tell whether all columns fit their zones, and the zones the width."""
@@ -237,6 +224,14 @@ def _size(part: Part, rung: Rung | None, width: float) -> tuple[float, float]:
         return part.size(width)
     assert rung is not None  # every picture has a scale
     return rung.wide, rung.high
+
+
+def _pairs(zone: Zone, rungs: Sequence[Sequence[Rung | None]]) -> Iterator[tuple[Ladder, Rung]]:
+    """Give the pictures of a zone with their scales."""
+    for column, own in zip(zone.columns, rungs, strict=True):
+        for part, rung in zip(column, own, strict=True):
+            if isinstance(part, Ladder) and rung is not None:
+                yield part, rung
 
 
 def _widths(zone: Zone, rungs: Sequence[Sequence[Rung | None]]) -> list[float]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple, TypeAlias
 
-from drawings.layout.columns import Block
+from drawings.layout.block import Block
 from drawings.lettering.lettering import text_width
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
@@ -108,7 +108,7 @@ class Passage(NamedTuple):
     def _height(self, rows: int) -> float:
         return self.size * (ASCENT + STEP * (rows - 1) + DESCENT)
 
-    def drawn(self, box: Field, hand: Hand) -> Group:
+    def write(self, box: Field, hand: Hand) -> Group:
         """Write the equations from the top of their box downwards."""
         strokes: list[Stroke] = []
         for k, row in enumerate(self.rows(box.width + self.size / 100)):

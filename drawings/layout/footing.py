@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from drawings.layout.value_table import Setting, Table
+from drawings.layout.table import Setting, Table
 from drawings.page.page import Field
 
 PAD = 6.0  # mm between the frame, the table, the notes and the figures

@@ -103,18 +103,18 @@ def _size(rungs: Sequence[Sequence[Rung]]) -> tuple[float, float]:
     return sum(widths) + GAP * (len(widths) - 1), sum(heights) + GAP * (len(heights) - 1)
 
 
-def arrangements(velocities: Sequence[T], accelerations: Sequence[T]) -> list[list[Sequence[T]]]:
-    """List the ways to set the plans of some positions in rows: a position's two plans stay beside or under each other.
+def arrangements(*rows: Sequence[T]) -> list[list[Sequence[T]]]:
+    """List the ways to set groups in rows, given member by member: a group's members stay beside or under each other.
 
     >>> [[len(row) for row in rows] for rows in arrangements("pq", "xy")]
     [[2, 2], [4], [1, 1, 1, 1], [2, 2]]
     """
-    count = len(velocities)
+    count = len(rows[0]) if rows else 0
     ways: list[list[Sequence[T]]] = []
-    for columns in sorted({math.ceil(count / rows) for rows in range(1, count + 1)}, reverse=True):
+    for columns in sorted({math.ceil(count / lines) for lines in range(1, count + 1)}, reverse=True):
         parts = [slice(k, k + columns) for k in range(0, count, columns)]
-        ways.append([row for part in parts for row in (velocities[part], accelerations[part])])
+        ways.append([row[part] for part in parts for row in rows])
         ways.append(
-            [[p for pair in zip(velocities[part], accelerations[part], strict=True) for p in pair] for part in parts]
+            [[one for group in zip(*(row[part] for row in rows), strict=True) for one in group] for part in parts]
         )
     return ways

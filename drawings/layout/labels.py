@@ -1,21 +1,15 @@
-"""Layout of paper: what is already inked, and labels that find a free place near what they name, or lead to one."""
+"""Labels that find a free place near what they name, or lead to one (обозначения)."""
 
 from __future__ import annotations
 
 import cmath
 import math
 from collections.abc import Iterable, Iterator
-from typing import TypeAlias
 
-import numpy as np
-import numpy.typing as npt
-
+from drawings.layout.ink import LETTERED, Ink, padded
 from drawings.lettering.extent import bounds
-from drawings.paper.strokes import Arc, Box, Circle, Fill, Group, Line, LineStyle, Polyline, Stroke, Text
+from drawings.paper.strokes import Box, Group, Line, LineStyle, Stroke, Text
 
-CELL = 0.5  # mm, the grain of the ink map: finer than a thin line's least distance
-LETTERED = 1000  # of a cell under letters; a line adds 1, and no cell is crossed by so many
-CLEAR = 0.4  # mm kept free around a label
 WELL_CLEAR = 0.7  # mm around a label beside a line, where another main line may run along it
 DIRECTIONS = 16
 NEAR = (0.0, 0.7, 1.6)  # mm a label may stand further off than its nearest place, without a leader
@@ -24,85 +18,6 @@ LEAD_DIRECTIONS = 32  # none of them but every eighth along a crank divided by 1
 TURNED = 0.12  # cost of a direction, in mm of distance a step away from the preferred one
 SHARES = (0.5, 0.6, 0.4, 0.7, 0.3, 0.8, 0.2, 0.9, 0.1)  # of a line, from its start, where its label may stand
 CROSSED = 0.05  # cost of a line that a leader crosses, in mm of its length a cell
-
-Chain: TypeAlias = list[complex]
-
-
-class Ink:
-    """A map of what is drawn on a sheet, in cells: how many lines run through each, and where letters stand."""
-
-    def __init__(self, width: float, height: float) -> None:
-        self._map = np.zeros((int(height / CELL) + 2, int(width / CELL) + 2), dtype=np.int32)
-
-    def bar(self, field: Box) -> None:
-        """Keep labels inside a field: what lies outside counts as lettered over."""
-        rows, columns = self._cells(field)
-        for outside in (np.s_[: rows.start], np.s_[rows.stop :]):
-            self._map[outside] += LETTERED
-        for outside in (np.s_[: columns.start], np.s_[columns.stop :]):
-            self._map[:, outside] += LETTERED
-
-    def draw(self, strokes: Iterable[Stroke]) -> None:
-        """Ink strokes in."""
-        chains = list(self._chains(strokes))
-        if chains:
-            self._track(chains)
-
-    def under(self, box: Box) -> int:
-        """Count what a box would cover."""
-        rows, columns = self._cells(box)
-        return int(self._map[rows, columns].sum())
-
-    def along(self, start: complex, end: complex) -> int:
-        """Count what a straight line would cross."""
-        rows, columns = self._sampled([[start, end]])
-        return int(self._map[rows, columns].sum())
-
-    def _chains(self, strokes: Iterable[Stroke]) -> Iterator[Chain]:
-        """Give the lines of strokes as chains of points; letters are inked in as boxes on the way."""
-        for stroke in strokes:
-            match stroke:
-                case Group():
-                    yield from self._chains(stroke.strokes)
-                case Text():
-                    rows, columns = self._cells(_padded(bounds(stroke), 0j))
-                    self._map[rows, columns] += LETTERED
-                case Line():
-                    yield [stroke.start, stroke.end]
-                case Polyline() | Fill():
-                    points = list(stroke.points)
-                    closed = isinstance(stroke, Fill) or stroke.closed
-                    yield points + points[:1] if closed else points
-                case Circle():
-                    yield _round(stroke.centre, stroke.radius, 0.0, 2 * math.pi)
-                case Arc():
-                    yield _round(stroke.centre, stroke.radius, stroke.start_angle, stroke.sweep)
-
-    def _cells(self, box: Box) -> tuple[slice, slice]:
-        left, bottom, right, top = (max(int(side / CELL), 0) for side in box)
-        return slice(bottom, top + 1), slice(left, right + 1)
-
-    def _track(self, chains: list[Chain]) -> None:
-        np.add.at(self._map, self._sampled(chains), 1)
-
-    def _sampled(self, chains: list[Chain]) -> tuple[npt.NDArray[np.intp], npt.NDArray[np.intp]]:
-        """Give the cells along chains of points, each segment sampled at the map's grain."""
-        points = np.concatenate([np.asarray(chain) for chain in chains])
-        steps = np.diff(points)
-        breaks = np.cumsum([len(chain) for chain in chains])[:-1] - 1
-        counts = (np.abs(steps) / CELL).astype(int) + 2  # both ends among them
-        counts[breaks] = 0  # from the end of a chain to the next one's start nothing is drawn
-        which = np.repeat(np.arange(len(steps)), counts)
-        share = (np.arange(len(which)) - np.repeat(np.cumsum(counts) - counts, counts)) / (counts[which] - 1)
-        along = points[which] + steps[which] * share
-        rows = np.clip((along.imag / CELL).astype(int), 0, self._map.shape[0] - 1)
-        columns = np.clip((along.real / CELL).astype(int), 0, self._map.shape[1] - 1)
-        return rows, columns
-
-
-def _round(centre: complex, radius: float, start: float, sweep: float) -> Chain:
-    count = max(int(abs(sweep) * radius / CELL), 8)
-    return [centre + cmath.rect(radius, start + sweep * k / count) for k in range(count + 1)]
 
 
 class Labels:
@@ -129,7 +44,7 @@ class Labels:
         box = bounds(Text(0j, content, size, "start", self._slanted))
         near = self._near(point, box, gap, prefer)
         label: Stroke = Text(near, content, size, "start", self._slanted)
-        if self.ink.under(_padded(box, near)):
+        if self.ink.under(padded(box, near)):
             led = self._led(point, box, gap, prefer)
             if led is None:
                 return None
@@ -150,7 +65,7 @@ class Labels:
         for share in SHARES:
             for side in (across, -across):
                 corner = start + share * (end - start) + reach * side - half - complex(*box[:2])
-                if not self.ink.under(_padded(box, corner, WELL_CLEAR)):
+                if not self.ink.under(padded(box, corner, WELL_CLEAR)):
                     label = Text(corner, content, size, "start", self._slanted)
                     self.ink.draw([label])
                     return label
@@ -167,7 +82,7 @@ class Labels:
                 if cheapest <= least:
                     break
                 corner = _touching(point, box, gap + reach, angle)
-                cost = self.ink.under(_padded(box, corner)) + least
+                cost = self.ink.under(padded(box, corner)) + least
                 if cost < cheapest:
                     best, cheapest = corner, cost
         return best
@@ -182,7 +97,7 @@ class Labels:
                 if cheapest <= reach + 3 * TURNED * off:
                     break
                 corner = _touching(point, box, reach, angle)
-                if self.ink.under(_padded(box, corner)):
+                if self.ink.under(padded(box, corner)):
                     continue
                 start = point + cmath.rect(0.7 * gap, angle)
                 end = _nearest(box, corner, start)
@@ -228,10 +143,5 @@ def _touching(point: complex, box: Box, gap: float, angle: float) -> complex:
 
 def _nearest(box: Box, shift: complex, point: complex) -> complex:
     """Give the point of a shifted box, a little widened, that is nearest to some point."""
-    left, bottom, right, top = _padded(box, shift)
+    left, bottom, right, top = padded(box, shift)
     return complex(min(max(point.real, left), right), min(max(point.imag, bottom), top))
-
-
-def _padded(box: Box, shift: complex, by: float = CLEAR) -> Box:
-    x, y = shift.real, shift.imag
-    return box[0] + x - by, box[1] + y - by, box[2] + x + by, box[3] + y + by

@@ -46,11 +46,11 @@ class Picture(NamedTuple):
         """Give the larger side of the drawn lines, mm."""
         return max(self.wide, self.high) / scale.mu
 
-    def ladder(self, width: float, height: float, standard: str = "GOST") -> Ladder:
+    def ladder(self, width: float, height: float, standard: str = "GOST", weight: float = 1.0) -> Ladder:
         """List the standard scales at which the picture and its margins fit a room, the largest picture first."""
         across, up = width - 2 * self.margins.side, height - self.margins.below - self.margins.above
         if across <= 0 or up <= 0 or self.heading > width:
-            return Ladder(self.name, (), self.least)
+            return Ladder(self.name, (), self.least, weight)
         extent, room = (self.wide, across) if self.wide * up >= self.high * across else (self.high, up)
         room = min(room, self.most)
         rungs: list[Rung] = []
@@ -58,7 +58,7 @@ class Picture(NamedTuple):
             scale = fitting(extent, room, self.letter, self.unit, standard)
             rungs.append(Rung(scale, *self.size(scale), self.drawn(scale)))
             room = extent / scale.mu * SMALLER
-        return Ladder(self.name, tuple(rungs), self.least)
+        return Ladder(self.name, tuple(rungs), self.least, weight)
 
     def placed(self, box: Field, scale: Scale) -> Place:
         """Place the picture in a box of its size: its middle in the middle of what the margins leave."""
@@ -81,6 +81,7 @@ class Ladder(NamedTuple):
     name: str
     rungs: tuple[Rung, ...]
     least: float
+    weight: float = 1.0  # it counts as if it were drawn so many times smaller
 
 
 class Spot(NamedTuple):

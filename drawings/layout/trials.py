@@ -8,34 +8,18 @@ from dataclasses import dataclass, field
 from itertools import product
 from typing import NamedTuple
 
-from drawings.layout.footing import PAD, Foot, Notes, feet
+from drawings.layout.contents import Contents
+from drawings.layout.footing import PAD, Foot, feet
 from drawings.layout.grid import Grid, Rows, arrangements, grid
 from drawings.layout.picture import Picture, Spot
-from drawings.layout.value_table import Setting, Table
+from drawings.layout.table import Setting
 from drawings.page.page import Field, Page
 
-FOREMOST = 1.5  # the plan of positions is doubled though all the others are halved
-HALF = 0.45  # of the sheet's width or height that the plan of positions takes at least: about half, by custom
-
-
-@dataclass(frozen=True)
-class Content:
-    """What a sheet must show: the plan of positions, the plans of some positions, the table, the notes."""
-
-    main: Picture | None
-    velocities: tuple[Picture, ...]
-    accelerations: tuple[Picture, ...]
-    table: Table | None
-    notes: Notes | None
-
-    def part(self, positions: slice, rows: slice | None) -> Content:
-        """Give what a following sheet shows: the plans of some positions and their values."""
-        table = self.table.of(positions).part(rows) if self.table is not None and rows is not None else None
-        return Content(None, self.velocities[positions], self.accelerations[positions], table, None)
+HALF = 0.45  # of the sheet's width or height that the foremost figure takes at least: about half, by custom
 
 
 class Trial(NamedTuple):
-    """A way to compose one sheet: the rooms of the plan of positions and of the others, and what fills them."""
+    """A way to compose one sheet: the rooms of the foremost figure and of the others, and what fills them."""
 
     room: Field
     spot: Spot | None
@@ -44,18 +28,15 @@ class Trial(NamedTuple):
     table: complex | None
     setting: Setting | None
     notes: Field | None
+    score: float  # how good it is: large figures, the foremost counting by its weight against all others together
     halves: Halves | None = None
 
-    @property
-    def score(self) -> float:
-        """How good it is: large figures, the plan of positions counting more than all others together."""
-        return _merit(self.spot, self.grid)
 
-
-def _merit(spot: Spot | None, plans: Grid | None) -> float:
+def merit(spot: Spot | None, weight: float, plans: Grid | None) -> float:
+    """Rate a composition: the sizes of its figures by their logarithms, twice as large counting alike for all."""
     sizes = plans.drawn if plans is not None else []
     others = sum(map(math.log, sizes)) / len(sizes) if sizes else 0.0
-    return others + (FOREMOST * math.log(max(spot.box.width, spot.box.height)) if spot is not None else 0.0)
+    return others + (weight * math.log(max(spot.box.width, spot.box.height)) if spot is not None else 0.0)
 
 
 def room_of(page: Page) -> Field:
@@ -69,11 +50,17 @@ def room_of(page: Page) -> Field:
     return room.inset(PAD)
 
 
+def rows_of(contents: Contents) -> tuple[tuple[Picture, ...], ...]:
+    """Give the figures beside the foremost one by their places in their groups: all first ones, all second ones."""
+    figures = ([panel.item for panel in group if isinstance(panel.item, Picture)] for group in contents.others)
+    return tuple(zip(*figures, strict=True))
+
+
 @dataclass(frozen=True)
 class Sheet:
     """A sheet to be composed: what it shows, on which paper."""
 
-    content: Content
+    contents: Contents
     page: Page
     tried: dict[tuple[int, int, int], Grid | None] = field(default_factory=dict)  # grids, by way and tenths of mm
 
@@ -82,13 +69,22 @@ class Sheet:
         """The field that figures may fill: inside the frame, beside or under what else the standard has there."""
         return room_of(self.page)
 
+    @property
+    def main(self) -> Picture | None:
+        """The foremost figure."""
+        foremost = self.contents.foremost
+        return foremost.item if foremost is not None and isinstance(foremost.item, Picture) else None
+
+    def merit(self, spot: Spot | None, plans: Grid | None) -> float:
+        """Rate a composition of this sheet."""
+        return merit(spot, self.contents.foremost.weight if self.contents.foremost is not None else 0.0, plans)
+
     def best(self, legible: bool = True) -> Trial | None:
-        """Find the best composition, whose plans are all drawn large enough for their letters if that is asked."""
-        content, room = self.content, self.field
-        settings = content.table.settings() if content.table is not None else [None]
+        """Find the best composition; where it is asked, the other figures are large enough for their letters."""
+        table, room = self.contents.table, self.field
+        settings = table.settings() if table is not None else [None]
         ladders = [
-            [one.ladder(room.width, room.height, self.page.standard) for one in plans]
-            for plans in (content.velocities, content.accelerations)
+            [one.ladder(room.width, room.height, self.page.standard) for one in row] for row in rows_of(self.contents)
         ]
         ways: list[Rows | None] = list(arrangements(*ladders)) or [None]
         best: Trial | None = None
@@ -102,21 +98,21 @@ class Sheet:
         return best if best is None or best.halves is None else best.halves.evened(best)
 
     def _spots(self) -> list[Spot | None]:
-        """Give the plan of positions at the largest scale that fits, and smaller ones that still fill half a sheet."""
-        if self.content.main is None:
+        """Give the foremost figure at the largest scale that fits, and smaller ones that still fill half a sheet."""
+        if self.main is None:
             return [None]
         room = self.field
-        rungs = self.content.main.ladder(room.width, room.height, self.page.standard).rungs
+        rungs = self.main.ladder(room.width, room.height, self.page.standard).rungs
         large = [rung for rung in rungs if max(rung.wide / room.width, rung.high / room.height) >= HALF]
         return [Spot(Field(0.0, 0.0, rung.wide, rung.high), rung.scale) for rung in large or rungs[:1]]
 
     def _bound(self, spot: Spot | None, way: Rows | None) -> float:
-        """Give what no trial can exceed: the plans in all the room that the plan of positions leaves."""
+        """Give what no trial can exceed: the plans in all the room that the foremost figure leaves."""
         if spot is None or way is None:
             return math.inf
         beside = self.grid(way, self.field.width - spot.box.width, self.field.height)
         above = self.grid(way, self.field.width, self.field.height - spot.box.height)
-        return max((_merit(spot, found) for found in (beside, above) if found is not None), default=-math.inf)
+        return max((self.merit(spot, found) for found in (beside, above) if found is not None), default=-math.inf)
 
     def grid(self, way: Rows, width: float, height: float) -> Grid | None:
         """Fit rows of plans into a room, each way and room once."""
@@ -127,7 +123,7 @@ class Sheet:
 
     def _trials(self, spot: Spot | None, setting: Setting | None, way: Rows | None) -> Iterator[Trial]:
         if spot is not None and way is not None:
-            sides = (True, False) if self.content.table is not None else (True,)
+            sides = (True, False) if self.contents.table is not None else (True,)
             for table_left, notes_left in product(sides, (True, False)):
                 yield from Halves(self, spot, setting, way, table_left, notes_left).trials(spot.box.width)
         if spot is not None and way is None:
@@ -135,19 +131,19 @@ class Sheet:
         yield from self._stacked(spot, setting, way)
 
     def _aside(self, spot: Spot, setting: Setting | None) -> Iterator[Trial]:
-        """Stand the plan of positions alone on the left at full height, all else over the title block."""
-        room, block, content = self.field, self.page.block, self.content
+        """Stand the foremost figure alone on the left at full height, all else over the title block."""
+        room, block, content = self.field, self.page.block, self.contents
         left = Field(room.left, room.bottom, block.left - PAD, room.top)
         right = Field(block.left, room.bottom, block.right, room.top)
         if spot.box.width > left.width or spot.box.height > left.height:
             return
         for foot in feet(right, block, content.table, setting, content.notes):
             if foot.top <= room.top:
-                yield Trial(left, spot, None, None, foot.table, setting, foot.notes)
+                yield Trial(left, spot, None, None, foot.table, setting, foot.notes, self.merit(spot, None))
 
     def _stacked(self, spot: Spot | None, setting: Setting | None, way: Rows | None) -> Iterator[Trial]:
-        """Stand the plan of positions above the others, table and notes at the foot of the sheet."""
-        room, block, content = self.field, self.page.block, self.content
+        """Stand the foremost figure above the others, table and notes at the foot of the sheet."""
+        room, block, content = self.field, self.page.block, self.contents
         column = Field(room.left, room.bottom, block.right, room.top)
         high = spot.box.height if spot is not None else 0.0
         for foot in feet(column, block, content.table, setting, content.notes):
@@ -159,11 +155,11 @@ class Sheet:
             middle = room.top - high - spare
             plans = Field(room.left, foot.top + PAD, room.right, middle)
             main = Field(room.left, middle, room.right, room.top)
-            yield Trial(main, spot, plans, found, foot.table, setting, foot.notes)
+            yield Trial(main, spot, plans, found, foot.table, setting, foot.notes, self.merit(spot, found))
 
 
 class Halves(NamedTuple):
-    """The plan of positions on the left and the others on the right, table and notes at the foot of either."""
+    """The foremost figure on the left and the others on the right, table and notes at the foot of either."""
 
     sheet: Sheet
     spot: Spot
@@ -187,11 +183,12 @@ class Halves(NamedTuple):
                 room = Field(left.left, low.top, left.right, field.top)
                 corner = (low if self.table_left else foot).table
                 said = (low if self.notes_left else foot).notes
-                yield Trial(room, self.spot, plans, found, corner, self.setting, said, self)
+                score = self.sheet.merit(self.spot, found)
+                yield Trial(room, self.spot, plans, found, corner, self.setting, said, score, self)
 
     def _feet(self, column: Field, block: Field | None, on_left: bool) -> Iterator[Foot]:
-        table = self.sheet.content.table if self.table_left == on_left else None
-        said = self.sheet.content.notes if self.notes_left == on_left else None
+        table = self.sheet.contents.table if self.table_left == on_left else None
+        said = self.sheet.contents.notes if self.notes_left == on_left else None
         return feet(column, block, table, self.setting if table is not None else None, said)
 
     def evened(self, found: Trial) -> Trial:

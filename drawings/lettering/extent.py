@@ -7,6 +7,7 @@ import math
 
 from drawings.lettering.lettering import text_reach, text_width
 from drawings.paper.strokes import LEAN, TURN, Arc, Box, Circle, Fill, Group, Line, Polyline, SheetError, Stroke, Text
+from drawings.paper.walk import flat
 
 
 def bounds(stroke: Stroke) -> Box:
@@ -28,7 +29,7 @@ def bounds(stroke: Stroke) -> Box:
         case Text():
             return _around(_corners(stroke))
         case Group():
-            boxes = [bounds(inner) for inner in stroke.strokes]
+            boxes = [bounds(inner) for inner in flat(stroke.strokes)]
             return _around([complex(*box[:2]) for box in boxes] + [complex(*box[2:]) for box in boxes])
 
 

@@ -13,7 +13,8 @@ from functools import lru_cache
 from typing import Final, NamedTuple
 
 from drawings.lettering.alphabet import GAP, SLANT, gap, glyph, known, leaning, letters, level
-from drawings.paper.strokes import LOWERED, RAISED, Group, Leaf, LineStyle, Polyline, Run, SheetError, Text
+from drawings.paper.strokes import LOWERED, RAISED, Leaf, LineStyle, Polyline, Run, SheetError, Text
+from drawings.paper.walk import texts
 
 # Heights of capitals in mm, each the one before times the square root of two, rounded.
 SIZES: Final = (1.8, 2.5, 3.5, 5.0, 7.0, 10.0, 14.0, 20.0, 28.0, 40.0)
@@ -118,16 +119,8 @@ def letters_of(text: Text) -> tuple[Placed, ...]:
 
 def lettered(leaf: Leaf, lettering: str = "strokes") -> Leaf:
     """Say how the texts of a sheet are written; either way the alphabet must have their letters."""
-    demand(text for group in leaf.groups for text in _texts(group))
+    demand(texts(leaf.groups))
     return replace(leaf, lettering=lettering)
-
-
-def _texts(group: Group) -> Iterator[Text]:
-    for stroke in group.strokes:
-        if isinstance(stroke, Text):
-            yield stroke
-        elif isinstance(stroke, Group):
-            yield from _texts(stroke)
 
 
 @lru_cache(maxsize=256)

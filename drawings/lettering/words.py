@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from typing import Final
 
 from drawings.lettering.force_words import FORCES
+from drawings.lettering.rotor_words import ROTOR
 from drawings.paper.strokes import SheetError
 
 # The words of page and title block, and units: English, Russian.
@@ -68,7 +69,7 @@ WORDS: Final[dict[str, dict[str, str]]] = {
         "rad/s2": "rad/s²",
         "m": "m",
         "mm": "mm",
-        **{key: english for key, (english, _) in (PAGE | FORCES).items()},
+        **{key: english for key, (english, _) in (PAGE | FORCES | ROTOR).items()},
     },
     "ru": {
         "positions": "План положений механизма",
@@ -119,7 +120,7 @@ WORDS: Final[dict[str, dict[str, str]]] = {
         "not reachable": "недостижимо",
         "velocities plan": "план скоростей",
         "accelerations plan": "план ускорений",
-        **{key: russian for key, (_, russian) in (PAGE | FORCES).items()},
+        **{key: russian for key, (_, russian) in (PAGE | FORCES | ROTOR).items()},
     },
 }
 

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from typing import TypeAlias
 
 from drawings.paper.strokes import Group, SheetError
+from drawings.paper.walk import groups as within
 
 Attributes: TypeAlias = dict[str, str]
 
@@ -26,19 +27,12 @@ def legal(text: str) -> str:
 def own_ids(groups: Iterable[Group]) -> None:
     """Refuse groups whose names no file can hold, or that share one."""
     seen = set(_RESERVED)
-    for name in _names(groups):
+    for name in (group.name for group in within(groups) if group.name):
         if not _NAME.fullmatch(name):
             raise SheetError(f"{name!r} cannot name a group: a letter, then letters, digits, '_', '-', '.'")
         if name in seen:
             raise SheetError(f"two groups of a sheet are named {name!r}")
         seen.add(name)
-
-
-def _names(groups: Iterable[Group]) -> Iterator[str]:
-    for group in groups:
-        if group.name:
-            yield group.name
-        yield from _names(inner for inner in group.strokes if isinstance(inner, Group))
 
 
 def data_of(group: Group) -> Attributes:

@@ -14,7 +14,6 @@ from plans.checks.force_comparison import ForceComparison
 from plans.forces.statics import Statics
 from plans.model.kinetostatics import FORCES, Kinetostatics
 from plans.model.losses import Friction
-from plans.scene.scene import Scene
 from plans.study import Study
 
 if TYPE_CHECKING:
@@ -37,13 +36,6 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
 def headline(study: Study) -> str:
     """Say nothing more on the screen than the motion does."""
     return ""
-
-
-def idle(scene: Scene) -> list[str]:
-    """Say what a scene gives of forces that its sheets do not need."""
-    if not scene.masses and scene.loads is None:
-        return ["- Masses and loads: the sheet does not need them and the scene gives none."]
-    return ["- Masses and loads of the scene: a kinematics sheet does not need them."]
 
 
 def remarks(study: Study) -> list[str]:

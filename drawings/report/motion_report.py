@@ -20,7 +20,6 @@ from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.model.motion import ORDERS
 from plans.model.structure import RUSSIAN, formula, mechanism_class
-from plans.scene.scene import Scene
 from plans.study import Study
 
 if TYPE_CHECKING:
@@ -56,11 +55,6 @@ def remarks(study: Study) -> list[str]:
     if near:
         lines.append(f"{position_numbers(near)}: too near a dead centre to be graded: see Conditions in the report")
     return lines
-
-
-def idle(scene: Scene) -> list[str]:
-    """Say nothing: a scene without a linkage has nothing of it to leave out."""
-    return []
 
 
 def faults(text: str, study: Study) -> Iterator[str]:

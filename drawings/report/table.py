@@ -23,7 +23,7 @@ REPORTS: Final[Mapping[str, Report]] = {
         chapters="drawings.report.motion_report:chapters",
         headline="drawings.report.motion_report:headline",
         remarks="drawings.report.motion_report:remarks",
-        idle="drawings.report.motion_report:idle",
+        idle="drawings.report.idle:nothing",
         faults="drawings.report.motion_report:faults",
     ),
     "forces": Report(
@@ -31,7 +31,7 @@ REPORTS: Final[Mapping[str, Report]] = {
         chapters="drawings.report.force_report:chapters",
         headline="drawings.report.force_report:headline",
         remarks="drawings.report.force_report:remarks",
-        idle="drawings.report.force_report:idle",
+        idle="drawings.report.idle:of_forces",
         faults="drawings.checks.verify_friction:report_faults",
     ),
 }

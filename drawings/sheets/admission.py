@@ -7,6 +7,8 @@ from collections.abc import Iterator
 from drawings.lettering.lettering import UnknownLetter, demand
 from drawings.paper.strokes import Run, SheetError, Text
 from geometry.errors import LimitError
+from plans.forces.reading.form import ForceForm
+from plans.linkage.reading.form import LinkageForm
 from plans.scene.faults import Path
 from plans.scene.scene import Scene
 
@@ -17,9 +19,10 @@ CELLS = ("designation", "drawn", "checked", "approved", "date", "group", "organi
 def of_linkage(scene: Scene) -> None:
     """See that the names of a linkage can be lettered, and that its positions can be told apart."""
     letter(scene, _points(scene))
-    if scene.drive.count > POSITIONS_DRAWN:
+    count = scene.of(LinkageForm).drive.count
+    if count > POSITIONS_DRAWN:
         raise LimitError(
-            f"{scene.file}: drive.positions = {scene.drive.count}: a sheet shows at most {POSITIONS_DRAWN}. "
+            f"{scene.file}: drive.positions = {count}: a sheet shows at most {POSITIONS_DRAWN}. "
             "Fix: fewer positions, or plandraft solve for the numbers alone"
         )
 
@@ -47,7 +50,7 @@ def letter(scene: Scene, words: Iterator[tuple[Path, str]] | list[tuple[Path, st
 
 
 def _points(scene: Scene) -> Iterator[tuple[Path, str]]:
-    mechanism = scene.mechanism
+    mechanism = scene.of(LinkageForm).mechanism
     for table in ("frame", "points"):
         yield from ((("mechanism", table, name), name) for name in getattr(mechanism, table))
     for link, letters in mechanism.links.items():
@@ -55,6 +58,7 @@ def _points(scene: Scene) -> Iterator[tuple[Path, str]]:
 
 
 def _loads(scene: Scene) -> Iterator[tuple[Path, str]]:
-    for kind in ("forces", "moments", "springs") if scene.loads else ():
-        loads = enumerate(getattr(scene.loads, kind))
-        yield from ((("loads", kind, k, "name"), load.name) for k, load in loads if load.name)
+    loads = scene.of(ForceForm).loads
+    for kind in ("forces", "moments", "springs") if loads else ():
+        named = enumerate(getattr(loads, kind))
+        yield from ((("loads", kind, k, "name"), load.name) for k, load in named if load.name)

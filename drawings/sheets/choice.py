@@ -14,7 +14,7 @@ from plans.linkage.travel import frame_slide
 
 def position(study: LinkageStudy, comparison: MotionComparison) -> int:
     """Give the position drawn in full lines: the scene's own, or the output's fastest one."""
-    wanted = study.scene.sheet.position
+    wanted = study.form.sheet.position
     free = ~study.lost
     if not free.any():
         return 0  # nothing can be assembled: the sheet explains why, in the first position
@@ -25,7 +25,7 @@ def position(study: LinkageStudy, comparison: MotionComparison) -> int:
                 f"Fix: choose one of {', '.join(str(k) for k in np.flatnonzero(free)[:12])}"
             )
         return int(wanted)
-    named = [k for k in study.scene.sheet.plans if free[k]]
+    named = [k for k in study.form.sheet.plans if free[k]]
     return named[0] if named else _best(_telling(study, comparison, 1), free & _working(study), free)
 
 
@@ -33,8 +33,8 @@ def plans(study: LinkageStudy, comparison: MotionComparison, shown: int) -> tupl
     """Give the positions whose plans are drawn: the scene's own, or the shown one and one of a large acceleration."""
     if study.lost.all():
         return ()
-    if study.scene.sheet.plans:
-        return tuple(study.scene.sheet.plans)
+    if study.form.sheet.plans:
+        return study.form.sheet.plans
     free = ~study.lost
     free[shown] = False
     telling = _telling(study, comparison, 1) * _telling(study, comparison, 2)  # both of its plans are open figures

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from drawings.figures.forces.force_letters import lettered
+from drawings.figures.forces.force_letters import force_letter
 from drawings.lettering.words import number, runs, word
 from drawings.sheets.notes import lengths
 from geometry.board import at
@@ -47,7 +47,7 @@ def _loads(statics: Statics, language: str) -> Iterator[str]:
         stiffness = f"{number(spring.stiffness, language)}{NBSP}{word(language, 'N/m')}"
         free = f"{number(spring.free, language)}{NBSP}{word(language, 'm')}"
         told.append(
-            word(language, "spring given", name=lettered(spring.name, language), stiffness=stiffness, free=free)
+            word(language, "spring given", name=force_letter(spring.name, language), stiffness=stiffness, free=free)
         )
     how = machine.transmission
     if how.kind == GEAR:
@@ -62,7 +62,7 @@ def _loads(statics: Statics, language: str) -> Iterator[str]:
 
 def _load(load: Force | Moment, size: str, language: str) -> str:
     """Tell one load: its size and law, on which stroke, with what overrun."""
-    name = lettered(load.name, language)
+    name = force_letter(load.name, language)
     if isinstance(load, Force) and load.diagram is not None:
         said = word(language, "load diagram", name=name)
     elif isinstance(load, Force) and load.direction is None:
@@ -88,9 +88,9 @@ def _lever(statics: Statics, position: int, language: str) -> Iterator[str]:
     seen = [(name, power) for name, power in told if abs(power) > least]
     if not seen:
         return
-    powers = ", ".join(f"{lettered(name, language)}{NBSP}{number(power, language)}" for name, power in seen)
+    powers = ", ".join(f"{force_letter(name, language)}{NBSP}{number(power, language)}" for name, power in seen)
     both = {"total": number(total, language, 5), "drive": number(-total, language, 5)}
-    yield word(language, "forces of lever", force=lettered(DRIVING, language), powers=powers, **both)
+    yield word(language, "forces of lever", force=force_letter(DRIVING, language), powers=powers, **both)
 
 
 def _masses(statics: Statics, language: str) -> Iterator[str]:

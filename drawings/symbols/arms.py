@@ -41,7 +41,7 @@ class Arm:
         """Length on paper, mm."""
         return abs(self.foot - self.about)
 
-    def drawn(self, hand: Hand) -> tuple[Stroke, ...]:
+    def draw(self, hand: Hand) -> tuple[Stroke, ...]:
         """Draw the perpendicular, the line of action as far as its foot, and the mark of the right angle."""
         if self.length < LEAST:
             return (self._action(hand),)
@@ -69,7 +69,7 @@ class Arm:
         across = (self.about - self.foot) / self.length * side
         return (Polyline((self.foot + along, self.foot + along + across, self.foot + across), False, hand.drafted),)
 
-    def lettered(self, labels: Labels, hand: Hand) -> Stroke:
+    def letter_beside(self, labels: Labels, hand: Hand) -> Stroke:
         """Letter it beside its middle."""
         middle = (self.about + self.foot) / 2
         across = cmath.phase(1j * (self.foot - self.about)) if self.length >= LEAST else math.pi / 4

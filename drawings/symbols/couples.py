@@ -32,13 +32,13 @@ class Couple(NamedTuple):
         """The middle of the arc: beside it stands the letter."""
         return self.at + cmath.rect(self.radius, self.facing)
 
-    def drawn(self, hand: Hand) -> Group:
+    def draw(self, hand: Hand) -> Group:
         """Draw the arc and its head."""
         start = self.facing - self.sense * self.sweep / 2
         arrow = turning_arrow(self.at, self.radius, start, self.sense * self.sweep, hand, hand.relative)
         data = {"kind": "couple", "name": named(self.letter), "sense": f"{self.sense:+d}"}
         return Group(arrow, "", data, self.letter)
 
-    def lettered(self, labels: Labels, hand: Hand) -> Stroke:
+    def letter_beside(self, labels: Labels, hand: Hand) -> Stroke:
         """Letter it beyond the middle of its arc."""
         return labels.beside(self.place, self.letter, hand.letter, BESIDE, self.facing)

@@ -23,7 +23,8 @@ ASIDE = math.radians(55)  # the letter stands ahead of the free end, to the left
 class ForceArrow:
     """A force on paper: its letter, its point, its unit direction and its length in mm.
 
-    It starts from its point or, `ending`, comes to it. Of an `unknown` one only the line of action is known.
+    It starts from its point or, `ending`, comes to it; one that stands off it is led to it by a thin line. Of an
+    `unknown` one only the line of action is known.
     """
 
     letter: str  # marked up: "R^t_{34}"
@@ -33,6 +34,7 @@ class ForceArrow:
     ending: bool = False
     unknown: bool = False
     data: Mapping[str, str] = field(default_factory=dict)  # of a measurable one
+    lead: complex | None = None  # where the thin line begins
 
     @property
     def start(self) -> complex:
@@ -45,24 +47,29 @@ class ForceArrow:
         return self.start + self.direction * self.length
 
     @property
+    def shaft(self) -> Line:
+        """Its own line."""
+        return Line(self.start, self.tip)
+
+    @property
     def free(self) -> complex:
         """The end that is not at its point: there stands its letter."""
         return self.start if self.ending else self.tip
 
-    def drawn(self, hand: Hand) -> Group:
+    def draw(self, hand: Hand) -> Group:
         """Draw it: known in full lines with a filled head, unknown dashed with an open one."""
         if self.unknown:
             style = fit(hand.path, abs(self.tip - self.start))
-            return Group((Line(self.start, self.tip, style), *_open_head(self, hand)), "", self._told, self.letter)
+            return Group((Line(self.start, self.tip, style), *_open_head(self, hand)), "", self._marked, self.letter)
         head = arrowhead(self.start, self.tip, hand.symbol)
         shaft = Line(self.start, self.tip, hand.result)
-        return Group((shaft,) if head is None else (shaft, head), "", self.data or self._told, self.letter)
+        return Group((shaft,) if head is None else (shaft, head), "", self.data or self._marked, self.letter)
 
     @property
-    def _told(self) -> dict[str, str]:
+    def _marked(self) -> dict[str, str]:
         return {"kind": "force", "name": named(self.letter), "direction": stated(self.direction)}
 
-    def lettered(self, labels: Labels, hand: Hand) -> Stroke:
+    def letter_beside(self, labels: Labels, hand: Hand) -> Stroke:
         """Letter it: one to scale beside its middle, where no other of its polygon ends; a marked one at its end."""
         ahead = cmath.phase(self.direction) + (math.pi if self.ending else 0.0)
         if self.data:
@@ -95,9 +102,9 @@ def marked(
     return ForceArrow(letter, at, direction / abs(direction), length, ending, unknown)
 
 
-def lettered(forces: Iterable[ForceArrow], labels: Labels, hand: Hand) -> Group:
+def letters(forces: Iterable[ForceArrow], labels: Labels, hand: Hand) -> Group:
     """Letter forces, each where the lines of all figures leave room."""
-    return Group(tuple(one.lettered(labels, hand) for one in forces))
+    return Group(tuple(one.letter_beside(labels, hand) for one in forces))
 
 
 def _open_head(force: ForceArrow, hand: Hand) -> tuple[Stroke, ...]:

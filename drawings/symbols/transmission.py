@@ -46,7 +46,7 @@ class Gear(NamedTuple):
         turn = cmath.phase(self.action) - _turn(self) / 2
         return self.contact + cmath.rect(ANGLE * hand.symbol, turn), turn
 
-    def drawn(self, hand: Hand, whole: bool = True) -> tuple[Stroke, ...]:
+    def draw(self, hand: Hand, whole: bool = True) -> tuple[Stroke, ...]:
         """Draw pitch circle, pitch tangent, line of action and the arc of the pressure angle between them."""
         contact, factor = self.contact, hand.symbol
         low, high = (0.0, 2 * math.pi) if whole else (self.at - ARC, self.at + ARC)

@@ -8,11 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from plans.bench.truth import KINDS, MOMENT, REACTION, Truth, Values
+from plans.forces.reading.form import FORCES
 from plans.forces.statics import Statics
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.model.motion import LINK_KEYS, POINT_KEYS, Floats
-from plans.scene.scene import FORCES
 
 SIZED = 360  # positions whose largest vector is the plan's largest: every degree of the turn
 

@@ -21,12 +21,12 @@ from plans.analytic.power import balancing_moment
 from plans.bench.error import Errors, errors
 from plans.bench.truth import BALANCING, MOMENT, Truth, of_forces
 from plans.forces.loading import loading
+from plans.forces.reading.form import FORCES
 from plans.forces.statics import ForceDrafts, Statics
 from plans.forces.stroke import Stroke, strokes
 from plans.linkage.study import LinkageStudy
 from plans.model.kinetostatics import Kinetostatics, Loading
 from plans.model.motion import Floats, Motion
-from plans.scene.scene import FORCES
 
 FORCES_CONSTRUCTED, FORCES_ANALYSED = "construction: forces", "analysis: forces"
 LEVER, POWER, ENERGY = CHECKS = ("check: lever", "check: power", "check: energy")
@@ -114,7 +114,7 @@ class ForceGround:
         return errors({(MOMENT, BALANCING): moment[judged]}, self.truth.at(judged), self.largest)
 
     def _marched(self) -> tuple[Analysis, Motion]:
-        road = Analysis(self.study.mechanism, first=self.study.scene.drive.first is not None)
+        road = Analysis(self.study.mechanism, first=self.study.form.drive.first is not None)
         return road, road.motion(self.study.turn.phi)
 
     @cached_property

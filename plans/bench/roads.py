@@ -18,7 +18,9 @@ from plans.bench.error import Errors, errors
 from plans.bench.peers import Peer, peers
 from plans.bench.result import Row
 from plans.bench.truth import NotInstalled, Replay, Truth, replay, sample, values
+from plans.forces.reading.form import ForceForm
 from plans.forces.statics import Statics
+from plans.linkage.reading.form import LinkageForm
 from plans.linkage.study import LinkageStudy
 from plans.model.motion import Motion
 from plans.scene.scene import Scene
@@ -76,13 +78,16 @@ def newton(tolerance: float) -> str:
 
 def with_positions(scene: Scene, count: int) -> Scene:
     """Give a scene another number of positions, equal steps of a turn from its own first crank angle."""
-    drive = scene.drive
+    form, loaded = scene.of(LinkageForm), scene.of(ForceForm)
+    drive, sheet = form.drive, form.sheet
     start = drive.positions[0] if isinstance(drive.positions, tuple) else drive.start
-    plans, loaded = (tuple(k for k in chosen if k < count) for chosen in (scene.sheet.plans, scene.sheet.forces))
-    shown = scene.sheet.position if scene.sheet.position is not None and scene.sheet.position < count else None
+    plans, forces = (tuple(k for k in chosen if k < count) for chosen in (sheet.plans, loaded.sheet.forces))
+    shown = sheet.position if sheet.position is not None and sheet.position < count else None
     return scene.changed(
-        drive=drive.changed(positions=count, start=start),
-        sheet=scene.sheet.changed(plans=plans, forces=loaded, position=shown),
+        form.changed(
+            drive=drive.changed(positions=count, start=start), sheet=sheet.changed(plans=plans, position=shown)
+        ),
+        loaded.changed(sheet=loaded.sheet.changed(forces=forces)),
     )
 
 
@@ -145,9 +150,7 @@ def _drawing(found: Ground, order: int) -> Callable[[], Motion]:
 
 
 def _solving(study: LinkageStudy, tolerance: float = EPS) -> Callable[[], Motion]:
-    return lambda: solve(
-        study.mechanism, study.turn.phi, tolerance=tolerance, first=study.scene.drive.first is not None
-    )
+    return lambda: solve(study.mechanism, study.turn.phi, tolerance=tolerance, first=study.form.drive.first is not None)
 
 
 def timed(ways: Sequence[Road], positions: int, rounds: int, budget: float) -> list[Row]:

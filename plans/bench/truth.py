@@ -220,7 +220,7 @@ def _digits() -> Any:
 
 def _direction(mp: Any, study: LinkageStudy, position: int) -> Any:
     """Give the crank's direction in 50 digits: an exact share of the turn from the first one, or as it is listed."""
-    drive = study.scene.drive
+    drive = study.form.drive
     if isinstance(drive.positions, tuple):
         return _turned(mp, Fraction(drive.positions[position]) / 360)
     share = Fraction(study.sense * position, drive.positions)

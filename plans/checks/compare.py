@@ -62,7 +62,7 @@ class MotionComparison(Comparison):
 def compare(study: LinkageStudy, order: int = 2) -> MotionComparison:
     """Compare construction and analysis over all positions of a study, up to an order of derivative."""
     drawn = study.motion(order)
-    road = Analysis(study.mechanism, first=study.scene.drive.first is not None, looks=study.looks.phi)
+    road = Analysis(study.mechanism, first=study.form.drive.first is not None, looks=study.looks.phi)
     solved = road.motion(study.turn.phi, order)
     kappa = road.conditions(solved)
     drafts = study.drafts()

@@ -41,6 +41,11 @@ class ForceComparison(Comparison):
     motion: MotionComparison
     friction: tuple[Friction, Friction] | None = None  # by construction and by analysis, where there are coefficients
 
+    @property
+    def agrees(self) -> bool:
+        """Whether both roads find the same forces over the same motion."""
+        return super().agrees and self.motion.agrees
+
 
 @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN on both roads
 def compare_forces(statics: Statics, motion: MotionComparison) -> ForceComparison:

@@ -86,15 +86,15 @@ def numbers(study: Study, by: str) -> MotionNumbers:
 
 def _constructed(study: LinkageStudy, order: int) -> tuple[Motion, Extremes | None, None]:
     motion = study.motion(order)
-    return motion, study.found.extremes if study.scene.drive.first is None and study.found else None, None
+    return motion, study.found.extremes if study.form.drive.first is None and study.found else None, None
 
 
 def _analysed(study: LinkageStudy, order: int) -> tuple[Motion, Extremes | None, Analysis]:
     """Solve by analysis alone: a start at an extreme is found by analysis too."""
-    road = Analysis(study.mechanism, first=study.scene.drive.first is not None, looks=study.looks.phi)
+    road = Analysis(study.mechanism, first=study.form.drive.first is not None, looks=study.looks.phi)
     extremes = None if road.first else road.extremes(study.output)
     if extremes is None:  # of a start at an extreme that is none the turn says why
         return road.motion(study.turn.phi, order), None, road
-    count = study.scene.drive.count
+    count = study.form.drive.count
     phi = extremes.phi[0] + study.sense * 2 * np.pi * np.arange(count) / count
     return road.motion(phi, order), extremes, road

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from geometry.board import Mark, behind
 from plans.explanation import Explanation, NoMark
 from plans.forces.cut import indices
+from plans.forces.reading.form import ForceForm
 from plans.linkage import marks as motion
 
 if TYPE_CHECKING:
@@ -23,9 +24,9 @@ NONE = NoMark((), "", ("R_12", "M_bal"))
 
 def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     """Give the steps on the force plan behind a mark of it in one position; `study.whole` asks for those below too."""
-    scene, linkage = study.scene, study["linkage"]
-    if not (scene.masses or scene.loads) or name in motion.letters(linkage):
-        return NoMark((), "", ()) if not (scene.masses or scene.loads) else NONE
+    form, linkage = study.scene.of(ForceForm), study["linkage"]
+    if not (form.masses or form.loads) or name in motion.letters(linkage):
+        return NoMark((), "", ()) if not (form.masses or form.loads) else NONE
     wanted = motion.position_of(linkage, position)
     board = study["forces"].drafts([wanted]).plans.plan.board
     target, opposite = _find(board, name)

@@ -13,6 +13,8 @@ import numpy.typing as npt
 from plans.forces.force_drawing import ForceDrawing
 from plans.forces.force_template import Drawn, ForcePattern
 from plans.forces.loading import loading
+from plans.forces.reading.form import ForceForm
+from plans.forces.reading.inventory import machine_of
 from plans.forces.stroke import NoStroke, Stroke, strokes
 from plans.linkage.assembly_limits import at_angles
 from plans.linkage.barrier import CHANGE
@@ -39,7 +41,6 @@ from plans.model.machine import Machine
 from plans.model.mechanism import Output, StructureError
 from plans.model.motion import ORDERS, Extremes, Floats, Gap, Motion
 from plans.scene.faults import SceneError
-from plans.scene.inventory import machine_of
 
 if TYPE_CHECKING:
     from plans.model.losses import Friction
@@ -101,6 +102,7 @@ class Statics:
 
     def __init__(self, study: LinkageStudy) -> None:
         self.study = study
+        self.form = study.scene.of(ForceForm)
         self.made: dict[str, None] = {}  # what was made, in order
 
     def construct(self, plans: Collection[str]) -> None:

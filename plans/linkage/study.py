@@ -19,11 +19,12 @@ from plans.linkage.crank_positions import CrankPositions, even, from_direction, 
 from plans.linkage.drafts import Drafts
 from plans.linkage.extreme import Found, extremes, output
 from plans.linkage.obstruction import obstruction
+from plans.linkage.reading.form import LinkageForm
+from plans.linkage.reading.linkage import mechanism_of
 from plans.linkage.sketch import Assembly, SketchError, assembly
 from plans.model.mechanism import Mechanism, Output, StructureError
 from plans.model.motion import ORDERS, Floats, Gap, Motion
 from plans.model.structure import Dyad, decompose
-from plans.scene.linkage import mechanism_of
 from plans.scene.scene import Scene
 
 if TYPE_CHECKING:
@@ -47,6 +48,7 @@ class LinkageStudy:
 
     def __init__(self, scene: Scene) -> None:
         self.scene = scene
+        self.form = scene.of(LinkageForm)
         self.made: dict[str, None] = {}  # what was made, in order: the sheet's account of what it left out
 
     def construct(self, plans: Collection[str]) -> None:
@@ -71,7 +73,7 @@ class LinkageStudy:
 
     def _at(self, table: str) -> str:
         """Say where a table of the mechanism stands in the scene's file."""
-        there = table == "links" or bool(self.scene.mechanism.sketch)
+        there = table == "links" or bool(self.form.mechanism.sketch)
         line, column = self.scene.place(("mechanism", table) if there else ("mechanism",))
         return f"{self.scene.file}:{line}:{column}: mechanism.{table}"
 
@@ -83,7 +85,7 @@ class LinkageStudy:
     @cached_property
     def assembly(self) -> Assembly:
         """The assembly that the sketch chooses."""
-        first = self.scene.drive.first
+        first = self.form.drive.first
         start = None if first is None else listed([Fraction(first)])
         try:
             return assembly(self.mechanism, self.groups, start, self.looks)
@@ -97,7 +99,7 @@ class LinkageStudy:
         Of a scene with as many positions at most also at all of them: one may be assembled where no whole degree is.
         """
         degrees = even(Fraction(0), 360, 1)
-        if self.scene.drive.first is None or len(self.turn) > len(degrees):
+        if self.form.drive.first is None or len(self.turn) > len(degrees):
             return degrees
         phi = np.concatenate((degrees.phi, self.turn.phi))
         return CrankPositions(phi, np.concatenate((degrees.directions, self.turn.directions)))
@@ -132,7 +134,7 @@ class LinkageStudy:
     @cached_property
     def turn(self) -> CrankPositions:
         """All crank positions of the scene."""
-        drive = self.scene.drive
+        drive = self.form.drive
         if isinstance(drive.positions, tuple):
             return listed([Fraction(angle) for angle in drive.positions])
         if drive.first is not None:
@@ -172,7 +174,7 @@ class LinkageStudy:
     @cached_property
     def span(self) -> tuple[float, float]:
         """Crank angles, rad, between which the drive turns: a whole turn, or what listed angles span."""
-        if isinstance(self.scene.drive.positions, int):
+        if isinstance(self.form.drive.positions, int):
             return 0.0, 2 * np.pi
         return float(self.turn.phi.min()), float(self.turn.phi.max())
 

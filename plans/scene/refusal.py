@@ -3,78 +3,81 @@
 from __future__ import annotations
 
 import copy
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, TypeVar
 
+from plans.scene.demand import needing
 from plans.scene.faults import Fault, Path, dotted, nearest, suggestion
-from plans.scene.fields import split_letters
 from plans.scene.source import Source
-from plans.scene.tables import Refusal, Refused, Table
+from plans.scene.tables import Kinds, Missing, Refusal, Refused, holders_of, tables_of
 from plans.scene.units import type_name
 
 REFUSALS_LIMIT = 1_000  # worded one by one; beyond it they are only counted
 ROUNDS = 12  # of leaving out what is refused; each goes one table outward at most
 
-# What a missing key is, and a line that would do.
-MISSING: Mapping[Path, tuple[str, str]] = {
-    ("mechanism",): ("table", "[mechanism.frame], [mechanism.links], [mechanism.lengths]"),
-    ("mechanism", "frame"): ("table of fixed points", "[mechanism.frame] with O = [0, 0]"),
-    ("mechanism", "links"): ("table of links", '[mechanism.links] with 1 = "OA"'),
-    ("drive",): ("table", '[drive] with link = 1 and speed = "60 rpm"'),
-    ("drive", "link"): ("number of the crank", "link = 1"),
-    ("drive", "speed"): ("angular speed", 'speed = "60 rpm"'),
-    ("link",): ("number of a moving link", "link = 2"),
-    ("along",): ("line", 'along = "CB", or along = { through = [0, 0], angle = 0 }'),
-    ("through",): ("point of the line", "through = [0, 0]"),
-    ("on",): ("number of a moving link", "on = 2"),
-    ("point",): ("point of the link", 'point = "B"'),
-    ("mass",): ("mass", 'mass = "3 kg"'),
-    ("travel",): ("list of shares of the stroke", "travel = [0, 1]"),
-    ("force",): ("list of forces", "force = [1500, 1500]"),
-    ("between",): ("pair of ends", 'between = ["B", "O"]'),
-    ("stiffness",): ("stiffness", 'stiffness = "20 N/mm"'),
-    ("free",): ("free length", 'free = "80 mm"'),
-    ("coefficient",): ("reduced coefficient of friction", "coefficient = 0.1"),
-    ("friction", "radius"): ("journal radius of the hinges", 'radius = "20 mm"'),
-    ("at",): ("place in the link's own frame", "at = [0.1, 0]"),
-}
-# What stands in for a refused table while the rest is examined.
-STAND_INS: Mapping[Path, Any] = {
-    ("mechanism",): {},
-    ("mechanism", "frame"): {"O": [0, 0]},
-    ("mechanism", "links"): {"1": "OA"},
-    ("drive",): {},
-    ("drive", "link"): 1,
-    ("drive", "speed"): 1,
-}
 T = TypeVar("T")
-Tables = Mapping[Path, type[Table]]
+Tables = Mapping[Path, Kinds]
 
 
-def refusals(error: Refused, source: Source, tables: Tables) -> list[Fault]:
-    """Word the first refusals of a scene's form; `tables` are its tables, with "*" for any key or index."""
-    faults = [_fault(refusal, source, tables) for refusal in error.refusals[:REFUSALS_LIMIT]]
+def refusals(error: Refused, source: Source, kinds: Kinds) -> list[Fault]:
+    """Word the first refusals of a scene's form; `kinds` are all tables that may stand at the top of a file."""
+    tables = tables_of(kinds)
+    told = [refusal for refusal in error.refusals[:REFUSALS_LIMIT] if not _lacks(refusal)]
+    faults = [_fault(refusal, source, tables) for refusal in told]
     misspelt = {_meant(fault) for fault in faults}
-    return [fault for fault in faults if fault.kind != "missing" or fault.path not in misspelt]
+    tops: set[Path] = {() for path in misspelt if len(path) == 1}
+    spelt: Mapping[str, set[Path]] = {"missing": misspelt, "no_table": tops}
+    faults = [fault for fault in faults if fault.path not in spelt.get(fault.kind, set())]
+    return faults + _needs(
+        [str(r.path[0]) for r in error.refusals if _lacks(r) and r.path not in misspelt], source, kinds
+    )
 
 
-def spare(source: Source, check: Callable[[Mapping[str, Any]], T]) -> T | None:
+def _lacks(refusal: Refusal) -> bool:
+    """Tell whether a whole table is missing."""
+    return refusal.kind == "missing" and len(refusal.path) == 1
+
+
+def _needs(names: Iterable[str], source: Source, kinds: Kinds) -> list[Fault]:
+    """Word what tables a file lacks, those together that one key of it needs."""
+    missing: dict[Path, list[str]] = {}
+    for name in names:
+        missing.setdefault(needing(name, source.tables), []).append(name)
+    return [lacking(path, tables, source, kinds) for path, tables in missing.items()]
+
+
+def lacking(path: Path, names: Sequence[str], source: Source, kinds: Kinds) -> Fault:
+    """Make the fault of a key that needs tables which the file lacks."""
+    examples = [_missing((name,), tables_of(kinds)).example for name in names]
+    details = {"tables": ", ".join(f"[{name}]" for name in names), "example": "; ".join(examples)}
+    return source.fault(path, "needs", **details, lacks=tuple((name,) for name in names))
+
+
+def _missing(path: Path, tables: Tables) -> Missing:
+    """Give what the tables state of a required key."""
+    holders = holders_of(tables[_pattern(path[:-1], tables)]).get(str(path[-1]), ())
+    stated = (kind.keys[str(path[-1])].missing for kind in holders)
+    return next((missing for missing in stated if missing), Missing("key", f"{path[-1]} = ..."))
+
+
+def spare(source: Source, check: Callable[[Mapping[str, Any]], T], kinds: Kinds) -> T | None:
     """Give the scene without what its form refuses, required keys by a stand-in; nothing where that fails."""
-    data = copy.deepcopy(dict(source.tables))
+    data, tables = copy.deepcopy(dict(source.tables)), tables_of(kinds)
     for _ in range(ROUNDS):
         try:
             return check(data)
         except Refused as error:
             for refusal in error.refusals:
-                _leave_out(data, refusal.path, refusal.kind == "missing")
+                lacks = refusal.kind == "missing"
+                _leave_out(data, refusal.path, lacks, _missing(refusal.path, tables).stand_in if lacks else None)
     return None
 
 
 def _fault(refusal: Refusal, source: Source, tables: Tables) -> Fault:
     path = refusal.path
     if refusal.kind == "missing":
-        thing, example = MISSING.get(path) or MISSING.get(path[-1:]) or ("key", f"{path[-1]} = ...")
-        return source.fault(path, "missing", thing=thing, example=example)
+        missing = _missing(path, tables)
+        return source.fault(path, "missing", thing=missing.thing, example=missing.example)
     if refusal.kind == "unknown_key":
         return _unknown_key(path, source, tables)
     if refusal.kind in ("not_a_list", "not_a_table"):
@@ -87,25 +90,27 @@ def _fault(refusal: Refusal, source: Source, tables: Tables) -> Fault:
 
 def _unknown_key(path: Path, source: Source, tables: Tables) -> Fault:
     key, own = str(path[-1]), _pattern(path[:-1], tables)
-    known = list(tables[own].form)
-    elsewhere = [table for table in tables if table != own and key in tables[table].form]
+    known = list(holders_of(tables[own]))
+    elsewhere = [table for table in tables if table != own and key in holders_of(tables[table])]
+    homes = [] if elsewhere or key in known else [home for kind in tables[()] if (home := kind.home_of(key))]
     near = nearest(key, known)
     meant: Path = (*path[:-1], *near[:1]) if near else (*elsewhere[0], key) if elsewhere else ()
-    details = {"table": table_name(own), "known": ", ".join(known), "suggestion": _meaning(key, known, elsewhere)}
+    details = {
+        "table": table_name(own),
+        "known": ", ".join(known),
+        "suggestion": _meaning(key, known, elsewhere, homes),
+    }
     return source.fault(path, "unknown_key", **details, meant=meant)
 
 
-def _meaning(key: str, known: list[str], elsewhere: list[Path]) -> str:
-    """Say what an unknown key may be: one of another table, a misspelt one, a length or a point."""
+def _meaning(key: str, known: list[str], elsewhere: list[Path], homes: list[Path]) -> str:
+    """Say what an unknown key may be: one of another table, a misspelt one, or a free name such as that of a point."""
     near = nearest(key, known)
     if near and not elsewhere:
         return suggestion(key, known)
-    ends = split_letters(key)
-    if not elsewhere and ends:
-        elsewhere = [("mechanism", "lengths")] if len(ends) == 2 else [("mechanism", "frame")] if len(ends) == 1 else []
-    if not elsewhere:
+    if not elsewhere and not homes:
         return "delete it"
-    tables = f"it belongs to {' or '.join(map(table_name, elsewhere))}"
+    tables = f"it belongs to {' or '.join(map(table_name, elsewhere or homes))}"
     return f'{tables}; or did you mean "{near[0]}"?' if near else tables
 
 
@@ -128,7 +133,12 @@ def table_name(pattern: Path) -> str:
 
 def doubts_of(faults: list[Fault]) -> frozenset[Path]:
     """Give the paths of which nothing more should be said: those at fault, and those a misspelt key was meant for."""
-    return frozenset(path for fault in faults for path in (fault.path, _meant(fault)) if path)
+    return frozenset(path for fault in faults for path in (fault.path, _meant(fault), *_lacked(fault)) if path)
+
+
+def _lacked(fault: Fault) -> tuple[Path, ...]:
+    lacks = fault.details.get("lacks", ())
+    return lacks if isinstance(lacks, tuple) else ()
 
 
 def _meant(fault: Fault) -> Path:
@@ -136,17 +146,16 @@ def _meant(fault: Fault) -> Path:
     return meant if isinstance(meant, tuple) else ()
 
 
-def _leave_out(data: dict[str, Any], path: Path, missing: bool) -> None:
+def _leave_out(data: dict[str, Any], path: Path, missing: bool, stand_in: Any) -> None:
     """Leave out a refused entry; of a list all, for the others would change their numbers."""
-    stands_in = missing and path in STAND_INS
-    if not stands_in:
+    if stand_in is None:
         path = path[:-1] if missing else path
         path = path[:-1] if path and isinstance(path[-1], int) else path
     table = _table(data, path[:-1])
     if not path or table is None:
         return  # it went with the table around it
-    if stands_in:
-        table[path[-1]] = copy.deepcopy(STAND_INS[path])
+    if stand_in is not None:
+        table[path[-1]] = copy.deepcopy(stand_in)
     else:
         table.pop(path[-1], None)
 

@@ -2,40 +2,43 @@
 
 from __future__ import annotations
 
-from plans.scene.faults import Path
-from plans.scene.fields import ENTRIES_LIMIT, LINKS_LIMIT
-from plans.scene.forms import LINK, PAIR, POINT, Form, entries, named
-from plans.scene.keys import KEYS, RULES
-from plans.scene.scene import TABLES
-from plans.scene.tables import REQUIRED
+from plans.scene.demand import resting
+from plans.scene.forms import Form
+from plans.scene.scene import kinds_of
+from plans.scene.tables import REQUIRED, Kinds, form_of
+from plans.techniques import TECHNIQUES, Technique
 
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
-# Lists of tables, and what the keys of tables of tables are and how many.
-LISTS = ("slides", "forces", "moments", "springs")
-NAMES = {"masses": (LINK, LINKS_LIMIT), "pairs": (PAIR, ENTRIES_LIMIT), "points": (f"^{POINT}$", ENTRIES_LIMIT)}
 
 
 def schema() -> Form:
-    """Give the JSON Schema of a scene."""
-    return {"$schema": DRAFT, "title": "plandraft scene", **_table(())}
+    """Give the JSON Schema of a scene: its keys, and which tables a sheet, a table or a key needs beside it."""
+    form = {"$schema": DRAFT, "title": "plandraft scene", **form_of(kinds_of())}
+    del form["required"]  # by the scene as a whole: a technique's tables are, where it has a part in it
+    needs = {name: _required(kinds_of(resting([name]))) for name in TECHNIQUES}
+    tables = {table: needs[name] for name, technique in TECHNIQUES.items() for table in technique.tables}
+    rules = [_on_demand(technique, needs[name]) for name, technique in TECHNIQUES.items()]
+    return {
+        **form,
+        "anyOf": [{"required": [table]} for table in tables],
+        "dependentRequired": tables,
+        "allOf": rules,
+    }
 
 
-def _table(path: Path) -> Form:
-    """Give the form of a table: its keys, which of them it must have, and no others."""
-    keys = TABLES[path].form
-    properties = {key: {"description": KEYS[path][key][0], **_form(path, key)} for key in keys}
-    required = [key for key, known in keys.items() if known.default is REQUIRED]
-    table: Form = {"type": "object", "properties": properties, "additionalProperties": False}
-    return {**table, **({"required": required} if required else {}), **RULES.get(path, {})}
+def _required(kinds: Kinds) -> list[str]:
+    """Name the tables that a technique needs, and those that it rests on."""
+    return [name for kind in kinds for name, known in kind.keys.items() if known.default is REQUIRED]
 
 
-def _form(path: Path, key: str) -> Form:
-    """Give the form of a key: its own, a table, a list of tables, or a table of tables by number or name."""
-    within, many, own = (*path, key), (*path, key, "*"), KEYS[path][key][1]
-    if many in TABLES:
-        if key in NAMES:
-            return named(_table(many), *NAMES[key])
-        return entries(_table(many)) if key in LISTS else entries({"anyOf": [own, _table(many)]}, 2, 2)
-    if within not in TABLES:
-        return own
-    return {"anyOf": [own, _table(within)]} if own else _table(within)
+def _on_demand(technique: Technique, required: list[str]) -> Form:
+    """Say which tables the sheets of a technique need, and its keys of shared tables."""
+    sheets = [
+        {"properties": {"sheets": {"contains": {"const": sheet}}}, "required": ["sheets"]} for sheet in technique.sheets
+    ]
+    keys = [_with_key(table, name) for table, names in technique.shares.items() for name in names]
+    return {"if": {"anyOf": sheets + keys}, "then": {"required": required}}
+
+
+def _with_key(table: str, name: str) -> Form:
+    return {"properties": {table: {"required": [name]}}, "required": [table]}

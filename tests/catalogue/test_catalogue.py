@@ -7,7 +7,7 @@ import time
 from pathlib import Path
 
 from geometry.errors import DraftError, LimitError
-from plans.scene.linkage import mechanism_of
+from plans.linkage.reading.linkage import mechanism_of
 from plans.scene.scene import read_scene
 from tests.rows import over
 

@@ -11,8 +11,10 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 
 from drawings.figures.forces import force_polygon, lever_plan
-from drawings.layout.labels import Ink, Labels
+from drawings.layout.ink import Ink
+from drawings.layout.labels import Labels
 from drawings.layout.picture import Picture, Spot
+from drawings.page.drafting import Drafting
 from drawings.page.page import Field
 from drawings.paper.hand import Hand, hand_of
 from drawings.paper.strokes import Leaf
@@ -177,21 +179,22 @@ def polygons(
 ) -> list[force_polygon.PolygonFigure]:
     """Draw the force plans of all cuts in cells beside one another."""
     figures = []
+    drafting = Drafting(hand, language, reactions=reactions)
     for number, cut in enumerate(case.plan.cuts):
         shown = force_polygon.polygon(case.plan, cut, k)
-        measure = force_polygon.measured(shown, f"{shown.plan}-{k}", hand, language)
+        measure = force_polygon.measure(shown, f"{shown.plan}-{k}", drafting)
         placed = spot(measure, Field(10 + 300 * number, 230, 300 + 300 * number, 450))
-        scale = placed.scale.written(language)
-        figures.append(force_polygon.figure(shown, measure, placed, scale, hand, language, reactions))
+        figures.append(force_polygon.draw(shown, measure, placed, drafting))
     return figures
 
 
 def hung(case: Forced, k: int, hand: Hand, language: str = "en") -> lever_plan.LeverFigure:
     """Draw the lever below."""
     shown = lever_plan.hanging(case.plan, case.lever, k)
-    measure = lever_plan.measured(shown, f"lever-{k}", hand, language)
+    drafting = Drafting(hand, language)
+    measure = lever_plan.measure(shown, f"lever-{k}", drafting)
     placed = spot(measure, Field(10, 10, 300, 225))
-    return lever_plan.figure(shown, measure, placed, placed.scale.written(language), hand, language)
+    return lever_plan.draw(shown, measure, placed, drafting)
 
 
 def leaf(figures: list[Figure], hand: Hand) -> Leaf:
@@ -199,7 +202,7 @@ def leaf(figures: list[Figure], hand: Hand) -> Leaf:
     ink = Ink(920, 460)
     ink.draw([stroke for one in figures for stroke in one.lines])
     labels = Labels(ink, hand.drafted)
-    return Leaf(920, 460, tuple(one.lettered(labels) for one in figures), lettering="strokes")
+    return Leaf(920, 460, tuple(group for one in figures for group in one.letter(labels)), lettering="strokes")
 
 
 @cache

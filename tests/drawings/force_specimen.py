@@ -14,18 +14,22 @@ from drawings.figures.graphs import curve_graph, hodograph
 from drawings.figures.graphs.curve_graph import Curve
 from drawings.figures.graphs.hodograph import Hodograph
 from drawings.layout import value_table
+from drawings.layout.composer import compose
+from drawings.layout.contents import Composition, Contents, Panel
 from drawings.layout.equation import DIRECTION, Passage, Term, forces, moments
-from drawings.layout.labels import Ink, Labels
+from drawings.layout.figure import Figure
+from drawings.layout.ink import Ink
+from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, picture
 from drawings.layout.place import Place
-from drawings.layout.shelves import Composed, Content, compose
-from drawings.layout.value_table import Row
+from drawings.layout.table import Row
 from drawings.lettering.force_words import letter
 from drawings.lettering.lettering import text_width
 from drawings.lettering.words import word
+from drawings.page.drafting import Drafting
 from drawings.page.page import Page
 from drawings.paper.strokes import Group, Leaf, Line, Stroke, Text
-from drawings.sheets.notes import measured, written
+from drawings.sheets.paragraphs import measure, write
 from drawings.symbols import arms, force_arrow, symbols, transmission
 from drawings.symbols.couples import Couple
 from drawings.symbols.figure import Subject, heading, point
@@ -60,10 +64,13 @@ class Draft:
 
     def __init__(self, page: Page) -> None:
         self.page, self.hand, self.language = page, page.hand, page.language
+        self.drafting = Drafting(page.hand, page.language, page.standard)
         turn = np.linspace(0, 360, 181)
         at = np.arange(12) * 30.0
         shape = lambda phi: 120 + 170 * np.sin(np.radians(phi)) - 60 * np.cos(2 * np.radians(phi))  # noqa: E731
-        self.curve = Curve(letter(self.language, "M_{bal}"), "N*m", turn, shape(turn), at, shape(at))
+        self.curve = Curve(
+            letter(self.language, "M_{bal}"), "N*m", turn, shape(turn), at, shape(at), self.title("balancing-graph")
+        )
         way = lambda phi: 1200 * np.exp(1j * np.radians(phi)) + 500 * np.exp(-2j * np.radians(phi)) + 300j  # noqa: E731
         self.hodograph = Hodograph("R_{34}", "F", "N", way(turn), way(at), 2)
         self.strokes: list[Stroke] = []
@@ -99,83 +106,75 @@ class Draft:
         return Passage(name, (moments("C", [("+", "R_{12}·AC"), ("−", "R_{43}·h_3")]), whole), self.hand.letter)
 
     @property
-    def content(self) -> Content:
+    def contents(self) -> Contents:
         polygons = {
             name: self.picture(name, list(np.cumsum([0j, *(force for _, force in chain)])), ("F", "N"))
             for name, chain in POLYGONS.items()
         }
         schemes = {name: self.picture(name, values, ("l", "m"), 4.5) for name, values in SCHEMES.items()}
-        columns = tuple(
+        columns = [
             (schemes[f"scheme-{k}"], self.passage(f"equations-{k}").block(), polygons[f"polygon-{k}"])
             for k in ("4-5", "2-3")
-        )
+        ]
+        columns.append((schemes["scheme-1"], polygons["polygon-1"]))
         lines = [
             Row(f"R_{{{k}}}, {word(self.language, 'N')}", ("1644.10", "1644.10", "<10^{−9}"))
             for k in (12, 34, "05", "03", "01")
         ]
-        return Content(
-            (*columns, (schemes["scheme-1"], polygons["polygon-1"])),
+        loose = (
+            self.picture("lever", [0j, *(-1j * v for v in (VA, VB, VD))], ("v", "m/s"), 4.0),
+            curve_graph.measure(self.curve, "balancing-graph", self.drafting),
+            hodograph.measure(self.hodograph, "hodograph", self.drafting),
+        )
+        return Contents(
             (
-                self.picture("lever", [0j, *(-1j * v for v in (VA, VB, VD))], ("v", "m/s"), 4.0),
-                curve_graph.measured(self.curve, "balancing-graph", self.title("balancing-graph"), self.hand),
-                hodograph.measured(self.hodograph, "hodograph", self.title("hodograph"), self.hand),
+                *(Panel(item, together=str(k)) for k, column in enumerate(columns) for item in column),
+                *map(Panel, loose),
             ),
-            value_table.table(lines, (2,), self.hand.text, self.language),
-            measured(NOTES, self.hand.text),
-        )  # fmt: skip
+            (value_table.table(lines, (2,), self.drafting),),
+            measure(NOTES, self.hand.text),
+        )
 
     def leaves(self) -> list[Leaf]:
-        content = self.content
-        self.pictures = {
-            one.name: one
-            for one in (*content.loose, *(i for c in content.columns for i in c if isinstance(i, Picture)))
-        }
-        composed = compose(content, self.page)
-        return [self.leaf(one) for one in composed]
+        contents = self.contents
+        self.pictures = {one.item.name: one.item for one in contents.panels if isinstance(one.item, Picture)}
+        return [self.leaf(one) for one in compose(contents, self.page)]
 
-    def leaf(self, composed: Composed) -> Leaf:
+    def leaf(self, composed: Composition) -> Leaf:
         page, hand = self.page, self.hand
         ink = Ink(*page.size)
         ink.bar(page.field.inset(1.0))
         self.strokes, self.lettered = [page.title_block({"title": "Crank shaper"}, self.language)], []
-        table = composed.content.table
-        if table is not None and composed.table is not None and composed.setting is not None:
-            self.strokes += table.drawn(composed.table, composed.setting, hand, self.language)
+        for table, corner, setting in composed.tables:
+            self.strokes += table.draw(corner, setting, self.drafting)
         if composed.notes is not None:
-            self.strokes.append(written(NOTES, composed.notes, hand.text))
+            self.strokes.append(write(NOTES, composed.notes, hand.text))
         for name, field in composed.blocks.items():
-            self.strokes.append(self.passage(name).drawn(field, hand))
-        figures: list[curve_graph.Graph | hodograph.HodographFigure] = []
-        for name, spot in composed.pictures.items():
+            self.strokes.append(self.passage(name).write(field, hand))
+        figures: list[Figure] = []
+        for name, spot in composed.spots.items():
             place = self.pictures[name].placed(*spot)
             scale = spot.scale.written(self.language)
             if name == "balancing-graph":
-                graph = curve_graph.figure(
-                    self.curve, self.pictures[name], spot, self.title(name), page.standard, hand, self.language
-                )
-                figures.append(graph)
+                figures.append(curve_graph.draw(self.curve, self.pictures[name], spot, self.drafting))
                 continue
             if name == "hodograph":
-                figures.append(
-                    hodograph.figure(self.hodograph, self.pictures[name], spot, self.title(name), scale, hand)
-                )
+                figures.append(hodograph.draw(self.hodograph, self.pictures[name], spot, self.drafting))
                 continue
             self.strokes.append(heading(spot.box, self.title(name), scale, hand))
             {"scheme": self.scheme, "polygon": self.polygon, "lever": self.lever}[name.split("-")[0]](name, place)
         ink.draw([*self.strokes, *(line for one in figures for line in one.lines)])
         labels = Labels(ink, hand.drafted)
-        letters = [one.lettered(labels, hand) for one in self.lettered]
-        if "lever" in composed.pictures:
-            pole = self.pictures["lever"].placed(*composed.pictures["lever"]).on(0j)
+        letters = [one.letter_beside(labels, hand) for one in self.lettered]
+        if "lever" in composed.spots:
+            pole = self.pictures["lever"].placed(*composed.spots["lever"]).on(0j)
             letters.append(labels.beside(pole, "p", hand.letter, 1.6, -math.pi / 2))
+        lettered = [group for one in figures for group in one.letter(labels)]
         groups = [stroke if isinstance(stroke, Group) else Group((stroke,)) for stroke in self.strokes]
-        return Leaf(
-            *page.size,
-            (page.frame(), page.corners(), *groups, Group(tuple(letters)), *(one.lettered(labels) for one in figures)),
-        )
+        return Leaf(*page.size, (page.frame(), page.corners(), *groups, Group(tuple(letters)), *lettered))
 
     def add(self, one: ForceArrow | Couple | arms.Arm) -> None:
-        drawn = one.drawn(self.hand)
+        drawn = one.draw(self.hand)
         self.strokes += drawn if isinstance(drawn, tuple) else [drawn]
         self.lettered.append(one)
 
@@ -221,7 +220,7 @@ class Draft:
         else:
             wheel = transmission.Gear(on(SHAFT), place.length(0.18), math.radians(210), RZ / abs(RZ))
             self.strokes += [
-                *wheel.drawn(hand),
+                *wheel.draw(hand),
                 Line(on(SHAFT), on(A), hand.result),
                 *symbols.fixed_hinge(on(SHAFT), hand, symbols.HINGE),
             ]

@@ -4,16 +4,15 @@ from __future__ import annotations
 
 import itertools
 import math
-from dataclasses import replace
 
 import pytest
 
-from drawings.layout.composition import compose
+from drawings.layout.composer import compose
+from drawings.layout.contents import Composition, Contents, Panel
 from drawings.layout.footing import Notes, feet
 from drawings.layout.grid import Grid, grid
-from drawings.layout.picture import Margins, Picture, picture
-from drawings.layout.trials import Content
-from drawings.layout.value_table import Row, Setting, Table
+from drawings.layout.picture import Margins, Picture, Spot, picture
+from drawings.layout.table import Row, Setting, Table
 from drawings.page.page import Field, Page
 
 BLOCK = Field(215.0, 0.0, 400.0, 55.0)
@@ -110,58 +109,59 @@ def test_table_notes_and_title_block_never_stand_on_each_other(
         assert all(part.top <= foot.top + 1e-6 for part in parts) and all(part.right <= 400.0 for part in parts)
 
 
-def content(count: int, rows: int = 10, least: float = 60.0) -> Content:
-    mechanism = picture("positions", [0j, 0.5 + 0.3j], ("l", "m"), Margins(18.0, 18.0, 70.0), 80.0)
-    return Content(
-        mechanism,
-        tuple(plan(f"velocities-{k}", 1.0 + 0.3 * k, 0.8, least) for k in range(count)),
-        tuple(plan(f"accelerations-{k}", 9.0, 4.0 + k, least) for k in range(count)),
-        table(rows, count),
-        Notes((150.0, 60.0, 90.0), 6.3),
-    )
+MECHANISM = picture("positions", [0j, 0.5 + 0.3j], ("l", "m"), Margins(18.0, 18.0, 70.0), 80.0)
+
+
+def contents(count: int, rows: int = 10, least: float = 60.0, main: Picture = MECHANISM) -> Contents:
+    velocities = [Panel(plan(f"velocities-{k}", 1.0 + 0.3 * k, 0.8, least), together=f"{k}") for k in range(count)]
+    others = [Panel(plan(f"accelerations-{k}", 9.0, 4.0 + k, least), together=f"{k}") for k in range(count)]
+    panels = (Panel(main, 1.5), *velocities, *others)
+    return Contents(panels, (table(rows, count),), Notes((150.0, 60.0, 90.0), 6.3))
+
+
+def main_of(one: Composition) -> Spot:
+    return one.spots["positions"]
 
 
 def test_two_positions_of_a_crank_rocker_go_on_one_sheet_and_fill_it() -> None:
-    (only,) = compose(content(2), Page("A1"))
-    assert only.main is not None and only.main.scale.mu in (0.001, 0.002)
+    (only,) = compose(contents(2), Page("A1"))
+    assert main_of(only).scale.mu in (0.001, 0.002)
     field = Page("A1").field
-    boxes = [only.main.box, *(spot.box for spot in only.plans.values())]
+    boxes = [spot.box for spot in only.spots.values()]
     assert all(inside(box, field) for box in boxes)
     assert all(apart(one, other) for one, other in itertools.combinations([*boxes, Page("A1").block], 2))
     assert sum(box.width * box.height for box in boxes) > 0.5 * field.width * field.height
 
 
 def test_plans_that_would_be_drawn_smaller_than_their_letters_go_on_a_following_sheet() -> None:
-    composed = compose(content(6, least=100.0), Page("A2"))
-    assert len(composed) > 1 and composed[0].main is not None and not composed[0].plans
-    shown = [name for one in composed for name in one.plans if name.startswith("velocities")]
+    composed = compose(contents(6, least=100.0), Page("A2"))
+    assert len(composed) > 1 and list(composed[0].spots) == ["positions"]
+    shown = [name for one in composed for name in one.spots if name.startswith("velocities")]
     assert shown == [f"velocities-{k}" for k in range(6)]
-    assert all(one.main is None for one in composed[1:])
+    assert all("positions" not in one.spots for one in composed[1:])
 
 
 def test_a_tall_mechanism_on_a_sheet_of_its_own_stands_beside_the_title_block() -> None:
-    tall = replace(
-        content(6, least=100.0), main=picture("positions", [0j, 0.45 + 1.2j], ("l", "m"), Margins(12, 12, 50), 80)
-    )
+    tall = contents(6, least=100.0, main=picture("positions", [0j, 0.45 + 1.2j], ("l", "m"), Margins(12, 12, 50), 80))
     page = Page("A3", standard="ISO")
     first = compose(tall, page)[0]
-    assert first.main is not None and first.main.scale.mu == 0.01
-    shorter = replace(tall, main=picture("positions", [0j, 0.8 + 0.9j], ("l", "m"), Margins(12, 12, 50), 80))
-    first = compose(shorter, page)[0]
-    assert first.main is not None and first.main.scale.mu == 0.005
-    assert apart(first.main.box, page.block) and inside(first.main.box, page.field)
+    assert main_of(first).scale.mu == 0.01
+    low = picture("positions", [0j, 0.8 + 0.9j], ("l", "m"), Margins(12, 12, 50), 80)
+    first = compose(contents(6, least=100.0, main=low), page)[0]
+    assert main_of(first).scale.mu == 0.005
+    assert apart(main_of(first).box, page.block) and inside(main_of(first).box, page.field)
 
 
 def test_a_table_longer_than_a_sheet_is_continued_on_the_next() -> None:
-    composed = compose(content(2, rows=400), Page("A2"))
-    rows = [len(one.content.table.lines) for one in composed if one.content.table is not None]
+    composed = compose(contents(2, rows=400), Page("A2"))
+    rows = [len(own.table.lines) for one in composed for own in one.tables]
     assert sum(rows) == 400 and len(rows) > 1
 
 
 def test_the_plan_of_positions_takes_about_half_the_sheet() -> None:
-    long = replace(content(2), main=picture("positions", [0j, 1.5 + 0.1j], ("l", "m"), Margins(18, 18, 70), 80.0))
-    (only,) = compose(long, Page("A1"))
-    assert only.main is not None and only.main.box.width >= 0.45 * Page("A1").field.width
+    long = picture("positions", [0j, 1.5 + 0.1j], ("l", "m"), Margins(18, 18, 70), 80.0)
+    (only,) = compose(contents(2, main=long), Page("A1"))
+    assert main_of(only).box.width >= 0.45 * Page("A1").field.width
 
 
 def test_a_wide_table_is_set_in_bands_under_each_other() -> None:

@@ -65,4 +65,4 @@ def test_what_vanishes_on_paper_has_no_rule() -> None:
     study = LinkageStudy(parse_scene(text))
     (leaf,) = sheets(study, compare(study))
     named = [stroke.plain for stroke in flat(leaf.groups) if isinstance(stroke, Text)]
-    assert study.scene.sheet.plans == (0, 2) and named.count("vr") == 1
+    assert study.form.sheet.plans == (0, 2) and named.count("vr") == 1

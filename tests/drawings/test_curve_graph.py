@@ -8,10 +8,12 @@ import pytest
 from drawings.figures.graphs import curve_graph, hodograph
 from drawings.figures.graphs.curve_graph import Curve
 from drawings.figures.graphs.hodograph import Hodograph
-from drawings.layout.labels import Ink, Labels
+from drawings.layout.ink import Ink
+from drawings.layout.labels import Labels
 from drawings.layout.picture import Spot
 from drawings.lettering.extent import bounds
 from drawings.measure.measure import Measured, check, measure
+from drawings.page.drafting import Drafting
 from drawings.page.page import Field
 from drawings.page.scale import Scale
 from drawings.paper.hand import hand_of
@@ -38,12 +40,13 @@ def leaf(drawn: Group) -> Leaf:
 
 
 def graph(curve: Curve = CURVE, language: str = "en") -> Group:
-    measure_ = curve_graph.measured(curve, "balancing", "Balancing moment", HAND)
+    drafting, curve = Drafting(HAND, language), curve._replace(title="Balancing moment")
+    measure_ = curve_graph.measure(curve, "balancing", drafting)
     spot = Spot(Field(0, 0, *measure_.size(Scale(2.0, "φ", "°"))), Scale(2.0, "φ", "°"))
-    found = curve_graph.figure(curve, measure_, spot, "Balancing moment", "GOST", HAND, language)
+    found = curve_graph.draw(curve, measure_, spot, drafting)
     ink = Ink(400.0, 300.0)
     ink.draw(found.lines)
-    return found.lettered(Labels(ink, HAND.drafted))
+    return found.letter(Labels(ink, HAND.drafted))[0]
 
 
 def measured(drawn: Group) -> Measured:
@@ -136,13 +139,13 @@ SHOWN = Hodograph("R_{34}", "F", "N", force(DENSE[:-1]), force(AT), 2)
 
 
 def figure(shown: Hodograph = SHOWN) -> Group:
-    measure_ = hodograph.measured(shown, "hodograph-3-4", "Hodograph of R_{34}", HAND)
+    measure_ = hodograph.measure(shown, "hodograph-3-4", Drafting(HAND))
     scale = measure_.ladder(300.0, 250.0).rungs[0].scale
     spot = Spot(Field(0, 0, *measure_.size(scale)), scale)
-    found = hodograph.figure(shown, measure_, spot, "Hodograph of R_{34}", scale.written("en"), HAND)
+    found = hodograph.draw(shown, measure_, spot, Drafting(HAND))
     ink = Ink(400.0, 300.0)
     ink.draw(found.lines)
-    return found.lettered(Labels(ink, HAND.drafted))
+    return found.letter(Labels(ink, HAND.drafted))[0]
 
 
 def test_every_position_of_a_hodograph_is_measured_back_from_its_pole() -> None:

@@ -24,7 +24,7 @@ PASSAGE = Passage("equations", (GROUP, ABOUT_D), 5.0)
 
 
 def drawn(width: float, passage: Passage = PASSAGE) -> list[Text | Line]:
-    strokes = passage.drawn(Field(0.0, 0.0, width, 200.0), HAND).strokes
+    strokes = passage.write(Field(0.0, 0.0, width, 200.0), HAND).strokes
     return [stroke for stroke in strokes if isinstance(stroke, Text | Line)]
 
 
@@ -67,7 +67,7 @@ def test_no_line_is_wider_than_its_column(width: float) -> None:
 def test_a_passage_drawn_in_its_block_stays_in_it(size: int) -> None:
     wide, high = PASSAGE.block().sizes[size]
     box = Field(20.0, 30.0, 20.0 + wide, 30.0 + high)
-    left, bottom, _, top = bounds(PASSAGE.drawn(box, HAND))
+    left, bottom, _, top = bounds(PASSAGE.write(box, HAND))
     assert left >= 20.0 - LEANS and bottom >= 30.0 and top <= box.top
 
 
@@ -131,4 +131,4 @@ def test_letters_of_russian_sheets_are_those_of_russian_courses(ours: str, their
 
 
 def test_drawing_is_one_named_group() -> None:
-    assert isinstance(PASSAGE.drawn(Field(0, 0, 100, 100), HAND), Group)
+    assert isinstance(PASSAGE.write(Field(0, 0, 100, 100), HAND), Group)

@@ -5,7 +5,8 @@ import math
 
 import pytest
 
-from drawings.layout.labels import Ink, Labels
+from drawings.layout.ink import Ink
+from drawings.layout.labels import Labels
 from drawings.lettering.extent import bounds
 from drawings.measure.measure import check, measure
 from drawings.page.scale import Scale
@@ -29,7 +30,7 @@ def labels() -> Labels:
 def test_a_force_to_scale_starts_from_its_point_and_ends_with_its_arrow() -> None:
     one = force_arrow.to_scale("R_{34}", 1200 - 1600j, 100 + 100j, NEWTONS, POLYGON)
     assert one.length == 100.0 and one.start == 100 + 100j and one.tip == pytest.approx(160 + 20j)
-    shaft, head = one.drawn(HAND).strokes
+    shaft, head = one.draw(HAND).strokes
     assert isinstance(shaft, Line) and shaft.end == pytest.approx(160 + 20j) and shaft.style == HAND.result
     assert isinstance(head, Fill) and head.points[0] == pytest.approx(160 + 20j)
 
@@ -41,33 +42,33 @@ def test_a_force_may_end_at_its_point() -> None:
 
 def test_a_force_to_scale_is_measured_back_from_its_sheet() -> None:
     one = force_arrow.to_scale("R^t_{34}", -432.1 + 987.6j, 150 + 80j, NEWTONS, POLYGON)
-    found = measure(svg(Leaf(300.0, 200.0, (one.drawn(HAND),))))
+    found = measure(svg(Leaf(300.0, 200.0, (one.draw(HAND),))))
     (vector,) = found.vectors
     assert vector.name == "R^t_34" and vector.unit == "N" and vector.position == 2
     assert vector.value == pytest.approx(-432.1 + 987.6j, abs=0.5) and check(found) == []
 
 
 def test_a_marked_force_tells_its_direction_but_cannot_be_measured() -> None:
-    drawn = force_arrow.marked("G_4", -3j, 10 + 90j, 25.0).drawn(HAND)
+    drawn = force_arrow.marked("G_4", -3j, 10 + 90j, 25.0).draw(HAND)
     assert drawn.data == {"kind": "force", "name": "G_4", "direction": "0 -1"}
     assert measure(svg(Leaf(300.0, 200.0, (drawn,)))).vectors == ()
 
 
 def test_a_force_known_in_direction_only_is_dashed_with_an_open_head() -> None:
-    shaft, head = force_arrow.marked("R^n_{34}", 1, 40 + 40j, 30.0, unknown=True).drawn(HAND).strokes
+    shaft, head = force_arrow.marked("R^n_{34}", 1, 40 + 40j, 30.0, unknown=True).draw(HAND).strokes
     assert isinstance(shaft, Line) and shaft.style.dash
     assert isinstance(head, Polyline) and not head.closed and head.points[1] == 70 + 40j
 
 
 def test_a_vanishing_force_is_drawn_as_nothing_but_its_place() -> None:
     one = force_arrow.to_scale("Φ_5", 0j, 20 + 20j, NEWTONS, POLYGON)
-    (shaft,) = one.drawn(HAND).strokes
+    (shaft,) = one.draw(HAND).strokes
     assert isinstance(shaft, Line) and shaft.start == shaft.end == 20 + 20j
 
 
 def test_a_marked_force_has_its_letter_at_the_end_away_from_its_point() -> None:
     one = force_arrow.marked("G_4", -1j, 100 + 100j, 30.0)
-    text = one.lettered(labels(), HAND)
+    text = one.letter_beside(labels(), HAND)
     assert isinstance(text, Text) and text.plain == "G4"
     assert abs(complex(bounds(text)[0], bounds(text)[3]) - one.tip) < 8.0
 
@@ -75,8 +76,8 @@ def test_a_marked_force_has_its_letter_at_the_end_away_from_its_point() -> None:
 def test_letters_of_forces_on_one_point_do_not_touch() -> None:
     forces = [force_arrow.marked(f"R_{{{k}}}", cmath.rect(1, k * 0.4), 100 + 100j, 20.0) for k in range(15)]
     ink = Ink(300.0, 200.0)
-    ink.draw([one.drawn(HAND) for one in forces])
-    found = [bounds(text) for text in _texts(force_arrow.lettered(forces, Labels(ink, HAND.drafted), HAND))]
+    ink.draw([one.draw(HAND) for one in forces])
+    found = [bounds(text) for text in _texts(force_arrow.letters(forces, Labels(ink, HAND.drafted), HAND))]
     assert len(found) == 15
     for k, one in enumerate(found):
         for other in found[:k]:
@@ -94,7 +95,7 @@ def _texts(group: Group) -> list[Text]:
 @pytest.mark.parametrize("sweep", [HALF, THREE_QUARTERS])
 def test_a_couples_arrowhead_leads_in_its_sense(sense: int, sweep: float) -> None:
     at = 60 + 60j
-    arc, head = Couple("M^Φ_4", at, sense, 8.0, math.pi / 2, sweep).drawn(HAND).strokes
+    arc, head = Couple("M^Φ_4", at, sense, 8.0, math.pi / 2, sweep).draw(HAND).strokes
     assert isinstance(arc, Arc) and isinstance(head, Fill)
     tip, *wings = head.points
     ahead = tip - sum(wings) / 2
@@ -104,7 +105,7 @@ def test_a_couples_arrowhead_leads_in_its_sense(sense: int, sweep: float) -> Non
 
 
 def test_a_couple_has_its_letter_beyond_its_arc() -> None:
-    text = Couple("M^Φ_4", 100 + 100j, 1, 8.0, math.pi / 2).lettered(labels(), HAND)
+    text = Couple("M^Φ_4", 100 + 100j, 1, 8.0, math.pi / 2).letter_beside(labels(), HAND)
     assert bounds(text)[1] > 108.0
 
 
@@ -120,17 +121,17 @@ def test_an_arm_is_square_to_the_line_of_action() -> None:
 def test_an_arm_is_measured_back_in_metres() -> None:
     metres = Scale(0.002, "l", "m")
     one = arms.to_scale("h_2", 30 + 30j, 90 + 100j, 3 + 4j, metres, Subject("scheme-4-5", "l", 2))
-    found = measure(svg(Leaf(300.0, 200.0, (Group(one.drawn(HAND)),))))
+    found = measure(svg(Leaf(300.0, 200.0, (Group(one.draw(HAND)),))))
     (vector,) = found.vectors
     assert vector.name == "h_2" and abs(vector.value) == pytest.approx(abs(60 * 4 - 70 * 3) / 5 * 0.002, abs=1e-5)
     assert check(found) == []
 
 
 def test_an_arm_too_short_to_see_is_only_a_line_of_action() -> None:
-    (action,) = Arm("h_1", 50 + 50.1j, 20 + 50j, 1 + 0j).drawn(HAND)
+    (action,) = Arm("h_1", 50 + 50.1j, 20 + 50j, 1 + 0j).draw(HAND)
     assert isinstance(action, Line) and action.start == 20 + 50j and action.end.real > 50.0
 
 
 def test_a_line_of_action_through_its_own_foot_is_drawn_past_it() -> None:
-    strokes = Arm("h_1", 50 + 50j, 50 + 20j, 1 + 0j).drawn(HAND)
+    strokes = Arm("h_1", 50 + 50j, 50 + 20j, 1 + 0j).draw(HAND)
     assert isinstance(strokes[0], Line) and abs(strokes[0].end - strokes[0].start) == pytest.approx(arms.PAST)

@@ -141,8 +141,8 @@ def test_compare_tells_every_sum_that_must_vanish(run: Run, worked: Path) -> Non
 def test_masses_that_solve_is_asked_for_are_in_use(run: Run, tmp_path: Path) -> None:
     scene = tmp_path / "scene.toml"
     scene.write_text(LOADED.read_text("utf-8").replace('sheets = ["forces"]', ""), "utf-8")
-    assert "only a force sheet uses this" in run("solve", scene)[2]
-    assert "only a force sheet" not in run("solve", scene, "--only", "forces")[2]
+    assert "no sheet that is asked for uses this" in run("solve", scene)[2]
+    assert "no sheet that is asked for" not in run("solve", scene, "--only", "forces")[2]
 
 
 def test_a_pair_that_jams_is_named_and_ends_with_4(run: Run, tmp_path: Path) -> None:

@@ -10,30 +10,31 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from drawings.checks.reading import groups, texts
-from drawings.checks.verify import SelfCheckFailed, verify
+from drawings.checks.verify import SelfCheckFailed
 from drawings.commands.draw import draw
 from drawings.lettering.lettering import lettered
 from drawings.measure.measure import measure_file
 from drawings.paper.strokes import Group, Leaf, Line, SheetError, Stroke, Text, stated
+from drawings.paper.walk import groups, texts
 from drawings.pens.svg import svg
 from drawings.sheets import forces
-from plans.checks.compare import Comparison, compare
-from plans.checks.force_comparison import compare_forces
+from plans.checks.compare import compare
+from plans.checks.force_comparison import ForceComparison, compare_forces
 from plans.forces.statics import Statics, without
 from plans.linkage.study import LinkageStudy
 from plans.scene.faults import SceneError
 from plans.scene.scene import parse_scene, read_scene
 from tests.drawings.collisions import collisions
+from tests.drawings.memo import verify_loaded
 from tests.plans.force_cases import text_of
 from tests.plans.test_statics import YOKE
 
 GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
-Checked = tuple[LinkageStudy, Comparison, Statics, Leaf]
+Checked = tuple[LinkageStudy, ForceComparison, Statics, Leaf]
 Change = Callable[[Stroke], Stroke | None]
 
 
-def sheets_of(study: LinkageStudy) -> tuple[Comparison, Statics, tuple[Leaf, ...]]:
+def sheets_of(study: LinkageStudy) -> tuple[ForceComparison, Statics, tuple[Leaf, ...]]:
     statics = Statics(study)
     comparison = compare_forces(statics, compare(study))
     return comparison, statics, forces.sheets(study, comparison, statics)
@@ -124,19 +125,19 @@ FAULTS: dict[str, Change] = {
 
 
 def test_the_force_sheet_as_drawn_passes(checked: Checked, tmp_path: Path) -> None:
-    study, comparison, statics, leaf = checked
+    _study, comparison, statics, leaf = checked
     (tmp_path / "sheet.svg").write_bytes(svg(lettered(leaf)))
-    assert verify(tmp_path / "sheet.svg", leaf, study, comparison, statics).vectors
+    assert verify_loaded(tmp_path / "sheet.svg", leaf, statics, comparison).vectors
 
 
 @pytest.mark.parametrize("fault", FAULTS.values(), ids=FAULTS.keys())
 def test_a_fault_withholds_the_force_sheet(checked: Checked, tmp_path: Path, fault: Change) -> None:
-    study, comparison, statics, leaf = checked
+    _study, comparison, statics, leaf = checked
     wrong = changed(leaf, fault)
     assert wrong != leaf, "the fault must be there to be seen"
     (tmp_path / "sheet.svg").write_bytes(svg(lettered(wrong)))
     with pytest.raises(SelfCheckFailed):
-        verify(tmp_path / "sheet.svg", wrong, study, comparison, statics)
+        verify_loaded(tmp_path / "sheet.svg", wrong, statics, comparison)
 
 
 # With a ruler
@@ -150,7 +151,7 @@ def test_a_force_plan_closes_on_the_paper_and_each_side_is_its_force_over_the_sc
     (tmp_path / "sheet.svg").write_bytes(svg(lettered(leaf)))
     measured = measure_file(tmp_path / "sheet.svg")
     sides = {one.name: one for one in measured.vectors if one.plan == "forces-4-5"}
-    told = " ".join(text.plain for group in leaf.groups if group.name == "equations-4-5" for text in texts(group))
+    told = " ".join(text.plain for group in leaf.groups if group.name == "equations-4-5" for text in texts((group,)))
     for name, plain in (("F_us", "Fus"), ("G_5", "G5"), ("R_05", "R05"), ("R_34", "R34"), ("R_54", "R54")):
         found = re.search(rf"{plain} = ([\d.]+) N", told)
         assert found is not None, name
@@ -163,7 +164,7 @@ def test_a_force_plan_closes_on_the_paper_and_each_side_is_its_force_over_the_sc
 def test_the_moments_of_the_equation_with_the_arms_as_stated_cancel(checked: Checked) -> None:
     """ΣM_D of rod 4: the stated forces by the stated arms and the stated couple give zero."""
     leaf = checked[3]
-    told = " ".join(text.plain for group in leaf.groups if group.name == "equations-4-5" for text in texts(group))
+    told = " ".join(text.plain for group in leaf.groups if group.name == "equations-4-5" for text in texts((group,)))
     value = {name: float(number) for name, number in re.findall(r"(\S+) = (-?[\d.]+)", told.replace("−", "-"))}
     arms = {"h1": value["h1"] / 1000, "h2": value["h2"] / 1000, "lBD": 0.2}
     total = 0.0
@@ -199,13 +200,13 @@ def test_each_force_plan_states_the_scale_that_it_is_drawn_to(checked: Checked, 
         for group in leaf.groups:
             if group.name.startswith("forces-"):
                 (scale,) = {one.scale for one in measured.vectors if group.name.startswith(f"{one.plan}-")}
-                assert any(text.plain == f"μF = {scale:g} N/mm" for text in texts(group))
+                assert any(text.plain == f"μF = {scale:g} N/mm" for text in texts((group,)))
 
 
 def test_a_russian_sheet_letters_reactions_as_it_is_told_and_has_decimal_commas() -> None:
     text = text_of("shaper", ("[friction]", '[sheet]\nlanguage = "ru"\nreactions = "P"\n\n[friction]'))
     _, _, (leaf,) = sheets_of(LinkageStudy(parse_scene(text)))
-    told = [text.plain for group in leaf.groups for text in texts(group)]
+    told = [text.plain for group in leaf.groups for text in texts((group,))]
     assert "Pτ34" in told
     assert not any(re.fullmatch(r"R[nτtu]?\d\d", one) for one in told)
     assert any(one.startswith("План сил группы 4-5") for one in told)
@@ -233,13 +234,13 @@ def test_the_force_sheet_of_each_kind_of_dyad_has_no_collisions(name: str, tmp_p
         assert collisions(leaf) == []
         path = tmp_path / f"{k}.svg"
         path.write_bytes(svg(lettered(leaf)))
-        verify(path, leaf, study, comparison, statics)
+        verify_loaded(path, leaf, statics, comparison)
 
 
 def test_every_force_on_a_scheme_has_one_arrow(checked: Checked) -> None:
     leaf = checked[3]
     (scheme,) = (group for group in leaf.groups if group.name.startswith("scheme-4-5"))
-    arrows = [one.data["name"] for one in groups(scheme) if one.data.get("kind") == "force"]
+    arrows = [one.data["name"] for one in groups((scheme,)) if one.data.get("kind") == "force"]
     assert sorted(arrows) == sorted(["Φ_4", "G_4", "Φ_5", "G_5", "F_us", "R^n_34", "R^t_34", "R_05"])
 
 
@@ -256,7 +257,7 @@ def test_a_force_sheet_alone_draws_no_kinematics(tmp_path: Path) -> None:
 def test_a_balancing_moment_that_is_but_rounding_is_drawn_and_written_as_none() -> None:
     """A yoke twisted in its guide takes nothing from the crank: no diagram of roundings, no 0.0000000000002 N."""
     comparison, _, leaves = sheets_of(LinkageStudy(parse_scene(YOKE)))
-    told = [text.plain for leaf in leaves for group in leaf.groups for text in texts(group)]
+    told = [text.plain for leaf in leaves for group in leaf.groups for text in texts((group,))]
     assert not any(re.search(r"0\.00000000", one) for one in told)
     assert "Mbal = 0 N·m" in told
     assert comparison.agrees
@@ -264,15 +265,14 @@ def test_a_balancing_moment_that_is_but_rounding_is_drawn_and_written_as_none() 
 
 def test_a_position_that_the_analysis_alone_gives_up_has_no_ordinate(checked: Checked, tmp_path: Path) -> None:
     study, comparison, statics, whole = checked
-    assert comparison.forces is not None
     gone = np.arange(len(study.turn.phi)) == 5
-    one, other = (without(road, gone) for road in comparison.forces)
-    less = comparison._replace(forces=(one, other))
+    one, other = (without(road, gone) for road in (comparison.construction, comparison.analysis))
+    less = replace(comparison, construction=one, analysis=other)
     leaf = forces.sheets(study, less, statics)[0]
 
-    def ordinates(shown: Leaf, against: Comparison) -> set[int | None]:
+    def ordinates(shown: Leaf, against: ForceComparison) -> set[int | None]:
         (tmp_path / "sheet.svg").write_bytes(svg(lettered(shown)))
-        told = verify(tmp_path / "sheet.svg", shown, study, against, statics)
+        told = verify_loaded(tmp_path / "sheet.svg", shown, statics, against)
         return {vector.position for vector in told.vectors if vector.plan == "balancing"}
 
     assert ordinates(whole, comparison) - ordinates(leaf, less) == {5}
@@ -320,7 +320,7 @@ def test_thirteen_links_have_indices_apart_and_their_rows_are_read() -> None:
         for leaf in leaves
         for group in leaf.groups
         if group.name.startswith("values")
-        for text in texts(group)
+        for text in texts((group,))
     ]
     assert "R12,13, N" in names
     assert "R1,12, N" in names

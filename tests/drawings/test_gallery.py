@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from drawings.commands.draw import Drawn, draw
+from drawings.commands.draw import SheetSet, draw
 from drawings.files.manifest import read_manifest
 from drawings.gallery import __main__ as command
 from drawings.gallery import index
@@ -20,8 +20,8 @@ from drawings.measure.seal import digest, sealed
 from drawings.page.page import page_of
 from drawings.paper.limits import QUANTUM
 from drawings.paper.strokes import Group, Stroke
-from plans.linkage.study import LinkageStudy
 from plans.scene.scene import read_scene
+from plans.study import Study
 from tests.drawings.collisions import collisions
 
 ENTRIES = catalogue()
@@ -40,12 +40,12 @@ def entry(request: pytest.FixtureRequest) -> Entry:
 
 
 @pytest.fixture(scope="session")
-def drawn(entry: Entry, tmp_path_factory: pytest.TempPathFactory) -> Drawn:
+def drawn(entry: Entry, tmp_path_factory: pytest.TempPathFactory) -> SheetSet:
     return draw(entry.path, tmp_path_factory.mktemp(entry.name))
 
 
 @pytest.fixture(scope="session")
-def exhibit(entry: Entry, drawn: Drawn) -> index.Exhibit:
+def exhibit(entry: Entry, drawn: SheetSet) -> index.Exhibit:
     return index.Exhibit(entry, drawn.study, drawn.paths)
 
 
@@ -81,20 +81,20 @@ def as_reported(fresh: str, kept: str) -> None:
 # The files of the gallery
 
 
-def test_its_sheets_and_report_are_drawn_again_as_they_were(drawn: Drawn) -> None:
+def test_its_sheets_and_report_are_drawn_again_as_they_were(drawn: SheetSet) -> None:
     for path in drawn.paths:
         same = as_drawn if path.suffix == ".svg" else as_reported
         same(path.read_text("utf-8"), (GALLERY / path.name).read_text("utf-8"))
 
 
-def test_its_sheets_measure_and_are_sealed(drawn: Drawn) -> None:
+def test_its_sheets_measure_and_are_sealed(drawn: SheetSet) -> None:
     sheets = [path for path in drawn.paths if path.suffix == ".svg"]
-    assert len(sheets) == len(drawn.leaves)
+    assert len(sheets) == len(drawn.sheets)
     assert all(sealed(path.read_bytes()) for path in sheets)
 
 
-def test_nothing_lies_outside_its_frame(drawn: Drawn) -> None:
-    for leaf in drawn.leaves:
+def test_nothing_lies_outside_its_frame(drawn: SheetSet) -> None:
+    for leaf in drawn.sheets:
         field = page_of(drawn.study.scene).field
         for group in leaf.groups:
             if group.name != "frame":
@@ -103,11 +103,11 @@ def test_nothing_lies_outside_its_frame(drawn: Drawn) -> None:
                 assert field.bottom - LINE <= bottom and top <= field.top + LINE, group.name
 
 
-def test_no_lettering_touches_a_line_an_arrow_or_other_lettering(drawn: Drawn) -> None:
-    assert [found for leaf in drawn.leaves for found in collisions(leaf)] == []
+def test_no_lettering_touches_a_line_an_arrow_or_other_lettering(drawn: SheetSet) -> None:
+    assert [found for leaf in drawn.sheets for found in collisions(leaf)] == []
 
 
-def test_the_gallery_holds_what_its_scenes_draw_and_nothing_stale(drawn: Drawn, entry: Entry) -> None:
+def test_the_gallery_holds_what_its_scenes_draw_and_nothing_stale(drawn: SheetSet, entry: Entry) -> None:
     longer = tuple(f"{other.name}-" for other in ENTRIES if other.name.startswith(f"{entry.name}-"))
     kept = {path.name for path in GALLERY.glob(f"{entry.name}-*.*") if path.suffix in command.WRITTEN}
     assert {name for name in kept if not longer or not name.startswith(longer)} == {p.name for p in drawn.paths}
@@ -137,7 +137,7 @@ def test_every_scene_says_in_its_opening_what_the_mechanism_is_and_gives_its_rus
 
 def shaper(*names: str) -> index.Exhibit:
     (entry,) = (entry for entry in ENTRIES if entry.name == "shaper")
-    return index.Exhibit(entry, LinkageStudy(read_scene(entry.path)), tuple(map(Path, names)))
+    return index.Exhibit(entry, Study(read_scene(entry.path)), tuple(map(Path, names)))
 
 
 def test_the_index_page_has_the_scene_s_row_and_section(exhibit: index.Exhibit) -> None:

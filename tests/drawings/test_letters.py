@@ -9,9 +9,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from drawings.checks.verify import SelfCheckFailed, verify
+from drawings.checks.verify import SelfCheckFailed
 from drawings.commands.draw import draw
-from drawings.commands.explain import find
 from drawings.figures.forces.lever_plan import hanging
 from drawings.figures.linkage.vector_plan import diagram
 from drawings.lettering.lettering import lettered
@@ -23,10 +22,12 @@ from plans.checks.compare import compare
 from plans.checks.expected import Expected
 from plans.checks.force_comparison import compare_forces
 from plans.linkage.letters import Letters
+from plans.linkage.marks import find
 from plans.linkage.study import LinkageStudy
 from plans.model.machine import Body
 from plans.model.mechanism import Mechanism
 from plans.scene.scene import parse_scene
+from tests.drawings.memo import verify_motion
 from tests.plans import linkages
 from tests.plans.alterations import renamed
 from tests.plans.loaded import Loaded
@@ -161,9 +162,10 @@ def wrong(one: Loaded) -> list[str]:
     """Name what the two roads, or the arrows by analysis, do not agree in, and what is lettered twice."""
     statics = one.statics
     comparison = compare_forces(statics, compare(one.study))
-    found = [finding.name for finding in comparison.findings if not (finding.excess <= 1).all()]
+    findings = (*comparison.motion.findings, *comparison.findings)
+    found = [finding.name for finding in findings if not (finding.excess <= 1).all()]
     drafts, plans = one.study.drafts(), statics.drafts().plans
-    expected = Expected(one.mechanism, comparison.analysis, 0, drafts.velocities.written)
+    expected = Expected(one.mechanism, comparison.motion.analysis, 0, drafts.velocities.written)
     arrows = expected.arrows(one.study.groups)
     for plan in (drafts.velocities, drafts.accelerations):
         drawn = diagram(plan, 0).arrows
@@ -237,11 +239,11 @@ def test_either_coriolis_part_is_on_the_sheet_and_held_against_the_analysis(part
     comparison = compare(one)
     leaf = sheet(one, comparison)
     (tmp_path / "right.svg").write_bytes(svg(lettered(leaf)))
-    assert part in {vector.name for vector in verify(tmp_path / "right.svg", leaf, one, comparison).vectors}
+    assert part in {vector.name for vector in verify_motion(tmp_path / "right.svg", leaf, one, comparison).vectors}
     longer = replace(leaf, groups=tuple(_group(_longer(group, part)) for group in leaf.groups))
     (tmp_path / "wrong.svg").write_bytes(svg(lettered(longer)))
     with pytest.raises(SelfCheckFailed, match=f"{part} on accelerations"):
-        verify(tmp_path / "wrong.svg", longer, one, comparison)
+        verify_motion(tmp_path / "wrong.svg", longer, one, comparison)
 
 
 def _longer(stroke: Stroke, name: str) -> Stroke:
@@ -268,8 +270,9 @@ def test_a_piston_named_p_is_drawn_lettered_checked_and_explained(tmp_path: Path
     kinematics, forces = (measure_file(path) for path in drawn.paths if path.suffix == ".svg")
     assert {"p p'", "π p'", "c p'"} <= {vector.name for vector in kinematics.vectors}
     images = {point.name: point.value for point in forces.points if point.plan == "lever"}
-    speed = drawn.comparison.analysis.points["P"].v
+    speed = drawn.study.comparison("linkage").analysis.points["P"].v
     assert speed is not None
     assert images["p'"] == pytest.approx(-1j * complex(speed[0]), rel=1e-3)
-    found = find(drawn.study, drawn.study.drafts([0]), "p'")
-    assert found == find(drawn.study, drawn.study.drafts([0]), "v_P")
+    linkage = drawn.study["linkage"]
+    found = find(linkage, linkage.drafts([0]), "p'")
+    assert found == find(linkage, linkage.drafts([0]), "v_P")

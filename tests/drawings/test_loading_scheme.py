@@ -12,9 +12,12 @@ import numpy as np
 import pytest
 
 from drawings.figures.forces.force_fan import LONG, SHORT, lengths
-from drawings.figures.forces.loading_scheme import Scheme, SchemeFigure, figure, leverages, measured, scheme
-from drawings.layout.labels import Ink, Labels
+from drawings.figures.forces.loading_scheme import Scheme, SchemeFigure, draw, leverages, measure, scheme
+from drawings.figures.forces.shown_force import KNOWN
+from drawings.layout.ink import Ink
+from drawings.layout.labels import Labels
 from drawings.layout.picture import Spot
+from drawings.page.drafting import Drafting
 from drawings.page.page import Field
 from drawings.paper.hand import Hand, hand_of
 from drawings.paper.strokes import Group, Leaf, Line, Stroke, Text
@@ -97,15 +100,16 @@ def drawn(name: str, number: int, column: int, hand: Hand | None = None, languag
     plan, hand = plan_of(name), hand or hand_of("A3")
     cut = plan.cuts[number]
     shown = scheme(plan, cut, column)
-    measure = measured(shown, "scheme", hand, language)
-    rung = measure.ladder(ROOM.width, ROOM.height).rungs[0]
+    drafting = Drafting(hand, language)
+    room = measure(shown, "scheme", drafting)
+    rung = room.ladder(ROOM.width, ROOM.height).rungs[0]
     half = complex(rung.wide, rung.high) / 2
     low, high = ROOM.centre - half, ROOM.centre + half
     spot = Spot(Field(low.real, low.imag, high.real, high.imag), rung.scale)
-    found = figure(shown, measure, spot, rung.scale.written(language), hand, language)
+    found = draw(shown, room, spot, drafting)
     ink = Ink(300, 300)
     ink.draw(found.lines)
-    return Drawn(plan, cut, column, shown, found, found.lettered(Labels(ink, hand.other)))
+    return Drawn(plan, cut, column, shown, found, found.letter(Labels(ink, hand.other))[0])
 
 
 def flat(strokes: tuple[Stroke, ...]) -> Iterator[Stroke]:
@@ -135,9 +139,9 @@ def value(found: Drawn, name: str) -> complex:
 @over("one", ALL)
 def test_every_arrow_points_as_its_force_does(one: tuple[str, int, int]) -> None:
     found = drawn(*one)
-    for force, held in zip(found.shown.acting.forces, found.figure.layout.arrows, strict=True):
+    for force, arrow in zip(found.shown.acting.forces, found.figure.layout.arrows, strict=True):
         true = value(found, force.name)
-        run = held.arrow.tip - held.arrow.start
+        run = arrow.tip - arrow.start
         assert abs(run / abs(run) - true / abs(true)) < HAIR, force.name
 
 
@@ -146,9 +150,9 @@ def test_every_force_acts_along_a_line_through_its_point(one: tuple[str, int, in
     found = drawn(*one)
     for load in found.cut.loads:
         point = found.figure.place.on(at(load.at.point, found.column))
-        for force, held in zip(found.shown.acting.forces, found.figure.layout.arrows, strict=True):
+        for force, arrow in zip(found.shown.acting.forces, found.figure.layout.arrows, strict=True):
             if force.name == load.name:
-                off = (held.arrow.start - point) / (held.arrow.tip - held.arrow.start)
+                off = (arrow.start - point) / (arrow.tip - arrow.start)
                 assert abs(off.imag) < HAIR, load.name
 
 
@@ -156,7 +160,7 @@ def test_every_force_acts_along_a_line_through_its_point(one: tuple[str, int, in
 def test_every_known_force_that_is_not_zero_has_one_arrow_and_one_letter(one: tuple[str, int, int]) -> None:
     found = drawn(*one)
     acting = [load.name for load in found.cut.loads if abs(at(load.force.point, found.column)) > 1e-6]
-    drawn_ = [force.name for force in found.shown.acting.forces if not force.unknown]
+    drawn_ = [force.name for force in found.shown.acting.forces if force.kind == KNOWN]
     assert sorted(drawn_) == sorted(acting)
     letters = written(found)
     assert all(letters.count(plain(name)) == 1 for name in acting)
@@ -166,7 +170,7 @@ def test_every_known_force_that_is_not_zero_has_one_arrow_and_one_letter(one: tu
 def test_every_reaction_is_unknown_and_shown_by_its_parts(one: tuple[str, int, int]) -> None:
     found = drawn(*one)
     parts = [mark.name for support in found.cut.supports for mark in support.parts or (support.force,)]
-    unknown = {force.name for force in found.shown.acting.forces if force.unknown}
+    unknown = {force.name for force in found.shown.acting.forces if force.kind != KNOWN}
     assert {name for name in parts if abs(value(found, name)) > 1e-6} == unknown - {"P_bal"}
 
 
@@ -265,7 +269,7 @@ def test_every_link_bears_its_number_and_every_point_its_letter(one: tuple[str, 
 
 @over("one", ALL)
 def test_two_arrows_of_one_line_of_action_do_not_cover_each_other(one: tuple[str, int, int]) -> None:
-    arrows = [held.arrow for held in drawn(*one).figure.layout.arrows]
+    arrows = list(drawn(*one).figure.layout.arrows)
     for k, first in enumerate(arrows):
         for second in arrows[:k]:
             ends = [(end - first.start) / first.direction for end in (second.start, second.tip)]
@@ -279,7 +283,7 @@ def test_every_line_stays_in_the_room_that_was_measured(one: tuple[str, int, int
     layout = drawn(*one).figure.layout
     box = layout.box
     assert box is not None
-    for arrow in (held.arrow for held in layout.arrows):
+    for arrow in layout.arrows:
         for end in (arrow.start, arrow.tip):
             assert box.left <= end.real <= box.right and box.bottom <= end.imag <= box.top, arrow.letter
 

@@ -14,9 +14,10 @@ import numpy as np
 import pytest
 
 from drawings.figures.linkage.pairs import Pairs
-from drawings.figures.linkage.position_plan import figure, letters
+from drawings.figures.linkage.position_plan import layers, letters
 from drawings.figures.linkage.skeleton import Skeletons, skeletons
-from drawings.layout.labels import Ink, Labels
+from drawings.layout.ink import Ink
+from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, picture
 from drawings.layout.place import Place
 from drawings.lettering.extent import bounds
@@ -78,7 +79,7 @@ def drawn(name: str, hand: Hand = A1) -> Figure:
     measured = picture(name, bones.points, ("l", "m"), Margins(0.0, 0.0, 0.0), 0.0)
     place = measured.placed(ROOM, measured.ladder(ROOM.width, ROOM.height).rungs[0].scale)
     pairs = Pairs(bones, place, hand)
-    groups = figure(pairs, "en")
+    groups = layers(pairs, "en")
     ink = Ink(440, 440)
     ink.draw(groups)
     return Figure(
@@ -285,7 +286,7 @@ def test_an_offset_slide_is_joined_to_its_block_square_and_rigidly(name: str, pi
     assert len(bracket) == 1 and shape(bracket[0]).distance(shape(block)) < HAIR  # type: ignore[attr-defined]
     fills = [s for s in found.strokes("shown-position") if isinstance(s, Fill)]
     assert sum(shape(fill).distance(shape(block)) < HAIR for fill in fills) == 2  # type: ignore[attr-defined]
-    offset = found.place.length(abs(float(found.bones.study.scene.mechanism.slides[0].offset)))
+    offset = found.place.length(abs(float(found.bones.study.form.mechanism.slides[0].offset)))
     assert abs(np.mean(block.points) - circle.centre) == pytest.approx(offset)  # type: ignore[arg-type]
 
 

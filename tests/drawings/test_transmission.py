@@ -19,7 +19,7 @@ def test_the_line_of_action_leaves_the_pitch_tangent_by_the_pressure_angle(at: f
     pressure = math.radians(20)
     action = 1j * sense * cmath.rect(1, at + sense * pressure)
     gear = Gear(100 + 100j, 60.0, at, action)
-    circle, tangent, line, arc, contact = gear.drawn(HAND)
+    circle, tangent, line, arc, contact = gear.draw(HAND)
     assert isinstance(circle, Arc) and circle.radius == 60.0 and circle.style.dash
     assert isinstance(contact, Circle) and abs(contact.centre - gear.centre) == pytest.approx(60.0)
     assert isinstance(arc, Arc) and arc.sweep == pytest.approx(pressure)
@@ -32,7 +32,7 @@ def test_the_line_of_action_leaves_the_pitch_tangent_by_the_pressure_angle(at: f
 
 
 def test_a_large_wheel_may_be_drawn_by_the_arc_at_the_pinion() -> None:
-    arc = Gear(0j, 200.0, 1.0, 1j).drawn(HAND, whole=False)[0]
+    arc = Gear(0j, 200.0, 1.0, 1j).draw(HAND, whole=False)[0]
     assert isinstance(arc, Arc) and arc.sweep < math.pi / 2 and arc.at(0.5) == pytest.approx(cmath.rect(200, 1.0))
 
 

@@ -8,20 +8,21 @@ from pathlib import Path
 
 import pytest
 
-from drawings.checks.verify import SelfCheckFailed, verify
+from drawings.checks.verify import SelfCheckFailed
 from drawings.lettering.lettering import lettered
 from drawings.paper.strokes import Circle, Group, Leaf, Line, Stroke, Text, stated
 from drawings.pens.svg import svg
 from drawings.sheets.kinematics import sheet
-from plans.checks.compare import Comparison, compare
+from plans.checks.compare import MotionComparison, compare
 from plans.linkage.study import LinkageStudy
 from plans.scene.scene import read_scene
+from tests.drawings.memo import verify_motion
 
 SHAPER = Path(__file__).parents[2] / "drawings" / "gallery" / "shaper.toml"
 
 
 @pytest.fixture(scope="module")
-def checked() -> tuple[LinkageStudy, Comparison, Leaf]:
+def checked() -> tuple[LinkageStudy, MotionComparison, Leaf]:
     study = LinkageStudy(read_scene(SHAPER))
     comparison = compare(study)
     return study, comparison, sheet(study, comparison)
@@ -112,36 +113,36 @@ FAULTS: dict[str, Change] = {
 }
 
 
-def test_the_sheet_as_drawn_passes(checked: tuple[LinkageStudy, Comparison, Leaf], tmp_path: Path) -> None:
+def test_the_sheet_as_drawn_passes(checked: tuple[LinkageStudy, MotionComparison, Leaf], tmp_path: Path) -> None:
     study, comparison, leaf = checked
     (tmp_path / "sheet.svg").write_bytes(svg(lettered(leaf)))
-    assert verify(tmp_path / "sheet.svg", leaf, study, comparison).vectors
+    assert verify_motion(tmp_path / "sheet.svg", leaf, study, comparison).vectors
 
 
 @pytest.mark.parametrize("fault", FAULTS.values(), ids=FAULTS.keys())
 def test_a_fault_withholds_the_sheet(
-    checked: tuple[LinkageStudy, Comparison, Leaf], tmp_path: Path, fault: Change
+    checked: tuple[LinkageStudy, MotionComparison, Leaf], tmp_path: Path, fault: Change
 ) -> None:
     study, comparison, leaf = checked
     wrong = changed(leaf, fault)
     assert wrong != leaf, "the fault must be there to be seen"
     (tmp_path / "sheet.svg").write_bytes(svg(lettered(wrong)))
     with pytest.raises(SelfCheckFailed):
-        verify(tmp_path / "sheet.svg", wrong, study, comparison)
+        verify_motion(tmp_path / "sheet.svg", wrong, study, comparison)
 
 
-def test_a_scale_may_be_written_as_k(checked: tuple[LinkageStudy, Comparison, Leaf], tmp_path: Path) -> None:
+def test_a_scale_may_be_written_as_k(checked: tuple[LinkageStudy, MotionComparison, Leaf], tmp_path: Path) -> None:
     study, comparison, leaf = checked
     other = changed(leaf, rewritten("μ_v = 0.01 (m/s)/mm", "K_v = 100 mm/(m/s)"))
     assert other != leaf
     (tmp_path / "sheet.svg").write_bytes(svg(lettered(other)))
-    assert verify(tmp_path / "sheet.svg", other, study, comparison).vectors
+    assert verify_motion(tmp_path / "sheet.svg", other, study, comparison).vectors
 
 
 def test_a_sheet_that_cannot_be_read_is_our_failure_not_the_user_s(
-    checked: tuple[LinkageStudy, Comparison, Leaf], tmp_path: Path
+    checked: tuple[LinkageStudy, MotionComparison, Leaf], tmp_path: Path
 ) -> None:
     study, comparison, leaf = checked
     (tmp_path / "sheet.svg").write_bytes(svg(lettered(leaf))[:-500])
     with pytest.raises(SelfCheckFailed, match="cannot be measured"):
-        verify(tmp_path / "sheet.svg", leaf, study, comparison)
+        verify_motion(tmp_path / "sheet.svg", leaf, study, comparison)

@@ -13,11 +13,12 @@ from drawings.checks.verify_friction import friction_of, reads, report_of
 from drawings.paper.strokes import Group, Leaf, Text
 from drawings.report.report import report
 from drawings.sheets import forces
-from plans.checks.compare import Comparison, compare
-from plans.checks.force_comparison import compare_forces
+from plans.checks.compare import compare
+from plans.checks.force_comparison import ForceComparison, compare_forces
 from plans.forces.statics import Statics
 from plans.linkage.study import LinkageStudy
 from plans.scene.scene import parse_scene
+from tests.drawings.memo import loaded_memo
 from tests.plans.loaded import GALLERY
 
 SHAPER = next(path for path in GALLERY if path.stem == "shaper-loaded").read_text("utf-8")
@@ -60,7 +61,7 @@ class Sheet(NamedTuple):
     """A force sheet in memory, and the report beside it."""
 
     leaf: Leaf
-    comparison: Comparison
+    comparison: ForceComparison
     text: str
     language: str
 
@@ -74,7 +75,7 @@ def made(text: str) -> Sheet:
     statics = Statics(study)
     comparison = compare_forces(statics, compare(study))
     leaves = forces.sheets(study, comparison, statics)
-    said = report(study, comparison, {"forces": leaves}, statics)
+    said = report(loaded_memo(statics, comparison), {"forces": leaves})
     return Sheet(leaves[0], comparison, said, study.scene.sheet.language)
 
 
@@ -149,7 +150,7 @@ def test_a_wrong_number_in_the_report_is_seen(shaper: Sheet, old: str) -> None:
     wrong = shaper.text[: found.start(1)] + digit + shaper.text[found.end(1) :]
     assert list(report_of(wrong, shaper.comparison)) != []
     with pytest.raises(verify.SelfCheckFailed, match="the report does not tell"):
-        verify.check_report(wrong, shaper.comparison)
+        verify.verify_report(report_of(wrong, shaper.comparison))
 
 
 def test_a_jam_that_the_report_leaves_out_is_seen(steep: Sheet) -> None:

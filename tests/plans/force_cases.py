@@ -8,8 +8,9 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from plans.checks.compare import Comparison, Finding, compare
-from plans.checks.force_comparison import compare_forces
+from plans.checks.compare import compare
+from plans.checks.comparison import Finding
+from plans.checks.force_comparison import ForceComparison, compare_forces
 from plans.forces.statics import Statics
 from plans.linkage.study import LinkageStudy
 from plans.model.kinetostatics import Kinetostatics
@@ -36,25 +37,24 @@ def statics_of(text: str) -> Statics:
 
 
 @cache
-def worked(name: str) -> tuple[Statics, Comparison]:
+def worked(name: str) -> tuple[Statics, ForceComparison]:
     """Give a worked scene's statics, and its forces by both roads."""
     statics = statics_of(text_of(name))
     return statics, compare_forces(statics, compare(statics.study))
 
 
-def compared(text: str) -> Comparison:
+def compared(text: str) -> ForceComparison:
     """Give the forces of a scene's text by both roads."""
     statics = statics_of(text)
     return compare_forces(statics, compare(statics.study))
 
 
-def of_road(comparison: Comparison, road: str) -> Kinetostatics:
+def of_road(comparison: ForceComparison, road: str) -> Kinetostatics:
     """Give the forces by one road."""
-    assert comparison.forces is not None
-    return comparison.forces[ROADS.index(road)]
+    return (comparison.construction, comparison.analysis)[ROADS.index(road)]
 
 
-def finding(comparison: Comparison, name: str) -> Finding:
+def finding(comparison: ForceComparison, name: str) -> Finding:
     """Give the finding of a name."""
     (found,) = (one for one in comparison.findings if one.name == name)
     return found

@@ -196,7 +196,7 @@ def scenes() -> tuple[tuple[Mechanism, tuple[float, ...]], ...]:
 
 def _angles(study: LinkageStudy) -> tuple[float, ...]:
     """Give the angles of a scene; one that starts at an extreme is taken from its sketch on."""
-    positions = study.scene.drive.positions
+    positions = study.form.drive.positions
     if isinstance(positions, tuple):
         return tuple(float(angle) for angle in positions)
     assert study.assembly.phi is not None

@@ -26,7 +26,8 @@ def study_of(mechanism: Mechanism, first: Angle | None = 0, positions: int | Seq
         start = wanted[0]
     drive = SimpleNamespace(first=start, positions=wanted)
     table = SimpleNamespace(sketch=mechanism.sketch)
-    scene = SimpleNamespace(file="by hand", sheets=(), drive=drive, mechanism=table, place=lambda path: (1, 1))
+    form = SimpleNamespace(drive=drive, mechanism=table)
+    scene = SimpleNamespace(file="by hand", sheets=(), of=lambda kind: form, place=lambda path: (1, 1))
     study = LinkageStudy(cast(Scene, scene))
     study.__dict__["mechanism"] = mechanism
     return study

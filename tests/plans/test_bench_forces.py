@@ -20,6 +20,7 @@ from plans.bench.roads import Ground, ground, prepared, roads, with_positions
 from plans.bench.truth import FORCE_KINDS, Truth, of_forces, replay
 from plans.checks.compare import notches
 from plans.forces.force_template import ForcePattern
+from plans.forces.reading.form import ForceForm
 from plans.scene.scene import Scene, parse_scene, read_scene
 from tests.plans.force_cases import WORKED
 
@@ -159,8 +160,9 @@ def test_a_scene_without_forces_has_nothing_of_them() -> None:
 
 
 def test_positions_of_force_sheets_that_are_not_there_are_left_out() -> None:
-    asked = scene().changed(sheet=scene().sheet.changed(forces=(0, 8, 20)))
-    assert with_positions(asked, 12).sheet.forces == (0, 8)
+    form = scene().of(ForceForm)
+    asked = scene().changed(form.changed(sheet=form.sheet.changed(forces=(0, 8, 20))))
+    assert with_positions(asked, 12).of(ForceForm).sheet.forces == (0, 8)
 
 
 def test_a_long_energy_balance_is_left_out_and_says_why() -> None:

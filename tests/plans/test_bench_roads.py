@@ -28,6 +28,7 @@ from plans.bench.roads import (
 )
 from plans.linkage import study as studies
 from plans.linkage.plan_template import PlanTemplate
+from plans.linkage.reading.form import LinkageForm
 from plans.scene.scene import parse_scene, read_scene
 
 GALLERY = Path(__file__).parent.parent.parent / "drawings/gallery"
@@ -103,7 +104,7 @@ def test_more_positions_begin_where_the_scene_begins() -> None:
     assert len(prepared(scene, 11).turn) == 11
     listed = (GALLERY / "crank-rocker.toml").read_text("utf-8").replace('start = "extreme"\n', "")
     listed = listed.replace("positions = 12", "positions = [15, 40, 70]").replace("plans = [4, 10]", "")
-    drive = with_positions(parse_scene(listed), 5).drive
+    drive = with_positions(parse_scene(listed), 5).of(LinkageForm).drive
     assert (drive.positions, drive.first) == (5, 15)
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from drawings.commands.draw import draw
-from plans.checks.compare import Comparison, compare, compare_extremes
+from plans.checks.compare import MotionComparison, compare, compare_extremes
 from plans.checks.force_comparison import compare_forces
 from plans.forces.statics import Statics
 from plans.linkage.study import LinkageStudy
@@ -57,7 +57,7 @@ def study(text: str, through: str = 'through = "parallel"', speed: float = 20.0,
     return LinkageStudy(parse_scene(text.format(through=through, speed=speed, start=start), "rod.toml"))
 
 
-def compared(one: LinkageStudy) -> Comparison:
+def compared(one: LinkageStudy) -> MotionComparison:
     comparison = compare_extremes(one, compare(one))
     assert comparison.agrees and not comparison.alone
     return comparison
@@ -130,7 +130,7 @@ def test_its_sheets_are_drawn_and_verified(tmp_path) -> None:
     text = COUPLING_ROD.format(through='through = "parallel"', speed=20, start=60)
     scene.write_text(f'title = "Coupling rod"\nsheets = ["kinematics", "forces"]\n{text}', encoding="utf-8")
     drawn = draw(scene, tmp_path / "out")
-    assert len(drawn.leaves) >= 2
+    assert len(drawn.sheets) >= 2
     assert "carried through" in (tmp_path / "out" / "rod-report.md").read_text(encoding="utf-8")
 
 

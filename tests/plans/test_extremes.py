@@ -7,9 +7,9 @@ import pytest
 
 from plans.analytic.kinematics import Analysis
 from plans.linkage.extreme import Found
+from plans.linkage.reading.linkage import mechanism_of
 from plans.linkage.study import LinkageStudy, NoExtreme
 from plans.model.mechanism import Mechanism
-from plans.scene.linkage import mechanism_of
 from plans.scene.scene import parse_scene
 from tests.plans import linkages
 from tests.plans.digits import printed

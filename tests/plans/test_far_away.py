@@ -7,8 +7,9 @@ from decimal import Decimal
 import numpy as np
 import pytest
 
+from plans.linkage.reading.form import LinkageForm
+from plans.linkage.reading.linkage import mechanism_of
 from plans.linkage.study import LinkageStudy
-from plans.scene.linkage import mechanism_of
 from plans.scene.scene import parse_scene
 
 ORIGIN = (Decimal(0), Decimal(0))
@@ -126,12 +127,12 @@ def test_a_far_frame_changes_no_bit(text, origin):
         turned = second.links[number]
         pairs = ((link.angle, turned.angle), (link.omega, turned.omega), (link.epsilon, turned.epsilon))
         assert all(one is not None and same is not None and one.tobytes() == same.tobytes() for one, same in pairs)
-    if near.scene.drive.start == "extreme":
+    if near.form.drive.start == "extreme":
         assert near.found is not None and far.found is not None
         assert near.found.extremes == far.found.extremes
 
 
 def test_the_braces_are_moved():
     scene = study_at(SHAPER, FAR[0]).scene
-    assert scene.mechanism.frame["C"] == (Decimal("100000000.35"), Decimal("-100000000.55"))
-    assert scene.mechanism.sketch["B"] == (Decimal("100000000.45"), Decimal("-99999999.88"))
+    assert scene.of(LinkageForm).mechanism.frame["C"] == (Decimal("100000000.35"), Decimal("-100000000.55"))
+    assert scene.of(LinkageForm).mechanism.sketch["B"] == (Decimal("100000000.45"), Decimal("-99999999.88"))

@@ -10,10 +10,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from plans.checks import friction_comparison
-from plans.checks.compare import Comparison, Finding, compare
+from plans.checks.compare import MotionComparison, compare
+from plans.checks.comparison import Finding
 from plans.checks.force_comparison import compare_forces
 from plans.checks.friction_comparison import FRICTION
+from plans.forces import friction
 from plans.forces.statics import Statics
 from plans.linkage.study import LinkageStudy
 from plans.model.losses import Friction
@@ -47,9 +48,9 @@ def test_both_roads_agree_in_the_friction_of_any_machine(one, f, radius, length)
 
 
 @pytest.fixture(scope="module")
-def shaper() -> tuple[Statics, Comparison]:
+def shaper() -> tuple[LinkageStudy, MotionComparison]:
     study = LinkageStudy(read_scene(SHAPER))
-    return Statics(study), compare(study)
+    return study, compare(study)
 
 
 class Wrong(NamedTuple):
@@ -75,11 +76,11 @@ WRONG = [
 
 @pytest.mark.parametrize("wrong", WRONG, ids=lambda wrong: wrong.seen)
 def test_a_number_of_one_road_that_is_a_hundredth_of_a_per_cent_off_is_seen(
-    shaper: tuple[Statics, Comparison], wrong: Wrong, monkeypatch: pytest.MonkeyPatch
+    shaper: tuple[LinkageStudy, MotionComparison], wrong: Wrong, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    right = friction_comparison.friction
-    monkeypatch.setattr(friction_comparison, "friction", lambda *given: wrong.spoilt(right(*given)))
-    compared = compare_forces(*shaper)
+    right = friction.friction
+    monkeypatch.setattr(friction, "friction", lambda *given: wrong.spoilt(right(*given)))
+    compared = compare_forces(Statics(shaper[0]), shaper[1])
     assert wrong.seen in {finding.name for finding in compared.of(FRICTION) if finding.excess.max() > 1}
 
 
@@ -92,14 +93,15 @@ def test_a_jam_that_one_road_alone_tells_is_seen(monkeypatch: pytest.MonkeyPatch
     assert comparison.agrees
     assert comparison.friction is not None
     assert comparison.friction[0].jams
-    right = friction_comparison.friction
-    monkeypatch.setattr(friction_comparison, "friction", lambda *given: Wrong("jams", "").spoilt(right(*given)))
+    right = friction.friction
+    monkeypatch.setattr(friction, "friction", lambda *given: Wrong("jams", "").spoilt(right(*given)))
+    del statics.__dict__["friction"]
     compared = compare_forces(statics, compare(statics.study))
     assert {finding.name[:3] for finding in compared.findings if finding.excess.max() > 1} == {"jam"}
 
 
-def test_the_worked_shaper_agrees_in_every_pair(shaper: tuple[Statics, Comparison]) -> None:
-    found = compare_forces(*shaper)
+def test_the_worked_shaper_agrees_in_every_pair(shaper: tuple[LinkageStudy, MotionComparison]) -> None:
+    found = compare_forces(Statics(shaper[0]), shaper[1])
     names = [finding.name for finding in found.of(FRICTION)]
     assert [name for name in names if name.startswith("N_")] == [
         *("N_01", "N_03", "N_05", "N_12", "N_23", "N_34", "N_45", "N_us")

@@ -13,6 +13,8 @@ import numpy as np
 import pytest
 
 from plans.checks.compare import compare, compare_extremes, notches
+from plans.forces.reading.form import ForceForm
+from plans.linkage.reading.form import LinkageForm
 from plans.linkage.study import LinkageStudy
 from plans.model.motion import Motion
 from plans.scene.scene import read_scene
@@ -62,8 +64,8 @@ def test_construction_and_analysis_agree_in_every_position(scene: Path) -> None:
 
 @over("scene", SCENES)
 def test_no_plan_of_a_named_position_is_one_line(scene: Path) -> None:
-    points, sheet = motion(scene.stem).points.values(), study(scene.stem).scene.sheet
-    named = sheet.plans or sheet.forces
+    points, found = motion(scene.stem).points.values(), study(scene.stem)
+    named = found.form.sheet.plans or found.scene.of(ForceForm).sheet.forces
     assert named
     for k in named:
         for ends in ([0, *(p.v[k] for p in points)], [0, *(p.a[k] for p in points)]):
@@ -322,5 +324,6 @@ def test_the_published_lengths_of_jansen_s_leg_stand_in_its_scene() -> None:
 def test_both_roads_agree_where_the_crank_turns_the_other_way(scene: Path) -> None:
     """From an extreme the other stroke begins: the sketch shows another position, and the assembly stays the same."""
     there = read_scene(scene)
-    back = LinkageStudy(there.changed(drive=there.drive.changed(speed=-there.drive.speed)))
+    form = there.of(LinkageForm)
+    back = LinkageStudy(there.changed(form.changed(drive=form.drive.changed(speed=-form.drive.speed))))
     assert compare_extremes(back, compare(back)).agrees

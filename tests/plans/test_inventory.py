@@ -8,6 +8,10 @@ from decimal import Decimal
 
 import pytest
 
+from plans.forces.reading.form import ForceForm
+from plans.forces.reading.inventory import letters, machine_of
+from plans.forces.reading.loads import LoadsTable
+from plans.linkage.reading.linkage import mechanism_of
 from plans.model.machine import (
     ALWAYS,
     COUPLING,
@@ -24,9 +28,6 @@ from plans.model.machine import (
     Transmission,
 )
 from plans.scene.faults import Fault, SceneError, dotted
-from plans.scene.inventory import letters, machine_of
-from plans.scene.linkage import mechanism_of
-from plans.scene.loads import LoadsTable
 from plans.scene.notes import notes_of
 from plans.scene.scene import parse_scene
 
@@ -117,7 +118,7 @@ def faults(text: str) -> tuple[Fault, ...]:
 
 
 def loads(text: str) -> LoadsTable:
-    found = parse_scene(SHAPER + "[loads]\n" + text).loads
+    found = parse_scene(SHAPER + "[loads]\n" + text).of(ForceForm).loads
     assert found is not None
     return found
 
@@ -436,9 +437,11 @@ def test_a_sheet_of_kinematics_is_what_a_scene_asks_for_that_names_none() -> Non
 
 
 def test_the_sheet_says_which_positions_and_letters_it_wants() -> None:
-    sheet = parse_scene(
-        SHAPER + LOADED + '[sheet]\nforces = [2, 9]\nreactions = "P"\nhodographs = ["0-1", "3-4"]\n'
-    ).sheet
+    sheet = (
+        parse_scene(SHAPER + LOADED + '[sheet]\nforces = [2, 9]\nreactions = "P"\nhodographs = ["0-1", "3-4"]\n')
+        .of(ForceForm)
+        .sheet
+    )
     assert (sheet.forces, sheet.reactions, sheet.hodographs) == ((2, 9), "P", ("0-1", "3-4"))
 
 
@@ -454,7 +457,7 @@ def test_a_faulty_load_is_one_fault_though_the_sheet_asks_for_forces() -> None:
 
 def test_an_exact_free_length_is_no_float_before_it_must_be() -> None:
     text = SHAPER + '[[loads.springs]]\nbetween = ["O", { on = 5, point = "D" }]\nstiffness = 1\nfree = "80.5 mm"\n'
-    found = parse_scene(text).loads
+    found = parse_scene(text).of(ForceForm).loads
     assert found is not None
     assert found.springs[0].free == Decimal("0.0805")
 

@@ -13,6 +13,7 @@ import pytest
 
 from plans.analytic.kinematics import Analysis
 from plans.forces.loading import loading
+from plans.forces.reading.inventory import machine_of
 from plans.forces.stroke import Stroke, output_at, strokes
 from plans.linkage.extreme import extremes
 from plans.linkage.study import LinkageStudy
@@ -20,7 +21,6 @@ from plans.model.kinetostatics import Loading
 from plans.model.machine import Machine
 from plans.model.mechanism import Output, StructureError
 from plans.model.motion import Complexes, Extremes, Motion
-from plans.scene.inventory import machine_of
 from plans.scene.scene import parse_scene
 from plans.scene.wording import said
 
@@ -113,7 +113,7 @@ class Loaded(NamedTuple):
 def loaded(text: str, by: str = "construction") -> Loaded:
     study = LinkageStudy(parse_scene(text))
     machine = machine_of(study.scene, study.mechanism)
-    road = Analysis(study.mechanism, first=study.scene.drive.first is not None)
+    road = Analysis(study.mechanism, first=study.form.drive.first is not None)
     motion = study.motion() if by == "construction" else road.motion(study.turn.phi)
 
     def drawn(shown: Output) -> Extremes | None:
@@ -394,7 +394,8 @@ def test_a_drawing_of_kinematics_makes_no_inventory(tmp_path: Path) -> None:
     watched = (
         "import sys\nfrom drawings.commands import cli\n"
         f"assert cli.main(['draw', {str(scene)!r}, '-o', {str(tmp_path / 'out')!r}]) == 0\n"
-        "assert not {'plans.scene.inventory', 'plans.forces.loading', 'plans.forces.stroke'} & set(sys.modules)\n"
+        "forces = {f'plans.forces.{name}' for name in ('reading.inventory', 'loading', 'stroke')}\n"
+        "assert not forces & set(sys.modules)\n"
     )
     done = subprocess.run(
         [sys.executable, "-c", watched], cwd=ROOT, capture_output=True, text=True, check=False, timeout=120

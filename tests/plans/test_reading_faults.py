@@ -13,9 +13,12 @@ from tests.plans.seeded import Fault, everyday, faults, verdicts
 
 FAULTS = faults(Path(__file__).parents[1] / "cases" / "reading_faults.toml")
 # What both roads have in common and carries a sign; plans/model/machine.py holds values alone.
-SHARED = ("scene/linkage", "scene/shapes", "scene/inventory", "scene/loads", "forces/loading", "forces/stroke")
+SHARED = (
+    *("linkage/reading/linkage", "linkage/reading/guides", "linkage/reading/shapes", "forces/reading/inventory"),
+    *("forces/reading/form", "forces/loading", "forces/stroke"),
+)
 HARMLESS = Fault(
-    "another word", "plans/scene/linkage.py", '"add a hinge or a slide; no link', '"add a slide; no link', ()
+    "another word", "plans/linkage/reading/linkage.py", '"add a hinge or a slide; no link', '"add a slide; no link', ()
 )
 
 

@@ -95,7 +95,7 @@ def test_bounds_hold_beside_a_dead_centre(name):
     mechanism, centre = NEAR_DEAD_CENTRES[name]
     beside = [Fraction(str(centre)) - Fraction(1, 10**k) for k in range(2, 11)]
     study = study_of(mechanism, positions=[60, *(str(float(angle)) for angle in beside)])
-    angles = [Fraction(str(angle)) for angle in study.scene.drive.positions]
+    angles = [Fraction(str(angle)) for angle in study.form.drive.positions]
     replay = Replay(study)
     worst, shares = 0.0, []
     for position, angle in enumerate(angles):

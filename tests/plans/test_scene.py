@@ -11,11 +11,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from geometry.errors import LimitError
+from plans.forces.reading.form import ForceForm
+from plans.linkage.reading.form import FrameLine, LinkageForm
+from plans.linkage.reading.linkage import mechanism_of
+from plans.linkage.reading.shapes import triangle
 from plans.model.mechanism import Drive, Mechanism, Output, StructureError
 from plans.scene.faults import SHOWN, Fault, SceneError
-from plans.scene.linkage import mechanism_of
-from plans.scene.scene import FrameLine, parse_scene
-from plans.scene.shapes import triangle
+from plans.scene.scene import parse_scene
 from plans.scene.wording import said
 
 SHAPER = """title = "Crank shaper"
@@ -113,10 +115,11 @@ def faults(text: str, *changes: tuple[str, str]) -> tuple[Fault, ...]:
 
 def test_the_shaper() -> None:
     scene = parse_scene(SHAPER, "shaper.toml")
-    assert scene.mechanism.lengths["CB"] == Decimal("0.7")
-    assert scene.drive.start == "extreme"
-    assert scene.drive.count == 12
-    assert scene.mechanism.slides[1].along == FrameLine(through=(0, Decimal("0.3287856445")), angle=0)
+    form = scene.of(LinkageForm)
+    assert form.mechanism.lengths["CB"] == Decimal("0.7")
+    assert form.drive.start == "extreme"
+    assert form.drive.count == 12
+    assert form.mechanism.slides[1].along == FrameLine(through=(0, Decimal("0.3287856445")), angle=0)
     mechanism = mechanism_of(scene)
     assert mechanism.links[3].points == {"C": 0, "B": 0.7}
     assert mechanism.links[0].points == {"C": -0.35j, "O": 0}
@@ -263,11 +266,12 @@ drawn = "Иванов"
 """
     )
     mechanism_of(scene)
-    assert scene.loads is not None
-    assert scene.loads.forces[0].value == (1500, 0)
-    assert scene.masses[5].centre == (0, 0)
-    assert scene.drive.gear is not None
-    assert scene.drive.gear.pressure_angle == 20
+    form = scene.of(ForceForm)
+    assert form.loads is not None
+    assert form.loads.forces[0].value == (1500, 0)
+    assert form.masses[5].centre == (0, 0)
+    assert form.drive.gear is not None
+    assert form.drive.gear.pressure_angle == 20
     assert scene.sheet.language == "ru"
 
 
@@ -403,7 +407,7 @@ def test_a_hostile_scene_is_refused_at_once(text: str) -> None:
 
 def test_a_hundred_thousand_positions_are_no_trouble() -> None:
     listed = ", ".join(str(number / 400) for number in range(100_000))
-    assert parse_scene(FOUR_BAR.replace("start = 30", f"positions = [{listed}]")).drive.count == 100_000
+    assert parse_scene(FOUR_BAR.replace("start = 30", f"positions = [{listed}]")).of(LinkageForm).drive.count == 100_000
 
 
 CHAIN_OF_FIFTY = "[mechanism.frame]\nO = [0, 0]\n[mechanism.links]\n" + "".join(
@@ -415,7 +419,7 @@ CHAIN_OF_FIFTY = "[mechanism.frame]\nO = [0, 0]\n[mechanism.links]\n" + "".join(
 def test_links_times_positions_are_limited_by_name(sheets: str, most: int) -> None:
     """59 links at 100,000 positions once took 9.4 GB, and running out of memory was called a bug."""
     text = f"sheets = {sheets}\n{CHAIN_OF_FIFTY}[drive]\nlink = 1\nspeed = 1\npositions = "
-    assert parse_scene(f"{text}{most}").drive.count == most
+    assert parse_scene(f"{text}{most}").of(LinkageForm).drive.count == most
     with pytest.raises(LimitError, match=f"_POSITIONS_LIMIT = .* Fix: {most} positions at most") as refused:
         parse_scene(f"{text}{most + 1}")
     assert "links times positions, 50 x" in str(refused.value)

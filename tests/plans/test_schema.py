@@ -14,13 +14,13 @@ from jsonschema import Draft202012Validator
 from drawings.commands import cli
 from geometry.errors import LimitError
 from plans.scene import units
+from plans.scene.demand import techniques_of
 from plans.scene.faults import SceneError
 from plans.scene.forms import text_with_unit
-from plans.scene.keys import KEYS
-from plans.scene.scene import TABLES, Scene
+from plans.scene.scene import kinds_of
 from plans.scene.schema import schema
 from plans.scene.source import read_source
-from plans.scene.tables import Refused, read
+from plans.scene.tables import Refused, holders_of, read_parts, tables_of
 from plans.scene.units import Kind
 from tests.rows import over
 
@@ -71,10 +71,10 @@ def readable(path: Path) -> dict[str, Any] | None:
 def taken(path: Path) -> bool:
     """Tell whether the reader takes the scene's form, whatever it means."""
     try:
-        read(Scene, read_source(path).tables)
+        read_parts(kinds_of(techniques_of(tables := read_source(path).tables)), tables)
     except (Refused, LimitError):
         return False
-    return True
+    return bool(techniques_of(tables))
 
 
 def test_the_schema_is_one() -> None:
@@ -141,12 +141,11 @@ def test_a_quantity_is_marked_where_the_reader_refuses_it(kind: Kind, form: str,
 
 
 def test_every_key_is_described_in_the_words_of_the_trade() -> None:
-    assert KEYS.keys() == TABLES.keys()
-    for path, table in TABLES.items():
-        assert KEYS[path].keys() == table.form.keys(), path
-        for text, _ in KEYS[path].values():
-            assert text[0].isupper()
-            assert text.endswith(".")
+    for path, kinds in tables_of(kinds_of()).items():
+        for name, holders in holders_of(kinds).items():
+            text = holders[0].keys[name].meaning
+            assert text[:1].isupper(), (*path, name)
+            assert text.endswith("."), (*path, name)
 
 
 def test_the_command_prints_the_schema_or_writes_it(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -13,16 +13,17 @@ import numpy as np
 import pytest
 
 from plans.analytic.kinematics import Analysis
+from plans.forces.reading.inventory import machine_of
 from plans.forces.statics import Statics
 from plans.forces.stroke import Stroke
+from plans.linkage.reading.guides import direction
+from plans.linkage.reading.linkage import mechanism_of
+from plans.linkage.reading.shapes import triangle
 from plans.linkage.study import LinkageStudy
 from plans.model.machine import Machine
 from plans.model.mechanism import Mechanism
 from plans.model.motion import LinkMotion, Motion
-from plans.scene.inventory import machine_of
-from plans.scene.linkage import direction, mechanism_of
 from plans.scene.scene import parse_scene
-from plans.scene.shapes import triangle
 
 # The datum is the crank's hinge O; the slider's line leans by 30 degrees and passes half a metre above O. Of the
 # triangle ABE with sides 0.5, 0.3 and 0.4 m the foot of E is 0.18 m from A, its height 0.24 m.

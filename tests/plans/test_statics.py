@@ -104,8 +104,7 @@ def test_a_dead_centre_has_no_reactions_and_says_so() -> None:
 def test_near_a_dead_centre_reactions_grow_as_kappa_and_both_roads_agree(near: float) -> None:
     """A static load: kappa is one over the angle between rod and rocker, the root of the crank's distance."""
     comparison = compared(DEAD.replace("[60, 90]", f"[60, {90 - near:.12g}]"))
-    assert comparison.forces is not None
-    force = abs(comparison.forces[0].reactions["2-3"].force)
+    force = abs(comparison.construction.reactions["2-3"].force)
     assert 1e-3 < force[1] * np.sqrt(np.radians(near)) / force[0] < 1e3
     assert comparison.agrees
 
@@ -114,21 +113,20 @@ def test_near_a_dead_centre_reactions_grow_as_kappa_and_both_roads_agree(near: f
 def test_right_beside_a_dead_centre_both_roads_tell_forces_or_name_the_same_gap(near: float) -> None:
     """Where the condition bears velocities, it bears forces: half of the digits are left at 1000 roundings beside."""
     comparison = compared(DEAD.replace("[60, 90]", f"[60, {float(90 - np.degrees(near))!r}]"))
-    assert comparison.forces is not None
-    assert [{gap.position: gap.reason for gap in road.unanswered} for road in comparison.forces] == 2 * [
-        {1: "dead centre"} if near < 1000 * np.finfo(float).eps else {}
-    ]
+    assert [
+        {gap.position: gap.reason for gap in road.unanswered} for road in (comparison.construction, comparison.analysis)
+    ] == 2 * [{1: "dead centre"} if near < 1000 * np.finfo(float).eps else {}]
     assert comparison.agrees
 
 
 def test_what_both_roads_give_up_is_counted_and_what_one_gives_up_alone_is_a_disagreement() -> None:
     comparison = compared(PARALLELOGRAM)
-    assert comparison.forces is not None and comparison.agrees
+    assert comparison.agrees
     assert comparison.left_out["forces"] == [4, 10]
-    ours, theirs = comparison.forces
+    theirs = comparison.analysis
     others = tuple(gap for gap in theirs.gaps if gap.position != 4)
     for told in (others, (*others, replace(theirs.gaps[0], position=4, plan="forces", reason="dead centre"))):
-        apart = comparison._replace(forces=(ours, replace(theirs, gaps=told)))
+        apart = replace(comparison, analysis=replace(theirs, gaps=told))
         assert {(gap.position, gap.plan) for _, gap in apart.alone} == {(4, "forces")}
         assert not apart.agrees
 
@@ -143,7 +141,7 @@ def test_a_machine_whose_forces_one_road_gives_up_alone_disagrees(monkeypatch: p
 
     monkeypatch.setattr(force_comparison, "kinetostatics", faint)
     comparison = compared(DEAD.replace("[60, 90]", "[60, 70]"))
-    assert [(road.by, gap.position, gap.plan) for road, gap in comparison.alone] == [("analysis", 0, "forces")]
+    assert [(lone.by, lone.gap.position, lone.gap.plan) for lone in comparison.alone] == [("analysis", 0, "forces")]
     assert comparison.worst == np.inf and not comparison.agrees
 
 

@@ -7,10 +7,10 @@ from itertools import permutations
 
 import pytest
 
+from plans.linkage.reading.linkage import mechanism_of
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME, Drive, Mechanism, Slide, StructureError, Way
 from plans.model.structure import NUMBERS, decompose, formula, mechanism_class
-from plans.scene.linkage import mechanism_of
 from plans.scene.scene import parse_scene
 from tests.plans import linkages
 

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from plans.scene.faults import wrong
-from plans.scene.tables import Refused, Table, either, key, many, named, one, read, table
+from plans.scene.tables import Check, Refused, Table, either, key, many, named, one, read, table
 
 
 def even(value: Any) -> int:
@@ -32,7 +32,7 @@ class Inner(Table):
 
 class Outer(Table):
     inner: Inner = key(table(Inner))
-    sizes: tuple[int, ...] = key(many(one(even), few), ())
+    sizes: tuple[int, ...] = key(many(one(even), Check(few)), ())
     named: dict[str, int] = key(named(one(str.upper), one(even)), {})
     form_or_size: Any = key(either(dict, table(Inner), one(even)), None)
 

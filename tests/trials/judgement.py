@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from geometry.errors import DraftError
-from plans.checks.compare import Comparison, compare
+from plans.checks.compare import MotionComparison, compare
 from plans.linkage.study import LinkageStudy
 from plans.model.motion import LINK_KEYS, POINT_KEYS, Motion
 from plans.scene.scene import parse_scene
@@ -56,7 +56,9 @@ def judged(kind: str, number: int) -> list[Judgement]:
         return found + [Judgement(kind, number, 0, *told) for told in _extremes(study, comparison)]
 
 
-def _at(study: LinkageStudy, comparison: Comparison, position: int) -> Iterator[tuple[str, str, str, float, float]]:
+def _at(
+    study: LinkageStudy, comparison: MotionComparison, position: int
+) -> Iterator[tuple[str, str, str, float, float]]:
     """Judge both roads at one position, each by the solution nearest to it."""
     phi = max(abs(float(study.turn.phi[k])) for k in (0, position))  # a position counted on from the first
     own, kappa = case(study.mechanism, _direction(study, position), phi), float(comparison.kappa[position])
@@ -74,7 +76,7 @@ def _at(study: LinkageStudy, comparison: Comparison, position: int) -> Iterator[
             yield road.by, key, name, apart[key, name], kappa
 
 
-def _extremes(study: LinkageStudy, comparison: Comparison) -> Iterator[tuple[str, str, str, float, float]]:
+def _extremes(study: LinkageStudy, comparison: MotionComparison) -> Iterator[tuple[str, str, str, float, float]]:
     """Judge the extreme positions of the output by both roads."""
     roads = {"construction": study.found.extremes if study.found else None}
     roads["analysis"] = comparison.road.extremes(study.output) if study.found else None
@@ -89,7 +91,7 @@ def _extremes(study: LinkageStudy, comparison: Comparison) -> Iterator[tuple[str
 
 def _direction(study: LinkageStudy, position: int) -> Any:
     """Give the crank's direction as the scene means it: listed, or a share of a turn from the first position."""
-    drive = study.scene.drive
+    drive = study.form.drive
     if isinstance(drive.positions, tuple):
         return _turned(Fraction(drive.positions[position]) / 360)
     share = Fraction(study.sense * position, drive.positions)

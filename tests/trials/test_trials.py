@@ -12,6 +12,7 @@ import pytest
 
 from geometry.errors import DraftError
 from plans.analytic.kinematics import Analysis
+from plans.linkage.reading.form import LinkageForm
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.model.motion import Motion
@@ -60,10 +61,10 @@ def test_chains_have_all_dyads_both_senses_and_all_kinds_of_positions():
     scenes = [parse_scene(text_of("chains", number)) for number in range(100)]
     groups = Counter(dyad.kind for scene in scenes for dyad in decompose(LinkageStudy(scene).mechanism))
     assert set(groups) == set(DYADS)
-    assert {1, 5} <= {len(scene.mechanism.links) // 2 for scene in scenes}
-    assert {scene.drive.speed > 0 for scene in scenes} == {True, False}
-    assert {type(scene.drive.positions) for scene in scenes} == {int, tuple}
-    assert any(scene.drive.start == "extreme" for scene in scenes)
+    assert {1, 5} <= {len(scene.of(LinkageForm).mechanism.links) // 2 for scene in scenes}
+    assert {scene.of(LinkageForm).drive.speed > 0 for scene in scenes} == {True, False}
+    assert {type(scene.of(LinkageForm).drive.positions) for scene in scenes} == {int, tuple}
+    assert any(scene.of(LinkageForm).drive.start == "extreme" for scene in scenes)
 
 
 def test_a_change_changes_one_line_of_the_gallery():

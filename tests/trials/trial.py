@@ -7,7 +7,7 @@ import signal
 import tempfile
 import traceback
 import warnings
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from random import Random
@@ -16,9 +16,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.report.report import shallow
+from drawings.report.motion_report import shallow
 from geometry.errors import DraftError
-from plans.checks.compare import Comparison, compare, compare_extremes
+from plans.checks.compare import MotionComparison, compare, compare_extremes
+from plans.checks.comparison import Comparison
 from plans.linkage.study import LinkageStudy
 from plans.model.kinetostatics import FORCES
 from plans.model.motion import Motion
@@ -83,23 +84,26 @@ def _study(scene: Scene) -> LinkageStudy:
     return study
 
 
-def _compared(study: LinkageStudy) -> Comparison:
+def _compared(study: LinkageStudy) -> list[Comparison]:
+    """Compare the motion, and the forces where they are asked for."""
     comparison = compare_extremes(study, compare(study))
     if "forces" not in study.scene.sheets:
-        return comparison
+        return [comparison]
     from plans.checks.force_comparison import compare_forces
     from plans.forces.statics import Statics
 
-    return compare_forces(Statics(study), comparison)
+    return [comparison, compare_forces(Statics(study), comparison)]
 
 
-def _judged(study: LinkageStudy, comparison: Comparison) -> tuple[str, str, list[tuple[str, str]]]:
-    faults = [*_one_sided(study, comparison), *_unanswered(comparison)]
-    if not comparison.agrees:
-        worst = max(comparison.findings, key=lambda finding: float(finding.excess.max()))
+def _judged(study: LinkageStudy, compared: Sequence[Comparison]) -> tuple[str, str, list[tuple[str, str]]]:
+    faults = [*_one_sided(study, compared[0]), *(fault for one in compared for fault in _unanswered(one))]
+    if not all(one.agrees for one in compared):
+        worst = max(
+            (finding for one in compared for finding in one.findings), key=lambda finding: float(finding.excess.max())
+        )
         told = f"{worst.name} ({worst.plan}): {float(worst.excess.max()):.3g} of the allowed difference"
         return WITHHELD, told, [(WITHHELD, told), *faults]
-    told = sorted({f"{gap.plan}: {gap.reason}" for gap in comparison.construction.gaps})
+    told = sorted({f"{gap.plan}: {gap.reason}" for gap in compared[0].construction.gaps})
     if told or study.met:
         return GAPS, "; ".join(told) or "barrier between positions", faults
     return NEAR if shallow(study) else DRAWN, "", faults
@@ -108,6 +112,7 @@ def _judged(study: LinkageStudy, comparison: Comparison) -> tuple[str, str, list
 def _one_sided(study: LinkageStudy, comparison: Comparison) -> Iterator[tuple[str, str]]:
     """Tell where the two roads give up different positions, or the same with another reason, before any is left out."""
     ours = study.motion(2)
+    assert isinstance(comparison, MotionComparison)
     theirs = comparison.road.motion(study.turn.phi, 2) if comparison.analysis.gaps or ours.gaps else comparison.analysis
     mine, other = _states(ours), _states(theirs)
     for k in np.flatnonzero(mine != other):
@@ -120,9 +125,9 @@ def _one_sided(study: LinkageStudy, comparison: Comparison) -> Iterator[tuple[st
 
 def _unanswered(comparison: Comparison) -> Iterator[tuple[str, str]]:
     """Tell where one road has forces and the other none, or none for another reason."""
-    for road, gap in comparison.alone:
+    for by, gap in comparison.alone:
         if gap.plan == FORCES:
-            yield ALONE, f"position {gap.position}: the {road.by} alone has no forces ({gap.reason})"
+            yield ALONE, f"position {gap.position}: the {by} alone has no forces ({gap.reason})"
 
 
 STATES = ("nothing", "places", "velocities", "accelerations")  # the best that a road may have

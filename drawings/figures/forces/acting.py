@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from drawings.figures.forces.cut_links import CutLinks
 from drawings.figures.forces.leverage import largest
+from drawings.figures.forces.shown_force import KNOWN, PRESSING, UNKNOWN, ShownForce
 from geometry.board import at
 from plans.forces.cut import REACTION, Cut, Support
 from plans.forces.force import ForcePlan
@@ -17,18 +18,7 @@ from plans.model.mechanism import Slide
 FAR = 0.5  # of the size of the cut's links: a guide's reaction further off is drawn at the slider, beside its moment
 
 
-class Force(NamedTuple):
-    """A force N at a place m; `spot` is the letter of the point there, if it is one."""
-
-    name: str
-    spot: str
-    at: complex
-    value: complex
-    unknown: bool = False
-    pressing: bool = False  # the reaction of a guide on its slider
-
-
-class Moment(NamedTuple):
+class ShownMoment(NamedTuple):
     """A moment on a link about a place m, +1 counter-clockwise, -1 clockwise."""
 
     name: str
@@ -49,18 +39,19 @@ class Shift(NamedTuple):
 class Acting(NamedTuple):
     """All forces and moments on the links of a cut, and the distances along guides at which reactions act."""
 
-    forces: tuple[Force, ...]
-    moments: tuple[Moment, ...]
+    forces: tuple[ShownForce, ...]
+    moments: tuple[ShownMoment, ...]
     shifts: tuple[Shift, ...]
 
 
 def acting(plan: ForcePlan, cut: Cut, links: CutLinks, column: int) -> Acting:
     """List what acts on a cut in one position; what is zero there is left out."""
     least = NOTHING * largest(cut, column)
-    forces = []
+    forces = list[ShownForce]()
     for load in cut.loads:
         place = at(load.at.point, column)
-        forces.append(Force(load.name, links.name(load.at.name, place), place, at(load.force.point, column)))
+        letter = links.name(load.at.name, place)
+        forces.append(ShownForce(load.name, KNOWN, place, at(load.force.point, column), letter))
     moments = list(_couples(plan, cut, links, column))
     shifts: list[Shift] = []
     for support in cut.supports:
@@ -77,7 +68,7 @@ def acting(plan: ForcePlan, cut: Cut, links: CutLinks, column: int) -> Acting:
     return Acting(kept, tuple(moments), tuple(shifts))
 
 
-def _couples(plan: ForcePlan, cut: Cut, links: CutLinks, column: int) -> Iterator[Moment]:
+def _couples(plan: ForcePlan, cut: Cut, links: CutLinks, column: int) -> Iterator[ShownMoment]:
     """Give the known moments at the mass centres of their links, and those of pairs at their points."""
     handed = {load.name.replace("R", "M", 1): load for load in cut.loads if load.kind == REACTION}
     for couple in cut.couples:
@@ -86,23 +77,23 @@ def _couples(plan: ForcePlan, cut: Cut, links: CutLinks, column: int) -> Iterato
             body = plan.machine.bodies.get(couple.link)
             middle = links.middle(couple.link) if body is None else links.of(couple.link, body.centre)
             place = at(handed[couple.name].at.point, column) if couple.name in handed else middle
-            yield Moment(couple.name, place, 1 if size > 0 else -1)
+            yield ShownMoment(couple.name, place, 1 if size > 0 else -1)
     if cut.group is None and plan.drive is None:
         size = at(plan.balancing.point, column).real
         shaft = at(plan.positions.point(plan.mechanism.drive.pivot).point, column)
-        yield Moment(BALANCING, shaft, 1 if size > 0 else -1, unknown=True)
+        yield ShownMoment(BALANCING, shaft, 1 if size > 0 else -1, unknown=True)
 
 
-def _hinge(support: Support, column: int) -> Iterator[Force]:
+def _hinge(support: Support, column: int) -> Iterator[ShownForce]:
     """Give the reaction of a hinge by its parts, or whole where it has none."""
-    where = support.at.name, at(support.at.point, column)
+    place = at(support.at.point, column)
     for one in support.parts or (support.force,):
-        yield Force(one.name, *where, at(one.point, column), unknown=True)
+        yield ShownForce(one.name, UNKNOWN, place, at(one.point, column), support.at.name)
 
 
 def _guide(
     support: Support, links: CutLinks, column: int, least: float
-) -> tuple[Force, list[Moment], list[Shift]]:  # fmt: skip
+) -> tuple[ShownForce, list[ShownMoment], list[Shift]]:  # fmt: skip
     """Give the reaction of a guide where it acts; one that acts far off, at the slider's point with its moment."""
     assert support.slide is not None
     value, point = at(support.force.point, column), at(support.at.point, column)
@@ -110,13 +101,13 @@ def _guide(
     foot = place + along * ((point - place) * along.conjugate()).real
     turning = 0.0 if support.moment is None else at(support.moment.point, column).real
     across = (along.conjugate() * value).imag
-    force = Force(support.force.name, "", foot, value, unknown=True, pressing=True)
+    force = ShownForce(support.force.name, PRESSING, foot, value)
     arm = turning / across if abs(across) > least else 0.0
     if abs(turning) <= least * links.reach:
         return force, [], []
     if abs(across) <= least or abs(arm) > FAR * links.size:
         name = support.force.name.replace("R", "M", 1)
-        return force, [Moment(name, foot, 1 if turning > 0 else -1, unknown=True)], []
+        return force, [ShownMoment(name, foot, 1 if turning > 0 else -1, unknown=True)], []
     end = foot + along * arm
     return force._replace(at=end), [], [Shift(support.force.name.replace("R", "x", 1), foot, end, value)]
 
@@ -128,9 +119,9 @@ def _line(slide: Slide, links: CutLinks) -> tuple[complex, complex]:
     return links.of(link, way.through), complex(pose.turns[link][links.shown] * way.direction)
 
 
-def _driving(plan: ForcePlan, column: int) -> Iterator[Force]:
+def _driving(plan: ForcePlan, column: int) -> Iterator[ShownForce]:
     """Give the force that drives the crank, if one does."""
     if plan.drive is not None and plan.driven is not None:
         spot = plan.driven.name if plan.driven.name in plan.positions.letters else ""
         place = at(plan.driven.point, column)
-        yield Force(DRIVING, spot, place, at(plan.drive.point, column), unknown=True)
+        yield ShownForce(DRIVING, UNKNOWN, place, at(plan.drive.point, column), spot)

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from drawings.figures.forces.force_letters import lettered
+from drawings.figures.forces.force_letters import letter_of
 from drawings.figures.forces.leverage import Leverage, leverages
 from drawings.layout.equation import DIRECTION, FULL, UNKNOWN, Equation, Passage, Term, forces, moments, plain
-from drawings.lettering.words import number, word
-from drawings.paper.hand import Hand
+from drawings.page.drafting import Drafting
 from geometry.board import Mark, at
 from plans.forces.cut import CLOSING, REACTION, Couple, Cut
 from plans.forces.cut import Equation as Moments
@@ -21,25 +20,25 @@ class Equations:
     """What a sheet writes beside a cut in one position."""
 
     def __init__(
-        self, plan: ForcePlan, cut: Cut, column: int, language: str, reactions: str, nothing: tuple[float, float]
+        self, plan: ForcePlan, cut: Cut, column: int, drafting: Drafting, nothing: tuple[float, float]
     ) -> None:
-        self.plan, self.cut, self.column, self.language, self.reactions = plan, cut, column, language, reactions
+        self.plan, self.cut, self.column, self.drafting = plan, cut, column, drafting
         self.nothing = nothing  # force N and moment N*m below which there is none
         self.arms = leverages(plan, cut, column)
 
-    def passage(self, name: str, hand: Hand) -> Passage:
+    def passage(self, name: str) -> Passage:
         """Write arms, equations of moments with what they give, and the equation of forces."""
         lines = [*self._given(), *self._slotted(), *(line for one in self.cut.equations for line in self._moments(one))]
         lines += [*self._forces(), *self._found()]
-        return Passage(name, tuple(lines), hand.text)
+        return Passage(name, tuple(lines), self.drafting.hand.text)
 
     def letter(self, name: str) -> str:
         """Write a force's name as the sheet does."""
-        return lettered(name, self.language, self.reactions)
+        return letter_of(name, self.drafting)
 
-    def told(self, name: str, value: float, unit: str) -> str:
+    def statement(self, name: str, value: float, unit: str) -> str:
         """Write what a quantity is: R_34 = 1644.1 N."""
-        return f"{self.letter(name)} = {number(value, self.language, DIGITS)} {word(self.language, unit)}"
+        return f"{self.letter(name)} = {self.drafting.number(value, DIGITS)} {self.drafting.word(unit)}"
 
     def _size(self, mark: Mark) -> float:
         return abs(self._value(mark))
@@ -52,16 +51,16 @@ class Equations:
     def _given(self) -> Iterator[Equation]:
         """Tell the known forces and moments, and the arms."""
         own = [one for one in self.cut.loads if one.kind != REACTION and self._size(one.force) > 0]
-        loads = [self.told(one.name, self._size(one.force), "N") for one in own]
+        loads = [self.statement(one.name, self._size(one.force), "N") for one in own]
         turning = [one for one in self.cut.couples if one.kind != REACTION and self._size(one.moment) > 0]
         couples = [self._couple(one) for one in turning]
-        told = [*loads, *couples]
-        if told:
-            yield plain(*(f"{one}," if k < len(told) - 1 else one for k, one in enumerate(told)))
+        given = [*loads, *couples]
+        if given:
+            yield plain(*(f"{one}," if k < len(given) - 1 else one for k, one in enumerate(given)))
         arms = {arm.letter: arm.length for arm in self.arms}
         if arms:
-            mm = word(self.language, "mm")
-            parts = [f"{letter} = {number(1000 * arm, self.language, DIGITS)}" for letter, arm in arms.items()]
+            mm = self.drafting.word("mm")
+            parts = [f"{letter} = {self.drafting.number(1000 * arm, DIGITS)}" for letter, arm in arms.items()]
             yield plain(*(f"{one}," for one in parts[:-1]), f"{parts[-1]} {mm}")
 
     def _slotted(self) -> Iterator[Equation]:
@@ -69,11 +68,12 @@ class Equations:
         for part in (part for one in self.cut.supports for part in one.parts if part.name.startswith("R^u")):
             terms = [self.letter(load.name) for load in self.cut.loads if load.link == self.cut.links[0]]
             yield plain(
-                f"{self.letter(part.name)} = −({' + '.join(terms)})_u,", self.told(part.name, self._size(part), "N")
+                f"{self.letter(part.name)} = −({' + '.join(terms)})_u,",
+                self.statement(part.name, self._size(part), "N"),
             )
 
     def _couple(self, one: Couple) -> str:
-        return self.told(one.name, self._value(one.moment).real, "N*m")
+        return self.statement(one.name, self._value(one.moment).real, "N*m")
 
     def _moments(self, one: Moments) -> Iterator[Equation]:
         """Write an equation of moments, each force by its arm, and the force or the moment that it gives."""
@@ -90,7 +90,7 @@ class Equations:
             own = ("+", self.letter(unknown)) if force is None else self._term(force)
         if terms:
             yield moments(self._about(one), [own, *terms])
-        yield plain(self.told(unknown, value, unit))
+        yield plain(self.statement(unknown, value, unit))
 
     def _about(self, one: Moments) -> str:
         """Name the point of an equation, and the link where both leads have equations about one point."""
@@ -124,7 +124,7 @@ class Equations:
 
     def _found(self) -> Iterator[Equation]:
         """Tell the reactions that the polygon gives."""
-        found = [self.told(one.force.name, self._size(one.force), "N") for one in self.cut.reactions]
+        found = [self.statement(one.force.name, self._size(one.force), "N") for one in self.cut.reactions]
         moments = [one.moment for one in self.cut.reactions if one.moment is not None]
-        found += [self.told(one.name, self._value(one).real, "N*m") for one in moments if self._size(one) > 0]
+        found += [self.statement(one.name, self._value(one).real, "N*m") for one in moments if self._size(one) > 0]
         yield plain(*(f"{one}," for one in found[:-1]), found[-1])

@@ -8,15 +8,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
-from drawings.layout.obstacles import Obstacles
+from drawings.layout.ink import Ink
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Group, Line, Stroke
-from drawings.symbols.force_arrow import ForceArrow, marked
+from drawings.paper.strokes import Line, Stroke
+from drawings.symbols.force_arrow import ForceArrow
 
-SHORT, LONG, UNKNOWN = 13.0, 26.0, 16.0  # mm: the least and the largest known force, and every unknown one
+SHORT, LONG, UNSIZED = 13.0, 26.0, 16.0  # mm: the least and the largest known force, and every unknown one
 RUNG, BESIDE = 2.5, 1.8  # mm between the rungs that feel along an arrow, and how far they reach to its sides
 CLEAR = 1.5  # mm from the end of an arrow at its point that are not felt: symbols are there; off it, felt before it
 STEP, STEPS = 4.0, 25  # mm by which an arrow may stand off its point on its line of action, and how often
@@ -28,37 +29,10 @@ ROUNDS = 2  # times that every arrow looks for its place among all others
 WEIGHT = 6.0  # thin lines that an arrow counts as for the others
 
 
-class Spoke(NamedTuple):
-    """A force at a place on paper: its letter, unit direction, length, and how far from the place symbols reach, mm.
-
-    A pressing one ends at its place rather than starts there: the reaction of a guide on its slider.
-    """
-
-    letter: str
-    at: complex
-    direction: complex
-    length: float
-    rim: float
-    unknown: bool
-    pressing: bool = False
-
-
-class Held(NamedTuple):
-    """An arrow at its place, and the thin line of action to its point where it stands off it."""
-
-    arrow: ForceArrow
-    lead: Line | None
-
-    @property
-    def shaft(self) -> Line:
-        """The arrow's own line; the thin one under it does not keep others away."""
-        return Line(self.arrow.start, self.arrow.tip)
-
-
 class _Room(NamedTuple):
     """Where an arrow looks for its place: the lines and points around, and the box."""
 
-    drawn: Obstacles
+    ink: Ink
     spots: Sequence[complex]
     box: Field | None
 
@@ -78,36 +52,40 @@ def lengths(sizes: Sequence[float]) -> list[float]:
     return [SHORT + (LONG - SHORT) * share for share in shares]
 
 
-def fanned(
-    spokes: Sequence[Spoke],
+def fan(
+    arrows: Sequence[ForceArrow],
+    reaches: Sequence[float],
     around: Iterable[tuple[Stroke, float]],
     spots: Sequence[complex],
     box: Field | None,
     hand: Hand,
-) -> list[Held]:
-    """Place the arrows among the lines around, each with its weight, among the points, and among each other."""
+) -> list[ForceArrow]:
+    """Place arrows among the lines around, each with its weight, among the points, and among each other.
+
+    Each arrow is given at its point, as it would stand alone; symbols reach some mm from there.
+    """
     lines = list(around)
-    held = [_held(spoke, spoke.pressing, 0.0, hand) for spoke in spokes]
+    placed = [_standing(arrow, reach, arrow.ending, 0.0) for arrow, reach in zip(arrows, reaches, strict=True)]
     for _ in range(ROUNDS):
-        for k, spoke in enumerate(spokes):
-            drawn = Obstacles()
+        for k, (arrow, reach) in enumerate(zip(arrows, reaches, strict=True)):
+            ink = Ink()
             for stroke, weight in lines:
-                drawn.draw([stroke], weight)
-            drawn.draw((other.shaft for other in (*held[:k], *held[k + 1 :])), WEIGHT)
-            held[k] = _best(spoke, _Room(drawn, spots, box), hand)
-    return held
+                ink.draw([stroke], weight)
+            ink.draw((other.shaft for other in (*placed[:k], *placed[k + 1 :])), WEIGHT)
+            placed[k] = _best(arrow, reach, _Room(ink, spots, box), hand)
+    return placed
 
 
-def _best(spoke: Spoke, room: _Room, hand: Hand) -> Held:
+def _best(arrow: ForceArrow, reach: float, room: _Room, hand: Hand) -> ForceArrow:
     """Give the cheapest place of an arrow; the customary ones come first."""
     best, cheapest = None, math.inf
-    for least, ending, off in sorted(_places(spoke.pressing)):
+    for least, ending, off in sorted(_places(arrow.ending)):
         if least >= cheapest:
             break
-        held = _held(spoke, ending, off, hand)
-        cost = least + _cost(held, room, hand) + (0.0 if spoke.unknown else PASSED * _passed(spoke, held, room))
+        trial = _standing(arrow, reach, ending, off * hand.symbol)
+        cost = least + _cost(trial, room, hand) + (0.0 if arrow.unknown else PASSED * _passed(arrow, trial, room))
         if cost < cheapest:
-            best, cheapest = held, cost
+            best, cheapest = trial, cost
     assert best is not None  # the first place costs less than infinitely much
     return best
 
@@ -120,34 +98,32 @@ def _places(pressing: bool) -> Iterator[tuple[float, bool, float]]:
         yield from ((own + OFF + FURTHER * STEP * k, ending, STEP * k) for k in range(1, STEPS + 1))
 
 
-def _held(spoke: Spoke, ending: bool, off: float, hand: Hand) -> Held:
-    """Hold an arrow at a place: starting or ending at its point's symbol, or off it on a thin line."""
-    factor = hand.symbol
-    back = -spoke.direction if ending else spoke.direction
-    near = spoke.at + back * (spoke.rim + off * factor)
-    arrow = marked(spoke.letter, spoke.direction, near, spoke.length * factor, ending, spoke.unknown)
-    return Held(arrow, Line(spoke.at + back * spoke.rim, near, hand.drafted) if off else None)
+def _standing(arrow: ForceArrow, reach: float, ending: bool, off: float) -> ForceArrow:
+    """Stand an arrow at a place: starting or ending at its point's symbol, or off it on a thin line."""
+    back = -arrow.direction if ending else arrow.direction
+    lead = arrow.at + back * reach if off else None
+    return replace(arrow, at=arrow.at + back * (reach + off), ending=ending, lead=lead)
 
 
-def _cost(held: Held, room: _Room, hand: Hand) -> float:
+def _cost(arrow: ForceArrow, room: _Room, hand: Hand) -> float:
     """Weigh a place: the lines that an arrow crosses or runs beside, and what of it is outside the box."""
-    arrow = held.arrow
     far = -arrow.direction if arrow.ending else arrow.direction
-    start, end = arrow.at + far * CLEAR * hand.symbol * (1 if held.lead is None else -1), arrow.free
+    start, end = arrow.at + far * CLEAR * hand.symbol * (1 if arrow.lead is None else -1), arrow.free
     length = abs(end - start)
     across = 1j * far * BESIDE * hand.symbol
     count = max(int(length / (RUNG * hand.symbol)), 1)
-    spots = [start + (end - start) * k / count for k in range(0 if held.lead else 1, count + 1)]
+    first = 1 if arrow.lead is None else 0
+    spots = [start + (end - start) * k / count for k in range(first, count + 1)]
     felt: list[Stroke] = [Line(start, end), *(Line(spot - across, spot + across) for spot in spots)]
-    return room.drawn.crossed_by([Group(tuple(felt))]) + (0.0 if room.box is None else OUTSIDE * _beyond(end, room.box))
+    return room.ink.crossed_by(felt) + (0.0 if room.box is None else OUTSIDE * _beyond(end, room.box))
 
 
-def _passed(spoke: Spoke, held: Held, room: _Room) -> bool:
+def _passed(arrow: ForceArrow, trial: ForceArrow, room: _Room) -> bool:
     """Tell whether an arrow that stands off its point would seem to act at another one."""
-    if held.lead is None:
+    if trial.lead is None:
         return False
-    run = held.lead.end - spoke.at
-    off = [(spot - spoke.at) / run for spot in room.spots if abs(spot - spoke.at) > NEAR]
+    run = trial.at - arrow.at
+    off = [(spot - arrow.at) / run for spot in room.spots if abs(spot - arrow.at) > NEAR]
     return any(0 < place.real <= 1 and abs(place.imag) * abs(run) < NEAR for place in off)
 
 

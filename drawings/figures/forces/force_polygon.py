@@ -8,14 +8,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.figures.forces.force_letters import REACTION, lettered
+from drawings.figures.forces.force_letters import letter_of
+from drawings.figures.forces.shown_force import CLOSING, WHOLE, ShownForce
 from drawings.figures.linkage.vector_plan import BEYOND, LEAST
 from drawings.layout.labels import Labels
 from drawings.layout.parallel_offsets import APART, Box, Segment, lanes, moved
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
 from drawings.lettering.lettering import text_width
-from drawings.lettering.words import word
+from drawings.page.drafting import Drafting
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
 from drawings.paper.limits import SEEN
@@ -25,11 +26,10 @@ from drawings.symbols.symbols import arrowhead
 from geometry.board import Line as Direction
 from geometry.board import Mark, at, between
 from geometry.meet import EPS
-from plans.forces.cut import CLOSING, Cut
+from plans.forces.cut import Cut
 from plans.forces.force import ForcePlan
 
 SYMBOL, UNIT = "F", "N"
-WHOLE = "whole"  # both parts of a reaction together, or a group's inner reaction: a diagonal of the polygon
 MARGINS = Margins(3.0, 2.4, 2.4)  # paper around a polygon for its letters, in their sizes
 FLAT = 0.1  # of its length: a polygon that is narrower is drawn in lanes
 LETTERS, EACH = 12.0, 1.6  # a polygon is drawn at least so many letters large, and so many for each of its vectors
@@ -40,27 +40,13 @@ PAST = 1.0  # mm that the thin lines to a lane run past it
 ZERO = 256 * EPS
 
 
-class Vector(NamedTuple):
-    """A vector of a force polygon: its name, what it is, the true place of its start, and its true value, N."""
-
-    name: str
-    kind: str  # known, part, closing (plans.forces.cut), or whole
-    start: complex
-    value: complex
-
-    @property
-    def end(self) -> complex:
-        """The true place of its end."""
-        return self.start + self.value
-
-
 class Polygon(NamedTuple):
     """What one position of a force plan shows: its vectors in the order of laying, diagonals last, and directions."""
 
     label: str  # the links: "4-5"
     grouped: bool  # False: the primary link
     column: int  # place of the position among the constructed ones
-    vectors: tuple[Vector, ...]
+    forces: tuple[ShownForce, ...]
     rays: tuple[Segment, ...]  # true ends of the lines of known direction: from their start to the meeting
 
     @property
@@ -71,11 +57,11 @@ class Polygon(NamedTuple):
     @property
     def points(self) -> list[complex]:
         """All true points that the figure must hold."""
-        return [0j, *(end for one in self.vectors for end in (one.start, one.end))]
+        return [0j, *(end for one in self.forces for end in (one.at, one.end))]
 
     def faint(self, mu: float) -> tuple[str, ...]:
         """Name the forces that are not to be seen at a scale, N/mm: a sheet lists them beside."""
-        return tuple(one.name for one in self.vectors if abs(one.value) < SEEN * mu)
+        return tuple(one.name for one in self.forces if abs(one.value) < SEEN * mu)
 
 
 def polygon(plan: ForcePlan, cut: Cut, column: int) -> Polygon:
@@ -97,8 +83,8 @@ def _ends(mark: Mark) -> tuple[Mark, Mark]:
     return start, end
 
 
-def _vector(name: str, kind: str, start: Mark, end: Mark, column: int) -> Vector:
-    return Vector(name, kind, at(start.point, column), at(between(start, end), column))
+def _vector(name: str, kind: str, start: Mark, end: Mark, column: int) -> ShownForce:
+    return ShownForce(name, kind, at(start.point, column), at(between(start, end), column))
 
 
 def _rays(corner: Mark, column: int) -> list[Segment]:
@@ -109,10 +95,10 @@ def _rays(corner: Mark, column: int) -> list[Segment]:
     return [(at(line.through, column), at(corner.point, column)) for line in met]
 
 
-class Drawn(NamedTuple):
-    """A vector on paper: its ends, mm, and how far it was shifted from its own place."""
+class LaidForce(NamedTuple):
+    """A force on paper: its ends, mm, and how far it was shifted from its own place."""
 
-    vector: Vector
+    force: ShownForce
     ends: Segment
     shift: complex
 
@@ -124,58 +110,64 @@ class PolygonFigure:
     shown: Polygon
     place: Place
     lines: tuple[Stroke, ...]
-    arrows: tuple[Drawn, ...]  # the vectors that are seen
+    arrows: tuple[LaidForce, ...]  # the vectors that are seen
     faint: tuple[str, ...]  # names of forces that are not to be seen at this scale
-    hand: Hand
-    language: str
-    reactions: str
+    drafting: Drafting
 
-    def lettered(self, labels: Labels) -> Group:
+    def letter(self, labels: Labels) -> tuple[Group, ...]:
         """Give the whole figure with the letter of each vector beside it, the shortest served first."""
         spots = [end for arrow in self.arrows for end in arrow.ends]
         middle = sum(spots, 0j) / max(len(spots), 1)
         letters = []
-        for one, (start, end), shift in sorted(self.arrows, key=lambda arrow: abs(arrow.vector.value)):
+        for one, (start, end), shift in sorted(self.arrows, key=lambda arrow: abs(arrow.force.value)):
             outward = shift or (start + end) / 2 - middle or 1j
-            letter = lettered(one.name, self.language, self.reactions)
-            letters.append(labels.along(start, end, letter, self.hand.letter, BESIDE, cmath.phase(outward)))
-        return Group((*self.lines, Group(tuple(letters))), f"{self.shown.plan}-{self.shown.column}")
+            letter = letter_of(one.name, self.drafting)
+            letters.append(labels.along(start, end, letter, self.drafting.hand.letter, BESIDE, cmath.phase(outward)))
+        return (Group((*self.lines, Group(tuple(letters))), f"{self.shown.plan}-{self.shown.column}"),)
 
 
-def measured(shown: Polygon, name: str, hand: Hand, language: str) -> Picture:
+def measure(shown: Polygon, name: str, drafting: Drafting) -> Picture:
     """Measure the room that a polygon needs: its points, letters around them, lanes beside a flat one, its heading."""
-    title = text_width(Text(0j, _title(shown, language), hand.title)) + 2 * LEAN * hand.title
+    hand = drafting.hand
+    title = text_width(Text(0j, _title(shown, drafting), hand.title)) + 2 * LEAN * hand.title
     points = np.array(shown.points)
     wide, high = float(np.ptp(points.real)), float(np.ptp(points.imag))
     beside = 2 * APART * hand.symbol if min(wide, high) < FLAT * max(wide, high) else 0.0
     side, below, above = (size * hand.letter + beside for size in MARGINS)
     margins = Margins(side, below, above + 2 * hand.title + hand.text)
-    least = hand.letter * max(LETTERS, EACH * len(shown.vectors))
+    least = hand.letter * max(LETTERS, EACH * len(shown.forces))
     return picture(name, shown.points, (SYMBOL, UNIT), margins, title, least)
 
 
-def figure(
-    shown: Polygon, measure: Picture, spot: Spot, scale: str, hand: Hand, language: str, reactions: str = REACTION
-) -> PolygonFigure:
+def draw(shown: Polygon, room: Picture, spot: Spot, drafting: Drafting) -> PolygonFigure:
     """Draw the polygon in its spot: its sides in main lines, diagonals thinner, directions thin, title above."""
-    place = measure.placed(*spot)
-    told = [one for one in shown.vectors if place.length(abs(one.value)) >= LEAST]
+    place, hand = room.placed(*spot), drafting.hand
+    told = [one for one in shown.forces if place.length(abs(one.value)) >= LEAST]
     order = sorted((one for one in told if place.length(abs(one.value)) >= SEEN), key=_rank)
-    segments = [(place.on(one.start), place.on(one.end)) for one in order]
+    segments = [(place.on(one.at), place.on(one.end)) for one in order]
     shifts = lanes(segments, APART * hand.symbol, ROOM * hand.letter, _inside(spot.box, hand))
     placed = zip(order, segments, shifts, strict=True)
-    arrows = tuple(Drawn(one, moved(line, shift), shift) for one, line, shift in placed)
+    arrows = tuple(LaidForce(one, moved(line, shift), shift) for one, line, shift in placed)
     subject = Subject(shown.plan, SYMBOL, shown.column)
-    short = [(one, (place.on(one.start), place.on(one.end))) for one in told if one not in order]
+    short = [(one, (place.on(one.at), place.on(one.end))) for one in told if one not in order]
     drawn = [
-        _drawn(subject, lettered(one.name, language, reactions), one, line, place, hand)
+        _side(subject, letter_of(one.name, drafting), one, line, place, hand)
         for one, line in (*((one, line) for one, line, _ in reversed(arrows)), *short)
     ]
     thin = [*_directions(shown, place, hand), *_carried(segments, shifts, hand)]
-    under = scale if shown.vectors else word(language, "unloaded")
-    title = heading(spot.box, _title(shown, language), under, hand)
+    faint = shown.faint(place.scale.mu)
+    title = heading(spot.box, _title(shown, drafting), _under(shown, faint, spot, drafting), hand)
     lines = (title, *([Group(tuple(thin))] if thin else []), *drawn)
-    return PolygonFigure(shown, place, lines, arrows, shown.faint(place.scale.mu), hand, language, reactions)
+    return PolygonFigure(shown, place, lines, arrows, faint, drafting)
+
+
+def _under(shown: Polygon, faint: tuple[str, ...], spot: Spot, drafting: Drafting) -> str:
+    """Write the scale, and beside it the forces that are too short to bear a letter."""
+    if not shown.forces:
+        return drafting.word("unloaded")
+    names = ", ".join(letter_of(name, drafting) for name in faint)
+    scale = drafting.scale(spot.scale)
+    return f"{scale};  {drafting.word('unlettered', names=names)}" if faint else scale
 
 
 def _inside(box: Field, hand: Hand) -> Box:
@@ -184,12 +176,12 @@ def _inside(box: Field, hand: Hand) -> Box:
     return box.left + wide, box.bottom + high, box.right - wide, box.top - 2 * hand.title - hand.text - high
 
 
-def _rank(one: Vector) -> tuple[bool, float]:
+def _rank(one: ShownForce) -> tuple[bool, float]:
     """Rank a vector by who keeps its place where several run along one another: sides, the longest first."""
     return one.kind == WHOLE, -abs(one.value)
 
 
-def _drawn(subject: Subject, letter: str, one: Vector, ends: Segment, place: Place, hand: Hand) -> Group:
+def _side(subject: Subject, letter: str, one: ShownForce, ends: Segment, place: Place, hand: Hand) -> Group:
     style = hand.relative if one.kind == WHOLE else hand.result
     head = arrowhead(*ends, hand.symbol)
     strokes = (Line(*ends, style),) if head is None else (Line(*ends, style), head)
@@ -216,6 +208,6 @@ def _carried(segments: list[Segment], shifts: list[complex], hand: Hand) -> list
     ]  # fmt: skip
 
 
-def _title(shown: Polygon, language: str) -> str:
+def _title(shown: Polygon, drafting: Drafting) -> str:
     key = "force plan" if shown.grouped else "primary force plan"
-    return f"{word(language, key, group=shown.label)}, {word(language, 'position', position=shown.column)}"
+    return f"{drafting.word(key, group=shown.label)}, {drafting.word('position', position=shown.column)}"

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from drawings.figures.forces.force_letters import lettered
-from drawings.layout.value_table import Row, row
+from drawings.figures.forces.force_letters import force_letter
+from drawings.layout.table import Row
+from drawings.layout.value_table import row
 from drawings.lettering.words import word
 from plans.checks.comparison import Finding
 from plans.checks.force_comparison import ForceComparison
@@ -14,7 +15,7 @@ from plans.checks.force_comparison import ForceComparison
 def label(finding: Finding, language: str, reactions: str) -> str:
     """Name a finding of the forces as the sheet does, with its unit: "R_{34}, N"."""
     name, _, how = finding.name.partition(" ")
-    letter = lettered(name, language, reactions)
+    letter = force_letter(name, language, reactions)
     by = f" ({word(language, f'by {how}')})" if how else ""
     return f"{letter}{by}, {word(language, finding.unit)}"
 

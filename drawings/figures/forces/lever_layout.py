@@ -8,11 +8,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
-from drawings.figures.forces.force_letters import lettered
+from drawings.figures.forces.force_letters import letter_of
+from drawings.figures.forces.shown_force import BALANCE, PAIR, ShownForce
 from drawings.figures.linkage.vector_plan import written
 from drawings.layout.parallel_offsets import Segment, merging
 from drawings.layout.place import Place
-from drawings.lettering.force_words import letter as letter_of
+from drawings.lettering.force_words import letter as by_language
+from drawings.page.drafting import Drafting
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
 from drawings.symbols.arms import Arm
@@ -26,19 +28,8 @@ ARMS, TELLING = 5, 0.02  # arms shown at the most, and the share of the greatest
 # What speaks against a place of a force: that it runs along another, out of the figure, is away from its image.
 ON_FORCE, OUTSIDE, AWAY = 4, 3, 2
 STANDS = 12  # directions tried for the stand of the pole
-LOAD, PAIR, BALANCE = "load", "pair", "balance"
 BOTH, PARALLEL = 2, 0.1  # of forces on one line through an image one comes and one goes; parallel to 3 degrees
 SAME = 0.5  # mm: places nearer than this are one
-
-
-class Push(NamedTuple):
-    """A force on the lever: its name, what it is, the true place of its image m/s, its value N, its moment W."""
-
-    name: str
-    kind: str  # load; pair: half of a couple; balance: what the drive gives
-    at: complex
-    force: complex
-    moment: float
 
 
 class Reach(NamedTuple):
@@ -60,18 +51,16 @@ class Taken(NamedTuple):
     box: Field  # of the figure
 
 
-def forces(
-    pushes: Sequence[Push], place: Place, taken: Taken, hand: Hand, letters: tuple[str, str]
-) -> list[ForceArrow]:
+def forces(pushes: Sequence[ShownForce], place: Place, taken: Taken, drafting: Drafting) -> list[ForceArrow]:
     """Place the forces, the greatest first: each from its image or to it, where it runs along no other line."""
-    greatest = max((abs(one.force) for one in pushes), default=1.0)
-    placed = []
-    for one in sorted(pushes, key=lambda one: -abs(one.force)):
-        length = (SHORTEST + (LONGEST - SHORTEST) * abs(one.force) / greatest) * hand.symbol
-        arrow = _beside(lettered(one.name, *letters), one.force, place.on(one.at), length, taken)
+    greatest = max((abs(one.value) for one in pushes), default=1.0)
+    arrows = []
+    for one in sorted(pushes, key=lambda one: -abs(one.value)):
+        length = (SHORTEST + (LONGEST - SHORTEST) * abs(one.value) / greatest) * drafting.hand.symbol
+        arrow = _beside(letter_of(one.name, drafting), one.value, place.on(one.at), length, taken)
         taken.forces.append((arrow.start, arrow.tip))
-        placed.append(arrow)
-    return placed
+        arrows.append(arrow)
+    return arrows
 
 
 def _beside(letter: str, force: complex, image: complex, length: float, taken: Taken) -> ForceArrow:
@@ -98,46 +87,46 @@ def _shown(arm: Arm, box: Field) -> bool:
     return arm.length > ROOM * ARROW_LENGTH and _within(arm.foot, box)
 
 
-def reach(pushes: Sequence[Push]) -> float:
+def reach(pushes: Sequence[ShownForce]) -> float:
     """Give how far forces reach from their images, mm: one of their length, or two where many share a line there."""
-    lines = [(one.at, (one.force / abs(one.force)) ** 2) for one in pushes]
+    lines = [(one.at, (one.direction) ** 2) for one in pushes]
     most = max((sum(at == image and abs(way - own) < PARALLEL for image, way in lines) for at, own in lines), default=0)
     return LONGEST + (SHORTEST + AFTER if most > BOTH else 0.0)
 
 
 def arms(
-    pushes: Sequence[Push], images: Mapping[complex, str], place: Place, taken: Taken, language: str
+    pushes: Sequence[ShownForce], images: Mapping[complex, str], place: Place, taken: Taken, language: str
 ) -> list[tuple[Reach, Arm | None]]:
     """Give all arms, and of the greatest moments those that run along nothing else to be drawn, numbered as hung."""
     loads = [one for one in pushes if one.kind != PAIR]
-    every = {one.name: Arm("", place.on(0j), place.on(one.at), one.force / abs(one.force)) for one in loads}
-    drawn, numbers = _drawn(loads, every, taken), iter(range(1, ARMS + 1))
+    every = {one.name: Arm("", place.on(0j), place.on(one.at), one.direction) for one in loads}
+    chosen, numbers = _chosen(loads, every, taken), iter(range(1, ARMS + 1))
     found: list[tuple[Reach, Arm | None]] = []
     for one in loads:
         arm, letter = every[one.name], ""
-        if one.name in drawn:
+        if one.name in chosen:
             index = "bal" if one.kind == BALANCE else str(next(numbers))
-            letter = letter_of(language, f"h′_{{{index}}}")
+            letter = by_language(language, f"h′_{{{index}}}")
         elif _ray(arm):
             letter = "p" + written(images[min(images, key=lambda true: abs(true - one.at))])
-        kept = replace(arm, letter=letter) if one.name in drawn else None
+        kept = replace(arm, letter=letter) if one.name in chosen else None
         found.append((Reach(one.name, arm.length * place.scale.mu, letter), kept))
     return found
 
 
-def _drawn(loads: Sequence[Push], every: Mapping[str, Arm], taken: Taken) -> set[str]:
+def _chosen(loads: Sequence[ShownForce], every: Mapping[str, Arm], taken: Taken) -> set[str]:
     """Choose the arms that are drawn."""
     least = TELLING * max((abs(one.moment) for one in loads), default=0.0)
-    lines, drawn = [*taken.rods, *taken.forces], set[str]()
+    lines, chosen = [*taken.rods, *taken.forces], set[str]()
     for one in sorted(loads, key=lambda one: -abs(one.moment)):
         arm = every[one.name]
         ends, action = (arm.about, arm.foot), (arm.at, arm.foot)
-        if len(drawn) == ARMS or abs(one.moment) <= least or _ray(arm) or not _shown(arm, taken.box):
+        if len(chosen) == ARMS or abs(one.moment) <= least or _ray(arm) or not _shown(arm, taken.box):
             continue
         if not any(merging(ends, other) for other in lines) and not any(merging(action, rod) for rod in taken.rods):
-            drawn.add(one.name)
+            chosen.add(one.name)
             lines.append(ends)
-    return drawn
+    return chosen
 
 
 def _ray(arm: Arm) -> bool:

@@ -8,14 +8,9 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from drawings.figures.forces.force_letters import REACTION
 from drawings.figures.forces.force_polygon import ZERO
 from drawings.figures.forces.lever_layout import (
-    BALANCE,
-    LOAD,
-    PAIR,
     SAME,
-    Push,
     Reach,
     Taken,
     arms,
@@ -23,13 +18,14 @@ from drawings.figures.forces.lever_layout import (
     forces,
     reach,
 )
+from drawings.figures.forces.shown_force import BALANCE, LOAD, PAIR, ShownForce
 from drawings.figures.linkage.vector_plan import LEAST, diagram, written
 from drawings.layout.labels import Labels
 from drawings.layout.parallel_offsets import Segment
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
 from drawings.lettering.lettering import text_width
-from drawings.lettering.words import word
+from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import LEAN, Circle, Group, Line, LineStyle, Stroke, Text
 from drawings.symbols.arms import Arm
@@ -54,7 +50,7 @@ class Hanging(NamedTuple):
     pole: str
     images: tuple[tuple[str, str, complex], ...]  # name on the velocity plan, its letters, true place
     rods: tuple[tuple[Segment, bool], ...]  # true ends; whether it comes from the pole
-    pushes: tuple[Push, ...]
+    forces: tuple[ShownForce, ...]
 
     @property
     def points(self) -> list[complex]:
@@ -75,7 +71,7 @@ def hanging(plan: ForcePlan, lever: Lever, column: int) -> Hanging:
             images[name] = name, place
             joined.append(((0j, place), True))
     told = tuple((name, letters, place) for name, (letters, place) in images.items())
-    return Hanging(column, lever.pole.name, told, tuple(joined), tuple(_pushes(lever, column)))
+    return Hanging(column, lever.pole.name, told, tuple(joined), tuple(_forces(lever, column)))
 
 
 def _new(name: str, place: complex, images: Mapping[str, tuple[str, complex]]) -> str | None:
@@ -95,20 +91,20 @@ def _turned(ends: tuple[complex, complex]) -> Segment:
     return QUARTER * ends[0], QUARTER * ends[1]
 
 
-def _pushes(lever: Lever, column: int) -> Iterator[Push]:
+def _forces(lever: Lever, column: int) -> Iterator[ShownForce]:
     """Give the forces that are not zero, the balancing one first; one at the hinge of the lever does nothing there."""
     driven, force = at(lever.driven.point, column), at(lever.force.point, column)
-    every = [Push(lever.force.name, BALANCE, driven, force, (driven.conjugate() * force).imag)]
+    every = [ShownForce(lever.force.name, BALANCE, driven, force)]
     for one in lever.hung:
         place, force = at(one.at.point, column), at(one.force.point, column)
-        every.append(Push(one.name, LOAD, place, force, at(one.moment.point, column).real))
+        every.append(ShownForce(one.name, LOAD, place, force))
     for pair in lever.pairs:
-        force, moment = at(pair.force.point, column), at(pair.moment.point, column).real
+        force = at(pair.force.point, column)
         ends = (pair.end, force), (pair.start, -force)
-        every += [Push(pair.force.name, PAIR, at(end.point, column), half, moment) for end, half in ends]
-    greatest = max(abs(one.force) for one in every)
+        every += [ShownForce(pair.force.name, PAIR, at(end.point, column), half) for end, half in ends]
+    greatest = max(abs(one.value) for one in every)
     reach = max(abs(one.at) for one in every)
-    yield from (one for one in every if abs(one.force) > ZERO * greatest and abs(one.at) > ZERO * reach)
+    yield from (one for one in every if abs(one.value) > ZERO * greatest and abs(one.at) > ZERO * reach)
 
 
 @dataclass(frozen=True)
@@ -123,11 +119,11 @@ class LeverFigure:
     reaches: tuple[Reach, ...]  # of the balancing force and all loads
     hand: Hand
 
-    def lettered(self, labels: Labels) -> Group:
+    def letter(self, labels: Labels) -> tuple[Group, ...]:
         """Give the whole figure: letters of its images, its forces and their arms."""
-        letters = [*self._images(labels), *(force.lettered(labels, self.hand) for force in self.forces)]
-        letters += [arm.lettered(labels, self.hand) for arm in self.arms]
-        return Group((*self.lines, Group(tuple(letters))), f"{PLAN}-{self.shown.column}")
+        letters = [*self._images(labels), *(force.letter_beside(labels, self.hand) for force in self.forces)]
+        letters += [arm.letter_beside(labels, self.hand) for arm in self.arms]
+        return (Group((*self.lines, Group(tuple(letters))), f"{PLAN}-{self.shown.column}"),)
 
     def _images(self, labels: Labels) -> Iterator[Stroke]:
         """Letter the pole and every image once; images that fall on one place share it."""
@@ -144,37 +140,35 @@ class LeverFigure:
             yield labels.beside(spot, ", ".join(map(written, own)), self.hand.number, gap, prefer)
 
 
-def measured(shown: Hanging, name: str, hand: Hand, language: str) -> Picture:
+def measure(shown: Hanging, name: str, drafting: Drafting) -> Picture:
     """Measure the room that a lever needs: its images, the forces and letters around them, its heading."""
-    title = text_width(Text(0j, _title(shown, language), hand.title)) + 2 * LEAN * hand.title
-    side, below, above = (size * hand.letter + reach(shown.pushes) * hand.symbol for size in MARGINS)
+    hand = drafting.hand
+    title = text_width(Text(0j, _title(shown, drafting), hand.title)) + 2 * LEAN * hand.title
+    side, below, above = (size * hand.letter + reach(shown.forces) * hand.symbol for size in MARGINS)
     margins = Margins(side, below, above + 2 * hand.title + hand.text)
     return picture(name, shown.points, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
 
 
-def figure(
-    shown: Hanging, measure: Picture, spot: Spot, scale: str, hand: Hand, language: str, reactions: str = REACTION
-) -> LeverFigure:
+def draw(shown: Hanging, room: Picture, spot: Spot, drafting: Drafting) -> LeverFigure:
     """Draw the lever in its spot: the turned plan on its hinge, the forces not to scale, arms of the greatest."""
-    place = measure.placed(*spot)
+    place, hand = room.placed(*spot), drafting.hand
     subject = Subject(PLAN, SYMBOL, shown.column)
     rods = [(Line(place.on(start), place.on(end), _style(thin, hand))) for (start, end), thin in shown.rods]
     rods = [rod for rod in rods if abs(rod.end - rod.start) >= LEAST]
     taken = Taken([(rod.start, rod.end) for rod in rods], [], spot.box)
-    arrows = forces(shown.pushes, place, taken, hand, (language, reactions))
+    arrows = forces(shown.forces, place, taken, drafting)
     first = {true: letters.split(" ")[0] for _, letters, true in shown.images}
-    reaches = arms(shown.pushes, first, place, taken, language)
+    reaches = arms(shown.forces, first, place, taken, drafting.language)
     kept = tuple(arm for _, arm in reaches if arm is not None)
-    drawn = [force.drawn(hand) for force in arrows]
     circle = Circle(place.on(0j), HINGE * hand.symbol, hand.body)
     stand = fixed_hinge(
         place.on(0j), hand, HINGE * hand.symbol, downward([*taken.rods, *taken.forces], place.on(0j), hand)
     )
     dots = [point(subject, name, true, place, _dot(place.on(true), hand)) for name, _, true in shown.images]
     lines = (
-        heading(spot.box, _title(shown, language), scale, hand),
-        *([Group(tuple(stroke for arm in kept for stroke in arm.drawn(hand)))] if kept else []),
-        Group((*rods, *stand)), *drawn, *dots,
+        heading(spot.box, _title(shown, drafting), drafting.scale(spot.scale), hand),
+        *([Group(tuple(stroke for arm in kept for stroke in arm.draw(hand)))] if kept else []),
+        Group((*rods, *stand)), *(force.draw(hand) for force in arrows), *dots,
         point(subject, shown.pole, 0j, place, circle, "pole"),
     )  # fmt: skip
     return LeverFigure(shown, place, lines, tuple(arrows), kept, tuple(reach for reach, _ in reaches), hand)
@@ -188,5 +182,5 @@ def _dot(at: complex, hand: Hand) -> Circle:
     return Circle(at, POINT * hand.symbol, LineStyle(hand.thin, fill="#ffffff"))
 
 
-def _title(shown: Hanging, language: str) -> str:
-    return f"{word(language, 'lever')}, {word(language, 'position', position=shown.column)}"
+def _title(shown: Hanging, drafting: Drafting) -> str:
+    return f"{drafting.word('lever')}, {drafting.word('position', position=shown.column)}"

@@ -9,7 +9,6 @@ import cmath
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from drawings.figures.forces.force_letters import REACTION
 from drawings.figures.forces.leverage import Leverage, leverages
 from drawings.figures.forces.scheme import Scheme, scheme
 from drawings.figures.forces.scheme_layout import Layout
@@ -20,14 +19,14 @@ from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
 from drawings.lettering.extent import bounds
 from drawings.lettering.lettering import text_width
-from drawings.lettering.words import word
+from drawings.page.drafting import Drafting
 from drawings.page.page import Field
 from drawings.page.scale import Scale
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Line, Stroke, Text
 from drawings.symbols.figure import heading
 
-__all__ = ["Leverage", "Scheme", "SchemeFigure", "figure", "leverages", "measured", "scheme"]
+__all__ = ["Leverage", "Scheme", "SchemeFigure", "draw", "leverages", "measure", "scheme"]
 
 NEAR = 4.0  # mm beyond its letter: lines that end so near to a point are lines at it
 LEAST = 14.0  # a scheme is drawn at least so many of its letters large: below, its forces hide it
@@ -48,58 +47,58 @@ class SchemeFigure:
         """Where the scheme lies on paper."""
         return self.layout.place
 
-    def lettered(self, labels: Labels) -> Group:
+    def letter(self, labels: Labels) -> tuple[Group, ...]:
         """Give the whole figure, its letters placed."""
         letters = Group(tuple(_letters(self.layout, labels, self.hand)))
-        return Group((*self.lines, letters), f"scheme-{self.shown.cut.label}-{self.shown.column}")
+        return (Group((*self.lines, letters), f"scheme-{self.shown.cut.label}-{self.shown.column}"),)
 
 
-def measured(shown: Scheme, name: str, hand: Hand, language: str) -> Picture:
+def measure(shown: Scheme, name: str, drafting: Drafting) -> Picture:
     """Measure the room that a scheme needs: its links to scale, and what of its arrows is outside them, in mm."""
+    hand = drafting.hand
     least = LEAST * hand.letter
     bare = picture(name, shown.points, ("l", "m"), Margins(0, 0, 0), 0.0)
     extent = max(bare.wide, bare.high)
     bare = bare._replace(least=least if extent else 0.0)  # a lone point is not drawn smaller at any scale
     place = Place(0j, bare.middle, Scale((extent or 1.0) / least, "l", "m"))
-    left, bottom, right, top = bounds(Group(tuple(Layout(shown, place, hand, language, None).strokes())))
+    left, bottom, right, top = bounds(Group(tuple(Layout(shown, place, drafting, None).strokes())))
     wide, high = bare.wide / place.scale.mu / 2, bare.high / place.scale.mu / 2
     around = LETTERS * hand.letter
     side = max(-left - wide, right - wide, 0.0) + BESIDE * hand.letter
     margins = Margins(side, max(-bottom - high, 0.0) + around, max(top - high, 0.0) + around + _head(hand))
-    return bare._replace(margins=margins, heading=text_width(Text(0j, _title(shown, language), hand.title)))
+    return bare._replace(margins=margins, heading=text_width(Text(0j, _title(shown, drafting), hand.title)))
 
 
 def _head(hand: Hand) -> float:
     return 1.6 * hand.title + 2 * hand.text
 
 
-def _title(shown: Scheme, language: str) -> str:
+def _title(shown: Scheme, drafting: Drafting) -> str:
     key = "primary scheme" if shown.cut.group is None else "loading scheme"
-    return f"{word(language, key, group=shown.cut.label)}, {word(language, 'position', position=shown.column)}"
+    return f"{drafting.word(key, group=shown.cut.label)}, {drafting.word('position', position=shown.column)}"
 
 
-def figure(
-    shown: Scheme, measure: Picture, spot: Spot, scale: str, hand: Hand, language: str, reactions: str = REACTION
-) -> SchemeFigure:
+def draw(shown: Scheme, room: Picture, spot: Spot, drafting: Drafting) -> SchemeFigure:
     """Draw the scheme in its spot, with its title and its written scale above it."""
-    place = measure.placed(*spot)
+    place, hand = room.placed(*spot), drafting.hand
     box = Field(spot.box.left, spot.box.bottom, spot.box.right, spot.box.top - _head(hand))
-    laid = Layout(shown, place, hand, language, box, reactions)
-    title = heading(spot.box, _title(shown, language), f"{scale};  {word(language, 'not to scale')}", hand)
+    laid = Layout(shown, place, drafting, box)
+    under = f"{drafting.scale(spot.scale)};  {drafting.word('not to scale')}"
+    title = heading(spot.box, _title(shown, drafting), under, hand)
     return SchemeFigure(shown, laid, (title, *laid.strokes()), hand)
 
 
 def _letters(laid: Layout, labels: Labels, hand: Hand) -> Iterator[Stroke]:
     """Letter arms, points, forces and moments, and number the links."""
     for arm in laid.arms:
-        yield arm.lettered(labels, hand)
+        yield arm.letter_beside(labels, hand)
     for shift in laid.shifts:
         yield labels.beside(shift.middle, shift.letter, hand.letter, 0.8, cmath.phase(shift.off))
     yield from _points(laid, labels, hand)
-    for held in laid.arrows:
-        yield held.arrow.lettered(labels, hand)
+    for arrow in laid.arrows:
+        yield arrow.letter_beside(labels, hand)
     for couple in laid.couples:
-        yield couple.lettered(labels, hand)
+        yield couple.letter_beside(labels, hand)
     if laid.gear is not None:
         middle, turn = laid.gear.angle(laid.hand)
         yield labels.beside(middle, "α", hand.letter, 1.0, turn)
@@ -108,7 +107,7 @@ def _letters(laid: Layout, labels: Labels, hand: Hand) -> Iterator[Stroke]:
 
 def _points(laid: Layout, labels: Labels, hand: Hand) -> Iterator[Stroke]:
     """Letter each point where the widest angle between the lines at it is free."""
-    lines = [*_lines(laid.links), *(held.shaft for held in laid.arrows)]
+    lines = [*_lines(laid.links), *(arrow.shaft for arrow in laid.arrows)]
     for name, value in laid.shown.named.items():
         spot, gap = laid.place.on(value), laid.clear(name) + 1.0
         yield labels.beside(spot, written(name), hand.letter, gap, free_side(spot, lines, gap + NEAR))

@@ -8,13 +8,15 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
-from drawings.figures.forces.acting import Force, Moment
-from drawings.figures.forces.force_fan import UNKNOWN, Held, Spoke, fanned, lengths
-from drawings.figures.forces.force_letters import REACTION, lettered
+from drawings.figures.forces.acting import ShownMoment
+from drawings.figures.forces.force_fan import UNSIZED, fan, lengths
+from drawings.figures.forces.force_letters import letter_of
 from drawings.figures.forces.scheme import Scheme
+from drawings.figures.forces.shown_force import KNOWN, PRESSING, ShownForce
 from drawings.figures.linkage.pairs import Joints
-from drawings.layout.obstacles import Obstacles
+from drawings.layout.ink import Ink
 from drawings.layout.place import Place
+from drawings.page.drafting import Drafting
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Circle, Group, Line, Stroke
@@ -22,6 +24,7 @@ from drawings.symbols.arms import Arm, to_scale
 from drawings.symbols.couples import HALF, THREE_QUARTERS, Couple
 from drawings.symbols.dashes import fitted
 from drawings.symbols.figure import Subject
+from drawings.symbols.force_arrow import ForceArrow, marked
 from drawings.symbols.symbols import ARROW_LENGTH, BLOCK, MASS, POINT, arrowhead, mass_centre
 from drawings.symbols.transmission import Gear
 
@@ -58,7 +61,7 @@ class Dimension(NamedTuple):
         ends = ((one, one + past) for one in (self.start, self.end))
         return (self.start + self.off, self.end + self.off), *ends
 
-    def drawn(self, hand: Hand) -> tuple[Stroke, ...]:
+    def draw(self, hand: Hand) -> tuple[Stroke, ...]:
         """Draw its lines, its arrows within or, where there is no room, outside."""
         start, end = self.lines[0]
         along = (end - start) / self.length * ARROW_LENGTH * hand.symbol
@@ -75,15 +78,13 @@ class Layout:
 
     shown: Scheme
     place: Place
-    sheet: Hand
-    language: str
+    drafting: Drafting
     box: Field | None  # None: as much room as is asked for
-    reactions: str = REACTION  # the sheet's letter for them
 
     @cached_property
     def joints(self) -> Joints:
         """Links and pairs on paper."""
-        return Joints(self.shown.links, self.place, self.sheet)
+        return Joints(self.shown.links, self.place, self.drafting.hand)
 
     @property
     def hand(self) -> Hand:
@@ -92,7 +93,7 @@ class Layout:
 
     def letter(self, name: str) -> str:
         """Write a force's or a moment's letter as the sheet's language does."""
-        return lettered(name, self.language, self.reactions)
+        return letter_of(name, self.drafting)
 
     @cached_property
     def links(self) -> list[Stroke]:
@@ -164,24 +165,30 @@ class Layout:
         return [one for one in found if one.length >= LEAST]
 
     @cached_property
-    def arrows(self) -> list[Held]:
+    def arrows(self) -> list[ForceArrow]:
         """The forces, placed among links and arms."""
         forces = self.shown.acting.forces
-        known = iter(lengths([abs(force.value) for force in forces if not force.unknown]))
-        spokes = [self._spoke(force, UNKNOWN if force.unknown else next(known)) for force in forces]
+        known = iter(lengths([abs(force.value) for force in forces if force.kind == KNOWN]))
+        sizes = [next(known) if force.kind == KNOWN else UNSIZED for force in forces]
+        arrows = [self._arrow(force, size) for force, size in zip(forces, sizes, strict=True)]
         box = self.box
         if box is not None:
-            box = Field(*(edge + sign * self.sheet.letter for edge, sign in zip(box, (1, 1, -1, -1), strict=True)))
+            box = box.inset(self.drafting.hand.letter)
         spots = [self.place.on(spot) for spot in self.shown.named.values()]
-        return fanned(spokes, self._around, spots, box, self.hand)
+        return fan(arrows, [self._reach(force) for force in forces], self._around, spots, box, self.hand)
 
-    def _spoke(self, force: Force, length: float) -> Spoke:
-        direction = force.value / abs(force.value)
-        rim = BLOCK[1] / 2 * self.hand.symbol if force.pressing and self._on_block(force) else self._rim(force.spot)
-        at = self.place.on(force.at)
-        return Spoke(self.letter(force.name), at, direction, length, rim, force.unknown, force.pressing)
+    def _arrow(self, force: ShownForce, length: float) -> ForceArrow:
+        """Give a force's arrow at its point; that of a guide presses on its slider."""
+        at, size = self.place.on(force.at), length * self.hand.symbol
+        letter = self.letter(force.name)
+        return marked(letter, force.direction, at, size, force.kind == PRESSING, force.kind != KNOWN)
 
-    def _on_block(self, force: Force) -> bool:
+    def _reach(self, force: ShownForce) -> float:
+        """Give how far from a force's point symbols reach."""
+        pressing = force.kind == PRESSING and self._on_block(force)
+        return BLOCK[1] / 2 * self.hand.symbol if pressing else self._rim(force.spot)
+
+    def _on_block(self, force: ShownForce) -> bool:
         """Tell whether a guide's reaction meets its slider's block."""
         at, reach = self.place.on(force.at), BLOCK[0] / 2 * self.hand.symbol
         return any(abs(at - spot) <= reach for spot in self._blocks)
@@ -208,16 +215,16 @@ class Layout:
         marks = [(mark, BAR) for mark in self.marks]
         thin = [(Line(arm.about, arm.foot), THIN) for arm in self.arms]
         thin += [(Line(*ends), THIN) for one in self.shifts for ends in one.lines]
-        wheel = [] if self.gear is None else [(stroke, THIN) for stroke in self.gear.drawn(self.hand)[:1]]
+        wheel = [] if self.gear is None else [(stroke, THIN) for stroke in self.gear.draw(self.hand)[:1]]
         return [*thick, *marks, *thin, *wheel]
 
     @cached_property
     def couples(self) -> list[Couple]:
         """The moments as arcs: each faces where it crosses the fewest lines; one about a point is inside the next."""
-        drawn = Obstacles()
+        drawn = Ink()
         for stroke, weight in self._around:
             drawn.draw([stroke], weight)
-        drawn.draw((held.shaft for held in self.arrows), ARROW)
+        drawn.draw((arrow.shaft for arrow in self.arrows), ARROW)
         found: list[Couple] = []
         for moment in self.shown.acting.moments:
             at = self.place.on(moment.at)
@@ -226,26 +233,26 @@ class Layout:
             found.append(self._couple(moment, at, (least + APART * before) * self.hand.symbol, drawn))
         return found
 
-    def _couple(self, moment: Moment, at: complex, radius: float, drawn: Obstacles) -> Couple:
-        written_ = self.letter(moment.name)
+    def _couple(self, moment: ShownMoment, at: complex, radius: float, drawn: Ink) -> Couple:
+        letter = self.letter(moment.name)
         choices = [
-            Couple(written_, at, moment.sense, radius, 2 * math.pi * k / FACINGS, sweep)
+            Couple(letter, at, moment.sense, radius, 2 * math.pi * k / FACINGS, sweep)
             for sweep in (THREE_QUARTERS, HALF)
             for k in range(FACINGS)
         ]
-        return min(choices, key=lambda one: drawn.crossed_by([one.drawn(self.hand)]) + NARROW * (one.sweep == HALF))
+        return min(choices, key=lambda one: drawn.crossed_by([one.draw(self.hand)]) + NARROW * (one.sweep == HALF))
 
     def strokes(self) -> Iterator[Stroke]:
         """Draw everything but letters, from the thinnest lines to the arrows."""
         hand = self.hand
-        arms: tuple[Stroke, ...] = tuple(stroke for arm in self.arms for stroke in arm.drawn(hand))
-        arms += tuple(stroke for shift in self.shifts for stroke in shift.drawn(hand))
+        arms: tuple[Stroke, ...] = tuple(stroke for arm in self.arms for stroke in arm.draw(hand))
+        arms += tuple(stroke for shift in self.shifts for stroke in shift.draw(hand))
         yield from [Group(arms)] if arms else []
         if self.gear is not None and self.shown.wheel is not None:
-            yield Group(self.gear.drawn(hand, self.shown.wheel.whole))
+            yield Group(self.gear.draw(hand, self.shown.wheel.whole))
         yield Group((*self.links, *self.marks))
-        leads = tuple(held.lead for held in self.arrows if held.lead is not None)
-        forces: tuple[Stroke, ...] = (*leads, *(held.arrow.drawn(hand) for held in self.arrows))
+        leads = tuple(Line(arrow.lead, arrow.at, hand.drafted) for arrow in self.arrows if arrow.lead is not None)
+        forces: tuple[Stroke, ...] = (*leads, *(arrow.draw(hand) for arrow in self.arrows))
         yield from [Group(forces)] if forces else []
-        couples = tuple(couple.drawn(hand) for couple in self.couples)
+        couples = tuple(couple.draw(hand) for couple in self.couples)
         yield from [Group(couples)] if couples else []

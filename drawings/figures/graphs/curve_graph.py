@@ -13,7 +13,7 @@ from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot
 from drawings.layout.place import Place
 from drawings.lettering.lettering import text_width
-from drawings.lettering.words import word
+from drawings.page.drafting import Drafting
 from drawings.page.scale import Scale, fitting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Circle, Group, Line, Polyline, Stroke, Text
@@ -45,6 +45,7 @@ class Curve(NamedTuple):
     values: Floats
     stations: Floats  # of the positions
     ordinates: Floats
+    title: str = ""
 
     @property
     def span(self) -> tuple[float, float]:
@@ -84,26 +85,27 @@ def bounded(dense: Any, own: Any) -> Any:
     return np.where(np.abs(dense) > TALLEST * np.nanmax(np.abs(own), initial=0.0), np.nan, dense)
 
 
-def measured(curve: Curve, name: str, title: str, hand: Hand) -> Picture:
+def measure(curve: Curve, name: str, drafting: Drafting) -> Picture:
     """Measure the room of a graph: its scale is that of the angle, the quantity's own follows from the height."""
+    hand = drafting.hand
     side, below, above = (size * hand.letter for size in MARGINS)
     margins = Margins(side + BEYOND / 2, below, above + BEYOND + 2 * hand.title + hand.text)
     high = curve.length / RATIO
-    heading = text_width(Text(0j, title, hand.title))
+    heading = text_width(Text(0j, curve.title, hand.title))
     return Picture(
         name, curve.length, high, complex(curve.length, high) / 2, "φ", "°", margins, heading, LETTERS * hand.letter
     )
 
 
-def scale_of(curve: Curve, spot: Spot, measure: Picture, standard: str) -> Scale:
+def scale_of(curve: Curve, room: Picture, spot: Spot, standard: str) -> Scale:
     """Choose the largest standard scale of the quantity for the height of a graph."""
     low, high = curve.span
     symbol = curve.letter.split("_")[0].split("^")[0]
-    return fitting(high - low, measure.high / spot.scale.mu, symbol, curve.unit, standard)
+    return fitting(high - low, room.high / spot.scale.mu, symbol, curve.unit, standard)
 
 
 @dataclass(frozen=True)
-class Graph:
+class GraphFigure:
     """A graph placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
 
     curve: Curve
@@ -113,15 +115,15 @@ class Graph:
     axes: tuple[tuple[str, complex, float], ...]  # letter, end of the axis, side of the letter
     hand: Hand
 
-    def lettered(self, labels: Labels) -> Group:
+    def letter(self, labels: Labels) -> tuple[Group, ...]:
         """Give the whole graph, its positions numbered and its axes lettered."""
         hand = self.hand
-        written = [labels.beside(end, letter, hand.letter, 1.2, side) for letter, end, side in self.axes]
-        written += [labels.beside(at, number, hand.number, TICK + 0.6, side) for number, at, side in self.stations]
-        return Group((*self.lines, Group(tuple(written))), self.name)
+        letters = [labels.beside(end, letter, hand.letter, 1.2, side) for letter, end, side in self.axes]
+        letters += [labels.beside(at, number, hand.number, TICK + 0.6, side) for number, at, side in self.stations]
+        return (Group((*self.lines, Group(tuple(letters))), self.name),)
 
 
-class _Frame(NamedTuple):
+class _Axes(NamedTuple):
     """Where angles and values lie on paper."""
 
     place: Place
@@ -132,25 +134,26 @@ class _Frame(NamedTuple):
         return complex(self.place.on(complex(angle)).real, self.zero + value / self.scale.mu)
 
 
-def figure(curve: Curve, measure: Picture, spot: Spot, title: str, standard: str, hand: Hand, language: str) -> Graph:
+def draw(curve: Curve, room: Picture, spot: Spot, drafting: Drafting) -> GraphFigure:
     """Draw the graph in its spot, with its title and both of its scales above it."""
-    scale = scale_of(curve, spot, measure, standard)
-    place = measure.placed(*spot)
+    hand, scale = drafting.hand, scale_of(curve, room, spot, drafting.standard)
+    place = room.placed(*spot)
     low, high = curve.span
-    spare = measure.high / spot.scale.mu - (high - low) / scale.mu
-    frame = _Frame(place, place.on(0j).imag + spare / 2 - low / scale.mu, scale)
-    scales = f"{spot.scale.written(language)};  {scale.written(language)}"
-    ordinates, stations = _ordinates(curve, measure.name, frame, hand)
-    lines = (heading(spot.box, title, scales, hand), *_axes(curve, frame, hand), *ordinates, *_line(curve, frame, hand))
+    spare = room.high / spot.scale.mu - (high - low) / scale.mu
+    frame = _Axes(place, place.on(0j).imag + spare / 2 - low / scale.mu, scale)
+    scales = f"{spot.scale.written(drafting.language)};  {scale.written(drafting.language)}"
+    ordinates, stations = _ordinates(curve, room.name, frame, hand)
+    title = heading(spot.box, curve.title, scales, hand)
+    lines = (title, *_axes(curve, frame, hand), *ordinates, *_line(curve, frame, hand))
     last = frame.on(curve.length)
     ends = (frame.on(0.0).real + 1j * (frame.on(0.0, high).imag + BEYOND), last + BEYOND)
-    axes = ((f"{curve.letter}, {word(language, curve.unit)}", ends[0], 0.0), ("φ", ends[1], math.pi / 2))
+    axes = ((f"{curve.letter}, {drafting.word(curve.unit)}", ends[0], 0.0), ("φ", ends[1], math.pi / 2))
     if curve.closed:
         stations.append(("0", last, BELOW))
-    return Graph(curve, measure.name, lines, tuple(stations), axes, hand)
+    return GraphFigure(curve, room.name, lines, tuple(stations), axes, hand)
 
 
-def _axes(curve: Curve, frame: _Frame, hand: Hand) -> Iterator[Stroke]:
+def _axes(curve: Curve, frame: _Axes, hand: Hand) -> Iterator[Stroke]:
     """Draw both axes with their arrowheads, and a tick at their end."""
     low, high = curve.span
     first, last = frame.on(0.0), frame.on(curve.length)
@@ -163,7 +166,7 @@ def _axes(curve: Curve, frame: _Frame, hand: Hand) -> Iterator[Stroke]:
 
 
 def _ordinates(
-    curve: Curve, plan: str, frame: _Frame, hand: Hand
+    curve: Curve, plan: str, frame: _Axes, hand: Hand
 ) -> tuple[list[Stroke], list[tuple[str, complex, float]]]:
     """Draw tick, ordinate and point of each position that is no gap; each ordinate can be measured."""
     drawn: list[Stroke] = []
@@ -185,7 +188,7 @@ def _ordinates(
     return drawn, stations
 
 
-def _line(curve: Curve, frame: _Frame, hand: Hand) -> Iterator[Stroke]:
+def _line(curve: Curve, frame: _Axes, hand: Hand) -> Iterator[Stroke]:
     """Draw the curve, broken at its gaps."""
     for run in stretches(curve.values):
         points = [frame.on(float(curve.angles[k]), float(curve.values[k])) for k in run]

@@ -14,6 +14,7 @@ from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
 from drawings.lettering.lettering import text_width
+from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Circle, Group, Polyline, Stroke, Text
 from drawings.symbols.figure import Subject, heading, point, vector
@@ -45,11 +46,12 @@ class Hodograph(NamedTuple):
         return [complex(value) for value in found[~np.isnan(found.real)]]
 
 
-def measured(shown: Hodograph, name: str, title: str, hand: Hand) -> Picture:
+def measure(shown: Hodograph, name: str, drafting: Drafting) -> Picture:
     """Measure the room of a hodograph."""
+    hand = drafting.hand
     side, below, above = (size * hand.letter for size in MARGINS)
     margins = Margins(side, below, above + 2 * hand.title + hand.text)
-    heading = text_width(Text(0j, title, hand.title))
+    heading = text_width(Text(0j, _title(shown, drafting), hand.title))
     return picture(name, shown.points, (shown.symbol, shown.unit), margins, heading, LETTERS * hand.letter)
 
 
@@ -63,29 +65,30 @@ class HodographFigure:
     lines: tuple[Stroke, ...]
     hand: Hand
 
-    def lettered(self, labels: Labels) -> Group:
+    def letter(self, labels: Labels) -> tuple[Group, ...]:
         """Give the whole figure: the pole and the shown vector lettered, the positions numbered outward."""
         hand, ends = self.hand, self.shown.ends
-        written = [labels.beside(self.place.on(0j), POLE, hand.letter, 1.6, -math.pi / 4)]
+        letters = [labels.beside(self.place.on(0j), POLE, hand.letter, 1.6, -math.pi / 4)]
         end = complex(ends[self.shown.shown])
         if not math.isnan(end.real):
             middle = self.place.on(end / 2)
-            written.append(labels.beside(middle, self.shown.letter, hand.letter, 1.2, cmath.phase(1j * (end or 1j))))
+            letters.append(labels.beside(middle, self.shown.letter, hand.letter, 1.2, cmath.phase(1j * (end or 1j))))
         heart = complex(np.nanmean(ends.real), np.nanmean(ends.imag)) if not np.isnan(ends.real).all() else 0j
         for k, value in enumerate(ends):
             if not math.isnan(value.real):
                 spot, away = self.place.on(complex(value)), complex(value) - heart
                 side = cmath.phase(away) if away else math.pi / 4
-                written.append(labels.beside(spot, str(k), hand.number, 1.2, side))
-        return Group((*self.lines, Group(tuple(written))), self.name)
+                letters.append(labels.beside(spot, str(k), hand.number, 1.2, side))
+        return (Group((*self.lines, Group(tuple(letters))), self.name),)
 
 
-def figure(shown: Hodograph, measure: Picture, spot: Spot, title: str, scale: str, hand: Hand) -> HodographFigure:
+def draw(shown: Hodograph, room: Picture, spot: Spot, drafting: Drafting) -> HodographFigure:
     """Draw the hodograph in its spot, with its title and its written scale above it."""
-    place = measure.placed(*spot)
-    lines: list[Stroke] = [heading(spot.box, title, scale, hand), *_curve(shown, place, hand)]
+    place, hand = room.placed(*spot), drafting.hand
+    title = heading(spot.box, _title(shown, drafting), drafting.scale(spot.scale), hand)
+    lines: list[Stroke] = [title, *_curve(shown, place, hand)]
     end = complex(shown.ends[shown.shown])
-    subject = Subject(measure.name, shown.symbol, shown.shown)
+    subject = Subject(room.name, shown.symbol, shown.shown)
     if not math.isnan(end.real) and place.length(abs(end)) > LEAST:
         lines.append(vector(subject, named(shown.letter), (0j, end), place, hand.relative, hand.symbol))
     every = subject._replace(position=None)
@@ -94,7 +97,11 @@ def figure(shown: Hodograph, measure: Picture, spot: Spot, title: str, scale: st
         if not math.isnan(value.real):
             dot = Circle(place.on(complex(value)), DOT * hand.symbol, INK)
             lines.append(point(subject._replace(position=k), str(k), complex(value), place, dot))
-    return HodographFigure(shown, measure.name, place, tuple(lines), hand)
+    return HodographFigure(shown, room.name, place, tuple(lines), hand)
+
+
+def _title(shown: Hodograph, drafting: Drafting) -> str:
+    return drafting.word("hodograph", letter=shown.letter)
 
 
 def _curve(shown: Hodograph, place: Place, hand: Hand) -> list[Stroke]:

@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from drawings.layout.labels import Ink
+from drawings.layout.ink import Ink
 from drawings.lettering.extent import bounds
 from drawings.page.page import Field
 from drawings.paper.hand import Hand

@@ -6,7 +6,7 @@ import math
 
 from drawings.figures.linkage.pairs import Pairs
 from drawings.figures.linkage.skeleton import Skeletons
-from drawings.layout.obstacles import Obstacles
+from drawings.layout.ink import Ink
 from drawings.layout.place import Place
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Line, Stroke
@@ -44,7 +44,7 @@ def travel(bones: Skeletons, slide: Slide, place: Place, hand: Hand) -> tuple[co
     return first - more, last + more
 
 
-def grounds(pairs: Pairs, drawn: Obstacles) -> list[Stroke]:
+def grounds(pairs: Pairs, drawn: Ink) -> list[Stroke]:
     """Draw the ground beside the shown block of each guide, on the side where fewer links are."""
     bones, place, hand = pairs.bones, pairs.place, pairs.hand
     found: list[Stroke] = []

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
+from plans.forces.reading.form import ForceForm
 from plans.model.mechanism import FRAME, Link
 from plans.scene.scene import Scene
 
@@ -25,7 +26,7 @@ def unnamed(scene: Scene, links: Mapping[int, Link]) -> dict[str, tuple[int, com
     """Give the mass centres that no point of the scene names, by their letter: link, and place in its own frame."""
     taken = {name for link in links.values() for name in link.points}
     found = {}
-    for number, mass in sorted(scene.masses.items()):
+    for number, mass in sorted(scene.of(ForceForm).masses.items()):
         places, centre = links[number].points.values(), mass.place(links[number])
         size = max(abs(place - centre) for place in places)
         if number != FRAME and f"S{number}" not in taken and min(abs(p - centre) for p in places) > NEAR * size:

@@ -103,7 +103,7 @@ def _crank_numbers(pairs: Pairs, found: list[Numbered], labels: Labels) -> Itera
 
 def _rings(bones: Skeletons, place: Place, hand: Hand, wide: float) -> tuple[int, float]:
     """Give every which position is numbered on the crank circle, and how far out every other one of them stands."""
-    if isinstance(bones.study.scene.drive.positions, tuple):
+    if isinstance(bones.study.form.drive.positions, tuple):
         return 1, 0.0  # listed angles are as far apart as the scene has them
     room = 2 * math.pi * (bones.crank(place) + CRANK_GAP + hand.number / 2) / len(bones.numbered)
     every = next((step for step in STEPS if step * room >= APART * max(wide / 2, hand.number)), STEPS[-1])
@@ -117,7 +117,7 @@ def _in_barrier(ray: complex, barriers: tuple[Barrier, ...]) -> bool:
 
 def _angled(bones: Skeletons, one: Numbered) -> str:
     """Write a position's number, and its crank angle where the scene lists the angles."""
-    listed = bones.study.scene.drive.positions
+    listed = bones.study.form.drive.positions
     if not isinstance(listed, tuple) or one.poses is not bones.numbered or len(listed) > ANGLES:
         return one.name
     return f"{one.name} ({number(float(listed[one.column]), bones.study.scene.sheet.language)}°)"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 from itertools import groupby
 
 from drawings.figures.linkage.guides import axes, grounds
@@ -16,13 +17,16 @@ from drawings.figures.linkage.skeleton import Poses, Skeletons
 from drawings.figures.linkage.stroke_dimension import stroke
 from drawings.figures.linkage.trajectories import trajectories
 from drawings.figures.linkage.vector_plan import written
+from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels, free_side
-from drawings.layout.obstacles import Obstacles
+from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
+from drawings.lettering.lettering import text_width
+from drawings.page.drafting import Drafting
 from drawings.paper.formats import Field
 from drawings.paper.hand import Hand
 from drawings.paper.limits import MANY
-from drawings.paper.strokes import Arc, Group, Line, LineStyle, Stroke
+from drawings.paper.strokes import Arc, Group, Line, LineStyle, Stroke, Text
 from drawings.symbols import symbols
 from drawings.symbols.dashes import fitted
 from drawings.symbols.symbols import ARROW_LENGTH
@@ -30,33 +34,73 @@ from drawings.symbols.trimming import trimmed
 from geometry.board import Arc as Notch
 from geometry.board import at
 from plans.linkage.barrier import CHANGE
+from plans.model.motion import ORDERS
 
+NAME = ORDERS[0]
+# Paper around the plan of positions in sizes of its letters: numbers, symbols, and above it the dimension of a stroke.
+MARGINS = Margins(3.5, 3.5, 11.0)
 STEPS = 360  # of a circle that is cut at a figure's box
 NOTCH = 9.0  # mm of a notch arc kept on each side of its meeting
 HATCH, SLANT = 2.5, 0.02  # mm of hatching on the barred part of the crank circle, and its slant, rad
 SHARE = 0.3  # what a line of another position counts where a dimension looks for a clear place
 
 
-def figure(pairs: Pairs, language: str) -> list[Group]:
+@dataclass(frozen=True)
+class PositionFigure:
+    """A plan of positions placed on paper: its lines, and the letters still to be placed among those of all figures."""
+
+    pairs: Pairs
+    lines: tuple[Group, ...]
+
+    def letter(self, labels: Labels) -> tuple[Group, ...]:
+        """Give the whole figure, its points lettered and its positions numbered."""
+        return *self.lines, letters(self.pairs, labels)
+
+
+def measure(bones: Skeletons, name: str, drafting: Drafting) -> Picture:
+    """Measure the room that a plan of positions needs: all its positions, letters around them, its heading above."""
+    size, hand = drafting.hand.letter, drafting.hand
+    title = text_width(Text(0j, drafting.word(NAME), hand.heading))
+    side, below, above = (share * size for share in MARGINS)
+    return picture(name, bones.points, ("l", "m"), Margins(side, below, above + 2.5 * hand.heading), title)
+
+
+def draw(bones: Skeletons, room: Picture, spot: Spot, drafting: Drafting) -> PositionFigure:
+    """Draw the plan of positions in its spot, with its title and its written scale above it."""
+    pairs = Pairs(bones, room.placed(*spot), drafting.hand)
+    lines = Group(tuple(layers(pairs, drafting.language)), NAME)
+    return PositionFigure(pairs, (_heading(spot, drafting), lines))
+
+
+def _heading(spot: Spot, drafting: Drafting) -> Group:
+    """Write the title and the scale of the largest figure above it."""
+    hand = drafting.hand
+    at = complex(spot.box.centre.real, spot.box.top - hand.heading)
+    under = at - 1j * (0.6 * hand.heading + hand.title)
+    title = Text(at, drafting.word(NAME), hand.heading, "middle", True)
+    return Group((title, Text(under, drafting.scale(spot.scale), hand.title, "middle", True)))
+
+
+def layers(pairs: Pairs, language: str) -> list[Group]:
     """Draw the plan of positions at its place, from the thinnest lines to the pairs; its letters come last of all."""
     bones, place, hand = pairs.bones, pairs.place, pairs.hand
     body, stands = list(pairs.bars()), list(pairs.stands())
     blocks = [block for _, block in pairs.blocks]
     paths, positions = trajectories(bones, place, hand), [*_circle(bones, place, hand), *_positions(pairs)]
     extremes, lines = list(_extremes(pairs)), axes(bones, place, hand)
-    drawn = Obstacles()
+    drawn = Ink()
     drawn.draw([*body, *blocks, *stands])
     grounded = grounds(pairs, drawn)
     drawn.draw(grounded)
     drawn.draw([*paths, *positions, *extremes, *lines], SHARE)
-    layers: list[tuple[str, Iterable[Stroke]]] = [
+    under: list[tuple[str, Iterable[Stroke]]] = [
         ("paths", paths),
         ("all-positions", positions),
         ("extremes", extremes),
         ("guides", lines),
         ("notches", _notches(bones, place, hand)),
     ]
-    groups = [Group(tuple(fitted(trimmed(strokes, pairs.masks))), name) for name, strokes in layers]
+    groups = [Group(tuple(fitted(trimmed(strokes, pairs.masks))), name) for name, strokes in under]
     groups += [
         Group(tuple(grounded), "grounds"),
         Group((*blocks, *body, *pairs.corners()), "shown-position"),

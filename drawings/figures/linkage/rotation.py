@@ -9,7 +9,7 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from drawings.figures.linkage.pairs import Pairs
-from drawings.layout.obstacles import Obstacles
+from drawings.layout.ink import Ink
 from drawings.paper.strokes import Arc, Line, Stroke
 from drawings.symbols.symbols import turning_arrow
 
@@ -62,7 +62,7 @@ class Turning(NamedTuple):
 def turnings(pairs: Pairs) -> tuple[Turning, ...]:
     """Place the arrow of ω where it crosses the fewest lines, and beside it that of ε where the crank has one."""
     bones, drive = pairs.bones, pairs.bones.mechanism.drive
-    drawn = Obstacles()
+    drawn = Ink()
     drawn.draw([*pairs.bars(), *pairs.stands(), *(block for _, block in pairs.blocks)], THICK)
     drawn.draw(circle for circles in pairs.hinges.values() for circle in circles)
     found = [_placed(f"ω_{drive.link}", bones.study.sense, pairs, drawn)]
@@ -72,7 +72,7 @@ def turnings(pairs: Pairs) -> tuple[Turning, ...]:
     return tuple(found)
 
 
-def _placed(letter: str, sense: int, pairs: Pairs, drawn: Obstacles) -> Turning:
+def _placed(letter: str, sense: int, pairs: Pairs, drawn: Ink) -> Turning:
     bones, place = pairs.bones, pairs.place
     crank = cmath.phase(place.on(bones.crank_end(bones.shown)) - bones.pivot(place))
 

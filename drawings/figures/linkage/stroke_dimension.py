@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from itertools import product
 
 from drawings.figures.linkage.skeleton import Skeletons
-from drawings.layout.obstacles import Obstacles
+from drawings.layout.ink import Ink
 from drawings.layout.place import Place
 from drawings.lettering.extent import bounds
 from drawings.lettering.lettering import text_reach, text_width
@@ -31,7 +31,7 @@ BORDER = 14.0  # mm that a sheet leaves free round the points of a plan
 OUTSIDE = 30.0  # what each mm beyond the border costs
 
 
-def stroke(bones: Skeletons, place: Place, hand: Hand, language: str, drawn: Obstacles) -> list[Stroke]:
+def stroke(bones: Skeletons, place: Place, hand: Hand, language: str, drawn: Ink) -> list[Stroke]:
     """Dimension the stroke H of a sliding output, in millimetres of the machine, on the clearer side of its guide."""
     found, out = bones.study.found, bones.study.output
     slide = frame_slide(bones.mechanism, out.link)
@@ -83,7 +83,7 @@ def _dimension(first: complex, last: complex, off: complex, share: float, text: 
     ]
 
 
-def _cost(strokes: list[Stroke], drawn: Obstacles, room: Box) -> float:
+def _cost(strokes: list[Stroke], drawn: Ink, room: Box) -> float:
     """Weigh a dimension: lines through its number, lines that its own lines cross, what is beyond the border."""
     letters, dimension, *extensions = strokes[:4]
     struck, crossed = drawn.crossed_by([letters]), drawn.crossed_by([dimension]) + drawn.crossed_by(extensions) / 2

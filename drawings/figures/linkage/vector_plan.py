@@ -11,7 +11,7 @@ from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
 from drawings.lettering.lettering import text_width
-from drawings.lettering.words import word
+from drawings.page.drafting import Drafting
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Line, LineStyle, Stroke, Text
@@ -102,57 +102,52 @@ class PlanFigure:
     hand: Hand
     box: Field
 
-    def lettered(self, labels: Labels) -> Group:
+    def letter(self, labels: Labels) -> tuple[Group, ...]:
         """Give the whole figure, its letters placed, and beside it how its Coriolis parts are directed."""
         name = f"{self.shown.plan.board.subject}-{self.position}"
         letters = Group(tuple(_letters(self.shown, self.place, self.hand, labels)))
         seen = (rule for rule in self.shown.turned if self.place.length(rule.size) >= LEAST)
         rules = (placed(rule, self.box, labels.ink, self.hand) for rule in seen)
-        return Group((*self.lines, letters, *(rule for rule in rules if rule is not None)), name)
+        return (Group((*self.lines, letters, *(rule for rule in rules if rule is not None)), name),)
 
 
-def measured(shown: Diagram, name: str, hand: Hand, language: str) -> Picture:
+def measure(shown: Diagram, name: str, drafting: Drafting) -> Picture:
     """Measure the room that a plan needs: its points, letters around them, its heading above."""
-    kind = shown.plan.board.subject
-    title = text_width(Text(0j, word(language, kind, position=shown.column), hand.title))
+    kind, hand = shown.plan.board.subject, drafting.hand
+    title = text_width(Text(0j, drafting.word(kind, position=shown.column), hand.title))
     side, below, above = (size * hand.letter for size in MARGINS)
     margins = Margins(side, below, above + 2 * hand.title + hand.text)
     least = hand.letter * max(LETTERS, len(shown.letters))
     return picture(name, shown.points, (SYMBOL[kind], UNIT[kind]), margins, title, least)
 
 
-def nothing(name: str, why: str, hand: Hand) -> Picture:
-    """Measure the room of a sentence that stands for a plan."""
-    margins = Margins(hand.text, hand.text, hand.text)
-    return picture(name, [0j], ("v", "m/s"), margins, text_width(Text(0j, why, hand.text)))
-
-
-def figure(shown: Diagram, measure: Picture, spot: Spot, scale: str, hand: Hand, language: str) -> PlanFigure:
+def draw(shown: Diagram, room: Picture, spot: Spot, drafting: Drafting) -> PlanFigure:
     """Draw the plan in its spot, with its title and its written scale above it."""
-    position = shown.column
+    position, hand = shown.column, drafting.hand
     kind = shown.plan.board.subject
     subject = Subject(kind, SYMBOL[kind], position)
-    place = measure.placed(*spot)
-    title = _heading(shown, spot, scale, hand, language)
+    place = room.placed(*spot)
+    title = _heading(shown, spot, drafting)
     lines = Group(tuple(_directions(shown, place, hand)))
-    arrows = [_drawn(subject, arrow, place, hand) for arrow in shown.arrows if _visible(arrow, place)]
+    arrows = [_arrow_of(subject, arrow, place, hand) for arrow in shown.arrows if _visible(arrow, place)]
     dot = point(subject, shown.plan.pole.name, 0j, place, pole(place.on(0j)), "pole")
     return PlanFigure(
         shown, place, (title, *([lines] if lines.strokes else []), *arrows, dot), position, hand, spot.box
     )
 
 
-def _heading(shown: Diagram, spot: Spot, scale: str, hand: Hand, language: str) -> Group:
+def _heading(shown: Diagram, spot: Spot, drafting: Drafting) -> Group:
     """Write a plan's title and its scale above it."""
-    title = word(language, shown.plan.board.subject, position=shown.column)
-    return heading(spot.box, title, scale if any(shown.points) else word(language, "at rest"), hand)
+    title = drafting.word(shown.plan.board.subject, position=shown.column)
+    under = drafting.scale(spot.scale) if any(shown.points) else drafting.word("at rest")
+    return heading(spot.box, title, under, drafting.hand)
 
 
 def _visible(arrow: Arrow, place: Place) -> bool:
     return place.length(abs(arrow.ends[1] - arrow.ends[0])) >= LEAST
 
 
-def _drawn(subject: Subject, arrow: Arrow, place: Place, hand: Hand) -> Group:
+def _arrow_of(subject: Subject, arrow: Arrow, place: Place, hand: Hand) -> Group:
     result = arrow.absolute or arrow.end.step.op == "meet"
     style = hand.result if arrow.absolute else hand.relative if result else LineStyle(hand.thin)
     return vector(subject, arrow.name, arrow.ends, place, style)

@@ -46,6 +46,8 @@ FAULTS: Mapping[str, tuple[str, str]] = {
     "duplicate": ("each name once, but it is written here and on line {line}: {name}", "keep one of the two"),
     # single values
     "missing": ("this {thing}", "add it: {example}"),
+    "needs": ("{tables} in the file, which this needs", "add {example}"),
+    "no_table": ("one of the tables that say what to draw: {tables}", "start from a scene of `plandraft new`"),
     "unknown_key": ("a key of {table}: {known}", "{suggestion}"),
     "wrong_type": ("{wanted}, but found {found}", "write it as {example}"),
     "not_a_number": ("a number ({kind}), but found {found}", "write a number, or a number with its unit in quotes"),

@@ -38,8 +38,8 @@ NOTES: Mapping[str, tuple[str, str]] = {
         "leave it out of the sketch, or correct one of the two",
     ),
     "unused": (
-        "only a force sheet uses this, and none is asked for",
-        'write sheets = ["kinematics", "forces"] at the top of the file, or leave this out',
+        "no sheet that is asked for uses this",
+        "write sheets = [{wanted}] at the top of the file, or leave this out",
     ),
     "at_rest": (
         "the crank stands still: velocities, inertia forces and loads against the motion are nothing",

@@ -61,6 +61,11 @@ FAULTS: Mapping[str, tuple[str, str]] = {
     ),
     # single values
     "missing": ("ожидается {thing}, но такой записи нет", "добавьте {example}"),
+    "needs": ("нужно {tables}, а в файле этого нет", "добавьте {example}"),
+    "no_table": (
+        "ожидается одна из таблиц, по которым чертят: {tables}",
+        "возьмите за основу сцену из `plandraft new`",
+    ),
     "unknown_key": ("ожидается один из ключей {table}: {known}", "{suggestion}"),
     "wrong_type": ("ожидается {wanted}, но найдено: {found}", "напишите так: {example}"),
     "not_a_number": (

@@ -1,58 +1,61 @@
-"""Masses, loads, gear and friction as the scene gives them (массы, силы, привод, трение); kinematics needs none."""
+"""Loads as the scene gives them: gravity, forces, moments, springs (нагрузки)."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from decimal import Decimal
-from functools import partial
+from typing import Any
 
+from plans.forces.reading import fields as h
+from plans.linkage.reading import fields as g
 from plans.model.machine import ALWAYS, IDLE, WORKING
-from plans.model.mechanism import FRAME, Link
+from plans.model.mechanism import FRAME
 from plans.scene import fields as f
 from plans.scene.faults import wrong
-from plans.scene.tables import Table, either, key, many, named, one, table
+from plans.scene.forms import Form
+from plans.scene.tables import Missing, Table, either, key, many, table
 
 DURING = (ALWAYS, WORKING, IDLE)
 Vector = tuple[Decimal, Decimal]
 NO_OVERRUN = (Decimal(0), Decimal(0))
+ON_LINK = Missing("number of a moving link", "on = 2")
+POINT_OF_LINK = Missing("point of the link", 'point = "B"')
 
-OVERRUN = either(list, many(f.SHARE, first=partial(f.check_pair, what="[start, end]")), f.SHARE)
-
-
-class GearTable(Table):
-    """The gear by which the machine is driven: pitch radius, place of the pinion, pressure angle."""
-
-    radius: Decimal = key(f.LENGTH)
-    at: Decimal = key(f.ANGLE)
-    pressure_angle: Decimal = key(f.PRESSURE_ANGLE, Decimal(20))
+# What editors are told of keys that fit each other or do not.
+_LIST = {"type": "array"}
+_ASIDE: list[Form] = [{"required": ["against"]}, {"required": ["direction"]}]
+_PART: Form = {"required": ["during"], "properties": {"during": {"enum": [WORKING, IDLE]}}}
+_BACK = {"diagram": {"required": ["back"]}}
 
 
-MIDDLE = "middle"  # of a link's first two points: where its mass centre is
+def _symbol() -> Any:
+    """Declare the letters of a load."""
+    return key(h.SYMBOL, None, meaning="Its letters on the sheet; default: F_us, F_D, M_3, F_s.")
 
 
-class MassTable(Table):
-    """Mass kg, moment of inertia about the mass centre kg*m2, and the centre in its frame, or by a point."""
-
-    mass: Decimal = key(f.MASS)
-    inertia: Decimal = key(f.INERTIA, Decimal(0))
-    centre: str | Vector = key(either(list, f.PLACE, f.POINT), (Decimal(0), Decimal(0)))
-
-    def place(self, link: Link) -> complex:
-        """Give the mass centre in the frame of its link; the middle is that of the link's first two points."""
-        if isinstance(self.centre, str) and self.centre != MIDDLE:
-            return link.points[self.centre]
-        if isinstance(self.centre, str):
-            first, second = list(link.points.values())[:2]
-            return (first + second) / 2
-        return complex(float(self.centre[0]), float(self.centre[1]))
+def _only_with_stroke(*others: Form) -> Form:
+    """Give the rule that only a load which changes over a stroke names one."""
+    return {"dependentSchemas": {"stroke": {"anyOf": [_PART, {"required": ["overrun"]}, *others]}}}
 
 
 class DiagramTable(Table):
     """A load over the stroke: shares of the stroke, the force N at each, and that of the idle stroke there."""
 
-    travel: tuple[Decimal, ...] = key(many(f.NUMBER, f.not_empty, first=f.FEW))
-    force: tuple[Decimal, ...] = key(many(f.FORCE, first=f.FEW))
-    back: tuple[Decimal, ...] = key(many(f.FORCE, first=f.FEW), ())
+    travel: tuple[Decimal, ...] = key(
+        many(h.TRAVEL, h.TWO, first=f.FEW),
+        meaning="Shares of the stroke, rising from 0, where the working stroke begins, to 1.",
+        missing=Missing("list of shares of the stroke", "travel = [0, 1]"),
+    )
+    force: tuple[Decimal, ...] = key(
+        many(h.FORCE, h.AS_MANY, first=f.FEW),
+        meaning="The force at each, N.",
+        missing=Missing("list of forces", "force = [1500, 1500]"),
+    )
+    back: tuple[Decimal, ...] = key(
+        many(h.FORCE, h.AS_MANY, first=f.FEW),
+        (),
+        meaning="The force at each on the idle stroke, N, as of an indicator diagram.",
+    )
 
     def check(self) -> None:
         """See that travel rises from 0 to 1 with one force each, on the idle stroke too where it is given."""
@@ -70,12 +73,16 @@ class DiagramTable(Table):
 class LoadTable(Table):
     """What loads on links have in common: when they act, and whether their work is the machine's purpose."""
 
-    on: int
-    during: str | None
-    overrun: Decimal | Vector
-    stroke: str | None
-    useful: bool
-    name: str | None
+    on: int = key(h.LOADED_LINK, meaning="Number of the link.", missing=ON_LINK)
+    during: str | None = key(f.words(*DURING), None, meaning="Which part of the turn.")
+    overrun: Decimal | Vector = key(
+        h.OVERRUN,
+        NO_OVERRUN,
+        meaning="Shares of the stroke at its ends (перебег) in which the load rests: one, or [start, end].",
+    )
+    stroke: str | None = key(f.POINT, None, meaning="The point whose stroke counts; default: the output's.")
+    useful: bool = key(f.FLAG, True, meaning="Whether its work is the machine's purpose.")
+    name: str | None = _symbol()
 
     @property
     def phase(self) -> str:
@@ -103,17 +110,15 @@ class LoadTable(Table):
 class ForceTable(LoadTable):
     """A force on a point of a link: a vector N; or a size or a diagram of sizes, against the motion or at an angle."""
 
-    on: int = key(f.LOADED_LINK)
-    point: str = key(f.POINT)
-    value: Decimal | Vector | None = key(either(list, many(f.FORCE, first=f.check_pair), f.FORCE), None)
-    against: str | None = key(one(f.choice, choices=("motion",)), None)
-    direction: Decimal | None = key(f.ANGLE, None)
-    during: str | None = key(one(f.choice, choices=DURING), None)
-    diagram: DiagramTable | None = key(table(DiagramTable), None)
-    overrun: Decimal | Vector = key(OVERRUN, NO_OVERRUN)
-    stroke: str | None = key(f.POINT, None)
-    useful: bool = key(f.FLAG, True)
-    name: str | None = key(f.SYMBOL, None)
+    point: str = key(f.POINT, meaning="Point of the link.", missing=POINT_OF_LINK)
+    value: Decimal | Vector | None = key(
+        either(list, f.pair(h.FORCE), h.FORCE),
+        None,
+        meaning="Force [Fx, Fy], N; or its size, against the motion or in a direction.",
+    )
+    against: str | None = key(f.words("motion"), None, meaning="The force acts against the motion of its point.")
+    direction: Decimal | None = key(f.ANGLE, None, meaning="The direction of the force, degrees from +x.")
+    diagram: DiagramTable | None = key(table(DiagramTable), None, meaning="The size of the force over the stroke.")
 
     @property
     def phase(self) -> str:
@@ -138,6 +143,18 @@ class ForceTable(LoadTable):
             raise wrong("one_stroke", at=("during",))
         super().check()
 
+    @classmethod
+    def rules(cls) -> Form:
+        """Say which form a force has one of, and that only one which changes over a stroke names one."""
+        return {
+            "oneOf": [{"required": ["value"]}, {"required": ["diagram"]}],
+            "if": {"required": ["value"], "properties": {"value": _LIST}},
+            "then": {"not": {"anyOf": _ASIDE}},
+            "else": {"oneOf": _ASIDE},
+            "not": {"required": ["diagram", *_PART["required"]], "properties": _PART["properties"] | _BACK},
+            **_only_with_stroke({"required": ["diagram"]}),
+        }
+
     def _check_direction(self) -> None:
         vector = isinstance(self.value, tuple)
         if self.against is None and self.direction is None and not vector:
@@ -155,39 +172,54 @@ class ForceTable(LoadTable):
 class MomentTable(LoadTable):
     """A moment on a link, N*m, positive counter-clockwise; or its size, against the link's rotation."""
 
-    on: int = key(f.LOADED_LINK)
-    value: Decimal = key(f.MOMENT)
-    against: str | None = key(one(f.choice, choices=("motion",)), None)
-    during: str | None = key(one(f.choice, choices=DURING), None)
-    overrun: Decimal | Vector = key(OVERRUN, NO_OVERRUN)
-    stroke: str | None = key(f.POINT, None)
-    useful: bool = key(f.FLAG, True)
-    name: str | None = key(f.SYMBOL, None)
+    value: Decimal = key(
+        h.MOMENT,
+        meaning="Moment, N*m, positive counter-clockwise; or its size, against the rotation.",
+        missing=Missing("moment", "value = 12"),
+    )
+    against: str | None = key(f.words("motion"), None, meaning="The moment acts against the rotation of its link.")
+
+    @classmethod
+    def rules(cls) -> Form:
+        """Say that only a moment which changes over a stroke names one."""
+        return _only_with_stroke()
 
 
 class EndTable(Table):
     """An end of a spring: a point of one of the links that have it."""
 
-    on: int = key(f.ANY_LINK)
-    point: str = key(f.POINT)
+    on: int = key(g.ANY_LINK, meaning="Number of the link, where several have the point.", missing=ON_LINK)
+    point: str = key(f.POINT, meaning="Point of the link.", missing=POINT_OF_LINK)
 
 
 class SpringTable(Table):
     """A spring between points of two links: its ends, stiffness N/m and free length m."""
 
-    between: tuple[str | EndTable, ...] = key(many(either(dict, table(EndTable), f.POINT), first=f.check_ends))
-    stiffness: Decimal = key(f.STIFFNESS)
-    free: Decimal = key(f.FREE_LENGTH)
-    name: str | None = key(f.SYMBOL, None)
+    between: tuple[str | EndTable, ...] = key(
+        many(either(dict, table(EndTable), f.POINT), first=h.TWO_ENDS),
+        meaning='Its two ends: points of two links, ["B", "O"].',
+        missing=Missing("pair of ends", 'between = ["B", "O"]'),
+    )
+    stiffness: Decimal = key(
+        h.STIFFNESS, meaning="Stiffness, N/m.", missing=Missing("stiffness", 'stiffness = "20 N/mm"')
+    )
+    free: Decimal = key(h.FREE_LENGTH, meaning="Free length, m.", missing=Missing("free length", 'free = "80 mm"'))
+    name: str | None = _symbol()
 
 
 class LoadsTable(Table):
     """Gravity, forces, moments and springs; gravity as a number is downward, and none where it is not given."""
 
-    gravity: Decimal | Vector | None = key(either(list, many(f.GRAVITY, first=f.check_pair), f.GRAVITY), None)
-    forces: tuple[ForceTable, ...] = key(many(table(ForceTable), first=f.FEW), ())
-    moments: tuple[MomentTable, ...] = key(many(table(MomentTable), first=f.FEW), ())
-    springs: tuple[SpringTable, ...] = key(many(table(SpringTable), first=f.FEW), ())
+    gravity: Decimal | Vector | None = key(
+        either(list, f.pair(h.GRAVITY), h.GRAVITY),
+        None,
+        meaning="Gravity, m/s2: downward, or [gx, gy]; without it links have no weight.",
+    )
+    forces: tuple[ForceTable, ...] = key(many(table(ForceTable), first=f.FEW), (), meaning="Forces on points of links.")
+    moments: tuple[MomentTable, ...] = key(many(table(MomentTable), first=f.FEW), (), meaning="Moments on links.")
+    springs: tuple[SpringTable, ...] = key(
+        many(table(SpringTable), first=f.FEW), (), meaning="Springs between points of two links (пружины)."
+    )
 
     def check(self) -> None:
         """See that no two loads bear the same letters."""
@@ -197,23 +229,6 @@ class LoadsTable(Table):
                 if load.name in seen:
                     raise wrong("repeated", entry=load.name, at=(kind, index, "name"))
                 seen |= {load.name} - {None}
-
-
-class PairTable(Table):
-    """Friction of one pair, where it differs from that of all: coefficient, journal radius m, length of contact m."""
-
-    coefficient: Decimal | None = key(f.FRICTION, None)
-    radius: Decimal | None = key(f.LENGTH, None)
-    length: Decimal | None = key(f.LENGTH, None)
-
-
-class FrictionTable(Table):
-    """Friction of all pairs: reduced coefficient, journal radius m of hinges, length of contact m of slides."""
-
-    coefficient: Decimal = key(f.FRICTION)
-    radius: Decimal = key(f.LENGTH)
-    length: Decimal | None = key(f.LENGTH, None)
-    pairs: Mapping[str, PairTable] = key(named(f.PAIR, table(PairTable), first=f.FEW), {})
 
 
 def holders(end: str | EndTable, points_of: Mapping[int, Iterable[str]]) -> tuple[int, ...]:
@@ -226,6 +241,3 @@ def holders(end: str | EndTable, points_of: Mapping[int, Iterable[str]]) -> tupl
         return (end.on,)
     found = tuple(link for link, points in points_of.items() if end in points)
     return (FRAME,) if FRAME in found else found
-
-
-MASSES = named(f.LINK_NUMBER, table(MassTable), first=f.FEW_LINKS)

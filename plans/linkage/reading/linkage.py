@@ -2,74 +2,54 @@
 
 from __future__ import annotations
 
-import cmath
-from collections.abc import Mapping
-from dataclasses import dataclass
 from decimal import Decimal
-from math import pi
 
-from plans.model.mechanism import FRAME, Drive, Link, Mechanism, Output, Slide, StructureError, Way
-from plans.scene.faults import Fault, Path, SceneError, suggestion
-from plans.scene.fields import split_line
-from plans.scene.joining import check_joining
-from plans.scene.references import check_references
-from plans.scene.scene import FrameLine, Scene, SlideTable
-from plans.scene.shapes import Shaper, Spot, as_complex, line_name
-from plans.scene.survey import RATIO_LIMIT, Survey, natural, spread
-from plans.scene.units import EXACT
+from plans.linkage.reading.fields import split_line
+from plans.linkage.reading.form import LinkageForm
+from plans.linkage.reading.guides import Guides, direction, from_datum
+from plans.linkage.reading.joining import check_joining
+from plans.linkage.reading.positions import check_positions
+from plans.linkage.reading.shapes import Shaper, Spot, as_complex, line_name
+from plans.linkage.reading.survey import RATIO_LIMIT, Survey, natural, spread
+from plans.model.mechanism import FRAME, Drive, Link, Mechanism, Output, Slide, StructureError
+from plans.scene.faults import Path, SceneError, suggestion
+from plans.scene.scene import Meaning, Scene
 
 ORIGIN: Spot = (Decimal(0), Decimal(0))
-# Directions of whole right angles have exact unit numbers.
-RIGHT_ANGLES: Mapping[Decimal, complex] = {
-    Decimal(0): 1 + 0j,
-    Decimal(90): 1j,
-    Decimal(180): -1 + 0j,
-    Decimal(270): -1j,
-}
 
 
 def mechanism_of(scene: Scene) -> Mechanism:
     """Make the mechanism of a scene; all its faults together are one SceneError, a wrong mobility a StructureError."""
-    survey = Survey(scene)
-    mechanism = _build(survey)
-    if survey.faults or mechanism is None:
-        raise SceneError(survey.faults)
+    mechanism: Mechanism | None = scene.meaning["linkage"].mechanism
+    faults = scene.meaning.faults
+    if faults or mechanism is None:
+        raise SceneError(faults)
     if mechanism.mobility != 1:
         raise _wrong_mobility(scene, mechanism)
     return mechanism
 
 
-def faults_of(scene: Scene, doubts: frozenset[Path]) -> list[Fault]:
-    """Give the faults in the meaning of a scene of which some tables are at fault already, without what follows."""
-    survey = Survey(scene, set(doubts))
-    _build(survey)
-    return survey.faults
-
-
-def direction(angle: Decimal) -> complex:
-    """Give the unit vector at an angle in degrees; whole right angles exactly.
-
-    >>> direction(Decimal(450)), direction(Decimal(-180))
-    (1j, (-1+0j))
-    """
-    turn = EXACT.remainder(angle, Decimal(360))
-    turn = EXACT.add(turn, Decimal(360)) if turn < 0 else turn
-    return RIGHT_ANGLES[turn] if turn in RIGHT_ANGLES else cmath.rect(1.0, float(turn) * pi / 180)
+def survey_of(meaning: Meaning) -> Survey:
+    """Examine what a scene says of its linkage, and make the mechanism of it."""
+    survey = Survey(meaning.scene, set(meaning.doubts))
+    survey.mechanism = _build(survey)
+    return survey
 
 
 def _build(survey: Survey) -> Mechanism | None:
-    scene = survey.scene
+    form = survey.form
     ends = _drive_ends(survey)
-    frame = scene.mechanism.frame
+    frame = form.mechanism.frame
     datum = frame.get(ends[0], ORIGIN) if ends else ORIGIN
-    fixed = {name: _from_datum(frame[name], datum) for name in survey.points_of[FRAME]}
+    fixed = {name: from_datum(frame[name], datum) for name in survey.points_of[FRAME]}
     sketch = _sketch(survey, datum)
     places = {**sketch, **{name: as_complex(spot) for name, spot in fixed.items()}}
     shaper = Shaper(survey, _with_crank(survey, ends, places))
-    shapes = {FRAME: fixed, **{link: shaper.shape(link) for link in sorted(scene.mechanism.links)}}
+    shapes = {FRAME: fixed, **{link: shaper.shape(link) for link in sorted(form.mechanism.links)}}
     _check_points(survey)
-    slides = Guides(survey, shapes, datum).slides()
-    check_references(survey, slides)
+    _check_places(survey)
+    slides = survey.slides = Guides(survey, shapes, datum).slides()
+    check_positions(survey)
     check_joining(survey, slides)
     output = _output(survey, slides)
     if survey.faults or not ends:
@@ -77,17 +57,13 @@ def _build(survey: Survey) -> Mechanism | None:
     links = {
         number: Link(number, {name: as_complex(s) for name, s in shape.items()}) for number, shape in shapes.items()
     }
-    drive = Drive(scene.drive.link, *ends, float(scene.drive.speed), float(scene.drive.acceleration))
-    return Mechanism(scene.title, datum, links, slides, drive, sketch, output, scene.mechanism.through)
-
-
-def _from_datum(place: Spot, datum: Spot) -> Spot:
-    return EXACT.subtract(place[0], datum[0]), EXACT.subtract(place[1], datum[1])
+    drive = Drive(form.drive.link, *ends, float(form.drive.speed), float(form.drive.acceleration))
+    return Mechanism(survey.scene.title, datum, links, slides, drive, sketch, output, form.mechanism.through)
 
 
 def _drive_ends(survey: Survey) -> tuple[str, str] | None:
     """Find the drive's fixed hinge and its far end."""
-    link, path = survey.scene.drive.link, ("drive", "link")
+    link, path = survey.form.drive.link, ("drive", "link")
     if not survey.know_link(path, link):
         return None
     points = survey.points_of[link]
@@ -108,18 +84,18 @@ def _drive_ends(survey: Survey) -> tuple[str, str] | None:
 
 def _sketch(survey: Survey, datum: Spot) -> dict[str, complex]:
     sketch: dict[str, complex] = {}
-    for name, place in sorted(survey.scene.mechanism.sketch.items(), key=lambda item: natural(item[0])):
+    for name, place in sorted(survey.form.mechanism.sketch.items(), key=lambda item: natural(item[0])):
         path: Path = ("mechanism", "sketch", name)
         if name in survey.points_of[FRAME]:
             continue  # it stands in its own place; where the sketch shows another, a note says so
         if survey.know(path, (name,)):
-            sketch[name] = as_complex(_from_datum(place, datum))
+            sketch[name] = as_complex(from_datum(place, datum))
     return sketch
 
 
 def _with_crank(survey: Survey, ends: tuple[str, str] | None, places: dict[str, complex]) -> dict[str, complex]:
     """Add the place of the crank's end, where the first crank angle gives it better than no sketch."""
-    first = survey.scene.drive.first
+    first = survey.form.drive.first
     if not ends or ends[1] in places or first is None:
         return places
     size = Shaper(survey, places).length(*ends)
@@ -128,7 +104,7 @@ def _with_crank(survey: Survey, ends: tuple[str, str] | None, places: dict[str, 
 
 def _check_points(survey: Survey) -> None:
     """See that [mechanism.points] and [mechanism.lengths] say things once, of links that exist."""
-    form = survey.scene.mechanism
+    form = survey.form.mechanism
     for name, placed in form.points.items():
         path: Path = ("mechanism", "points", name)
         if placed.on == FRAME:
@@ -144,19 +120,26 @@ def _check_points(survey: Survey) -> None:
         survey.report(("mechanism", "lengths", apart.longest), "ratio", most=f"{RATIO_LIMIT:.0e}", **details)
 
 
+def _check_places(survey: Survey) -> None:
+    """See that no point of a link bears the letter of a fixed one."""
+    form = survey.form.mechanism
+    for name in sorted(form.points.keys() & form.frame.keys(), key=natural):
+        survey.report(("mechanism", "points", name), "two_places", name=name, link=form.points[name].on)
+
+
 def _check_length(survey: Survey, pair: frozenset[str], path: Path) -> None:
     first, second = split_line(str(path[2]))
     owners = survey.owners(pair)
     moving = [link for link in owners if link != FRAME]
     if not owners:
         if not survey.doubtful(("mechanism", "links"), ("mechanism", "points")):
-            near = [line_name(*link[:2]) for link in survey.scene.mechanism.links.values() if len(link) > 1]
+            near = [line_name(*link[:2]) for link in survey.form.mechanism.links.values() if len(link) > 1]
             advice = suggestion(str(path[2]), near, "add the link, or correct the letters")
             survey.report(path, "no_common_link", first=first, second=second, suggestion=advice)
     elif not moving:
         survey.report(path, "fixed_length", first=first, second=second)
     elif all(_by_place(survey, link, pair) for link in moving):
-        name = next(name for name in (second, first) if name in survey.scene.mechanism.points)
+        name = next(name for name in (second, first) if name in survey.form.mechanism.points)
         survey.report(path, "placed_twice", name=name)
     elif not any(pair & set(survey.points_of[link][:2]) for link in moving):
         base = survey.points_of[moving[0]][:2]
@@ -165,81 +148,14 @@ def _check_length(survey: Survey, pair: frozenset[str], path: Path) -> None:
 
 
 def _by_place(survey: Survey, link: int, pair: frozenset[str]) -> bool:
-    placed = survey.scene.mechanism.points
-    letters = survey.scene.mechanism.links[link][:2]
+    placed = survey.form.mechanism.points
+    letters = survey.form.mechanism.links[link][:2]
     return any(name in placed and placed[name].on == link and name not in letters for name in pair)
-
-
-@dataclass(frozen=True)
-class Guides:
-    """Makes the slides (направляющие) of a scene from its links' shapes."""
-
-    survey: Survey
-    shapes: Mapping[int, Mapping[str, Spot]]
-    datum: Spot
-
-    def slides(self) -> tuple[Slide, ...]:
-        """Give all slides whose links, points and lines are known; report the others."""
-        made = (self._slide(index, table) for index, table in enumerate(self.survey.scene.mechanism.slides))
-        return tuple(slide for slide in made if slide)
-
-    def _slide(self, index: int, table: SlideTable) -> Slide | None:
-        path: Path = ("mechanism", "slides", index)
-        if not self.survey.know_link((*path, "link"), table.link):
-            return None
-        point = table.point or self.survey.points_of[table.link][0]
-        known = self.survey.on_link((*path, "point"), table.link, point)
-        line = self._line((*path, "along"), table)
-        spot = self.shapes[table.link].get(point)
-        if not known or line is None or spot is None:
-            return None
-        owner, on_owner, label = line
-        course = direction(EXACT.minus(table.angle))
-        on_slider = Way(as_complex(spot) - float(table.offset) * 1j * course, course)
-        return Slide(table.link, owner, on_slider, on_owner, point, label)
-
-    def _line(self, path: Path, table: SlideTable) -> tuple[int, Way, str] | None:
-        along = table.along
-        if isinstance(along, FrameLine):
-            course = direction(along.angle)
-            through = as_complex(_from_datum(along.through, self.datum))
-            # The point nearest to the datum: a guide may be named by one that is far away.
-            return FRAME, Way(1j * course * (course.conjugate() * through).imag, course), ""
-        if not self.survey.know(path, along):
-            return None
-        owner = self._owner(path, along, table.link)
-        if owner is None:
-            return None
-        spots = [self.shapes[owner].get(name) for name in along]
-        if spots[0] is None or spots[1] is None:
-            return None  # the link's shape is at fault already
-        if spots[0] == spots[1]:
-            self.survey.report(path, "no_direction", first=along[0], second=along[1])
-            return None
-        run = as_complex(_from_datum(spots[1], spots[0]))
-        return owner, Way(as_complex(spots[0]), run / abs(run)), line_name(*along)
-
-    def _owner(self, path: Path, along: tuple[str, ...], slider: int) -> int | None:
-        owners = self.survey.owners(along)
-        others = [link for link in owners if link != slider]
-        if len(others) == 1:
-            return others[0]
-        if self.survey.doubtful(("mechanism", "links"), ("mechanism", "points"), ("mechanism", "frame")):
-            return None
-        if others:
-            self.survey.report(path, "many_owners", links=", ".join(map(str, others)))
-        elif owners:
-            self.survey.report(path, "not_itself")
-        else:
-            lines = {line_name(*points[:2]): link for link, points in self.survey.points_of.items() if len(points) > 1}
-            advice = suggestion(line_name(*along), lines, "name two points of the link it slides along")
-            self.survey.report(path, "no_common_link", first=along[0], second=along[1], suggestion=advice)
-        return None
 
 
 def _output(survey: Survey, slides: tuple[Slide, ...]) -> Output | None:
     """Give the output link: named, or that of the named point, of several the one that slides, else the last."""
-    wanted = survey.scene.output
+    wanted = survey.form.output
     if wanted is None:
         return None
     if wanted.link is not None:
@@ -268,7 +184,7 @@ def _wrong_mobility(scene: Scene, mechanism: Mechanism) -> StructureError:
         "slides": len(mechanism.slides),
         "advice": _mobility_advice(scene, mechanism),
     }
-    links = tuple(sorted(scene.mechanism.links))
+    links = tuple(sorted(scene.of(LinkageForm).mechanism.links))
     return StructureError(str(scene.fault(("mechanism", "links"), "mobility", **details)), links, mechanism.mobility)
 
 
@@ -288,5 +204,5 @@ def _mobility_advice(scene: Scene, mechanism: Mechanism) -> str:
 def _free_ends(scene: Scene, mechanism: Mechanism) -> list[tuple[int, str]]:
     """Give the ends of links that hang on nothing: of a lead, one of its first two points is of no other link."""
     slid = {link for slide in mechanism.slides for link in (slide.slider, slide.owner)}
-    leads = {link: points[:2] for link, points in scene.mechanism.links.items() if link not in slid}
+    leads = {link: points[:2] for link, points in scene.of(LinkageForm).mechanism.links.items() if link not in slid}
     return [(link, name) for link, names in leads.items() for name in names if name not in mechanism.hinges]

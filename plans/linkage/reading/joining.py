@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import combinations
 
+from plans.linkage.reading.survey import Survey
 from plans.model.mechanism import FRAME, Slide
 from plans.scene.faults import Path
-from plans.scene.survey import Survey
 
 
 def check_joining(survey: Survey, slides: tuple[Slide, ...]) -> None:
     """See that every link is joined to the frame, if only through others, that none is loose, and no two are one."""
-    if len(slides) < len(survey.scene.mechanism.slides):
+    if len(slides) < len(survey.form.mechanism.slides):
         return  # a faulty slide may be the very connection that is missing
     if survey.doubtful(*(("mechanism", name) for name in ("frame", "links", "points", "slides"))):
         return
@@ -24,7 +24,7 @@ def check_joining(survey: Survey, slides: tuple[Slide, ...]) -> None:
         return  # what is told already may be the reason
     sliding = {link for slide in slides for link in (slide.slider, slide.owner)}
     for link, points in survey.points_of.items():
-        if link not in (FRAME, survey.scene.drive.link) and len(points) == 1 and link not in sliding:
+        if link not in (FRAME, survey.form.drive.link) and len(points) == 1 and link not in sliding:
             survey.report(_link(link), "loose", link=link, name=points[0])
     for first, second, how in _doubled(survey, slides):
         survey.report(_link(second), "one_body", first=first, second=second, how=how)
@@ -38,7 +38,7 @@ def _islands(survey: Survey, slides: tuple[Slide, ...]) -> set[int]:
     """Give the links that nothing joins to the frame."""
     joined, points = {FRAME}, set(survey.points_of[FRAME])
     pairs = [(slide.slider, slide.owner) for slide in slides]
-    waiting = set(survey.scene.mechanism.links)
+    waiting = set(survey.form.mechanism.links)
     while reached := {
         link
         for link in waiting
@@ -52,7 +52,7 @@ def _islands(survey: Survey, slides: tuple[Slide, ...]) -> set[int]:
 
 def _doubled(survey: Survey, slides: tuple[Slide, ...]) -> Iterator[tuple[int, int, str]]:
     """Give moving links that two pairs hold in one place: two hinges, or a hinge and a slide."""
-    for first, second in combinations(survey.scene.mechanism.links, 2):
+    for first, second in combinations(survey.form.mechanism.links, 2):
         common = [name for name in survey.points_of[first] if name in survey.points_of[second]]
         lines = [slide.label for slide in slides if {slide.slider, slide.owner} == {first, second}]
         if len(common) > 1 or (common and lines):

@@ -1,17 +1,20 @@
-"""The composition of sheets from columns of pictures, loose pictures, a table and notes (компоновка листов)."""
+"""The composition of sheets from columns of figures and lettering, loose figures, a table and notes (компоновка)."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise, product
-from typing import NamedTuple, TypeAlias, TypeVar
+from functools import cached_property
+from itertools import pairwise, product, takewhile
+from typing import NamedTuple, TypeVar
 
-from drawings.layout.columns import Block, Column, Filled, Part, Zone, filled
+from drawings.layout.block import Block
+from drawings.layout.columns import Column, Filled, Part, Zone, filled
+from drawings.layout.contents import Composition, Contents, at_foot
 from drawings.layout.footing import NARROW, PAD, Foot, Notes, feet
-from drawings.layout.picture import Ladder, Picture, Spot
+from drawings.layout.picture import Ladder, Picture
+from drawings.layout.table import Setting, Table
 from drawings.layout.trials import room_of
-from drawings.layout.value_table import Setting, Table
 from drawings.page.page import Field, Page
 from drawings.paper.strokes import SheetError
 
@@ -19,72 +22,42 @@ FEW = 4  # loose pictures that are stacked in every way; more of them only in co
 
 T = TypeVar("T")
 
-Item: TypeAlias = Picture | Block
-Shelf: TypeAlias = tuple[Item, ...]
 
-
-@dataclass(frozen=True)
-class Content:
-    """What a set of sheets must show: columns kept together from top to bottom, loose pictures, table and notes."""
-
-    columns: tuple[Shelf, ...]
-    loose: tuple[Picture, ...] = ()
-    table: Table | None = None
-    notes: Notes | None = None
-
-    @property
-    def count(self) -> int:
-        """How many columns and loose pictures there are."""
-        return len(self.columns) + len(self.loose)
-
-    def part(self, units: slice, notes: Notes | None) -> Content:
-        """Give what one of several sheets shows: a run of the columns and, after them, of the loose pictures."""
-        first = len(self.columns)
-        loose = slice(max(units.start - first, 0), max(units.stop - first, 0))
-        return Content(self.columns[units], self.loose[loose], None, notes)
-
-
-class Composed(NamedTuple):
-    """One sheet: what it shows, and where."""
-
-    content: Content
-    pictures: dict[str, Spot]  # by their names
-    blocks: dict[str, Field]  # of lettering, by their names
-    table: complex | None  # upper left corner
-    setting: Setting | None
-    notes: Field | None
-
-
-def compose(content: Content, page: Page) -> tuple[Composed, ...]:
+def compose(contents: Contents, page: Page) -> tuple[Composition, ...]:
     """Compose the sheets: all on one if every figure stays readable there, or else as many a sheet as do."""
     room = room_of(page)
-    pictures = [item for column in content.columns for item in column if isinstance(item, Picture)]
-    ladders = {one.name: one.ladder(room.width, room.height, page.standard) for one in (*pictures, *content.loose)}
-    whole = _Sheet(content, page, ladders).best()
-    return (whole,) if whole is not None else tuple(_series(_Sheet(content, page, ladders)))
+    ladders = {
+        panel.item.name: panel.item.ladder(room.width, room.height, page.standard, panel.weight)
+        for panel in contents.panels
+        if isinstance(panel.item, Picture)
+    }
+    sheet = _Sheet(contents, page, ladders)
+    whole = sheet.best()
+    return (whole,) if whole is not None else tuple(_series(sheet))
 
 
-def _series(whole: _Sheet) -> Iterator[Composed]:
+def _series(whole: _Sheet) -> Iterator[Composition]:
     """Compose several sheets: the notes on the first, the table on the last or on sheets of its own."""
-    content, composed = whole.content, _runs(whole)
-    count = len(composed)
-    if count > 1:  # the same number of sheets, but filled alike
-        cuts = [round(content.count * k / count) for k in range(count + 1)]
-        runs = [slice(*cut) for cut in pairwise(cuts)]
-        alike = [whole.part(run).best() for run in runs]
-        composed = [one for one in alike if one is not None] if None not in alike else composed
+    count, runs = len(whole.contents.groups), list(_runs(whole))
+    composed = [one for _, one in runs]
+    if len(runs) > 1:  # the same number of sheets, but filled alike
+        cuts = [round(count * k / len(runs)) for k in range(len(runs) + 1)]
+        parts = [whole.part(slice(*cut)) for cut in pairwise(cuts)]
+        alike = [part.best() for part in parts]
+        if None not in alike:
+            runs = [(part, one) for part, one in zip(parts, alike, strict=True) if one is not None]
+            composed = [one for _, one in runs]
     yield from composed[:-1]
-    last = composed[-1].content
-    full = replace(whole, content=replace(last, table=content.table)).best()
+    last, table = runs[-1][0], whole.contents.table
+    full = replace(last, contents=replace(last.contents, tables=whole.contents.tables)).best()
     yield full or composed[-1]
-    if full is None and content.table is not None:
-        yield from _tables(content.table, whole.page)
+    if full is None and table is not None:
+        yield from _tables(table, whole.page)
 
 
-def _runs(whole: _Sheet) -> list[Composed]:
+def _runs(whole: _Sheet) -> Iterator[tuple[_Sheet, Composition]]:
     """Take as many columns on each sheet as stay readable; a single one may be as small as it must."""
-    composed: list[Composed] = []
-    start, count, page = 0, whole.content.count, whole.page
+    start, count, page = 0, len(whole.contents.groups), whole.page
     while start < count:
         for end in range(count, start, -1):
             sheet = whole.part(slice(start, end))
@@ -93,17 +66,16 @@ def _runs(whole: _Sheet) -> list[Composed]:
                 break
         else:
             raise SheetError(f"format {page.name} has no room for a column of figures. Fix: take a larger format")
-        composed.append(found)
+        yield sheet, found
         start = end
-    return composed
 
 
-def _tables(table: Table, page: Page) -> Iterator[Composed]:
+def _tables(table: Table, page: Page) -> Iterator[Composition]:
     """Set a table on sheets of its own, as many rows on each as fit."""
     start = 0
     while start < len(table.lines):
         for end in range(len(table.lines), start, -1):
-            found = _Sheet(Content((), (), table.part(slice(start, end))), page, {}).best()
+            found = _Sheet(Contents((), (table.part(slice(start, end)),)), page, {}).best()
             if found is not None:
                 break
         else:
@@ -130,19 +102,32 @@ class _Base(NamedTuple):
 class _Sheet:
     """A sheet to be composed."""
 
-    content: Content
+    contents: Contents
     page: Page
     ladders: Mapping[str, Ladder]  # of all pictures of the set, by their names
 
-    def part(self, units: slice) -> _Sheet:
-        """Give the sheet of a run of the columns and loose pictures; the notes go with the first."""
-        return replace(self, content=self.content.part(units, self.content.notes if units.start == 0 else None))
+    def part(self, groups: slice) -> _Sheet:
+        """Give the sheet of a run of the groups; the notes go with the first."""
+        panels = tuple(panel for group in self.contents.groups[groups] for panel in group)
+        return replace(self, contents=Contents(panels, (), self.contents.notes if groups.start == 0 else None))
 
-    def best(self, legible: bool = True) -> Composed | None:
+    @cached_property
+    def columns(self) -> tuple[Column, ...]:
+        """The groups as columns, each picture by its scales."""
+        return tuple(
+            tuple(self.ladders[panel.item.name] if isinstance(panel.item, Picture) else panel.item for panel in group)
+            for group in self.contents.groups
+        )
+
+    @property
+    def loose(self) -> int:
+        """How many columns of one part stand last: these may stand on one another."""
+        return sum(1 for _ in takewhile(lambda column: len(column) == 1, reversed(self.columns)))
+
+    def best(self, legible: bool = True) -> Composition | None:
         """Find the composition with the largest figures."""
         room, found = room_of(self.page), None
-        own = [self._measured(column) for column in (*self.content.columns, *((one,) for one in self.content.loose))]
-        if sum(_area(column, legible) for column in own) > room.width * room.height:
+        if sum(_area(column, legible) for column in self.columns) > room.width * room.height:
             return None
         bases = _best_of(self._feet(room))
         for columns in self._ways(room):
@@ -156,13 +141,11 @@ class _Sheet:
 
     def _ways(self, room: Field) -> Iterator[tuple[Column, ...]]:
         """List the ways to stand columns and loose pictures; on paper that stands upright columns stand on columns."""
-        columns = self.content.columns
-        tall = [columns] if room.width > room.height else [_joined(way) for way in even(columns)]
-        for own, loose in product(tall, stacks(self.content.loose)):
-            yield tuple(self._measured(column) for column in (*own, *loose))
-
-    def _measured(self, column: Shelf) -> Column:
-        return tuple(self.ladders[item.name] if isinstance(item, Picture) else item for item in column)
+        first = len(self.columns) - self.loose
+        own, loose = self.columns[:first], [column[0] for column in self.columns[first:]]
+        tall = [own] if room.width > room.height else [_joined(way) for way in even(own)]
+        for columns, stacked in product(tall, stacks(loose)):
+            yield (*columns, *stacked)
 
     def _filled(
         self, columns: tuple[Column, ...], split: int, base: _Base, room: Field, legible: bool
@@ -175,7 +158,7 @@ class _Sheet:
         return filled(tuple(zones), room.width, legible)
 
     def _feet(self, room: Field) -> Iterator[_Base]:
-        table, notes, block = self.content.table, self.content.notes, self.page.block
+        table, notes, block = self.contents.table, self.contents.notes, self.page.block
         for setting in table.settings() if table is not None else [None]:
             wide = table.size(setting)[0] if table is not None and setting is not None else 0.0
             for table_left, notes_left in product({False, table is not None}, {False, notes is not None}):
@@ -189,9 +172,10 @@ class _Sheet:
                     corner = (low.table if table_left else high.table) if table is not None else None
                     yield _Base((one, two), floors, corner, setting, said)
 
-    def _composed(self, trial: Filled, base: _Base, room: Field) -> Composed:
+    def _composed(self, trial: Filled, base: _Base, room: Field) -> Composition:
         floors = base.floors if len(trial.zones) > 1 else base.floors[1:]
-        return Composed(self.content, *trial.stood(room, floors), base.table, base.setting, base.notes)
+        feet = at_foot(self.contents.table, base.table, base.setting)
+        return Composition(*trial.stood(room, floors), feet, base.notes)
 
 
 def _standing(
@@ -251,8 +235,8 @@ def even(units: Sequence[T]) -> list[tuple[tuple[T, ...], ...]]:
     return [tuple(tuple(units[k : k + high]) for k in range(0, count, high)) for high in highs] or [()]
 
 
-def _joined(way: Iterable[Iterable[Shelf]]) -> tuple[Shelf, ...]:
-    return tuple(tuple(item for column in stack for item in column) for stack in way)
+def _joined(way: Iterable[Iterable[Column]]) -> tuple[Column, ...]:
+    return tuple(tuple(part for column in stack for part in column) for stack in way)
 
 
 def stacks(loose: Sequence[T]) -> list[tuple[tuple[T, ...], ...]]:

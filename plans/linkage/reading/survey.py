@@ -9,9 +9,10 @@ from decimal import Decimal
 from functools import cached_property
 from typing import NamedTuple
 
-from plans.model.mechanism import FRAME
+from plans.linkage.reading.fields import split_line
+from plans.linkage.reading.form import LinkageForm
+from plans.model.mechanism import FRAME, Mechanism, Slide
 from plans.scene.faults import SHOWN, TWINS, Fault, Path, suggestion
-from plans.scene.fields import split_line
 from plans.scene.scene import Scene
 from plans.scene.units import WORKING
 
@@ -28,6 +29,13 @@ class Survey:
     doubts: set[Path] = field(default_factory=set)
     strays: set[Pair] = field(default_factory=set)  # ends of faulty lengths: perhaps a length that seems to lack
     faults: list[Fault] = field(default_factory=list)
+    slides: tuple[Slide, ...] = ()  # those without fault
+    mechanism: Mechanism | None = None  # what it makes, where nothing is at fault
+
+    @cached_property
+    def form(self) -> LinkageForm:
+        """What the scene says of its linkage."""
+        return self.scene.of(LinkageForm)
 
     def report(self, path: Path, kind: str, /, **details: object) -> None:
         """Add a fault, unless its place is in doubt already."""
@@ -41,7 +49,7 @@ class Survey:
     @cached_property
     def points_of(self) -> dict[int, tuple[str, ...]]:
         """The points of each link: those of the frame, the letters, then those of [mechanism.points]."""
-        form = self.scene.mechanism
+        form = self.form.mechanism
         points = {FRAME: tuple(sorted(form.frame, key=natural)), **form.links}
         for name, placed in sorted(form.points.items(), key=lambda item: natural(item[0])):
             if placed.on in form.links and name not in points[placed.on]:
@@ -64,7 +72,7 @@ class Survey:
     def lengths(self) -> dict[Pair, str]:
         """The key in [mechanism.lengths] of each pair of points; faulty and second keys are left out."""
         found: dict[Pair, str] = {}
-        for key in self.scene.mechanism.lengths:
+        for key in self.form.mechanism.lengths:
             path: Path = ("mechanism", "lengths", key)
             ends = split_line(key)
             pair = frozenset(ends)
@@ -113,7 +121,7 @@ class Survey:
 
     def know_link(self, path: Path, link: int) -> bool:
         """See that a moving link exists; report it if not."""
-        links = self.scene.mechanism.links
+        links = self.form.mechanism.links
         if link in links:
             return True
         if not self.doubtful(("mechanism", "links")):

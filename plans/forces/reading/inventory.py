@@ -10,24 +10,15 @@ from decimal import Decimal
 from fractions import Fraction
 from math import radians
 
+from plans.forces.reading import references
+from plans.forces.reading.form import ForceForm, FrictionTable, GearTable, PairTable
+from plans.forces.reading.loads import ForceTable, LoadsTable, MomentTable, SpringTable, Vector, holders
+from plans.linkage.reading.guides import direction
 from plans.model.kinetostatics import pairs
 from plans.model.machine import GEAR, Body, Diagram, Force, Machine, Moment, Rubbing, Spring, Transmission
 from plans.model.mechanism import Mechanism
 from plans.model.structure import decompose
-from plans.scene import references
 from plans.scene.faults import Path, SceneError
-from plans.scene.linkage import direction
-from plans.scene.loads import (
-    ForceTable,
-    FrictionTable,
-    GearTable,
-    LoadsTable,
-    MomentTable,
-    PairTable,
-    SpringTable,
-    Vector,
-    holders,
-)
 from plans.scene.scene import Scene
 from plans.scene.units import within
 
@@ -37,20 +28,21 @@ USEFUL, SPRING = "F_us", "F_s"
 
 def machine_of(scene: Scene, mechanism: Mechanism) -> Machine:
     """Make the machine of a scene; a pair of friction or a hodograph that is told of no reaction is a SceneError."""
-    _check_told(scene, mechanism)
-    loads = scene.loads or LoadsTable()
+    form = scene.of(ForceForm)
+    _check_told(scene, form, mechanism)
+    loads = form.loads or LoadsTable()
     names = iter(letters(loads))
     return Machine(
         {
             link: Body(link, float(mass.mass), float(mass.inertia), mass.place(mechanism.links[link]))
-            for link, mass in scene.masses.items()
+            for link, mass in form.masses.items()
         },
         gravity(loads.gravity),
         tuple(_force(next(names), force, mechanism) for force in loads.forces),
         tuple(_moment(next(names), moment) for moment in loads.moments),
         tuple(_spring(next(names), spring, mechanism) for spring in loads.springs),
-        _transmission(scene.drive.balancing, scene.drive.gear),
-        _rubbing(scene.friction, mechanism),
+        _transmission(form.drive.balancing, form.drive.gear),
+        _rubbing(form.friction, mechanism),
     )
 
 
@@ -143,11 +135,11 @@ def _of_pair(friction: FrictionTable, pair: PairTable, kind: str) -> Rubbing:
     return Rubbing(coefficient, float(radius)) if kind == references.HINGE else Rubbing(coefficient, 0.0, float(length))
 
 
-def _check_told(scene: Scene, mechanism: Mechanism) -> None:
+def _check_told(scene: Scene, form: ForceForm, mechanism: Mechanism) -> None:
     """See that friction and hodographs name pairs of the groups: of a hinge of three links they hang on two."""
-    rubbing = scene.friction.pairs if scene.friction else ()
+    rubbing = form.friction.pairs if form.friction else ()
     named: dict[Path, str] = {("friction", "pairs", name): name for name in rubbing}
-    named |= {("sheet", "hodographs", index): name for index, name in enumerate(scene.sheet.hodographs)}
+    named |= {("sheet", "hodographs", index): name for index, name in enumerate(form.sheet.hodographs)}
     if not named:
         return
     told = [pair.key for pair in pairs(mechanism, decompose(mechanism))]

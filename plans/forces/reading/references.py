@@ -1,36 +1,36 @@
-"""References of a scene (ссылки): masses, loads, friction and the sheet name links, points, pairs and positions."""
+"""References of loads (ссылки): masses, loads, friction and hodographs name links, points and pairs of the linkage."""
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterator, Mapping, Sequence
-from decimal import Decimal
-from itertools import combinations, pairwise
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from itertools import combinations
 
+from plans.forces.reading.form import FORCES, MIDDLE, ForceForm, PairTable
+from plans.forces.reading.loads import EndTable, ForceTable, LoadsTable, MomentTable, SpringTable, holders
+from plans.linkage.reading.positions import check_numbers
+from plans.linkage.reading.survey import Survey
 from plans.model.mechanism import FRAME, Slide
 from plans.scene.faults import Path
-from plans.scene.loads import MIDDLE, EndTable, ForceTable, LoadsTable, MomentTable, PairTable, SpringTable, holders
-from plans.scene.scene import FORCES
-from plans.scene.survey import Survey, natural
+from plans.scene.scene import Meaning
 
 HINGE, SLIDE = "a hinge", "a sliding pair"
-# Whole numbers some of which a comma without a space joins in pairs, while a space follows the others.
-COMMAS = re.compile(r"\[\s*[+-]?\d+(?:,\d+)?(?:\s*,\s+[+-]?\d+(?:,\d+)?)+\s*,?\s*\]")
 ALONE = {"radius": HINGE, "length": SLIDE}  # which kind of pair alone has it
 
 
-def check_references(survey: Survey, slides: tuple[Slide, ...]) -> None:
+def survey_of(meaning: Meaning) -> Survey:
     """See that masses, loads, friction and the sheet name links, points, pairs and positions that exist."""
-    _check_places(survey)
-    _check_masses(survey)
-    if survey.scene.loads is not None:
-        _check_loads(survey, survey.scene.loads)
-    whole = len(slides) == len(survey.scene.mechanism.slides)  # else a faulty slide may be the pair that seems to lack
-    if whole and (survey.scene.friction is not None or survey.scene.sheet.hodographs):
-        _check_pairs(survey, joints(survey.points_of, slides))
-    _check_acting(survey)
-    _check_positions(survey)
-    _check_commas(survey)
+    linkage: Survey = meaning["linkage"]
+    survey, form = replace(linkage, faults=[]), meaning.scene.of(ForceForm)
+    _check_masses(survey, form)
+    if form.loads is not None:
+        _check_loads(survey, form.loads)
+    whole = len(survey.slides) == len(survey.form.mechanism.slides)  # else a faulty one may be the pair that lacks
+    if whole and (form.friction is not None or form.sheet.hodographs):
+        _check_pairs(survey, form, joints(survey.points_of, survey.slides))
+    _check_acting(survey, form)
+    check_numbers(survey, {("sheet", "forces", index): number for index, number in enumerate(form.sheet.forces)})
+    return survey
 
 
 def joints(points_of: Mapping[int, tuple[str, ...]], slides: tuple[Slide, ...]) -> dict[str, str]:
@@ -48,21 +48,14 @@ def joints(points_of: Mapping[int, tuple[str, ...]], slides: tuple[Slide, ...]) 
     return {f"{one}-{other}": found[one, other] for one, other in sorted(found)}
 
 
-def _check_places(survey: Survey) -> None:
-    """See that no point of a link bears the letter of a fixed one."""
-    form = survey.scene.mechanism
-    for name in sorted(form.points.keys() & form.frame.keys(), key=natural):
-        survey.report(("mechanism", "points", name), "two_places", name=name, link=form.points[name].on)
-
-
-def _check_masses(survey: Survey) -> None:
-    for link, mass in survey.scene.masses.items():
+def _check_masses(survey: Survey, form: ForceForm) -> None:
+    for link, mass in form.masses.items():
         path: Path = ("masses", str(link))
         if not survey.know_link(path, link) or not isinstance(mass.centre, str):
             continue
         if mass.centre != MIDDLE:
             survey.on_link((*path, "centre"), link, mass.centre)
-        elif len(survey.scene.mechanism.links[link]) < 2:  # points that have a place of their own come in no order
+        elif len(survey.form.mechanism.links[link]) < 2:  # points that have a place of their own come in no order
             survey.report((*path, "centre"), "no_line", link=link)
 
 
@@ -111,16 +104,15 @@ def _end(survey: Survey, path: Path, end: str | EndTable) -> int | None:
     return found[0] if len(found) == 1 else None
 
 
-def _check_pairs(survey: Survey, known: Mapping[str, str]) -> None:
+def _check_pairs(survey: Survey, form: ForceForm, known: Mapping[str, str]) -> None:
     """See that friction and hodographs name pairs of the mechanism, and that a hinge has no length of contact."""
     if survey.doubtful(*(("mechanism", name) for name in ("frame", "links", "points", "slides"))):
         return
-    friction = survey.scene.friction
-    for name, pair in (friction.pairs if friction else {}).items():
+    for name, pair in (form.friction.pairs if form.friction else {}).items():
         path: Path = ("friction", "pairs", name)
         if _know_pair(survey, path, name, known):
             _check_form(survey, path, pair, known[name])
-    for index, name in enumerate(survey.scene.sheet.hodographs):
+    for index, name in enumerate(form.sheet.hodographs):
         _know_pair(survey, ("sheet", "hodographs", index), name, known)
 
 
@@ -137,43 +129,11 @@ def _check_form(survey: Survey, path: Path, pair: PairTable, kind: str) -> None:
             survey.report((*path, name), "pair_form", thing=alone, name=name, pair=path[-1])
 
 
-def _check_acting(survey: Survey) -> None:
+def _check_acting(survey: Survey, form: ForceForm) -> None:
     """See that something acts on the mechanism where its forces are wanted; masses without weights have inertia."""
-    scene, loads = survey.scene, survey.scene.loads
-    if FORCES not in scene.sheets or survey.doubtful(("masses",), ("loads",)):
+    loads = form.loads
+    if FORCES not in survey.scene.sheets or survey.doubtful(("masses",), ("loads",)):
         return
     loaded = loads is not None and (loads.forces or loads.moments or loads.springs)
-    if not loaded and not any(mass.mass or mass.inertia for mass in scene.masses.values()):
+    if not loaded and not any(mass.mass or mass.inertia for mass in form.masses.values()):
         survey.report(("sheets",), "nothing_acts")
-
-
-def _check_positions(survey: Survey) -> None:
-    count = survey.scene.drive.count
-    details = {"most": count - 1, "count": count}
-    if survey.doubtful(("drive", "positions")):
-        return
-    for name in ("plans", "forces"):
-        for index, number in enumerate(getattr(survey.scene.sheet, name)):
-            if number >= count:
-                survey.report(("sheet", name, index), "position_number", **details)
-    if (survey.scene.sheet.position or 0) >= count:
-        survey.report(("sheet", "position"), "position_number", **details)
-
-
-def _check_commas(survey: Survey) -> None:
-    """See that a list of crank angles is none of numbers with decimal commas: [0,5, 30,2] reads as four numbers."""
-    path: Path = ("drive", "positions")
-    given = survey.scene.drive.positions
-    if not isinstance(given, tuple) or _one_way(given):
-        return
-    written = survey.scene.fault(path, "comma_list").value
-    pointed = re.sub(r"(?<=\d),(?=\d)", ".", written)
-    meant = [Decimal(part) for part in pointed.strip("[] ,").split(",")] if COMMAS.fullmatch(written) else []
-    if len(meant) < len(given) and meant and _one_way(meant):
-        survey.report(path, "comma_list", written=pointed)
-
-
-def _one_way(angles: Sequence[Decimal]) -> bool:
-    """Tell whether angles only rise or only fall."""
-    steps = [low < high for low, high in pairwise(angles)]
-    return all(steps) or not any(steps)

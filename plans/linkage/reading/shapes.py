@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from decimal import Context, Decimal, localcontext
 
 from geometry.meet import cross
-from plans.scene.fields import split_letters
-from plans.scene.survey import Survey
+from plans.linkage.reading.fields import split_letters
+from plans.linkage.reading.survey import Survey
 from plans.scene.units import EXACT, WORKING
 
 Spot = tuple[Decimal, Decimal]  # a place in a link's own frame, or measured from the datum: exact metres
@@ -24,7 +24,7 @@ class Shaper:
         """Place a moving link's points in its own frame; points that cannot be placed are left out and reported."""
         names = self.survey.points_of[link]
         spots: dict[str, Spot] = {names[0]: (Decimal(0), Decimal(0))}
-        letters = self.survey.scene.mechanism.links[link]
+        letters = self.survey.form.mechanism.links[link]
         for index, name in enumerate(names[1:], 1):
             placed = self._placed(link, name)
             if index == 1 and name in letters:
@@ -36,13 +36,13 @@ class Shaper:
         return spots
 
     def _placed(self, link: int, name: str) -> Spot | None:
-        point = self.survey.scene.mechanism.points.get(name)
+        point = self.survey.form.mechanism.points.get(name)
         return point.at if point and point.on == link else None
 
     def length(self, *ends: str) -> Decimal | None:
         """Give the length between two points, in either order of its letters."""
         key = self.survey.lengths.get(frozenset(ends))
-        return self.survey.scene.mechanism.lengths[key] if key else None
+        return self.survey.form.mechanism.lengths[key] if key else None
 
     def _second(self, link: int, name: str, spots: dict[str, Spot]) -> None:
         first = next(iter(spots))

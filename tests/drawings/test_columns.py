@@ -1,16 +1,18 @@
-"""Shelves: columns kept together, standard scales, nothing on anything else, following sheets, in little time."""
+"""Columns of figures: kept together, standard scales, nothing on anything else, following sheets, in little time."""
 
 import itertools
 import time
 
 import pytest
 
-from drawings.layout.columns import Block, Column, Zone, filled
+from drawings.layout.block import Block
+from drawings.layout.columns import Column, Zone, filled
+from drawings.layout.composer import compose
+from drawings.layout.contents import Composition, Contents, Item, Panel
 from drawings.layout.footing import Notes
 from drawings.layout.grid import GAP
 from drawings.layout.picture import Ladder, Margins, Picture, Rung, picture
-from drawings.layout.shelves import Composed, Content, Item, compose
-from drawings.layout.value_table import Row, Table
+from drawings.layout.table import Row, Table
 from drawings.page.page import Field, Page
 from drawings.page.scale import MANTISSAS
 from drawings.paper.strokes import SheetError
@@ -33,14 +35,23 @@ def table(rows: int) -> Table:
     return Table(tuple(Row(f"R_{k}", ("1.0",) * 3) for k in range(rows)), (2,), 3.5, 25.0, 22.0)
 
 
+def contents(
+    columns: tuple[tuple[Item, ...], ...],
+    loose: tuple[Picture, ...] = (),
+    values: Table | None = None,
+    notes: Notes | None = None,
+) -> Contents:
+    panels = (Panel(item, together=f"column {k}") for k, column in enumerate(columns) for item in column)
+    return Contents((*panels, *map(Panel, loose)), () if values is None else (values,), notes)
+
+
 PRIMARY = (figure("scheme-1", 0.36, 0.36, ("l", "m")), figure("polygon-1", 3800, 1500))
 LOOSE = (figure("lever", 1.5, 1.2, ("v", "m/s")), figure("graph", 360, 225, ("φ", "°")))
 SAID = Notes((150.0, 60.0, 90.0), 6.3)
-SHAPER = Content(
-    (group("4-5", (0.35, 0.05), (1640, 140)), group("2-3", (0.3, 0.7), (2500, 900)), PRIMARY), LOOSE, table(8), SAID
-)
-CRANK = Content((group("2-3", (0.2, 0.06), (1640, 340)), PRIMARY), LOOSE, table(5), SAID)
-CHAIN = Content(tuple(group(f"{k}", (0.3, 0.2), (1000, 500 + 10 * k)) for k in range(29)), LOOSE, table(40), SAID)
+COLUMNS = (group("4-5", (0.35, 0.05), (1640, 140)), group("2-3", (0.3, 0.7), (2500, 900)), PRIMARY)
+SHAPER = contents(COLUMNS, LOOSE, table(8), SAID)
+CRANK = contents((group("2-3", (0.2, 0.06), (1640, 340)), PRIMARY), LOOSE, table(5), SAID)
+CHAIN = contents(tuple(group(f"{k}", (0.3, 0.2), (1000, 500 + 10 * k)) for k in range(29)), LOOSE, table(40), SAID)
 PAGES = [
     Page("A1"), Page("A1", "portrait"), Page("A2"), Page("A3"), Page("A3", "portrait"), Page("A4"),
     Page("A1", standard="ISO"), Page("A3", standard="ISO"), Page("A4", standard="ISO"),
@@ -49,12 +60,11 @@ every_page = pytest.mark.parametrize("page", PAGES, ids=lambda page: f"{page.nam
 every_set = pytest.mark.parametrize("content", [SHAPER, CRANK, CHAIN], ids=["shaper", "crank", "chain"])
 
 
-def boxes(one: Composed, page: Page) -> list[Field]:
-    found = [*(spot.box for spot in one.pictures.values()), *one.blocks.values(), *page.taken]
-    if one.content.table is not None:
-        assert one.table is not None and one.setting is not None
-        wide, high = one.content.table.size(one.setting)
-        found.append(Field(one.table.real, one.table.imag - high, one.table.real + wide, one.table.imag))
+def boxes(one: Composition, page: Page) -> list[Field]:
+    found = [*(spot.box for spot in one.spots.values()), *one.blocks.values(), *page.taken]
+    for own, corner, setting in one.tables:
+        wide, high = own.size(setting)
+        found.append(Field(corner.real, corner.imag - high, corner.real + wide, corner.imag))
     return found if one.notes is None else [*found, one.notes]
 
 
@@ -77,7 +87,7 @@ def inside(box: Field, room: Field) -> bool:
 
 @every_page
 @every_set
-def test_nothing_stands_on_anything_else_or_beyond_the_frame(content: Content, page: Page) -> None:
+def test_nothing_stands_on_anything_else_or_beyond_the_frame(content: Contents, page: Page) -> None:
     for one in compose(content, page):
         assert all(inside(box, page.field) for box in boxes(one, page))
         for first, second in itertools.combinations(boxes(one, page), 2):
@@ -86,40 +96,43 @@ def test_nothing_stands_on_anything_else_or_beyond_the_frame(content: Content, p
 
 @every_page
 @every_set
-def test_everything_is_shown_once_in_its_order(content: Content, page: Page) -> None:
+def test_everything_is_shown_once_in_its_order(content: Contents, page: Page) -> None:
     composed = compose(content, page)
-    names = [item.name for one in composed for column in one.content.columns for item in column]
-    assert names == [item.name for column in content.columns for item in column]
-    loose = [one.name for sheet in composed for one in sheet.content.loose]
-    assert loose == [one.name for one in content.loose]
-    rows = [line for one in composed if one.content.table is not None for line in one.content.table.lines]
+    figures = [panel.item.name for panel in content.panels if isinstance(panel.item, Picture)]
+    assert [name for one in composed for name in one.spots] == figures
+    assert [name for one in composed for name in one.blocks] == [
+        panel.item.name for panel in content.panels if isinstance(panel.item, Block)
+    ]
+    rows = [line for one in composed for own in one.tables for line in own.table.lines]
     assert content.table is not None and rows == list(content.table.lines)
     assert [one.notes is not None for one in composed] == [k == 0 for k in range(len(composed))]
-    for one in composed:
-        shown = [item for column in (*one.content.columns, one.content.loose) for item in column]
-        assert {*one.pictures, *one.blocks} == {item.name for item in shown}
+
+
+def box_of(one: Composition, name: str) -> Field | None:
+    return one.spots[name].box if name in one.spots else one.blocks.get(name)
 
 
 @every_page
 @every_set
-def test_a_column_stays_together_from_top_to_bottom(content: Content, page: Page) -> None:
+def test_a_column_stays_together_from_top_to_bottom(content: Contents, page: Page) -> None:
     for one in compose(content, page):
-        for column in one.content.columns:
-            places = [
-                one.pictures[item.name].box if item.name in one.pictures else one.blocks[item.name] for item in column
-            ]
+        for column in (own for own in content.groups if len(own) > 1):
+            names = [panel.item.name for panel in column]
+            places = [box for name in names if (box := box_of(one, name)) is not None]
+            assert len(places) in (0, len(names))  # all on one sheet
+            if not places:
+                continue
             assert all(upper.bottom >= lower.top - 1e-6 for upper, lower in itertools.pairwise(places))
             assert max(box.left for box in places) < min(box.right for box in places)
 
 
 @every_page
 def test_scales_are_standard_ones_and_every_figure_can_be_read(page: Page) -> None:
-    pictures = {item.name: item for column in SHAPER.columns for item in column if isinstance(item, Picture)}
-    pictures |= {one.name: one for one in LOOSE}
+    pictures = {one.item.name: one.item for one in SHAPER.panels if isinstance(one.item, Picture)}
     for one in compose(SHAPER, page):
-        for name, spot in one.pictures.items():
+        for name, spot in one.spots.items():
             size = pictures[name].drawn(spot.scale)
-            assert size >= LEAST or len(one.pictures) <= len(SHAPER.columns[0])
+            assert size >= LEAST or len(one.spots) <= len(COLUMNS[0])
             if spot.scale.letter == "F":
                 mantissa = float(f"{spot.scale.mu:e}".split("e")[0])
                 assert mantissa in MANTISSAS[page.standard]
@@ -137,34 +150,34 @@ def test_the_shaper_goes_on_one_a1_sheet_and_fills_it() -> None:
 
 def test_headings_of_the_columns_are_level() -> None:
     (only,) = compose(SHAPER, Page("A1"))
-    tops = [only.pictures[column[0].name].box.top for column in SHAPER.columns]
+    tops = [only.spots[column[0].name].box.top for column in COLUMNS]
     assert max(tops) - min(tops) < 1e-6
 
 
 def test_lettering_stands_close_under_its_scheme() -> None:
     (only,) = compose(SHAPER, Page("A1"))
     for name in ("4-5", "2-3"):
-        gap = only.pictures[f"scheme-{name}"].box.bottom - only.blocks[f"equations-{name}"].top
+        gap = only.spots[f"scheme-{name}"].box.bottom - only.blocks[f"equations-{name}"].top
         assert 0 <= gap <= 12.0
 
 
 def test_lettering_is_broken_no_more_than_its_column_needs() -> None:
     block = Block("equations", ((60.0, 40.0), (90.0, 25.0), (200.0, 10.0)))
-    (one,) = compose(Content(((figure("scheme", 0.7, 0.3, ("l", "m")), block),)), Page("A3"))
+    (one,) = compose(contents(((figure("scheme", 0.7, 0.3, ("l", "m")), block),)), Page("A3"))
     assert one.blocks["equations"].width == 200.0 and one.blocks["equations"].height == 10.0
 
 
 def test_lettering_is_no_wider_than_the_column_over_it() -> None:
     block = Block("equations", ((60.0, 40.0), (90.0, 25.0), (600.0, 10.0)))
-    (one,) = compose(Content(((figure("scheme", 0.1, 0.9, ("l", "m")), block), PRIMARY)), Page("A2"))
-    assert one.pictures["scheme"].box.width == 70.0 and one.blocks["equations"].width == 60.0
+    (one,) = compose(contents(((figure("scheme", 0.1, 0.9, ("l", "m")), block), PRIMARY)), Page("A2"))
+    assert one.spots["scheme"].box.width == 70.0 and one.blocks["equations"].width == 60.0
 
 
 def test_no_picture_could_be_drawn_larger_by_itself() -> None:
     width, height = 800.0, 570.0
     columns = tuple(
         tuple(item.ladder(width, height) if isinstance(item, Picture) else item for item in column)
-        for column in SHAPER.columns
+        for column in COLUMNS
     )
     found = filled((Zone(columns, 0.0, height),), width)
     assert found is not None
@@ -190,19 +203,23 @@ def _fits(columns: tuple[Column, ...], rungs: list[list[Rung | None]], width: fl
 
 
 def test_a_chain_of_many_groups_goes_on_sheets_that_are_filled_alike() -> None:
-    counts = [len(one.content.columns) + len(one.content.loose) for one in compose(CHAIN, Page("A1")) if one.pictures]
+    counts = [
+        sum(group[0].item.name in one.spots for group in CHAIN.groups)
+        for one in compose(CHAIN, Page("A1"))
+        if one.spots
+    ]
     assert sum(counts) == 31 and max(counts) - min(counts) <= 1
 
 
 def test_a_table_longer_than_a_sheet_is_continued_on_the_next() -> None:
-    content = Content(CRANK.columns, LOOSE, table(400), SAID)
-    rows = [len(one.content.table.lines) for one in compose(content, Page("A3")) if one.content.table is not None]
+    long = Contents(CRANK.panels, (table(400),), SAID)
+    rows = [len(own.table.lines) for one in compose(long, Page("A3")) for own in one.tables]
     assert sum(rows) == 400 and len(rows) > 1
 
 
 def test_a_heading_wider_than_the_paper_is_told() -> None:
     with pytest.raises(SheetError, match="take a larger format"):
-        compose(Content(((figure("scheme", 1.0, 1.0, heading=300.0),),)), Page("A4"))
+        compose(contents(((figure("scheme", 1.0, 1.0, heading=300.0),),)), Page("A4"))
 
 
 def test_composing_takes_little_time() -> None:

@@ -1,0 +1,80 @@
+"""What the views of a rotor show: its masses and counterweights in true places (виды ротора)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from fractions import Fraction
+from typing import NamedTuple
+
+from drawings.figures.rotor.letters import MOST
+from plans.model.rotor import Balance, Rotor
+
+NOMINAL = 0.8  # of the largest known radius: where a mass without one is drawn
+
+
+class Body(NamedTuple):
+    """A mass or a counterweight: its name, its centre in a plane across the shaft m, its place along it m.
+
+    One whose radius nothing gives stands at its angle alone; a counterweight is `added`.
+    """
+
+    name: str
+    centre: complex
+    place: float
+    arm: float  # m, from the last plane of correction
+    added: bool
+    known: bool
+
+    @property
+    def mark(self) -> str:
+        """Its letters: m_1."""
+        return f"m_{self.name}"
+
+
+class RotorView(NamedTuple):
+    """A rotor to be seen: its bodies, the planes of correction, the bearings; metres."""
+
+    bodies: tuple[Body, ...]
+    planes: tuple[tuple[str, float], ...]  # name and place
+    bearings: tuple[float, ...]
+    turning: float  # the sense in which it turns: 1, -1, or 0 where it is not given
+
+    @property
+    def reach(self) -> float:
+        """The largest distance of a centre from the axis, m; 1 where no radius is known."""
+        return max((abs(one.centre) for one in self.bodies), default=0.0) or 1.0
+
+    @property
+    def scaled(self) -> bool:
+        """Whether some radius is known, so that the view has a scale."""
+        return any(one.known for one in self.bodies)
+
+    @property
+    def many(self) -> bool:
+        """Whether there are too many masses to letter each."""
+        return len(self.bodies) > MOST
+
+    @property
+    def places(self) -> list[float]:
+        """All places along the shaft, m."""
+        return [*(one.place for one in self.bodies), *(place for _, place in self.planes), *self.bearings]
+
+
+def rotor_view(rotor: Rotor, balance: Balance) -> RotorView:
+    """Put masses and counterweights where they are; one that vanishes is left out."""
+    radii = [one.radius for own in (rotor.masses, balance.corrections) for one in own if one.radius]
+    nominal = NOMINAL * max(radii, default=1.0 / NOMINAL)
+    bodies = [_body(rotor, one.name, float(one.angle), one.place, one.radius, nominal) for one in rotor.masses]
+    for one in balance.corrections:
+        if one.moment.angle is not None:
+            name, place = one.plane.name, one.plane.place
+            bodies.append(_body(rotor, name, one.moment.angle, place, one.radius, nominal)._replace(added=True))
+    planes = tuple((one.name, float(one.place)) for one in rotor.planes)
+    turning = 0.0 if rotor.speed is None else math.copysign(1.0, rotor.speed)
+    return RotorView(tuple(bodies), planes, tuple(map(float, rotor.bearings)), turning)
+
+
+def _body(rotor: Rotor, name: str, angle: float, place: Fraction, radius: float | None, nominal: float) -> Body:
+    centre = cmath.rect(radius or nominal, math.radians(angle))
+    return Body(name, centre, float(place), rotor.arm(place), False, bool(radius))

@@ -1,0 +1,97 @@
+"""What a set of sheets shows, and where it stands: the request of a sheet and the answer of the composer (содержание).
+
+A sheet says what it shows, what is weighty, what belongs together and what wants one scale; how it is composed it does
+not know.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple, TypeAlias
+
+from drawings.layout.block import Block
+from drawings.layout.footing import Notes
+from drawings.layout.picture import Picture, Spot
+from drawings.layout.table import Setting, Table
+from drawings.page.page import Field
+
+EVEN = 1.0  # weight of a figure that counts as the others do
+
+
+Item: TypeAlias = Picture | Block
+
+
+class Panel(NamedTuple):
+    """A figure or lettering, and what it wants of its place.
+
+    Panels of one key `together` stand together, in their order; figures of one key `scale` are drawn at one scale. A
+    weight above 1 makes a figure larger than the others; the weightiest one is foremost.
+    """
+
+    item: Item
+    weight: float = EVEN
+    together: str = ""
+    scale: str = ""
+
+
+@dataclass(frozen=True)
+class Contents:
+    """What a set of sheets must show: panels in their order, tables and notes; a long set goes on following sheets.
+
+    A table of as many positions as there are groups of panels beside the foremost one goes with them.
+    """
+
+    panels: tuple[Panel, ...] = ()
+    tables: tuple[Table, ...] = ()
+    notes: Notes | None = None
+
+    @cached_property
+    def foremost(self) -> Panel | None:
+        """The weightiest figure, if one weighs more than the others."""
+        heaviest = max(self.panels, key=lambda panel: panel.weight, default=None)
+        return heaviest if heaviest is not None and heaviest.weight > EVEN else None
+
+    @cached_property
+    def groups(self) -> tuple[tuple[Panel, ...], ...]:
+        """The panels that stand together; one that belongs to no others is alone."""
+        found: dict[tuple[str, int], list[Panel]] = {}
+        for k, panel in enumerate(self.panels):
+            found.setdefault((panel.together, 0 if panel.together else k), []).append(panel)
+        return tuple(map(tuple, found.values()))
+
+    @cached_property
+    def others(self) -> tuple[tuple[Panel, ...], ...]:
+        """The groups without the foremost figure."""
+        without = (tuple(panel for panel in group if panel is not self.foremost) for group in self.groups)
+        return tuple(group for group in without if group)
+
+    @property
+    def table(self) -> Table | None:
+        """The table that stands at the foot of a sheet."""
+        return next(iter(self.tables), None)
+
+
+class TableSpot(NamedTuple):
+    """A table, or a part of one, where it stands: its upper left corner, and how it is set."""
+
+    table: Table
+    corner: complex
+    setting: Setting
+
+
+class Composition(NamedTuple):
+    """One composed sheet: where each figure, by its name, stands, each piece of lettering, the tables, the notes."""
+
+    spots: Mapping[str, Spot]
+    blocks: Mapping[str, Field]
+    tables: tuple[TableSpot, ...] = ()
+    notes: Field | None = None
+
+
+def at_foot(table: Table | None, corner: complex | None, setting: Setting | None) -> tuple[TableSpot, ...]:
+    """Give the spot of the table at the foot of a sheet, if it has one there."""
+    if table is None or corner is None or setting is None:
+        return ()
+    return (TableSpot(table, corner, setting),)

@@ -1,0 +1,210 @@
+"""The map of what is inked on a sheet, felt in two ways: by cells, quick, and line by line, exact (свободное место)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import pairwise
+from typing import TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from drawings.lettering.extent import bounds
+from drawings.paper.strokes import TURN, Arc, Box, Circle, Fill, Line, Polyline, Stroke, Text
+from drawings.paper.walk import flat
+from plans.model.motion import Complexes, Floats
+
+CELL = 0.5  # mm, the grain of the cells: finer than a thin line's least distance
+LETTERED = 1000  # of a cell under letters; a line adds 1, and no cell is crossed by so many
+CLEAR = 0.4  # mm kept free around a label
+SAG = 0.2  # mm that a straight piece may be off the arc that it stands for
+PIECES = 48  # straight pieces that stand for a smooth path, at least
+RUNGS = 5  # lines across a text's box that feel what it would cover
+
+Chain: TypeAlias = Sequence[complex]
+
+
+class Ink:
+    """What is drawn on paper of some size, mm. Either way to feel it is made ready when it is first asked for."""
+
+    def __init__(self, width: float = 0.0, height: float = 0.0) -> None:
+        self._cells, self._uncelled = _Cells(width, height), list[Stroke]()
+        self._pieces, self._unpieced = _Pieces(), list[tuple[Stroke, float]]()
+
+    def bar(self, field: Box) -> None:
+        """Keep labels inside a field: what lies outside counts as lettered over."""
+        self._cells.bar(field)
+
+    def draw(self, strokes: Iterable[Stroke], weight: float = 1.0) -> None:
+        """Ink strokes in; each of their lines that another crosses costs it a weight."""
+        for stroke in flat(strokes):
+            self._uncelled.append(stroke)
+            self._unpieced.append((stroke, weight))
+
+    def under(self, box: Box) -> int:
+        """Count what a box would cover, by cells."""
+        return self._celled().under(box)
+
+    def along(self, start: complex, end: complex) -> int:
+        """Count what a straight line would cross, by cells."""
+        return self._celled().along(start, end)
+
+    def crossed_by(self, strokes: Iterable[Stroke]) -> float:
+        """Give the weight of the lines that some strokes cross or touch; a text crosses what lies in its box."""
+        self._pieces.add(self._unpieced)
+        self._unpieced.clear()
+        return self._pieces.crossed_by(strokes)
+
+    def _celled(self) -> _Cells:
+        self._cells.draw(self._uncelled)
+        self._uncelled.clear()
+        return self._cells
+
+
+class _Cells:
+    """Square cells of the paper: how many lines run through each, and where letters stand."""
+
+    def __init__(self, width: float, height: float) -> None:
+        self._map = np.zeros((int(height / CELL) + 2, int(width / CELL) + 2), dtype=np.int32)
+
+    def bar(self, field: Box) -> None:
+        rows, columns = self._covered(field)
+        for outside in (np.s_[: rows.start], np.s_[rows.stop :]):
+            self._map[outside] += LETTERED
+        for outside in (np.s_[: columns.start], np.s_[columns.stop :]):
+            self._map[:, outside] += LETTERED
+
+    def draw(self, strokes: Iterable[Stroke]) -> None:
+        chains = [chain for stroke in strokes for chain in self._chains(stroke)]
+        if chains:
+            np.add.at(self._map, self._sampled(chains), 1)
+
+    def under(self, box: Box) -> int:
+        rows, columns = self._covered(box)
+        return int(self._map[rows, columns].sum())
+
+    def along(self, start: complex, end: complex) -> int:
+        rows, columns = self._sampled([[start, end]])
+        return int(self._map[rows, columns].sum())
+
+    def _chains(self, stroke: Stroke) -> Iterator[Chain]:
+        """Give the lines of a stroke as chains of points; letters are inked in as boxes on the way."""
+        match stroke:
+            case Text():
+                rows, columns = self._covered(padded(bounds(stroke), 0j))
+                self._map[rows, columns] += LETTERED
+            case Line():
+                yield [stroke.start, stroke.end]
+            case Polyline() | Fill():
+                closed = isinstance(stroke, Fill) or stroke.closed
+                yield [*stroke.points, *stroke.points[:1]] if closed else stroke.points
+            case Circle():
+                yield _round(stroke.centre, stroke.radius, 0.0, 2 * math.pi)
+            case Arc():
+                yield _round(stroke.centre, stroke.radius, stroke.start_angle, stroke.sweep)
+
+    def _covered(self, box: Box) -> tuple[slice, slice]:
+        left, bottom, right, top = (max(int(side / CELL), 0) for side in box)
+        return slice(bottom, top + 1), slice(left, right + 1)
+
+    def _sampled(self, chains: list[Chain]) -> tuple[npt.NDArray[np.intp], npt.NDArray[np.intp]]:
+        """Give the cells along chains of points, each segment sampled at the grain of the cells."""
+        points = np.concatenate([np.asarray(chain) for chain in chains])
+        steps = np.diff(points)
+        breaks = np.cumsum([len(chain) for chain in chains])[:-1] - 1
+        counts = (np.abs(steps) / CELL).astype(int) + 2  # both ends among them
+        counts[breaks] = 0  # from the end of a chain to the next one's start nothing is drawn
+        which = np.repeat(np.arange(len(steps)), counts)
+        share = (np.arange(len(which)) - np.repeat(np.cumsum(counts) - counts, counts)) / (counts[which] - 1)
+        along = points[which] + steps[which] * share
+        rows = np.clip((along.imag / CELL).astype(int), 0, self._map.shape[0] - 1)
+        columns = np.clip((along.real / CELL).astype(int), 0, self._map.shape[1] - 1)
+        return rows, columns
+
+
+class _Pieces:
+    """The lines as straight pieces, each with its weight."""
+
+    def __init__(self) -> None:
+        self._starts, self._ends = np.zeros(0, complex), np.zeros(0, complex)
+        self._weights = np.zeros(0)
+
+    def add(self, strokes: Iterable[tuple[Stroke, float]]) -> None:
+        pieces = [(*piece, weight) for stroke, weight in strokes for piece in _pieces(stroke)]
+        if pieces:
+            starts, ends, weights = zip(*pieces, strict=True)
+            self._starts, self._ends = np.append(self._starts, starts), np.append(self._ends, ends)
+            self._weights = np.append(self._weights, weights)
+
+    def crossed_by(self, strokes: Iterable[Stroke]) -> float:
+        pieces = [piece for stroke in flat(strokes) for piece in _pieces(stroke)]
+        starts, ends = np.array([piece[0] for piece in pieces]), np.array([piece[1] for piece in pieces])
+        near = self._near(np.concatenate([starts, ends]))
+        own_starts, own_ends = self._starts[near, None], self._ends[near, None]
+        sides = _cross(ends - starts, own_starts - starts) * _cross(ends - starts, own_ends - starts)
+        others = _cross(own_ends - own_starts, starts - own_starts) * _cross(own_ends - own_starts, ends - own_starts)
+        return float(((sides <= 0) & (others <= 0)).sum(axis=1) @ self._weights[near])
+
+    def _near(self, spots: Complexes) -> npt.NDArray[np.intp]:
+        """Give the pieces whose boxes meet the box of some spots."""
+        over = [
+            (np.minimum(first, last) <= own.max()) & (np.maximum(first, last) >= own.min())
+            for first, last, own in (
+                (self._starts.real, self._ends.real, spots.real),
+                (self._starts.imag, self._ends.imag, spots.imag),
+            )
+        ]
+        return np.flatnonzero(over[0] & over[1])
+
+
+def padded(box: Box, shift: complex, by: float = CLEAR) -> Box:
+    """Shift a box and widen it to all sides, mm."""
+    x, y = shift.real, shift.imag
+    return box[0] + x - by, box[1] + y - by, box[2] + x + by, box[3] + y + by
+
+
+def _round(centre: complex, radius: float, start: float, sweep: float) -> Chain:
+    count = max(int(abs(sweep) * radius / CELL), 8)
+    return [centre + cmath.rect(radius, start + sweep * k / count) for k in range(count + 1)]
+
+
+def _cross(first: Complexes, second: Complexes) -> Floats:
+    return np.asarray(first.real * second.imag - first.imag * second.real)
+
+
+def _pieces(stroke: Stroke) -> Iterator[tuple[complex, complex]]:
+    """Give a stroke as straight pieces."""
+    return (piece for chain in _chains(stroke) for piece in pairwise(chain))
+
+
+def _chains(stroke: Stroke) -> Iterator[Chain]:
+    """Give a stroke as chains of straight pieces."""
+    match stroke:
+        case Line(start, end):
+            yield start, end
+        case Polyline(points, closed):
+            step = max(len(points) // PIECES, 1)  # a smooth path is felt as well by fewer pieces
+            yield (*points[::step], points[0] if closed else points[-1])
+        case Fill(points):
+            yield *points, points[0]
+        case Circle(centre, radius):
+            yield from _chains(Arc(centre, radius, 0.0, TURN))
+        case Arc(radius=radius):
+            facet = 2 * math.acos(max(1 - SAG / radius, 0.0)) if radius > 0 else TURN
+            count = max(math.ceil(stroke.sweep / facet), 1)
+            yield [stroke.at(k / count) for k in range(count + 1)]
+        case Text():
+            yield from _rungs(stroke)
+
+
+def _rungs(text: Text) -> Iterator[Chain]:
+    """Lay lines across a text's box, turned as the text is."""
+    left, bottom, right, top = bounds(Text(0j, text.content, text.size, text.anchor, text.slanted))
+    turn = cmath.rect(1, math.radians(text.rotation))
+    for k in range(RUNGS):
+        level = bottom + (top - bottom) * k / (RUNGS - 1)
+        yield text.at + complex(left, level) * turn, text.at + complex(right, level) * turn
+    for side in (left, right):
+        yield text.at + complex(side, bottom) * turn, text.at + complex(side, top) * turn

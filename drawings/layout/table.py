@@ -1,0 +1,186 @@
+"""A table on paper: a column of names, bands of cells beside it, set in bands and parts as room allows (таблица)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from drawings.layout.block import Block
+from drawings.lettering.lettering import text_width
+from drawings.page.drafting import Drafting
+from drawings.page.page import Field
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import Group, Line, LineStyle, Stroke, Text
+
+# In sizes of the letters: a row, how far a text stands above its row's line, and the least cell.
+ROW, UNDER, CELL = 2.0, 0.65, 4.0
+APART = 6.0  # mm between two bands or two parts of the table
+MOST_PARTS = 4  # side by side: more are wider than an A1 sheet
+
+
+class Row(NamedTuple):
+    """A line of the table: its name, and its cells."""
+
+    name: str
+    cells: tuple[str, ...]
+
+
+class Setting(NamedTuple):
+    """How a table is set: bands across, and parts of its rows side by side."""
+
+    across: int
+    parts: int
+
+
+class Table(NamedTuple):
+    """A table in its natural size: cells as wide as their widest text, all of them alike.
+
+    Its bands are of positions, each with its title over the headings of its columns; a table of no position has one
+    band without a title.
+    """
+
+    lines: tuple[Row, ...]
+    positions: tuple[int, ...]
+    text: float  # size of the letters, mm
+    names: float  # width of the column of names, mm
+    cell: float  # width of a cell, mm
+    first: str = ""  # the heading of the names
+    heads: tuple[str, ...] = ("", "", "")  # of the columns of a band
+    name: str = "values"  # what its bands are named by, and numbered
+
+    @property
+    def row(self) -> float:
+        """Height of a row, mm."""
+        return ROW * self.text
+
+    @property
+    def bands(self) -> int:
+        """How many bands there are."""
+        return max(len(self.positions), 1)
+
+    @property
+    def over(self) -> int:
+        """How many rows of headings there are."""
+        return 2 if self.positions else 1
+
+    def width(self, across: int) -> float:
+        """Give the width of some bands beside the names, mm."""
+        return self.names + len(self.heads) * self.cell * min(across, self.bands)
+
+    def part(self, rows: slice) -> Table:
+        """Give the table of some of its rows."""
+        return self._replace(lines=self.lines[rows])
+
+    def of(self, chosen: slice) -> Table:
+        """Give the table of some of its bands."""
+        count = len(self.heads)
+        cells = slice(count * chosen.start, count * chosen.stop)
+        lines = tuple(Row(line.name, line.cells[cells]) for line in self.lines)
+        return self._replace(lines=lines, positions=self.positions[chosen])
+
+    def size(self, setting: Setting) -> tuple[float, float]:
+        """Give width and height on paper, mm."""
+        bands = math.ceil(self.bands / setting.across)
+        width, rows = self.width(setting.across), math.ceil(len(self.lines) / setting.parts) + self.over
+        return setting.parts * width + (setting.parts - 1) * APART, bands * rows * self.row + (bands - 1) * APART
+
+    def settings(self) -> list[Setting]:
+        """List the ways to set the table, in bands or in parts side by side, that no other beats both ways."""
+        across = sorted({math.ceil(self.bands / bands) for bands in range(1, self.bands + 1)}, reverse=True)
+        ways = [Setting(wide, parts) for parts in range(1, MOST_PARTS + 1) for wide in across]
+        sizes = [self.size(way) for way in ways]
+        larger = [any(w <= wide and h <= high and (w, h) != (wide, high) for w, h in sizes) for wide, high in sizes]
+        return [way for way, worse in zip(ways, larger, strict=True) if not worse]
+
+    def block(self, name: str) -> Block:
+        """Give the sizes that it may have where it stands among figures."""
+        return Block(name, tuple(sorted(self.size(setting) for setting in self.settings())))
+
+    def setting(self, box: Field) -> Setting:
+        """Give the way to set it whose size a box has."""
+
+        def off(setting: Setting) -> float:
+            wide, high = self.size(setting)
+            return abs(wide - box.width) + abs(high - box.height)
+
+        return min(self.settings(), key=off)
+
+    def write(self, box: Field, drafting: Drafting) -> Group:
+        """Draw it in its box among figures."""
+        return Group(tuple(self.draw(complex(box.left, box.top), self.setting(box), drafting)))
+
+    def draw(self, corner: complex, setting: Setting, drafting: Drafting) -> list[Group]:
+        """Draw the table from its upper left corner, each band and part a group that says its positions."""
+        per_part = max(1, math.ceil(len(self.lines) / setting.parts))  # where no force acts at all there are no lines
+        width, height = self.width(setting.across) + APART, (per_part + self.over) * self.row + APART
+        groups: list[Group] = []
+        for band in range(0, self.bands, setting.across):
+            for k in range(0, len(self.lines), per_part):
+                at = corner + complex(k / per_part * width, -band / setting.across * height)
+                piece = self.of(slice(band, band + setting.across)).part(slice(k, k + per_part))
+                groups.append(piece.group(at, len(groups) + 1, drafting))
+        return groups
+
+    def group(self, corner: complex, number: int, drafting: Drafting) -> Group:
+        """Draw one band or part of the table: its lines, its headings, and its rows."""
+        strokes = (*_rules(self, corner, drafting.hand), *_headings(self, corner, drafting), *_cells(self, corner))
+        data = {"positions": " ".join(str(position) for position in self.positions)} if self.positions else {}
+        return Group((Group(strokes),), f"{self.name}-{number}", data)
+
+
+def table(
+    lines: Sequence[Row], first: str, heads: tuple[str, ...], text: float, positions: tuple[int, ...] = ()
+) -> Table:
+    """Measure a table."""
+    cell = max(text_width(Text(0j, one, text)) for one in (*heads, *(cell for line in lines for cell in line.cells)))
+    names = max(text_width(Text(0j, one, text)) for one in (first, *(line.name for line in lines)))
+    return Table(tuple(lines), positions, text, names + text, max(cell, CELL * text) + text, first, heads)
+
+
+def _columns(piece: Table, corner: complex) -> list[float]:
+    """Give the places of the upright lines."""
+    cells = range(len(piece.heads) * piece.bands + 1)
+    return [corner.real, *(corner.real + piece.names + piece.cell * k for k in cells)]
+
+
+def _rules(piece: Table, corner: complex, hand: Hand) -> list[Stroke]:
+    main, thin = LineStyle(hand.main), LineStyle(hand.construction)
+    columns, top, strokes = _columns(piece, corner), corner.imag, list[Stroke]()
+    rows = len(piece.lines) + piece.over
+    for k, x in enumerate(columns):
+        heavy = k in (0, 1) or (k - 1) % len(piece.heads) == 0
+        high = top if heavy else top - piece.row * (piece.over - 1)
+        strokes.append(Line(complex(x, top - rows * piece.row), complex(x, high), main if heavy else thin))
+    for k in range(rows + 1):
+        y = top - piece.row * k
+        left = columns[1] if 0 < k < piece.over else columns[0]
+        style = main if k in (0, piece.over, rows) else thin
+        strokes.append(Line(complex(left, y), complex(columns[-1], y), style))
+    return strokes
+
+
+def _headings(piece: Table, corner: complex, drafting: Drafting) -> list[Stroke]:
+    size, row, columns = piece.text, piece.row, _columns(piece, corner)
+    low = corner.imag - piece.over * row + UNDER * size
+    middle = corner.imag - piece.over * row / 2 - size / 2 if piece.positions else low
+    strokes: list[Stroke] = [Text(complex((columns[0] + columns[1]) / 2, middle), piece.first, size, "middle", True)]
+    count, high = len(piece.heads), corner.imag - row + UNDER * size
+    for band in range(piece.bands):
+        edges = columns[1 + count * band : 2 + count * (band + 1)]
+        if piece.positions:
+            title = drafting.word("position", position=piece.positions[band])
+            strokes.append(Text(complex((edges[0] + edges[-1]) / 2, high), title, size, "middle", True))
+        for head, left, right in zip(piece.heads, edges, edges[1:], strict=False):
+            strokes.append(Text(complex((left + right) / 2, low), head, size, "middle", True))
+    return strokes
+
+
+def _cells(piece: Table, corner: complex) -> list[Stroke]:
+    columns, strokes = _columns(piece, corner), list[Stroke]()
+    for k, line in enumerate(piece.lines):
+        y = corner.imag - piece.row * (k + piece.over + 1) + UNDER * piece.text
+        strokes.append(Text(complex(columns[0] + piece.text / 2, y), line.name, piece.text, "start", True))
+        for x, text in zip(columns[1:], line.cells, strict=False):
+            strokes.append(Text(complex(x + piece.cell / 2, y), text, piece.text, "middle", True))
+    return strokes

@@ -1,0 +1,39 @@
+"""How the figures of a sheet are drawn and lettered: hand, language, standard, notation (оформление)."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from drawings.lettering.words import number, word
+from drawings.page.page import page_of
+from drawings.page.scale import Scale
+from drawings.paper.hand import Hand
+from plans.scene.scene import Scene
+
+
+class Drafting(NamedTuple):
+    """The hand that draws, and how it letters: language, standard, notation of scales, letter of reactions."""
+
+    hand: Hand
+    language: str = "en"
+    standard: str = "GOST"
+    notation: str = "mu"
+    reactions: str = "R"
+
+    def word(self, key: str, **values: object) -> str:
+        """Give a phrase in the sheet's language."""
+        return word(self.language, key, **values)
+
+    def number(self, value: float, digits: int = 4) -> str:
+        """Write a number with some significant digits."""
+        return number(value, self.language, digits)
+
+    def scale(self, scale: Scale) -> str:
+        """Write a scale as the sheet does."""
+        return scale.written(self.language, self.notation)
+
+
+def drafting_of(scene: Scene) -> Drafting:
+    """Give what a scene asks for."""
+    sheet = scene.sheet
+    return Drafting(page_of(scene).hand, sheet.language, sheet.standard, sheet.notation)

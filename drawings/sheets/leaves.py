@@ -1,0 +1,134 @@
+"""The leaves of a sheet (листы): what every sheet does alike, from its contents to lines, letters and title block."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, NamedTuple
+
+from drawings.layout.composer import compose
+from drawings.layout.contents import Composition, Contents, Panel
+from drawings.layout.figure import Figure
+from drawings.layout.ink import Ink
+from drawings.layout.labels import Labels
+from drawings.layout.picture import Spot
+from drawings.layout.table import Table
+from drawings.page.drafting import Drafting, drafting_of
+from drawings.page.page import Field, Page, page_of
+from drawings.paper.strokes import Group, Leaf
+from drawings.sheets.paragraphs import measure, write
+from plans.scene.scene import Scene
+
+KEPT = 1.0  # mm inside the frame that letters keep clear of
+ENTRIES = ("designation", "drawn", "checked", "approved", "date", "group", "organisation")  # kept from [sheet]
+
+
+class Exhibit(NamedTuple):
+    """A figure that a sheet shows: what it wants of its place, and how it is drawn in its spot."""
+
+    panel: Panel
+    draw: Callable[[Spot], Figure]
+
+
+class Caption(NamedTuple):
+    """Lettering that stands with figures: what it wants of its place, and how it is written in its box."""
+
+    panel: Panel
+    write: Callable[[Field], Group]
+
+
+@dataclass(frozen=True)
+class Draft:
+    """What the sheets of one kind show: figures and lettering in their order, tables, notes.
+
+    `facts` gives what the data of a sheet say of it beside title and number, by the names of the figures that it bears.
+    """
+
+    kind: str
+    title: str
+    shows: tuple[Exhibit | Caption, ...]
+    tables: tuple[Table, ...]
+    notes: tuple[str, ...]
+    facts: Callable[[Collection[str]], Mapping[str, Any]]
+
+
+def lay_out(scene: Scene, drafts: Sequence[Draft]) -> tuple[Leaf, ...]:
+    """Lay out the sheets of drafts, and as many following ones as their figures need to stay readable."""
+    own = [_Leaves(scene, draft) for draft in drafts]
+    composed = [(one, sheet) for one in own for sheet in compose(one.contents, one.page)]
+    return tuple(one.leaf(sheet, k + 1, len(composed)) for k, (one, sheet) in enumerate(composed))
+
+
+@dataclass(frozen=True)
+class _Leaves:
+    """A draft on the pages of its scene."""
+
+    scene: Scene
+    draft: Draft
+
+    @cached_property
+    def page(self) -> Page:
+        return page_of(self.scene)
+
+    @cached_property
+    def drafting(self) -> Drafting:
+        return drafting_of(self.scene)
+
+    @cached_property
+    def contents(self) -> Contents:
+        """All that the sheets must show, measured."""
+        panels = tuple(one.panel for one in self.draft.shows)
+        return Contents(panels, self.draft.tables, measure(self.draft.notes, self.page.hand.text))
+
+    def leaf(self, composed: Composition, number: int, count: int) -> Leaf:
+        """Draw one sheet: the lines of all its figures first, then the letters among them."""
+        page, draft = self.page, self.draft
+        still, figures = list(self._still(composed, number, count)), list(self._figures(composed))
+        ink = Ink(*page.size)
+        ink.bar(page.field.inset(KEPT))
+        ink.draw([*still, *(stroke for figure in figures for stroke in figure.lines)])
+        labels = Labels(ink, page.hand.drafted)
+        return Leaf(
+            *page.size,
+            (page.frame(), page.corners(), *still, *(group for figure in figures for group in figure.letter(labels))),
+            title=f"{self.scene.title}: {draft.title}",
+            description=" ".join(draft.notes),
+            metadata={
+                "sheet": draft.kind,
+                "title": self.scene.title,
+                **draft.facts(composed.spots.keys()),
+                "number": number,
+                "of": count,
+            },
+        )
+
+    def _still(self, composed: Composition, number: int, count: int) -> Iterator[Group]:
+        """Draw what no letter is added to: the title block, tables, notes, lettering among the figures."""
+        page = self.page
+        yield page.title_block(self._entries(composed, number, count), self.drafting.language)
+        for table, corner, setting in composed.tables:
+            yield from table.draw(corner, setting, self.drafting)
+        if composed.notes is not None:
+            yield write(self.draft.notes, composed.notes, page.hand.text)
+        for one in self.draft.shows:
+            if isinstance(one, Caption) and one.panel.item.name in composed.blocks:
+                yield one.write(composed.blocks[one.panel.item.name])
+
+    def _figures(self, composed: Composition) -> Iterator[Figure]:
+        for one in self.draft.shows:
+            if isinstance(one, Exhibit) and one.panel.item.name in composed.spots:
+                yield one.draw(composed.spots[one.panel.item.name])
+
+    def _entries(self, composed: Composition, number: int, count: int) -> dict[str, str]:
+        """Fill the title block; it states the scale of the foremost figure."""
+        foremost = self.contents.foremost
+        spot = composed.spots.get(foremost.item.name) if foremost is not None else None
+        return {
+            "title": self.scene.title,
+            "subtitle": self.draft.title,
+            **{key: getattr(self.scene.sheet, key) for key in ENTRIES},
+            "scale": spot.scale.ratio(self.drafting.language) if spot is not None else "",
+            "sheet": str(number),
+            "sheets": str(count),
+        }

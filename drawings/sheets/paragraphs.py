@@ -1,0 +1,55 @@
+"""Notes on paper: paragraphs broken between their words, but in no equation and no range (пояснения на листе)."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from drawings.layout.footing import Notes
+from drawings.lettering.lettering import text_width
+from drawings.page.page import Field
+from drawings.paper.strokes import Group, Stroke, Text
+
+TOGETHER = re.compile(r" (=|…|−|[+]) ")
+STEP = 1.8  # sizes of the letters from line to line: GOST 2.304-81 asks for 1.7 at least
+
+
+def measure(said: Sequence[str], size: float) -> Notes:
+    """Measure what notes need on paper."""
+    return Notes(tuple(text_width(Text(0j, _marked(note), size)) for note in said), STEP * size)
+
+
+def write(said: Sequence[str], field: Field, size: float) -> Group:
+    """Write notes from the top of their field downwards, a long one broken between its parts."""
+    lines = [line for note in said for line in _broken(_marked(note), field.width, size)]
+    step = min(STEP * size, field.height / max(len(lines), 1))
+    strokes: list[Stroke] = [
+        Text(complex(field.left, field.top - size - k * step), line, size, "start", True)
+        for k, line in enumerate(lines)
+    ]
+    return Group(tuple(strokes), "notes")
+
+
+def _broken(note: str, width: float, size: float) -> list[str]:
+    """Break a note at its spaces where it is wider than its field, but no equation and no range."""
+    lines = [""]
+    for part in TOGETHER.sub(lambda sign: f"\N{NO-BREAK SPACE}{sign[1]}\N{NO-BREAK SPACE}", note).split(" "):
+        trial = f"{lines[-1]} {part}".strip()
+        if lines[-1] and text_width(Text(0j, trial, size)) > width:
+            lines.append(part)
+        else:
+            lines[-1] = trial
+    return lines
+
+
+def _marked(note: str) -> str:
+    """Lower the kind's number in II2(4,5); the rest of a note stays as it is."""
+    out, k = [], 0
+    while k < len(note):
+        if note.startswith("II", k) and k + 2 < len(note) and note[k + 2].isdigit():
+            out.append(f"II_{{{note[k + 2]}}}")
+            k += 3
+        else:
+            out.append(note[k])
+            k += 1
+    return "".join(out)

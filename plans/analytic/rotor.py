@@ -1,0 +1,79 @@
+"""Balancing of a rotor by sums of components, each correction by moments about the other's plane (M7.2, M7.3).
+
+Sums are exact but for one rounding each, and no polygon is drawn.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+
+from plans.model.rotor import ANALYSIS, EPS, ROUNDING, Balance, Correction, Resultant, Rotor, Unbalance
+
+Weighted = Sequence[tuple[complex, float]]
+
+
+def balance(rotor: Rotor) -> Balance:
+    """Find what balances a rotor, and what its bearings bear before and after."""
+    loads = [(moment(one), one.place) for one in rotor.masses]
+    corrections = tuple(_correction(rotor, loads, k) for k in range(len(rotor.planes)))
+    found = [(one.moment.value, one.plane.place) for one in corrections]
+    carried = [one.moment.slack for one in corrections]
+    return Balance(
+        by=ANALYSIS,
+        couple=_resultant([(one, rotor.arm(place)) for one, place in loads]),
+        unbalance=_resultant([(one, 1.0) for one, _ in loads]),
+        corrections=corrections,
+        before=_reactions(rotor, loads, []),
+        after=_reactions(rotor, [*loads, *found], [*[0.0] * len(loads), *carried]),
+    )
+
+
+def moment(one: Unbalance) -> complex:
+    """Give a static moment kg*m by its components along and across the direction of angle 0."""
+    angle = one.angle % 360
+    sine, cosine = _sine(angle), _sine((angle + 90) % 360)
+    return complex(one.moment * cosine, one.moment * sine)
+
+
+def _sine(angle: Fraction) -> float:
+    """Give the sine of an angle from 0 to 360 degrees, by the series' own range of at most 45."""
+    if angle > 180:
+        return -_sine(angle - 180)
+    if angle > 90:
+        angle = 180 - angle
+    if angle > 45:
+        return math.cos(math.radians(90 - angle))
+    return math.sin(math.radians(angle))
+
+
+def _correction(rotor: Rotor, loads: Sequence[tuple[complex, Fraction]], k: int) -> Correction:
+    """Give the correction in a plane: against each static moment by its share of the span, all of it in one plane."""
+    plane = rotor.planes[k]
+    if not rotor.dynamic:
+        return Correction(plane, _resultant([(one, -1.0) for one, _ in loads]))
+    other = rotor.planes[1 - k].place
+    span = plane.place - other
+    return Correction(plane, _resultant([(one, float((other - place) / span)) for one, place in loads]))
+
+
+def _reactions(
+    rotor: Rotor, loads: Sequence[tuple[complex, Fraction]], carried: Sequence[float]
+) -> tuple[Resultant, ...]:
+    """Give the reactions of the bearings on the rotor, by moments about the other one."""
+    if not rotor.bearings or rotor.speed is None:
+        return ()
+    found = []
+    for here, other in (rotor.bearings, rotor.bearings[::-1]):
+        shares = [float((other - place) / (here - other)) * rotor.speed**2 for _, place in loads]
+        slack = sum(abs(share) * off for share, off in zip(shares, carried, strict=False))
+        found.append(_resultant(zip((one for one, _ in loads), shares, strict=True), slack))
+    return tuple(found)
+
+
+def _resultant(weighted: Iterable[tuple[complex, float]], carried: float = 0.0) -> Resultant:
+    """Sum vectors times numbers; `carried` is how far rounding can have moved the vectors themselves."""
+    terms = [one * times for one, times in weighted]
+    value = complex(math.fsum(one.real for one in terms), math.fsum(one.imag for one in terms))
+    return Resultant(value, ROUNDING * EPS * math.fsum(map(abs, terms)) + carried)

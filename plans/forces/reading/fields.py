@@ -1,0 +1,69 @@
+"""Fields of masses and loads: letters of loads, shares of a stroke, quantities of forces (величины нагрузок)."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from decimal import Decimal
+
+from plans.scene import forms, units
+from plans.scene.faults import wrong
+from plans.scene.fields import NAME_LIMIT, not_empty, number, pair, whole
+from plans.scene.tables import Check, either, one
+from plans.scene.units import type_name
+
+# What a force sheet letters itself: reactions, weights, inertia forces, moments of sliding pairs, what the drive gives.
+TAKEN = re.compile(r"[RPF]_?\d+,?\d+|[GΦ]_?\d+|M_?\d\d+|[MP]_?bal")
+SYMBOL_SIGNS = re.compile(r"[^\W\d_][\w.′'-]*")
+
+
+def check_symbol(value: object) -> str:
+    """Read the letters of a load as they stand on the sheet: F_us, M_3.
+
+    >>> check_symbol("F_us")
+    'F_us'
+    """
+    if not isinstance(value, str):
+        raise wrong("wrong_type", wanted="the letters of a load", found=type_name(value), example='text: "F_us"')
+    if not SYMBOL_SIGNS.fullmatch(value) or len(value) > NAME_LIMIT or value != unicodedata.normalize("NFC", value):
+        raise wrong("symbol")
+    if TAKEN.fullmatch(value):
+        raise wrong("symbol_taken", name=value)
+    return value
+
+
+def check_ends(value: object) -> None:
+    """See that a spring has two ends."""
+    if not isinstance(value, list) or len(value) != 2:
+        raise wrong("two_ends", found=len(value) if isinstance(value, list) else type_name(value))
+
+
+def share(value: object) -> Decimal:
+    """Read a share of the stroke."""
+    if not 0 <= (result := units.quantity(value, units.NUMBER)) < 1:
+        raise wrong("share")
+    return result
+
+
+def loaded_link(value: object) -> int:
+    """Read the number of a link that a load acts on."""
+    if value == 0 and not isinstance(value, bool):
+        raise wrong("loaded_frame")
+    return whole(value, 1)
+
+
+# Of a diagram over the stroke; that its lists are as long as each other is seen to by the table.
+TWO, AS_MANY = Check(not_empty, least=2), Check(lambda entries: entries, least=2)
+TWO_ENDS = Check(check_ends, least=2, most=2)
+SYMBOL = one(check_symbol, lambda: forms.text(rf"^{forms.ANY_LETTER}[0-9A-Za-z_\u00aa-\uffff.'-]*$", NAME_LIMIT))
+LOADED_LINK = one(loaded_link, lambda: forms.whole(1))
+SHARE = one(share, lambda: {"type": "number", "minimum": 0, "exclusiveMaximum": 1})
+OVERRUN = either(list, pair(SHARE, "[start, end]"), SHARE)
+TRAVEL = one(units.quantity, lambda: {"type": "number", "minimum": 0, "maximum": 1}, kind=units.NUMBER)
+FORCE, MOMENT, GRAVITY = number(units.FORCE), number(units.MOMENT), number(units.ACCELERATION)
+STIFFNESS = one(units.positive, lambda: forms.quantity(units.STIFFNESS, exclusiveMinimum=0), kind=units.STIFFNESS)
+FREE_LENGTH = one(units.free_length, lambda: forms.quantity(units.LENGTH, minimum=0, maximum=float(units.LENGTH_LIMIT)))
+FRICTION = one(units.friction, lambda: forms.quantity(units.NUMBER, minimum=0, maximum=float(units.COEFFICIENT_LIMIT)))
+PRESSURE_ANGLE = one(
+    units.pressure_angle, lambda: forms.quantity(units.ANGLE, minimum=0, maximum=float(units.PRESSURE_LIMIT))
+)

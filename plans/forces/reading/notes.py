@@ -1,0 +1,115 @@
+"""Notes on masses and loads (замечания): what is allowed, but may well be a slip, such as another unit of inertia."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from decimal import Decimal
+from itertools import combinations
+
+from geometry.errors import DraftError
+from plans.forces.reading.form import FORCES, ForceForm, MassTable
+from plans.forces.reading.loads import DiagramTable
+from plans.linkage.reading.linkage import mechanism_of
+from plans.model.mechanism import Link, Mechanism
+from plans.scene.faults import Fault, Path
+from plans.scene.scene import Scene
+
+HUNDREDS = 100  # times as much as anything else of its kind: mostly another unit
+# Gravity of the Earth, m/s2, and how many times it a machine stands at most: the Sun's is 28 times.
+EARTH, MOST_EARTHS = Decimal("9.81"), 30
+ROUGH = 1  # rubber on a dry road; a larger coefficient of friction is mostly a lost decimal point
+
+
+def notes_of(scene: Scene) -> Iterator[Fault]:
+    """Give the notes on masses, loads and friction."""
+    form = scene.of(ForceForm)
+    for notes in (_masses, _gravity, _friction, _diagrams):
+        yield from notes(scene, form)
+
+
+def _friction(scene: Scene, form: ForceForm) -> Iterator[Fault]:
+    if form.friction is None:
+        return
+    path: Path = ("friction",)
+    found = {path: form.friction.coefficient}
+    found |= {(*path, "pairs", name): pair.coefficient or Decimal(0) for name, pair in form.friction.pairs.items()}
+    yield from (scene.fault((*path, "coefficient"), "rough") for path, value in found.items() if value > ROUGH)
+
+
+def _masses(scene: Scene, form: ForceForm) -> Iterator[Fault]:
+    """Find mass centres far outside their links, and inertia about a hinge given for that about the centre."""
+    mechanism = _mechanism(scene) if form.masses else None
+    if mechanism is None:
+        return
+    longest = max(map(_length, mechanism.links.values()))
+    for number, mass in form.masses.items():
+        link, path = mechanism.links[number], ("masses", str(number))
+        yield from _centre(scene, (*path, "centre"), mass, link, _length(link) or longest)
+        most = float(mass.mass) * _length(link) ** 2
+        # A crank has its gear or flywheel in its inertia, and a block no length.
+        if number != mechanism.drive.link and _length(link) and float(mass.inertia) > most:
+            details = {"inertia": f"{mass.inertia:.4g}", "most": f"{most:.4g}", "link": number}
+            kind = "large_inertia" if float(mass.inertia) < HUNDREDS * most else "inertia_unit"
+            yield scene.fault((*path, "inertia"), kind, **details)
+    yield from _radii(scene, form, float(longest))
+
+
+def _radii(scene: Scene, form: ForceForm, longest: float) -> Iterator[Fault]:
+    """Find journals and gears that are larger than machines with such links have."""
+    given: dict[Path, tuple[Decimal | None, float]] = {}
+    if form.friction is not None:
+        given["friction", "radius"] = form.friction.radius, longest
+    if form.drive.gear is not None:
+        given["drive", "gear", "radius"] = form.drive.gear.radius, HUNDREDS * longest
+    for path, (radius, most) in given.items():
+        if radius is not None and float(radius) > most > 0:
+            note = scene.fault(path, "large_radius", longest=f"{longest:.4g}", example="")
+            yield scene.fault(path, "large_radius", longest=f"{longest:.4g}", example=note.value)
+
+
+def _centre(scene: Scene, path: Path, mass: MassTable, link: Link, size: float) -> Iterator[Fault]:
+    centre = mass.place(link)
+    far = min(abs(centre - place) for place in link.points.values())
+    if far > size:
+        yield scene.fault(path, "far_centre", far=f"{far:.4g}", link=link.number)
+
+
+def _mechanism(scene: Scene) -> Mechanism | None:
+    """Give the mechanism, for the shapes of its links; none where the scene has faults, which are told instead."""
+    try:
+        return mechanism_of(scene)
+    except DraftError:
+        return None
+
+
+def _length(link: Link) -> float:
+    """Give the largest distance between points of a link."""
+    return max((abs(one - other) for one, other in combinations(link.points.values(), 2)), default=0.0)
+
+
+def _gravity(scene: Scene, form: ForceForm) -> Iterator[Fault]:
+    given = form.loads.gravity if form.loads else None
+    path = ("loads", "gravity")
+    if given is None:
+        if FORCES in scene.sheets and any(mass.mass for mass in form.masses.values()):
+            yield scene.fault(("masses",), "weightless")
+        return
+    size = max(map(abs, given)) if isinstance(given, tuple) else abs(given)
+    if size > MOST_EARTHS * EARTH:
+        yield scene.fault(path, "heavy", ratio=f"{size / EARTH:.0f}", example=f"{size.normalize():f}")
+    elif not isinstance(given, tuple) and given < 0:
+        yield scene.fault(path, "upward")
+
+
+def _diagrams(scene: Scene, form: ForceForm) -> Iterator[Fault]:
+    """Find indicator diagrams whose two strokes do not meet at their ends."""
+    for index, force in enumerate(form.loads.forces if form.loads else ()):
+        table, path = force.diagram, ("loads", "forces", index, "diagram", "back")
+        for share, there, back in _ends(table) if table and table.back else ():
+            if there != back:
+                yield scene.fault(path, "open_diagram", travel=f"{share:f}", jump=f"{abs(there - back):f}")
+
+
+def _ends(table: DiagramTable) -> Iterator[tuple[Decimal, Decimal, Decimal]]:
+    """Give the two ends of a diagram: share of the stroke, force, and force on the idle stroke."""
+    yield from ((table.travel[end], table.force[end], table.back[end]) for end in (0, -1))

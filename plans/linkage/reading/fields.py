@@ -1,0 +1,154 @@
+"""Fields of a linkage: letters of links and lines, numbers of links and pairs, positions of the crank (поля)."""
+
+from __future__ import annotations
+
+import re
+from decimal import Decimal
+from functools import partial
+from typing import Final, Literal
+
+from geometry.errors import LimitError
+from plans.scene import forms, units
+from plans.scene.faults import wrong
+from plans.scene.fields import ANGLE, NAME_LIMIT, check_name, choice, few, whole
+from plans.scene.tables import Check, either, many, one
+from plans.scene.units import type_name
+
+POSITIONS_LIMIT = 100_000
+LINKS_LIMIT = 60
+
+LETTER = re.compile(r"[A-ZА-ЯЁ][0-9]*[′']*")
+LINK = re.compile(r"[1-9][0-9]{0,5}")
+LINKS_OF_PAIR = re.compile(r"(0|[1-9][0-9]{0,5})-(0|[1-9][0-9]{0,5})")
+EXTREME: Final = "extreme"
+
+
+def split_letters(text: str) -> tuple[str, ...]:
+    """Split the letters of a link or a line into its points; nothing where they are no letters.
+
+    >>> split_letters("OAB1"), split_letters("O'B"), split_letters("crank")
+    (('O', 'A', 'B1'), ("O'", 'B'), ())
+    """
+    points = LETTER.findall(text)
+    return tuple(points) if "".join(points) == text else ()
+
+
+def split_line(text: str) -> tuple[str, ...]:
+    """Split the key of a length: two letters, or two longer names with a hyphen between them."""
+    return split_letters(text) or tuple(text.split("-"))
+
+
+def check_letters(value: object) -> tuple[str, ...]:
+    """Read the points of a link or a line: letters in a row, or a list of longer names."""
+    if isinstance(value, list) and value:
+        few(value, LINKS_LIMIT, "LINKS_LIMIT")
+        names = tuple(check_name(name) for name in value)
+    elif isinstance(value, str):
+        names = split_letters(value)
+        few(list(names), LINKS_LIMIT, "LINKS_LIMIT")
+        if not names:
+            raise wrong("letters")
+    else:
+        raise wrong("wrong_type", wanted="letters of points", found=type_name(value), example='text: "OA"')
+    for name in names:
+        if names.count(name) > 1:
+            raise wrong("repeated", entry=name)
+    return names
+
+
+def check_line(value: object) -> tuple[str, ...]:
+    """Read a line named by two points, as along = "CB"; equal points have no direction."""
+    if isinstance(value, int | Decimal) and not isinstance(value, bool):
+        wanted, example = "letters of points", f"along = {{ through = [0, 0], angle = {value} }}"
+        raise wrong("wrong_type", wanted=wanted, found=type_name(value), example=example)
+    if isinstance(value, str) and len(set(split_letters(value))) == 1 == len(split_letters(value)) - 1:
+        raise wrong("no_direction", first=value[: len(value) // 2], second=value[len(value) // 2 :])
+    names = check_letters(value)
+    if len(names) != 2:
+        raise wrong("two_letters")
+    return names
+
+
+def check_pair_name(value: object) -> str:
+    """Read the name of a pair of links, the lower number first: 0-1."""
+    found = LINKS_OF_PAIR.fullmatch(value) if isinstance(value, str) else None
+    low, high = sorted((int(found[1]), int(found[2]))) if found else (0, 0)
+    if low == high:
+        raise wrong("pair_name", example="0-1")
+    if value != f"{low}-{high}":
+        raise wrong("pair_name", example=f"{low}-{high}")
+    return value
+
+
+def moving_link(value: object) -> int:
+    """Read the number of a moving link."""
+    if value == 0 and not isinstance(value, bool):
+        raise wrong("frame_moves")
+    return whole(value, 1)
+
+
+def link_key(key: object) -> int:
+    """Read a key that is a link's number; 0 is the frame."""
+    if not LINK.fullmatch(str(key)):
+        raise wrong("link_number")
+    return int(str(key))
+
+
+def start_angle(value: object) -> Decimal | Literal["extreme"]:
+    """Read the first crank angle, or the word extreme."""
+    if isinstance(value, str) and re.fullmatch(r"[A-Za-z_ ]+", value):
+        choice(value, (EXTREME,))
+        return EXTREME
+    return units.angle(value)
+
+
+def count_positions(value: object) -> int:
+    """Read the number of positions, before anything of that size is made."""
+    if isinstance(value, Decimal) or (isinstance(value, int) and not isinstance(value, bool)):
+        value = whole(value, 1)
+    else:
+        wanted = "a whole number, or a list of crank angles"
+        raise wrong("wrong_type", wanted=wanted, found=type_name(value), example="positions = 12")
+    if value > POSITIONS_LIMIT:
+        raise LimitError(f"drive.positions = {value}: more than POSITIONS_LIMIT = {POSITIONS_LIMIT}")
+    return value
+
+
+def position_list(value: tuple[Decimal, ...]) -> tuple[Decimal, ...]:
+    """See that no position of a list is given twice, a turn more or less included."""
+    if not value:
+        raise wrong("empty")
+    if len(value) > POSITIONS_LIMIT:
+        raise LimitError(f"drive.positions: more than POSITIONS_LIMIT = {POSITIONS_LIMIT}")
+    seen: dict[Decimal, Decimal] = {}
+    for place in value:
+        # In EXACT the remainder is exact; a whole turn more is the same position of the crank.
+        turn = units.EXACT.remainder(place, Decimal(360))
+        turn = units.EXACT.add(turn, Decimal(360)) if turn < 0 else turn
+        if turn in seen:
+            raise wrong("repeated", entry=f"{place.normalize(units.WORKING):f} deg", at=(len(seen),))
+        seen[turn] = place
+    return value
+
+
+FEW_LINKS = Check(partial(few, limit=LINKS_LIMIT, name="LINKS_LIMIT"), most=LINKS_LIMIT)
+
+# What editors are told of letters: their regular expressions know no class of signs by meaning.
+_LETTER = r"[A-ZА-ЯЁ][0-9]*['\u2032]*"
+
+
+def _letters(pattern: str, least: int, most: int) -> forms.Form:
+    names = forms.entries(forms.text(f"^{forms.POINT}$", NAME_LIMIT), least, most, uniqueItems=True)
+    return {"anyOf": [forms.text(pattern), names]}
+
+
+LETTERS = one(check_letters, lambda: _letters(f"^({_LETTER})+$", 1, LINKS_LIMIT))
+LINE = one(check_line, lambda: _letters(f"^({_LETTER}){{2}}$", 2, 2))
+LENGTH_NAME = one(lambda key: key, lambda: forms.text(f"^({_LETTER}{_LETTER}|{forms.POINT}-{forms.POINT})$"))
+LINK_NUMBER = one(link_key, lambda: forms.text(r"^[1-9][0-9]{0,5}$"))  # as a key
+PAIR = one(check_pair_name, lambda: forms.text(r"^(0|[1-9][0-9]{0,5})-[1-9][0-9]{0,5}$"))
+MOVING_LINK = one(moving_link, lambda: forms.whole(1))
+ANY_LINK = one(whole, lambda: forms.whole(0), least=0)
+START = one(start_angle, lambda: {"anyOf": [{"const": EXTREME}, ANGLE.form()]})
+COUNT = one(count_positions, lambda: {**forms.whole(1), "maximum": POSITIONS_LIMIT})
+POSITIONS = either(list, many(ANGLE, Check(position_list, least=1, most=POSITIONS_LIMIT)), COUNT)

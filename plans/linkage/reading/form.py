@@ -1,0 +1,191 @@
+"""The form of a linkage: what a scene says of a mechanism, its drive, its output and its sheet (исходные данные)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from decimal import Decimal
+
+from plans.linkage.reading import fields as g
+from plans.linkage.reading.capacity import LINK_POSITIONS_LIMIT, check_capacity
+from plans.model.mechanism import THROUGH
+from plans.scene import fields as f
+from plans.scene.faults import Path, wrong
+from plans.scene.forms import Form
+from plans.scene.scene import Scene, TechniqueForm
+from plans.scene.tables import Missing, Table, either, key, many, named, table
+
+Place = tuple[Decimal, Decimal]
+
+
+class FrameLine(Table):
+    """A line of the frame by a point and its angle from +x, degrees."""
+
+    through: Place = key(
+        f.PLACE, meaning="A point of the line, m.", missing=Missing("point of the line", "through = [0, 0]")
+    )
+    angle: Decimal = key(f.ANGLE, Decimal(0), meaning="Angle of the line from +x, degrees.")
+
+
+class SlideTable(Table):
+    """A sliding pair (поступательная пара): a link and the line it slides along."""
+
+    link: int = key(
+        g.MOVING_LINK, meaning="Number of the sliding link.", missing=Missing("number of a moving link", "link = 2")
+    )
+    along: tuple[str, ...] | FrameLine = key(
+        either(dict, table(FrameLine), g.LINE),
+        meaning='The line it slides along: two letters of another link, "CB", or a line of the frame.',
+        missing=Missing("line", 'along = "CB", or along = { through = [0, 0], angle = 0 }'),
+    )
+    point: str | None = key(f.POINT, None, meaning="Point of the link on that line; default: its first.")
+    offset: Decimal = key(f.COORDINATE, Decimal(0), meaning="Distance of that point to the left of the line, m.")
+    angle: Decimal = key(f.ANGLE, Decimal(0), meaning="Angle of the link to the line, degrees.")
+
+
+class PointTable(Table):
+    """A point of a link by its place in the link's own frame."""
+
+    on: int = key(g.ANY_LINK, meaning="Number of the link.", missing=Missing("number of a moving link", "on = 2"))
+    at: Place = key(
+        f.PLACE,
+        meaning="Place in the link's own frame, m.",
+        missing=Missing("place in the link's own frame", "at = [0.1, 0]"),
+    )
+
+
+class MechanismTable(Table):
+    """Frame, links, lengths, points, slides and sketch, as the scene gives them."""
+
+    frame: Mapping[str, Place] = key(
+        named(f.POINT, f.PLACE, f.NOT_EMPTY, first=f.FEW),
+        meaning="Fixed points (стойка), metres: O = [0, 0].",
+        missing=Missing("table of fixed points", "[mechanism.frame] with O = [0, 0]", {"O": [0, 0]}),
+    )
+    links: Mapping[int, tuple[str, ...]] = key(
+        named(g.LINK_NUMBER, g.LETTERS, f.NOT_EMPTY, first=g.FEW_LINKS),
+        meaning='Moving links (звенья): number = the letters of its points, 1 = "OA", or a list of longer names.',
+        missing=Missing("table of links", '[mechanism.links] with 1 = "OA"', {"1": "OA"}),
+    )
+    lengths: Mapping[str, Decimal] = key(
+        named(g.LENGTH_NAME, f.LENGTH, first=f.FEW),
+        {},
+        meaning='Lengths, m or text with a unit: OA = 0.110 or "110 mm".',
+    )
+    points: Mapping[str, PointTable] = key(
+        named(f.POINT, table(PointTable), first=f.FEW),
+        {},
+        meaning="Points by their place in a link's own frame: first point 0, second on +x.",
+    )
+    slides: tuple[SlideTable, ...] = key(
+        many(table(SlideTable), first=f.FEW), (), meaning="Sliding pairs (поступательные пары)."
+    )
+    sketch: Mapping[str, Place] = key(
+        named(f.POINT, f.PLACE, first=f.FEW),
+        {},
+        meaning="Rough places at the first position, m: they choose the assembly.",
+    )
+    through: str | None = key(
+        f.words(*THROUGH),
+        None,
+        meaning="What carries the linkage through its change points; default: nothing.",
+    )
+
+
+class DriveTable(Table):
+    """The drive (начальное звено): crank, angular velocity and acceleration, and its positions."""
+
+    link: int = key(
+        g.MOVING_LINK, meaning="Number of the crank (кривошип).", missing=Missing("number of the crank", "link = 1", 1)
+    )
+    speed: Decimal = key(
+        f.ANGULAR_SPEED,
+        meaning='Angular speed, rad/s or "60 rpm"; positive is counter-clockwise.',
+        missing=Missing("angular speed", 'speed = "60 rpm"', 1),
+    )
+    acceleration: Decimal = key(f.ANGULAR_ACCELERATION, Decimal(0), meaning="Angular acceleration, rad/s2.")
+    start: Decimal | str = key(g.START, Decimal(0), meaning='First crank angle, degrees from +x, or "extreme".')
+    positions: int | tuple[Decimal, ...] = key(
+        g.POSITIONS,
+        12,
+        meaning="Number of equal steps over a turn, or a list of crank angles in degrees (then no start).",
+    )
+
+    @property
+    def count(self) -> int:
+        """Number of positions."""
+        return self.positions if isinstance(self.positions, int) else len(self.positions)
+
+    @property
+    def first(self) -> Decimal | None:
+        """First crank angle in degrees, or nothing where it is an extreme position yet to be found."""
+        if isinstance(self.positions, tuple):
+            return self.positions[0]
+        return self.start if isinstance(self.start, Decimal) else None
+
+    def check(self) -> None:
+        """See that a list of positions stands alone."""
+        if isinstance(self.positions, tuple) and "start" in self.given:
+            raise wrong("start_with_list", at=("start",))
+
+    @classmethod
+    def rules(cls) -> Form:
+        """Say that a list of positions stands alone."""
+        return {"not": {"required": ["start", "positions"], "properties": {"positions": {"type": "array"}}}}
+
+
+class OutputTable(Table):
+    """The output link (выходное звено), by its number or by a point of it."""
+
+    link: int | None = key(g.MOVING_LINK, None, meaning="Number of the output link.")
+    point: str | None = key(f.POINT, None, meaning="A point of the output link.")
+
+    def check(self) -> None:
+        """See that the output is named once."""
+        if (self.link is None) == (self.point is None):
+            found = "none" if self.link is None else "both"
+            raise wrong("one_of_two", first="link", second="point", found=found)
+
+    @classmethod
+    def rules(cls) -> Form:
+        """Say that the output is named once."""
+        return {"oneOf": [{"required": ["link"]}, {"required": ["point"]}]}
+
+
+class PlansTable(Table):
+    """Of the sheet what shows a linkage: the positions whose plans are drawn, and the one in full lines."""
+
+    plans: tuple[int, ...] = key(
+        many(f.POSITION, f.NO_REPEATS, first=f.FEW), (), meaning="Positions whose plans are drawn."
+    )
+    position: int | None = key(f.POSITION, None, meaning="The position in full lines.")
+
+
+class LinkageForm(TechniqueForm):
+    """What a scene says of a linkage."""
+
+    mechanism: MechanismTable = key(
+        table(MechanismTable),
+        meaning="The linkage: frame, links, lengths, slides and a rough sketch.",
+        missing=Missing("table", "[mechanism.frame], [mechanism.links], [mechanism.lengths]", {}),
+    )
+    drive: DriveTable = key(
+        table(DriveTable),
+        meaning="The drive (начальное звено): crank, speed and positions.",
+        missing=Missing("table", '[drive] with link = 1 and speed = "60 rpm"', {}),
+    )
+    output: OutputTable | None = key(
+        table(OutputTable),
+        None,
+        meaning="The output link (выходное звено); default: the last link on the frame of the last group.",
+    )
+    sheet: PlansTable = key(table(PlansTable), PlansTable())
+
+    def fit(self, scene: Scene) -> None:
+        """See that a run has room for its positions."""
+        check_capacity(len(self.mechanism.links), self.drive.count, LINK_POSITIONS_LIMIT, "LINK_POSITIONS_LIMIT")
+
+    @classmethod
+    def home_of(cls, name: str) -> Path:
+        """Give the table that two letters or one may be meant for: lengths, or fixed points."""
+        tables = {1: ("mechanism", "frame"), 2: ("mechanism", "lengths")}
+        return tables.get(len(g.split_letters(name)), ())

@@ -1,0 +1,132 @@
+"""Notes on a linkage (замечания): what is allowed, but may well be a slip, such as millimetres taken for metres."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from decimal import Decimal
+from math import pi
+
+from plans.linkage.reading.fields import split_line
+from plans.linkage.reading.form import FrameLine, LinkageForm
+from plans.linkage.reading.survey import spread
+from plans.scene.faults import TWINS, Fault, Path
+from plans.scene.scene import Scene
+
+# Lengths in one mechanism that differ more (ratio of longest to shortest) are mostly of two units.
+SPREAD = Decimal(10_000)
+# Metres: links of machines are shorter, and lengths in millimetres are mostly larger numbers.
+METRES = Decimal(20)
+# Where all angles of a list are smaller than a turn in radians, they were perhaps meant so.
+TURN_IN_RADIANS = Decimal("6.3")
+HUNDREDS = 100  # times as much as anything else of its kind: mostly another unit
+TWELFTH, ROUNDED = pi / 12, 0.002  # an angle of the drawing board, 15 degrees, in radians, to three figures
+FEW_ANGLES = 3  # a shorter list tells nothing
+RADIANS = re.compile(r"""["'].*\b(?:rad|рад)\s*["']""")
+
+
+def notes_of(scene: Scene) -> Iterator[Fault]:
+    """Give the notes on a linkage and its drive."""
+    form = scene.of(LinkageForm)
+    for notes in (_lengths, _angles, _twins, _spare_points, _sketch, _rest):
+        yield from notes(scene, form)
+
+
+def _lengths(scene: Scene, form: LinkageForm) -> Iterator[Fault]:
+    lengths = form.mechanism.lengths
+    if lengths and max(lengths.values()) >= METRES:  # else nothing is odd, and the file need not be searched
+        notes = {key: scene.fault(("mechanism", "lengths", key), "metres") for key in lengths}
+        bare = [key for key in lengths if not notes[key].value.startswith(("'", '"'))]
+        if bare and all(lengths[key] >= METRES for key in bare):
+            details = {"least": METRES, "example": notes[bare[0]].value}
+            yield scene.fault(("mechanism", "lengths", bare[0]), "metres", **details)
+        else:
+            yield from _enormous(scene, form, bare)
+    apart = spread(lengths)
+    if apart and apart.ratio > SPREAD:
+        path = ("mechanism", "lengths", apart.longest)
+        yield scene.fault(path, "spread", name=apart.longest, other=apart.shortest, ratio=f"{apart.ratio:.3g}")
+
+
+def _enormous(scene: Scene, form: LinkageForm, bare: list[str]) -> Iterator[Fault]:
+    """Find bare lengths a hundred times as long as the longest of the others."""
+    lengths = form.mechanism.lengths
+    for key in bare:
+        others = max((size for other, size in lengths.items() if other != key), default=lengths[key])
+        if lengths[key] >= METRES and lengths[key] >= HUNDREDS * others:
+            details = {"name": key, "ratio": f"{lengths[key] / others:.3g}"}
+            note = scene.fault(("mechanism", "lengths", key), "enormous", **details)
+            yield scene.fault(note.path, "enormous", example=note.value, **details)
+
+
+def _angles(scene: Scene, form: LinkageForm) -> Iterator[Fault]:
+    drive = form.drive
+    start = drive.first
+    if start is not None and abs(start) > 360:
+        note = scene.fault(("drive", "start"), "degrees", turns=f"{start / 360:.3g}")
+        if RADIANS.fullmatch(note.value):
+            yield note
+    for path, angle in _single(form):
+        share = round(float(angle) / TWELFTH)
+        if share and abs(angle) < TURN_IN_RADIANS and abs(float(angle) - share * TWELFTH) < ROUNDED:
+            yield scene.fault(path, "radian", example=f"{angle:f}", degrees=15 * share)
+    if not isinstance(drive.positions, tuple):
+        return
+    whole = all(angle == angle.to_integral_value() for angle in drive.positions)
+    small = all(abs(angle) < TURN_IN_RADIANS for angle in drive.positions)
+    if small and not whole and len(drive.positions) >= FEW_ANGLES:
+        example = next(angle for angle in drive.positions if angle)
+        yield scene.fault(("drive", "positions"), "radians", most=TURN_IN_RADIANS, example=f"{example:f}")
+
+
+def _single(form: LinkageForm) -> Iterator[tuple[Path, Decimal]]:
+    """Give the angles that stand alone, as bare numbers or not."""
+    if isinstance(form.drive.start, Decimal):
+        yield ("drive", "start"), form.drive.start
+    for index, slide in enumerate(form.mechanism.slides):
+        path: Path = ("mechanism", "slides", index)
+        yield (*path, "angle"), slide.angle
+        if isinstance(slide.along, FrameLine):
+            yield (*path, "along", "angle"), slide.along.angle
+
+
+def _twins(scene: Scene, form: LinkageForm) -> Iterator[Fault]:
+    """Find two points whose names differ only in an alphabet."""
+    where: dict[str, Path] = {
+        name: ("mechanism", "links", str(link)) for link, points in form.mechanism.links.items() for name in points
+    }
+    where |= {name: ("mechanism", table, name) for table, names in _placed(form) for name in names}
+    plain: dict[str, str] = {}
+    for name in sorted(where):
+        other = plain.setdefault(name.translate(TWINS), name)
+        if other != name:
+            yield scene.fault(where[name], "twins", name=name, other=other)
+
+
+def _placed(form: LinkageForm) -> Iterator[tuple[str, Iterable[str]]]:
+    """Give the tables of points that have their own places."""
+    yield from (("points", form.mechanism.points), ("frame", form.mechanism.frame))
+
+
+def _spare_points(scene: Scene, form: LinkageForm) -> Iterator[Fault]:
+    used = {name for points in form.mechanism.links.values() for name in points}
+    for slide in form.mechanism.slides:
+        used.update(() if isinstance(slide.along, FrameLine) else slide.along)
+    for key in form.mechanism.lengths:
+        used.update(split_line(key))
+    used.update(*(other.borrowed() for other in scene.forms))
+    for name in form.mechanism.frame:
+        if name not in used:
+            yield scene.fault(("mechanism", "frame", name), "spare_point", name=name)
+
+
+def _sketch(scene: Scene, form: LinkageForm) -> Iterator[Fault]:
+    """Find fixed points that the sketch shows in another place."""
+    for name, place in form.mechanism.sketch.items():
+        if form.mechanism.frame.get(name, place) != place:
+            yield scene.fault(("mechanism", "sketch", name), "fixed_sketch", name=name)
+
+
+def _rest(scene: Scene, form: LinkageForm) -> Iterator[Fault]:
+    if not form.drive.speed and not form.drive.acceleration:
+        yield scene.fault(("drive", "speed"), "at_rest")

@@ -1,0 +1,1 @@
+"""Balancing of rotors by vector polygons: moments first, then forces (уравновешивание роторов)."""

@@ -1,0 +1,30 @@
+"""The sheet of a scene (лист): what stands on every sheet, whatever it shows."""
+
+from __future__ import annotations
+
+from plans.scene import fields as f
+from plans.scene.tables import Table, key
+
+LANGUAGES = ("en", "ru")
+
+
+class SheetTable(Table):
+    """What stands on every sheet: language, standard, format, and the title block."""
+
+    language: str = key(f.words(*LANGUAGES), "en", meaning="Language of sheets and messages.")
+    standard: str = key(f.words("GOST", "ISO"), "GOST", meaning="Standard of the drawing.")
+    format: str = key(f.words("A1", "A2", "A3", "A4"), "A1", meaning="Format of the sheet.")
+    orientation: str | None = key(
+        f.words("landscape", "portrait"), None, meaning="Default: landscape, and portrait for A4."
+    )
+    lettering: str = key(
+        f.words("strokes", "text"), "strokes", meaning="Lettering as strokes of our own alphabet, or as text."
+    )
+    notation: str = key(f.words("mu", "K"), "mu", meaning="Scale factors mu (true units a mm), or K = 1/mu.")
+    designation: str = key(f.TEXT, "", meaning="Designation of the document, for the title block.")
+    drawn: str = key(f.TEXT, "", meaning="Who drew the sheet.")
+    checked: str = key(f.TEXT, "", meaning="Who checked it.")
+    approved: str = key(f.TEXT, "", meaning="Who approved it.")
+    date: str = key(f.TEXT, "", meaning="Date, as it shall stand on the sheet.")
+    group: str = key(f.TEXT, "", meaning="Group of students.")
+    organisation: str = key(f.TEXT, "", meaning="Organisation.")

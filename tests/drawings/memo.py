@@ -1,0 +1,36 @@
+"""A study whose linkage, statics and comparisons are at hand already: nothing of them is made twice."""
+
+from __future__ import annotations
+
+from functools import partial
+from pathlib import Path
+
+from drawings.checks import verify_forces, verify_kinematics
+from drawings.checks.verify import verify
+from drawings.measure.measure import Measured
+from drawings.paper.strokes import Leaf
+from plans.checks.compare import MotionComparison
+from plans.checks.force_comparison import ForceComparison
+from plans.forces.statics import Statics
+from plans.linkage.study import LinkageStudy
+from plans.study import Study
+
+
+def memo(linkage: LinkageStudy, motion: MotionComparison) -> Study:
+    study = Study(linkage.scene)
+    study._made["linkage"], study._compared["linkage"] = linkage, motion
+    return study
+
+
+def loaded_memo(statics: Statics, forces: ForceComparison) -> Study:
+    study = memo(statics.study, forces.motion)
+    study._made["forces"], study._compared["forces"] = statics, forces
+    return study
+
+
+def verify_motion(path: Path, leaf: Leaf, linkage: LinkageStudy, motion: MotionComparison) -> Measured:
+    return verify(path, leaf, partial(verify_kinematics.faults, study=memo(linkage, motion)))
+
+
+def verify_loaded(path: Path, leaf: Leaf, statics: Statics, forces: ForceComparison) -> Measured:
+    return verify(path, leaf, partial(verify_forces.faults, study=loaded_memo(statics, forces)))
