@@ -45,7 +45,7 @@ class Step(NamedTuple):
     inputs: tuple[Mark, ...]
     size: Vectors
     side: Sizes
-    why: str
+    why: object  # a text, or what can be said in a language
 
 
 class Mark(NamedTuple):
@@ -137,7 +137,7 @@ class Board:
         value: Value,
         op: str,
         inputs: tuple[Mark, ...],
-        why: str,
+        why: object,
         size: Vectors = 0j,
         side: Sizes = 0.0,
         rays: tuple[tuple[Mark, Vectors], ...] = (),
@@ -154,32 +154,32 @@ class Board:
             self.clear = False
         return mark
 
-    def given(self, name: str, value: Value, why: str = "") -> Mark:
+    def given(self, name: str, value: Value, why: object = "") -> Mark:
         """Put a known point, vector, line or arc on the board."""
         return self._draw(name, value, "given", (), why)
 
-    def lay_off(self, name: str, start: Mark, vector: Mark, why: str = "") -> Mark:
+    def lay_off(self, name: str, start: Mark, vector: Mark, why: object = "") -> Mark:
         """Lay a vector off from a point; the mark is its end (отложить вектор)."""
         by = vector.point
         return self._draw(name, _end(start, by), "lay_off", (start, vector), why, rays=((start, by),))
 
-    def join(self, name: str, start: Mark, end: Mark, why: str = "") -> Mark:
+    def join(self, name: str, start: Mark, end: Mark, why: object = "") -> Mark:
         """Join two points by a vector, taken from the construction that drew one from the other where there is one."""
         return self._draw(name, between(start, end), "join", (start, end), why)
 
-    def parallel(self, name: str, through: Mark, to: Mark, why: str = "") -> Mark:
+    def parallel(self, name: str, through: Mark, to: Mark, why: object = "") -> Mark:
         """Draw through a point the line parallel to a vector."""
         return self._draw(name, Line(through.point, to.point), "parallel", (through, to), why)
 
-    def square(self, name: str, through: Mark, to: Mark, why: str = "") -> Mark:
+    def square(self, name: str, through: Mark, to: Mark, why: object = "") -> Mark:
         """Draw through a point the line square to a vector, directed 90 degrees counter-clockwise from it."""
         return self._draw(name, Line(through.point, 1j * to.point), "square", (through, to), why)
 
-    def arc(self, name: str, centre: Mark, radius: float, why: str = "") -> Mark:
+    def arc(self, name: str, centre: Mark, radius: float, why: object = "") -> Mark:
         """Strike an arc of a given radius about a point (засечка)."""
         return self._draw(name, Arc(centre.point, radius), "arc", (centre,), why, size=radius)
 
-    def meet(self, name: str, first: Mark, second: Mark, side: Sizes = 0.0, why: str = "") -> Mark:
+    def meet(self, name: str, first: Mark, second: Mark, side: Sizes = 0.0, why: object = "") -> Mark:
         """Find the meeting of two lines or arcs; `side` chooses one of two.
 
         Two arcs: +1 left of the ray from the first centre to the second. A line and an arc: +1 ahead of the foot of the
@@ -192,7 +192,7 @@ class Board:
         rays = ((one, found.first), (other, found.second))
         return self._draw(name, _end(one, found.first), "meet", (first, second), why, 0j, side, rays, found)
 
-    def tangent(self, name: str, pivot: Mark, pin: Mark, offset: float, side: Sizes, why: str = "") -> Mark:
+    def tangent(self, name: str, pivot: Mark, pin: Mark, offset: float, side: Sizes, why: object = "") -> Mark:
         """Direct the slot through a pin at a given offset from a pivot: a unit vector (касательная из точки).
 
         The pin lies `offset` to the left of the pivot's line; `side` is +1 where it lies ahead of the pivot.
@@ -200,15 +200,15 @@ class Board:
         found = loci.tangent_direction(between(pivot, pin), offset, side)
         return self._draw(name, found.first, "tangent", (pivot, pin), why, offset, side, (), found)
 
-    def turn(self, name: str, vector: Mark, by: Vectors, why: str = "") -> Mark:
+    def turn(self, name: str, vector: Mark, by: Vectors, why: object = "") -> Mark:
         """Turn and stretch a vector by a known complex number: 1j is a quarter turn counter-clockwise."""
         return self._draw(name, vector.point * by, "turn", (vector,), why, size=by)
 
-    def transfer(self, name: str, mark: Mark, why: str = "") -> Mark:
+    def transfer(self, name: str, mark: Mark, why: object = "") -> Mark:
         """Carry a vector unchanged from another board with the set square (параллельный перенос)."""
         return self._draw(name, mark.point, "transfer", (mark,), why)
 
-    def similar(self, name: str, image: Mark, of: Mark, shape: Mark, times: float = 1.0, why: str = "") -> Mark:
+    def similar(self, name: str, image: Mark, of: Mark, shape: Mark, times: float = 1.0, why: object = "") -> Mark:
         """Find the vector that is to `shape` as `image` is to `of`: similar triangles, taken `times` (подобие).
 
         With `shape` = `image` it is the third proportional: the normal acceleration ab2/AB. The similarity theorem
@@ -219,7 +219,7 @@ class Board:
             value = value * times
         return self._draw(name, value, "similar", (image, of, shape), why, size=times)
 
-    def divide(self, name: str, circle: Mark, directions: Mark, why: str = "") -> Mark:
+    def divide(self, name: str, circle: Mark, directions: Mark, why: object = "") -> Mark:
         """Divide a circle at given unit directions from its centre; the mark is the points on it."""
         if not isinstance(circle.value, Arc):
             raise TypeError(f"{circle.name} is not a circle")
@@ -227,21 +227,21 @@ class Board:
         ray = circle.value.radius * directions.point
         return self._draw(name, _end(centre, ray), "divide", (circle, directions), why, rays=((centre, ray),))
 
-    def close(self, name: str, *vectors: Mark, why: str = "") -> Mark:
+    def close(self, name: str, *vectors: Mark, why: object = "") -> Mark:
         """Close a chain of vectors: the vector from its end back to its start (замкнуть многоугольник)."""
         total = reduce(add, (v.point for v in vectors)) if vectors else 0j
         return self._draw(name, -total, "close", vectors, why)
 
-    def moment(self, name: str, about: Mark, at: Mark, force: Mark, why: str = "") -> Mark:
+    def moment(self, name: str, about: Mark, at: Mark, force: Mark, why: object = "") -> Mark:
         """Take the moment about a point of a force that acts at another, its arm measured (момент силы)."""
         return self._draw(name, loci.cross(between(about, at), force.point), "moment", (about, at, force), why)
 
-    def couple(self, name: str, arm: Mark, turning: Mark, times: float, why: str = "") -> Mark:
+    def couple(self, name: str, arm: Mark, turning: Mark, times: float, why: object = "") -> Mark:
         """Take a moment from how a link turns: `times` the part of `turning` square to the arm, over the arm."""
         value = (turning.point / arm.point).imag * times
         return self._draw(name, value, "couple", (arm, turning), why, size=times)
 
-    def balance(self, name: str, about: Mark, line: Mark, *moments: Mark, why: str = "") -> Mark:
+    def balance(self, name: str, about: Mark, line: Mark, *moments: Mark, why: object = "") -> Mark:
         """Find the force along a line that balances moments about a point (уравнение моментов)."""
         if not isinstance(line.value, Line):
             raise TypeError(f"{line.name} is no line of action")

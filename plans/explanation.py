@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from geometry.board import Mark
 from geometry.errors import DraftError
+from plans.words.words import Message
 
 
 class UnknownMark(DraftError, ValueError):  # noqa: N818  (the message's own word)
@@ -16,15 +17,15 @@ class UnknownMark(DraftError, ValueError):  # noqa: N818  (the message's own wor
 class Explanation(NamedTuple):
     """The steps behind a mark, with the units of the plans that they were drawn on, and what follows from them."""
 
-    title: str
+    title: Message
     steps: tuple[Mark, ...]
     units: Mapping[str, str]
-    notes: tuple[str, ...] = ()
+    notes: tuple[Message, ...] = ()
 
 
 class NoMark(NamedTuple):
     """That a technique has no mark of a name: which names it has, in words, and what else it can explain."""
 
     names: tuple[str, ...]
-    listed: str
+    listed: Message | None
     examples: tuple[str, ...]

@@ -41,7 +41,7 @@ TECHNIQUES: Final[Mapping[str, Technique]] = {
         numbers="plans.checks.motion_numbers:numbers",
         marks="plans.linkage.marks:marks",
         plans=MOTION,
-        sheets={"kinematics": MOTION},
+        sheets={"kinematics": MOTION, "positions": ("positions",)},
     ),
     "forces": Technique(
         form="plans.forces.reading.form:ForceForm",
@@ -56,6 +56,19 @@ TECHNIQUES: Final[Mapping[str, Technique]] = {
         plans=("forces", "friction"),
         sheets={"forces": (*MOTION, "forces", "friction")},
         needs=("linkage",),
+    ),
+    "rotor": Technique(
+        form="plans.rotor.form:RotorForm",
+        tables=("rotor",),
+        shares={},
+        meaning="plans.rotor.reading:survey_of",
+        notes="plans.rotor.reading:notes_of",
+        study="plans.rotor.study:study_of",
+        comparison="plans.checks.rotor_comparison:comparison_of",
+        numbers="plans.rotor.numbers:numbers",
+        marks="plans.rotor.marks:marks",
+        plans=("couples", "unbalances", "reactions"),
+        sheets={"rotor": ("couples", "unbalances", "reactions")},
     ),
 }
 

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from drawings.checks.verify import SelfCheckFailed
 from plans.checks.comparison import Comparison, Lone
-
-ROADS = ("construction", "analysis")
+from plans.words.words import Message, message
 
 
 def agree(comparison: Comparison) -> None:
@@ -16,21 +15,12 @@ def agree(comparison: Comparison) -> None:
         raise SelfCheckFailed(_apart(comparison))
 
 
-def _alone(lone: Lone) -> str:
-    other = ROADS[1 - ROADS.index(lone.by)]
-    position = f"position {lone.gap.position} ({lone.gap.plan}: {lone.gap.reason})"
-    return f"{lone.by} gives up {position} and {other} does not; the sheet is withheld"
+def _alone(lone: Lone) -> Message:
+    return message(f"check.{lone.by}", position=lone.gap.position, plan=lone.gap.plan, reason=lone.gap.reason)
 
 
-def _apart(comparison: Comparison) -> str:
+def _apart(comparison: Comparison) -> Message:
     worst = max(comparison.findings, key=lambda finding: float(finding.excess.max()))
     if worst.plan == "positions":
-        return (
-            f"construction and analysis assemble the mechanism in two ways (they differ in {worst.name}); "
-            "the sheet is withheld. Fix: show more points in mechanism.sketch, nearer to where they are at the "
-            "first position"
-        )
-    return (
-        f"construction and analysis differ in {worst.name}: {float(worst.excess.max()):.3g} times the allowed "
-        "difference; the sheet is withheld"
-    )
+        return message("check.assembly", name=worst.name)
+    return message("check.differ", name=worst.name, times=f"{float(worst.excess.max()):.3g}")

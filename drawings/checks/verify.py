@@ -10,6 +10,7 @@ from drawings.measure.measure import Measured, check, measure_file
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Leaf
 from geometry.errors import DraftError
+from plans.words.words import message
 
 TOLD = 5  # mismatches told one by one
 
@@ -25,11 +26,11 @@ def verify(path: Path, leaf: Leaf, faults: Callable[[Measured, Leaf], Iterable[s
     try:
         measured = measure_file(path)
     except SheetRefused as refused:
-        raise SelfCheckFailed(f"the written sheet cannot be measured: {refused}") from refused
+        raise SelfCheckFailed(message("check.unmeasured", refusal=refused)) from refused
     wrong = [f"{miss.key.name} on {miss.key.plan}" for miss in check(measured)]
     wrong += [*faults(measured, leaf), *unlettered(leaf)]
     if wrong:
-        raise SelfCheckFailed(f"the written sheet does not measure back: {_some(wrong)}")
+        raise SelfCheckFailed(message("check.sheet", marks=_first(wrong)))
     return measured
 
 
@@ -37,9 +38,10 @@ def verify_report(wrong: Iterable[str]) -> None:
     """See that a report has no faults."""
     told = list(wrong)
     if told:
-        raise SelfCheckFailed(f"the report does not tell what the analysis gives: {', '.join(told[:TOLD])}")
+        raise SelfCheckFailed(message("check.report", marks=_first(told)))
 
 
-def _some(wrong: list[str]) -> str:
-    more = f" and {len(wrong) - TOLD} more" if len(wrong) > TOLD else ""
-    return f"{', '.join(wrong[:TOLD])}{more}"
+def _first(wrong: list[str]) -> object:
+    """Name the first of what is wrong, and how much more there is."""
+    marks, more = ", ".join(wrong[:TOLD]), len(wrong) - TOLD
+    return message("check.more", marks=marks, count=more) if more > 0 else marks

@@ -18,10 +18,10 @@ from plans.model.kinetostatics import NOTHING
 from plans.model.losses import Friction
 from plans.model.motion import Floats
 from plans.study import Study
+from plans.words import words
 
 _SIGNS = str.maketrans({"\N{NO-BREAK SPACE}": " ", "\n": " "})
 FIGURE = r"[−\d.,]+\d|\d"
-REPORT = "## Friction and efficiency"  # the heading in the report
 
 
 @dataclass(frozen=True)
@@ -130,14 +130,14 @@ def reads(text: str, value: float, slack: float, language: str = "en", digits: i
 
 def report_faults(text: str, study: Study) -> Iterator[str]:
     """Read what the report of a scene says of its friction."""
-    return report_of(text, study.comparison("forces"))
+    return report_of(text, study.comparison("forces"), study.scene.sheet.language)
 
 
-def report_of(text: str, comparison: ForceComparison) -> Iterator[str]:
+def report_of(text: str, comparison: ForceComparison, language: str) -> Iterator[str]:
     """Read what the report says of friction: every cell of its table, the cycle and the shares."""
     if comparison.friction is None:
         return
-    told, (_, _, part) = Told(comparison), text.partition(f"\n{REPORT}\n")
+    told, (_, _, part) = Told(comparison), text.partition(f"\n{words.word(language, 'report.friction')}\n")
     part = part.partition("\n## ")[0]
     rows = [row.strip("| ").split(" | ") for row in part.splitlines() if re.match(r"\| \d", row)]
     if len(rows) != len(told.found.phi):
@@ -147,21 +147,23 @@ def report_of(text: str, comparison: ForceComparison) -> Iterator[str]:
         cells = [told.power(key, k) for key in told.found.powers]
         cells += [told.lost(k), told.useful(k), told.efficiency(k)]
         for cell, value in zip(row[1:], cells, strict=True):
-            if not reads(cell, *value, digits=6):
+            if not reads(cell, *value, language, digits=6):
                 yield f"{cell} in position {k} of the table of friction in the report"
-    yield from _further(part, told)
-    shown = {(pair, int(k)) for pair, k in re.findall(r"- Pair (\S+) jams in position (\d+):", part)}
+    yield from _further(part, told, language)
+    jam = words.word(language, "report.jam", pair="@", position="#", ratio="%", advice="").partition("%")[0]
+    pattern = re.escape(jam).replace("@", r"(\S+)").replace(r"\#", r"(\d+)")
+    shown = {(pair, int(k)) for pair, k in re.findall(pattern, part)}
     if shown != {(pair, k) for pair, own in told.jams().items() for k in own}:
         yield "the jams in the report"
 
 
-def _further(part: str, told: Told) -> Iterator[str]:
+def _further(part: str, told: Told, language: str) -> Iterator[str]:
     """Read the cycle's efficiency and the shares of wear below the table."""
     cycle = told.cycle()
     if cycle is not None:
-        yield from _held(part, "of the mean powers: @", cycle, "en", 6)
+        yield from _held(part, words.word(language, "report.cycle", efficiency="@"), cycle, language, 6)
     for pair, share in told.wear().items():
-        yield from _held(part, f" {pair} @ %", share, "en", 4)
+        yield from _held(part, f" {pair} @ %", share, language, 4)
 
 
 def _index(key: str) -> str:

@@ -9,9 +9,10 @@ from functools import cached_property
 
 from drawings.checks import reading
 from drawings.figures.rotor import across, along
-from drawings.figures.rotor.letters import MOST, index
+from drawings.figures.rotor.letters import MOST
 from drawings.figures.rotor.rotor_polygon import sum_letters
 from drawings.figures.rotor.rotor_table import DIGITS, MASSES, NOTHING, RESULTS
+from drawings.lettering.rotor_letters import index
 from drawings.measure.measure import Measured, MeasuredVector
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Group, Leaf, Text
@@ -24,6 +25,7 @@ from plans.rotor.letters import moment_letters, unbalance_letters
 from plans.study import Study
 
 FLAT = 5  # cells of a row without arms, its name among them
+FAR = 1e-9  # of a place: both roads take it from one radius and one angle
 ASKEW = 0.0051  # degrees: the half of the last digit of an angle of three figures before the point
 
 
@@ -77,6 +79,13 @@ class Expected:
         masses = (value for name, value in vectors.items() if name not in results)
         return {sum_letters(plan): sum(masses), **{name: vectors[name] for name in results}}
 
+    @property
+    def told(self) -> frozenset[str]:
+        """Name what the views tell apart: counterweights, and masses if there are not too many."""
+        added = [one.plane.name for one in self.balance.corrections if one.moment.size]
+        masses = [one.name for one in self.rotor.masses]
+        return frozenset(f"m_{name}" for name in (added if len(masses) + len(added) > MOST else [*masses, *added]))
+
     def centres(self) -> Iterator[tuple[str, complex, float]]:
         """Give name, centre and place m of every mass and counterweight whose radius is known."""
         for one in self.rotor.masses:
@@ -112,18 +121,15 @@ def _open(vectors: list[MeasuredVector], plan: str, slack: float) -> Iterator[st
 
 
 def _points(measured: Measured, plan: str, expected: Expected) -> Iterator[str]:
-    """Hold the masses of a view against the analysis; of not too many none may be missing."""
+    """Hold the masses of a view against the analysis; none that is to be told apart may be missing."""
     true = {f"m_{name}": _seen(plan, centre, place) for name, centre, place in expected.centres()}
     seen = {one.name: one for one in measured.points if one.plan == plan}
     yield from (f"{name} on {plan} (the analysis has none)" for name in seen.keys() - true.keys())
     for name, one in seen.items():
-        if (
-            name in true
-            and not abs(one.value - true[name]) <= 1e-9 * abs(true[name]) + 2 * measured.quantum * one.scale
-        ):
+        off = abs(one.value - true.get(name, one.value))
+        if not off <= FAR * abs(one.value) + 2 * measured.quantum * one.scale:
             yield f"{name} on {plan} (against the analysis)"
-    if len(expected.rotor.masses) + len(expected.rotor.planes) <= MOST:
-        yield from (f"{name} on {plan} is missing" for name in true.keys() - seen.keys())
+    yield from (f"{name} on {plan} is missing" for name in expected.told & true.keys() - seen.keys())
 
 
 def _seen(plan: str, centre: complex, place: float) -> complex:
@@ -144,7 +150,7 @@ def _tables(leaf: Leaf, name: str) -> Iterator[Group]:
 def _masses(leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[str]:
     """Read the table of masses back: static moments, angles and moments are the analysis's to their last digit."""
     names = [one.name for own in (expected.rotor.masses, expected.rotor.planes) for one in own]
-    told = {index(name, drafting): name for name in names}
+    told = {index(name, drafting.language): name for name in names}
     unbalances, couples = expected.vectors(UNBALANCES), expected.vectors(COUPLES)
     for cells in (row for group in _tables(leaf, MASSES) for row in _rows(group)):
         mass = told.get(cells[0])

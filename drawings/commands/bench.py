@@ -14,6 +14,7 @@ from geometry.errors import LimitError
 from plans.linkage.reading.fields import POSITIONS_LIMIT
 from plans.linkage.study import LinkageStudy
 from plans.scene.scene import read_scene
+from plans.words.words import message, placed
 
 GAPS = 4
 POSITIONS, QUICK_POSITIONS = (12, 360, 10_000, 100_000), (12, 360)
@@ -42,7 +43,11 @@ def order(options: argparse.Namespace) -> Order:
     usual = (QUICK_POSITIONS, QUICK_REPETITIONS) if options.quick else (POSITIONS, REPETITIONS)
     positions = tuple(sorted(set(options.positions or usual[0])))
     if positions[-1] > POSITIONS_LIMIT:
-        raise LimitError(f"--positions {positions[-1]}: more than POSITIONS_LIMIT = {POSITIONS_LIMIT}. Fix: fewer")
+        raise LimitError(
+            placed(
+                f"--positions {positions[-1]}", message("limit.fewer", name="POSITIONS_LIMIT", limit=POSITIONS_LIMIT)
+            )
+        )
     startup = not options.quick if options.startup is None else options.startup
     drawn = positions[0] if options.quick else DRAWN
     return Order(positions, options.repetitions or usual[1], startup, min(drawn, DRAWN), options.accept or ACCEPTED)

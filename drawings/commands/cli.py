@@ -184,7 +184,9 @@ def _run(arguments: Sequence[str] | None, options: argparse.Namespace) -> int:
 def _open_stdout() -> None:
     """Let every sign through a stdout that lacks it; where there is no stdout, data has nowhere to go."""
     if sys.stdout is None:
-        raise OSError("standard output is closed: there is nowhere to print")
+        from plans.words.words import message
+
+        raise OSError(message("file.stdout"))
     if isinstance(sys.stdout, io.TextIOWrapper):
         sys.stdout.reconfigure(errors="backslashreplace")
 
@@ -192,9 +194,10 @@ def _open_stdout() -> None:
 def _told(error: Exception, options: argparse.Namespace) -> str:
     """Word an error in the language of the scene, which may be named in a file that is otherwise at fault."""
     from drawings.commands.talk import language_of, worded  # only an error pays for it
+    from plans.words.words import ENGLISH
 
     scene = getattr(options, "scene", None)  # the vectors of a sheet are measured without any scene
-    return worded(error, language_of(scene) if scene else "en")
+    return worded(error, language_of(scene) if scene else ENGLISH)
 
 
 def _code(error: Exception) -> int:

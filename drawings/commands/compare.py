@@ -9,10 +9,13 @@ import numpy as np
 
 from drawings.commands.talk import noted
 from drawings.files.json_text import print_json
-from drawings.report.report import left_out
-from plans.checks.comparison import Comparison, Finding
+from drawings.lettering.words import decimal
+from drawings.report.markdown import quantity
+from drawings.report.report import left_out, plan_width
+from plans.checks.comparison import Comparison, Finding, together
 from plans.scene.scene import read_scene
 from plans.study import Study
+from plans.words.words import term, word
 
 GAPS, FAILED = 4, 5
 
@@ -25,7 +28,7 @@ def run(options: argparse.Namespace) -> int:
     if options.json:
         print_json(_plain(study.scene.title, comparisons))
     else:
-        print("\n".join(_table(comparisons)))
+        print("\n".join(_table(comparisons, study.scene.sheet.language)))
     if not all(comparison.agrees for comparison in comparisons):
         return FAILED
     return GAPS if comparisons[-1].construction.gaps else 0
@@ -47,23 +50,26 @@ def _plain(title: str, comparisons: Sequence[Comparison]) -> dict[str, object]:
     }
 
 
-def _table(comparisons: Sequence[Comparison]) -> Iterator[str]:
-    yield f"{'plan':<14} {'quantity':<10} {'of its plan':>14} {'worst difference':>17} {'%':>10} {'of allowed':>11}"
-    for comparison in comparisons:
-        yield from map(_line, comparison.findings)
-    yield from left_out(comparisons)
+def _table(comparisons: Sequence[Comparison], language: str) -> Iterator[str]:
+    findings = together(comparisons)
+    wide = plan_width((finding.plan for finding in findings), language)
+    heads = [word(language, f"table.{head}") for head in ("plan", "quantity", "of_plan", "difference", "allowed_short")]
+    yield f"{heads[0]:<{wide}} {heads[1]:<10} {heads[2]:>14} {heads[3]:>17} {'%':>10} {heads[4]:>11}"
+    yield from (f"{term(language, 'plan', one.plan):<{wide}} {_line(one, language)}" for one in findings)
+    yield from left_out(comparisons, language)
     for lone in (lone for comparison in comparisons for lone in comparison.alone):
-        yield f"position {lone.gap.position}: the {lone.by} alone says {lone.gap.plan}: {lone.gap.reason}"
-    verdict = "agree" if all(comparison.agrees for comparison in comparisons) else "DIFFER"
+        parts = {"position": lone.gap.position, "plan": lone.gap.plan, "reason": lone.gap.reason}
+        yield word(language, f"compare.alone_{lone.by}", **parts)
+    verdict = "agree" if all(comparison.agrees for comparison in comparisons) else "differ"
     worst = max(comparison.worst for comparison in comparisons)
-    yield f"construction and analysis {verdict}: worst {worst:.3f} of the allowed difference"
+    yield word(language, f"compare.{verdict}", worst=decimal(f"{worst:.3f}", language))
 
 
-def _line(finding: Finding) -> str:
-    return (
-        f"{finding.plan:<14} {finding.name:<10} {finding.largest:>14.6g} {_worst(finding):>12.2e} {finding.unit:<6}"
-        f"{finding.per_cent:>8.1e} {float(finding.excess.max()):>11.3f}"
-    )
+def _line(finding: Finding, language: str) -> str:
+    name, unit = quantity(finding.name, language), term(language, "text_unit", finding.unit)
+    sizes = f"{finding.largest:>14.6g} {_worst(finding):>12.2e}"
+    shares = f"{finding.per_cent:>8.1e} {float(finding.excess.max()):>11.3f}"
+    return f"{name:<10} {decimal(sizes, language)} {unit:<6}{decimal(shares, language)}"
 
 
 def _plain_finding(finding: Finding) -> dict[str, object]:

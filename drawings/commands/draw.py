@@ -21,9 +21,9 @@ from drawings.report.report import faults, headlines, remarks, report, summary
 from drawings.sheets.admission import of_title
 from drawings.sheets.table import SHEETS
 from plans.scene.scene import Scene, read_scene
-from plans.scene.wording import said
 from plans.study import Study
 from plans.techniques import named
+from plans.words.words import Message, message, placed
 
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
@@ -50,11 +50,11 @@ def run(options: argparse.Namespace) -> int:
     trace: Trace = options.trace or Trace()
     sheets = draw(options.scene, options.output, trace)
     study = sheets.study
-    print(summary(study.comparisons))
+    print(summary(study.comparisons, study.scene.sheet.language))
     for line in (*headlines(study), *sheets.paths):
         print(line)
     for path in _earlier(sheets, options.output):
-        _say(study.scene, f"{path}: left by an earlier run with more sheets; it belongs to none of these")
+        _say(study.scene, placed(path, message("file.earlier")))
     if options.trace:
         tell(trace.told(study))
     warnings = remarks(study)
@@ -115,7 +115,7 @@ def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
             for path, (kind, leaf) in sheets.items():
                 verify(written[path], leaf, partial(named(SHEETS[kind].faults), study=study))
         for path in publish(folder, manifest, written):
-            _say(scene, f"{path}: of an earlier run with more sheets; removed")
+            _say(scene, placed(path, message("file.surplus")))
     return SheetSet(study, leaves, tuple(contents))
 
 
@@ -125,11 +125,11 @@ def _placed(folder: Path, stem: str, leaves: Mapping[str, Sequence[Leaf]]) -> It
         yield from ((_named(folder, stem, kind, k), (kind, leaf)) for k, leaf in enumerate(own))
 
 
-def _strangers(scene: Scene, folder: Path) -> Iterator[str]:
+def _strangers(scene: Scene, folder: Path) -> Iterator[Message]:
     """Tell what the last run of a scene has written otherwise than it now is."""
     last = read_manifest(folder / manifest_name(_stem(scene)))
     for name in last.strangers(folder) if last is not None else ():
-        yield f"{folder / name}: not as it was drawn: changed since, or its run was stopped; the set is drawn anew"
+        yield placed(folder / name, message("file.changed"))
 
 
 def _named(folder: Path, stem: str, kind: str, number: int) -> Path:
@@ -140,8 +140,8 @@ def _stem(scene: Scene) -> str:
     return Path(os.fspath(scene.file)).stem
 
 
-def _say(scene: Scene, message: str) -> None:
-    tell(said(message, scene.sheet.language))
+def _say(scene: Scene, saying: Message) -> None:
+    tell(saying.worded(scene.sheet.language))
 
 
 def _earlier(sheets: SheetSet, folder: Path) -> list[Path]:

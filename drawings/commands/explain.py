@@ -16,6 +16,7 @@ from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.scene.scene import read_scene
 from plans.study import Study
 from plans.techniques import TECHNIQUES, named
+from plans.words.words import Message, message, said, term, word
 
 
 def run(options: argparse.Namespace) -> int:
@@ -26,11 +27,12 @@ def run(options: argparse.Namespace) -> int:
     if options.json:
         print_json([_plain(mark, explanation.units) for mark in explanation.steps])
         return 0
-    print(f"{explanation.title}, {len(explanation.steps)} steps")
+    language = study.scene.sheet.language
+    print(word(language, "explain.steps", title=explanation.title, count=len(explanation.steps)))
     for number, mark in enumerate(explanation.steps, 1):
-        print(f"{number:>3}. {sentence(mark, explanation.units)}")
+        print(f"{number:>3}. {sentence(mark, explanation.units, language)}")
     for note in explanation.notes:
-        print(f"     {note}")
+        print(f"     {note.worded(language)}")
     return 0
 
 
@@ -45,46 +47,58 @@ def explained(study: Study, position: int, name: str) -> Explanation:
     raise UnknownMark(_no_mark(name, none))
 
 
-def _no_mark(name: str, none: Sequence[NoMark]) -> str:
+def _no_mark(name: str, none: Sequence[NoMark]) -> Message:
     """Say which marks there are, and which of them may have been meant."""
     near = difflib.get_close_matches(name, [known for one in none for known in one.names], 1)
-    hint = f"did you mean {near[0]}? " if near else ""
-    listed = "; ".join(one.listed for one in none if one.listed)
+    listed = tuple(one.listed for one in none if one.listed)
     examples = ", ".join(example for one in none for example in one.examples)
-    return f"no mark is named {name}: {hint}{listed}; also {examples}"
+    parts: dict[str, object] = {"mark": name, "listed": listed, "examples": examples}
+    if not near:
+        return message("mark.unknown", **parts)
+    return message("mark.meant", near=near[0], **parts)
 
 
-def sentence(mark: Mark, units: Mapping[str, str]) -> str:
+def sentence(mark: Mark, units: Mapping[str, str], language: str) -> str:
     """Say one step: what is drawn, from which marks, where it is, how sharply it meets, and why."""
-    sources = ", ".join(_named(source) for source in mark.step.inputs)
-    text = f"{_named(mark)}: {mark.step.op}" + (f" ({sources})" if sources else "") + f" = {_value(mark, units)}"
+    sources = ", ".join(_named(source, language) for source in mark.step.inputs)
+    text = f"{_named(mark, language)}: {term(language, 'op', mark.step.op)}" + (f" ({sources})" if sources else "")
+    text += f" = {_value(mark, units).worded(language)}"
     if mark.sharpness is not None:
-        text += f", crossing at {np.degrees(np.arcsin(min(at(mark.sharpness, 0).real, 1.0))):.2f}°"
-        text += f" (kappa {float(condition(mark).flat[0]):.3g})"
-    return f"{text}. {mark.step.why}" if mark.step.why else text
+        angle = f"{np.degrees(np.arcsin(min(at(mark.sharpness, 0).real, 1.0))):.2f}"
+        kappa = f"{float(condition(mark).flat[0]):.3g}"
+        text = word(language, "explain.crossing", step=text, angle=angle, kappa=kappa)
+    return f"{text}. {said(mark.step.why, language)}" if mark.step.why else text
 
 
-def _named(mark: Mark) -> str:
-    return f"{mark.name} [{mark.subject}]" if mark.subject != "positions" else mark.name
+def _named(mark: Mark, language: str) -> str:
+    """Name a mark by its letters; one that has words for its name by those of the language."""
+    name = term(language, "mark_name", mark.name)
+    if " " in mark.name and name == mark.name:
+        name = " ".join(term(language, "mark_part", part) for part in mark.name.split(" "))
+    return f"{name} [{term(language, 'plan', mark.subject)}]" if mark.subject != "positions" else name
 
 
-def _value(mark: Mark, units: Mapping[str, str]) -> str:
+def _value(mark: Mark, units: Mapping[str, str]) -> Message:
     unit = units.get(_drawn_on(mark), "")
     if isinstance(mark.value, Line):
-        return f"line through {_pair(at(mark.value.through, 0))}, direction {_pair(at(mark.value.direction, 0))}"
+        through, direction = at(mark.value.through, 0), at(mark.value.direction, 0)
+        return message("explain.line", through=_pair(through), direction=_pair(direction))
     if mark.is_moment:
-        return f"{at(mark.point, 0).real + 0.0:.10g} N*m{_armed(mark)}"
+        return _moment(mark)
     if isinstance(mark.value, Arc):
-        return f"arc about {_pair(at(mark.value.centre, 0))}, radius {at(mark.value.radius, 0).real:.10g} {unit}"
-    return f"{_pair(at(mark.value, 0))} {unit}"
+        radius = f"{at(mark.value.radius, 0).real:.10g}"
+        return message("explain.arc", centre=_pair(at(mark.value.centre, 0)), radius=radius, unit=unit)
+    return message("explain.point", value=_pair(at(mark.value, 0)), unit=unit)
 
 
-def _armed(mark: Mark) -> str:
-    """Tell the arm of a force's moment: the moment over the force."""
-    if mark.step.op != "moment":
-        return ""
-    force, moment = abs(at(mark.step.inputs[2].point, 0)), abs(at(mark.point, 0))
-    return f" ({force:.6g} N with an arm of {moment / force:.6g} m)" if force else ""
+def _moment(mark: Mark) -> Message:
+    """Tell a moment, and of a force's the arm: the moment over the force."""
+    moment = at(mark.point, 0).real + 0.0
+    force = abs(at(mark.step.inputs[2].point, 0)) if mark.step.op == "moment" else 0.0
+    if not force:
+        return message("explain.moment", moment=f"{moment:.10g}")
+    arm = f"{abs(moment) / force:.6g}"
+    return message("explain.armed", moment=f"{moment:.10g}", force=f"{force:.6g}", arm=arm)
 
 
 def _drawn_on(mark: Mark) -> str:
@@ -94,8 +108,8 @@ def _drawn_on(mark: Mark) -> str:
     return mark.subject
 
 
-def _pair(value: complex) -> str:
-    return f"({value.real + 0.0:.10g}, {value.imag + 0.0:.10g})"
+def _pair(value: complex) -> Message:
+    return message("explain.pair", x=f"{value.real + 0.0:.10g}", y=f"{value.imag + 0.0:.10g}")
 
 
 def _plain(mark: Mark, units: Mapping[str, str]) -> dict[str, object]:
@@ -104,6 +118,6 @@ def _plain(mark: Mark, units: Mapping[str, str]) -> dict[str, object]:
         "name": mark.name,
         "op": mark.step.op,
         "from": [source.name for source in mark.step.inputs],
-        "value": _value(mark, units),
-        "why": mark.step.why,
+        "value": str(_value(mark, units)),
+        "why": str(mark.step.why),
     }

@@ -11,6 +11,7 @@ from drawings.files import atomic_files
 from drawings.files.file_error import FileError
 from drawings.gallery.catalogue import Entry, catalogue
 from geometry.errors import DraftError
+from plans.words.words import message
 
 
 class UnknownName(DraftError, ValueError):  # noqa: N818  (the message's own word)
@@ -45,11 +46,10 @@ def found(entries: Sequence[Entry], name: str) -> Entry:
         if entry.name == name:
             return entry
     near = difflib.get_close_matches(name.removesuffix(".toml"), [entry.name for entry in entries], 1)
-    hint = f"Fix: plandraft new {near[0]}" if near else "Fix: take one of them"
-    raise UnknownName(f"the gallery has no scene {name}; it has\n{listed(entries)}\n{hint}")
+    hint = message("gallery.near", name=near[0]) if near else message("gallery.any")
+    raise UnknownName(message("gallery.unknown", name=name, names=listed(entries), hint=hint))
 
 
 def _put(path: Path, scene: bytes) -> None:
     if not atomic_files.write_new(path, scene):
-        advice = "Fix: move that file away, or give another folder with -o"
-        raise FileError(path, f"is there already, and a scene is never overwritten. {advice}")
+        raise FileError(path, message("file.exists"))

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from drawings.commands.process import tell
+from drawings.files.file_error import of_system
 from plans.scene.faults import SceneError
 from plans.scene.notes import notes_of
 from plans.scene.source import language_of
-from plans.scene.wording import said
 from plans.study import Study
+from plans.words.words import placed, said
 
 __all__ = ["language_of", "noted", "worded"]
 
@@ -16,10 +17,10 @@ def worded(error: Exception, language: str) -> str:
     """Word an error that ends the command; a file that cannot be read or written by its name and the reason."""
     if isinstance(error, SceneError):
         return error.worded(language)
-    text = str(error)
     if isinstance(error, OSError) and error.strerror:
-        text = f"{error.filename}: {error.strerror}" if error.filename else error.strerror
-    return "\n".join(said(line, language) for line in text.splitlines())
+        reason = of_system(error)
+        return said(placed(error.filename, reason) if error.filename else reason, language)
+    return said(error, language)
 
 
 def noted(study: Study) -> None:

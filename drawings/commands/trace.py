@@ -4,16 +4,22 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import partial
 from importlib.machinery import ModuleSpec, PathFinder
 from typing import TYPE_CHECKING, Any
+
+from plans.words.words import term, word
 
 if TYPE_CHECKING:
     from plans.study import Study
 
 # Libraries that cost a tenth of a run or more, or whose need a scene decides.
 LIBRARIES = ("numpy", "svgwrite", "mpmath", "scipy", "shapely", "matplotlib")
+
+# Plans that a trace tells: those that were made, and those that were not.
+MADE = {"made": True, "not_made": False}
 
 
 class Trace:
@@ -37,24 +43,35 @@ class Trace:
 
     def told(self, study: Study) -> str:
         """Tell the stages, the plans made and not made, the libraries imported and left out."""
-        total = time.perf_counter() - self.begun
-        rows = {**self.stages, "the rest": total - sum(self.stages.values()), "together": total}
+        say = partial(word, study.scene.sheet.language)
         plans = [plan for row in study.rows for plan in row.plans]
-        imported = [f"{name} ({self._cost(name)})" for name in LIBRARIES if name in sys.modules]
+        made = {key: [plan for plan in plans if (plan in study.made) == there] for key, there in MADE.items()}
+        imported = [name for name in LIBRARIES if name in sys.modules]
+        told = {
+            **{key: [term(study.scene.sheet.language, "plan", plan) for plan in own] for key, own in made.items()},
+            "imported": [self._cost(name, say) for name in imported],
+            "left_out": [name for name in LIBRARIES if name not in imported],
+        }
         return "\n".join(
             (
-                f"{'stage':<20} {'ms':>8} {'share':>7}",
-                *(f"{name:<20} {1000 * took:>8.1f} {took / total:>7.1%}" for name, took in rows.items()),
-                f"before: the interpreter and the command line, {1000 * self.before:.0f} ms of the processor",
-                f"made: {_listed(plan for plan in plans if plan in study.made)}",
-                f"not made: {_listed(plan for plan in plans if plan not in study.made)}",
-                f"imported: {_listed(imported)}",
-                f"left out: {_listed(name for name in LIBRARIES if name not in sys.modules)}",
+                *self._stages(study.scene.sheet.language),
+                say("trace.before", ms=f"{1000 * self.before:.0f}"),
+                *(say(f"trace.{key}", names=", ".join(names) or say("trace.nothing")) for key, names in told.items()),
             )
         )
 
-    def _cost(self, name: str) -> str:
-        return f"{1000 * self.imports[name]:.1f} ms" if name in self.imports else "before the trace began"
+    def _stages(self, language: str) -> Iterator[str]:
+        total = time.perf_counter() - self.begun
+        rows = {**self.stages, "the rest": total - sum(self.stages.values()), "together": total}
+        heads = [word(language, f"trace.{head}") for head in ("stage", "ms", "share")]
+        yield f"{heads[0]:<20} {heads[1]:>8} {heads[2]:>7}"
+        for name, took in rows.items():
+            yield f"{term(language, 'stage', name):<20} {1000 * took:>8.1f} {took / total:>7.1%}"
+
+    def _cost(self, name: str, say: Callable[..., str]) -> str:
+        if name not in self.imports:
+            return say("trace.earlier", name=name)
+        return say("trace.cost", name=name, ms=f"{1000 * self.imports[name]:.1f}")
 
 
 def begin() -> Trace:
@@ -86,7 +103,3 @@ class _Watch:
 
         spec.loader.exec_module = timed  # type: ignore[method-assign]
         return spec
-
-
-def _listed(names: Any) -> str:
-    return ", ".join(names) or "nothing"

@@ -9,8 +9,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from drawings.files.file_error import FileError
+from plans.words.words import message
 
-BUSY = "another run of plandraft is writing into this folder. Fix: wait until it ends, or give another folder"
+BUSY = message("file.busy")
 
 if sys.platform == "win32":
     # A file that only one process can make, and that vanishes with its handle, also when the process is killed.

@@ -19,6 +19,7 @@ from drawings.files.file_error import told
 from drawings.files.lock import locked
 from drawings.files.manifest import Manifest, digest_of, existing_digest, existing_manifest, read_manifest
 from drawings.files.signals import unstopped
+from plans.words.words import Message, message, placed
 
 
 class Left(NamedTuple):
@@ -28,14 +29,14 @@ class Left(NamedTuple):
     torn: tuple[Path, ...] = ()
     swept: int = 0
 
-    def told(self, folder: Path) -> Iterator[str]:
+    def told(self, folder: Path) -> Iterator[Message]:
         """Say what was left, and what became of it."""
         for path in self.finished:
-            yield f"{path}: a run was stopped before all files of this set had their names; they have them now"
+            yield placed(path, message("file.finished"))
         for path in self.torn:
-            yield f"{path}: a run was stopped, and the files of this set are not of one run. Fix: draw its scene again"
+            yield placed(path, message("file.torn"))
         if self.swept:
-            yield f"{folder}: a run was stopped there; temporary files that it left are removed: {self.swept}"
+            yield placed(folder, message("file.swept", count=self.swept))
 
 
 @contextlib.contextmanager
@@ -65,7 +66,7 @@ def publish(folder: Path, manifest: Manifest, temporaries: Mapping[Path, Path]) 
     kept: dict[Path, Path | None] = {}
     with unstopped():
         try:
-            with told(path, "cannot be written"):
+            with told(path, "file.written"):
                 check_replaceable(path)
                 create(journal, manifest.content())
                 force_folder(folder)
@@ -115,14 +116,14 @@ def _exchange(
     """Set aside and give what is no longer of the set; put files in place of those of their names, which are kept."""
     surplus = _surplus(folder, manifest)
     for path in surplus:
-        with told(path, "cannot be removed"):
+        with told(path, "file.removed"):
             kept[path] = _set_aside(path, stays=False)
     for path, temporary in temporaries.items():
-        with told(path, "cannot take its name"):
+        with told(path, "file.named"):
             kept[path] = _set_aside(path, stays=True)
             rename(temporary, path)
     path = folder / manifest.name
-    with told(path, "cannot take its name"):
+    with told(path, "file.named"):
         rename(journal, path)  # in one step: the old one is not set aside, for it could be taken for a new one
     return surplus
 
@@ -130,17 +131,17 @@ def _exchange(
 def _finish(path: Path, kept: Mapping[Path, Path | None]) -> None:
     for former in filter(None, kept.values()):
         discard(former)
-    with told(path, "is written and whole, but its folder could not be forced to the disk"):
+    with told(path, "file.unforced"):
         force_folder(path.parent)
 
 
 def _surplus(folder: Path, manifest: Manifest) -> list[Path]:
     """List the files that only the last set has, and that are still as they were written."""
-    with told(folder / manifest.name, "cannot be read"):
+    with told(folder / manifest.name, "file.read"):
         last = existing_manifest(folder / manifest.name)
     found = []
     for name in sorted(set(last.files) - set(manifest.files)) if last is not None else ():
-        with told(folder / name, "cannot be read"):
+        with told(folder / name, "file.read"):
             if last is not None and existing_digest(folder / name) == last.files[name]:
                 found.append(folder / name)
     return found

@@ -16,6 +16,7 @@ from drawings.lettering.lettering import lettered
 from drawings.lettering.specimen import specimen
 from drawings.pens.svg import svg
 from geometry.errors import DraftError
+from plans.words.words import message
 
 FILES = 7
 ALPHABET = "alphabet.svg"
@@ -40,7 +41,7 @@ def redraw(folder: Path) -> Iterator[Path]:
     """Draw every scene of a folder into it, then the alphabet and the index; yield the files as they are written."""
     entries, exhibits = catalogue(folder), list[Exhibit]()
     if not entries:
-        raise FileError(folder, "holds no scenes (*.toml) to draw")
+        raise FileError(folder, message("file.no_scenes"))
     for entry in entries:
         drawn = draw(entry.path, folder)
         exhibits.append(Exhibit(entry, drawn.study, drawn.paths))

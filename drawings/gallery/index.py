@@ -12,6 +12,7 @@ from drawings.report.subject import Subject
 from drawings.report.table import REPORTS
 from plans.study import Study
 from plans.techniques import named
+from plans.words.words import word
 
 PAGE = "README.md"
 
@@ -34,8 +35,6 @@ python -m drawings.gallery        # redraws every sheet, every report, the alpha
 CLOSING = """
 The [alphabet](alphabet.svg) in which the sheets are lettered is drawn by the same command.
 """
-
-LANGUAGES = {"en": "English", "ru": "Russian"}
 
 
 class Exhibit(NamedTuple):
@@ -78,7 +77,7 @@ def subject_of(study: Study) -> Subject:
 
 def _sheet(study: Study) -> str:
     table = study.scene.sheet
-    return f"{table.format}, {table.standard}, {LANGUAGES[table.language]}"
+    return f"{table.format}, {table.standard}, {word(table.language, 'language.name')}"
 
 
 def _anchor(title: str) -> str:

@@ -17,6 +17,7 @@ from drawings.layout.table import Setting, Table
 from drawings.layout.trials import room_of
 from drawings.page.page import Field, Page
 from drawings.paper.strokes import SheetError
+from plans.words.words import message
 
 FEW = 4  # loose pictures that are stacked in every way; more of them only in columns of about equal numbers
 
@@ -65,7 +66,7 @@ def _runs(whole: _Sheet) -> Iterator[tuple[_Sheet, Composition]]:
             if found is not None:
                 break
         else:
-            raise SheetError(f"format {page.name} has no room for a column of figures. Fix: take a larger format")
+            raise SheetError(message("refused.column", format=page.name))
         yield sheet, found
         start = end
 
@@ -79,7 +80,7 @@ def _tables(table: Table, page: Page) -> Iterator[Composition]:
             if found is not None:
                 break
         else:
-            raise SheetError(f"format {page.name} has no room for the table of values. Fix: take a larger format")
+            raise SheetError(message("refused.table", format=page.name))
         yield found
         start = end
 

@@ -10,6 +10,7 @@ from drawings.layout.table import Table
 from drawings.layout.trials import Sheet, Trial
 from drawings.page.page import Field, Page
 from drawings.paper.strokes import SheetError
+from plans.words.words import message
 
 
 def fits(contents: Contents) -> bool:
@@ -34,7 +35,7 @@ def compose(contents: Contents, page: Page) -> Iterator[Composition]:
     alone = Contents((contents.foremost,), (), contents.notes)
     first = Sheet(alone, page).best()
     if first is None:
-        raise SheetError(f"format {page.name} has no room for its largest figure. Fix: take a larger format")
+        raise SheetError(message("refused.largest", format=page.name))
     yield _composed(first, alone)
     yield from _following(contents, page)
 
@@ -61,7 +62,7 @@ def _next(contents: Contents, page: Page, start: int) -> tuple[Trial, Contents, 
             found = Sheet(part, page).best(legible=end - start > 1)
             if found is not None:
                 return found, part, chosen
-    raise SheetError(f"format {page.name} has no room for a figure of this sheet. Fix: take a larger format")
+    raise SheetError(message("refused.figure", format=page.name))
 
 
 def table_sheets(table: Table, page: Page) -> Iterator[Composition]:
@@ -74,7 +75,7 @@ def table_sheets(table: Table, page: Page) -> Iterator[Composition]:
             if found is not None:
                 break
         else:
-            raise SheetError(f"format {page.name} has no room for the table of values. Fix: take a larger format")
+            raise SheetError(message("refused.table", format=page.name))
         yield _composed(found, part)
         start = end
 

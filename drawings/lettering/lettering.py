@@ -15,6 +15,7 @@ from typing import Final, NamedTuple
 from drawings.lettering.alphabet import GAP, SLANT, gap, glyph, known, leaning, letters, level
 from drawings.paper.strokes import LOWERED, RAISED, Leaf, LineStyle, Polyline, Run, SheetError, Text
 from drawings.paper.walk import texts
+from plans.words.words import message
 
 # Heights of capitals in mm, each the one before times the square root of two, rounded.
 SIZES: Final = (1.8, 2.5, 3.5, 5.0, 7.0, 10.0, 14.0, 20.0, 28.0, 40.0)
@@ -25,7 +26,7 @@ class UnknownLetter(SheetError):  # noqa: N818  (a draughtsman's word for it)
 
     def __init__(self, text: str, lacks: tuple[str, ...]) -> None:
         named = ", ".join(f"{letter!r} ({' '.join(f'U+{ord(sign):04X}' for sign in letter)})" for letter in lacks)
-        super().__init__(f"lettering {text!r}: the alphabet lacks {named}; write it in other letters")
+        super().__init__(message("refused.letters", text=repr(text), letters=named))
         self.text = text
         self.lacks = lacks
 

@@ -1,137 +1,37 @@
-"""The words of a sheet in its language (en, ru), and its numbers: a decimal comma on Russian sheets."""
+"""The words of a sheet in its language, its letters as that language writes them, and its numbers (надписи листа)."""
 
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterable
-from typing import Final
 
-from drawings.lettering.force_words import FORCES
-from drawings.lettering.rotor_words import ROTOR
 from drawings.paper.strokes import SheetError
+from plans.words import words
 
-# The words of page and title block, and units: English, Russian.
-PAGE: Final[dict[str, tuple[str, str]]] = {
-    "copied": ("Copied", "Копировал"), "format": ("Format {format}", "Формат {format}"),
-    "original": ("Inv. no. orig.", "Инв. № подл."), "signed": ("Sign. and date", "Подп. и дата"),
-    "replaces": ("Repl. inv. no.", "Взам. инв. №"), "duplicate": ("Inv. no. dupl.", "Инв. № дубл."),
-    "department field": ("Resp. dept.", "Подразд."), "checked by field": ("Checked by", "Проверил"),
-    "creator field": ("Created by", "Разработал"), "approval field": ("Approved by", "Утвердил"),
-    "scale field": ("Scale", "Масштаб"), "owner field": ("Legal owner", "Владелец"),
-    "type field": ("Document type", "Вид документа"), "status field": ("Document status", "Статус документа"),
-    "title field": ("Title, supplementary title", "Наименование"), "revision field": ("Rev.", "Изм."),
-    "number field": ("Identification number", "Обозначение"), "issued field": ("Date of issue", "Дата выпуска"),
-    "code field": ("Lang.", "Язык"), "sheet field": ("Sheet", "Лист"),
-    "document type": ("Graphical analysis", "Графический расчёт"),
-    "N": ("N", "Н"), "N*m": ("N·m", "Н·м"), "J": ("J", "Дж"), "s": ("s", "с"), "rad": ("rad", "рад"),
-    "kg*m2": ("kg·m²", "кг·м²"),
-}  # fmt: skip
-WORDS: Final[dict[str, dict[str, str]]] = {
-    "en": {
-        "positions": "Plan of positions",
-        "velocities": "Velocity plan, position {position}",
-        "accelerations": "Acceleration plan, position {position}",
-        "position": "position {position}",
-        "quantity": "Quantity",
-        "by plan": "by plan",
-        "by analysis": "by analysis",
-        "difference": "diff., %",
-        "structure": "Structure: W = 3·{n} − 2·{p} = {w};  {formula};  class {klass}",
-        "lengths": "Lengths, mm:  {lengths}",
-        "stroke": "Stroke H = {stroke} m",
-        "swing": "Swing of link {link}: ψ = {stroke}°",
-        "overlap": "time-ratio angle θ = {overlap}°;  K = {ratio}",
-        "reversals": "the output reverses {count} times in a turn: no time ratio",
-        "pressure": "Pressure angle of group {group}: {low}° … {high}°",
-        "gap": "Gaps: {positions}: {reason} at {where}",
-        "crank": "ω_{link} = {omega} rad/s, ε_{link} = {epsilon} rad/s²",
-        "at rest": "at rest: every velocity is zero",
-        "no plan": "no {plan} in position {position}: {reason}",
-        "sheet title": "Kinematics of the mechanism",
-        "drawn": "Drawn",
-        "checked": "Checked",
-        "approved": "Approved",
-        "letter": "Lit.",
-        "mass": "Mass",
-        "scale": "Scale",
-        "sheet": "Sheet",
-        "sheets": "Sheets",
-        "change": "Ch.",
-        "page": "Sheet",
-        "document": "Doc. no.",
-        "signature": "Sign.",
-        "date": "Date",
-        "technical": "Techn.",
-        "norms": "Norms",
-        "m/s": "m/s",
-        "m/s2": "m/s²",
-        "rad/s": "rad/s",
-        "rad/s2": "rad/s²",
-        "m": "m",
-        "mm": "mm",
-        **{key: english for key, (english, _) in (PAGE | FORCES | ROTOR).items()},
-    },
-    "ru": {
-        "positions": "План положений механизма",
-        "velocities": "План скоростей, положение {position}",
-        "accelerations": "План ускорений, положение {position}",
-        "position": "положение {position}",
-        "quantity": "Величина",
-        "by plan": "по плану",
-        "by analysis": "аналитически",
-        "difference": "расх., %",
-        "structure": "Строение: W = 3·{n} − 2·{p} = {w};  {formula};  класс {klass}",
-        "lengths": "Длины, мм:  {lengths}",
-        "stroke": "Ход H = {stroke} м",
-        "swing": "Размах звена {link}: ψ = {stroke}°",
-        "overlap": "угол перекрытия θ = {overlap}°;  K = {ratio}",
-        "reversals": "выходное звено меняет направление {count} раза за оборот",
-        "pressure": "Угол давления группы {group}: {low}° … {high}°",
-        "gap": "Разрывы: {positions}: {reason}, {where}",
-        "crank": "ω_{link} = {omega} рад/с, ε_{link} = {epsilon} рад/с²",
-        "at rest": "механизм неподвижен: все скорости равны нулю",
-        "no plan": "{plan} в положении {position} не строится: {reason}",
-        "sheet title": "Кинематическое исследование механизма",
-        "drawn": "Разраб.",
-        "checked": "Пров.",
-        "approved": "Утв.",
-        "letter": "Лит.",
-        "mass": "Масса",
-        "scale": "Масштаб",
-        "sheet": "Лист",
-        "sheets": "Листов",
-        "change": "Изм.",
-        "page": "Лист",
-        "document": "№ докум.",
-        "signature": "Подп.",
-        "date": "Дата",
-        "technical": "Т.контр.",
-        "norms": "Н.контр.",
-        "m/s": "м/с",
-        "m/s2": "м/с²",
-        "rad/s": "рад/с",
-        "rad/s2": "рад/с²",
-        "m": "м",
-        "mm": "мм",
-        "out of reach": "не собирается",
-        "dead centre": "мёртвое положение",
-        "change point": "точка ветвления",
-        "beyond a change point": "за точкой ветвления",
-        "not reachable": "недостижимо",
-        "velocities plan": "план скоростей",
-        "accelerations plan": "план ускорений",
-        **{key: russian for key, (_, russian) in (PAGE | FORCES | ROTOR).items()},
-    },
-}
+GROUPS = ("sheet", "unit", "reason")  # of words that stand on sheets
+# Indices that each language has letters of its own for: of useful resistance, of balance, of a tangential part.
+_INDEX = re.compile(r"(?<=\^)t(?![a-z])|(?<=[_{])(?:us|bal)(?=}|$)")
 
 
 def word(language: str, key: str, **values: object) -> str:
-    """Give a phrase in the sheet's language; a key that no table has is its own word.
+    """Give a phrase, a unit or a reason in the sheet's language.
 
-    >>> word("ru", "velocities", position=2)
-    'План скоростей, положение 2'
+    >>> word("ru", "velocities", position=2), word("ru", "rad/s")
+    ('План скоростей, положение 2', 'рад/с')
     """
-    return WORDS[language].get(key, key).format(**values)
+    own = words.words(language)
+    found = next(name for group in GROUPS if (name := f"{group}.{key}") in own)
+    return words.word(language, found, **values)
+
+
+def letter(language: str, markup: str) -> str:
+    """Write a letter of a force sheet as courses of a language do.
+
+    >>> letter("ru", "R^t_{34}"), letter("ru", "M_{bal}"), letter("ru", "F_{us}"), letter("en", "M_{bal}")
+    ('R^τ_{34}', 'M_{ур}', 'F_{п.с}', 'M_{bal}')
+    """
+    return _INDEX.sub(lambda found: words.word(language, f"index.{found[0]}"), markup)
 
 
 def number(value: float, language: str = "en", digits: int = 4) -> str:
@@ -148,14 +48,23 @@ def number(value: float, language: str = "en", digits: int = 4) -> str:
     if "." in text:
         text = text.rstrip("0").rstrip(".")
     sign = "−" if value < 0 and float(text) != 0 else ""
-    return (sign + text).replace(".", "," if language == "ru" else ".")
+    return decimal(sign + text, language)
+
+
+def decimal(text: str, language: str) -> str:
+    """Give a number's text the decimal mark of a language.
+
+    >>> decimal("1.50e-09", "ru")
+    '1,50e-09'
+    """
+    return text.replace(".", words.word(language, "number.decimal"))
 
 
 def fixed(value: float, language: str = "en", places: int = 2) -> str:
     """Write a number with a fixed number of decimals, no -0, and the language's decimal mark."""
     text = f"{abs(value):.{places}f}"
     sign = "−" if value < 0 and float(text) != 0 else ""
-    return (sign + text).replace(".", "," if language == "ru" else ".")
+    return decimal(sign + text, language)
 
 
 def runs(positions: Iterable[int], dash: str = "–") -> str:

@@ -11,6 +11,7 @@ from drawings.paper.formats import BLOCKS, BORDERS, PORTRAIT, Field, lies, size_
 from drawings.paper.hand import Hand, hand_of
 from drawings.paper.strokes import INK, Circle, Group, LineStyle, SheetError, Stroke, stated
 from plans.scene.scene import Scene
+from plans.words.words import placed
 
 __all__ = ["Field", "Page", "page_of"]  # figures take their fields from the page
 
@@ -101,4 +102,4 @@ def page_of(scene: Scene) -> Page:
         return Page(sheet.format, sheet.orientation, sheet.standard, sheet.language, sheet.designation)
     except SheetError as error:
         line, column = scene.place(("sheet", "orientation"))
-        raise SheetError(f"{scene.file}:{line}:{column}: {error}") from None
+        raise SheetError(placed(f"{scene.file}:{line}:{column}", error.args[0])) from None

@@ -7,6 +7,7 @@ from typing import Final, NamedTuple
 
 from drawings.lettering.words import number, word
 from drawings.paper.strokes import SheetError
+from plans.words.words import message
 
 # Of scale factors: what courses take beside GOST, and the series of ISO 5455.
 MANTISSAS: Final = {"GOST": (1.0, 2.0, 2.5, 4.0, 5.0), "ISO": (1.0, 2.0, 5.0)}
@@ -56,7 +57,7 @@ def fitting(extent: float, room: float, letter: str, unit: str, standard: str = 
     (0.002, 0.1, 0.002)
     """
     if room <= 0:
-        raise SheetError(f"no room is left for a figure of scale mu_{letter}")
+        raise SheetError(message("refused.scale", letter=letter))
     if extent <= 0 or not math.isfinite(extent):
         return Scale(1.0 if letter != "l" else 0.001, letter, unit)
     least = extent / room * (1 - 1e-12)  # a picture that fits exactly is not lost to a rounding

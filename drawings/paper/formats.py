@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from drawings.paper.strokes import SheetError
+from plans.words.words import message
 
 # Width and height of a sheet that stands upright, mm; GOST 2.301-68 and ISO 216 agree.
 SIZES = {"A1": (594.0, 841.0), "A2": (420.0, 594.0), "A3": (297.0, 420.0), "A4": (210.0, 297.0)}
@@ -61,11 +62,8 @@ def lies(name: str, standard: str, wanted: str | None = None) -> str:
     ways = WAYS_OF_A4 if name == "A4" else WAYS[standard]
     if wanted is None or wanted in ways:
         return wanted or ways[0]
-    other = "take A3" if name == "A4" else 'write standard = "GOST"'
-    raise SheetError(
-        f"sheet.orientation = {wanted}: expected {ways[0]}, the only way that {SAID_BY[standard]} lays {name}. "
-        f"Fix: leave orientation out, or {other}"
-    )
+    key = "refused.orientation_a4" if name == "A4" else "refused.orientation"
+    raise SheetError(message(key, given=wanted, way=ways[0], standard=SAID_BY[standard], format=name))
 
 
 def size_of(name: str, orientation: str) -> tuple[float, float]:

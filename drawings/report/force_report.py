@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from drawings.lettering.words import number, runs
 from drawings.report.chapters import Chapters
-from drawings.report.gap_lines import gap_lines
+from drawings.report.gap_lines import gap_line, gap_lines
+from drawings.report.markdown import chapter, header, row
 from plans.checks.force_comparison import ForceComparison
 from plans.forces.statics import Statics
 from plans.model.kinetostatics import FORCES, Kinetostatics
 from plans.model.losses import Friction
+from plans.model.machine import Machine
 from plans.study import Study
+from plans.words.words import Message, message, word
 
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
@@ -27,9 +31,11 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     shown = dict.fromkeys(
         leaf.metadata["position"] for own in leaves.values() for leaf in own if "position" in leaf.metadata
     )
+    shown_in = ", ".join(map(str, shown))
+    language = study.scene.sheet.language
     return Chapters(
-        values=forces(study.comparison("forces"), study["forces"]),
-        left_out=[f"- Force plans are drawn for position {', '.join(map(str, shown))}; the forces of all stand above."],
+        values=forces(study.comparison("forces"), study["forces"], language),
+        left_out=[word(language, "report.forces_drawn", positions=shown_in)],
     )
 
 
@@ -38,7 +44,7 @@ def headline(study: Study) -> str:
     return ""
 
 
-def remarks(study: Study) -> list[str]:
+def remarks(study: Study) -> list[Message]:
     """Say which positions have no forces, and which pairs jam by friction, and where."""
     comparison, friction = study.comparison("forces"), study["forces"].friction
     lines = gap_lines([gap for gap in comparison.construction.gaps if gap.plan == FORCES])
@@ -46,86 +52,77 @@ def remarks(study: Study) -> list[str]:
     for pair in dict.fromkeys(jam.pair for jam in jams):
         own = [jam for jam in jams if jam.pair == pair]
         where = runs([jam.position for jam in own], "-")
-        lines.append(f"pair {pair} jams by friction in positions {where}: {own[0].advice}")
+        lines.append(message("jam.pair", pair=pair, positions=where, advice=own[0].advice))
     return lines
 
 
-def forces(comparison: ForceComparison, statics: Statics) -> Iterator[str]:
+def forces(comparison: ForceComparison, statics: Statics, language: str) -> Iterator[str]:
     """Tell what acts, every reaction by construction, and what friction takes."""
     found = comparison.construction
-    yield from _bodies(statics)
-    yield from _reactions(found)
-    yield from _gaps(found)
+    yield from _bodies(statics.machine, language)
+    yield from _reactions(found, language)
+    yield from (gap_line("report.force_gap", gap, language) for gap in found.gaps if gap.plan == FORCES)
     if statics.friction is not None:
-        yield from _friction(statics.friction)
+        yield from _friction(statics.friction, language)
 
 
-def _bodies(statics: Statics) -> Iterator[str]:
-    yield "\n## Masses and loads\n"
-    machine = statics.machine
+def _bodies(machine: Machine, language: str) -> Iterator[str]:
+    say, write = partial(word, language), partial(number, language=language)
+    yield chapter(language, "bodies")
     for link, body in sorted(machine.bodies.items()):
-        centre = f"({number(body.centre.real)}; {number(body.centre.imag)})"
-        yield f"- Link {link}: m = {number(body.mass)} kg, J = {number(body.inertia)} kg·m² about S at {centre} m"
-    gravity = f"({number(machine.gravity.real)}; {number(machine.gravity.imag)}) m/s²"
-    yield f"- Gravity: {gravity if machine.gravity else 'none'}"
+        centre = {"x": write(body.centre.real), "y": write(body.centre.imag)}
+        yield say("report.body", link=link, mass=write(body.mass), inertia=write(body.inertia), **centre)
+    gravity = {"x": write(machine.gravity.real), "y": write(machine.gravity.imag)}
+    yield say("report.gravity", **gravity) if machine.gravity else say("report.no_gravity")
     for force in machine.forces:
-        yield f"- {force.name} at {force.point} of link {force.link}, {force.during}"
+        yield say("report.force", name=force.name, point=force.point, link=force.link, during=force.during)
     for moment in machine.moments:
-        yield f"- {moment.name} on link {moment.link}, {moment.during}"
+        yield say("report.moment", name=moment.name, link=moment.link, during=moment.during)
     for spring in machine.springs:
-        yield f"- {spring.name} between {spring.points[0]} and {spring.points[1]}: {number(spring.stiffness)} N/m"
+        ends = {"start": spring.points[0], "end": spring.points[1]}
+        yield say("report.spring", name=spring.name, **ends, stiffness=write(spring.stiffness))
 
 
-def _reactions(found: Kinetostatics) -> Iterator[str]:
-    yield "\n## Reactions\n"
-    yield "R_ab is the force of link a on link b, N, as x; y; of a sliding pair M is its moment, N·m, about the point."
-    yield "M_bal is the moment that the drive must give, N·m.\n"
-    told = sorted(found.reactions.values(), key=lambda one: (one.giver, one.taker))
+def _reactions(found: Kinetostatics, language: str) -> Iterator[str]:
+    yield chapter(language, "reactions")
+    reactions = sorted(found.reactions.values(), key=lambda one: (one.giver, one.taker))
     force, moment = found.nothing
-    heads, rows = ["M_bal"], list[Any]([_sized(found.balancing.moment, moment)])
-    for one in told:
-        heads.append(f"R_{one.giver}-{one.taker} at {one.point}")
-        rows.append(_sized(one.force, force))
+    columns = {"M_bal": _sized(found.balancing.moment, moment)}
+    for one in reactions:
+        pair = f"{one.giver}-{one.taker}"
+        columns[word(language, "report.reaction", pair=pair, point=one.point)] = _sized(one.force, force)
         if one.moment is not None and np.nanmax(np.abs(one.moment), initial=0.0) > moment:
-            heads.append(f"M_{one.giver}-{one.taker}")
-            rows.append(_sized(one.moment, moment))
-    yield "| position | " + " | ".join(heads) + " |"
-    yield "|---|" + "---|" * len(heads)
+            columns[f"M_{pair}"] = _sized(one.moment, moment)
+    yield from header([word(language, "table.position"), *columns])
     for k in range(len(found.phi)):
-        yield f"| {k} | " + " | ".join(_cell(row[k]) for row in rows) + " |"
+        yield row([str(k), *(_cell(column[k], language) for column in columns.values())])
 
 
-def _sized(row: Any, nothing: float) -> Any:
+def _sized(column: Any, nothing: float) -> Any:
     """Give what is but rounding as zero."""
-    return np.where(np.abs(row) <= nothing, 0.0, row)
+    return np.where(np.abs(column) <= nothing, 0.0, column)
 
 
-def _cell(value: complex | float) -> str:
+def _cell(value: complex | float, language: str) -> str:
     if np.isnan(value):
-        return "gap"
+        return word(language, "table.gap")
     if isinstance(value, complex):
-        return f"{number(value.real, digits=DIGITS)}; {number(value.imag, digits=DIGITS)}"
-    return number(float(value), digits=DIGITS)
+        return f"{number(value.real, language, DIGITS)}; {number(value.imag, language, DIGITS)}"
+    return number(float(value), language, DIGITS)
 
 
-def _gaps(found: Kinetostatics) -> Iterator[str]:
-    for gap in found.gaps:
-        if gap.plan == "forces":
-            yield f"\n- Position {gap.position} (φ = {np.degrees(gap.phi):.3f}°): {gap.reason}; {gap.advice}"
-
-
-def _friction(found: Friction) -> Iterator[str]:
-    yield "\n## Friction and efficiency\n"
-    yield "Powers of friction W with the reactions of the frictionless machine: errors are of the order f².\n"
-    yield "| position | " + " | ".join(found.powers) + " | all | useful | efficiency |"
-    yield "|---|" + "---|" * (len(found.powers) + 3)
+def _friction(found: Friction, language: str) -> Iterator[str]:
+    say, write = partial(word, language), partial(number, language=language)
+    yield f"\n{say('report.friction')}\n"
+    yield say("report.friction_powers")
+    heads = (say(f"table.{head}") for head in ("all", "useful", "efficiency"))
+    yield from header([say("table.position"), *found.powers, *heads])
+    columns = [*found.powers.values(), found.lost, found.useful, found.efficiency]
     for k in range(len(found.phi)):
-        told = [*(power[k] for power in found.powers.values()), found.lost[k], found.useful[k], found.efficiency[k]]
-        yield f"| {k} | " + " | ".join("—" if np.isnan(one) else number(float(one), digits=6) for one in told) + " |"
+        yield row([str(k), *("—" if np.isnan(one[k]) else write(float(one[k]), digits=6) for one in columns)])
     if found.cycle is not None:
-        yield f"\n- Efficiency over the cycle, of the mean powers: {number(found.cycle, digits=6)}"
-    worn = ", ".join(f"{key} {number(100 * share)} %" for key, share in found.wear.items())
-    yield f"- Share of wear by pair, the most worn first: {worn}"
+        yield f"\n{say('report.cycle', efficiency=write(found.cycle, digits=6))}"
+    yield say("report.wear", shares=", ".join(f"{key} {write(100 * share)} %" for key, share in found.wear.items()))
     for jam in found.jams:
-        ratio = number(jam.ratio)
-        yield f"- Pair {jam.pair} jams in position {jam.position}: friction {ratio} of what drives it; {jam.advice}"
+        parts = {"pair": jam.pair, "position": jam.position, "advice": jam.advice}
+        yield say("report.jam", **parts, ratio=write(jam.ratio))

@@ -2,28 +2,36 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
-from drawings.lettering.words import runs
+from drawings.lettering.words import decimal, runs
 from plans.model.motion import Gap
+from plans.words.words import Message, message, word
 
 
-def gap_lines(gaps: Sequence[Gap]) -> list[str]:
+def gap_lines(gaps: Sequence[Gap]) -> list[Message]:
     """Say why positions have no result; those of one gap are told with the advice for the first of them."""
-    kinds: dict[tuple[str, str, str], list[Gap]] = {}
+    kinds: dict[tuple[str, str, object], list[Gap]] = {}
     for gap in gaps:
         kinds.setdefault((gap.plan, gap.reason, gap.where), []).append(gap)
     return [_line(together) for together in kinds.values()]
 
 
-def _line(together: Sequence[Gap]) -> str:
+def _line(together: Sequence[Gap]) -> Message:
     first = together[0]
-    alone = len({gap.advice for gap in together}) == 1
-    where = first.where if alone else f"{first.where}, in position {first.position}"
-    numbers = position_numbers([gap.position for gap in together])
-    return f"{numbers}: {first.plan}: {first.reason} at {where}: {first.advice}"
+    parts = {"plan": first.plan, "reason": first.reason, "where": first.where, "advice": first.advice}
+    key = "verdict.gap" if len({gap.advice for gap in together}) == 1 else "verdict.gap_in"
+    return message(key, **positions([gap.position for gap in together]), first=first.position, **parts)
 
 
-def position_numbers(numbers: Sequence[int]) -> str:
-    """Name positions, runs of them by their ends."""
-    return f"position {numbers[0]}" if len(numbers) == 1 else f"positions {runs(numbers, '-')}"
+def gap_line(key: str, gap: Gap, language: str) -> str:
+    """Tell one gap in the report, by the key of its line."""
+    angle = decimal(f"{math.degrees(gap.phi):.3f}", language)
+    parts = {"plan": gap.plan, "reason": gap.reason, "advice": gap.advice}
+    return word(language, key, position=gap.position, angle=angle, **parts)
+
+
+def positions(numbers: Sequence[int]) -> dict[str, object]:
+    """Give numbers of positions, runs of them by their ends, as the parts of a message: how many, and which."""
+    return {"count": len(numbers), "positions": runs(numbers, "-")}

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from plans.scene.scene import Scene
+from plans.words.words import word
 
 
 def of_forces(scene: Scene) -> list[str]:
     """Say what a scene gives of forces that its sheets do not need."""
-    if not scene.has(("masses",)) and not scene.has(("loads",)):
-        return ["- Masses and loads: the sheet does not need them and the scene gives none."]
-    return ["- Masses and loads of the scene: a kinematics sheet does not need them."]
+    given = scene.has(("masses",)) or scene.has(("loads",))
+    return [word(scene.sheet.language, "report.idle_loads" if given else "report.no_loads")]
 
 
 def nothing(scene: Scene) -> list[str]:

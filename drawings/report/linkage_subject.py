@@ -42,7 +42,7 @@ def _group(group: Dyad) -> str:
 
 def _travel(study: LinkageStudy) -> str:
     """Say how far the output goes and with what time ratio, or that it has no extreme positions."""
-    output, found = study.output, study.found
+    output, found = study.output, study.travel
     if output.point and frame_slide(study.mechanism, output.link) is None:
         return f"point {output.point} of link {output.link}"
     if found is None:

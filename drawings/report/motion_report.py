@@ -3,24 +3,29 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import partial
 from itertools import chain
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from drawings.lettering.words import number
+from drawings.lettering.words import decimal, number
 from drawings.paper.limits import MANY
 from drawings.report.chapters import Chapters
-from drawings.report.gap_lines import gap_lines, position_numbers
+from drawings.report.gap_lines import gap_line, gap_lines, positions
+from drawings.report.markdown import chapter, header, heading, row
 from plans.checks.compare import NOT_GRADED, MotionComparison, notches
 from plans.checks.comparison import Finding
+from plans.linkage.barrier import Barrier
+from plans.linkage.extreme import Found
 from plans.linkage.pressure import interval
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.model.motion import ORDERS
 from plans.model.structure import RUSSIAN, formula, mechanism_class
 from plans.study import Study
+from plans.words.words import Message, message, term, word
 
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
@@ -45,15 +50,15 @@ def headline(study: Study) -> str:
     return shown(study["linkage"])
 
 
-def remarks(study: Study) -> list[str]:
+def remarks(study: Study) -> list[Message]:
     """Say why a motion is not whole: gaps, else barriers between positions; and positions not for grading."""
     linkage, gaps = study["linkage"], study.comparison("linkage").construction.gaps
     lines = gap_lines(gaps)
     if not gaps:
-        lines += [f"{barrier.kind} at {barrier.where} between two positions: see the report" for barrier in linkage.met]
+        lines += [message("verdict.between", reason=barrier.kind, where=barrier.where) for barrier in linkage.met]
     near = shallow(linkage)
     if near:
-        lines.append(f"{position_numbers(near)}: too near a dead centre to be graded: see Conditions in the report")
+        lines.append(message("verdict.near", **positions(near)))
     return lines
 
 
@@ -65,10 +70,11 @@ def faults(text: str, study: Study) -> Iterator[str]:
 def shown(study: LinkageStudy) -> str:
     """Say which link is the output, and who chose it."""
     out, named = study.output, study.mechanism.output is not None
-    chosen = "as [output] names it" if named else "the last link on the frame; [output] names another"
+    how = "named" if named else "framed"
     if not named and not any(FRAME in group.hosts for group in study.groups[-1:]):
-        chosen = "the last link; [output] names another"
-    return f"output: link {out.link}{f' by its point {out.point}' if out.point else ''}, {chosen}"
+        how = "last"
+    point = "_point" if out.point else ""
+    return word(study.language, f"report.output_{how}{point}", link=out.link, point=out.point)
 
 
 def shallow(study: LinkageStudy) -> list[int]:
@@ -80,128 +86,151 @@ def shallow(study: LinkageStudy) -> list[int]:
 
 
 def _structure(study: LinkageStudy) -> Iterator[str]:
-    mechanism = study.mechanism
-    yield "\n## Structure\n"
-    yield f"- Mobility W = 3·{mechanism.moving_links} - 2·{mechanism.lower_pairs} = {mechanism.mobility}"
-    yield f"- Formula of structure: {formula(mechanism, study.groups)}; class {mechanism_class(study.groups)}"
+    mechanism, say = study.mechanism, partial(word, study.language)
+    parts = {"n": mechanism.moving_links, "p": mechanism.lower_pairs, "w": mechanism.mobility}
+    yield chapter(study.language, "structure")
+    yield say("report.mobility", **parts)
+    yield say("report.formula", formula=formula(mechanism, study.groups), klass=mechanism_class(study.groups))
     for group, side in zip(study.groups, study.sweep.sides, strict=True):
         joints = f"{group.kind} ({RUSSIAN[group.kind]})"
-        yield f"- Group {group.label}: {joints}, assembly side {side:+.0f}, kept in every position"
-    yield f"- Drive: link {mechanism.drive.link}, omega = {number(mechanism.drive.omega)} rad/s, " + (
-        f"epsilon = {number(mechanism.drive.epsilon)} rad/s²"
-    )
+        yield say("report.group", group=group.label, joints=joints, side=f"{side:+.0f}")
+    rates = {"omega": mechanism.drive.omega, "epsilon": mechanism.drive.epsilon}
+    told = {name: number(rate, study.language) for name, rate in rates.items()}
+    yield say("report.drive", link=mechanism.drive.link, **told)
 
 
 def _extremes(study: LinkageStudy) -> Iterator[str]:
-    yield "\n## Extreme positions\n"
-    yield f"- O{shown(study)[1:]}"
+    yield chapter(study.language, "extremes")
+    yield word(study.language, "report.output", output=shown(study)[1:])
     if study.found is None:
-        yield f"- Output link {study.output.link} has no extreme positions over the turn."
+        yield word(study.language, "report.no_extremes", link=study.output.link)
     else:
-        found = study.found.extremes
-        way = "by notches" if study.found.notched else "where the velocity plan gives the output no velocity"
-        angles = ", ".join(f"{np.degrees(phi):.9f}°" for phi in found.phi)
-        unit = "m" if found.sliding else "rad"
-        yield f"- Crank angles, found {way}: {angles} (the working stroke begins at the first)"
-        yield f"- {'Stroke H' if found.sliding else 'Swing'} = {number(found.stroke, digits=10)} {unit}" + (
-            "" if found.sliding else f" = {np.degrees(found.stroke):.8f}°"
-        )
-        if len(study.found.rests) > 2:
-            rests = ", ".join(f"{np.degrees(phi):.6f}°" for phi in study.found.rests)
-            yield f"- The output reverses {len(study.found.rests)} times in a turn, at {rests}: no one time ratio"
-        else:
-            yield f"- Time-ratio angle θ = {np.degrees(found.overlap):.8f}°, K = {number(found.ratio, digits=10)}"
+        yield from _travel(study, study.found)
+    yield from _pressure(study)
+
+
+def _travel(study: LinkageStudy, found: Found) -> Iterator[str]:
+    """Tell the extreme positions of an output, how far it goes, and its time ratio."""
+    say, extremes = partial(word, study.language), found.extremes
+    way = "report.by_notches" if found.notched else "report.by_velocity"
+    yield say(way, angles=_angles(extremes.phi, 9, study.language))
+    stroke, degrees = number(extremes.stroke, study.language, 10), _degrees(extremes.stroke, 8, study.language)
+    yield (
+        say("report.stroke", stroke=stroke) if extremes.sliding else say("report.swing", stroke=stroke, degrees=degrees)
+    )
+    if len(found.rests) > 2:
+        yield say("report.reversals", count=len(found.rests), angles=_angles(found.rests, 6, study.language))
+    else:
+        ratio = number(extremes.ratio, study.language, 10)
+        yield say("report.ratio", overlap=_degrees(extremes.overlap, 8, study.language), ratio=ratio)
+
+
+def _pressure(study: LinkageStudy) -> Iterator[str]:
     if study.groups and not study.nodes.size:
-        yield "- Pressure angles: none, for no position is assembled"
+        yield word(study.language, "report.no_pressure")
     for group in study.groups if study.nodes.size else ():
         seen = interval(study.sweep, group, study.nodes)
-        low, high = np.degrees(seen.low), np.degrees(seen.high)
-        yield f"- Pressure angle of group {group.label}: {low:.6f}° to {high:.6f}°"
+        low, high = (_degrees(angle, 6, study.language) for angle in (seen.low, seen.high))
+        yield word(study.language, "report.pressure", group=group.label, low=low, high=high)
+
+
+def _degrees(angle: float, places: int, language: str) -> str:
+    return decimal(f"{np.degrees(angle):.{places}f}", language)
+
+
+def _angles(angles: Iterable[float], places: int, language: str) -> str:
+    return ", ".join(f"{_degrees(angle, places, language)}°" for angle in angles)
 
 
 def _passage(study: LinkageStudy, comparison: MotionComparison) -> Iterator[str]:
-    gaps = comparison.construction.gaps
+    gaps, say = comparison.construction.gaps, partial(word, study.language)
     if not study.met and not gaps and not study.passed:
         return
-    yield "\n## Gaps and dead centres\n"
+    yield chapter(study.language, "passage")
     for barrier in study.passed:
-        at = number(float(np.degrees((barrier.start + barrier.end) / 2)) % 360.0)
-        yield f'- change point at {barrier.where}, φ = {at}°: carried through (through = "{study.mechanism.through}")'
-    for barrier in study.met:
-        low, high = np.degrees(barrier.start), np.degrees(barrier.end)
-        miss = f", the loci miss by up to {barrier.miss:.6g} m" if barrier.miss else ""
-        yield f"- {barrier.kind} at {barrier.where}: crank angles {low:.6f}° to {high:.6f}°{miss}"
+        at = number(float(np.degrees((barrier.start + barrier.end) / 2)) % 360.0, study.language)
+        yield say("report.carried", where=barrier.where, angle=at, through=study.mechanism.through)
+    yield from (_barrier(barrier, study.language) for barrier in study.met)
     lost = {gap.position for gap in gaps if gap.plan == "positions"}
-    count = len(study.turn)
-    yield f"- {count - len(lost)} of {count} positions are assembled"
-    for gap in gaps:
-        yield f"- Position {gap.position} (φ = {np.degrees(gap.phi):.3f}°), {gap.plan}: {gap.reason}; {gap.advice}"
+    yield say("report.assembled", found=len(study.turn) - len(lost), count=len(study.turn))
+    yield from (gap_line("report.gap", gap, study.language) for gap in gaps)
+
+
+def _barrier(barrier: Barrier, language: str) -> str:
+    low, high = (_degrees(angle, 6, language) for angle in (barrier.start, barrier.end))
+    parts = {"reason": barrier.kind, "where": barrier.where, "low": low, "high": high}
+    if not barrier.miss:
+        return word(language, "report.barrier", **parts)
+    return word(language, "report.barrier_miss", **parts, miss=decimal(f"{barrier.miss:.6g}", language))
 
 
 def _values(study: LinkageStudy, comparison: MotionComparison) -> Iterator[str]:
-    yield "\n## Values\n"
-    yield "Every value by construction; under it by analysis where their ten digits differ. Vectors are x; y.\n"
+    language = study.language
+    yield chapter(language, "values")
     for plan in ORDERS:
         findings = [finding for finding in comparison.of(plan) if np.any(finding.construction != 0)]
         if findings:
-            yield f"### {plan.capitalize()}\n"
-            yield "| position | φ, ° | " + " | ".join(f"{f.name}, {f.unit}" for f in findings) + " |"
-            yield "|---|---|" + "---|" * len(findings)
+            title = term(language, "plan", plan)
+            yield word(language, "report.plan", plan=title[:1].upper() + title[1:])
+            heads = [word(language, "table.position"), "φ, °", *(heading(finding, language) for finding in findings)]
+            yield from header(heads)
             for k, phi in enumerate(study.turn.phi):
-                cells = " | ".join(_cell(finding, k) for finding in findings)
-                yield f"| {k} | {np.degrees(phi):.4f} | {cells} |"
+                angle = decimal(f"{np.degrees(phi):.4f}", language)
+                yield row([str(k), angle, *(_cell(finding, k, language) for finding in findings)])
             yield ""
 
 
-def _cell(finding: Finding, position: int) -> str:
-    ours, theirs = (_text(values[position], finding.largest) for values in (finding.construction, finding.analysis))
+def _cell(finding: Finding, position: int, language: str) -> str:
+    roads = (finding.construction, finding.analysis)
+    ours, theirs = (_text(values[position], finding.largest, language) for values in roads)
     return ours if ours == theirs else f"{ours}<br>{theirs}"
 
 
-def _text(value: complex | float, largest: float) -> str:
+def _text(value: complex | float, largest: float, language: str) -> str:
     if math.isnan(abs(value)):
-        return "gap"
+        return word(language, "table.gap")
     if isinstance(value, complex):
-        return f"{_text(value.real, largest)}; {_text(value.imag, largest)}"
-    return number(0.0 if abs(value) < 1e-10 * largest else float(value), digits=10)
+        return f"{_text(value.real, largest, language)}; {_text(value.imag, largest, language)}"
+    return number(0.0 if abs(value) < 1e-10 * largest else float(value), language, 10)
 
 
 def _conditions(study: LinkageStudy) -> Iterator[str]:
-    yield "\n## Conditions\n"
+    language = study.language
+    yield chapter(language, "conditions")
     if not study.groups:
-        yield "The crank alone has no meeting."
+        yield word(language, "report.no_meeting")
         return
     table = notches(study)
-    yield "kappa = 1/sin of the crossing angle magnifies every error of a meeting: from 10 a note, from 60 a warning"
-    yield "(0.01 mm in a length moves the point by more than half a millimetre), from 600 not for grading.\n"
-    yield "| group | largest kappa | in position | |"
-    yield "|---|---|---|---|"
-    for group, row in zip(study.groups, np.where(study.lost, np.nan, table), strict=True):
-        if np.isnan(row).all():
-            continue
-        worst = int(np.nanargmax(row))
-        said = "not for grading" if row[worst] >= NOT_GRADED else ""
-        said = said or ("warning" if row[worst] >= WARNING else "note" if row[worst] >= NOTE else "")
-        largest = f"{row[worst]:.4g}" if np.isfinite(row[worst]) else "no bound: a dead centre"
-        yield f"| {group.label} | {largest} | {worst} | {said} |"
+    yield word(language, "report.kappa")
+    yield from header([*(word(language, f"table.{head}") for head in ("group", "kappa", "in_position")), ""])
+    for group, kappas in zip(study.groups, np.where(study.lost, np.nan, table), strict=True):
+        if not np.isnan(kappas).all():
+            worst = int(np.nanargmax(kappas))
+            yield row([group.label, *_graded(float(kappas[worst]), worst, language)])
+
+
+def _graded(kappa: float, position: int, language: str) -> tuple[str, str, str]:
+    """Give the largest kappa of a group, the position of it, and what that means."""
+    grades = (("not_graded", NOT_GRADED), ("warning", WARNING), ("note", NOTE))
+    grade = next((word(language, f"report.{name}") for name, least in grades if kappa >= least), "")
+    largest = decimal(f"{kappa:.4g}", language) if math.isfinite(kappa) else word(language, "report.unbounded")
+    return largest, str(position), grade
 
 
 def _left_out(study: Study, linkage: LinkageStudy, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[str]:
-    count = len(linkage.turn)
+    count, say = len(linkage.turn), partial(word, linkage.language)
     sheets = [leaf for own in leaves.values() for leaf in own if "shown" in leaf.metadata]
     names = ", ".join(str(k) for leaf in sheets for k in leaf.metadata["plans"])
     if names:
-        yield f"- Velocity and acceleration plans are drawn for positions {names} of {count}; the other values stand"
-        yield f"  above. Notch arcs, pairs and letters are drawn for position {sheets[0].metadata['shown']} only."
+        yield say("report.plans_drawn", plans=names, count=count, shown=sheets[0].metadata["shown"])
     if sheets and count > MANY:
-        yield f"- Of {count} positions about {MANY} are drawn with their links, the others by ticks; numbers that would"
-        yield "  crowd each other are left out."
-    missing = [plan for plan in ORDERS if plan not in study.made]
+        yield say("report.ticks", count=count, most=MANY)
+    missing = [term(linkage.language, "plan", plan) for plan in ORDERS if plan not in study.made]
     if missing:
-        yield f"- Plans not made: {', '.join(missing)}."
+        yield say("report.not_made", plans=", ".join(missing))
     still = [str(n) for n in sorted(linkage.mechanism.links) if n != FRAME and n not in _turning(linkage)]
     if still:
-        yield f"- Links {', '.join(still)} do not turn: their angular velocity and acceleration have no column."
+        yield say("report.still", links=", ".join(still))
 
 
 def _turning(study: LinkageStudy) -> set[int]:

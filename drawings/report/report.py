@@ -7,27 +7,35 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from drawings.lettering.words import runs
+from drawings.lettering.words import decimal
 from drawings.report.chapters import Chapters
+from drawings.report.gap_lines import positions
+from drawings.report.markdown import chapter, header, heading, quantity, row
 from drawings.report.table import REPORTS
-from plans.checks.comparison import Comparison, Finding
+from plans.checks.comparison import Comparison, Finding, together
 from plans.study import Study
 from plans.techniques import TECHNIQUES, named
+from plans.words.words import Message, message, term, word
 
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
 
 
+PLAN_WIDTH = 14  # letters of the longest plan's English word
+
+
 def report(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> str:
     """Write the report beside the sheets, whose leaves are given by kind."""
     told: list[Chapters] = [named(REPORTS[name].chapters)(study, leaves) for name in study.techniques]
+    language = study.scene.sheet.language
+    kinds = ", ".join(term(language, "kind", kind) for kind in leaves)
     parts = [
-        f"# {study.scene.title}: {', '.join(leaves)}",
+        word(language, "report.title", title=study.scene.title, sheets=kinds),
         *(line for one in told for line in one.subject),
-        *_comparison(study.comparisons),
+        *_comparison(study.comparisons, language),
         *(line for one in told for line in one.values),
         *(line for one in told for line in one.conditions),
-        "\n## Left out\n",
+        chapter(language, "left_out"),
         *(line for one in told for line in one.left_out),
         *(line for name in _idle(study) for line in named(REPORTS[name].idle)(study.scene)),
     ]
@@ -45,7 +53,7 @@ def headlines(study: Study) -> Iterator[str]:
     yield from filter(None, (named(REPORTS[name].headline)(study) for name in study.techniques))
 
 
-def remarks(study: Study) -> list[str]:
+def remarks(study: Study) -> list[Message]:
     """Give what is not whole about a study: gaps, positions that are not for grading, pairs that jam."""
     return [line for name in study.techniques for line in named(REPORTS[name].remarks)(study)]
 
@@ -55,53 +63,48 @@ def faults(text: str, study: Study) -> Iterator[str]:
     return (fault for name in study.techniques for fault in named(REPORTS[name].faults)(text, study))
 
 
-def summary(comparisons: Iterable[Comparison]) -> str:
+def summary(comparisons: Iterable[Comparison], language: str) -> str:
     """Give the short comparison: the worst difference of each plan in per cent of its largest, and of the allowed."""
-    lines = [f"{'plan':<14} {'worst difference':>18} {'% of the largest':>18} {'of the allowed':>15}   in"]
     told = list(comparisons)
+    wide = plan_width((finding.plan for finding in together(told)), language)
+    heads = [word(language, f"table.{head}") for head in ("plan", "difference", "percent", "allowed", "in")]
+    lines = [f"{heads[0]:<{wide}} {heads[1]:>18} {heads[2]:>18} {heads[3]:>15}   {heads[4]}"]
     for comparison in told:
-        lines += [_worst(plan, comparison.of(plan)) for plan in _plans(comparison)]
-    return "\n".join([*lines, *left_out(told)])
+        for plan in dict.fromkeys(finding.plan for finding in comparison.findings):
+            lines.append(f"{term(language, 'plan', plan):<{wide}} {_worst(comparison.of(plan), language)}")
+    return "\n".join([*lines, *left_out(told, language)])
 
 
-def _plans(comparison: Comparison) -> dict[str, None]:
-    return dict.fromkeys(finding.plan for finding in comparison.findings)
+def plan_width(plans: Iterable[str], language: str) -> int:
+    """Give the width of a column of plans on the screen, in letters."""
+    return max((PLAN_WIDTH, *(len(term(language, "plan", plan)) for plan in plans)))
 
 
-def _worst(plan: str, findings: Sequence[Finding]) -> str:
+def _worst(findings: Sequence[Finding], language: str) -> str:
     worst = max(findings, key=lambda finding: (peak(finding.excess), peak(finding.difference)))
     per_cent = max(finding.per_cent for finding in findings)
-    return (
-        f"{plan:<14} {peak(worst.difference):>13.2e} {worst.unit:<4} {per_cent:>18.2e} "
-        f"{peak(worst.excess):>15.3f}   {worst.name}"
-    )
+    unit, name = term(language, "text_unit", worst.unit), quantity(worst.name, language)
+    numbers = f"{peak(worst.difference):>13.2e} {unit:<4} {per_cent:>18.2e} {peak(worst.excess):>15.3f}"
+    return f"{decimal(numbers, language)}   {name}"
 
 
-def left_out(comparisons: Iterable[Comparison]) -> list[str]:
+def left_out(comparisons: Iterable[Comparison], language: str) -> list[str]:
     """Tell which positions the comparisons leave out, as both roads give them up, and how many they are."""
     return [
-        f"left out, given up by both roads ({plan}): {count_of(positions)} ({runs(positions, '-')})"
+        word(language, "compare.left_out", plan=plan, positions=message("compare.positions", **positions(missing)))
         for comparison in comparisons
-        for plan, positions in comparison.left_out.items()
+        for plan, missing in comparison.left_out.items()
     ]
 
 
-def count_of(positions: Sequence[int]) -> str:
-    """Count positions in words."""
-    return f"{len(positions)} position{'s' if len(positions) != 1 else ''}"
-
-
-def _comparison(comparisons: Iterable[Comparison]) -> Iterator[str]:
-    yield "\n## Comparison of construction and analysis\n"
-    yield "Differences are per cent of the largest of their kind on the plan; the allowed one is derived from the"
-    yield "conditions of the construction's steps and of the analytic Jacobian.\n"
-    yield "| plan | quantity | worst difference | % of the largest | of the allowed |"
-    yield "|---|---|---|---|---|"
-    for finding in (finding for comparison in comparisons for finding in comparison.findings):
-        yield (
-            f"| {finding.plan} | {finding.name}, {finding.unit} | {peak(finding.difference):.2e} "
-            f"| {finding.per_cent:.2e} | {peak(finding.excess):.3f} |"
-        )
+def _comparison(comparisons: Iterable[Comparison], language: str) -> Iterator[str]:
+    yield chapter(language, "comparison")
+    heads = ("plan", "quantity", "difference", "percent", "allowed")
+    yield from header([word(language, f"table.{head}") for head in heads])
+    for finding in together(comparisons):
+        numbers = (f"{peak(finding.difference):.2e}", f"{finding.per_cent:.2e}", f"{peak(finding.excess):.3f}")
+        cells = [decimal(text, language) for text in numbers]
+        yield row([term(language, "plan", finding.plan), heading(finding, language), *cells])
 
 
 def peak(values: np.ndarray[tuple[int, ...], np.dtype[Any]]) -> float:

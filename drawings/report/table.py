@@ -34,4 +34,12 @@ REPORTS: Final[Mapping[str, Report]] = {
         idle="drawings.report.idle:of_forces",
         faults="drawings.checks.verify_friction:report_faults",
     ),
+    "rotor": Report(
+        subject="drawings.report.rotor_report:subject",
+        chapters="drawings.report.rotor_report:chapters",
+        headline="drawings.report.rotor_report:headline",
+        remarks="drawings.report.rotor_report:remarks",
+        idle="drawings.report.idle:nothing",
+        faults="drawings.report.rotor_report:faults",
+    ),
 }

@@ -11,6 +11,7 @@ from plans.forces.reading.form import ForceForm
 from plans.linkage.reading.form import LinkageForm
 from plans.scene.faults import Path
 from plans.scene.scene import Scene
+from plans.words.words import placed
 
 POSITIONS_DRAWN = 360  # more positions than degrees cannot be told apart on any sheet
 CELLS = ("designation", "drawn", "checked", "approved", "date", "group", "organisation")
@@ -46,7 +47,7 @@ def letter(scene: Scene, words: Iterator[tuple[Path, str]] | list[tuple[Path, st
         except UnknownLetter as unknown:
             line, column = scene.place(path)
             where = f"{scene.file}:{line}:{column}: {'.'.join(map(str, path))}"
-            raise SheetError(f"{where}: {unknown}") from None
+            raise SheetError(placed(where, unknown.args[0])) from None
 
 
 def _points(scene: Scene) -> Iterator[tuple[Path, str]]:

@@ -10,23 +10,30 @@ from drawings.paper.strokes import SheetError
 from plans.checks.compare import MotionComparison
 from plans.linkage.study import LinkageStudy
 from plans.linkage.travel import frame_slide
+from plans.words.words import message, placed
 
 
 def position(study: LinkageStudy, comparison: MotionComparison) -> int:
     """Give the position drawn in full lines: the scene's own, or the output's fastest one."""
+    wanted = position_asked(study)
+    if wanted is not None:
+        return wanted
+    free = ~study.lost
+    named = [k for k in study.form.sheet.plans if free[k]]
+    return named[0] if named else _best(_telling(study, comparison, 1), free & _working(study), free)
+
+
+def position_asked(study: LinkageStudy) -> int | None:
+    """Give the scene's own position in full lines, or any where none can be assembled; None: the scene names none."""
     wanted = study.form.sheet.position
     free = ~study.lost
     if not free.any():
         return 0  # nothing can be assembled: the sheet explains why, in the first position
-    if wanted is not None:
-        if study.lost[wanted]:
-            raise SheetError(
-                f"{study.scene.file}: sheet.position = {wanted}: the mechanism cannot be assembled there. "
-                f"Fix: choose one of {', '.join(str(k) for k in np.flatnonzero(free)[:12])}"
-            )
-        return int(wanted)
-    named = [k for k in study.form.sheet.plans if free[k]]
-    return named[0] if named else _best(_telling(study, comparison, 1), free & _working(study), free)
+    if wanted is not None and study.lost[wanted]:
+        others = ", ".join(str(k) for k in np.flatnonzero(free)[:12])
+        refused = message("refused.position", position=wanted, positions=others)
+        raise SheetError(placed(study.scene.file, refused))
+    return None if wanted is None else int(wanted)
 
 
 def plans(study: LinkageStudy, comparison: MotionComparison, shown: int) -> tuple[int, ...]:
@@ -57,9 +64,9 @@ def _telling(study: LinkageStudy, comparison: MotionComparison, order: int) -> A
 
 def _working(study: LinkageStudy) -> Any:
     """Tell the positions within the working stroke; all of them where the output has no extremes."""
-    if study.found is None:
+    if study.travel is None:
         return np.ones(len(study.turn), dtype=bool)
-    start, end = study.found.extremes.phi
+    start, end = study.travel.extremes.phi
     ahead = np.mod(study.sense * (study.turn.phi - start), 2 * np.pi)
     return ahead < np.mod(study.sense * (end - start), 2 * np.pi)
 

@@ -32,6 +32,7 @@ from plans.linkage.study import LinkageStudy
 from plans.model.kinetostatics import Kinetostatics
 from plans.model.structure import formula
 from plans.study import Study
+from plans.words.words import message, placed
 
 CHOICES = 12  # positions that a message offers at most
 LARGEST = 2.2  # times the least size at which it is legible: a crank is not drawn larger than the mechanism
@@ -56,18 +57,15 @@ def positions(study: LinkageStudy, comparison: ForceComparison) -> tuple[int, ..
     have = [k for k in range(len(study.turn)) if k not in gone]
     if not have:
         first = gone[min(gone)]
-        raise SheetError(
-            f"{study.scene.file}: no position has forces: {first.reason} at {first.where}, in position "
-            f"{first.position}: {first.advice}"
-        )
+        where = {"reason": first.reason, "where": first.where, "position": first.position, "advice": first.advice}
+        raise SheetError(placed(study.scene.file, message("refused.no_force", **where)))
     wanted = study.scene.of(ForceForm).sheet.forces
     for index, k in enumerate(wanted):
         if k in gone:
             line, column = study.scene.place(("sheet", "forces", index))
-            raise SheetError(
-                f"{study.scene.file}:{line}:{column}: sheet.forces: {gone[k].reason} at {gone[k].where}, so that "
-                f"position {k} has no forces. Fix: choose one of {', '.join(map(str, have[:CHOICES]))}"
-            )
+            where = {"reason": gone[k].reason, "where": gone[k].where, "position": k}
+            refused = message("refused.no_forces", **where, positions=", ".join(map(str, have[:CHOICES])))
+            raise SheetError(placed(f"{study.scene.file}:{line}:{column}", refused))
     if wanted:
         return wanted
     shown = position(study, comparison.motion)

@@ -9,7 +9,7 @@ from plans.checks.compare import MotionComparison
 from plans.linkage.pressure import interval
 from plans.linkage.study import LinkageStudy
 from plans.model.structure import formula, mechanism_class
-from plans.scene.wording import said as worded
+from plans.words.words import said as worded
 
 MOST_LENGTHS = 16  # of a mechanism with more the report and the scene tell them
 
@@ -28,7 +28,7 @@ def notes(study: LinkageStudy, comparison: MotionComparison, language: str) -> l
         ),
     ]  # fmt: skip
     said += lengths(study, language)
-    if study.found is not None:
+    if study.travel is not None:
         said.append(_travel(study, language))
     for group in study.groups:
         found = interval(study.sweep, group, study.nodes)
@@ -49,7 +49,7 @@ def lengths(study: LinkageStudy, language: str) -> list[str]:
 
 def _gaps(comparison: MotionComparison, language: str) -> list[str]:
     """Name the gaps, those of one reason together, runs of positions as first-last."""
-    reasons: dict[tuple[str, str], list[int]] = {}
+    reasons: dict[tuple[str, object], list[int]] = {}
     for gap in comparison.construction.gaps:
         reasons.setdefault((gap.reason, gap.where), []).append(gap.position)
     return [
@@ -64,7 +64,7 @@ def _why(study: LinkageStudy, comparison: MotionComparison) -> list[str]:
 
 
 def _travel(study: LinkageStudy, language: str) -> str:
-    found = study.found
+    found = study.travel
     assert found is not None  # asked only where there are extremes
     extremes = found.extremes
     overlap = word(

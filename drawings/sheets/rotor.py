@@ -11,14 +11,18 @@ from drawings.figures.rotor.rotor_view import RotorView, rotor_view
 from drawings.layout.contents import Panel
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
+from drawings.report.rotor_notes import RotorNotes
 from drawings.sheets.leaves import Caption, Draft, Exhibit, lay_out
-from drawings.sheets.rotor_notes import notes
 from plans.checks.comparison import Comparison
 from plans.rotor.study import RotorStudy
 from plans.scene.scene import Scene
 from plans.study import Study
 
 TOGETHER = "polygons"  # what stands in one column
+
+
+def admit(scene: Scene) -> None:
+    """See nothing more: a rotor's author names nothing, and any number of masses can be shown."""
 
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
@@ -35,7 +39,7 @@ def sheets(scene: Scene, rotor: RotorStudy, comparison: Comparison) -> tuple[Lea
         *_views(rotor, drafting),
     )
     tables = (rotor_table.masses(rotor.rotor, rotor.balance, drafting),)
-    said = notes(rotor.rotor, rotor.balance, drafting)
+    said = RotorNotes(rotor.rotor, rotor.balance, drafting).all
     title = drafting.word("rotor sheet title")
     return lay_out(scene, [Draft("rotor", title, shows, tables, said, _facts)])
 

@@ -23,9 +23,19 @@ SHEETS: Final[Mapping[str, Sheet]] = {
         leaves="drawings.sheets.kinematics:leaves",
         faults="drawings.checks.verify_kinematics:faults",
     ),
+    "positions": Sheet(
+        admit="drawings.sheets.admission:of_linkage",
+        leaves="drawings.sheets.positions:leaves",
+        faults="drawings.checks.verify_kinematics:faults",
+    ),
     "forces": Sheet(
         admit="drawings.sheets.admission:of_forces",
         leaves="drawings.sheets.forces:leaves",
         faults="drawings.checks.verify_forces:faults",
+    ),
+    "rotor": Sheet(
+        admit="drawings.sheets.rotor:admit",
+        leaves="drawings.sheets.rotor:leaves",
+        faults="drawings.checks.verify_rotor:faults",
     ),
 }

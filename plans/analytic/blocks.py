@@ -14,6 +14,7 @@ import numpy as np
 from plans.analytic.constraints import Constraints, Indices
 from plans.model.mechanism import StructureError
 from plans.model.motion import Floats
+from plans.words.words import message
 
 FREEDOM = 3  # unknowns of a link
 
@@ -85,7 +86,7 @@ def _keepers(constraints: Constraints) -> list[int]:
 
     for row in range(len(links)):
         if not give(row, set()):
-            raise StructureError("some links have more equations than unknowns: they form a truss")
+            raise StructureError(message("structure.truss"))
     keepers = {row: place for place, rows in kept.items() for row in rows}
     return [keepers[row] for row in range(len(links))]
 

@@ -15,6 +15,7 @@ import numpy.typing as npt
 
 from plans.model.mechanism import Mechanism, StructureError, Way
 from plans.model.motion import Complexes, Floats
+from plans.words.words import message
 
 Indices = npt.NDArray[np.intp]
 X, Y, TURN = range(3)
@@ -52,7 +53,7 @@ class Constraints(NamedTuple):
     def of(cls, mechanism: Mechanism) -> Constraints:
         """Write down the equations of a mechanism of mobility 1."""
         if mechanism.mobility != 1:
-            raise StructureError("one drive moves a mechanism of mobility 1 only", found=mechanism.mobility)
+            raise StructureError(message("structure.mobility"), found=mechanism.mobility)
         numbers, size, drive = tuple(sorted(mechanism.links)), _size(mechanism), mechanism.drive
         own = {number: mechanism.links[number].points for number in numbers}
         pairs = [(links[0], link, point) for point, links in mechanism.hinges.items() for link in links[1:]]

@@ -7,27 +7,25 @@ import numpy as np
 from plans.analytic.ends import CHANGE_POINT, DEAD_CENTRE, NOT_REACHABLE, PARALLEL, End
 from plans.model.kinetostatics import FORCES, INDETERMINATE
 from plans.model.motion import Gap
+from plans.words.words import message
 
 OUT_OF_REACH, BEYOND = "out of reach", "beyond a change point"
 
 ADVICE = {
-    OUT_OF_REACH: "Lengthen the links that are too short here, or keep the crank within its dead centres.",
-    DEAD_CENTRE: "Keep the crank clear of this dead centre, or drive another link.",
-    PARALLEL: "Leave this crank angle out: two guides are parallel there, and their lines do not meet.",
-    CHANGE_POINT: "Leave this crank angle out, or change a length so that the links never fall into one line.",
-    BEYOND: "Start the crank on this side of the change point, so that the sketch tells which assembly is meant.",
-    NOT_REACHABLE: "Sketch the assembly meant at this position and start there: the first position does not lead here.",
-    INDETERMINATE: "Leave this crank angle out: the links can be strained against each other there, by any amount.",
+    reason: message(f"analysis.{key}")
+    for reason, key in (
+        (OUT_OF_REACH, "out_of_reach"),
+        (DEAD_CENTRE, "dead_centre"),
+        (PARALLEL, "parallel"),
+        (CHANGE_POINT, "change_point"),
+        (BEYOND, "beyond"),
+        (NOT_REACHABLE, "not_reachable"),
+        (INDETERMINATE, "indeterminate"),
+    )
 }
-WHAT = {
-    DEAD_CENTRE: "the Jacobian loses rank",
-    CHANGE_POINT: "the Jacobian loses rank",
-    PARALLEL: "guides become parallel and their links run to infinity",
-    NOT_REACHABLE: "the way round ends",
-}
-UNASSEMBLED = "no assembly fits the sketch at any crank angle tried"
-FAINT = "the Jacobian all but loses rank"
-UNBALANCED = "the equations of equilibrium lose rank"
+# What the end of the march is, by why it ended.
+WHAT = {DEAD_CENTRE: "rank", CHANGE_POINT: "rank", PARALLEL: "infinity", NOT_REACHABLE: "way"}
+UNASSEMBLED, FAINT, UNBALANCED = (message(f"analysis.{key}") for key in ("unassembled", "faint", "unbalanced"))
 
 
 def gap(position: int, phi: float, plan: str, reason: str, end: End | None) -> Gap:
@@ -35,7 +33,7 @@ def gap(position: int, phi: float, plan: str, reason: str, end: End | None) -> G
     where = UNASSEMBLED if reason == OUT_OF_REACH else FAINT
     if end:
         angle = round(np.degrees(end.singular), 4) % 360.0
-        where = f"{WHAT[end.reason]} near phi = {angle:g} deg"
+        where = message(f"analysis.{WHAT[end.reason]}", angle=f"{angle:g}")
     return Gap(position, phi, plan, reason, where, 0.0, ADVICE[reason])
 
 

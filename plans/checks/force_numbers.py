@@ -104,5 +104,5 @@ def rubbed(friction: Friction) -> dict[str, Any]:
             "useful": plain(friction.useful),
             "lost": plain(friction.lost),
         },
-        "jams": [jam._asdict() for jam in friction.jams],
+        "jams": [{**jam._asdict(), "advice": str(jam.advice)} for jam in friction.jams],
     }

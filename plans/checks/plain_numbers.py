@@ -22,4 +22,4 @@ def pairs(values: Any) -> list[list[float] | None]:
 
 def gap_numbers(gap: Gap) -> dict[str, Any]:
     """Give a gap as plain data."""
-    return asdict(gap)
+    return {**asdict(gap), "where": str(gap.where), "advice": str(gap.advice)}

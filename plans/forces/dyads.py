@@ -8,6 +8,7 @@ from plans.forces import polygon
 from plans.forces.cut import Cut
 from plans.forces.force import ForcePlan
 from plans.model.structure import Dyad
+from plans.words.words import because
 
 
 def rrr(plan: ForcePlan, dyad: Dyad) -> Cut:
@@ -17,7 +18,7 @@ def rrr(plan: ForcePlan, dyad: Dyad) -> Cut:
     parts = [one and one.found for one in equations]
     laid, inner = polygon.laid(plan, dyad, parts[0], last=parts[1])
     lines = [
-        board.parallel(f"∥{lead.name}", start, lead, f"the normal part runs along {lead.name}")
+        board.parallel(f"∥{lead.name}", start, lead, because("along_normal", line=lead.name))
         for lead, start in ((polygon.lead_of(plan, dyad, 0), laid.start), (polygon.lead_of(plan, dyad, 1), laid.end))
     ]
     names = [polygon.normal_name(dyad, end, parts[end]) for end in (0, 1)]
@@ -35,8 +36,8 @@ def rrp(plan: ForcePlan, dyad: Dyad) -> Cut:
     laid, inner = polygon.laid(plan, dyad, part)
     lead, along = polygon.lead_of(plan, dyad, 0), polygon.guide_of(plan, dyad, 1)
     lines = (
-        board.parallel(f"∥{lead.name}", laid.start, lead, f"the normal part runs along {lead.name}"),
-        board.square(f"⊥{along.name}", laid.end, along, "a guide presses square to itself"),
+        board.parallel(f"∥{lead.name}", laid.start, lead, because("along_normal", line=lead.name)),
+        board.square(f"⊥{along.name}", laid.end, along, because("guide_presses")),
     )
     names = polygon.normal_name(dyad, 0, part), polygon.name_of(dyad, 1)
     closed = polygon.closed(plan, laid, names, lines)
@@ -52,7 +53,10 @@ def rpr(plan: ForcePlan, dyad: Dyad) -> Cut:
     laid, inner = polygon.laid(plan, dyad, part, across and across.found)
     name = polygon.name_of(dyad, 1)
     pivot = polygon.support(
-        plan, (dyad.hosts[1], dyad.links[1]), dyad.hinge(1), plan.board.join(name, laid.end, laid.start, "closing side")
+        plan,
+        (dyad.hosts[1], dyad.links[1]),
+        dyad.hinge(1),
+        plan.board.join(name, laid.end, laid.start, because("closing")),
     )
     pin = polygon.pressed(plan, dyad, laid, across, part)
     slotted = polygon.slotted(plan, dyad, polygon.cut_at(plan, dyad, laid.start, inner), pin)
@@ -65,7 +69,7 @@ def prp(plan: ForcePlan, dyad: Dyad) -> Cut:
     laid, inner = polygon.laid(plan, dyad)
     guides = polygon.guide_of(plan, dyad, 0), polygon.guide_of(plan, dyad, 1)
     lines = [
-        plan.board.square(f"⊥{along.name}", start, along, "a guide presses square to itself")
+        plan.board.square(f"⊥{along.name}", start, along, because("guide_presses"))
         for along, start in zip(guides, (laid.start, laid.end), strict=True)
     ]
     names = polygon.name_of(dyad, 0), polygon.name_of(dyad, 1)
@@ -82,8 +86,8 @@ def rpp(plan: ForcePlan, dyad: Dyad) -> Cut:
     laid, inner = polygon.laid(plan, dyad, part)
     slot, along = polygon.slot_of(plan, dyad), polygon.guide_of(plan, dyad, 1)
     lines = (
-        board.square(f"⊥{slot.name}", laid.start, slot, "a slot presses square to itself"),
-        board.square(f"⊥{along.name}", laid.end, along, "a guide presses square to itself"),
+        board.square(f"⊥{slot.name}", laid.start, slot, because("slot_presses")),
+        board.square(f"⊥{along.name}", laid.end, along, because("guide_presses")),
     )
     names = polygon.normal_name(dyad, 0, part), polygon.name_of(dyad, 1)
     closed = polygon.closed(plan, laid, names, lines)

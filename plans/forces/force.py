@@ -15,6 +15,7 @@ from plans.linkage.redrawing import remade
 from plans.model.kinetostatics import Loading
 from plans.model.machine import Body, Machine
 from plans.model.mechanism import FRAME
+from plans.words.words import because
 
 
 class ForcePlan:
@@ -25,7 +26,7 @@ class ForcePlan:
         self.accelerations, self.machine = accelerations, machine
         self.positions, self.velocities = accelerations.below
         self.mechanism = accelerations.mechanism
-        self.pole = self.board.given("0", 0j, "start of a force polygon")
+        self.pole = self.board.given("0", 0j, because("polygon_start"))
         self.loads: dict[int, list[Load]] = {link: [] for link in self.mechanism.links}
         self.couples: dict[int, list[Couple]] = {link: [] for link in self.mechanism.links}
         self.given: list[Mark] = []  # the loads, in the order of the loading: they change with the position
@@ -47,18 +48,20 @@ class ForcePlan:
         at = self.centre(self.positions, body)
         if acceleration is not self.accelerations.pole:
             name = f"Φ_{link}"
-            force = self.board.turn(name, acceleration, -body.mass, "minus mass times acceleration of the mass centre")
+            force = self.board.turn(name, acceleration, -body.mass, because("inertia_force"))
             yield Load(name, link, at, force, INERTIA)
         if self.machine.gravity:
             name = f"G_{link}"
-            yield Load(name, link, at, self.board.given(name, body.mass * self.machine.gravity, "weight"), WEIGHT)
+            yield Load(
+                name, link, at, self.board.given(name, body.mass * self.machine.gravity, because("weight")), WEIGHT
+            )
 
     def _turning(self, body: Body) -> Iterator[Couple]:
         """Give a link its inertia couple, against its angular acceleration (M5.1)."""
         reading = self.accelerations.readings.get(body.link)
         still = body.link == self.mechanism.drive.link and self.mechanism.drive.epsilon == 0
         if body.inertia and reading is not None and not still:
-            name, why = f"M^Φ_{body.link}", "minus moment of inertia times angular acceleration"
+            name, why = f"M^Φ_{body.link}", because("inertia_moment")
             yield Couple(name, body.link, self.board.couple(name, *reading, -body.inertia, why), INERTIA)
 
     def centre(self, plan: Plan, body: Body) -> Mark:
@@ -80,13 +83,13 @@ class ForcePlan:
 
     def _load(self, loading: Loading) -> None:
         for load in loading.forces:
-            mark = self.board.given(load.name, load.force, "load")
+            mark = self.board.given(load.name, load.force, because("load"))
             self.given.append(mark)
             if load.link != FRAME:
                 at = self.positions.point(load.point)
                 self.loads[load.link].append(Load(load.name, load.link, at, mark, LOAD, load.point))
         for twist in loading.moments:
-            mark = self.board.given(twist.name, twist.moment, "load")
+            mark = self.board.given(twist.name, twist.moment, because("load"))
             self.given.append(mark)
             self.couples[twist.link].append(Couple(twist.name, twist.link, mark, LOAD))
 
@@ -108,7 +111,7 @@ class ForcePlan:
         if support.giver == FRAME:
             return
         index, board = indices(support.taker, support.giver), self.board
-        name, why = f"R_{index}", f"opposite of R_{indices(support.giver, support.taker)}"
+        name, why = f"R_{index}", because("opposite_of", force=f"R_{indices(support.giver, support.taker)}")
         force = board.turn(name, support.force, -1.0, why)
         self.loads[support.giver].append(Load(name, support.giver, support.at, force, REACTION))
         if support.moment is not None:

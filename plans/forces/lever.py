@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from geometry.board import Board, Mark
 from plans.forces.cut import REACTION, Couple, Load
 from plans.forces.primary import BALANCING, DRIVING
+from plans.words.words import because
 
 if TYPE_CHECKING:
     from plans.forces.force import ForcePlan
@@ -51,7 +52,7 @@ def lever(plan: ForcePlan) -> Lever | None:
     if plan.mechanism.drive.omega == 0:
         return None
     board = Board("lever")
-    pole = board.given("p", 0j, "pole: the hinge of the lever")
+    pole = board.given("p", 0j, because("lever_pole"))
     links = sorted(plan.mechanism.links)
     hung = [_hung(plan, board, pole, load) for link in links for load in plan.loads[link] if load.kind != REACTION]
     pairs = [_paired(plan, board, one) for link in links for one in plan.couples[link] if one.kind != REACTION]
@@ -60,9 +61,9 @@ def lever(plan: ForcePlan) -> Lever | None:
     moments = [*(one.moment for one in kept), *(one.moment for one in turning)]
     if not moments:
         return None
-    force = board.balance(DRIVING, pole, line, *moments, why="the lever is in balance about its pole")
+    force = board.balance(DRIVING, pole, line, *moments, why=because("lever_balance"))
     shaft = plan.positions.point(plan.mechanism.drive.pivot)
-    moment = board.moment(BALANCING, shaft, point, force, "what that force does on the shaft")
+    moment = board.moment(BALANCING, shaft, point, force, because("shaft_moment"))
     return Lever(board, pole, tuple(kept), tuple(turning), image, force, moment)
 
 
@@ -72,7 +73,7 @@ def _hung(plan: ForcePlan, board: Board, pole: Mark, load: Load) -> Hung | None:
     if image is plan.velocities.pole:
         return None
     at = _turned(board, image)
-    return Hung(load.name, at, load.force, board.moment(f"p({load.name})", pole, at, load.force, "force by arm"))
+    return Hung(load.name, at, load.force, board.moment(f"p({load.name})", pole, at, load.force, because("moment")))
 
 
 def _paired(plan: ForcePlan, board: Board, couple: Couple) -> Pairing | None:
@@ -83,11 +84,11 @@ def _paired(plan: ForcePlan, board: Board, couple: Couple) -> Pairing | None:
     arm = reading.arm.step.inputs[0] if reading.arm.step.op == "transfer" else reading.arm
     start, end = arm.step.inputs
     base = plan.positions.board
-    line = base.square(f"⊥{arm.name}", end, arm, f"square to {arm.name}")
-    holding = board.balance(f"-{couple.name}/{arm.name}", start, line, couple.moment, why="against the couple")
-    force = board.turn(f"{couple.name}/{arm.name}", holding, -1.0, f"the couple over {arm.name}, at its ends")
+    line = base.square(f"⊥{arm.name}", end, arm, because("square", line=arm.name))
+    holding = board.balance(f"-{couple.name}/{arm.name}", start, line, couple.moment, why=because("against_couple"))
+    force = board.turn(f"{couple.name}/{arm.name}", holding, -1.0, because("couple", line=arm.name))
     images = [_turned(board, image) for image in reading.turning.step.inputs]
-    moment = board.moment(f"p({couple.name})", images[0], images[1], force, "a couple has one moment about any point")
+    moment = board.moment(f"p({couple.name})", images[0], images[1], force, because("couple_moment"))
     return Pairing(couple.name, images[0], images[1], force, moment)
 
 
@@ -98,15 +99,15 @@ def _drive(plan: ForcePlan, board: Board) -> tuple[Mark, Mark, Mark]:
         point, image, arm = base.point(drive.end), speeds.point(drive.end), base.images[drive.link].arm
         assert arm is not None  # the crank has an arm on the plan of positions
         turned = _turned(board, image)
-        return turned, point, board.square(f"⊥{arm.name}", turned, arm, "the balancing force is square to the crank")
+        return turned, point, board.square(f"⊥{arm.name}", turned, arm, because("balancing_square"))
     image = speeds.transport(drive.link, plan.driven, plan.driven.name.lower())
     turned = _turned(board, image)
     along = plan.board["line of action"]
-    return turned, plan.driven, board.parallel("line of action", turned, along, "the teeth press along it")
+    return turned, plan.driven, board.parallel("line of action", turned, along, because("teeth"))
 
 
 def _turned(board: Board, image: Mark) -> Mark:
     """Turn an image by a quarter clockwise about the pole; once turned it is used again."""
     if image.name in board and board[image.name].step.inputs in ((image,), ()):
         return board[image.name]
-    return board.turn(image.name, image, -1j, "turned by a quarter about the pole")
+    return board.turn(image.name, image, -1j, because("quarter"))

@@ -35,6 +35,7 @@ from plans.model.machine import Rubbing
 from plans.model.mechanism import FRAME
 from plans.model.motion import Complexes, Floats
 from plans.model.structure import Dyad
+from plans.words.words import Message
 
 
 class Driven(NamedTuple):
@@ -89,7 +90,7 @@ class Driven(NamedTuple):
         """
         return np.asarray(self.brought * rate + lost(rubbing, self.rest, rate))
 
-    def advice(self, rubbing: Rubbing, position: int) -> str:
+    def advice(self, rubbing: Rubbing, position: int) -> Message:
         """Say what would free the pair."""
         if self.outer.along is None:
             return CENTRAL

@@ -10,6 +10,7 @@ from plans.explanation import Explanation, NoMark
 from plans.forces.cut import indices
 from plans.forces.reading.form import ForceForm
 from plans.linkage import marks as motion
+from plans.words.words import Message, message
 
 if TYPE_CHECKING:
     from geometry.board import Board
@@ -17,16 +18,14 @@ if TYPE_CHECKING:
 
 PAIR = re.compile(r"[RPF]_(?P<giver>\d+?),?(?P<taker>\d+)")  # a reaction: of the first link on the second
 UNITS = {**motion.UNITS, "forces": "N", "lever": "m/s"}
-# What a reaction rests on besides the forces: the plans that it is found over.
-LEFT_OUT = "{count} steps of positions, velocities and accelerations are left out: --all tells them"
-NONE = NoMark((), "", ("R_12", "M_bal"))
+NONE = NoMark((), None, ("R_12", "M_bal"))
 
 
 def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     """Give the steps on the force plan behind a mark of it in one position; `study.whole` asks for those below too."""
     form, linkage = study.scene.of(ForceForm), study["linkage"]
     if not (form.masses or form.loads) or name in motion.letters(linkage):
-        return NoMark((), "", ()) if not (form.masses or form.loads) else NONE
+        return NoMark((), None, ()) if not (form.masses or form.loads) else NONE
     wanted = motion.position_of(linkage, position)
     board = study["forces"].drafts([wanted]).plans.plan.board
     target, opposite = _find(board, name)
@@ -35,19 +34,20 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     steps, notes = behind(target), [opposite] if opposite else []
     if not study.whole:
         own = [mark for mark in steps if mark.subject == "forces" and mark.step.op != "transfer"]
-        notes += [LEFT_OUT.format(count=len(steps) - len(own))] if len(own) < len(steps) else []
+        # What a reaction rests on besides the forces: the plans that it is found over.
+        notes += [message("explain.left_out", count=len(steps) - len(own))] if len(own) < len(steps) else []
         steps = own
     return Explanation(motion.title(linkage, name, wanted), tuple(steps), UNITS, tuple(notes))
 
 
-def _find(board: Board, name: str) -> tuple[Mark | None, str]:
+def _find(board: Board, name: str) -> tuple[Mark | None, Message | None]:
     """Find a mark of the force plan: R_34, its parts R^t_34, a load, M_bal; and say so where its opposite was found."""
     letter = name.replace("Phi", "Φ")
     pair = PAIR.fullmatch(letter)
     letter = "R" + letter[1:] if pair else letter  # whichever letter a sheet has for reactions
     if letter in board and board[letter].step.inputs:
-        return board[letter], ""
+        return board[letter], None
     opposite = f"R_{indices(int(pair['taker']), int(pair['giver']))}" if pair else ""
     if opposite in board:
-        return board[opposite], f"{name} is the opposite of {opposite}"
-    return (board[letter] if letter in board and letter != "0" else None), ""
+        return board[opposite], message("explain.opposite", mark=name, opposite=opposite)
+    return (board[letter] if letter in board and letter != "0" else None), None

@@ -11,6 +11,7 @@ from plans.forces.force import ForcePlan
 from plans.linkage.groups import guide
 from plans.model.mechanism import Slide
 from plans.model.structure import Dyad
+from plans.words.words import because
 
 
 class Chain(NamedTuple):
@@ -47,7 +48,9 @@ def known(loads: Sequence[Load]) -> list[tuple[str, Mark, str]]:
 def moments(plan: ForcePlan, about: Mark, loads: Sequence[Load], couples: Sequence[Couple]) -> list[Mark]:
     """Take the moments about a point of all forces that have an arm, and of all couples."""
     arms = [load for load in loads if load.at is not about]
-    taken = [plan.board.moment(f"{about.name}({one.name})", about, one.at, one.force, "force by arm") for one in arms]
+    taken = [
+        plan.board.moment(f"{about.name}({one.name})", about, one.at, one.force, because("moment")) for one in arms
+    ]
     return [*taken, *(couple.moment for couple in couples)]
 
 
@@ -63,8 +66,8 @@ def tangential(plan: ForcePlan, dyad: Dyad, end: int) -> Equation | None:
     if not terms:
         return None
     assert arm is not None  # a lead has an arm on the plan of positions
-    line = base.board.square(f"⊥{arm.name}", at, arm, f"the tangential part is square to {arm.name}")
-    found = plan.board.balance(f"R^t_{index}", about, line, *terms, why=f"moments about {about.name} of link {link}")
+    line = base.board.square(f"⊥{arm.name}", at, arm, because("square_tangential", line=arm.name))
+    found = plan.board.balance(f"R^t_{index}", about, line, *terms, why=because("moments", point=about.name, link=link))
     return Equation(about, tuple(load for load in loads if load.at is not about), tuple(couples), line, found)
 
 
@@ -78,10 +81,10 @@ def along_slot(plan: ForcePlan, dyad: Dyad) -> Mark | None:
         return None
     board, slot = plan.board, slot_of(plan, dyad)
     own = chain(plan, f"stone {dyad.links[0]}", *known(loads))
-    through = board.parallel(f"∥{slot.name}", own.end, slot, "along the slot, which cannot hold it")
-    across = board.square(f"⊥{slot.name}", own.start, slot, "square to the slot")
-    corner = board.meet(f"stone {dyad.links[0]}", through, across, why="the slot presses square to itself")
-    return board.join(f"R^u_{indices(dyad.hosts[0], dyad.links[0])}", own.end, corner, "part along the slot")
+    through = board.parallel(f"∥{slot.name}", own.end, slot, because("slot_cannot"))
+    across = board.square(f"⊥{slot.name}", own.start, slot, because("slot_square"))
+    corner = board.meet(f"stone {dyad.links[0]}", through, across, why=because("the_slot_presses"))
+    return board.join(f"R^u_{indices(dyad.hosts[0], dyad.links[0])}", own.end, corner, because("slot_part"))
 
 
 def slot_of(plan: ForcePlan, dyad: Dyad) -> Mark:
@@ -107,7 +110,7 @@ def carried(plan: ForcePlan, direction: Mark) -> Mark:
     board = plan.board
     if direction.name in board and board[direction.name].step.inputs == (direction,):
         return board[direction.name]
-    return board.transfer(direction.name, direction, "parallel transfer from the plan of positions")
+    return board.transfer(direction.name, direction, because("transfer", plan=direction.subject))
 
 
 class Closed(NamedTuple):
@@ -139,7 +142,7 @@ def laid(plan: ForcePlan, dyad: Dyad, *first: Mark | None, last: Mark | None = N
 
 def closed(plan: ForcePlan, chained: Chain, names: tuple[str, str], lines: tuple[Mark, Mark]) -> Closed:
     """Close a chain by the two lines drawn through its start and its end."""
-    corner = plan.board.meet(f"{names[0]} {names[1]}", *lines, why="the two directions close the polygon")
+    corner = plan.board.meet(f"{names[0]} {names[1]}", *lines, why=because("close_polygon"))
     ends = Side(names[0], corner, chained.start, CLOSING), Side(names[1], chained.end, corner, CLOSING)
     return Closed(chained, corner, (ends[0], *chained.sides, ends[1]))
 
@@ -148,11 +151,11 @@ def hinged(plan: ForcePlan, dyad: Dyad, end: int, found: Closed, part: Mark | No
     """Read an outer hinge's reaction off a closed polygon: its closing part, and the whole of it (book figure 6.15)."""
     pair, corners = (dyad.hosts[end], dyad.links[end]), found.chain.corners
     ends = (found.corner, corners[0]) if end == 0 else (corners[-1], found.corner)
-    closing = plan.board.join(normal_name(dyad, end, part), *ends, "closing side")
+    closing = plan.board.join(normal_name(dyad, end, part), *ends, because("closing"))
     if part is None:
         return support(plan, pair, dyad.hinge(end), closing)
     whole = (found.corner, corners[1]) if end == 0 else (corners[-2], found.corner)
-    force = plan.board.join(name_of(dyad, end), *whole, "both parts together")
+    force = plan.board.join(name_of(dyad, end), *whole, because("both_parts"))
     return support(plan, pair, dyad.hinge(end), force, (part, closing))
 
 
@@ -160,7 +163,7 @@ def guided(plan: ForcePlan, dyad: Dyad, end: int, found: Closed, inner: Support)
     """Read the reaction of an outer guide off a closed polygon; moments give where it acts (book figure 6.15)."""
     pair, corners = (dyad.hosts[end], dyad.links[end]), found.chain.corners
     ends = (found.corner, corners[0]) if end == 0 else (corners[-1], found.corner)
-    force = plan.board.join(name_of(dyad, end), *ends, "closing side")
+    force = plan.board.join(name_of(dyad, end), *ends, because("closing"))
     loads, couples = plan.acting(dyad.links[end])
     held, holding = received(inner) if end == 0 else opposite(plan, inner)
     return support(plan, pair, dyad.slide(end), force, (), [*loads, *held], [*couples, *holding])
@@ -176,8 +179,8 @@ def across_slot(plan: ForcePlan, dyad: Dyad, part: Mark | None) -> Equation | No
     if not terms:
         return None
     slot = guide.direction(base, slide, slide.owner)
-    line = base.board.square(f"⊥{slot.name}", at, slot, "a slot presses square to itself")
-    name, why = normal_name(dyad, 0, part), f"moments about {about.name} of the group"
+    line = base.board.square(f"⊥{slot.name}", at, slot, because("slot_presses"))
+    name, why = normal_name(dyad, 0, part), because("group_moments", point=about.name)
     found = plan.board.balance(name, about, line, *terms, why=why)
     armed = tuple(load for load in (*own, *loads) if load.at is not about)
     return Equation(about, armed, tuple(couples), line, found)
@@ -189,7 +192,7 @@ def pressed(plan: ForcePlan, dyad: Dyad, chained: Chain, across: Equation | None
     parts = [one for one in (part, across and across.found) if one is not None]
     if len(parts) == 1 and part is None:
         return support(plan, pair, dyad.hinge(0), parts[0])
-    force = plan.board.join(name_of(dyad, 0), chained.start, chained.corners[len(parts)], "both parts together")
+    force = plan.board.join(name_of(dyad, 0), chained.start, chained.corners[len(parts)], because("both_parts"))
     return support(plan, pair, dyad.hinge(0), force, parts)
 
 
@@ -202,7 +205,7 @@ def slotted(plan: ForcePlan, dyad: Dyad, force: Mark, outer: Support) -> Support
 
 def cut_at(plan: ForcePlan, dyad: Dyad, corner: Mark, inner: Mark) -> Mark:
     """Read the inner reaction, of the second link on the first, off a polygon: it closes the first link's forces."""
-    return plan.board.join(f"R_{indices(*dyad.links[::-1])}", inner, corner, f"closes the forces on {dyad.links[0]}")
+    return plan.board.join(f"R_{indices(*dyad.links[::-1])}", inner, corner, because("closes", link=dyad.links[0]))
 
 
 def closing(name: str, chained: Chain) -> Side:
@@ -229,7 +232,7 @@ def support(
         return Support(*pair, plan.positions.point(joint), force, tuple(parts), None, None, joint)
     at = plan.positions.point(joint.point)
     terms = moments(plan, at, others, couples)
-    name, why = f"M_{indices(*pair)}", f"moments about {at.name} of link {pair[1]}"
+    name, why = f"M_{indices(*pair)}", because("moments", point=at.name, link=pair[1])
     moment = plan.board.close(name, *terms, why=why) if terms else None
     return Support(*pair, at, force, tuple(parts), joint, moment, joint.point)
 
@@ -244,9 +247,9 @@ def received(one: Support) -> tuple[list[Load], list[Couple]]:
 def opposite(plan: ForcePlan, inner: Support) -> tuple[list[Load], list[Couple]]:
     """Give the opposite of a group's inner reaction as a load on the link that gives it."""
     index = indices(inner.taker, inner.giver)
-    force = plan.board.turn(f"R_{index}", inner.force, -1.0, "opposite")
+    force = plan.board.turn(f"R_{index}", inner.force, -1.0, because("opposite"))
     loads = [Load(f"R_{index}", inner.giver, inner.at, force, REACTION)]
     if inner.moment is None:
         return loads, []
-    moment = plan.board.turn(f"M_{index}", inner.moment, -1.0, "opposite")
+    moment = plan.board.turn(f"M_{index}", inner.moment, -1.0, because("opposite"))
     return loads, [Couple(f"M_{index}", inner.giver, moment, REACTION)]

@@ -10,9 +10,10 @@ from plans.forces.cut import CLOSING, PART, Cut, Equation, Side, indices
 from plans.forces.force import ForcePlan
 from plans.model.machine import FORCE, GEAR, Transmission
 from plans.model.mechanism import FRAME
+from plans.words.words import because
 
 DRIVING, BALANCING = "P_bal", "M_bal"
-NOTHING = "nothing has a moment about the shaft"
+NOTHING = because("no_moment")
 
 
 def primary(plan: ForcePlan) -> Cut:
@@ -20,7 +21,7 @@ def primary(plan: ForcePlan) -> Cut:
     drive, board = plan.mechanism.drive, plan.board
     shaft, (loads, couples) = plan.positions.point(drive.pivot), plan.acting(drive.link)
     terms, line = statics.moments(plan, shaft, loads, couples), _line(plan)
-    why, driving = f"moments about {shaft.name} of link {drive.link}", list[tuple[str, Mark, str]]()
+    why, driving = because("moments", point=shaft.name, link=drive.link), list[tuple[str, Mark, str]]()
     if line is None:
         plan.balancing = board.close(BALANCING, *terms, why=why) if terms else board.given(BALANCING, 0.0, NOTHING)
     else:
@@ -28,15 +29,13 @@ def primary(plan: ForcePlan) -> Cut:
         plan.drive = (
             board.balance(DRIVING, shaft, line, *terms, why=why) if terms else board.given(DRIVING, 0j, NOTHING)
         )
-        plan.balancing = board.moment(
-            BALANCING, shaft, plan.driven, plan.drive, "what the driving force does on the shaft"
-        )
+        plan.balancing = board.moment(BALANCING, shaft, plan.driven, plan.drive, because("driving_moment"))
         driving = [(DRIVING, plan.drive, PART)]
     armed = tuple(load for load in loads if load.at is not shaft)
     equation = Equation(shaft, armed, tuple(couples), line, plan.drive or plan.balancing)
     laid = statics.chain(plan, str(drive.link), *driving, *statics.known(loads))
     name = f"R_{indices(FRAME, drive.link)}"
-    force = board.join(name, laid.end, laid.start, "closing side")
+    force = board.join(name, laid.end, laid.start, because("closing"))
     support = statics.support(plan, (FRAME, drive.link), drive.pivot, force)
     sides = (*laid.sides, Side(name, laid.end, laid.start, CLOSING))
     return Cut(None, (drive.link,), tuple(loads), tuple(couples), (support,), None, (equation,), sides)
@@ -48,11 +47,11 @@ def _line(plan: ForcePlan) -> Mark | None:
     if how.kind == FORCE:
         arm = base.images[drive.link].arm
         assert arm is not None  # the crank has an arm on the plan of positions
-        return base.board.square(f"⊥{arm.name}", base.point(drive.end), arm, "the driving force is square to the crank")
+        return base.board.square(f"⊥{arm.name}", base.point(drive.end), arm, because("driving_square"))
     if how.kind == GEAR:
-        pitch = base.board.given("W", cmath.rect(how.radius, how.at), "pitch point of the gears")
-        along = plan.board.given("line of action", action(how, drive.omega), "turned by the pressure angle")
-        return base.board.parallel("line of action", pitch, along, "the teeth press along the line of action")
+        pitch = base.board.given("W", cmath.rect(how.radius, how.at), because("pitch_point"))
+        along = plan.board.given("line of action", action(how, drive.omega), because("pressure_angle"))
+        return base.board.parallel("line of action", pitch, along, because("line_of_action"))
     return None
 
 

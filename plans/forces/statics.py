@@ -41,14 +41,13 @@ from plans.model.machine import Machine
 from plans.model.mechanism import Output, StructureError
 from plans.model.motion import ORDERS, Extremes, Floats, Gap, Motion
 from plans.scene.faults import SceneError
+from plans.words.words import Message, message, placed
 
 if TYPE_CHECKING:
     from plans.model.losses import Friction
     from plans.study import Study
 
-SHARED = "the links lie in one line there and may share forces in many ways: take a position beside it"
-UNBOUNDED = "a group is at its dead centre and its reactions grow beyond all bounds: take a position beside it"
-ADVICE = {INDETERMINATE: SHARED, DEAD_CENTRE: UNBOUNDED}
+ADVICE = {INDETERMINATE: message("gap.indeterminate"), DEAD_CENTRE: message("gap.no_force")}
 
 
 class ForceDrafts:
@@ -136,11 +135,11 @@ class Statics:
         try:
             return strokes(self.machine, study.mechanism, study.output, extremes)
         except NoStroke as error:
-            why = str(error)
+            why = error.args[0]
             if study.barriers:
-                why = f"{error.load} acts over the stroke of {error.thing}, but {obstruction(study.sweep)}"
+                why = message("stroke.barred", load=error.load, thing=error.thing, why=obstruction(study.sweep))
             line, column = scene.place(("loads",))
-            raise StructureError(f"{scene.file}:{line}:{column}: loads: {why}") from None
+            raise StructureError(placed(f"{scene.file}:{line}:{column}: loads", why)) from None
 
     def _extremes(self, output: Output) -> Extremes | None:
         """Find the extreme positions of an output by construction."""
@@ -197,7 +196,7 @@ class Statics:
         named = [
             *gaps,
             *still,
-            *(self._gap(k, self._reason(k), "the force plan") for k in np.flatnonzero(none).tolist()),
+            *(self._gap(k, self._reason(k), message("place.force_plan")) for k in np.flatnonzero(none).tolist()),
         ]
         return replace(without(whole, lost | none), gaps=tuple(sorted(named, key=_number)))
 
@@ -224,7 +223,7 @@ class Statics:
         changes = [b for b in (*self.study.barriers, *self.study.passed) if b.kind == CHANGE]
         return INDETERMINATE if near_edge(self.study.turn.phi[[position]], changes, (CHANGE,)).any() else DEAD_CENTRE
 
-    def _gap(self, position: int, reason: str, where: str) -> Gap:
+    def _gap(self, position: int, reason: str, where: str | Message) -> Gap:
         """Name a position that can be assembled, but has no forces."""
         return Gap(position, float(self.study.turn.phi[position]), FORCES, reason, where, 0.0, ADVICE[reason])
 

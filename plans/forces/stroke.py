@@ -11,6 +11,7 @@ import numpy.typing as npt
 from plans.model.machine import ALWAYS, Force, Machine, Moment
 from plans.model.mechanism import FRAME, Mechanism, Output, StructureError, Way
 from plans.model.motion import Extremes, Floats, Motion
+from plans.words.words import Message, message
 
 TURN = 2 * np.pi
 # Up to kappa = 600 positions are graded, and the two roads agree in what a velocity is or where one is zero to
@@ -61,11 +62,8 @@ class Stroke(NamedTuple):
 class NoStroke(StructureError):  # noqa: N818  (the exception tree's own word)
     """A load that changes over the stroke of a link or a point which has no two extreme positions."""
 
-    def __init__(self, load: str, thing: str) -> None:
-        super().__init__(
-            f"{load} acts over the stroke of {thing}, which has no two extreme positions. Fix: let it act always and "
-            "without overrun or diagram, or name another point by stroke"
-        )
+    def __init__(self, load: str, thing: Message) -> None:
+        super().__init__(message("stroke.none", load=load, thing=thing))
         self.load, self.thing = load, thing
 
 
@@ -86,8 +84,8 @@ def strokes(
             shown = output_at(mechanism, load.stroke) if load.stroke else output
             reached = extremes(shown) if shown else None
             if shown is None or reached is None or not (reached.sliding or reached.stroke < TURN):
-                thing = f"point {load.stroke}" if load.stroke else f"link {output.link}"
-                raise NoStroke(load.name, thing)
+                point = message("place.point", point=load.stroke)
+                raise NoStroke(load.name, point if load.stroke else message("place.link", link=output.link))
             found[load.stroke] = _stroke(mechanism, shown, reached)
     return found
 

@@ -10,6 +10,7 @@ from plans.linkage.groups import lead
 from plans.linkage.groups.kinds import KINDS
 from plans.linkage.plan import Image, Plan, Reading
 from plans.model.structure import Dyad
+from plans.words.words import because
 
 
 @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, and is named outside
@@ -21,9 +22,9 @@ def accelerations(velocities: Plan, groups: Sequence[Dyad]) -> Plan:
     base = positions.images[drive.link]
     normal = lead.normal(plan, drive.link, plan.pole, (drive.pivot, drive.end))
     arm = lead.arm(plan, drive.link)
-    why = "epsilon l, square to the crank" if drive.epsilon else "the crank turns evenly"
+    why = because("crank_tangential") if drive.epsilon else because("even")
     part = plan.board.turn(f"a^t_{drive.end}", arm, 1j * drive.epsilon, why)
-    tip = plan.board.lay_off(plan.letter(drive.end), normal, part, "acceleration of the crank's end")
+    tip = plan.board.lay_off(plan.letter(drive.end), normal, part, because("crank_end_acceleration"))
     end = plan.name(drive.end, tip)
     whole = plan.board.join(f"{plan.pole.name}{end.name}", plan.pole, end)
     plan.images[drive.link] = Image(plan.pole, whole, base.at, base.span)

@@ -22,6 +22,7 @@ from plans.linkage.travel import Travel, frame_slide
 from plans.model.mechanism import FRAME, Mechanism, Output
 from plans.model.motion import Extremes, Floats
 from plans.model.structure import Dyad
+from plans.words.words import because
 
 # A notched extreme and a velocity of zero are one position when their crank angles agree to half the digits: the
 # coordinate of an extreme is stationary, so half its digits is all that a root found by its value could tell.
@@ -75,15 +76,15 @@ def _stretched_and_folded(plan: Plan, group: Dyad, side: float) -> list[Mark]:
     near, far = abs(radius_of_pin), abs(lead.vector(plan, group, end))
     found = []
     for number, radius in ((1, far + near), (2, abs(far - near))):
-        arc = board.arc(f"{pivot.name}{name}_{number}", pivot, radius, "crank and coupler in one line")
+        arc = board.arc(f"{pivot.name}{name}_{number}", pivot, radius, because("in_line"))
         # Of the folded pair the coupler points away from O where it is the longer: then B sees A as before.
         flip = -1.0 if number == 2 and far < near else 1.0
         b = _notch(plan, group, end, arc, side * flip, f"{name}_{number}")
         ray = board.join(f"{pivot.name}{b.name}", pivot, b)
         sense = flip if number == 2 else -1.0
         by = -sense * near / radius * (_end(plan) / radius_of_pin)
-        arm = board.turn(f"{pivot.name}{drive.end}_{number}", ray, by, "crank on that line")
-        found.append(board.lay_off(f"{drive.end}_{number}", pivot, arm, f"extreme position {number}"))
+        arm = board.turn(f"{pivot.name}{drive.end}_{number}", ray, by, because("crank_on_line"))
+        found.append(board.lay_off(f"{drive.end}_{number}", pivot, arm, because("extreme", number=number)))
     return found
 
 
@@ -92,10 +93,10 @@ def _notch(plan: Plan, group: Dyad, end: int, arc: Mark, side: float, name: str)
     board = plan.board
     if group.kind == "RRP":
         left = guide.offset(plan, group.slide(1), group.links[1], group.pin).left
-        return board.meet(name, guide.line(plan, group.slide(1), FRAME, left), arc, side, "the arc notches the guide")
+        return board.meet(name, guide.line(plan, group.slide(1), FRAME, left), arc, side, because("arc_guide"))
     fixed = plan.point(group.hinge(1 - end))
-    other = board.arc(f"{fixed.name}{name}", fixed, abs(lead.vector(plan, group, 1 - end)), "the rocker's end")
-    return board.meet(name, arc, other, side if end == 0 else -side, "the arcs notch each other")
+    other = board.arc(f"{fixed.name}{name}", fixed, abs(lead.vector(plan, group, 1 - end)), because("rocker_end"))
+    return board.meet(name, arc, other, side if end == 0 else -side, because("arcs"))
 
 
 def _slot_tangents(plan: Plan, group: Dyad, side: float) -> list[Mark]:
@@ -108,10 +109,12 @@ def _slot_tangents(plan: Plan, group: Dyad, side: float) -> list[Mark]:
     radius_of_pin = _pin(plan, group, end)
     near, found = abs(radius_of_pin), []
     for number, off in ((1, near), (2, -near)):
-        slot = board.tangent(f"u_{number}", fixed, pivot, sense * (left[0] - left[1]) + off, sense * side, "tangent")
+        slot = board.tangent(
+            f"u_{number}", fixed, pivot, sense * (left[0] - left[1]) + off, sense * side, because("tangent")
+        )
         by = -1j * off * (_end(plan) / radius_of_pin)
-        arm = board.turn(f"{pivot.name}{drive.end}_{number}", slot, by, "crank square to the slot")
-        found.append(board.lay_off(f"{drive.end}_{number}", pivot, arm, f"extreme position {number}"))
+        arm = board.turn(f"{pivot.name}{drive.end}_{number}", slot, by, because("crank_square"))
+        found.append(board.lay_off(f"{drive.end}_{number}", pivot, arm, because("extreme", number=number)))
     return found
 
 

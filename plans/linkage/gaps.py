@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 import numpy.typing as npt
@@ -15,6 +15,7 @@ from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.margin import crossing, margins, undefined
 from plans.linkage.plan import Plan
 from plans.model.motion import Floats, Gap, Motion
+from plans.words.words import Message, message
 
 # A position this near to a barrier's edge, rad, whose group is exactly at its dead centre, is the limit itself: half
 # the digits of an angle, for near a dead centre a margin is known to all digits but its angle to half of them.
@@ -139,7 +140,7 @@ def _unplaced(
 
 
 def _in_one(position: int, phi: float, where: str) -> Gap:
-    advice = f"the lines that meet in {where} fall into one there: take a position beside it"
+    advice = message("gap.one_line", point=where)
     return Gap(position, phi, "positions", "dead centre", where, 0.0, advice)
 
 
@@ -147,46 +148,37 @@ def _beyond(position: int, phi: float, edge: Edge | None) -> Gap:
     """Name a position that could be assembled, but not without passing a barrier."""
     where = edge.where if edge else ""
     if edge is not None and edge.kind == CHANGE:
-        advice = (
-            "the mechanism may go on in two ways there: start the drive beyond the change point, change a length, or "
-            'say in [mechanism] what carries it through: through = "parallel" (another linkage beside it) or "inertia"'
-        )
-        return Gap(position, phi, "positions", "beyond a change point", where, 0.0, advice)
+        return Gap(position, phi, "positions", "beyond a change point", where, 0.0, message("gap.change_point"))
     if edge is not None and edge.kind == PARALLEL and _near(np.array([phi]), [edge.phi], UNBORNE).any():
-        advice = f"the lines that meet in {where} are parallel there: take a position beside it"
+        advice = message("gap.parallel", point=where)
         return Gap(position, phi, "positions", PARALLEL, where, 0.0, advice)
     if edge is not None and edge.kind == PARALLEL:
-        advice = (
-            f"the guides of {where} are parallel on the way and their pin runs to infinity: keep the crank this side"
-        )
+        advice = message("gap.guides", point=where)
         return Gap(position, phi, "positions", "not reachable", where, 0.0, advice)
-    advice = "the crank cannot turn there from the first position: start the drive in that part of the turn"
-    return Gap(position, phi, "positions", "not reachable", where, 0.0, advice)
+    return Gap(position, phi, "positions", "not reachable", where, 0.0, message("gap.barred"))
 
 
-def _reach(mark: Mark, miss: float, k: int) -> str:
+def _reach(mark: Mark, miss: float, k: int) -> Message:
     """Say how far apart two loci are, and how far they reach."""
     first, second = mark.step.inputs
     if mark.step.op == "tangent":
         apart = abs(at(between(first, second), k))
-        return (
-            f"{first.name} and {second.name} are {apart:.6g} m apart, {miss:.6g} m less than the slot's offset: "
-            "make the offset smaller or the fixed distance larger"
-        )
+        return message("gap.slot", first=first.name, second=second.name, apart=f"{apart:.6g}", miss=f"{miss:.6g}")
     ends = tuple(locus.step.inputs[0].name for locus in (first, second))
     radii = [at(locus.value.radius, k).real for locus in (first, second) if isinstance(locus.value, Arc)]
     apart = abs(at(between(first.step.inputs[0], second.step.inputs[0]), k))
     if len(radii) == 1:
-        return (
-            f"{second.name} = {radii[0]:.6g} m misses the {first.name} by {miss:.6g} m: it must be "
-            f"{radii[0] + miss:.6g} m at least, or the guide nearer"
-        )
+        sizes = {"size": radii[0], "miss": miss, "least": radii[0] + miss}
+        return message("gap.guide", line=second.name, point=first.name.rpartition(" ")[2], **_written(sizes))
     low, high = abs(radii[0] - radii[1]), sum(radii)
-    return (
-        f"{ends[0]} and {ends[1]} are {apart:.6g} m apart, but {first.name} = {radii[0]:.6g} m and {second.name} = "
-        f"{radii[1]:.6g} m reach from {low:.6g} m to {high:.6g} m: "
-        + ("lengthen one of them" if apart > high else "make their lengths more alike")
-    )
+    sizes = {"apart": apart, "near": radii[0], "far": radii[1], "low": low, "high": high}
+    names = {"start": ends[0], "end": ends[1], "first": first.name, "second": second.name}
+    return message("gap.reach" if apart > high else "gap.fold", **names, **_written(sizes))
+
+
+def _written(sizes: Mapping[str, float]) -> dict[str, str]:
+    """Write sizes in metres with six digits."""
+    return {name: f"{size:.6g}" for name, size in sizes.items()}
 
 
 def without_velocity(
@@ -200,7 +192,7 @@ def without_velocity(
     dead = (none.any(axis=0) | blunt) & ~gone
     forget(drawn, dead)
     change = near_edge(drawn.phi, barriers, (CHANGE,), BESIDE)
-    advice = "a group is at its dead centre: its velocities have no one value; take a position beside it"
+    advice = message("gap.no_velocity")
     return [
         Gap(
             int(k), float(drawn.phi[k]), "velocities", CHANGE if change[k] else "dead centre",

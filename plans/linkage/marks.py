@@ -15,6 +15,7 @@ from plans.linkage.plan import Plan
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.model.motion import ORDERS, POINT_UNITS
+from plans.words.words import Message, message
 
 if TYPE_CHECKING:
     from plans.study import Study
@@ -33,18 +34,20 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     return Explanation(title(linkage, name, wanted), tuple(behind(*targets)), UNITS, notes)
 
 
-def title(study: LinkageStudy, name: str, position: int) -> str:
+def title(study: LinkageStudy, name: str, position: int) -> Message:
     """Head an explanation with the name of the mark and its position."""
-    return f"{name} in position {position} (φ = {np.degrees(study.turn.phi[position]):.4f}°)"
+    angle = f"{np.degrees(study.turn.phi[position]):.4f}"
+    return message("explain.title", mark=name, position=position, angle=angle)
 
 
 def position_of(study: LinkageStudy, wanted: int) -> int:
     """Give a position that is asked for, if it is there and can be assembled."""
     if not 0 <= wanted < len(study.turn):
-        raise UnknownMark(f"position {wanted} is none of 0 to {len(study.turn) - 1}")
+        raise UnknownMark(message("mark.position", position=wanted, last=len(study.turn) - 1))
     if study.lost[wanted]:
         gap = next(gap for gap in study.motion(0).gaps if gap.position == wanted)
-        raise UnknownMark(f"position {wanted} is a gap: {gap.reason} at {gap.where}; {gap.advice}")
+        parts = {"reason": gap.reason, "where": gap.where, "advice": gap.advice}
+        raise UnknownMark(message("mark.gap", position=wanted, **parts))
     return wanted
 
 
@@ -69,7 +72,7 @@ def find(study: LinkageStudy, drafts: Drafts, name: str) -> list[Mark]:
 def _turning(drafts: Drafts, symbol: str, link: int, name: str) -> list[Mark]:
     plan = drafts.velocities if symbol in ("omega", "ω") else drafts.accelerations
     if link == FRAME or link not in plan.readings:
-        raise UnknownMark(f"link {link} does not turn: {name} is 0 and rests on no step")
+        raise UnknownMark(message("mark.still", link=link, mark=name))
     return [*plan.readings[link]]
 
 
@@ -83,21 +86,20 @@ def _lettered(drafts: Drafts, name: str) -> Iterator[Mark]:
 def _no_mark(study: LinkageStudy) -> NoMark:
     points = sorted(letters(study))
     known = [*points, *(f"v_{point}" for point in points), *(f"a_{point}" for point in points)]
-    return NoMark(tuple(known), f"points are {', '.join(points)}", ("v_B", "a_B", "omega_3"))
+    return NoMark(tuple(known), message("mark.points", points=", ".join(points)), ("v_B", "a_B", "omega_3"))
 
 
 def _plan(drafts: Drafts, symbol: str) -> Plan:
     return drafts.velocities if symbol == "v" else drafts.accelerations
 
 
-def _rate(name: str, arm: Mark, turning: Mark) -> str:
+def _rate(name: str, arm: Mark, turning: Mark) -> Message:
     """Say how an angular velocity or acceleration is read off: the size of the turning part over the arm."""
     along, across = at(arm.point, 0), at(turning.point, 0)
     moment = float(cross(along, across))
     unit, rate = (UNITS[ORDERS[1]], "rad/s") if turning.subject == ORDERS[1] else (UNITS[ORDERS[2]], "rad/s2")
     sense = "at rest" if moment == 0 else "counter-clockwise" if moment > 0 else "clockwise"
     value = moment / abs(along) ** 2
-    return (
-        f"{name} = {turning.name}/{arm.name} = {abs(across):.10g} {unit} / {abs(along):.10g} m = "
-        f"{value:.10g} {rate}, {sense}"
-    )
+    sizes = {"across": abs(across), "along": abs(along), "value": value}
+    parts = {"turning": turning.name, "arm": arm.name, "unit": unit, "rate": rate, "sense": sense}
+    return message("explain.rate", mark=name, **parts, **{key: f"{size:.10g}" for key, size in sizes.items()})

@@ -8,19 +8,22 @@ from plans.linkage.assembly_limits import FAN, Sweep, at_angles
 from plans.linkage.barrier import GAP, Barrier
 from plans.linkage.gaps import of_positions
 from plans.linkage.margin import margins
+from plans.words.words import Message, message
 
 
-def obstruction(sweep: Sweep) -> str:
+def obstruction(sweep: Sweep) -> Message:
     """Say what first bars the turn, at which crank angles, and what would mend it where the loci miss the most."""
     barrier = sweep.barriers[0]
-    advice = f": {_mending(sweep, barrier)}" if barrier.kind == GAP else ""
-    if barrier.end - barrier.start >= 2 * np.pi:
-        return f"the mechanism cannot be assembled at any crank angle: {barrier.kind} at {barrier.where}{advice}"
-    edges = f"{np.degrees(barrier.start):.2f} to {np.degrees(barrier.end):.2f} degrees"
-    return f"the crank does not turn fully ({barrier.kind} at {barrier.where}, {edges}){advice}"
+    parts: dict[str, object] = {"reason": barrier.kind, "where": barrier.where}
+    if barrier.end - barrier.start < 2 * np.pi:
+        parts |= {name: f"{np.degrees(edge):.2f}" for name, edge in (("low", barrier.start), ("high", barrier.end))}
+    key = "barrier.turn" if "low" in parts else "barrier.nowhere"
+    if barrier.kind != GAP:
+        return message(key, **parts)
+    return message(f"{key}_advice", **parts, advice=_mending(sweep, barrier))
 
 
-def _mending(sweep: Sweep, barrier: Barrier) -> str:
+def _mending(sweep: Sweep, barrier: Barrier) -> Message:
     phi = np.linspace(barrier.start, barrier.end, FAN)
     _, marks = margins(sweep.plan(phi), sweep.groups, sweep.sides)
     miss = np.broadcast_to(np.asarray(marks[barrier.group].miss, dtype=float), FAN)

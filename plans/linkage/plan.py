@@ -9,6 +9,7 @@ from typing import NamedTuple, TypeVar
 from geometry.board import Board, Mark
 from plans.linkage.letters import POLES, Letters
 from plans.model.mechanism import FRAME, Mechanism
+from plans.words.words import because
 
 Key = TypeVar("Key")
 
@@ -103,29 +104,29 @@ class Plan:
         if point in self.mechanism.links[FRAME].points:
             if self.below:
                 return self.pole
-            return self.board.given(point, self.mechanism.links[FRAME].points[point], "fixed point")
+            return self.board.given(point, self.mechanism.links[FRAME].points[point], because("fixed"))
         link = min(n for n in self.images if point in self.mechanism.links[n].points)
         return self.place(link, self.mechanism.links[link].points[point], self.letter(point))
 
     def place(self, link: int, local: complex, name: str) -> Mark:
         """Give the image of a point of a link by its place in the link's own frame."""
         if link == FRAME:
-            return self.pole if self.below else self.board.given(name, local, "fixed point")
+            return self.pole if self.below else self.board.given(name, local, because("fixed"))
         image = self.images[link]
         if image.arm is None or local == image.at:
             return image.origin
         vector = self.vector(link, local - image.at, f"{image.origin.name}{name}")
         assert vector is not None  # an image with an arm has vectors
-        return self.board.lay_off(name, image.origin, vector, f"{name} by similarity on link {link}")
+        return self.board.lay_off(name, image.origin, vector, because("similar", point=name, link=link))
 
     def vector(self, link: int, local: complex, name: str) -> Mark | None:
         """Give the image of a vector of a link; None where the link does not turn."""
         if link == FRAME:
-            return None if self.below else self.board.given(name, local, "direction of the frame")
+            return None if self.below else self.board.given(name, local, because("frame_direction"))
         image = self.images[link]
         if image.arm is None or local == image.span:
             return image.arm
-        return self.board.turn(name, image.arm, local / image.span, f"similar figure on link {link}")
+        return self.board.turn(name, image.arm, local / image.span, because("similar_figure", link=link))
 
     def transport(self, link: int, point: Mark, name: str) -> Mark:
         """Give the image of the point of a link that lies under a point of the plan of positions (переносное)."""
@@ -136,18 +137,20 @@ class Plan:
         if image.arm is None or base.arm is None or point is base.origin:
             return image.origin
         reach = self.positions.board.join(f"{base.origin.name}{point.name}", base.origin, point)
-        carried = self.board.similar(f"{image.origin.name}{name}", image.arm, base.arm, reach, why=f"link {link} turns")
-        return self.board.lay_off(name, image.origin, carried, f"the point of link {link} under {point.name}")
+        carried = self.board.similar(
+            f"{image.origin.name}{name}", image.arm, base.arm, reach, why=because("turns", link=link)
+        )
+        return self.board.lay_off(name, image.origin, carried, because("under", link=link, point=point.name))
 
     def carry(self, mark: Mark) -> Mark:
         """Carry a vector of a plan below to this one with the set square; once carried it is used again."""
         if mark.name in self.board and self.board[mark.name].step.inputs == (mark,):
             return self.board[mark.name]
-        return self.board.transfer(mark.name, mark, f"parallel transfer from the plan of {mark.subject}")
+        return self.board.transfer(mark.name, mark, because("transfer", plan=mark.subject))
 
 
 _POLE_WHY = {
-    "positions": "the drive's fixed hinge",
-    "velocities": "pole: points at rest",
-    "accelerations": "pole: points without acceleration",
+    "positions": because("drive_hinge"),
+    "velocities": because("velocity_pole"),
+    "accelerations": because("acceleration_pole"),
 }

@@ -12,6 +12,7 @@ from plans.linkage.groups.kinds import KINDS
 from plans.linkage.plan import Image, Plan
 from plans.model.mechanism import Mechanism
 from plans.model.structure import Dyad
+from plans.words.words import because
 
 
 def crank(mechanism: Mechanism, turn: CrankPositions) -> Plan:
@@ -20,10 +21,10 @@ def crank(mechanism: Mechanism, turn: CrankPositions) -> Plan:
     drive, points = mechanism.drive, mechanism.links[mechanism.drive.link].points
     pivot = plan.point(drive.pivot)
     lead = points[drive.end] - points[drive.pivot]
-    circle = plan.board.arc(f"{drive.pivot}{drive.end}", pivot, abs(lead), "crank circle")
-    angles = plan.board.given("φ", turn.directions, "crank directions")
-    end = plan.name(drive.end, plan.board.divide(drive.end, circle, angles, "the crank circle is divided"))
-    arm = plan.board.join(f"{drive.pivot}{drive.end}", pivot, end, f"link {drive.link}")
+    circle = plan.board.arc(f"{drive.pivot}{drive.end}", pivot, abs(lead), because("crank_circle"))
+    angles = plan.board.given("φ", turn.directions, because("crank_directions"))
+    end = plan.name(drive.end, plan.board.divide(drive.end, circle, angles, because("divided")))
+    arm = plan.board.join(f"{drive.pivot}{drive.end}", pivot, end, because("link", link=drive.link))
     plan.images[drive.link] = Image(pivot, arm, points[drive.pivot], lead)
     return plan
 

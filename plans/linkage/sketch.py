@@ -16,6 +16,7 @@ from plans.linkage.position import crank, positions
 from plans.model.mechanism import Mechanism
 from plans.model.motion import Complexes, Floats
 from plans.model.structure import Dyad
+from plans.words.words import message
 
 # A hand sketch is trusted to 2 % of the distance between the two assemblies: what hands reach on textbook drawings.
 CLARITY = 0.02
@@ -27,7 +28,7 @@ ALIKE = 1e-9
 class SketchError(DraftError, ValueError):
     """A sketch that does not tell one assembly of a group from the other."""
 
-    def __init__(self, message: str, points: tuple[str, ...]) -> None:
+    def __init__(self, message: object, points: tuple[str, ...]) -> None:
         super().__init__(message)
         self.points = points
 
@@ -92,11 +93,7 @@ def _out_of_reach(
         if margin < 0 and crossing(mark) is None:
             return
         if np.isnan(mark.point).any():
-            raise SketchError(
-                f"group {group.label} has no one place at the first position: the lines that meet in {mark.name} fall "
-                "into one there, or are parallel; start from another crank angle",
-                (),
-            )
+            raise SketchError(message("sketch.nowhere", group=group.label, point=mark.name), ())
 
 
 def _choices(mechanism: Mechanism, groups: Sequence[Dyad], turn: CrankPositions) -> list[Choice]:
@@ -143,11 +140,5 @@ def _decided(mechanism: Mechanism, group: Dyad, choice: Choice, position: int) -
     if KINDS[group.kind].assemblies > 1 and not choice.clarity[position] >= CLARITY:
         points = sorted({point for link in group.links for point in mechanism.links[link].points})
         free = tuple(p for p in points if p not in mechanism.links[0].points and p != mechanism.drive.end)
-        names = " or ".join(free) or " or ".join(points)
-        raise SketchError(
-            f"group {group.label} can be assembled in two ways and the sketch does not tell which: show {names} "
-            "roughly where it is at the first position, well off the line on which both ways meet; "
-            "at a dead centre start from another crank angle",
-            free,
-        )
+        raise SketchError(message("sketch.undecided", group=group.label, points=free or tuple(points)), free)
     return float(choice.side[position])

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from geometry.errors import ConstructionError
+from geometry.errors import ConstructionError, DraftError
 from plans.linkage import assembly_limits, gaps
 from plans.linkage.assembly_limits import Sweep
 from plans.linkage.barrier import Barrier
@@ -26,6 +26,7 @@ from plans.model.mechanism import Mechanism, Output, StructureError
 from plans.model.motion import ORDERS, Floats, Gap, Motion
 from plans.model.structure import Dyad, decompose
 from plans.scene.scene import Scene
+from plans.words.words import Message, message, placed
 
 if TYPE_CHECKING:
     from plans.study import Study
@@ -39,6 +40,10 @@ BLOCK = 8000  # positions constructed together: enough to hide the calls, few en
 np.empty(2**25 - 2**16, dtype=np.int8)
 
 
+EXTREMES = "extremes"
+ALL = (EXTREMES, *ORDERS)
+
+
 class NoExtreme(ConstructionError):  # noqa: N818  (the exception tree's own word)
     """A start at an extreme position was asked of an output link that has none."""
 
@@ -46,14 +51,15 @@ class NoExtreme(ConstructionError):  # noqa: N818  (the exception tree's own wor
 class LinkageStudy:
     """A scene with its mechanism, groups, assembly, turn and plans; nothing is made before it is asked for."""
 
-    def __init__(self, scene: Scene) -> None:
+    def __init__(self, scene: Scene, plans: Collection[str] = ALL) -> None:
         self.scene = scene
+        self.plans = plans  # what is asked for, by its name
         self.form = scene.of(LinkageForm)
         self.made: dict[str, None] = {}  # what was made, in order: the sheet's account of what it left out
 
     def construct(self, plans: Collection[str]) -> None:
         """Make the plans that are asked for, at all positions of the scene."""
-        if "extremes" in plans:
+        if EXTREMES in plans:
             _ = self.found
         orders = [order for order, name in enumerate(ORDERS) if name in plans]
         self.drafts().plan(max(orders, default=0))
@@ -69,13 +75,18 @@ class LinkageStudy:
         try:
             return decompose(self.mechanism)
         except StructureError as error:
-            raise StructureError(f"{self._at('links')}: {error}", error.links, error.found, error.needed) from None
+            raise StructureError(self._at("links", error), error.links, error.found, error.needed) from None
 
-    def _at(self, table: str) -> str:
-        """Say where a table of the mechanism stands in the scene's file."""
+    def _at(self, table: str, error: DraftError) -> Message:
+        """Say of a table of the mechanism, where it stands in the scene's file, what is wrong."""
         there = table == "links" or bool(self.form.mechanism.sketch)
         line, column = self.scene.place(("mechanism", table) if there else ("mechanism",))
-        return f"{self.scene.file}:{line}:{column}: mechanism.{table}"
+        return placed(f"{self.scene.file}:{line}:{column}: mechanism.{table}", error.args[0])
+
+    @property
+    def language(self) -> str:
+        """The language of the scene's sheets and messages."""
+        return self.scene.sheet.language
 
     @property
     def sense(self) -> int:
@@ -90,7 +101,7 @@ class LinkageStudy:
         try:
             return assembly(self.mechanism, self.groups, start, self.looks)
         except SketchError as error:
-            raise SketchError(f"{self._at('sketch')}: {error}", error.points) from None
+            raise SketchError(self._at("sketch", error), error.points) from None
 
     @cached_property
     def looks(self) -> CrankPositions:
@@ -128,8 +139,13 @@ class LinkageStudy:
     @cached_property
     def found(self) -> Found | None:
         """The output's extreme positions, None where it has none."""
-        self.made.setdefault("extremes")
+        self.made.setdefault(EXTREMES)
         return extremes(self.sweep, self.output)
+
+    @property
+    def travel(self) -> Found | None:
+        """The output's extreme positions where they are asked for; None also where it has none."""
+        return self.found if EXTREMES in self.plans else None
 
     @cached_property
     def turn(self) -> CrankPositions:
@@ -140,17 +156,15 @@ class LinkageStudy:
         if drive.first is not None:
             return even(Fraction(drive.first), drive.positions, self.sense)
         if self.found is None:
-            raise NoExtreme(f"{self.scene.file}:{self.scene.place(('drive', 'start'))[0]}: {self._no_extreme()}")
+            line, _ = self.scene.place(("drive", "start"))
+            raise NoExtreme(placed(f"{self.scene.file}:{line}", self._no_extreme()))
         return from_direction(self.found.directions[0], self.found.extremes.phi[0], drive.positions, self.sense)
 
-    def _no_extreme(self) -> str:
+    def _no_extreme(self) -> Message:
         if self.assembly.phi is None:
-            return f'drive.start = "extreme", but {obstruction(self.sweep)}'
-        why = obstruction(self.sweep) if self.barriers else "it turns fully or stands still"
-        return (
-            f'drive.start = "extreme", but output link {self.output.link} has no extreme position: {why}. '
-            "Fix: give the first crank angle in degrees, or name another [output]"
-        )
+            return message("extreme.unassembled", why=obstruction(self.sweep))
+        why = obstruction(self.sweep) if self.barriers else message("extreme.turns")
+        return message("extreme.none", link=self.output.link, why=why)
 
     @cached_property
     def lost(self) -> npt.NDArray[np.bool_]:
@@ -255,4 +269,4 @@ def _filled(whole: Motion, part: Motion, at: slice) -> None:
 
 def study_of(study: Study) -> LinkageStudy:
     """Make the linkage's study of a scene (row of the table of techniques)."""
-    return LinkageStudy(study.scene)
+    return LinkageStudy(study.scene, study.plans)

@@ -9,6 +9,7 @@ import numpy as np
 from plans.linkage.groups.kinds import KINDS
 from plans.linkage.plan import Image, Plan, Reading
 from plans.model.structure import Dyad
+from plans.words.words import because
 
 
 @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, and is named outside
@@ -20,8 +21,8 @@ def velocities(positions: Plan, groups: Sequence[Dyad]) -> Plan:
     assert base.arm is not None  # the crank has an arm on the plan of positions
     arm = plan.carry(base.arm)
     omega = 1j * drive.omega
-    part = plan.board.turn(f"v_{drive.end}", arm, omega, "omega l, square to the crank in the sense of rotation")
-    tip = plan.board.lay_off(plan.letter(drive.end), plan.pole, part, "velocity of the crank's end")
+    part = plan.board.turn(f"v_{drive.end}", arm, omega, because("crank_velocity"))
+    tip = plan.board.lay_off(plan.letter(drive.end), plan.pole, part, because("crank_end_velocity"))
     end = plan.name(drive.end, tip)
     relative = plan.board.join(f"{plan.pole.name}{end.name}", plan.pole, end)
     plan.images[drive.link] = Image(plan.pole, relative, base.at, base.span)

@@ -9,19 +9,9 @@ from typing import NamedTuple
 import numpy as np
 
 from plans.model.motion import Floats
+from plans.words.words import Message, message
 
-SLANTED = (
-    "the ray of transmission is too steep to the guide: make the rod longer, bring the guide nearer to its line of "
-    "force, or lower the coefficient of friction"
-)
-TILTED = (
-    "the ray of transmission passes too far from the middle of the contact: make the contact longer, bring it nearer "
-    "to the ray, or lower the coefficient of friction"
-)
-CENTRAL = (
-    "the ray of transmission cuts the friction circle of the hinge: make the arm of the driven link longer, or the "
-    "journal's radius or the coefficient of friction smaller"
-)
+SLANTED, TILTED, CENTRAL = (message(f"jam.{kind}") for kind in ("slanted", "tilted", "central"))
 
 
 class Jam(NamedTuple):
@@ -31,7 +21,7 @@ class Jam(NamedTuple):
     position: int
     phi: float  # rad
     ratio: float
-    advice: str
+    advice: Message
 
 
 @dataclass(frozen=True)

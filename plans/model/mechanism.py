@@ -22,7 +22,7 @@ THROUGH = (PARALLEL, INERTIA)
 class StructureError(DraftError, ValueError):
     """Links that form no crank with dyads; `found` and `needed` name the mobility where that is the fault."""
 
-    def __init__(self, message: str, links: tuple[int, ...] = (), found: int | None = None, needed: int = 1) -> None:
+    def __init__(self, message: object, links: tuple[int, ...] = (), found: int | None = None, needed: int = 1) -> None:
         super().__init__(message)
         self.links, self.found, self.needed = links, found, needed
 

@@ -9,6 +9,8 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from plans.words.words import Message
+
 CHANGE_POINT = "change point"  # why a position that is assembled may have no velocities
 # The three orders of a motion: its plan, the keys, symbols and units of a point's and of a link's values on it.
 ORDERS = ("positions", "velocities", "accelerations")
@@ -30,9 +32,9 @@ class Gap:
     phi: float  # rad
     plan: str  # "positions", "velocities" or "accelerations": the first plan that has no result here
     reason: str  # "out of reach", "dead centre", "change point", "beyond a change point", "not reachable", ...
-    where: str  # the meeting or link it failed at: "B", "group 2-3"
+    where: str | Message  # the meeting or link it failed at: "B", "group 2-3"
     miss: float  # m, by how much the loci miss each other; 0 where that is not the reason
-    advice: str  # one sentence: what would mend it
+    advice: Message  # one sentence: what would mend it
 
 
 class PointMotion(NamedTuple):

@@ -8,6 +8,7 @@ from typing import NamedTuple, TypeAlias
 
 from geometry.meet import EPS, TANGENCY
 from plans.model.mechanism import FRAME, Mechanism, Slide, StructureError
+from plans.words.words import Message, message
 
 Joint: TypeAlias = str | Slide  # a hinge by its point, or a sliding pair
 
@@ -122,7 +123,7 @@ def _named(links: tuple[int, int], hosts: tuple[int, int], outer: tuple[Joint, J
     kind = "".join(letters)
     if kind not in NUMBERS:
         raise StructureError(
-            f"links {links[0]} and {links[1]} are joined by three sliding pairs: such a group has no fixed position",
+            message("structure.three_slides", first=links[0], second=links[1]),
             links,
         )
     dyad = Dyad(kind, links, hosts, outer, inner)
@@ -130,17 +131,13 @@ def _named(links: tuple[int, int], hosts: tuple[int, int], outer: tuple[Joint, J
         slot, guided = (dyad.slide(end).way(links[1]).direction for end in (None, 1))
         if abs((slot.conjugate() * guided).imag) <= TANGENCY * EPS:
             raise StructureError(
-                f"link {links[1]} has its slot parallel to the line it slides along: links {links[0]} and {links[1]} "
-                "have no fixed position; turn the slot by the slide's angle",
+                message("structure.slot", link=links[1], first=links[0], second=links[1]),
                 links,
             )
     return dyad
 
 
-def _no_dyad(mechanism: Mechanism, left: list[int]) -> str:
+def _no_dyad(mechanism: Mechanism, left: list[int]) -> Message:
     names = ", ".join(str(link) for link in left)
     pairs = sum(len([o for o in owners if o in left]) for owners in mechanism.hinges.values())
-    held = f"links {names} form no two-lead group with the links before them"
-    if len(left) >= 4 and pairs:
-        return f"{held}: a group of class III or higher (triad), which this version does not construct"
-    return f"{held}: each lead needs one joint with a known link and one with the other lead"
+    return message("structure.triad" if len(left) >= 4 and pairs else "structure.leads", links=names)

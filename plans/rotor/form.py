@@ -7,9 +7,11 @@ from functools import partial
 
 from plans.model.balance_quality import GRADES, letters
 from plans.scene import fields as f
-from plans.scene import units
+from plans.scene import forms, units
 from plans.scene.faults import wrong
-from plans.scene.tables import Table, key, many, one, table
+from plans.scene.forms import Form
+from plans.scene.scene import TechniqueForm
+from plans.scene.tables import Check, Field, Missing, Table, key, many, one, table
 
 STATIC_MOMENT = units.Kind(
     "static moment",
@@ -28,77 +30,134 @@ STATIC_MOMENT = units.Kind(
     Decimal("1e-21"),
     Decimal("1e21"),
 )
-MOMENT = one(units.not_negative, kind=STATIC_MOMENT)
-HEAVY = one(units.positive, kind=units.MASS)
-PLANES_LIMIT = 2
+MOMENT = one(units.not_negative, partial(forms.quantity, STATIC_MOMENT, minimum=0), kind=STATIC_MOMENT)
+HEAVY = one(units.positive, partial(forms.quantity, units.MASS, exclusiveMinimum=0), kind=units.MASS)
+PLANES_LIMIT = 2  # a rotor needs no more
+BEARINGS = "[A, B]"
+# A line that would do for an unbalanced mass.
+EXAMPLE = '[[rotor.masses]] with mass = "0.8 kg", radius = "120 mm", angle = 20, place = "100 mm"'
 
 
 class UnbalanceTable(Table):
     """An unbalanced mass: mass kg and radius m, or static moment kg*m; angle in degrees, place along the shaft m."""
 
-    mass: Decimal | None = key(f.MASS, None)
-    radius: Decimal | None = key(f.LENGTH, None)
-    moment: Decimal | None = key(MOMENT, None)
-    angle: Decimal = key(f.ANGLE)
-    place: Decimal = key(f.COORDINATE, Decimal(0))
+    mass: Decimal | None = key(f.MASS, None, meaning="Mass, kg.", missing=Missing("mass", 'mass = "0.8 kg"'))
+    radius: Decimal | None = key(
+        f.LENGTH,
+        None,
+        meaning="Distance of the mass from the axis, m.",
+        missing=Missing("radius", 'radius = "120 mm"'),
+    )
+    moment: Decimal | None = key(
+        MOMENT, None, meaning='Static moment m·D instead of mass and radius, kg*m or text as "96 g*m".'
+    )
+    angle: Decimal = key(
+        f.ANGLE,
+        meaning="Where the mass is, degrees counter-clockwise from any line of the rotor.",
+        missing=Missing("angle", "angle = 20"),
+    )
+    place: Decimal = key(
+        f.COORDINATE,
+        Decimal(0),
+        meaning="Place along the shaft, m; required beside two planes.",
+        missing=Missing("place along the shaft", 'place = "100 mm"'),
+    )
 
     def check(self) -> None:
         """See that the static moment is given in one way, and wholly."""
-        if self.moment is None and self.radius is None:
-            raise wrong("missing", thing="radius", example='radius = "120 mm"', at=("radius",))
-        if self.moment is None and self.mass is None:
-            raise wrong("missing", thing="mass", example='mass = "3 kg"', at=("mass",))
         for name in ("mass", "radius"):
+            if self.moment is None and name not in self.given:
+                raise wrong("missing", at=(name,))
             if self.moment is not None and name in self.given:
                 raise wrong("one_of_two", first=name, second="moment", found="both", at=(name,))
+
+    @classmethod
+    def rules(cls) -> Form:
+        """Say that the static moment is given in one way, and wholly."""
+        neither = {"not": {"anyOf": [{"required": ["mass"]}, {"required": ["radius"]}]}}
+        return {"oneOf": [{"required": ["moment"], **neither}, {"required": ["mass", "radius"]}]}
 
 
 class PlaneTable(Table):
     """A plane of correction: its place along the shaft m, and the radius m or the mass kg of what is put there."""
 
-    place: Decimal = key(f.COORDINATE, Decimal(0))
-    radius: Decimal | None = key(f.LENGTH, None)
-    mass: Decimal | None = key(HEAVY, None)
+    place: Decimal = key(
+        f.COORDINATE,
+        Decimal(0),
+        meaning="Place along the shaft, m; required of two planes.",
+        missing=Missing("place along the shaft", 'place = "500 mm"'),
+    )
+    radius: Decimal | None = key(f.LENGTH, None, meaning="Radius of the counterweight, m; its mass is found.")
+    mass: Decimal | None = key(HEAVY, None, meaning="Mass of the counterweight, kg; its radius is found.")
 
     def check(self) -> None:
         """See that one of radius and mass is left to be found."""
         if {"radius", "mass"} <= self.given:
             raise wrong("one_of_two", first="radius", second="mass", found="both", at=("mass",))
 
+    @classmethod
+    def rules(cls) -> Form:
+        """Say that one of radius and mass is left to be found."""
+        return {"not": {"required": ["radius", "mass"]}}
+
 
 def _check_planes(planes: tuple[PlaneTable, ...]) -> None:
     """See that there are no more planes than a rotor needs, and that they are apart."""
     if len(planes) > PLANES_LIMIT:
         raise wrong("planes", found=len(planes), at=(PLANES_LIMIT,))
-    if len(planes) == PLANES_LIMIT:
-        _check_apart((planes[0].place, planes[1].place), (1, "place"))
+    if len(planes) == PLANES_LIMIT and planes[0].place == planes[1].place:
+        raise wrong("one_place", place=f"{planes[0].place:f}", at=(1, "place"))
 
 
-def _check_apart(places: tuple[Decimal, ...], at: tuple[str | int, ...] = (1,)) -> None:
+def _check_apart(places: tuple[Decimal, ...]) -> None:
     if places[0] == places[1]:
-        raise wrong("one_place", place=f"{places[0]:f}", at=at)
+        raise wrong("one_place", place=f"{places[0]:f}", at=(1,))
+
+
+def _bearings() -> Field:
+    """Read the places of two bearings."""
+    two = Check(partial(f.check_pair, what=BEARINGS), least=2, most=2)
+    return many(f.COORDINATE, Check(_check_apart, unique=True), first=two)
 
 
 class RotorTable(Table):
     """A rotor: its unbalanced masses, where it may be corrected, its bearings, speed, mass, and the grade asked."""
 
-    masses: tuple[UnbalanceTable, ...] = key(many(table(UnbalanceTable), f.not_empty, first=f.FEW))
-    planes: tuple[PlaneTable, ...] = key(many(table(PlaneTable), _check_planes, first=f.FEW), ())
-    bearings: tuple[Decimal, ...] = key(
-        many(f.COORDINATE, _check_apart, first=partial(f.check_pair, what="[A, B]")), ()
+    masses: tuple[UnbalanceTable, ...] = key(
+        many(table(UnbalanceTable), f.NOT_EMPTY, first=f.FEW),
+        meaning="Unbalanced masses (неуравновешенные массы), any number of them.",
+        missing=Missing("list of unbalanced masses", EXAMPLE, [{"moment": 0, "angle": 0, "place": 0}]),
     )
-    speed: Decimal | None = key(f.ANGULAR_SPEED, None)
-    mass: Decimal | None = key(HEAVY, None)
-    grade: str | None = key(one(f.choice, choices=tuple(map(letters, GRADES))), None)
+    planes: tuple[PlaneTable, ...] = key(
+        many(table(PlaneTable), Check(_check_planes, most=PLANES_LIMIT), first=f.FEW),
+        (),
+        meaning="Planes of correction (плоскости коррекции): I and II, or one for static balancing alone.",
+    )
+    bearings: tuple[Decimal, ...] = key(
+        _bearings(), (), meaning="Places of two bearings along the shaft, m; with a speed their reactions are found."
+    )
+    speed: Decimal | None = key(
+        f.ANGULAR_SPEED,
+        None,
+        meaning='Angular speed, rad/s or "3000 rpm".',
+        missing=Missing("angular speed", 'speed = "3000 rpm"'),
+    )
+    mass: Decimal | None = key(
+        HEAVY, None, meaning="Mass of the whole rotor, kg.", missing=Missing("mass", 'mass = "20 kg"')
+    )
+    grade: str | None = key(
+        f.words(*map(letters, GRADES)),
+        None,
+        meaning="Balance quality grade asked, ISO 21940-11; needs speed and mass.",
+    )
 
     def check(self) -> None:
         """See that it turns, that a grade has what it needs, and that with two planes each thing has its place."""
         if self.speed == 0:
             raise wrong("not_positive", kind="angular speed", at=("speed",))
-        if self.grade is not None and self.speed is None:
-            raise wrong("missing", thing="angular speed", example='speed = "3000 rpm"', at=("speed",))
-        if self.grade is not None and self.mass is None:
-            raise wrong("missing", thing="mass", example='mass = "20 kg"', at=("mass",))
+        for name in ("speed", "mass"):
+            if self.grade is not None and name not in self.given:
+                raise wrong("missing", at=(name,))
         if len(self.planes) == PLANES_LIMIT:
             self._check_places()
 
@@ -106,10 +165,19 @@ class RotorTable(Table):
         for name in ("masses", "planes"):
             for index, entry in enumerate(getattr(self, name)):
                 if "place" not in entry.given:
-                    raise wrong("missing", thing="place", example='place = "250 mm"', at=(name, index, "place"))
+                    raise wrong("missing", at=(name, index, "place"))
+
+    @classmethod
+    def rules(cls) -> Form:
+        """Say that a grade needs speed and mass."""
+        return {"dependentRequired": {"grade": ["speed", "mass"]}}
 
 
-class RotorForm(Table):
+class RotorForm(TechniqueForm):
     """What a scene says of balancing a rotor."""
 
-    rotor: RotorTable = key(table(RotorTable))
+    rotor: RotorTable = key(
+        table(RotorTable),
+        meaning="A rotor to be balanced (ротор): masses, planes of correction, bearings, speed.",
+        missing=Missing("table", EXAMPLE, {}),
+    )

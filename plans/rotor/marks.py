@@ -9,6 +9,7 @@ from plans.explanation import Explanation, NoMark
 from plans.rotor.balancing import COUPLES, UNBALANCES
 from plans.rotor.bearings import REACTIONS
 from plans.rotor.letters import moment_letters, unbalance_letters
+from plans.words.words import message
 
 if TYPE_CHECKING:
     from plans.rotor.study import RotorStudy
@@ -22,8 +23,8 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     rotor: RotorStudy = study["rotor"]
     mark = next((board[name] for board in rotor.boards if name in board and name != "0"), None)
     if mark is None:
-        return NoMark(_names(rotor.boards), f"marks are {', '.join(_wanted(rotor))}", ("R_A", "R_A'"))
-    return Explanation(name, tuple(behind(mark)), UNITS)
+        return NoMark(_names(rotor.boards), message("mark.marks", marks=", ".join(_wanted(rotor))), ("R_A", "R_A'"))
+    return Explanation(message("explain.name", mark=name), tuple(behind(mark)), UNITS)
 
 
 def _names(boards: tuple[Board, ...]) -> tuple[str, ...]:

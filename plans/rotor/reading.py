@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from decimal import Decimal
 from fractions import Fraction
+from typing import NamedTuple
 
 from plans.model.rotor import Plane, Rotor, Unbalance
-from plans.rotor.form import PlaneTable, RotorTable, UnbalanceTable
+from plans.rotor.form import PlaneTable, RotorForm, RotorTable, UnbalanceTable
+from plans.scene.faults import Fault
+from plans.scene.scene import Meaning, Scene
 from plans.scene.units import WORKING
 
 NUMERALS, ALONE = ("I", "II"), ("cw",)  # the names of two planes, and of one
@@ -43,3 +47,23 @@ def _moment(one: UnbalanceTable) -> Decimal:
 
 def _float(value: Decimal | None) -> float | None:
     return None if value is None else float(value)
+
+
+class RotorSurvey(NamedTuple):
+    """What the examination of a scene's rotor found: the rotor itself; its form has told all faults."""
+
+    rotor: Rotor
+    faults: list[Fault]
+
+
+def survey_of(meaning: Meaning) -> RotorSurvey:
+    """Examine a scene's rotor (row of the table of techniques)."""
+    return RotorSurvey(rotor_of(meaning.scene.of(RotorForm).rotor), [])
+
+
+def notes_of(scene: Scene) -> Iterator[Fault]:
+    """Give the notes on a scene's rotor: that one plane leaves a couple unbalanced (row of the table of techniques)."""
+    rotor = scene.of(RotorForm).rotor
+    planes = rotor.planes or (PlaneTable(),)
+    if len(planes) < len(NUMERALS) and any(one.place != planes[0].place for one in rotor.masses):
+        yield scene.fault(("rotor", "planes") if rotor.planes else ("rotor",), "static_only")

@@ -10,9 +10,7 @@ from geometry.board import Board, Mark
 from plans.model.rotor import CONSTRUCTION, Balance, Correction, Resultant, Rotor
 from plans.rotor.balancing import COUPLES, UNBALANCES, Balancing, Placed, balancing
 from plans.rotor.bearings import REACTIONS, Reactions, reactions
-from plans.rotor.form import RotorForm
 from plans.rotor.polygon import Polygon
-from plans.rotor.reading import rotor_of
 
 if TYPE_CHECKING:
     from plans.study import Study
@@ -71,4 +69,4 @@ def _sum(closing: Mark, among: Polygon) -> Resultant:
 
 def study_of(study: Study) -> RotorStudy:
     """Make the study of a scene's rotor (row of the table of techniques)."""
-    return RotorStudy(rotor_of(study.scene.of(RotorForm).rotor))  # type: ignore[attr-defined]
+    return RotorStudy(study.scene.meaning["rotor"].rotor)

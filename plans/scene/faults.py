@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 from geometry.errors import DraftError
-from plans.scene.wording import PHRASES, Words, said, table
+from plans.words.words import ENGLISH, Message, message, said, word, words
 
 Path = tuple[str | int, ...]
 
@@ -33,35 +33,35 @@ class Fault:
     @property
     def expected(self) -> str:
         """What should stand there, in English."""
-        return self._worded(table("en"), 0)
+        return self._worded(ENGLISH, "expected")
 
     @property
     def advice(self) -> str:
         """What the author of the scene should change, in English."""
-        return self._worded(table("en"), 1)
+        return self._worded(ENGLISH, "advice")
 
     def worded(self, language: str) -> str:
         """Say on one line where the fault is, what was expected and what to change; or what a note has to say."""
-        words = table(language)
         subject = quoted(dotted(self.path), DETAIL_WIDTH)
         if self.path and self.value:
             subject += f" = {quoted(self.value)}"
         subject += ": " if subject else ""
-        form = words.NOTE if self.kind in words.NOTES else words.FAULT
-        text = form.format(expected=self._worded(words, 0), advice=self._worded(words, 1))
+        parts = {part: self._worded(language, part) for part in ("expected", "advice")}
+        text = word(language, f"message.{self._group}", **parts)
         end = "" if text.endswith("?") else "."
         return f"{quoted(self.file, 0)}:{self.line}:{self.column}: {subject}{text}{end}"
 
-    def _worded(self, words: Words, part: int) -> str:
-        parts = words.NOTES.get(self.kind) or words.FAULTS[self.kind]
-        phrases = {
-            name: said(str(value), words.CODE) if name in PHRASES else str(value)
-            for name, value in self.details.items()
-        }
-        return parts[part].format_map({name: quoted(value, DETAIL_WIDTH) for name, value in phrases.items()})
+    @property
+    def _group(self) -> str:
+        """Whether it is a fault, or only a note."""
+        return "fault" if f"fault.{self.kind}.expected" in words(ENGLISH) else "note"
+
+    def _worded(self, language: str, part: str) -> str:
+        details = {name: _shown(value, language) for name, value in self.details.items()}
+        return word(language, f"{self._group}.{self.kind}.{part}", **details)
 
     def __str__(self) -> str:
-        return self.worded("en")
+        return self.worded(ENGLISH)
 
 
 class SceneError(DraftError, ValueError):
@@ -70,14 +70,14 @@ class SceneError(DraftError, ValueError):
     def __init__(self, faults: Iterable[Fault], unlisted: int = 0) -> None:
         self.faults = tuple(sorted(faults, key=lambda fault: (fault.line, fault.column)))
         self.unlisted = unlisted
-        super().__init__(self.worded("en"))
+        super().__init__(self.worded(ENGLISH))
 
     def worded(self, language: str) -> str:
         """Say the first faults, one a line, and how many there are beyond them."""
         lines = [fault.worded(language) for fault in self.faults[:SHOWN]]
         more = len(self.faults[SHOWN:]) + self.unlisted
         if more:
-            lines.append(table(language).MORE.format(count=more))
+            lines.append(word(language, "message.more", count=more))
         return "\n".join(lines)
 
 
@@ -123,18 +123,24 @@ def quoted(text: str, width: int = VALUE_WIDTH) -> str:
     return shown[: width - 3] + "..." if width and len(shown) > width else shown
 
 
+def _shown(value: object, language: str) -> object:
+    """Show a detail of a fault on one line; a list is put together by the phrase that names it."""
+    return value if isinstance(value, tuple) else quoted(said(value, language), DETAIL_WIDTH)
+
+
 # Capitals that look alike in both alphabets: a Cyrillic А beside a Latin A is the commonest unknown point.
 TWINS = str.maketrans("АВЕКМНОРСТУХ", "ABEKMHOPCTYX")
+SPELLING = message("advice.spelling")
 
 
-def suggestion(name: str, known: Iterable[str], otherwise: str = "check the spelling") -> str:
+def suggestion(name: str, known: Iterable[str], otherwise: Message = SPELLING) -> Message:
     """Name the nearest of the known names, or the same letter of the other alphabet."""
     names = list(known)
     twins = [other for other in names if other != name and other.translate(TWINS) == name.translate(TWINS)]
     if twins:
-        return f'write "{twins[0]}": one of the two has a Cyrillic letter that looks Latin'
+        return message("advice.twin", name=twins[0])
     found = nearest(name, names)
-    return "did you mean " + " or ".join(f'"{other}"' for other in found) + "?" if found else otherwise
+    return message("advice.meant", names=tuple(f'"{other}"' for other in found)) if found else otherwise
 
 
 def nearest(name: str, known: Iterable[str]) -> list[str]:

@@ -14,6 +14,7 @@ from plans.scene.faults import suggestion, wrong
 from plans.scene.forms import ENTRIES_LIMIT
 from plans.scene.tables import Check, Field, many, one
 from plans.scene.units import type_name
+from plans.words.words import Message, message
 
 T = TypeVar("T")
 
@@ -23,10 +24,20 @@ NAME_LIMIT = 40  # characters
 NAME = re.compile(r"[^\W\d_]\w*[′']*")
 
 
+def sample(example: str, how: str = "text") -> Message:
+    """Show a text as the file would write it."""
+    return message(f"example.{how}", written=f'"{example}"')
+
+
 def check_name(value: object) -> str:
     """Read the name of one point."""
     if not isinstance(value, str):
-        raise wrong("wrong_type", wanted="the name of a point", found=type_name(value), example='text: "D"')
+        raise wrong(
+            "wrong_type",
+            wanted="the name of a point",
+            found=type_name(value),
+            example=sample("D"),
+        )
     if not NAME.fullmatch(value) or len(value) > NAME_LIMIT or value != unicodedata.normalize("NFC", value):
         raise wrong("name")
     return value
@@ -35,7 +46,7 @@ def check_name(value: object) -> str:
 def check_text(value: object, limit: int = TITLE_LIMIT) -> str:
     """Read a text for the sheet; line ends and tabs become spaces, other invisible characters are faults."""
     if not isinstance(value, str):
-        raise wrong("wrong_type", wanted="text", found=type_name(value), example='text in quotes: "..."')
+        raise wrong("wrong_type", wanted="text", found=type_name(value), example=sample("...", "quoted"))
     text = re.sub(r"[\t\r\n]+", " ", value).strip()
     if len(text) > limit:
         raise wrong("text_length", most=limit)
@@ -55,10 +66,15 @@ def flag(value: object) -> bool:
 def choice(value: object, choices: tuple[str, ...], kind: str = "choice") -> str:
     """Read one of the words that are allowed."""
     if not isinstance(value, str):
-        raise wrong("wrong_type", wanted="text", found=type_name(value), example=f'text: "{choices[0]}"')
+        raise wrong(
+            "wrong_type",
+            wanted="text",
+            found=type_name(value),
+            example=sample(choices[0]),
+        )
     if value not in choices:
-        listed = ", ".join(choices)
-        raise wrong(kind, choices=listed, suggestion=suggestion(value, choices, f'write "{choices[0]}"'))
+        listed, advice = ", ".join(choices), message("advice.write", name=choices[0])
+        raise wrong(kind, choices=listed, suggestion=suggestion(value, choices, advice))
     return value
 
 
@@ -74,10 +90,10 @@ def whole(value: object, least: int) -> int:
 def check_pair(value: object, what: str = "[x, y]") -> object:
     """See that a list has two entries; four or three of them are mostly decimal commas."""
     if not isinstance(value, list):
-        raise wrong("pair", what=what, found=type_name(value), advice=f"write {what}")
+        raise wrong("pair", what=what, found=type_name(value), advice=message("advice.two", what=what))
     if len(value) != 2:
         commas = len(value) in (3, 4) and any(isinstance(entry, int) for entry in value)
-        advice = "decimal comma? Use a point: [1.5, 2.5]" if commas else f"write {what}"
+        advice = message("advice.decimal_comma") if commas else message("advice.two", what=what)
         raise wrong("pair", what=what, found=len(value), advice=advice)
     return value
 
@@ -100,7 +116,7 @@ def no_repeats(value: tuple[T, ...]) -> tuple[T, ...]:
 def few(value: object, limit: int, name: str) -> object:
     """See that a table or list is no longer than a named limit, before its entries are looked at."""
     if isinstance(value, list | dict) and len(value) > limit:
-        raise LimitError(f"a table or list of {len(value)} entries: more than {name} = {limit}")
+        raise LimitError(message("limit.entries", count=len(value), name=name, limit=limit))
     return value
 
 

@@ -6,6 +6,7 @@ import re
 
 from geometry.errors import LimitError
 from plans.scene.places import line_column
+from plans.words.words import Message, message, placed
 
 # tomllib needs time and memory growing with the square of a dotted key's parts, and recurses into brackets.
 PARTS_LIMIT = 16
@@ -27,17 +28,17 @@ def guard(text: str, file: str) -> None:
     """See that a text is within the limits of what tomllib reads at once."""
     marks = sum(text.count(mark) for mark in ",=[{")
     if marks > MARKS_LIMIT:
-        raise LimitError(f"{file}: {marks} commas, equals signs and brackets: more than MARKS_LIMIT = {MARKS_LIMIT}")
+        raise LimitError(placed(file, message("limit.marks", count=marks, limit=MARKS_LIMIT)))
     depth = 0
     for token in GUARD.finditer(text):
         kind = token.lastgroup
         if kind == "dotted":
-            _limit(text, file, token.start(), f"a dotted key of more than PARTS_LIMIT = {PARTS_LIMIT} parts")
+            _limit(text, file, token.start(), message("limit.parts", limit=PARTS_LIMIT))
         depth += {"opens": 1, "closes": -1}.get(kind or "", 0)
         if depth > NESTING_LIMIT:
-            _limit(text, file, token.start(), f"brackets nested deeper than NESTING_LIMIT = {NESTING_LIMIT}")
+            _limit(text, file, token.start(), message("limit.nesting", limit=NESTING_LIMIT))
 
 
-def _limit(text: str, file: str, offset: int, what: str) -> None:
+def _limit(text: str, file: str, offset: int, what: Message) -> None:
     line, column = line_column(text, offset)
-    raise LimitError(f"{file}:{line}:{column}: {what}")
+    raise LimitError(placed(f"{file}:{line}:{column}", what))

@@ -11,6 +11,7 @@ from plans.scene.faults import Fault, Path, dotted, nearest, suggestion
 from plans.scene.source import Source
 from plans.scene.tables import Kinds, Missing, Refusal, Refused, holders_of, tables_of
 from plans.scene.units import type_name
+from plans.words.words import Message, message
 
 REFUSALS_LIMIT = 1_000  # worded one by one; beyond it they are only counted
 ROUNDS = 12  # of leaving out what is refused; each goes one table outward at most
@@ -48,8 +49,9 @@ def _needs(names: Iterable[str], source: Source, kinds: Kinds) -> list[Fault]:
 
 def lacking(path: Path, names: Sequence[str], source: Source, kinds: Kinds) -> Fault:
     """Make the fault of a key that needs tables which the file lacks."""
-    examples = [_missing((name,), tables_of(kinds)).example for name in names]
-    details = {"tables": ", ".join(f"[{name}]" for name in names), "example": "; ".join(examples)}
+    stated = [_missing((name,), tables_of(kinds)).example for name in names]
+    examples = tuple(message("example.stated", example=example) for example in stated)
+    details = {"tables": ", ".join(f"[{name}]" for name in names), "example": examples}
     return source.fault(path, "needs", **details, lacks=tuple((name,) for name in names))
 
 
@@ -81,10 +83,10 @@ def _fault(refusal: Refusal, source: Source, tables: Tables) -> Fault:
     if refusal.kind == "unknown_key":
         return _unknown_key(path, source, tables)
     if refusal.kind in ("not_a_list", "not_a_table"):
-        table = ("a table", "a table of key = value lines")
-        several = f"[[{dotted(path)}]], in double brackets" if (*path, "*") in tables else f"{path[-1]} = [...]"
-        wanted, example = table if refusal.kind == "not_a_table" else ("a list", several)
-        return source.fault(path, "wrong_type", wanted=wanted, found=type_name(refusal.value), example=example)
+        wanted, lines = ("a table" if refusal.kind == "not_a_table" else "a list"), "a table of key = value lines"
+        several = message("example.list", name=dotted(path)) if (*path, "*") in tables else f"{path[-1]} = [...]"
+        shown = {"found": type_name(refusal.value), "example": lines if wanted == "a table" else several}
+        return source.fault(path, "wrong_type", wanted=wanted, **shown)
     return source.fault(path, refusal.kind, **refusal.details)
 
 
@@ -103,15 +105,17 @@ def _unknown_key(path: Path, source: Source, tables: Tables) -> Fault:
     return source.fault(path, "unknown_key", **details, meant=meant)
 
 
-def _meaning(key: str, known: list[str], elsewhere: list[Path], homes: list[Path]) -> str:
+def _meaning(key: str, known: list[str], elsewhere: list[Path], homes: list[Path]) -> Message:
     """Say what an unknown key may be: one of another table, a misspelt one, or a free name such as that of a point."""
     near = nearest(key, known)
     if near and not elsewhere:
         return suggestion(key, known)
     if not elsewhere and not homes:
-        return "delete it"
-    tables = f"it belongs to {' or '.join(map(table_name, elsewhere or homes))}"
-    return f'{tables}; or did you mean "{near[0]}"?' if near else tables
+        return message("advice.delete")
+    tables = tuple(map(table_name, elsewhere or homes))
+    if near:
+        return message("advice.belongs_or_meant", tables=tables, near=near[0])
+    return message("advice.belongs", tables=tables)
 
 
 def _pattern(path: Path, tables: Tables) -> Path:
@@ -122,13 +126,13 @@ def _pattern(path: Path, tables: Tables) -> Path:
     return ()
 
 
-def table_name(pattern: Path) -> str:
+def table_name(pattern: Path) -> str | Message:
     """Name a table of the form as its header would.
 
-    >>> table_name(("mechanism", "slides", "*")), table_name(())
+    >>> table_name(("mechanism", "slides", "*")), str(table_name(()))
     ('[mechanism.slides]', 'the top of the file')
     """
-    return f"[{dotted(tuple(part for part in pattern if part != '*'))}]" if pattern else "the top of the file"
+    return f"[{dotted(tuple(part for part in pattern if part != '*'))}]" if pattern else message("place.top")
 
 
 def doubts_of(faults: list[Fault]) -> frozenset[Path]:

@@ -17,6 +17,7 @@ from plans.scene.sheet import SheetTable
 from plans.scene.source import Source, parse_source, read_source
 from plans.scene.tables import REQUIRED, Kinds, Refusal, Refused, Table, key, many, read_parts, table
 from plans.techniques import TECHNIQUES, named
+from plans.words.words import placed
 
 
 class TechniqueForm(Table):
@@ -165,7 +166,7 @@ def _scene(source: Source) -> Scene:
         meaning = [] if unlisted else _further_faults(source, faults)
         raise SceneError([*faults, *meaning], unlisted) from None
     except LimitError as error:
-        raise LimitError(f"{source.file}: {error}") from None
+        raise LimitError(placed(source.file, error.args[0])) from None
 
 
 def _read(source: Source, data: Mapping[str, Any]) -> Scene:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from plans.scene import fields as f
 from plans.scene.tables import Table, key
+from plans.words.words import languages
 
-LANGUAGES = ("en", "ru")
+LANGUAGES = languages()
 
 
 class SheetTable(Table):

@@ -8,6 +8,8 @@ from collections.abc import Iterator, Mapping
 from plans.scene.faults import TWINS, Fault, dotted
 from plans.scene.guard import GUARD, STRING
 from plans.scene.places import Places, line_column
+from plans.words.words import ENGLISH, Message, words
+from plans.words.words import message as said_by
 
 TWICE = r"overwrite|twice|[Dd]uplicate|mutate|[Cc]annot redefine"  # what tomllib says of a name defined again
 # Signs that word processors and other keyboards put in place of the ASCII ones, with what should stand there.
@@ -37,7 +39,16 @@ def slip(text: str, file: str, message: str) -> Fault:
     for offset, kind, details in _line_hints(written, column):
         return Fault(file, line, offset + 1, (), "", kind, details)
     bare = re.sub(r" ?\(at [^)]*\)", "", message)
-    return Fault(file, line, column, (), "", "syntax", {"message": bare[:1].lower() + bare[1:]})
+    return Fault(file, line, column, (), "", "syntax", {"message": _of_toml(bare[:1].lower() + bare[1:])})
+
+
+def _of_toml(message: str) -> str | Message:
+    """Find what tomllib says among our words: as a whole, or with the sign that it quotes at its end."""
+    if f"toml.{message}" in words(ENGLISH):
+        return said_by(f"toml.{message}")
+    quote = re.fullmatch(r"(.*?) (['\"].*)", message)
+    key = f"toml.{quote[1]}" if quote else ""
+    return said_by(key, sign=quote[2]) if quote and key in words(ENGLISH) else message
 
 
 Hint = tuple[tuple[int, int], str, dict[str, object]] | None

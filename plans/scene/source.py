@@ -6,7 +6,7 @@ import codecs
 import re
 import tomllib
 from bisect import bisect_right
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path as FilePath
@@ -18,14 +18,15 @@ from plans.scene.faults import Fault, Path, SceneError
 from plans.scene.guard import guard
 from plans.scene.places import Places, line_column
 from plans.scene.units import decimal
+from plans.words.words import ENGLISH, languages, message, placed
 
 SIZE_LIMIT = 1 << 20  # bytes of a scene file
 HEXADECIMAL = r"0[xob][0-9A-Fa-f]"  # also octal and binary: TOML takes them for numbers, no drawing does
 
 MARK = "\ufeff"  # the byte order mark that Notepad puts at the start of a file
-# A line that asks for Russian, in [sheet] and at the top of the file.
-IN_SHEET = re.compile(r"""language\s*=\s*["']?ru\b""")
-SHEET = re.compile(r"""sheet\s*(?:\.|=\s*\{[^#]*?\b)\s*language\s*=\s*["']?ru\b""")
+# A line that asks for a language, in [sheet] and at the top of the file.
+IN_SHEET = re.compile(r"""language\s*=\s*["']?([\w-]+)""")
+SHEET = re.compile(r"""sheet\s*(?:\.|=\s*\{[^#]*?\b)\s*language\s*=\s*["']?([\w-]+)""")
 ZEROS = 16  # bytes from the start: ASCII text in UTF-16 has a zero in every other one, no other file has
 ENCODINGS = (
     (codecs.BOM_UTF32_LE, "UTF-32"),
@@ -77,7 +78,7 @@ def read_source(path: FilePath) -> Source:
     """Read a scene file: a regular file of UTF-8 text within SIZE_LIMIT, a BOM at its start allowed."""
     data = regular_bytes(path, SIZE_LIMIT + 1)
     if len(data) > SIZE_LIMIT:
-        raise LimitError(f"{path}: the file is longer than SIZE_LIMIT = {SIZE_LIMIT} bytes")
+        raise LimitError(placed(path, message("limit.size", limit=SIZE_LIMIT)))
     return parse_source(_text(data, str(path)), str(path))
 
 
@@ -88,15 +89,20 @@ def language_of(path: FilePath) -> str:
             regular_bytes(path, SIZE_LIMIT + 1).replace(b"\0", b"").decode("utf-8", errors="replace")
         )  # UTF-16 too: keys are ASCII
     except (OSError, ValueError):
-        return "en"
+        return ENGLISH
+    asked = next(_asked(text), ENGLISH) if "language" in text else ENGLISH
+    return asked if asked in languages() else ENGLISH
+
+
+def _asked(text: str) -> Iterator[str]:
+    """Give what the lines of a text ask for as the language of the sheet."""
     table = ""
-    for line in text.lstrip("\ufeff\ufffd").splitlines() if "language" in text else ():
+    for line in text.lstrip("\ufeff\ufffd").splitlines():
         written = line.strip()
         if written.startswith("["):
             table = written.partition("]")[0].strip("[ \t")
-        elif (table == "sheet" and IN_SHEET.match(written)) or (not table and SHEET.match(written)):
-            return "ru"
-    return "en"
+        elif found := IN_SHEET.match(written) if table == "sheet" else None if table else SHEET.match(written):
+            yield found[1]
 
 
 def parse_source(text: str, file: str) -> Source:

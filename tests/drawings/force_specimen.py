@@ -23,9 +23,8 @@ from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, picture
 from drawings.layout.place import Place
 from drawings.layout.table import Row
-from drawings.lettering.force_words import letter
 from drawings.lettering.lettering import text_width
-from drawings.lettering.words import word
+from drawings.lettering.words import letter, word
 from drawings.page.drafting import Drafting
 from drawings.page.page import Page
 from drawings.paper.strokes import Group, Leaf, Line, Stroke, Text

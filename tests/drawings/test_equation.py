@@ -1,14 +1,11 @@
 """Equations in lettering: bars, lines under terms, breaking at a width; and the words and letters of a force sheet."""
 
-import re
-
 import pytest
 
 from drawings.layout.equation import BAR, DIRECTION, FULL, UNKNOWN, Passage, Term, forces, moments, plain
 from drawings.lettering.extent import bounds
-from drawings.lettering.force_words import FORCES, letter
 from drawings.lettering.lettering import lacking
-from drawings.lettering.words import word
+from drawings.lettering.words import letter, word
 from drawings.page.page import Field
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Group, Line, Text
@@ -106,14 +103,6 @@ def test_a_solution_is_written_as_it_is() -> None:
 
 def test_every_letter_of_an_equation_can_be_written() -> None:
     assert lacking(f"R{BAR}Φ{BAR}G{BAR}F{BAR}ΣτμM·−+=⊥∥°:0") == ()
-
-
-@pytest.mark.parametrize("key", FORCES)
-def test_every_word_of_a_force_sheet_is_there_in_both_languages(key: str) -> None:
-    values = dict.fromkeys(re.findall(r"{(\w+)}", FORCES[key][0]), "4-5")
-    english, russian = (word(language, key, **values) for language in ("en", "ru"))
-    assert english and russian and lacking(english + russian) == ()
-    assert "4-5" in russian or not values
 
 
 def test_the_words_are_those_of_the_courses() -> None:

@@ -16,8 +16,8 @@ from drawings.lettering.alphabet import FLATNESS, SLANT, gap, glyph
 from drawings.lettering.extent import bounds
 from drawings.lettering.lettering import SIZES, UnknownLetter, demand, index_size, lacking, outline, text_width
 from drawings.lettering.specimen import LARGE, LETTERS, PHRASES, SIGNS, specimen
-from drawings.lettering.words import WORDS
 from drawings.paper.strokes import LineStyle, Polyline, Run, SheetError, Text, runs
+from plans.words.words import languages, words
 from tests.rows import over
 
 FILE = Path(alphabet.__file__).with_name("alphabet.json")
@@ -63,9 +63,15 @@ def drawn(*texts: Text) -> list[complex]:
     return [point for text in texts for stroke in outline(text) for point in stroke.points]
 
 
-@over("language", WORDS)
-def test_every_phrase_of_the_words_can_be_written(language: str) -> None:
-    for phrase in WORDS[language].values():
+def on_sheets(language: str) -> list[str]:
+    """Give the phrases that stand on sheets."""
+    groups = ("sheet.", "unit.", "reason.", "index.")
+    return [str(phrase) for key, phrase in words(language).items() if key.startswith(groups)]
+
+
+@over("language", languages())
+def test_every_phrase_of_a_sheet_can_be_written(language: str) -> None:
+    for phrase in on_sheets(language):
         assert lacking(phrase) == (), phrase
 
 
@@ -173,7 +179,7 @@ def test_anchor_and_rotation_move_the_whole_text(anchor: str) -> None:
         assert there == pytest.approx(10 + 20j + turn * (plain - share * length))
 
 
-@over("phrase", [phrase for table in WORDS.values() for phrase in table.values()])
+@over("phrase", [phrase for language in languages() for phrase in on_sheets(language)])
 @over("size", [3.5, 10.0])
 def test_the_width_is_what_is_drawn(phrase: str, size: float) -> None:
     text = Text(0j, (Run(phrase),), size)

@@ -82,7 +82,7 @@ def test_without_a_word_the_gap_is_told_with_what_to_write() -> None:
     comparison = compared(study(COUPLING_ROD, ""))
     beyond = [gap for gap in comparison.construction.gaps if gap.reason == "beyond a change point"]
     assert [gap.position for gap in beyond] == [5, 6, 7, 8, 9]
-    assert all('through = "parallel"' in gap.advice for gap in beyond)
+    assert all('through = "parallel"' in str(gap.advice) for gap in beyond)
 
 
 def test_an_antiparallelogram_goes_on_as_one() -> None:

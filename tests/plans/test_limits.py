@@ -51,7 +51,7 @@ def test_limits_of_a_double_rocker():
         apart = abs(0.4 - 0.3 * np.exp(1j * np.radians(30 * k)))
         assert (gap.plan, gap.reason, gap.where) == ("positions", OUT, "B")
         assert gap.miss == pytest.approx(apart - 0.45)
-        assert f"{apart:.6g} m apart" in gap.advice and "0.45 m: lengthen one of them" in gap.advice
+        assert f"{apart:.6g} m apart" in str(gap.advice) and "0.45 m: lengthen one of them" in str(gap.advice)
 
 
 def test_a_dead_centre_between_two_drawn_positions():

@@ -22,7 +22,7 @@ from plans.model.machine import Machine
 from plans.model.mechanism import Output, StructureError
 from plans.model.motion import Complexes, Extremes, Motion
 from plans.scene.scene import parse_scene
-from plans.scene.wording import said
+from plans.words.words import said
 
 ROOT = Path(__file__).parents[2]
 ROADS = ("construction", "analysis")
@@ -332,7 +332,9 @@ def test_a_load_without_a_stroke_to_count_says_what_to_do(by: str) -> None:
         loaded(text + "[output]\nlink = 1\n", by)
     message = str(refused.value)
     assert message.startswith("F_1 acts over the stroke of link 1, which has no two extreme positions. Fix: let it")
-    assert said(message, "ru").startswith("F_1 действует по ходу: звено 1 не имеет двух крайних положений. Исправьте: ")
+    assert said(refused.value, "ru").startswith(
+        "F_1 действует по ходу: звено 1 не имеет двух крайних положений. Исправьте: "
+    )
     with pytest.raises(StructureError, match="the stroke of point A"):
         loaded(text + 'stroke = "A"\n', by)
     with pytest.raises(StructureError, match="the stroke of point E"):

@@ -18,7 +18,7 @@ from plans.linkage.reading.shapes import triangle
 from plans.model.mechanism import Drive, Mechanism, Output, StructureError
 from plans.scene.faults import SHOWN, Fault, SceneError
 from plans.scene.scene import parse_scene
-from plans.scene.wording import said
+from plans.words.words import said
 from tests.parts import some
 
 SHAPER = """title = "Crank shaper"
@@ -424,4 +424,4 @@ def test_links_times_positions_are_limited_by_name(sheets: str, most: int) -> No
     with pytest.raises(LimitError, match=f"_POSITIONS_LIMIT = .* Fix: {most} positions at most") as refused:
         parse_scene(f"{text}{most + 1}")
     assert "links times positions, 50 x" in str(refused.value)
-    assert "Исправьте: не больше" in said(str(refused.value), "ru")
+    assert "Исправьте: не больше" in said(refused.value, "ru")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from drawings.figures.linkage.vector_plan import written
-from drawings.lettering.force_words import letter
+from drawings.lettering.words import letter
 from drawings.page.drafting import Drafting
 
 REACTION = "R"  # as the force plan names reactions

@@ -13,7 +13,7 @@ from drawings.figures.forces.shown_force import BALANCE, PAIR, ShownForce
 from drawings.figures.linkage.vector_plan import written
 from drawings.layout.parallel_offsets import Segment, merging
 from drawings.layout.place import Place
-from drawings.lettering.force_words import letter as by_language
+from drawings.lettering.words import letter as by_language
 from drawings.page.drafting import Drafting
 from drawings.page.page import Field
 from drawings.paper.hand import Hand

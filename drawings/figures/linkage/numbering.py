@@ -42,7 +42,7 @@ class Numbered(NamedTuple):
 
 def same(bones: Skeletons, extreme: int) -> int | None:
     """Give the scene's own position that an extreme is, if it is one."""
-    found = bones.study.found
+    found = bones.study.travel
     assert found is not None  # asked only where there are extremes
     apart = np.abs(bones.study.turn.directions - found.directions[extreme])
     best = int(np.argmin(apart))
@@ -54,9 +54,9 @@ def numbered(bones: Skeletons) -> list[Numbered]:
     own = {same(bones, k) for k in range(2)} if bones.extremes else set()
     found = [Numbered(bones.numbered, k, str(k), k in own) for k in range(len(bones.numbered))]
     for k in range(2) if bones.extremes else ():
-        assert bones.study.found is not None and bones.extremes is not None
+        assert bones.study.travel is not None and bones.extremes is not None
         if same(bones, k) is None:
-            phi, turn = bones.study.found.extremes.phi[k], 2 * np.pi
+            phi, turn = bones.study.travel.extremes.phi[k], 2 * np.pi
             before = int(np.argmin(np.mod(bones.study.sense * (phi - bones.study.turn.phi), turn)))
             name = f"{before}'"
             taken = any(name == other.name for other in found)
@@ -167,7 +167,7 @@ def _crowds(one: Numbered, other: Numbered, apart: complex, hand: Hand) -> bool:
 
 def _returning(bones: Skeletons, one: Numbered) -> bool:
     """Tell whether a place is passed on the return stroke; extremes belong to the stroke that begins there."""
-    found = bones.study.found
+    found = bones.study.travel
     if found is None or len(found.rests) > 2:
         return False
     start, end = found.extremes.phi

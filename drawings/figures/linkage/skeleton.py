@@ -192,8 +192,8 @@ def skeletons(study: LinkageStudy, motion: Motion, shown: int) -> Skeletons:
     turns |= {number: np.exp(1j * found.angle) for number, found in motion.links.items()}
     numbered = Poses(study.mechanism.links, {name: found.r for name, found in motion.points.items()}, turns)
     extremes = None
-    if study.found is not None:
-        turn = CrankPositions(np.array(study.found.extremes.phi), np.array(study.found.directions))
+    if study.travel is not None:
+        turn = CrankPositions(np.array(study.travel.extremes.phi), np.array(study.travel.directions))
         extremes = poses(study.mechanism, study.sweep.drawn(turn), 2)
     return Skeletons(study, motion, numbered, _way(study, numbered), extremes, shown)
 

@@ -33,7 +33,7 @@ OUTSIDE = 30.0  # what each mm beyond the border costs
 
 def stroke(bones: Skeletons, place: Place, hand: Hand, language: str, drawn: Ink) -> list[Stroke]:
     """Dimension the stroke H of a sliding output, in millimetres of the machine, on the clearer side of its guide."""
-    found, out = bones.study.found, bones.study.output
+    found, out = bones.study.travel, bones.study.output
     slide = frame_slide(bones.mechanism, out.link)
     if found is None or slide is None or bones.extremes is None:
         return []

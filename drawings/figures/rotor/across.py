@@ -7,12 +7,13 @@ from dataclasses import dataclass
 
 from drawings.figures.rotor.along import BESIDE, BODY, ORIGIN, SYMBOL, UNIT, body, origin
 from drawings.figures.rotor.dimension import dimension, extension
-from drawings.figures.rotor.letters import ALONE, index, letter, size
+from drawings.figures.rotor.letters import letter, size
 from drawings.figures.rotor.rotor_view import Body, RotorView
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
 from drawings.lettering.lettering import text_width
+from drawings.lettering.rotor_letters import ALONE, index
 from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Line, Stroke, Text
@@ -50,7 +51,7 @@ class AcrossFigure:
 
     def _masses(self, labels: Labels) -> Iterator[Stroke]:
         hand = self.drafting.hand
-        for one in () if self.shown.many else self.shown.bodies:
+        for one in self.shown.told:
             spot, up = self.place.on(_side(one)), 1.2 if one.centre.imag >= 0 else -1.2
             text = letter(one.mark, len(self.shown.bodies), self.drafting)
             yield labels.beside(spot, text, size(text, self.drafting), BODY * hand.symbol + BESIDE, up)
@@ -87,7 +88,7 @@ def draw(shown: RotorView, room: Picture, spot: Spot, drafting: Drafting) -> Acr
     place, hand = room.placed(*spot), drafting.hand
     title = heading(spot.box, drafting.word("view across"), drafting.scale(spot.scale), hand)
     lines = [*_shaft(shown, place, hand), *_shells(shown, place, hand), *_planes(shown, place, hand)]
-    lines += [] if shown.many else [_stem(one, place, hand) for one in shown.bodies]
+    lines += [_stem(one, place, hand) for one in shown.told]
     bodies = [body(shown, one, _side(one), place, NAME, drafting) for one in shown.bodies]
     arms = _dimensions(shown, place, drafting)
     base = complex(shown.planes[-1][1])
@@ -155,7 +156,7 @@ def _dimensions(shown: RotorView, place: Place, drafting: Drafting) -> Iterator[
     for number, (arm, own) in enumerate(arms.items()):
         level = bottom - number * STEP * hand.number
         across = place.on(complex(own[0].place)).real
-        names = " = ".join(f"h_{{{index(one.name, drafting)}}}" for one in own)
+        names = " = ".join(f"h_{{{index(one.name, drafting.language)}}}" for one in own)
         yield dimension(base.real, across, level, f"{names} = {drafting.number(1000 * abs(arm))}", hand)
         yield extension(across, place.on(_side(own[0])).imag, level, hand)
     if arms:

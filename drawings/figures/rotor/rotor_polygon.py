@@ -9,12 +9,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.figures.rotor.letters import FEW, MOST, letter, lowered, size
+from drawings.figures.rotor.letters import FEW, MOST, letter, size
 from drawings.layout.labels import Labels
 from drawings.layout.parallel_offsets import APART, Box, Segment, lanes, moved
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
 from drawings.lettering.lettering import text_width
+from drawings.lettering.rotor_letters import lowered
 from drawings.page.drafting import Drafting
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
@@ -197,6 +198,6 @@ def _under(shown: Polygon, spot: Spot, drafting: Drafting) -> str:
         return drafting.word("no vectors")
     parts = [drafting.scale(spot.scale)]
     parts += [drafting.word("closes by itself")] if shown.closed else []
-    faint = ", ".join(lowered(name, drafting) for name in shown.faint(spot.scale.mu))
+    faint = ", ".join(lowered(name, drafting.language) for name in shown.faint(spot.scale.mu))
     parts += [drafting.word("unlettered", names=faint)] if faint else []
     return ";  ".join(parts)

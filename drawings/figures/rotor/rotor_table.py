@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TypeAlias
 
-from drawings.figures.rotor.letters import index, lowered
 from drawings.layout.table import Row, Table, table
 from drawings.layout.value_table import COLUMNS, row
+from drawings.lettering.rotor_letters import index, lowered
 from drawings.page.drafting import Drafting
 from plans.checks.comparison import Comparison, Finding
 from plans.checks.rotor_comparison import EQUILIBRIUM
@@ -38,7 +38,7 @@ def _mass(rotor: Rotor, one: Unbalance) -> tuple[str, Values]:
 
 def _correction(rotor: Rotor, one: Correction, drafting: Drafting) -> tuple[str, Values]:
     moment, arm = one.moment, rotor.arm(one.plane.place)
-    return index(one.plane.name, drafting), (one.mass, one.radius, moment.angle, arm, moment.size)
+    return index(one.plane.name, drafting.language), (one.mass, one.radius, moment.angle, arm, moment.size)
 
 
 def _row(name: str, values: Values, flat: bool, drafting: Drafting) -> Row:
@@ -65,7 +65,7 @@ def _compared(finding: Finding, drafting: Drafting) -> Row:
 def _name(finding: Finding, drafting: Drafting) -> str:
     head, _, after = finding.name.partition("'")
     prime = "'" if finding.name.endswith("'") else after
-    return f"{lowered(head, drafting)}{prime}, {drafting.word(finding.unit)}"
+    return f"{lowered(head, drafting.language)}{prime}, {drafting.word(finding.unit)}"
 
 
 def _table(name: str, lines: list[Row], first: str, heads: tuple[str, ...], drafting: Drafting) -> Table:

@@ -56,6 +56,11 @@ class RotorView(NamedTuple):
         return len(self.bodies) > MOST
 
     @property
+    def told(self) -> tuple[Body, ...]:
+        """The bodies that are lettered and measured: of too many masses the counterweights alone."""
+        return tuple(one for one in self.bodies if one.added or not self.many)
+
+    @property
     def places(self) -> list[float]:
         """All places along the shaft, m."""
         return [*(one.place for one in self.bodies), *(place for _, place in self.planes), *self.bearings]

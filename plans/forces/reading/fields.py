@@ -8,7 +8,7 @@ from decimal import Decimal
 
 from plans.scene import forms, units
 from plans.scene.faults import wrong
-from plans.scene.fields import NAME_LIMIT, not_empty, number, pair, whole
+from plans.scene.fields import NAME_LIMIT, not_empty, number, pair, sample, whole
 from plans.scene.tables import Check, either, one
 from plans.scene.units import type_name
 
@@ -24,7 +24,7 @@ def check_symbol(value: object) -> str:
     'F_us'
     """
     if not isinstance(value, str):
-        raise wrong("wrong_type", wanted="the letters of a load", found=type_name(value), example='text: "F_us"')
+        raise wrong("wrong_type", wanted="the letters of a load", found=type_name(value), example=sample("F_us"))
     if not SYMBOL_SIGNS.fullmatch(value) or len(value) > NAME_LIMIT or value != unicodedata.normalize("NFC", value):
         raise wrong("symbol")
     if TAKEN.fullmatch(value):

@@ -21,6 +21,7 @@ from plans.model.structure import decompose
 from plans.scene.faults import Path, SceneError
 from plans.scene.scene import Scene
 from plans.scene.units import within
+from plans.words.words import message
 
 # Letters of a lone useful force against the motion (полезное сопротивление) and of a spring, where the scene has none.
 USEFUL, SPRING = "F_us", "F_s"
@@ -143,7 +144,7 @@ def _check_told(scene: Scene, form: ForceForm, mechanism: Mechanism) -> None:
     if not named:
         return
     told = [pair.key for pair in pairs(mechanism, decompose(mechanism))]
-    details = {"suggestion": f"the pairs are {', '.join(told)}"}
+    details = {"suggestion": message("advice.pairs", pairs=", ".join(told))}
     strange = {path: name for path, name in named.items() if name not in told}
     if strange:
         raise SceneError(scene.fault(path, "unknown_pair", name=name, **details) for path, name in strange.items())

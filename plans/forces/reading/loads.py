@@ -14,6 +14,7 @@ from plans.scene import fields as f
 from plans.scene.faults import wrong
 from plans.scene.forms import Form
 from plans.scene.tables import Missing, Table, either, key, many, table
+from plans.words.words import message
 
 DURING = (ALWAYS, WORKING, IDLE)
 Vector = tuple[Decimal, Decimal]
@@ -158,15 +159,15 @@ class ForceTable(LoadTable):
     def _check_direction(self) -> None:
         vector = isinstance(self.value, tuple)
         if self.against is None and self.direction is None and not vector:
-            wanted, advice = "a vector [Fx, Fy] in N", 'write value = [Fx, Fy], or add against = "motion" or direction'
+            wanted, advice = "a vector [Fx, Fy] in N", message("advice.vector")
             if self.diagram is not None:
-                wanted, advice = "a direction of the force", 'add against = "motion", or direction in degrees'
+                wanted, advice = "a direction of the force", message("advice.direction")
             raise wrong("force_value", wanted=wanted, advice=advice, at=("diagram" if self.diagram else "value",))
         if vector and (self.against is not None or self.direction is not None):
             wanted = "the size of the force, because its direction is against the motion"
             if self.direction is not None:
                 wanted = "the size of the force, because its direction is given"
-            raise wrong("force_value", wanted=wanted, advice="write value = 1500, for example", at=("value",))
+            raise wrong("force_value", wanted=wanted, advice=message("advice.size"), at=("value",))
 
 
 class MomentTable(LoadTable):

@@ -13,6 +13,7 @@ from plans.linkage.reading.survey import Survey
 from plans.model.mechanism import FRAME, Slide
 from plans.scene.faults import Path
 from plans.scene.scene import Meaning
+from plans.words.words import message
 
 HINGE, SLIDE = "a hinge", "a sliding pair"
 ALONE = {"radius": HINGE, "length": SLIDE}  # which kind of pair alone has it
@@ -118,7 +119,7 @@ def _check_pairs(survey: Survey, form: ForceForm, known: Mapping[str, str]) -> N
 
 def _know_pair(survey: Survey, path: Path, name: str, known: Mapping[str, str]) -> bool:
     if name not in known:
-        advice = f"the pairs are {', '.join(known)}"
+        advice = message("advice.pairs", pairs=", ".join(known))
         survey.report(path, "unknown_pair", name=name, suggestion=advice)
     return name in known
 

@@ -8,6 +8,7 @@ from geometry.board import Mark
 from plans.linkage.plan import Image, Plan
 from plans.model.mechanism import Slide
 from plans.model.structure import Dyad
+from plans.words.words import because
 
 
 class Offset(NamedTuple):
@@ -48,9 +49,9 @@ def shifted(plan: Plan, through: Mark, along: Mark, left: float, name: str) -> M
     """Draw the line through a point along a unit direction, shifted to the left by a distance."""
     board = plan.board
     if left != 0:
-        step = board.turn(f"h {name}", along, 1j * left, "offset, square to the line")
-        through = board.lay_off(f"{through.name}'", through, step, "the line is offset")
-    return board.parallel(name, through, along, "the pin keeps its distance from the line")
+        step = board.turn(f"h {name}", along, 1j * left, because("offset"))
+        through = board.lay_off(f"{through.name}'", through, step, because("line_offset"))
+    return board.parallel(name, through, along, because("distance"))
 
 
 def line(plan: Plan, slide: Slide, host: int, left: float) -> Mark:
@@ -63,13 +64,13 @@ def sliding_line(plan: Plan, slide: Slide, host: int, over: Mark) -> Mark:
     """Draw on a velocity plan the line of a pin's velocity over a guide: from the guide's own point, along it."""
     start = plan.transport(host, over, plan.written.under(over.name, host))
     along = plan.carry(direction(plan, slide, host))
-    return plan.board.parallel(f"∥{along.name}", start, along, "along the guide")
+    return plan.board.parallel(f"∥{along.name}", start, along, because("along_guide"))
 
 
 def slip(plan: Plan, slide: Slide, along: Mark, end: Mark, pin: str) -> Mark:
     """Keep the velocity of a pin along its guide: from the start of the line `along` to its end (относительная)."""
     start = along.step.inputs[0]
-    found = plan.board.join(f"{start.name}{end.name}", start, end, "velocity along the guide")
+    found = plan.board.join(f"{start.name}{end.name}", start, end, because("slip"))
     plan.slips[key(slide)] = found
     plan.written.slides(key(slide), pin)
     return found
@@ -82,7 +83,7 @@ def coriolis_line(plan: Plan, slide: Slide, host: int, over: Mark) -> Mark:
     start = coriolis(
         plan, slide, start, along, unit(plan.velocities, slide, host), plan.written.coriolis(over.name, host)
     )
-    return plan.board.parallel(f"∥{along.name}", start, plan.carry(along), "along the guide")
+    return plan.board.parallel(f"∥{along.name}", start, plan.carry(along), because("along_guide"))
 
 
 def coriolis(plan: Plan, slide: Slide, start: Mark, along: Mark, turned: Mark | None, name: str) -> Mark:
@@ -93,8 +94,8 @@ def coriolis(plan: Plan, slide: Slide, start: Mark, along: Mark, turned: Mark | 
     if turned is None:
         return start
     carried = [plan.carry(turned), plan.carry(along), plan.carry(plan.velocities.slips[key(slide)])]
-    part = plan.board.similar(f"a^{name}", carried[0], carried[1], carried[2], 2.0, "the slip turned with the guide")
-    return plan.board.lay_off(name, start, part, "Coriolis part: 2 omega times the slip")
+    part = plan.board.similar(f"a^{name}", carried[0], carried[1], carried[2], 2.0, because("slip_turned"))
+    return plan.board.lay_off(name, start, part, because("coriolis"))
 
 
 def ride(plan: Plan, dyad: Dyad, end: int, origin: Mark, at: complex) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from geometry.board import Mark
 from plans.linkage.plan import Image, Plan, Reading
 from plans.model.structure import Dyad
+from plans.words.words import because
 
 
 def vector(plan: Plan, dyad: Dyad, end: int) -> complex:
@@ -23,14 +24,14 @@ def arm(plan: Plan, link: int) -> Mark:
 def placed(plan: Plan, dyad: Dyad, end: int, start: Mark, tip: Mark) -> None:
     """Keep a lead on the plan of positions by the vector between its hinges."""
     link = plan.mechanism.links[dyad.links[end]]
-    drawn = plan.board.join(f"{start.name}{tip.name}", start, tip, f"link {link.number}")
+    drawn = plan.board.join(f"{start.name}{tip.name}", start, tip, because("link", link=link.number))
     plan.images[link.number] = Image(start, drawn, link.points[dyad.hinge(end)], vector(plan, dyad, end))
 
 
 def about(plan: Plan, link: int, start: Mark) -> Mark:
     """Draw the line of a lead's turning part: through a start, square to the lead."""
     along = arm(plan, link)
-    return plan.board.square(f"⊥{along.name}", start, along, f"the turning part is square to {along.name}")
+    return plan.board.square(f"⊥{along.name}", start, along, because("square_turning", line=along.name))
 
 
 def normal(plan: Plan, link: int, start: Mark, ends: tuple[str, str]) -> Mark:
@@ -40,14 +41,14 @@ def normal(plan: Plan, link: int, start: Mark, ends: tuple[str, str]) -> Mark:
     """
     along, turning = arm(plan, link), plan.carry(plan.velocities.readings[link].turning)
     name = plan.written.normal(ends[1], "" if start is plan.pole else ends[0])
-    part = plan.board.similar(f"a^{name}", turning, along, turning, why=f"normal part: v squared over {along.name}")
-    return plan.board.lay_off(name, start, part, "directed to the centre of rotation")
+    part = plan.board.similar(f"a^{name}", turning, along, turning, why=because("normal", line=along.name))
+    return plan.board.lay_off(name, start, part, because("to_centre"))
 
 
 def met(plan: Plan, point: str, first: Mark, second: Mark) -> Mark:
     """Meet the two known directions in the image of the inner pair's point."""
     name = plan.letter(point)
-    return plan.name(point, plan.board.meet(name, first, second, why=f"{name} lies on both directions"))
+    return plan.name(point, plan.board.meet(name, first, second, why=because("both_directions", point=name)))
 
 
 def turned(plan: Plan, link: int, start: Mark, turning_from: Mark, tip: Mark) -> None:
@@ -57,5 +58,5 @@ def turned(plan: Plan, link: int, start: Mark, turning_from: Mark, tip: Mark) ->
     plan.images[link] = Image(start, relative, base.at, base.span)
     turning = relative
     if turning_from is not start:
-        turning = plan.board.join(f"{turning_from.name}{tip.name}", turning_from, tip, "tangential part")
+        turning = plan.board.join(f"{turning_from.name}{tip.name}", turning_from, tip, because("tangential"))
     plan.readings[link] = Reading(arm(plan, link), turning)

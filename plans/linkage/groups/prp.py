@@ -7,6 +7,7 @@ from geometry.meet import Sizes
 from plans.linkage.groups import guide, lead
 from plans.linkage.plan import Plan
 from plans.model.structure import Dyad
+from plans.words.words import because
 
 
 def positions(plan: Plan, dyad: Dyad, side: Sizes) -> None:
@@ -16,7 +17,7 @@ def positions(plan: Plan, dyad: Dyad, side: Sizes) -> None:
         guide.line(plan, dyad.slide(end), dyad.hosts[end], guide.offset(plan, dyad.slide(end), link, name).left)
         for end, link in enumerate(dyad.links)
     ]
-    b = plan.name(name, plan.board.meet(name, lines[0], lines[1], why=f"{name} lies on both guides"))
+    b = plan.name(name, plan.board.meet(name, lines[0], lines[1], why=because("both_guides", point=name)))
     for end, link in enumerate(dyad.links):
         guide.ride(plan, dyad, end, b, plan.mechanism.links[link].points[name])
 

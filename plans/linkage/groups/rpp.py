@@ -8,6 +8,7 @@ from plans.linkage.groups import guide
 from plans.linkage.plan import Image, Plan
 from plans.model.mechanism import Way
 from plans.model.structure import Dyad
+from plans.words.words import because
 
 
 def positions(plan: Plan, dyad: Dyad, side: Sizes) -> None:
@@ -16,13 +17,13 @@ def positions(plan: Plan, dyad: Dyad, side: Sizes) -> None:
     inner, outer = dyad.slide(), dyad.slide(1)
     guided = guide.direction(plan, outer, dyad.hosts[1])
     angle = inner.way(yoke).direction / outer.way(yoke).direction
-    slot = board.turn(f"u{yoke}", guided, angle, "the slot keeps its angle to the guide")
+    slot = board.turn(f"u{yoke}", guided, angle, because("slot_angle"))
     plan.units[guide.key(inner)] = slot
     left = guide.offset(plan, inner, stone, dyad.hinge(0)).left
     through = guide.shifted(plan, a, slot, -left, f"slot of {dyad.hinge(0)}")
     local, own = _crossing(inner.way(yoke), outer.way(yoke)), plan.mechanism.links[yoke].points
     name = next((point for point, place in own.items() if place == local), f"N{yoke}")
-    n = board.meet(name, through, guide.line(plan, outer, dyad.hosts[1], 0.0), why="the slot crosses the guide")
+    n = board.meet(name, through, guide.line(plan, outer, dyad.hosts[1], 0.0), why=because("slot_crosses"))
     plan.images[stone] = Image(a, slot, plan.mechanism.links[stone].points[dyad.hinge(0)], inner.way(stone).direction)
     plan.images[yoke] = Image(n, guided, local, outer.way(yoke).direction)
     _read(plan, dyad)
@@ -31,7 +32,7 @@ def positions(plan: Plan, dyad: Dyad, side: Sizes) -> None:
 def velocities(plan: Plan, dyad: Dyad) -> None:
     """Meet the slip along the slot from a with the sliding along the guide in a3 (M3.5)."""
     board, a, slot = plan.board, plan.point(dyad.hinge(0)), guide.direction(plan, dyad.slide(), dyad.links[1])
-    along = board.parallel(f"∥{slot.name}", a, plan.carry(slot), "slip along the slot")
+    along = board.parallel(f"∥{slot.name}", a, plan.carry(slot), because("slip_slot"))
     guided = guide.sliding_line(plan, dyad.slide(1), dyad.hosts[1], plan.positions.point(dyad.hinge(0)))
     under = _met(plan, dyad, along, guided)
     guide.slip(plan, dyad.slide(), along, under, dyad.hinge(0))
@@ -44,7 +45,7 @@ def accelerations(plan: Plan, dyad: Dyad) -> None:
     slot = guide.direction(plan, inner, dyad.links[1])
     spun = plan.velocities.units.get(guide.key(inner))
     k = guide.coriolis(plan, inner, a, slot, spun, plan.written.coriolis(dyad.hinge(0), dyad.links[1]))
-    along = board.parallel(f"∥{slot.name}", k, plan.carry(slot), "slip along the slot")
+    along = board.parallel(f"∥{slot.name}", k, plan.carry(slot), because("slip_slot"))
     guided = guide.coriolis_line(plan, dyad.slide(1), dyad.hosts[1], plan.positions.point(dyad.hinge(0)))
     _met(plan, dyad, along, guided)
 
@@ -53,17 +54,19 @@ def _met(plan: Plan, dyad: Dyad, along: Mark, guided: Mark) -> Mark:
     """Meet in the image of the yoke's point under the pin, and carry it to the yoke's own point N."""
     board, base, (stone, yoke) = plan.board, plan.positions, dyad.links
     a, inner, outer = plan.point(dyad.hinge(0)), dyad.slide(), dyad.slide(1)
-    under = board.meet(
-        plan.written.under(dyad.hinge(0), yoke), along, guided, why=f"the point of link {yoke} under the pin"
-    )
+    under = board.meet(plan.written.under(dyad.hinge(0), yoke), along, guided, why=because("under_pin", link=yoke))
     turned = guide.unit(plan, outer, dyad.hosts[1])
     n, slot = under, None
     if turned is not None:
         still = guide.direction(plan, outer, dyad.hosts[1])
         back = base.board.join(f"{a.name}N", base.point(dyad.hinge(0)), base.images[yoke].origin)
-        carried = board.similar(f"{under.name}n", turned, plan.carry(still), plan.carry(back), why=f"link {yoke} turns")
-        n = board.lay_off(plan.written.own("n", yoke), under, carried, f"N by similarity on link {yoke}")
-        slot = board.turn(f"u{yoke}", turned, inner.way(yoke).direction / outer.way(yoke).direction, "the slot turns")
+        carried = board.similar(
+            f"{under.name}n", turned, plan.carry(still), plan.carry(back), why=because("turns", link=yoke)
+        )
+        n = board.lay_off(plan.written.own("n", yoke), under, carried, because("similar", point="N", link=yoke))
+        slot = board.turn(
+            f"u{yoke}", turned, inner.way(yoke).direction / outer.way(yoke).direction, because("slot_turns")
+        )
     plan.units[guide.key(inner)] = slot
     plan.images[stone] = Image(a, slot, base.images[stone].at, base.images[stone].span)
     plan.images[yoke] = Image(n, turned, base.images[yoke].at, base.images[yoke].span)

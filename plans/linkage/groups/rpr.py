@@ -7,6 +7,7 @@ from geometry.meet import Sizes
 from plans.linkage.groups import guide
 from plans.linkage.plan import Image, Plan, Reading
 from plans.model.structure import Dyad
+from plans.words.words import because
 
 
 def positions(plan: Plan, dyad: Dyad, side: Sizes) -> None:
@@ -14,7 +15,7 @@ def positions(plan: Plan, dyad: Dyad, side: Sizes) -> None:
     (a, c), slide = _outer(plan, dyad), dyad.slide()
     left = [guide.offset(plan, slide, dyad.links[end], dyad.hinge(end)).left for end in (0, 1)]
     slot = plan.board.tangent(
-        f"u{slide.owner}", c, a, left[0] - left[1], side, f"the slot of link {slide.owner} holds the pin {a.name}"
+        f"u{slide.owner}", c, a, left[0] - left[1], side, because("slot_holds", link=slide.owner, point=a.name)
     )
     plan.units[guide.key(slide)] = slot
     for end, pin in enumerate((a, c)):
@@ -27,12 +28,12 @@ def velocities(plan: Plan, dyad: Dyad) -> None:
     """Meet the slip along the slot from a with the turning about C, square to CA, in a3 (M3.4)."""
     board, (a, c), slide = plan.board, _outer(plan, dyad), dyad.slide()
     reach, slot = _reach(plan, dyad), plan.carry(guide.direction(plan, slide, slide.owner))
-    along = board.parallel(f"∥{slot.name}", a, slot, "slip along the slot")
-    around = board.square(f"⊥{reach.name}", c, reach, f"turning about {dyad.hinge(1)}")
-    under = board.meet(_under(plan, dyad), along, around, why=f"the point of link {dyad.links[1]} under the pin")
+    along = board.parallel(f"∥{slot.name}", a, slot, because("slip_slot"))
+    around = board.square(f"⊥{reach.name}", c, reach, because("turning_about", point=dyad.hinge(1)))
+    under = board.meet(_under(plan, dyad), along, around, why=because("under_pin", link=dyad.links[1]))
     guide.slip(plan, slide, along, under, dyad.hinge(0))
     turning = board.join(f"{c.name}{under.name}", c, under)
-    _keep(plan, dyad, (a, c), board.similar(f"{slot.name}'", turning, reach, slot, why="the slot turns with link"))
+    _keep(plan, dyad, (a, c), board.similar(f"{slot.name}'", turning, reach, slot, why=because("slot_turns_link")))
     for link in dyad.links:
         plan.readings[link] = Reading(reach, turning)
 
@@ -45,14 +46,16 @@ def accelerations(plan: Plan, dyad: Dyad) -> None:
     k = guide.coriolis(plan, slide, a, slot, spun, plan.written.coriolis(dyad.hinge(0), dyad.links[1]))
     turning = plan.carry(plan.velocities.readings[dyad.links[1]].turning)
     name = plan.written.normal(_under(plan, dyad).upper())
-    part = board.similar(f"a^{name}", turning, reach, turning, why=f"normal part: v squared over {reach.name}")
-    n = board.lay_off(name, c, part, "directed to the centre of rotation")
-    along = board.parallel(f"∥{slot.name}", k, plan.carry(slot), "slip along the slot")
-    around = board.square(f"⊥{reach.name}", n, reach, "tangential part")
-    under = board.meet(_under(plan, dyad), along, around, why=f"the point of link {dyad.links[1]} under the pin")
+    part = board.similar(f"a^{name}", turning, reach, turning, why=because("normal", line=reach.name))
+    n = board.lay_off(name, c, part, because("to_centre"))
+    along = board.parallel(f"∥{slot.name}", k, plan.carry(slot), because("slip_slot"))
+    around = board.square(f"⊥{reach.name}", n, reach, because("tangential"))
+    under = board.meet(_under(plan, dyad), along, around, why=because("under_pin", link=dyad.links[1]))
     whole = board.join(f"{c.name}{under.name}", c, under)
-    _keep(plan, dyad, (a, c), board.similar(f"{slot.name}''", whole, reach, plan.carry(slot), why="similarity"))
-    tangential = board.join(f"{n.name}{under.name}", n, under, "tangential part")
+    _keep(
+        plan, dyad, (a, c), board.similar(f"{slot.name}''", whole, reach, plan.carry(slot), why=because("similarity"))
+    )
+    tangential = board.join(f"{n.name}{under.name}", n, under, because("tangential"))
     for link in dyad.links:
         plan.readings[link] = Reading(reach, tangential)
 
@@ -71,7 +74,7 @@ def _reach(plan: Plan, dyad: Dyad) -> Mark:
     base = plan.positions
     if dyad.links not in base.reaches:
         a, c = _outer(base, dyad)
-        base.reaches[dyad.links] = base.board.join(f"{c.name}{a.name}", c, a, "from the pivot to the pin")
+        base.reaches[dyad.links] = base.board.join(f"{c.name}{a.name}", c, a, because("to_pin"))
     return plan.carry(base.reaches[dyad.links])
 
 

@@ -6,6 +6,7 @@ from geometry.meet import Sizes
 from plans.linkage.groups import guide, lead
 from plans.linkage.plan import Plan
 from plans.model.structure import Dyad
+from plans.words.words import because
 
 
 def positions(plan: Plan, dyad: Dyad, side: Sizes) -> None:
@@ -14,7 +15,7 @@ def positions(plan: Plan, dyad: Dyad, side: Sizes) -> None:
     left = guide.offset(plan, dyad.slide(1), dyad.links[1], name).left
     along = guide.line(plan, dyad.slide(1), dyad.hosts[1], left)
     arc = board.arc(f"{a.name}{name}", a, abs(lead.vector(plan, dyad, 0)), f"|{a.name}{name}|")
-    b = plan.name(name, board.meet(name, along, arc, side, f"{name} is |{a.name}{name}| from {a.name}, on the guide"))
+    b = plan.name(name, board.meet(name, along, arc, side, because("on_guide", point=name, start=a.name)))
     lead.placed(plan, dyad, 0, a, b)
     guide.ride(plan, dyad, 1, b, plan.mechanism.links[dyad.links[1]].points[name])
 

@@ -7,6 +7,7 @@ from geometry.meet import Sizes
 from plans.linkage.groups import lead
 from plans.linkage.plan import Plan
 from plans.model.structure import Dyad
+from plans.words.words import because
 
 
 def positions(plan: Plan, dyad: Dyad, side: Sizes) -> None:
@@ -16,7 +17,7 @@ def positions(plan: Plan, dyad: Dyad, side: Sizes) -> None:
         board.arc(f"{start.name}{name}", start, abs(lead.vector(plan, dyad, end)), f"|{start.name}{name}|")
         for end, start in enumerate((a, c))
     ]
-    why = f"{name} is |{a.name}{name}| from {a.name} and |{c.name}{name}| from {c.name}"
+    why = because("notched", point=name, start=a.name, end=c.name)
     b = plan.name(name, board.meet(name, arcs[0], arcs[1], side, why))
     lead.placed(plan, dyad, 0, a, b)
     lead.placed(plan, dyad, 1, c, b)

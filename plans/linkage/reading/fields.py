@@ -10,11 +10,13 @@ from typing import Final, Literal
 from geometry.errors import LimitError
 from plans.scene import forms, units
 from plans.scene.faults import wrong
-from plans.scene.fields import ANGLE, NAME_LIMIT, check_name, choice, few, whole
+from plans.scene.fields import ANGLE, NAME_LIMIT, check_name, choice, few, sample, whole
 from plans.scene.tables import Check, either, many, one
 from plans.scene.units import type_name
+from plans.words.words import message, placed
 
 POSITIONS_LIMIT = 100_000
+MANY = message("limit.more", name="POSITIONS_LIMIT", limit=POSITIONS_LIMIT)
 LINKS_LIMIT = 60
 
 LETTER = re.compile(r"[A-ZА-ЯЁ][0-9]*[′']*")
@@ -49,7 +51,7 @@ def check_letters(value: object) -> tuple[str, ...]:
         if not names:
             raise wrong("letters")
     else:
-        raise wrong("wrong_type", wanted="letters of points", found=type_name(value), example='text: "OA"')
+        raise wrong("wrong_type", wanted="letters of points", found=type_name(value), example=sample("OA"))
     for name in names:
         if names.count(name) > 1:
             raise wrong("repeated", entry=name)
@@ -110,7 +112,7 @@ def count_positions(value: object) -> int:
         wanted = "a whole number, or a list of crank angles"
         raise wrong("wrong_type", wanted=wanted, found=type_name(value), example="positions = 12")
     if value > POSITIONS_LIMIT:
-        raise LimitError(f"drive.positions = {value}: more than POSITIONS_LIMIT = {POSITIONS_LIMIT}")
+        raise LimitError(placed(f"drive.positions = {value}", MANY))
     return value
 
 
@@ -119,7 +121,7 @@ def position_list(value: tuple[Decimal, ...]) -> tuple[Decimal, ...]:
     if not value:
         raise wrong("empty")
     if len(value) > POSITIONS_LIMIT:
-        raise LimitError(f"drive.positions: more than POSITIONS_LIMIT = {POSITIONS_LIMIT}")
+        raise LimitError(placed("drive.positions", MANY))
     seen: dict[Decimal, Decimal] = {}
     for place in value:
         # In EXACT the remainder is exact; a whole turn more is the same position of the crank.

@@ -14,6 +14,7 @@ from plans.linkage.reading.survey import Survey
 from plans.model.mechanism import FRAME, Slide, Way
 from plans.scene.faults import Path, suggestion
 from plans.scene.units import EXACT
+from plans.words.words import message
 
 # Directions of whole right angles have exact unit numbers.
 RIGHT_ANGLES: Mapping[Decimal, complex] = {
@@ -102,6 +103,6 @@ class Guides:
             self.survey.report(path, "not_itself")
         else:
             lines = {line_name(*points[:2]): link for link, points in self.survey.points_of.items() if len(points) > 1}
-            advice = suggestion(line_name(*along), lines, "name two points of the link it slides along")
+            advice = suggestion(line_name(*along), lines, message("advice.two_points"))
             self.survey.report(path, "no_common_link", first=along[0], second=along[1], suggestion=advice)
         return None

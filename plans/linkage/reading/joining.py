@@ -8,6 +8,7 @@ from itertools import combinations
 from plans.linkage.reading.survey import Survey
 from plans.model.mechanism import FRAME, Slide
 from plans.scene.faults import Path
+from plans.words.words import message
 
 
 def check_joining(survey: Survey, slides: tuple[Slide, ...]) -> None:
@@ -18,7 +19,7 @@ def check_joining(survey: Survey, slides: tuple[Slide, ...]) -> None:
         return
     waiting = _islands(survey, slides)
     if waiting:
-        links = ("link " if len(waiting) == 1 else "links ") + ", ".join(map(str, sorted(waiting)))
+        links = message("place.links", count=len(waiting), links=", ".join(map(str, sorted(waiting))))
         survey.report(_link(min(waiting)), "island", links=links)
     if survey.faults or survey.doubts:
         return  # what is told already may be the reason

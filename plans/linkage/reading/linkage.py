@@ -14,6 +14,7 @@ from plans.linkage.reading.survey import RATIO_LIMIT, Survey, natural, spread
 from plans.model.mechanism import FRAME, Drive, Link, Mechanism, Output, Slide, StructureError
 from plans.scene.faults import Path, SceneError, suggestion
 from plans.scene.scene import Meaning, Scene
+from plans.words.words import Message, message
 
 ORIGIN: Spot = (Decimal(0), Decimal(0))
 
@@ -75,7 +76,7 @@ def _drive_ends(survey: Survey) -> tuple[str, str] | None:
         survey.report(path, "many_hinges", points=", ".join(fixed), link=link)
         survey.doubts.add(("mechanism", "links", str(link)))
     elif not fixed:
-        advice = f"give link {link} a point of [mechanism.frame]"
+        advice = message("advice.hinge", link=link)
         survey.report(path, "no_hinge", suggestion=survey.twin(points, survey.points_of[FRAME]) or advice)
     elif not free:
         survey.report(path, "no_end", link=link, pivot=fixed[0])
@@ -134,7 +135,7 @@ def _check_length(survey: Survey, pair: frozenset[str], path: Path) -> None:
     if not owners:
         if not survey.doubtful(("mechanism", "links"), ("mechanism", "points")):
             near = [line_name(*link[:2]) for link in survey.form.mechanism.links.values() if len(link) > 1]
-            advice = suggestion(str(path[2]), near, "add the link, or correct the letters")
+            advice = suggestion(str(path[2]), near, message("advice.add_link"))
             survey.report(path, "no_common_link", first=first, second=second, suggestion=advice)
     elif not moving:
         survey.report(path, "fixed_length", first=first, second=second)
@@ -185,20 +186,19 @@ def _wrong_mobility(scene: Scene, mechanism: Mechanism) -> StructureError:
         "advice": _mobility_advice(scene, mechanism),
     }
     links = tuple(sorted(scene.of(LinkageForm).mechanism.links))
-    return StructureError(str(scene.fault(("mechanism", "links"), "mobility", **details)), links, mechanism.mobility)
+    return StructureError(scene.fault(("mechanism", "links"), "mobility", **details), links, mechanism.mobility)
 
 
-def _mobility_advice(scene: Scene, mechanism: Mechanism) -> str:
+def _mobility_advice(scene: Scene, mechanism: Mechanism) -> Message:
     fixed = mechanism.links[FRAME].points
     unused = [name for name in fixed if name not in mechanism.hinges]
     if mechanism.mobility > 1 and unused:
-        return f"add a hinge or a slide; no link has the fixed point {', '.join(unused)}"
+        return message("advice.joint_fixed", points=", ".join(unused))
     ends = _free_ends(scene, mechanism)
     if mechanism.mobility > 1 and ends:
         link, name = ends[0]
-        where = f"point {name} is of link {link} alone: give it to [mechanism.frame] or to another link"
-        return f"add a hinge or a slide; {where}"
-    return "add a hinge or a slide" if mechanism.mobility > 1 else "take out a link that is held twice, or a slide"
+        return message("advice.joint_end", name=name, link=link)
+    return message("advice.joint" if mechanism.mobility > 1 else "advice.held_twice")
 
 
 def _free_ends(scene: Scene, mechanism: Mechanism) -> list[tuple[int, str]]:

@@ -9,6 +9,7 @@ from geometry.meet import cross
 from plans.linkage.reading.fields import split_letters
 from plans.linkage.reading.survey import Survey
 from plans.scene.units import EXACT, WORKING
+from plans.words.words import message
 
 Spot = tuple[Decimal, Decimal]  # a place in a link's own frame, or measured from the datum: exact metres
 
@@ -63,7 +64,7 @@ class Shaper:
             lacking = [(end, name) for end, size in ((first, near), (second, far)) if size is None]
             doubted = any(self.survey.may_lack(*ends) for ends in lacking)
             if not doubted and not self.survey.doubtful(("mechanism", "points", name)):
-                path, lengths = ("mechanism", "links", str(link)), " and ".join(line_name(*ends) for ends in lacking)
+                path, lengths = ("mechanism", "links", str(link)), tuple(line_name(*ends) for ends in lacking)
                 self.survey.report(path, "no_place", name=name, link=link, lengths=lengths)
             return
         if second not in spots:
@@ -79,7 +80,7 @@ class Shaper:
     def _open(self, first: str, second: str, name: str, base: Decimal, near: Decimal) -> None:
         path = ("mechanism", "lengths", self.survey.lengths[frozenset((second, name))])
         least, most = EXACT.abs(EXACT.subtract(base, near)), EXACT.add(base, near)
-        others = f"{line_name(first, second)} or {line_name(first, name)}"
+        others = (line_name(first, second), line_name(first, name))
         self.survey.report(path, "open_triangle", name=path[2], least=plain(least), most=plain(most), others=others)
 
     def _side(self, link: int, name: str) -> int:
@@ -95,7 +96,7 @@ class Shaper:
         if not self.survey.doubtful(
             *(("mechanism", table, point) for table in ("sketch", "frame") for point in unseen), ("drive",)
         ):
-            reason = f"no place of {', '.join(unseen)}" if unseen else "the three points are in one line"
+            reason = message("side.no_place", points=", ".join(unseen)) if unseen else message("side.in_line")
             path = ("mechanism", "links", str(link))
             points = ", ".join(unseen) or name
             line = line_name(first, second)

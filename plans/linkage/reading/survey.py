@@ -12,9 +12,10 @@ from typing import NamedTuple
 from plans.linkage.reading.fields import split_line
 from plans.linkage.reading.form import LinkageForm
 from plans.model.mechanism import FRAME, Mechanism, Slide
-from plans.scene.faults import SHOWN, TWINS, Fault, Path, suggestion
+from plans.scene.faults import SHOWN, SPELLING, TWINS, Fault, Path, suggestion
 from plans.scene.scene import Scene
 from plans.scene.units import WORKING
+from plans.words.words import Message, message
 
 # A fault beyond this ratio: the shortest link moves the longest one by less than half the digits of a number can tell.
 RATIO_LIMIT = Decimal(10_000_000)
@@ -107,17 +108,17 @@ class Survey:
                 self.report(path, "unknown_point", name=name, suggestion=self._nearest(name))
         return not unknown
 
-    def _nearest(self, name: str) -> str:
+    def _nearest(self, name: str) -> Message:
         if len(self.faults) > SHOWN:
-            return "check the spelling"  # nobody reads it, and comparing a thousand names takes its time
-        otherwise = "the points are " + ", ".join(sorted(self.names, key=natural))
+            return SPELLING  # nobody reads it, and comparing a thousand names takes its time
+        otherwise = message("advice.points", points=", ".join(sorted(self.names, key=natural)))
         return suggestion(name, self.names, otherwise)
 
-    def twin(self, names: Iterable[str], known: Iterable[str]) -> str:
+    def twin(self, names: Iterable[str], known: Iterable[str]) -> Message | None:
         """Advise the letter of the other alphabet where a name only looks like a known one; else nothing."""
         alike = {other.translate(TWINS): other for other in known}
         found = [name for name in names if alike.get(name.translate(TWINS), name) != name]
-        return suggestion(found[0], alike.values()) if found else ""
+        return suggestion(found[0], alike.values()) if found else None
 
     def know_link(self, path: Path, link: int) -> bool:
         """See that a moving link exists; report it if not."""
@@ -134,7 +135,7 @@ class Survey:
         if name in points:
             return True
         if not self.doubtful(("mechanism", "links", str(link)), ("mechanism", "points")):
-            advice = suggestion(name, points, f"name a point of link {link}")
+            advice = suggestion(name, points, message("advice.of_link", link=link))
             self.report(path, "not_of_link", link=link, points=", ".join(points), name=name, suggestion=advice)
         return False
 

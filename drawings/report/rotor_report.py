@@ -1,0 +1,117 @@
+"""A rotor in the report: what was unbalanced, what balances it, how well as drawn, its bearings (ротор в отчёте)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from drawings.page.drafting import Drafting, drafting_of
+from drawings.paper.limits import DECIMALS
+from drawings.paper.strokes import Line
+from drawings.paper.walk import groups
+from drawings.report.chapters import Chapters
+from drawings.report.rotor_notes import GRAM_MILLIMETRES, RotorNotes, grade_name
+from drawings.report.subject import Subject
+from plans.model.balance_quality import letters
+from plans.model.rotor import Balance, Rotor
+from plans.rotor.balancing import UNBALANCES
+from plans.rotor.letters import unbalance_letters
+from plans.study import Study
+
+if TYPE_CHECKING:
+    from drawings.paper.strokes import Leaf
+
+DIGITS = 10
+
+
+def subject(study: Study) -> Subject:
+    """Tell a rotor in a few words, for the gallery's page."""
+    rotor = study["rotor"].rotor
+    planes = "two planes" if rotor.dynamic else "one plane"
+    grade = f", {letters(rotor.grade)}" if rotor.grade else ""
+    how = "dynamic" if rotor.dynamic else "static"
+    structure = f"rotor, {len(rotor.masses)} unbalanced masses"
+    sentence = f"A {structure}, balanced in {planes} by vector polygons ({how} balancing{grade})."
+    return Subject(structure, f"{how}, {planes}", sentence)
+
+
+def headline(study: Study) -> str:
+    """Say what is to be put on the rotor."""
+    return "; ".join(map(_plain, _notes(study).counterweights()))
+
+
+def remarks(study: Study) -> list[str]:
+    """Find nothing that is not whole: every rotor can be balanced."""
+    return []
+
+
+def faults(text: str, study: Study) -> Iterator[str]:
+    """Find no fault: the numbers of a rotor are printed from the comparison that was judged."""
+    yield from ()
+
+
+def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
+    """Tell a rotor, its counterweights, its quality and its bearings."""
+    drafting, comparison = drafting_of(study.scene), study.comparison("rotor")
+    rotor, notes = study["rotor"].rotor, _notes(study)
+    residual = residuals(comparison.analysis, [leaf for own in leaves.values() for leaf in own])
+    return Chapters(
+        subject=_listed(drafting.word("report rotor"), [*_masses(rotor, drafting), *notes.sums()]),
+        values=_listed(drafting.word("report counterweights"), notes.counterweights()),
+        conditions=[
+            *_listed(drafting.word("report quality"), [*notes.quality(), *_residual(rotor, residual, drafting)]),
+            *_listed(drafting.word("report bearings"), notes.reactions()),
+        ],
+        left_out=[drafting.word("report rotor left out")],
+    )
+
+
+def residuals(analysis: Balance, leaves: Sequence[Leaf]) -> dict[str, float]:
+    """Give by how much each counterweight's static moment kg*m, read back from the sheets, is off the analysis's."""
+    planes = {unbalance_letters(one.plane.name): one.plane.name for one in analysis.corrections}
+    true = dict(zip(planes.values(), analysis.moments, strict=True))
+    read = dict.fromkeys(true, 0j)
+    for group in groups(group for leaf in leaves for group in leaf.groups):
+        line = group.strokes[0] if group.strokes else None
+        name = planes.get(group.data.get("name", "")) if group.data.get("plan") == UNBALANCES else None
+        if name is not None and isinstance(line, Line):
+            read[name] = (_written(line.end) - _written(line.start)) * float(group.data["scale"])
+    return {name: abs(read[name] - value) for name, value in true.items()}
+
+
+def _written(place: complex) -> complex:
+    """Give a place, mm, as a pen writes it."""
+    return complex(round(place.real, DECIMALS), round(place.imag, DECIMALS))
+
+
+def _residual(rotor: Rotor, residual: Mapping[str, float], drafting: Drafting) -> Iterator[str]:
+    for name, off in residual.items():
+        told = drafting.number(GRAM_MILLIMETRES * off, 3)
+        yield drafting.word("report residual", letters=unbalance_letters(name), residual=told)
+    quality = rotor.quality(*residual.values())
+    if quality is not None:
+        told = drafting.number(quality, 3)
+        yield drafting.word("report residual quality", quality=told, grade=grade_name(quality, drafting))
+
+
+def _masses(rotor: Rotor, drafting: Drafting) -> Iterator[str]:
+    for one in rotor.masses:
+        numbers = {"moment": one.moment, "angle": float(one.angle), "arm": 1000 * rotor.arm(one.place)}
+        told = {name: drafting.number(value, DIGITS) for name, value in numbers.items()}
+        yield drafting.word("report mass", name=one.name, **told)
+
+
+def _notes(study: Study) -> RotorNotes:
+    rotor = study["rotor"]
+    return RotorNotes(rotor.rotor, rotor.balance, drafting_of(study.scene), DIGITS)
+
+
+def _listed(title: str, lines: Sequence[str] | Iterator[str]) -> list[str]:
+    """Write a chapter as a list; one without lines is left out."""
+    told = [f"- {_plain(line)}" for line in lines]
+    return [title, *told] if told else []
+
+
+def _plain(note: str) -> str:
+    """Write a note without the braces of its indices."""
+    return " ".join(note.replace("{", "").replace("}", "").split())

@@ -1,0 +1,1 @@
+"""Words: what plandraft says, by key, in one file a language (слова)."""

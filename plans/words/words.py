@@ -1,0 +1,147 @@
+"""Words (слова): every phrase of plandraft by its key, in a file for each language: `en.json`, `ru.json`.
+
+All languages have the same keys with the same parts. In a phrase {name} stands for a part as it is; {name:term} for the
+word that the group "term" has for it; {size:number} for a number's text with the decimal mark of the language;
+{names:or} for a list, joined as "join.or" says. A phrase in several forms is a plural: by the language's patterns of
+numbers under "plural" the part `count` chooses one of them.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Protocol, runtime_checkable
+
+FOLDER = Path(__file__).parent
+ENGLISH = "en"
+Phrase = str | list[str]
+
+
+@cache
+def languages() -> tuple[str, ...]:
+    """Give the languages that there are words in."""
+    return tuple(sorted(file.stem for file in FOLDER.glob("*.json")))
+
+
+@runtime_checkable
+class Worded(Protocol):
+    """What can be said in a language: a message, or a fault of a scene."""
+
+    def worded(self, language: str) -> str:
+        """Say it in a language."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Message:
+    """What is to be said, by its key and its parts; in English where nobody asks for a language."""
+
+    key: str
+    parts: tuple[tuple[str, object], ...] = ()
+
+    def worded(self, language: str) -> str:
+        """Say it in a language."""
+        return word(language, self.key, **dict(self.parts))
+
+    def __str__(self) -> str:
+        return self.worded(ENGLISH)
+
+
+def message(key: str, /, **parts: object) -> Message:
+    """Make what is to be said; parts may be messages themselves, lists are tuples.
+
+    >>> str(message("advice.meant", names=('"AB"', '"CB"')))
+    'did you mean "AB" or "CB"?'
+    """
+    return Message(key, tuple(parts.items()))
+
+
+def because(key: str, /, **parts: object) -> Message:
+    """Give the reason of a drafting step, by its key among the steps.
+
+    >>> because("link", link=4).worded("ru")
+    'звено 4'
+    """
+    return message(f"step.{key}", **parts)
+
+
+def placed(where: object, what: object) -> Message:
+    """Say of which place in a file something is said."""
+    return message("placed", where=where, what=what)
+
+
+def said(thing: object, language: str) -> str:
+    """Say a thing in a language: a message by its words, an error by what it was raised with, all else as it is."""
+    if isinstance(thing, Exception) and len(thing.args) == 1:
+        thing = thing.args[0]
+    return thing.worded(language) if isinstance(thing, Worded) else str(thing)
+
+
+def word(language: str, key: str, /, **parts: object) -> str:
+    """Give the phrase of a key in a language, with its parts.
+
+    >>> word("ru", "sheet.velocities", position=2), word("en", "fault.missing.expected", thing="mass")
+    ('План скоростей, положение 2', 'this mass')
+    """
+    phrase = words(language)[key]
+    if not isinstance(phrase, str):
+        phrase = phrase[min(_plural(language, parts["count"]), len(phrase) - 1)]
+    return phrase.format_map({name: _Part(part, language) for name, part in parts.items()})
+
+
+def term(language: str, group: str, name: str) -> str:
+    """Give the word of a language for one of the names of a group; a name that the group has not is the scene's own.
+
+    >>> term("ru", "unit", "rad/s"), term("ru", "term", "F_us")
+    ('рад/с', 'F_us')
+    """
+    phrase = words(language).get(f"{group}.{name}")
+    return phrase.format() if isinstance(phrase, str) else name
+
+
+@cache
+def words(language: str) -> Mapping[str, Phrase]:
+    """Read the phrases of a language, by keys such as "fault.missing.advice"."""
+    return dict(_flat(json.loads((FOLDER / f"{language}.json").read_text("utf-8")), ""))
+
+
+def _flat(group: Mapping[str, object], path: str) -> Iterator[tuple[str, Phrase]]:
+    for key, entry in group.items():
+        if isinstance(entry, dict):
+            yield from _flat(entry, f"{path}{key}.")
+        elif isinstance(entry, str | list):
+            yield path + key, entry
+
+
+def _plural(language: str, count: object) -> int:
+    """Choose the form in which a language counts so many."""
+    patterns = words(language)["plural"]
+    return next((k for k, pattern in enumerate(patterns) if re.search(pattern, str(count))), len(patterns))
+
+
+@dataclass(frozen=True, slots=True)
+class _Part:
+    """A part of a phrase, written as the phrase asks for it."""
+
+    value: object
+    language: str
+
+    def __format__(self, wish: str) -> str:
+        if not wish:
+            return said(self.value, self.language)
+        if wish == "number":
+            return str(self.value).replace(".", word(self.language, "number.decimal"))
+        if isinstance(self.value, tuple):
+            return self._joined(*words(self.language)[f"join.{wish}"])
+        return said(self.value, self.language) if isinstance(self.value, Worded) else self._term(wish)
+
+    def _term(self, group: str) -> str:
+        return term(self.language, group, str(self.value))
+
+    def _joined(self, between: str, last: str) -> str:
+        names = [said(name, self.language) for name in self.value] if isinstance(self.value, tuple) else []
+        return last.join(filter(None, (between.join(names[:-1]), *names[-1:])))

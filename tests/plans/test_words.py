@@ -1,0 +1,146 @@
+"""Words: every language has every phrase, with the same parts, and none is in another language."""
+
+from __future__ import annotations
+
+import ast
+import json
+import re
+import string
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from plans.scene.faults import Fault
+from plans.scene.source import language_of
+from plans.words.words import ENGLISH, FOLDER, Message, languages, message, placed, said, term, word, words
+
+ROOT = Path(__file__).parent.parent.parent
+KEYS = [key for key in words(ENGLISH) if key != "plural"]
+OTHERS = [language for language in languages() if language != ENGLISH]
+# Words that only an English sentence has; keys of the scene, units and letters of points are in every language.
+JOINS = [key.removeprefix("join.") for key in words(ENGLISH) if key.startswith("join.")]
+ENGLISH_WORDS = re.compile(
+    r"\b(the|of|to|is|are|or|and|write|but|found|this|expected|Fix|cannot|each|that|it|not|which|there|with|does|more"
+    r"|than|as|lines?|links?(?= \d)|no)\b"
+)
+
+
+def forms(language: str, key: str) -> list[str]:
+    phrase = words(language)[key]
+    return [phrase] if isinstance(phrase, str) else phrase
+
+
+def parts(text: str) -> set[tuple[str, str]]:
+    return {(name, wish or "") for _, name, wish, _ in string.Formatter().parse(text) if name is not None}
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_every_language_has_every_phrase(language: str) -> None:
+    assert words(language).keys() == words(ENGLISH).keys()
+    for key in words(ENGLISH):
+        assert isinstance(words(language)[key], str) == isinstance(words(ENGLISH)[key], str), key
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_a_phrase_has_the_same_parts_in_every_language(language: str) -> None:
+    """Of a fault what was expected and the advice have them together: a language may turn them about."""
+    for key in KEYS:
+        stem = re.sub(r"^((?:fault|note)\..*)\.(expected|advice)$", r"\1", key)
+        both = [f"{stem}.{part}" for part in ("expected", "advice")] if stem != key else [key]
+        ours, theirs = (
+            {name for part in both for form in forms(known, part) for name, _ in parts(form)}
+            for known in (ENGLISH, language)
+        )
+        assert ours == theirs, key
+
+
+@pytest.mark.parametrize("language", languages())
+def test_no_file_says_a_key_twice(language: str) -> None:
+    def once(pairs: list[tuple[str, object]]) -> dict[str, object]:
+        assert len(pairs) == len(dict(pairs)), pairs
+        return dict(pairs)
+
+    json.loads((FOLDER / f"{language}.json").read_text("utf-8"), object_pairs_hook=once)
+
+
+@pytest.mark.parametrize("language", languages())
+def test_a_list_of_words_is_one_that_is_there(language: str) -> None:
+    """{name:group} asks for a group of words, {name:and} for a list."""
+    groups = {key.partition(".")[0] for key in words(ENGLISH)}
+    for key in KEYS:
+        assert {wish for form in forms(language, key) for _, wish in parts(form)} <= groups | {"", *JOINS}, key
+
+
+def test_a_russian_phrase_is_in_russian() -> None:
+    for key in KEYS:
+        for form in forms("ru", key):
+            bare = re.sub(r"\{.*?\}|\"[^\"]*\"|\[.*\]|= .*", "", form)
+            assert not ENGLISH_WORDS.search(bare), key
+            if key.startswith(("fault.", "note.")):
+                assert re.search(r"[а-яё]{3}", bare) or not bare.strip("{} ")
+                assert form and not form.endswith(".")  # the sentence around it ends so
+
+
+def test_a_message_is_said_in_the_language_that_is_asked_for() -> None:
+    lost = placed("a: b.toml:4:1", message("advice.meant", names=("AB", "CD", "EF")))
+    assert str(lost) == "a: b.toml:4:1: did you mean AB or CD or EF?"
+    assert lost.worded("ru") == said(ValueError(lost), "ru") == "a: b.toml:4:1: возможно, AB, CD или EF?"
+    assert said("as it is", "ru") == said(ValueError("as it is"), "ru") == "as it is"
+
+
+@pytest.mark.parametrize(("count", "shown"), [(1, "положение"), (2, "положения"), (21, "положение"), (11, "положения")])
+def test_a_language_counts_as_it_does(count: int, shown: str) -> None:
+    assert word("ru", "verdict.near", count=count, positions="3").startswith(f"{shown} 3:")
+
+
+@pytest.mark.parametrize("name", ["length", "text", "none", "link 3", "AB or CD"])
+def test_a_name_of_the_scene_is_not_translated(name: str) -> None:
+    fault = Fault("s.toml", 1, 1, (), "", "unknown_point", {"name": name, "suggestion": message("advice.delete")})
+    assert f"точки {name} нет. Исправьте: удалите его." in fault.worded("ru")
+    assert term("ru", "plan", name) == name
+
+
+def test_a_language_without_words_is_told_in_english(tmp_path: Path) -> None:
+    scene = tmp_path / "scene.toml"
+    scene.write_text('[sheet]\nlanguage = "fr"\n', "utf-8")
+    assert language_of(scene) == ENGLISH
+
+
+# Errors that end a command whose scene has a language; a TypeError is a bug of ours, and a fault has words of its own.
+ERRORS = re.compile(r"(Limit|Sheet|Sketch|Structure|File|Draft)Error|SelfCheckFailed|NoExtreme|UnknownMark|UnknownName")
+# What a user cannot bring about, or what no scene is at hand for: the pens' own demands, and a sheet that is measured.
+ASIDE = re.compile(r"drawings/(pens|measure|bench)/|plans/bench/|(strokes|extent|words|measure)\.py")
+FILES = [path for top in ("plans", "drawings") for path in sorted((ROOT / top).rglob("*.py"))]
+
+
+def sentences(path: Path) -> Iterator[str]:
+    """Give what a file raises that is a text of its own, and not words by their key."""
+    for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+        error = node.exc if isinstance(node, ast.Raise) else None
+        if isinstance(error, ast.Call) and ERRORS.fullmatch(ast.unparse(error.func)):
+            yield from (ast.unparse(text) for text in error.args if isinstance(text, ast.JoinedStr | ast.Constant))
+
+
+def test_what_ends_a_command_is_raised_by_its_key() -> None:
+    found = {path.relative_to(ROOT).as_posix(): list(sentences(path)) for path in FILES}
+    assert {path: texts for path, texts in found.items() if texts and not ASIDE.search(path)} == {}
+
+
+def keys(path: Path) -> Iterator[str]:
+    """Give the keys that a file names as they are."""
+    for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+        if isinstance(node, ast.Call) and ast.unparse(node.func) in ("message", "words.word") and node.args:
+            named = ast.walk(node.args[0 if ast.unparse(node.func) == "message" else -1])
+            yield from (one.value for one in named if isinstance(one, ast.Constant) and isinstance(one.value, str))
+
+
+def test_every_key_that_is_named_is_there() -> None:
+    named = {key for path in FILES for key in keys(path) if re.fullmatch(r"[a-z]+\.[a-z_0-9]+", key)}
+    assert len(named) > 50
+    assert named <= words(ENGLISH).keys()
+
+
+def test_a_message_is_a_value() -> None:
+    assert message("limit.parts", limit=3) == Message("limit.parts", (("limit", 3),))
+    assert len({message("limit.parts", limit=3), message("limit.parts", limit=3)}) == 1
