@@ -82,7 +82,9 @@ def session(scene: Scene, order: Order, tell: Callable[[str], None]) -> Bench:
         tell("start-up")
         ratios += _startup(scene, order)
     tell("")
-    return Bench(scene.title, there, (*rows, *hands), tuple(ratios), (*_words(order), *told), order.accepted)
+    words = (*_words(order), *told)
+    gaps = bool(LinkageStudy(scene).lost.any())
+    return Bench(scene.title, there, (*rows, *hands), tuple(ratios), words, order.accepted, gaps)
 
 
 def _at(scene: Scene, count: int, order: Order, largest: Mapping[str, float]) -> list[Row]:

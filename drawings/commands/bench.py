@@ -7,13 +7,15 @@ import sys
 from pathlib import Path
 
 from drawings.bench import plot, record, table
-from drawings.bench.session import ACCEPTED, Order, session
+from drawings.bench.session import ACCEPTED, Order
+from drawings.bench.sessions import SESSIONS
 from drawings.bench.sheet import DRAWN
 from drawings.files import atomic_files
 from geometry.errors import LimitError
+from plans.bench.result import Bench
 from plans.linkage.reading.fields import POSITIONS_LIMIT
-from plans.linkage.study import LinkageStudy
 from plans.scene.scene import read_scene
+from plans.techniques import named, technique_of
 from plans.words.words import message, placed
 
 GAPS = 4
@@ -27,7 +29,7 @@ def run(options: argparse.Namespace) -> int:
     if options.output is not None:
         plot.ready()
         atomic_files.prepare(options.output)
-    found = session(scene, order(options), _tell)
+    found: Bench = named(SESSIONS[technique_of(scene.sheets[0])])(scene, order(options), _tell)
     print(record.json_text(found) if options.json else table.written(found))
     if options.output is not None:
         stem = options.output / f"{Path(scene.file).stem}-bench"
@@ -35,7 +37,7 @@ def run(options: argparse.Namespace) -> int:
         for path, content in written.items():
             atomic_files.write(path, content)
             print(path, file=sys.stderr if options.json else sys.stdout)
-    return GAPS if LinkageStudy(scene).lost.any() else 0
+    return GAPS if found.gaps else 0
 
 
 def order(options: argparse.Namespace) -> Order:

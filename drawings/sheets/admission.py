@@ -11,7 +11,7 @@ from plans.forces.reading.form import ForceForm
 from plans.linkage.reading.form import LinkageForm
 from plans.scene.faults import Path
 from plans.scene.scene import Scene
-from plans.words.words import placed
+from plans.words.words import message, placed
 
 POSITIONS_DRAWN = 360  # more positions than degrees cannot be told apart on any sheet
 CELLS = ("designation", "drawn", "checked", "approved", "date", "group", "organisation")
@@ -22,10 +22,8 @@ def of_linkage(scene: Scene) -> None:
     letter(scene, _points(scene))
     count = scene.of(LinkageForm).drive.count
     if count > POSITIONS_DRAWN:
-        raise LimitError(
-            f"{scene.file}: drive.positions = {count}: a sheet shows at most {POSITIONS_DRAWN}. "
-            "Fix: fewer positions, or plandraft solve for the numbers alone"
-        )
+        most = message("limit.sheet", most=POSITIONS_DRAWN)
+        raise LimitError(placed(f"{scene.file}: drive.positions = {count}", most))
 
 
 def of_forces(scene: Scene) -> None:

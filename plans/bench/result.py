@@ -85,3 +85,4 @@ class Bench:
     ratios: tuple[Ratio, ...]
     words: tuple[str, ...]  # definitions, acceptance, repetitions, what was left out
     accepted: float  # the largest error that is accepted
+    gaps: bool = False  # whether some position could not be assembled

@@ -95,7 +95,7 @@ class Replay:
 
     def _column(self, column: int, position: int) -> dict[Key, Any]:
         """Give the true values of one position as numbers of 50 digits."""
-        mp = _digits()
+        mp = digits()
         true = exact(self.wanted, column, {self.crank: _direction(mp, self.study, position)})
         found = {key: true[mark] for key, mark in self.points.items()}
         found |= {("angle", link): mp.arg(true[arm] / mp.mpc(span)) for link, (arm, span) in self.arms.items()}
@@ -205,7 +205,8 @@ def _pairs(edges: Floats) -> Iterator[tuple[float, float]]:
     return zip(edges[:-1].tolist(), edges[1:].tolist(), strict=True)
 
 
-def _digits() -> Any:
+def digits() -> Any:
+    """Give a reckoner in so many digits; the library may be missing."""
     try:
         import mpmath  # noqa: PLC0415  (only the truth pays for it)
     except ImportError:

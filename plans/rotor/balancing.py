@@ -12,6 +12,7 @@ from plans.model.rotor import Plane, Rotor, Unbalance
 from plans.rotor.heading import heading
 from plans.rotor.letters import moment_letters, unbalance_letters
 from plans.rotor.polygon import Polygon, close, polygon
+from plans.words.words import Message, because, message
 
 COUPLES, UNBALANCES = "couples", "unbalances"  # the boards: vectors m*D*h kg*m2, and m*D kg*m
 
@@ -47,45 +48,46 @@ class Balancing:
 def balancing(rotor: Rotor) -> Balancing:
     """Draw the polygon of moments, then that of static moments; one plane takes the second alone."""
     board = Board(UNBALANCES)
-    pole = board.given("0", 0j, "start of the polygon of static moments")
+    pole = board.given("0", 0j, because("static_start"))
     masses = tuple(_mass(board, one) for one in rotor.masses)
     moments = _moments(rotor, masses)
     first = (_first(board, rotor, moments),) if rotor.dynamic else ()
     laid = [one.mark for one in (*masses, *(() if moments.closed else first))]
     last = rotor.planes[-1]
     forces = polygon(board, pole, unbalance_letters(last.name), laid, sum(one.slack for one in first))
-    unbalance = close(board, pole, "ΣmD", [one.mark for one in masses], "against all static moments together")
+    unbalance = close(board, pole, "ΣmD", [one.mark for one in masses], because("against_all"))
     corrections = *first, Placed(forces.closing, last.place, forces.slack)
     return Balancing(rotor, masses, moments, forces, corrections, unbalance)
 
 
 def _mass(board: Board, one: Unbalance) -> Placed:
-    why = f"static moment of mass {one.name} at {float(one.angle):.10g} degrees"
+    why = because("static_moment", mass=one.name, angle=f"{float(one.angle):.10g}")
     return Placed(board.given(unbalance_letters(one.name), one.moment * heading(one.angle), why), one.place)
 
 
 def _moments(rotor: Rotor, masses: Sequence[Placed]) -> Polygon:
     """Draw the polygon of moments about the last plane, from which arms are measured."""
     board, last = Board(COUPLES), rotor.planes[-1]
-    pole = board.given("0", 0j, "start of the polygon of moments")
+    pole = board.given("0", 0j, because("moments_start"))
     vectors = [
-        board.turn(moment_letters(one.name), placed.mark, rotor.arm(one.place), _arm(rotor, one, "times"))
+        board.turn(moment_letters(one.name), placed.mark, rotor.arm(one.place), _arm(rotor, one, "times_arm"))
         for one, placed in zip(rotor.masses, masses, strict=True)
     ]
     name = moment_letters(rotor.planes[0].name) if rotor.dynamic else "ΣmDh"
-    return polygon(board, pole, name, vectors, why=f"closes the moments about {_named(rotor, last)}")
+    return polygon(board, pole, name, vectors, why=because("closes_about", place=_named(rotor, last)))
 
 
 def _first(board: Board, rotor: Rotor, moments: Polygon) -> Placed:
     """Give the correction in plane I: what closes the moments, over its arm."""
     plane, arm = rotor.planes[0], rotor.arm(rotor.planes[0].place)
-    mark = board.turn(unbalance_letters(plane.name), moments.closing, 1 / arm, _arm(rotor, plane, "over"))
+    mark = board.turn(unbalance_letters(plane.name), moments.closing, 1 / arm, _arm(rotor, plane, "over_arm"))
     return Placed(mark, plane.place, moments.slack / abs(arm))
 
 
-def _arm(rotor: Rotor, one: Unbalance | Plane, how: str) -> str:
-    return f"{how} its arm h_{one.name} = {rotor.arm(one.place):.10g} m from {_named(rotor, rotor.planes[-1])}"
+def _arm(rotor: Rotor, one: Unbalance | Plane, how: str) -> Message:
+    arm, last = f"{rotor.arm(one.place):.10g}", rotor.planes[-1]
+    return because(how, mass=one.name, arm=arm, place=_named(rotor, last))
 
 
-def _named(rotor: Rotor, plane: Plane) -> str:
-    return f"plane {plane.name}" if rotor.dynamic else "the plane of correction"
+def _named(rotor: Rotor, plane: Plane) -> Message:
+    return message("place.plane", plane=plane.name) if rotor.dynamic else message("place.correction")

@@ -12,6 +12,7 @@ from geometry.board import Board, Mark
 from plans.model.rotor import Resultant, Rotor
 from plans.rotor.balancing import Balancing, Placed
 from plans.rotor.polygon import close, rounding
+from plans.words.words import because
 
 REACTIONS = "reactions"  # the board, N
 BEARINGS = "A", "B"
@@ -36,7 +37,7 @@ def reactions(balancing: Balancing) -> tuple[Reactions, Reactions]:
     if not rotor.bearings or rotor.speed is None:
         return Reactions(), Reactions()
     board = Board(REACTIONS)
-    board.given("0", 0j, "start of a polygon of forces")
+    board.given("0", 0j, because("forces_start"))
     after = (*balancing.masses, *balancing.corrections)
     return _reactions(board, rotor, balancing.masses, ""), _reactions(board, rotor, after, "'")
 
@@ -53,9 +54,9 @@ def _reaction(board: Board, rotor: Rotor, acting: Sequence[Placed], end: int, pr
     shares = [float((one.place - other) / (here - other)) * rotor.speed**2 for one in acting]
     name = f"R_{BEARINGS[end]}{prime}"
     parts = [
-        board.turn(f"{name}({one.mark.name})", one.mark, share, f"omega2 times its share on {BEARINGS[end]}")
+        board.turn(f"{name}({one.mark.name})", one.mark, share, because("share", bearing=BEARINGS[end]))
         for one, share in zip(acting, shares, strict=True)
     ]
-    mark = close(board, board["0"], name, parts, f"moments about {BEARINGS[1 - end]}")
+    mark = close(board, board["0"], name, parts, because("bearing_moments", bearing=BEARINGS[1 - end]))
     carried = sum(abs(share) * one.slack for one, share in zip(acting, shares, strict=True))
     return mark, rounding(parts) + carried

@@ -7,7 +7,9 @@ from typing import NamedTuple
 
 from geometry.board import Board, Mark
 from plans.model.rotor import EPS, ROUNDING, Resultant
+from plans.words.words import Message, because
 
+CLOSES = because("closes_polygon")
 RUN = 8  # vectors laid off in one row: a row of a thousand like ones would lose digits with each
 
 
@@ -39,7 +41,7 @@ class Polygon(NamedTuple):
 
 
 def polygon(
-    board: Board, pole: Mark, name: str, vectors: Sequence[Mark], carried: float = 0.0, why: str = "closes the polygon"
+    board: Board, pole: Mark, name: str, vectors: Sequence[Mark], carried: float = 0.0, why: Message = CLOSES
 ) -> Polygon:
     """Lay vectors off one after another from a pole and close them; a vector of no length has no side.
 
@@ -51,7 +53,7 @@ def polygon(
     return Polygon(board, sides, closing, rounding(laid) + carried)
 
 
-def close(board: Board, pole: Mark, name: str, vectors: Sequence[Mark], why: str) -> Mark:
+def close(board: Board, pole: Mark, name: str, vectors: Sequence[Mark], why: Message) -> Mark:
     """Close any number of vectors: laid off in runs, and the ends of the runs likewise."""
     level = 0
     while len(vectors) > RUN:
@@ -70,7 +72,7 @@ def _row(board: Board, pole: Mark, name: str, vectors: Sequence[Mark]) -> tuple[
     sides: list[Side] = []
     for number, vector in enumerate(vectors, 1):
         start = _end(pole, sides)
-        sides.append(Side(vector, start, board.lay_off(f"{name}:{number}", start, vector, "end to end")))
+        sides.append(Side(vector, start, board.lay_off(f"{name}:{number}", start, vector, because("end_to_end"))))
     return tuple(sides)
 
 

@@ -125,7 +125,8 @@ def quoted(text: str, width: int = VALUE_WIDTH) -> str:
 
 def _shown(value: object, language: str) -> object:
     """Show a detail of a fault on one line; a list is put together by the phrase that names it."""
-    return value if isinstance(value, tuple) else quoted(said(value, language), DETAIL_WIDTH)
+    whole = isinstance(value, Message) or not isinstance(value, tuple)
+    return quoted(said(value, language), DETAIL_WIDTH) if whole else value
 
 
 # Capitals that look alike in both alphabets: a Cyrillic А beside a Latin A is the commonest unknown point.

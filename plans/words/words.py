@@ -10,11 +10,10 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping
 from functools import cache
 from pathlib import Path
-from typing import Protocol, runtime_checkable
+from typing import NamedTuple
 
 FOLDER = Path(__file__).parent
 ENGLISH = "en"
@@ -27,17 +26,7 @@ def languages() -> tuple[str, ...]:
     return tuple(sorted(file.stem for file in FOLDER.glob("*.json")))
 
 
-@runtime_checkable
-class Worded(Protocol):
-    """What can be said in a language: a message, or a fault of a scene."""
-
-    def worded(self, language: str) -> str:
-        """Say it in a language."""
-        ...
-
-
-@dataclass(frozen=True, slots=True)
-class Message:
+class Message(NamedTuple):
     """What is to be said, by its key and its parts; in English where nobody asks for a language."""
 
     key: str
@@ -78,7 +67,8 @@ def said(thing: object, language: str) -> str:
     """Say a thing in a language: a message by its words, an error by what it was raised with, all else as it is."""
     if isinstance(thing, Exception) and len(thing.args) == 1:
         thing = thing.args[0]
-    return thing.worded(language) if isinstance(thing, Worded) else str(thing)
+    worded: Callable[[str], str] | None = getattr(thing, "worded", None)
+    return str(thing) if worded is None else worded(language)
 
 
 def word(language: str, key: str, /, **parts: object) -> str:
@@ -123,25 +113,24 @@ def _plural(language: str, count: object) -> int:
     return next((k for k, pattern in enumerate(patterns) if re.search(pattern, str(count))), len(patterns))
 
 
-@dataclass(frozen=True, slots=True)
 class _Part:
     """A part of a phrase, written as the phrase asks for it."""
 
-    value: object
-    language: str
+    __slots__ = ("language", "value")
+
+    def __init__(self, value: object, language: str) -> None:
+        self.value, self.language = value, language
 
     def __format__(self, wish: str) -> str:
-        if not wish:
-            return said(self.value, self.language)
+        value = self.value
+        if not wish or isinstance(value, Message):
+            return said(value, self.language)
+        if isinstance(value, tuple):
+            return _joined([said(name, self.language) for name in value], *words(self.language)[f"join.{wish}"])
         if wish == "number":
-            return str(self.value).replace(".", word(self.language, "number.decimal"))
-        if isinstance(self.value, tuple):
-            return self._joined(*words(self.language)[f"join.{wish}"])
-        return said(self.value, self.language) if isinstance(self.value, Worded) else self._term(wish)
+            return str(value).replace(".", word(self.language, "number.decimal"))
+        return term(self.language, wish, str(value))
 
-    def _term(self, group: str) -> str:
-        return term(self.language, group, str(self.value))
 
-    def _joined(self, between: str, last: str) -> str:
-        names = [said(name, self.language) for name in self.value] if isinstance(self.value, tuple) else []
-        return last.join(filter(None, (between.join(names[:-1]), *names[-1:])))
+def _joined(names: list[str], between: str, last: str) -> str:
+    return last.join(filter(None, (between.join(names[:-1]), *names[-1:])))

@@ -112,7 +112,7 @@ def rewritten(leaf: Leaf, old: str, new: str) -> Leaf:
 def test_what_is_told_of_friction_is_what_the_analysis_gives(shaper: Sheet, steep: Sheet) -> None:
     for sheet in (shaper, steep):
         assert sheet.wrong() == []
-        assert list(report_of(sheet.text, sheet.comparison)) == []
+        assert list(report_of(sheet.text, sheet.comparison, sheet.language)) == []
 
 
 @pytest.mark.parametrize(
@@ -148,14 +148,14 @@ def test_a_wrong_number_in_the_report_is_seen(shaper: Sheet, old: str) -> None:
     assert found is not None
     digit = str((int(found[1]) + 1) % 10)
     wrong = shaper.text[: found.start(1)] + digit + shaper.text[found.end(1) :]
-    assert list(report_of(wrong, shaper.comparison)) != []
+    assert list(report_of(wrong, shaper.comparison, shaper.language)) != []
     with pytest.raises(verify.SelfCheckFailed, match="the report does not tell"):
-        verify.verify_report(report_of(wrong, shaper.comparison))
+        verify.verify_report(report_of(wrong, shaper.comparison, shaper.language))
 
 
 def test_a_jam_that_the_report_leaves_out_is_seen(steep: Sheet) -> None:
-    wrong = re.sub(r"- Pair 0-3 jams in position \d+:.*\n", "", steep.text, count=1)
-    assert list(report_of(wrong, steep.comparison)) == ["the jams in the report"]
+    wrong = re.sub(r"- Пара 0-3 заклинивает в положении \d+:.*\n", "", steep.text, count=1)
+    assert list(report_of(wrong, steep.comparison, steep.language)) == ["the jams in the report"]
 
 
 def test_the_last_digit_may_be_rounded_as_either_road_does() -> None:

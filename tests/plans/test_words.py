@@ -13,6 +13,7 @@ import pytest
 
 from plans.scene.faults import Fault
 from plans.scene.source import language_of
+from plans.techniques import TECHNIQUES
 from plans.words.words import ENGLISH, FOLDER, Message, languages, message, placed, said, term, word, words
 
 ROOT = Path(__file__).parent.parent.parent
@@ -139,6 +140,31 @@ def test_every_key_that_is_named_is_there() -> None:
     named = {key for path in FILES for key in keys(path) if re.fullmatch(r"[a-z]+\.[a-z_0-9]+", key)}
     assert len(named) > 50
     assert named <= words(ENGLISH).keys()
+
+
+def terms(path: Path) -> Iterator[str]:
+    """Give what a file says of a key that is missing or wrong: names of things, which every language has as terms."""
+    for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+        if not isinstance(node, ast.Call):
+            continue
+        name, given = ast.unparse(node.func), [word.value for word in node.keywords if word.arg in ("wanted", "kind")]
+        if name in ("Missing", "Kind", "_kind"):
+            given = node.args[:1]
+        elif name not in ("wrong", "fault", "source.fault", "survey.report"):
+            given = []
+        yield from (one.value for one in given if isinstance(one, ast.Constant) and isinstance(one.value, str))
+
+
+def test_what_is_said_of_a_key_is_a_term() -> None:
+    told = {one for path in FILES for one in terms(path) if path.parts[-2] != "bench"}
+    assert len(told) > 30
+    assert {one for one in told if f"term.{one}" not in words(ENGLISH)} == set()
+
+
+def test_plans_and_sheets_have_names() -> None:
+    for row in TECHNIQUES.values():
+        named = [*(f"plan.{plan}" for plan in row.plans), *(f"kind.{sheet}" for sheet in row.sheets)]
+        assert set(named) <= words(ENGLISH).keys()
 
 
 def test_a_message_is_a_value() -> None:

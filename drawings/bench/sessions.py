@@ -1,0 +1,13 @@
+"""The table of sessions (испытания): what times the roads of each technique; "module:name", imported when asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Final
+
+# Of a scene, what is ordered and who hears what is being timed, to the bench.
+SESSIONS: Final[Mapping[str, str]] = {
+    "linkage": "drawings.bench.session:session",
+    "forces": "drawings.bench.session:session",
+    "rotor": "drawings.bench.rotor_session:session",
+}

@@ -1,0 +1,236 @@
+"""The sheet of a rotor: measured back against the analysis alone; a careless draughtsman's faults withhold it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from fractions import Fraction
+from functools import partial
+from pathlib import Path
+
+import pytest
+
+from drawings.checks.verify import SelfCheckFailed, verify
+from drawings.checks.verify_rotor import check, faults
+from drawings.lettering.lettering import lettered
+from drawings.measure.measure import Measured
+from drawings.page.drafting import drafting_of
+from drawings.paper.strokes import Circle, Group, Leaf, Line, Stroke, Text, stated
+from drawings.pens.svg import svg
+from drawings.report.rotor_report import residuals
+from drawings.sheets.rotor import leaves, sheets
+from plans.checks.rotor_comparison import compare_rotor
+from plans.model.rotor import Plane, Rotor
+from plans.rotor.study import RotorStudy
+from plans.scene.scene import parse_scene, read_scene
+from plans.study import Study
+from tests.plans.rotors import DYNAMIC, STATIC, dynamic, mass, masses, static
+
+GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
+SCENES = ("fan", "flywheel", "four-masses")
+SHEET = (
+    'sheets = ["rotor"]\nrotor.masses = [{ moment = 1, angle = 0 }]\n[sheet]\nformat = "A3"\nlanguage = "LANGUAGE"\n'
+)
+
+
+@pytest.fixture(scope="module")
+def fan() -> tuple[Study, Leaf]:
+    study = Study(read_scene(GALLERY / "fan.toml"))
+    (leaf,) = leaves(study)
+    return study, leaf
+
+
+def written(leaf: Leaf, folder: Path) -> Path:
+    path = folder / "sheet.svg"
+    path.write_bytes(svg(lettered(leaf)))
+    return path
+
+
+def drawn(rotor: Rotor, folder: Path, language: str = "en") -> tuple[tuple[Leaf, ...], list[Measured]]:
+    """Draw a rotor's sheets, write them, and check each as it is read back."""
+    scene, study = parse_scene(SHEET.replace("LANGUAGE", language)), RotorStudy(rotor)
+    comparison = compare_rotor(study)
+    found = sheets(scene, study, comparison)
+    see = partial(check, rotor=rotor, comparison=comparison, drafting=drafting_of(scene))
+    return found, [verify(written(leaf, folder), leaf, see) for leaf in found]
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_a_gallery_scene_is_measured_back(name: str, tmp_path: Path) -> None:
+    study = Study(read_scene(GALLERY / f"{name}.toml"))
+    for leaf in leaves(study):
+        measured = verify(written(leaf, tmp_path), leaf, partial(faults, study=study))
+        count = len(study["rotor"].rotor.masses)
+        assert {one.plan for one in measured.vectors} <= {"couples", "unbalances"}
+        assert len([one for one in measured.vectors if one.plan == "unbalances"]) > count
+
+
+def test_the_residual_of_the_sheet_is_of_the_finest_grade(fan) -> None:
+    """Residual unbalance measured back from the written coordinates: far below what any grade asks."""
+    study, leaf = fan
+    found = residuals(study.comparison("rotor").analysis, [leaf])
+    assert found.keys() == {"I", "II"}
+    assert all(0 < off < 1e-6 for off in found.values())
+    assert study["rotor"].rotor.quality(*found.values()) < 0.4
+
+
+Change = Callable[[Stroke], Stroke | None]
+
+
+def changed(leaf: Leaf, change: Change) -> Leaf:
+    return replace(leaf, groups=tuple(group for g in leaf.groups if isinstance(group := walked(g, change), Group)))
+
+
+def walked(stroke: Stroke, change: Change) -> Stroke | None:
+    found = change(stroke)
+    if isinstance(found, Group):
+        kept = tuple(inner for s in found.strokes if (inner := walked(s, change)) is not None)
+        return replace(found, strokes=kept) if kept else None
+    return found
+
+
+def marked(stroke: Stroke, name: str, plan: str) -> bool:
+    return isinstance(stroke, Group) and stroke.data.get("name") == name and stroke.data.get("plan") == plan
+
+
+def dropped(name: str, plan: str) -> Change:
+    return lambda stroke: None if marked(stroke, name, plan) else stroke
+
+
+def turned(name: str, plan: str) -> Change:
+    """Draw a vector the wrong way round, and state it so: measuring alone cannot see it."""
+
+    def change(stroke: Stroke) -> Stroke:
+        if not marked(stroke, name, plan) or not isinstance(stroke, Group):
+            return stroke
+        line, *rest = stroke.strokes
+        assert isinstance(line, Line)
+        x, y = (float(part) for part in stroke.data["value"].split())
+        data = {**stroke.data, "value": stated(-complex(x, y))}
+        return replace(stroke, strokes=(replace(line, start=line.end, end=line.start), *rest), data=data)
+
+    return change
+
+
+def shifted(name: str, plan: str, by: complex) -> Change:
+    """Draw a mark some millimetres aside, and state it so."""
+
+    def change(stroke: Stroke) -> Stroke:
+        if not marked(stroke, name, plan) or not isinstance(stroke, Group):
+            return stroke
+        first, *rest = stroke.strokes
+        scale = float(stroke.data["scale"])
+        x, y = (float(part) for part in stroke.data["value"].split())
+        data = {**stroke.data, "value": stated(complex(x, y) + by * scale)}
+        moved = (
+            replace(first, end=first.end + by)
+            if isinstance(first, Line)
+            else replace(first, centre=first.centre + by)
+            if isinstance(first, Circle)
+            else first
+        )
+        return replace(stroke, strokes=(moved, *rest), data=data)
+
+    return change
+
+
+def reworded(old: str, new: str) -> Change:
+    return lambda s: replace(s, content=s.content.replace(old, new)) if isinstance(s, Text) and s.plain == old else s
+
+
+@pytest.mark.parametrize(
+    ("change", "wrong"),
+    [
+        (dropped("m_2D_2", "unbalances"), "m_2D_2 on unbalances is missing"),
+        (dropped("m_ID_Ih_I", "couples"), "m_ID_Ih_I on couples is missing"),
+        (turned("m_IID_II", "unbalances"), "m_IID_II on unbalances (against the analysis)"),
+        (turned("m_1D_1h_1", "couples"), "m_1D_1h_1 on couples (against the analysis)"),
+        (shifted("m_3D_3", "unbalances", 0.001), "m_3D_3 on unbalances (against the analysis)"),
+        (shifted("m_I", "along", 0.001j), "m_I on along (against the analysis)"),
+        (shifted("m_3", "across", 0.001), "m_3 on across (against the analysis)"),
+        (dropped("m_II", "along"), "m_II on along is missing"),
+        (reworded("0,061813", "0,061814"), "0,061814 for II in the table of masses"),
+        (reworded("33,823", "33,833"), "33,833 for I in the table of masses"),
+        (reworded("4608,5", "4608,9"), "4608,9 for R_A"),
+        (lambda s: None if isinstance(s, Text) and s.plain == "m2D2" else s, "the letter m_2D_2 on unbalances"),
+        (
+            lambda s: (
+                replace(s, content=s.content.replace("0,002", "0,004"))
+                if isinstance(s, Text) and isinstance(s.content, str) and "mD}" in s.content
+                else s
+            ),
+            "the scale",
+        ),
+    ],
+)
+def test_a_planted_fault_is_seen(fan, change: Change, wrong: str, tmp_path: Path) -> None:
+    study, leaf = fan
+    spoilt = changed(leaf, change)
+    assert spoilt != leaf
+    with pytest.raises(SelfCheckFailed) as told:
+        verify(written(spoilt, tmp_path), spoilt, partial(faults, study=study))
+    assert wrong in str(told.value)
+
+
+def star(count: int, start: int = 17, place: str = "0.37") -> tuple:
+    return tuple(mass(k + 1, "0.3", "0.1", start + Fraction(360 * k, count), place) for k in range(count))
+
+
+@pytest.mark.parametrize("planes", [STATIC, DYNAMIC])
+def test_a_balanced_rotor_has_no_counterweight_and_no_closing_vector(planes, tmp_path: Path) -> None:
+    """Catalogue J1, J5 on paper: no arrow in a random direction."""
+    rotor = Rotor(star(5), planes, (Fraction(0), Fraction(1)), 300.0, 20.0, 6.3)
+    found, measured = drawn(rotor, tmp_path)
+    assert not [mark for one in measured for mark in one.marks if mark.name.startswith(("m_I", "m_cw"))]
+    words = [text.plain for leaf in found for group in leaf.groups for text in _texts(group)]
+    assert any("closes by itself" in word for word in words)
+    assert found[0].description.count("= 0: nothing to balance") == len(planes)
+
+
+def _texts(stroke: Stroke) -> list[Text]:
+    if isinstance(stroke, Group):
+        return [text for inner in stroke.strokes for text in _texts(inner)]
+    return [stroke] if isinstance(stroke, Text) else []
+
+
+def test_one_plane_says_that_a_couple_is_left(tmp_path: Path) -> None:
+    """Catalogue J2 on paper."""
+    (leaf,), _ = drawn(static(), tmp_path, "ru")
+    assert "Одна плоскость: только статическое уравновешивание" in leaf.description
+
+
+def test_static_moments_alone_are_drawn_by_their_angles(tmp_path: Path) -> None:
+    bare = tuple(one._replace(mass=None, radius=None) for one in masses())
+    rotor = Rotor(bare, (Plane("I", Fraction(1)), Plane("II", Fraction(0))))
+    _, (measured,) = drawn(rotor, tmp_path)
+    assert {one.plan for one in measured.points} == set()
+    assert len(measured.vectors) == 4 + 5
+
+
+@pytest.mark.parametrize(("count", "vectors"), [(9, 10 + 11), (20, 20 + 22), (39, 39 + 41), (1000, 2 + 3)])
+def test_many_masses(count: int, vectors: int, tmp_path: Path) -> None:
+    """Catalogue J6: numbers alone, then one vector for all masses, and always the table."""
+    angle = Fraction(137507764, 1000000)
+    many = tuple(mass(k + 1, "0.7", "0.13", angle * (k + 1) % 360, f"{k + 1}e-3") for k in range(count))
+    rotor = Rotor(many, (Plane("I", Fraction(1), 0.1), Plane("II", Fraction(0), 0.1)), (), 100.0)
+    found, measured = drawn(rotor, tmp_path)
+    assert sum(len(one.vectors) for one in measured) == pytest.approx(vectors, abs=1)
+    rows = {text.plain for leaf in found for group in leaf.groups if "masses" in group.name for text in _texts(group)}
+    assert {str(k + 1) for k in range(count)} <= rows
+
+
+@pytest.mark.parametrize("apart", ["1e-6", "1e6"])
+@pytest.mark.parametrize("heavy", ["1e-9", "1e9"])
+def test_stiff_rotors_are_drawn(apart: str, heavy: str, tmp_path: Path) -> None:
+    rows = [(heavy, "0.12", 20, "0.10"), ("1.1", "0.09", 130, "0.25"), ("0.6", "0.15", 250, "0.42")]
+    planes = (Plane("I", Fraction(apart), 0.1), Plane("II", Fraction(0), 0.1))
+    drawn(Rotor(masses(rows), planes, (Fraction("-0.1"), Fraction("0.6")), -100.0, 20.0, 6.3), tmp_path)
+
+
+@pytest.mark.parametrize("language", ["en", "ru"])
+def test_both_languages_say_the_same_of_a_rotor(language: str, tmp_path: Path) -> None:
+    (leaf,), _ = drawn(
+        dynamic(speed=314.0, mass=20.0, grade=6.3, bearings=(Fraction(-1), Fraction(1))), tmp_path, language
+    )
+    comma = "," if language == "ru" else "."
+    assert f"0{comma}061813" in leaf.description and f"33{comma}823" in leaf.description
