@@ -7,7 +7,6 @@ import itertools
 import math
 from collections.abc import Iterator
 from functools import cache
-from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
@@ -32,12 +31,12 @@ from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.scene.scene import parse_scene, read_scene
 from tests.drawings import mechanisms
+from tests.gallery import LINKAGES
 from tests.rows import over
 
 shapely = pytest.importorskip("shapely")
 
-GALLERY = sorted((Path(__file__).parents[2] / "drawings" / "gallery").glob("*.toml"))
-NAMES = sorted({path.stem for path in GALLERY} | mechanisms.ALL.keys())
+NAMES = sorted({path.stem for path in LINKAGES} | mechanisms.ALL.keys())
 # The outputs of these turn, or run to infinity: there is no stroke.
 SWINGING = {"crank-rocker", "jaw-crusher", "leg", "offset stone", "oscillating-cylinder", "tangent", "walking-leg"}
 A1, A4 = Hand(0.7, 0.35, 0.25), Hand(0.5, 0.25, 0.18, letter=3.5, number=2.5, symbol=0.6)
@@ -67,7 +66,7 @@ class Figure(NamedTuple):
 
 @cache
 def compared(name: str) -> tuple[LinkageStudy, Comparison]:
-    paths = {path.stem: path for path in GALLERY}
+    paths = {path.stem: path for path in LINKAGES}
     study = LinkageStudy(parse_scene(mechanisms.ALL[name]) if name in mechanisms.ALL else read_scene(paths[name]))
     return study, compare(study)
 
