@@ -12,6 +12,8 @@ import pytest
 
 from plans.linkage.study import LinkageStudy
 from plans.scene.scene import read_scene
+from tests import readme_keys
+from tests.readme_keys import renewed
 
 ROOT = Path(__file__).parent.parent
 README = (ROOT / "README.md").read_text("utf-8")
@@ -68,6 +70,20 @@ def test_a_scene_of_the_readme_can_be_read_and_studied(text: str, tmp_path: Path
     study = LinkageStudy(read_scene(scene))
     assert len(study.turn) > 0
     assert study.motion().gaps == ()
+
+
+def test_its_tables_of_keys_are_what_the_keys_themselves_state() -> None:
+    found = [match["part"] for match in readme_keys.BLOCK.finditer(README)]
+    assert found == [*readme_keys.parts()]
+    for part in found:
+        assert readme_keys.tabled(part).splitlines()[2:]
+    assert renewed(README) == README, "python -m tests.readme_keys writes them anew"
+
+
+def test_a_wrong_default_in_a_table_of_keys_is_seen() -> None:
+    assert (
+        renewed(README.replace('| `start` | degrees, or "extreme" | `0` |', "| `start` | degrees | `90` |")) == README
+    )
 
 
 def test_the_program_of_the_readme_runs() -> None:

@@ -19,7 +19,7 @@ class Sheet(NamedTuple):
 
 SHEETS: Final[Mapping[str, Sheet]] = {
     "kinematics": Sheet(
-        admit="drawings.sheets.admission:of_linkage",
+        admit="drawings.sheets.linkage_admission:of_linkage",
         leaves="drawings.sheets.kinematics:leaves",
         faults="drawings.checks.verify_kinematics:faults",
     ),
@@ -29,7 +29,7 @@ SHEETS: Final[Mapping[str, Sheet]] = {
         faults="drawings.checks.verify_kinematics:faults",
     ),
     "forces": Sheet(
-        admit="drawings.sheets.admission:of_forces",
+        admit="drawings.sheets.force_admission:of_forces",
         leaves="drawings.sheets.forces:leaves",
         faults="drawings.checks.verify_forces:faults",
     ),

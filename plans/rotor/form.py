@@ -7,11 +7,12 @@ from functools import partial
 
 from plans.model.balance_quality import GRADES, letters
 from plans.scene import fields as f
-from plans.scene import forms, units
+from plans.scene import units
 from plans.scene.faults import wrong
 from plans.scene.forms import Form
+from plans.scene.readers import Check, Field, many
 from plans.scene.scene import TechniqueForm
-from plans.scene.tables import Check, Field, Missing, Table, key, many, one, table
+from plans.scene.tables import Missing, Table, key, table
 
 STATIC_MOMENT = units.Kind(
     "static moment",
@@ -30,8 +31,7 @@ STATIC_MOMENT = units.Kind(
     Decimal("1e-21"),
     Decimal("1e21"),
 )
-MOMENT = one(units.not_negative, partial(forms.quantity, STATIC_MOMENT, minimum=0), kind=STATIC_MOMENT)
-HEAVY = one(units.positive, partial(forms.quantity, units.MASS, exclusiveMinimum=0), kind=units.MASS)
+MOMENT, HEAVY = f.not_negative(STATIC_MOMENT), f.positive(units.MASS)
 PLANES_LIMIT = 2  # a rotor needs no more
 BEARINGS = "[A, B]"
 # A line that would do for an unbalanced mass.
@@ -117,7 +117,7 @@ def _check_apart(places: tuple[Decimal, ...]) -> None:
 def _bearings() -> Field:
     """Read the places of two bearings."""
     two = Check(partial(f.check_pair, what=BEARINGS), least=2, most=2)
-    return many(f.COORDINATE, Check(_check_apart, unique=True), first=two)
+    return many(f.COORDINATE, Check(_check_apart, unique=True), first=two)._replace(shown=f"{BEARINGS} m")
 
 
 class RotorTable(Table):

@@ -12,7 +12,7 @@ from geometry.errors import LimitError
 from plans.scene import forms, units
 from plans.scene.faults import suggestion, wrong
 from plans.scene.forms import ENTRIES_LIMIT
-from plans.scene.tables import Check, Field, many, one
+from plans.scene.readers import Check, Field, many, one
 from plans.scene.units import type_name
 from plans.words.words import Message, message
 
@@ -122,40 +122,57 @@ def few(value: object, limit: int, name: str) -> object:
 
 def number(kind: units.Kind) -> Field:
     """Read any number of a kind of quantity."""
-    return one(units.quantity, partial(forms.quantity, kind), kind=kind)
+    return one(units.quantity, partial(forms.quantity, kind), kind.si, kind=kind)
+
+
+def not_negative(kind: units.Kind) -> Field:
+    """Read a quantity of zero or above."""
+    return one(units.not_negative, partial(forms.quantity, kind, minimum=0), kind.si, kind=kind)
+
+
+def positive(kind: units.Kind) -> Field:
+    """Read a quantity above zero."""
+    return one(units.positive, partial(forms.quantity, kind, exclusiveMinimum=0), kind.si, kind=kind)
 
 
 def words(*choices: str, kind: str = "choice") -> Field:
     """Read one of some words."""
-    return one(choice, partial(forms.choice, choices), choices=choices, kind=kind)
+    shown = ", ".join(f'"{word}"' for word in choices)
+    return one(choice, partial(forms.choice, choices), shown, choices=choices, kind=kind)
 
 
 def pair(entry: Field, what: str = "[x, y]") -> Field:
     """Read a list of two."""
-    return many(entry, first=Check(partial(check_pair, what=what), least=2, most=2))
+    return many(entry, first=Check(partial(check_pair, what=what), least=2, most=2))._replace(
+        shown=f"{what} {entry.shown}"
+    )
 
 
 FEW = Check(partial(few, limit=ENTRIES_LIMIT, name="ENTRIES_LIMIT"))
 NOT_EMPTY, NO_REPEATS = Check(not_empty, least=1), Check(no_repeats, unique=True)
 
-TEXT = one(check_text, lambda: forms.text(most=TITLE_LIMIT))
-POINT = one(check_name, lambda: forms.text(f"^{forms.POINT}$", NAME_LIMIT))
-FLAG = one(flag, lambda: {"type": "boolean"})
-COORDINATE = one(units.coordinate, lambda: forms.quantity(units.LENGTH, **_sides(units.LENGTH_LIMIT)))
+TEXT = one(check_text, lambda: forms.text(most=TITLE_LIMIT), "text")
+POINT = one(check_name, lambda: forms.text(f"^{forms.POINT}$", NAME_LIMIT), "point")
+FLAG = one(flag, lambda: {"type": "boolean"}, "true or false")
+COORDINATE = one(units.coordinate, lambda: forms.quantity(units.LENGTH, **_sides(units.LENGTH_LIMIT)), "m")
 LENGTH = one(
     units.length,
     lambda: forms.quantity(
         units.LENGTH, exclusiveMinimum=0, minimum=float(units.LENGTH_LEAST), maximum=float(units.LENGTH_LIMIT)
     ),
+    "m",
 )
-ANGLE = one(units.angle, lambda: forms.quantity(units.ANGLE, **_sides(units.ANGLE_LIMIT)))
+ANGLE = one(units.angle, lambda: forms.quantity(units.ANGLE, **_sides(units.ANGLE_LIMIT)), "degrees")
 PLACE = pair(COORDINATE)
-ANGULAR_SPEED = one(units.rate, lambda: forms.rate(units.SPEED), kind=units.SPEED)
-ANGULAR_ACCELERATION = one(units.rate, lambda: forms.rate(units.ANGULAR_ACCELERATION), kind=units.ANGULAR_ACCELERATION)
-MASS, INERTIA = (
-    one(units.not_negative, partial(forms.quantity, kind, minimum=0), kind=kind) for kind in (units.MASS, units.INERTIA)
+ANGULAR_SPEED = one(units.rate, lambda: forms.rate(units.SPEED), units.SPEED.si, kind=units.SPEED)
+ANGULAR_ACCELERATION = one(
+    units.rate,
+    lambda: forms.rate(units.ANGULAR_ACCELERATION),
+    units.ANGULAR_ACCELERATION.si,
+    kind=units.ANGULAR_ACCELERATION,
 )
-POSITION = one(whole, lambda: forms.whole(0), least=0)  # of the crank, by its number
+MASS, INERTIA = not_negative(units.MASS), not_negative(units.INERTIA)
+POSITION = one(whole, lambda: forms.whole(0), "number", least=0)  # of the crank, by its number
 
 
 def _sides(most: Decimal) -> dict[str, float]:

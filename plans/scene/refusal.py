@@ -8,8 +8,9 @@ from typing import Any, TypeVar
 
 from plans.scene.demand import needing
 from plans.scene.faults import Fault, Path, dotted, nearest, suggestion
+from plans.scene.readers import Refusal, Refused
 from plans.scene.source import Source
-from plans.scene.tables import Kinds, Missing, Refusal, Refused, holders_of, tables_of
+from plans.scene.tables import Kinds, Missing, holders_of, tables_of
 from plans.scene.units import type_name
 from plans.words.words import Message, message
 

@@ -12,10 +12,11 @@ from geometry.errors import LimitError
 from plans.scene import fields as f
 from plans.scene.demand import SHEETS, first_sheet, techniques_of
 from plans.scene.faults import Fault, Path, SceneError
+from plans.scene.readers import Refusal, Refused, many
 from plans.scene.refusal import REFUSALS_LIMIT, doubts_of, lacking, refusals, spare
 from plans.scene.sheet import SheetTable
 from plans.scene.source import Source, parse_source, read_source
-from plans.scene.tables import REQUIRED, Kinds, Refusal, Refused, Table, key, many, read_parts, table
+from plans.scene.tables import REQUIRED, Kinds, Table, key, read_parts, table
 from plans.techniques import TECHNIQUES, named
 from plans.words.words import placed
 
@@ -41,7 +42,7 @@ class Scene(Table):
     sheets: tuple[str, ...] = key(
         many(f.words(*SHEETS, kind="sheet_name"), f.NOT_EMPTY, f.NO_REPEATS, first=f.FEW),
         (),
-        meaning="The sheets that are wanted.",
+        meaning="The sheets that are wanted; default: the first that the tables of the file allow.",
     )
     sheet: SheetTable = key(
         table(SheetTable),
@@ -87,6 +88,10 @@ class Scene(Table):
         if missing:
             raise SceneError([lacking((), missing, self._source, (kind,))])
         return kind()
+
+    def part(self, technique: str) -> TechniqueForm | None:
+        """Give what it says of a technique by its name, nothing where it has no part in it; imports nothing."""
+        return dict(zip(self.techniques, self.forms, strict=True)).get(technique)
 
     def changed(self, *forms: TechniqueForm, **values: Any) -> Scene:
         """Give the scene with other values, which are not checked again."""

@@ -16,13 +16,17 @@ class SheetTable(Table):
     standard: str = key(f.words("GOST", "ISO"), "GOST", meaning="Standard of the drawing.")
     format: str = key(f.words("A1", "A2", "A3", "A4"), "A1", meaning="Format of the sheet.")
     orientation: str | None = key(
-        f.words("landscape", "portrait"), None, meaning="Default: landscape, and portrait for A4."
+        f.words("landscape", "portrait"),
+        None,
+        meaning="Default: landscape, and portrait for A4, which by GOST always stands upright.",
     )
     lettering: str = key(
-        f.words("strokes", "text"), "strokes", meaning="Lettering as strokes of our own alphabet, or as text."
+        f.words("strokes", "text"),
+        "strokes",
+        meaning="Lettering as strokes of our own alphabet, or as text in the fonts of the viewer.",
     )
     notation: str = key(f.words("mu", "K"), "mu", meaning="Scale factors mu (true units a mm), or K = 1/mu.")
-    designation: str = key(f.TEXT, "", meaning="Designation of the document, for the title block.")
+    designation: str = key(f.TEXT, "", meaning="For the title block: designation of the document.")
     drawn: str = key(f.TEXT, "", meaning="Who drew the sheet.")
     checked: str = key(f.TEXT, "", meaning="Who checked it.")
     approved: str = key(f.TEXT, "", meaning="Who approved it.")

@@ -1,62 +1,20 @@
-"""Tables of a scene (таблицы): read key by key into frozen values, every refusal kept, so that all are told at once.
+"""Tables of a scene (таблицы): read key by key into frozen values.
 
-A key is stated once, in the body of its table: its field, its default, what it means. A field knows how its value is
-read, and the form of it in a JSON Schema, which is made only where it is asked for.
+A key is stated once, in the body of its table: its field, its default, what it means.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from copy import copy
-from functools import partial
 from typing import Any, ClassVar, Final, NamedTuple, TypeAlias, TypeVar
 
-from plans.scene import forms
-from plans.scene.faults import Path, Wrong
+from plans.scene.faults import Path
 from plans.scene.forms import Form
+from plans.scene.readers import REFUSED, Field, Refusal, Refusals, Refused, checked
 
 REQUIRED: Final = object()  # the default of a key that has none
-REFUSED: Final = object()  # what a reader gives for a value that it refuses
 T = TypeVar("T", bound="Table")
-
-
-class Refusal(NamedTuple):
-    """One refused value: its path, the kind of fault with its details, and the value."""
-
-    path: Path
-    kind: str
-    details: Mapping[str, object]
-    value: object
-
-
-Refusals: TypeAlias = list[Refusal]
-# Takes a value of the file, its path and the list of refusals; gives what it read, or REFUSED.
-Reader: TypeAlias = Callable[[Any, Path, Refusals], Any]
-
-
-class Refused(ValueError):  # noqa: N818  (it is caught and worded, never shown)
-    """A scene whose form is not taken, with all refusals in the order of the form."""
-
-    def __init__(self, refusals: Refusals) -> None:
-        super().__init__(f"{len(refusals)} refusals")
-        self.refusals = refusals
-
-
-class Field(NamedTuple):
-    """How a value of the file is read, its form in a JSON Schema, and the tables in it with the path to each."""
-
-    read: Reader
-    form: Callable[[], Form]
-    tables: tuple[tuple[Path, type[Table]], ...] = ()
-
-
-class Check(NamedTuple):
-    """What is seen to of a whole list or table, and what of it a JSON Schema can say."""
-
-    see: Callable[[Any], object]
-    least: int = 0
-    most: int | None = None
-    unique: bool = False
 
 
 class Missing(NamedTuple):
@@ -147,11 +105,6 @@ def read_parts(kinds: Kinds, data: object, *before: Refusal) -> Mapping[type[Tab
     return found
 
 
-def one(check: Callable[..., Any], form: Callable[[], Form] = dict, **given: object) -> Field:
-    """Read a value by a check that raises Wrong: every wrong value is one refusal."""
-    return Field(lambda value, path, refused: _checked(partial(check, value, **given), value, path, refused), form)
-
-
 def table(kind: type[Table]) -> Field:
     """Read a table with the keys of its kind."""
 
@@ -159,59 +112,7 @@ def table(kind: type[Table]) -> Field:
         found = _parts((kind,), value, path, refused)
         return REFUSED if found is REFUSED else found[kind]
 
-    return Field(reader, lambda: form_of((kind,)), (((), kind),))
-
-
-def many(entry: Field, *checks: Check, first: Check | None = None) -> Field:
-    """Read a list as a tuple: `first` looks at the whole before any entry is read, the checks afterwards."""
-
-    def reader(value: object, path: Path, refused: Refusals) -> Any:
-        before = len(refused)
-        if first and _checked(partial(first.see, value), value, path, refused) is REFUSED:
-            return REFUSED
-        if not isinstance(value, list):
-            refused.append(Refusal(path, "not_a_list", {}, value))
-            return REFUSED
-        entries = tuple(entry.read(part, (*path, place), refused) for place, part in enumerate(value))
-        return REFUSED if len(refused) > before else _all(checks, entries, path, refused)
-
-    def form() -> Form:
-        least, most, unique = _bounds(first, *checks)
-        return forms.entries(entry.form(), least, most, **({"uniqueItems": True} if unique else {}))
-
-    return Field(reader, form, _within(entry))
-
-
-def named(name: Field, entry: Field, *checks: Check, first: Check | None = None) -> Field:
-    """Read a table whose keys are names that the author chose."""
-
-    def reader(value: object, path: Path, refused: Refusals) -> Any:
-        before = len(refused)
-        if first and _checked(partial(first.see, value), value, path, refused) is REFUSED:
-            return REFUSED
-        if not isinstance(value, dict):
-            refused.append(Refusal(path, "not_a_table", {}, value))
-            return REFUSED
-        pairs = [
-            (name.read(own, (*path, own), refused), entry.read(part, (*path, own), refused))
-            for own, part in value.items()
-        ]
-        return REFUSED if len(refused) > before else _all(checks, dict(pairs), path, refused)
-
-    def form() -> Form:
-        least, most, _ = _bounds(first, *checks)
-        return forms.named(entry.form(), name.form()["pattern"], least, most)
-
-    return Field(reader, form, _within(entry))
-
-
-def either(kind: type, then: Field, otherwise: Field) -> Field:
-    """Read values of one kind (list, dict) in one way and all others in another."""
-    return Field(
-        lambda value, path, refused: (then if isinstance(value, kind) else otherwise).read(value, path, refused),
-        lambda: {"anyOf": [otherwise.form(), then.form()]},
-        otherwise.tables + then.tables,
-    )
+    return Field(reader, lambda: form_of((kind,)), "table", (((), kind),))
 
 
 def form_of(kinds: Kinds) -> Form:
@@ -262,16 +163,6 @@ def _inner(holders: Kinds, name: str) -> Kinds:
     return tuple(kind.keys[name].field.tables[0][1] for kind in holders)
 
 
-def _within(entry: Field) -> tuple[tuple[Path, type[Table]], ...]:
-    return tuple((("*", *path), kind) for path, kind in entry.tables)
-
-
-def _bounds(*checks: Check | None) -> tuple[int, int | None, bool]:
-    given = [check for check in checks if check]
-    most = [check.most for check in given if check.most is not None]
-    return max((check.least for check in given), default=0), min(most, default=None), any(c.unique for c in given)
-
-
 def _parts(kinds: Kinds, value: object, path: Path, refused: Refusals) -> Any:
     """Read one table of the file as the kinds that share it; none is made where anything in it is refused."""
     if not isinstance(value, dict):
@@ -288,8 +179,8 @@ def _parts(kinds: Kinds, value: object, path: Path, refused: Refusals) -> Any:
     if len(refused) > before:
         return REFUSED
     made = {kind: kind(**values[kind]) for kind in kinds}
-    checked = [_checked(part.check, value, path, refused) for part in made.values()]
-    return REFUSED if any(result is REFUSED for result in checked) else made
+    results = [checked(part.check, value, path, refused) for part in made.values()]
+    return REFUSED if any(result is REFUSED for result in results) else made
 
 
 def _key(holders: Kinds, name: str, value: object, path: Path, refused: Refusals) -> list[tuple[type[Table], Any]]:
@@ -300,18 +191,3 @@ def _key(holders: Kinds, name: str, value: object, path: Path, refused: Refusals
     if found is REFUSED:
         return []
     return list(zip(holders, found.values(), strict=True))
-
-
-def _all(checks: tuple[Check, ...], found: Any, path: Path, refused: Refusals) -> Any:
-    for check in checks:
-        if _checked(partial(check.see, found), found, path, refused) is REFUSED:
-            return REFUSED
-    return found
-
-
-def _checked(check: Callable[[], Any], value: object, path: Path, refused: Refusals) -> Any:
-    try:
-        return check()
-    except Wrong as wrong:
-        refused.append(Refusal(path + wrong.at, wrong.kind, wrong.details, value))
-        return REFUSED

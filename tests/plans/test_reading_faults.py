@@ -18,7 +18,7 @@ SHARED = (
     *("forces/reading/form", "forces/loading", "forces/stroke"),
 )
 HARMLESS = Fault(
-    "another word", "plans/linkage/reading/linkage.py", '"add a hinge or a slide; no link', '"add a slide; no link', ()
+    "another word", "plans/linkage/reading/linkage.py", '"advice.joint" if mech', '"advice.held_twice" if mech', ()
 )
 
 

@@ -17,10 +17,11 @@ from plans.scene import units
 from plans.scene.demand import techniques_of
 from plans.scene.faults import SceneError
 from plans.scene.forms import text_with_unit
+from plans.scene.readers import Refused
 from plans.scene.scene import kinds_of
 from plans.scene.schema import schema
 from plans.scene.source import read_source
-from plans.scene.tables import Refused, holders_of, read_parts, tables_of
+from plans.scene.tables import holders_of, read_parts, tables_of
 from plans.scene.units import Kind
 from tests.rows import over
 

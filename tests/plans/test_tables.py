@@ -7,7 +7,8 @@ from typing import Any
 import pytest
 
 from plans.scene.faults import wrong
-from plans.scene.tables import Check, Refused, Table, either, key, many, named, one, read, table
+from plans.scene.readers import Check, Refused, either, many, named, one
+from plans.scene.tables import Table, key, read, table
 
 
 def even(value: Any) -> int:

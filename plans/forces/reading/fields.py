@@ -8,8 +8,8 @@ from decimal import Decimal
 
 from plans.scene import forms, units
 from plans.scene.faults import wrong
-from plans.scene.fields import NAME_LIMIT, not_empty, number, pair, sample, whole
-from plans.scene.tables import Check, either, one
+from plans.scene.fields import NAME_LIMIT, not_empty, number, pair, positive, sample, whole
+from plans.scene.readers import Check, either, one
 from plans.scene.units import type_name
 
 # What a force sheet letters itself: reactions, weights, inertia forces, moments of sliding pairs, what the drive gives.
@@ -55,15 +55,23 @@ def loaded_link(value: object) -> int:
 # Of a diagram over the stroke; that its lists are as long as each other is seen to by the table.
 TWO, AS_MANY = Check(not_empty, least=2), Check(lambda entries: entries, least=2)
 TWO_ENDS = Check(check_ends, least=2, most=2)
-SYMBOL = one(check_symbol, lambda: forms.text(rf"^{forms.ANY_LETTER}[0-9A-Za-z_\u00aa-\uffff.'-]*$", NAME_LIMIT))
-LOADED_LINK = one(loaded_link, lambda: forms.whole(1))
-SHARE = one(share, lambda: {"type": "number", "minimum": 0, "exclusiveMaximum": 1})
+SYMBOL = one(
+    check_symbol, lambda: forms.text(rf"^{forms.ANY_LETTER}[0-9A-Za-z_\u00aa-\uffff.'-]*$", NAME_LIMIT), "letters"
+)
+LOADED_LINK = one(loaded_link, lambda: forms.whole(1), "link")
+SHARE = one(share, lambda: {"type": "number", "minimum": 0, "exclusiveMaximum": 1}, "share")
 OVERRUN = either(list, pair(SHARE, "[start, end]"), SHARE)
-TRAVEL = one(units.quantity, lambda: {"type": "number", "minimum": 0, "maximum": 1}, kind=units.NUMBER)
+TRAVEL = one(units.quantity, lambda: {"type": "number", "minimum": 0, "maximum": 1}, "share", kind=units.NUMBER)
 FORCE, MOMENT, GRAVITY = number(units.FORCE), number(units.MOMENT), number(units.ACCELERATION)
-STIFFNESS = one(units.positive, lambda: forms.quantity(units.STIFFNESS, exclusiveMinimum=0), kind=units.STIFFNESS)
-FREE_LENGTH = one(units.free_length, lambda: forms.quantity(units.LENGTH, minimum=0, maximum=float(units.LENGTH_LIMIT)))
-FRICTION = one(units.friction, lambda: forms.quantity(units.NUMBER, minimum=0, maximum=float(units.COEFFICIENT_LIMIT)))
+STIFFNESS = positive(units.STIFFNESS)
+FREE_LENGTH = one(
+    units.free_length, lambda: forms.quantity(units.LENGTH, minimum=0, maximum=float(units.LENGTH_LIMIT)), "m"
+)
+FRICTION = one(
+    units.friction, lambda: forms.quantity(units.NUMBER, minimum=0, maximum=float(units.COEFFICIENT_LIMIT)), "number"
+)
 PRESSURE_ANGLE = one(
-    units.pressure_angle, lambda: forms.quantity(units.ANGLE, minimum=0, maximum=float(units.PRESSURE_LIMIT))
+    units.pressure_angle,
+    lambda: forms.quantity(units.ANGLE, minimum=0, maximum=float(units.PRESSURE_LIMIT)),
+    "degrees",
 )

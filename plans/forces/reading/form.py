@@ -15,8 +15,9 @@ from plans.model.mechanism import Link
 from plans.scene import fields as f
 from plans.scene.faults import wrong
 from plans.scene.forms import Form
+from plans.scene.readers import either, many, named
 from plans.scene.scene import Scene, TechniqueForm
-from plans.scene.tables import Missing, Table, either, key, many, named, table
+from plans.scene.tables import Missing, Table, key, table
 
 FORCES = "forces"  # the sheet
 # Links times positions of a run with forces: their numbers by both roads, and the text of them, take up to 3.8 kB each.
@@ -29,14 +30,18 @@ COEFFICIENT = "reduced coefficient of friction"
 class GearTable(Table):
     """The gear by which the machine is driven: pitch radius, place of the pinion, pressure angle."""
 
-    radius: Decimal = key(f.LENGTH, meaning="Pitch radius, m.", missing=Missing("pitch radius", 'radius = "180 mm"'))
+    radius: Decimal = key(
+        f.LENGTH,
+        meaning="Radius of the pitch circle of the crank's wheel.",
+        missing=Missing("pitch radius", 'radius = "180 mm"'),
+    )
     at: Decimal = key(
         f.ANGLE,
-        meaning="Where the driving pinion meets the wheel, degrees.",
+        meaning="Where the driving pinion meets the wheel, from +x.",
         missing=Missing("angle of the pinion", "at = 210"),
     )
     pressure_angle: Decimal = key(
-        h.PRESSURE_ANGLE, Decimal(20), meaning="Pressure angle of the teeth (угол зацепления), degrees."
+        h.PRESSURE_ANGLE, Decimal(20), meaning="Pressure angle of the teeth (угол зацепления)."
     )
 
 
@@ -46,7 +51,10 @@ class TransmissionTable(Table):
     balancing: str = key(
         f.words(*BALANCINGS),
         MOMENT,
-        meaning="What balances the crank: a moment, a coupling (муфта), or a force at its end, square to it.",
+        meaning=(
+            "What balances the crank: a moment; a coupling (муфта), a moment as well: neither loads the shaft; or a "
+            "force at the crank's end, square to it."
+        ),
     )
     gear: GearTable | None = key(
         table(GearTable), None, meaning="The gear that drives the machine; without it the drive is a pure moment."
@@ -66,12 +74,12 @@ class TransmissionTable(Table):
 class MassTable(Table):
     """Mass kg, moment of inertia about the mass centre kg*m2, and the centre in its frame, or by a point."""
 
-    mass: Decimal = key(f.MASS, meaning="Mass, kg.", missing=Missing("mass", 'mass = "3 kg"'))
-    inertia: Decimal = key(f.INERTIA, Decimal(0), meaning="Moment of inertia about the mass centre, kg*m2.")
+    mass: Decimal = key(f.MASS, meaning="Mass.", missing=Missing("mass", 'mass = "3 kg"'))
+    inertia: Decimal = key(f.INERTIA, Decimal(0), meaning="Moment of inertia about the mass centre, not about a hinge.")
     centre: str | Vector = key(
         either(list, f.PLACE, f.POINT),
         (Decimal(0), Decimal(0)),
-        meaning='Mass centre in the link\'s own frame, m; "middle", or a point of the link.',
+        meaning='Mass centre in the link\'s own frame; "middle" of its first two points, or a point of the link.',
     )
 
     def place(self, link: Link) -> complex:
@@ -88,8 +96,8 @@ class PairTable(Table):
     """Friction of one pair, where it differs from that of all: coefficient, journal radius m, length of contact m."""
 
     coefficient: Decimal | None = key(h.FRICTION, None, meaning="Reduced coefficient of friction.")
-    radius: Decimal | None = key(f.LENGTH, None, meaning="Journal radius of a hinge, m.")
-    length: Decimal | None = key(f.LENGTH, None, meaning="Length of contact of a sliding pair, m.")
+    radius: Decimal | None = key(f.LENGTH, None, meaning="Journal radius of a hinge.")
+    length: Decimal | None = key(f.LENGTH, None, meaning="Length of contact of a sliding pair.")
 
 
 class FrictionTable(Table):
@@ -102,16 +110,20 @@ class FrictionTable(Table):
     )
     radius: Decimal = key(
         f.LENGTH,
-        meaning="Journal radius of the hinges (радиус цапфы), m.",
+        meaning="Journal radius of the hinges (радиус цапфы).",
         missing=Missing("journal radius of the hinges", 'radius = "20 mm"'),
     )
     length: Decimal | None = key(
-        f.LENGTH, None, meaning="Length of contact of the slides, m; without it reactions do not lean on edges."
+        f.LENGTH,
+        None,
+        meaning=(
+            "Length of contact of the slides: where the force passes beyond it, two edges press; without it none do."
+        ),
     )
     pairs: Mapping[str, PairTable] = key(
         named(g.PAIR, table(PairTable), first=f.FEW),
         {},
-        meaning='What differs in single pairs, by their links: "0-1".',
+        meaning='What differs in single pairs, by their links, the lower first: "0-1".',
     )
 
 
@@ -121,7 +133,7 @@ class ForceSheetTable(Table):
     forces: tuple[int, ...] = key(
         many(f.POSITION, f.NO_REPEATS, first=f.FEW),
         (),
-        meaning="Positions of the force sheets, one sheet each; default: the one in full lines.",
+        meaning="Positions of the force sheets, a sheet each; default: the one in full lines.",
     )
     reactions: str = key(f.words("R", "P", "F"), "R", meaning="The letter of reactions.")
     hodographs: tuple[str, ...] = key(
@@ -139,8 +151,8 @@ class ForceForm(TechniqueForm):
     )
     loads: LoadsTable | None = key(table(LoadsTable), None, meaning="Gravity, forces, moments and springs.")
     friction: FrictionTable | None = key(table(FrictionTable), None, meaning="Friction of the pairs (трение).")
-    drive: TransmissionTable = key(table(TransmissionTable), TransmissionTable())
-    sheet: ForceSheetTable = key(table(ForceSheetTable), ForceSheetTable())
+    drive: TransmissionTable = key(table(TransmissionTable), TransmissionTable(), meaning="What drives the crank.")
+    sheet: ForceSheetTable = key(table(ForceSheetTable), ForceSheetTable(), meaning="What of forces is shown.")
 
     def borrowed(self) -> Iterable[str]:
         """Give the points that springs are hung on."""

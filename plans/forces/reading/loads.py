@@ -13,7 +13,8 @@ from plans.model.mechanism import FRAME
 from plans.scene import fields as f
 from plans.scene.faults import wrong
 from plans.scene.forms import Form
-from plans.scene.tables import Missing, Table, either, key, many, table
+from plans.scene.readers import either, many
+from plans.scene.tables import Missing, Table, key, table
 from plans.words.words import message
 
 DURING = (ALWAYS, WORKING, IDLE)
@@ -44,18 +45,18 @@ class DiagramTable(Table):
 
     travel: tuple[Decimal, ...] = key(
         many(h.TRAVEL, h.TWO, first=f.FEW),
-        meaning="Shares of the stroke, rising from 0, where the working stroke begins, to 1.",
+        meaning="Places of the stroke as shares of it, rising from 0, where the working stroke begins, to 1.",
         missing=Missing("list of shares of the stroke", "travel = [0, 1]"),
     )
     force: tuple[Decimal, ...] = key(
         many(h.FORCE, h.AS_MANY, first=f.FEW),
-        meaning="The force at each, N.",
+        meaning="The force at each.",
         missing=Missing("list of forces", "force = [1500, 1500]"),
     )
     back: tuple[Decimal, ...] = key(
         many(h.FORCE, h.AS_MANY, first=f.FEW),
         (),
-        meaning="The force at each on the idle stroke, N, as of an indicator diagram.",
+        meaning="The force at each on the stroke back, as of an indicator diagram.",
     )
 
     def check(self) -> None:
@@ -74,15 +75,19 @@ class DiagramTable(Table):
 class LoadTable(Table):
     """What loads on links have in common: when they act, and whether their work is the machine's purpose."""
 
-    on: int = key(h.LOADED_LINK, meaning="Number of the link.", missing=ON_LINK)
-    during: str | None = key(f.words(*DURING), None, meaning="Which part of the turn.")
+    on: int = key(h.LOADED_LINK, meaning="The link.", missing=ON_LINK)
+    during: str | None = key(
+        f.words(*DURING),
+        None,
+        meaning="When it acts; default: always, but a diagram against the motion without back on the working stroke.",
+    )
     overrun: Decimal | Vector = key(
         h.OVERRUN,
         NO_OVERRUN,
-        meaning="Shares of the stroke at its ends (перебег) in which the load rests: one, or [start, end].",
+        meaning="Shares of the stroke at its ends (перебег) in which the load rests.",
     )
     stroke: str | None = key(f.POINT, None, meaning="The point whose stroke counts; default: the output's.")
-    useful: bool = key(f.FLAG, True, meaning="Whether its work is the machine's purpose.")
+    useful: bool = key(f.FLAG, True, meaning="Whether its work is what the machine is for.")
     name: str | None = _symbol()
 
     @property
@@ -113,13 +118,15 @@ class ForceTable(LoadTable):
 
     point: str = key(f.POINT, meaning="Point of the link.", missing=POINT_OF_LINK)
     value: Decimal | Vector | None = key(
-        either(list, f.pair(h.FORCE), h.FORCE),
+        either(list, f.pair(h.FORCE, "[Fx, Fy]"), h.FORCE),
         None,
-        meaning="Force [Fx, Fy], N; or its size, against the motion or in a direction.",
+        meaning="The force; or its size, against the motion or in a direction.",
     )
     against: str | None = key(f.words("motion"), None, meaning="The force acts against the motion of its point.")
-    direction: Decimal | None = key(f.ANGLE, None, meaning="The direction of the force, degrees from +x.")
-    diagram: DiagramTable | None = key(table(DiagramTable), None, meaning="The size of the force over the stroke.")
+    direction: Decimal | None = key(f.ANGLE, None, meaning="The direction of the force, from +x.")
+    diagram: DiagramTable | None = key(
+        table(DiagramTable), None, meaning="The size of the force over the stroke, instead of value."
+    )
 
     @property
     def phase(self) -> str:
@@ -175,7 +182,7 @@ class MomentTable(LoadTable):
 
     value: Decimal = key(
         h.MOMENT,
-        meaning="Moment, N*m, positive counter-clockwise; or its size, against the rotation.",
+        meaning="Moment, positive counter-clockwise; or its size, against the rotation.",
         missing=Missing("moment", "value = 12"),
     )
     against: str | None = key(f.words("motion"), None, meaning="The moment acts against the rotation of its link.")
@@ -189,7 +196,7 @@ class MomentTable(LoadTable):
 class EndTable(Table):
     """An end of a spring: a point of one of the links that have it."""
 
-    on: int = key(g.ANY_LINK, meaning="Number of the link, where several have the point.", missing=ON_LINK)
+    on: int = key(g.ANY_LINK, meaning="The link, where several have the point.", missing=ON_LINK)
     point: str = key(f.POINT, meaning="Point of the link.", missing=POINT_OF_LINK)
 
 
@@ -201,10 +208,8 @@ class SpringTable(Table):
         meaning='Its two ends: points of two links, ["B", "O"].',
         missing=Missing("pair of ends", 'between = ["B", "O"]'),
     )
-    stiffness: Decimal = key(
-        h.STIFFNESS, meaning="Stiffness, N/m.", missing=Missing("stiffness", 'stiffness = "20 N/mm"')
-    )
-    free: Decimal = key(h.FREE_LENGTH, meaning="Free length, m.", missing=Missing("free length", 'free = "80 mm"'))
+    stiffness: Decimal = key(h.STIFFNESS, meaning="Stiffness.", missing=Missing("stiffness", 'stiffness = "20 N/mm"'))
+    free: Decimal = key(h.FREE_LENGTH, meaning="Free length.", missing=Missing("free length", 'free = "80 mm"'))
     name: str | None = _symbol()
 
 
@@ -212,9 +217,9 @@ class LoadsTable(Table):
     """Gravity, forces, moments and springs; gravity as a number is downward, and none where it is not given."""
 
     gravity: Decimal | Vector | None = key(
-        either(list, f.pair(h.GRAVITY), h.GRAVITY),
+        either(list, f.pair(h.GRAVITY, "[gx, gy]"), h.GRAVITY),
         None,
-        meaning="Gravity, m/s2: downward, or [gx, gy]; without it links have no weight.",
+        meaning="Gravity, downward or as a vector; without it links have no weight.",
     )
     forces: tuple[ForceTable, ...] = key(many(table(ForceTable), first=f.FEW), (), meaning="Forces on points of links.")
     moments: tuple[MomentTable, ...] = key(many(table(MomentTable), first=f.FEW), (), meaning="Moments on links.")

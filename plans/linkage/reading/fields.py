@@ -11,7 +11,7 @@ from geometry.errors import LimitError
 from plans.scene import forms, units
 from plans.scene.faults import wrong
 from plans.scene.fields import ANGLE, NAME_LIMIT, check_name, choice, few, sample, whole
-from plans.scene.tables import Check, either, many, one
+from plans.scene.readers import Check, either, many, one
 from plans.scene.units import type_name
 from plans.words.words import message, placed
 
@@ -144,13 +144,15 @@ def _letters(pattern: str, least: int, most: int) -> forms.Form:
     return {"anyOf": [forms.text(pattern), names]}
 
 
-LETTERS = one(check_letters, lambda: _letters(f"^({_LETTER})+$", 1, LINKS_LIMIT))
-LINE = one(check_line, lambda: _letters(f"^({_LETTER}){{2}}$", 2, 2))
-LENGTH_NAME = one(lambda key: key, lambda: forms.text(f"^({_LETTER}{_LETTER}|{forms.POINT}-{forms.POINT})$"))
-LINK_NUMBER = one(link_key, lambda: forms.text(r"^[1-9][0-9]{0,5}$"))  # as a key
-PAIR = one(check_pair_name, lambda: forms.text(r"^(0|[1-9][0-9]{0,5})-[1-9][0-9]{0,5}$"))
-MOVING_LINK = one(moving_link, lambda: forms.whole(1))
-ANY_LINK = one(whole, lambda: forms.whole(0), least=0)
-START = one(start_angle, lambda: {"anyOf": [{"const": EXTREME}, ANGLE.form()]})
-COUNT = one(count_positions, lambda: {**forms.whole(1), "maximum": POSITIONS_LIMIT})
+LETTERS = one(check_letters, lambda: _letters(f"^({_LETTER})+$", 1, LINKS_LIMIT), "points")
+LINE = one(check_line, lambda: _letters(f"^({_LETTER}){{2}}$", 2, 2), "two points")
+LENGTH_NAME = one(
+    lambda key: key, lambda: forms.text(f"^({_LETTER}{_LETTER}|{forms.POINT}-{forms.POINT})$"), "two points"
+)
+LINK_NUMBER = one(link_key, lambda: forms.text(r"^[1-9][0-9]{0,5}$"), "link")  # as a key
+PAIR = one(check_pair_name, lambda: forms.text(r"^(0|[1-9][0-9]{0,5})-[1-9][0-9]{0,5}$"), '"0-1"')
+MOVING_LINK = one(moving_link, lambda: forms.whole(1), "link")
+ANY_LINK = one(whole, lambda: forms.whole(0), "link", least=0)
+START = one(start_angle, lambda: {"anyOf": [{"const": EXTREME}, ANGLE.form()]}, f'degrees, or "{EXTREME}"')
+COUNT = one(count_positions, lambda: {**forms.whole(1), "maximum": POSITIONS_LIMIT}, "number")
 POSITIONS = either(list, many(ANGLE, Check(position_list, least=1, most=POSITIONS_LIMIT)), COUNT)

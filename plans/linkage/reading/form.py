@@ -11,8 +11,9 @@ from plans.model.mechanism import THROUGH
 from plans.scene import fields as f
 from plans.scene.faults import Path, wrong
 from plans.scene.forms import Form
+from plans.scene.readers import either, many, named
 from plans.scene.scene import Scene, TechniqueForm
-from plans.scene.tables import Missing, Table, either, key, many, named, table
+from plans.scene.tables import Missing, Table, key, table
 
 Place = tuple[Decimal, Decimal]
 
@@ -21,34 +22,32 @@ class FrameLine(Table):
     """A line of the frame by a point and its angle from +x, degrees."""
 
     through: Place = key(
-        f.PLACE, meaning="A point of the line, m.", missing=Missing("point of the line", "through = [0, 0]")
+        f.PLACE, meaning="A point of the line.", missing=Missing("point of the line", "through = [0, 0]")
     )
-    angle: Decimal = key(f.ANGLE, Decimal(0), meaning="Angle of the line from +x, degrees.")
+    angle: Decimal = key(f.ANGLE, Decimal(0), meaning="Angle of the line from +x.")
 
 
 class SlideTable(Table):
     """A sliding pair (поступательная пара): a link and the line it slides along."""
 
-    link: int = key(
-        g.MOVING_LINK, meaning="Number of the sliding link.", missing=Missing("number of a moving link", "link = 2")
-    )
+    link: int = key(g.MOVING_LINK, meaning="The sliding link.", missing=Missing("number of a moving link", "link = 2"))
     along: tuple[str, ...] | FrameLine = key(
         either(dict, table(FrameLine), g.LINE),
         meaning='The line it slides along: two letters of another link, "CB", or a line of the frame.',
         missing=Missing("line", 'along = "CB", or along = { through = [0, 0], angle = 0 }'),
     )
     point: str | None = key(f.POINT, None, meaning="Point of the link on that line; default: its first.")
-    offset: Decimal = key(f.COORDINATE, Decimal(0), meaning="Distance of that point to the left of the line, m.")
-    angle: Decimal = key(f.ANGLE, Decimal(0), meaning="Angle of the link to the line, degrees.")
+    offset: Decimal = key(f.COORDINATE, Decimal(0), meaning="Distance of that point to the left of the line.")
+    angle: Decimal = key(f.ANGLE, Decimal(0), meaning="Angle of the link's own +x axis to the line, counter-clockwise.")
 
 
 class PointTable(Table):
     """A point of a link by its place in the link's own frame."""
 
-    on: int = key(g.ANY_LINK, meaning="Number of the link.", missing=Missing("number of a moving link", "on = 2"))
+    on: int = key(g.ANY_LINK, meaning="The link.", missing=Missing("number of a moving link", "on = 2"))
     at: Place = key(
         f.PLACE,
-        meaning="Place in the link's own frame, m.",
+        meaning="Place in the link's own frame.",
         missing=Missing("place in the link's own frame", "at = [0.1, 0]"),
     )
 
@@ -58,23 +57,30 @@ class MechanismTable(Table):
 
     frame: Mapping[str, Place] = key(
         named(f.POINT, f.PLACE, f.NOT_EMPTY, first=f.FEW),
-        meaning="Fixed points (стойка), metres: O = [0, 0].",
+        meaning="Fixed points (стойка): O = [0, 0].",
         missing=Missing("table of fixed points", "[mechanism.frame] with O = [0, 0]", {"O": [0, 0]}),
     )
     links: Mapping[int, tuple[str, ...]] = key(
         named(g.LINK_NUMBER, g.LETTERS, f.NOT_EMPTY, first=g.FEW_LINKS),
-        meaning='Moving links (звенья): number = the letters of its points, 1 = "OA", or a list of longer names.',
+        meaning=(
+            'Moving links (звенья), each with the letters of its points, 1 = "OA": capitals with an optional number or '
+            'prime, A, B1, O\'; longer names as a list, 1 = ["crank", "pin"]. The first point is the origin of the '
+            "link's own frame, the second lies on its +x."
+        ),
         missing=Missing("table of links", '[mechanism.links] with 1 = "OA"', {"1": "OA"}),
     )
     lengths: Mapping[str, Decimal] = key(
         named(g.LENGTH_NAME, f.LENGTH, first=f.FEW),
         {},
-        meaning='Lengths, m or text with a unit: OA = 0.110 or "110 mm".',
+        meaning=(
+            'Lengths: OA = 0.110 or "110 mm"; a third point of a link by its lengths to the first two, on the side '
+            "that the sketch shows."
+        ),
     )
     points: Mapping[str, PointTable] = key(
         named(f.POINT, table(PointTable), first=f.FEW),
         {},
-        meaning="Points by their place in a link's own frame: first point 0, second on +x.",
+        meaning="Points by their place in a link's own frame: E = { on = 2, at = [0.2, 0.09] }.",
     )
     slides: tuple[SlideTable, ...] = key(
         many(table(SlideTable), first=f.FEW), (), meaning="Sliding pairs (поступательные пары)."
@@ -82,12 +88,19 @@ class MechanismTable(Table):
     sketch: Mapping[str, Place] = key(
         named(f.POINT, f.PLACE, first=f.FEW),
         {},
-        meaning="Rough places at the first position, m: they choose the assembly.",
+        meaning=(
+            'Rough places at the first position (with start = "extreme", at any): they choose the assembly. One point '
+            "of each group with two assemblies; the crank's end and blocks are found; where a third point has its "
+            "place by lengths, all three points."
+        ),
     )
     through: str | None = key(
         f.words(*THROUGH),
         None,
-        meaning="What carries the linkage through its change points; default: nothing.",
+        meaning=(
+            "What carries the linkage through its change points, so that it goes on smoothly: another linkage beside "
+            "it, or its own inertia; default: nothing, a change point bars the crank, and what lies beyond is a gap."
+        ),
     )
 
 
@@ -95,19 +108,29 @@ class DriveTable(Table):
     """The drive (начальное звено): crank, angular velocity and acceleration, and its positions."""
 
     link: int = key(
-        g.MOVING_LINK, meaning="Number of the crank (кривошип).", missing=Missing("number of the crank", "link = 1", 1)
+        g.MOVING_LINK, meaning="The crank (кривошип).", missing=Missing("number of the crank", "link = 1", 1)
     )
     speed: Decimal = key(
         f.ANGULAR_SPEED,
-        meaning='Angular speed, rad/s or "60 rpm"; positive is counter-clockwise.',
+        meaning='Angular speed, also as "60 rpm"; negative is clockwise.',
         missing=Missing("angular speed", 'speed = "60 rpm"', 1),
     )
-    acceleration: Decimal = key(f.ANGULAR_ACCELERATION, Decimal(0), meaning="Angular acceleration, rad/s2.")
-    start: Decimal | str = key(g.START, Decimal(0), meaning='First crank angle, degrees from +x, or "extreme".')
+    acceleration: Decimal = key(f.ANGULAR_ACCELERATION, Decimal(0), meaning="Angular acceleration.")
+    start: Decimal | str = key(
+        g.START,
+        Decimal(0),
+        meaning=(
+            'First crank angle from +x, or "extreme": the position from which the output\'s slower, working stroke '
+            "begins."
+        ),
+    )
     positions: int | tuple[Decimal, ...] = key(
         g.POSITIONS,
         12,
-        meaning="Number of equal steps over a turn, or a list of crank angles in degrees (then no start).",
+        meaning=(
+            "Number of equal steps over a turn in the sense of rotation, or a list of crank angles (then no start); "
+            "links times positions are at most 1,000,000, with a force sheet 500,000."
+        ),
     )
 
     @property
@@ -136,7 +159,7 @@ class DriveTable(Table):
 class OutputTable(Table):
     """The output link (выходное звено), by its number or by a point of it."""
 
-    link: int | None = key(g.MOVING_LINK, None, meaning="Number of the output link.")
+    link: int | None = key(g.MOVING_LINK, None, meaning="The output link.")
     point: str | None = key(f.POINT, None, meaning="A point of the output link.")
 
     def check(self) -> None:
@@ -155,9 +178,11 @@ class PlansTable(Table):
     """Of the sheet what shows a linkage: the positions whose plans are drawn, and the one in full lines."""
 
     plans: tuple[int, ...] = key(
-        many(f.POSITION, f.NO_REPEATS, first=f.FEW), (), meaning="Positions whose plans are drawn."
+        many(f.POSITION, f.NO_REPEATS, first=f.FEW),
+        (),
+        meaning="Positions whose plans are drawn; default: one of the working stroke and one more, both open figures.",
     )
-    position: int | None = key(f.POSITION, None, meaning="The position in full lines.")
+    position: int | None = key(f.POSITION, None, meaning="The position in full lines; default: the first of plans.")
 
 
 class LinkageForm(TechniqueForm):
@@ -178,7 +203,7 @@ class LinkageForm(TechniqueForm):
         None,
         meaning="The output link (выходное звено); default: the last link on the frame of the last group.",
     )
-    sheet: PlansTable = key(table(PlansTable), PlansTable())
+    sheet: PlansTable = key(table(PlansTable), PlansTable(), meaning="What of a linkage is shown.")
 
     def fit(self, scene: Scene) -> None:
         """See that a run has room for its positions."""

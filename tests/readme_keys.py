@@ -1,0 +1,72 @@
+"""The README's tables of keys, made of the statements of the keys: `python -m tests.readme_keys` writes them anew."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from decimal import Decimal
+from pathlib import Path
+from typing import Any
+
+from plans.scene.faults import Path as KeyPath
+from plans.scene.refusal import table_name
+from plans.scene.scene import Scene
+from plans.scene.tables import REQUIRED, Key, Table
+from plans.techniques import TECHNIQUES, named
+
+README = Path(__file__).parent.parent / "README.md"
+HEAD = ("| key | value | default | meaning |", "|---|---|---|---|")
+BLOCK = re.compile(r"(?<=<!-- )keys of (?P<part>[\w ]+) -->\n(?P<table>.*?)(?=<!-- end of keys -->)", re.DOTALL)
+
+
+def parts() -> Mapping[str, type[Table]]:
+    """Give what is tabled together: what every scene has, and the form of each technique."""
+    return {"a scene": Scene, **{name: named(row.form) for name, row in TECHNIQUES.items()}}
+
+
+def rows(kind: type[Table], path: KeyPath = ()) -> Iterator[str]:
+    """Give a row a key, the tables behind the plain keys and each before its own keys."""
+    tabled = {name: known for name, known in kind.keys.items() if known.field.tables or " = " in known.field.shown}
+    yield from (_row(f"`{name}`", known) for name, known in kind.keys.items() if name not in tabled)
+    for name, known in tabled.items():
+        yield _row(f"**`{_header((*path, name), known)}`**", known)
+        for steps, inner in known.field.tables:
+            yield from rows(inner, (*path, name, *steps))
+
+
+def _header(path: KeyPath, known: Key) -> str:
+    """Write a table as its header stands in the file, a list of tables in double brackets."""
+    name = str(table_name(path))
+    return f"[{name}]" if known.field.shown == "[table, ...]" else name
+
+
+def _row(name: str, known: Key) -> str:
+    shown = "" if known.field.shown in ("table", "[table, ...]") else known.field.shown
+    return f"| {name} | {shown} | {_default(known.default)} | {known.meaning} |"
+
+
+def _default(value: Any) -> str:
+    """Write what stands for a key that is not given; nothing where its meaning says it."""
+    if value is REQUIRED:
+        return "required"
+    if isinstance(value, bool):
+        return f"`{str(value).lower()}`"
+    if isinstance(value, Decimal | int):
+        return f"`{value}`"
+    if isinstance(value, tuple) and value:
+        return f"`[{', '.join(map(str, value))}]`"
+    return f'`"{value}"`' if isinstance(value, str) and value else ""
+
+
+def tabled(part: str) -> str:
+    """Give the table of one part as the README has it."""
+    return "\n".join((*HEAD, *rows(parts()[part]))) + "\n"
+
+
+def renewed(text: str) -> str:
+    """Give the README with its tables of keys as they should be."""
+    return BLOCK.sub(lambda found: f"keys of {found['part']} -->\n{tabled(found['part'])}", text)
+
+
+if __name__ == "__main__":
+    README.write_text(renewed(README.read_text("utf-8")), "utf-8")
