@@ -29,11 +29,10 @@ from drawings.paper.strokes import Group, Leaf, Line, Stroke
 from drawings.pens import svg as pen
 from plans.checks import compare as comparing
 from plans.model.motion import Motion
-from tests.gallery_of import gallery_of
 from tests.rows import over
 
 ROOT = Path(__file__).parent.parent.parent
-GALLERY = gallery_of("linkage")
+GALLERY = sorted((ROOT / "drawings/gallery").glob("*.toml"))
 CATALOGUE = sorted((ROOT / "tests/catalogue").glob("*.toml"))
 SHAPER = ROOT / "drawings/gallery/shaper.toml"
 

@@ -7,6 +7,7 @@ import itertools
 import math
 from collections.abc import Iterator
 from functools import cache
+from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
@@ -31,12 +32,11 @@ from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.scene.scene import parse_scene, read_scene
 from tests.drawings import mechanisms
-from tests.gallery_of import gallery_of
 from tests.rows import over
 
 shapely = pytest.importorskip("shapely")
 
-GALLERY = gallery_of("linkage")
+GALLERY = sorted((Path(__file__).parents[2] / "drawings" / "gallery").glob("*.toml"))
 NAMES = sorted({path.stem for path in GALLERY} | mechanisms.ALL.keys())
 # The outputs of these turn, or run to infinity: there is no stroke.
 SWINGING = {"crank-rocker", "jaw-crusher", "leg", "offset stone", "oscillating-cylinder", "tangent", "walking-leg"}

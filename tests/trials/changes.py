@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import re
 from functools import cache
+from pathlib import Path
 from random import Random
 from typing import NamedTuple
 
-from tests.gallery_of import gallery_of
-
+GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
 TABLE = re.compile(r"^\s*\[+([\w.]+)\]+")
 NUMBER = re.compile(r"(?<![\w.'\"-])\"?(-?\d+(?:\.\d+)?)(?: mm| rpm| rad/s)?\"?(?![\w.])")
 # What is changed: the mechanism's own numbers, and the drive's speed, acceleration, start and listed angles.
@@ -26,7 +26,7 @@ class Spot(NamedTuple):
 
 @cache
 def _scenes() -> tuple[tuple[str, tuple[Spot, ...]], ...]:
-    texts = [path.read_text(encoding="utf-8") for path in gallery_of("linkage")]
+    texts = [path.read_text(encoding="utf-8") for path in sorted(GALLERY.glob("*.toml"))]
     return tuple((text, tuple(_spots(text))) for text in texts)
 
 
