@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from drawings.bench.sheet import BY_HAND, Drawn, scale
+from drawings.bench.sheet import BY_HAND, DrawnSheets, scale
 from drawings.files import atomic_files
 from drawings.lettering.lettering import lettered
 from drawings.measure.measure import Measured, measure_file
@@ -31,7 +31,7 @@ SCALED = (
 
 
 def by_hand(
-    study: LinkageStudy, drawn: Drawn, largest: Mapping[str, float], folder: Path
+    study: LinkageStudy, drawn: DrawnSheets, largest: Mapping[str, float], folder: Path
 ) -> tuple[dict[str, Toll], int]:
     """Draw the force sheets' positions by hand; give what that costs, and the number of positions."""
     statics = Statics(study)
@@ -47,7 +47,7 @@ def by_hand(
     return tolls, len(positions)
 
 
-def _polygons(study: LinkageStudy, statics: Statics, drawn: Drawn, folder: Path) -> dict[int, float]:
+def _polygons(study: LinkageStudy, statics: Statics, drawn: DrawnSheets, folder: Path) -> dict[int, float]:
     """Draw the force sheets; give the coarsest scale N/mm of the polygons of each of their positions."""
     found: dict[int, float] = {}
     for number, leaf in enumerate(sheets.sheets(study, compare_forces(statics, drawn.comparison), statics)):

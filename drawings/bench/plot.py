@@ -37,7 +37,7 @@ ERROR = (
 OF_FORCES = "Of forces: of reactions and moments; F: by hand. "
 
 
-class Look(NamedTuple):
+class Series(NamedTuple):
     """How a technique is drawn: marker, whether it is filled, line."""
 
     marker: str
@@ -45,7 +45,7 @@ class Look(NamedTuple):
     line: str
 
 
-class Spot(NamedTuple):
+class PlotPoint(NamedTuple):
     """Where a row stands: time of one position, error, and its number of positions."""
 
     time: float
@@ -54,21 +54,21 @@ class Spot(NamedTuple):
 
 
 LOOKS = {
-    CONSTRUCTION[0]: Look("o", False, ":"),
-    CONSTRUCTION[1]: Look("s", False, "--"),
-    CONSTRUCTION[2]: Look("o", True, "-"),
-    newton(TOLERANCES[0]): Look("^", False, ":"),
-    newton(TOLERANCES[1]): Look("v", False, "--"),
-    ROUNDING: Look("^", True, "-"),
-    MEASURED: Look("D", False, "-."),
-    PRINTED: Look("D", True, "-."),
-    PYLINKAGE: Look("P", False, "-"),
-    MECHANISM: Look("X", True, "-"),
-    FORCES_CONSTRUCTED: Look("s", True, "-"),
-    FORCES_ANALYSED: Look("v", True, "-"),
-    LEVER: Look("<", False, ":"),
-    POWER: Look(">", False, "--"),
-    ENERGY: Look("d", False, "-."),
+    CONSTRUCTION[0]: Series("o", False, ":"),
+    CONSTRUCTION[1]: Series("s", False, "--"),
+    CONSTRUCTION[2]: Series("o", True, "-"),
+    newton(TOLERANCES[0]): Series("^", False, ":"),
+    newton(TOLERANCES[1]): Series("v", False, "--"),
+    ROUNDING: Series("^", True, "-"),
+    MEASURED: Series("D", False, "-."),
+    PRINTED: Series("D", True, "-."),
+    PYLINKAGE: Series("P", False, "-"),
+    MECHANISM: Series("X", True, "-"),
+    FORCES_CONSTRUCTED: Series("s", True, "-"),
+    FORCES_ANALYSED: Series("v", True, "-"),
+    LEVER: Series("<", False, ":"),
+    POWER: Series(">", False, "--"),
+    ENERGY: Series("d", False, "-."),
 }
 STYLE: Any = {  # matplotlib's own settings, named as it names them
     "svg.hashsalt": "plandraft",  # the same numbers, the same bytes
@@ -133,7 +133,7 @@ def _timed(axes: Axes, bench: Bench, counts: Sequence[int]) -> None:
     axes.set_axisbelow(True)
 
 
-def _series(axes: Axes, name: str, look: Look, spots: Sequence[Spot], counts: Sequence[int]) -> None:
+def _series(axes: Axes, name: str, look: Series, spots: Sequence[PlotPoint], counts: Sequence[int]) -> None:
     """Draw a technique's line, its markers growing along it, and one of each for the legend."""
     face = "black" if look.filled else "white"
     axes.plot([s.time for s in spots], [s.error for s in spots], look.line, color="black", linewidth=0.8)
@@ -180,11 +180,11 @@ def _untimed(axes: Axes, rows: Sequence[Row]) -> None:
     axes.set_axisbelow(True)
 
 
-def _spots(rows: Sequence[Row], name: str) -> list[Spot]:
+def _spots(rows: Sequence[Row], name: str) -> list[PlotPoint]:
     """Find a technique's spots: where it has both a time and a finite error."""
     found = [(row, row.each, row.error) for row in rows if row.technique == name and row.positions]
     return [
-        Spot(time, max(error, LOWEST), row.positions or 0)
+        PlotPoint(time, max(error, LOWEST), row.positions or 0)
         for row, time, error in found
         if time and error is not None and math.isfinite(error)
     ]

@@ -125,7 +125,7 @@ def _no_paper(why: str) -> tuple[list[Row], Ratio, list[str]]:
     return [Row(name, None, note=why) for name in names], Ratio(PENS, None, goal=PENS_GOAL, note=why), []
 
 
-def _forces_by_hand(study: LinkageStudy, drawn: sheet.Drawn, largest: Mapping[str, float]) -> list[Row]:
+def _forces_by_hand(study: LinkageStudy, drawn: sheet.DrawnSheets, largest: Mapping[str, float]) -> list[Row]:
     """Give the rows of forces drawn by hand, at the positions of the force sheets."""
     try:
         with tempfile.TemporaryDirectory(prefix="plandraft-bench-") as folder:

@@ -40,7 +40,7 @@ _KINDS = dict(zip((*POINT_KEYS[1:], *LINK_SYMBOLS[1:]), (*POINT_KEYS[1:], *LINK_
 
 
 @dataclass(frozen=True)
-class Drawn:
+class DrawnSheets:
     """A scene's sheets drawn, written and measured together, and the comparison that their tables print."""
 
     leaves: tuple[Leaf, ...]
@@ -58,7 +58,7 @@ class Drawn:
         return int(self.leaves[0].metadata["shown"])
 
 
-def draw(study: LinkageStudy, folder: Path) -> Drawn:
+def draw(study: LinkageStudy, folder: Path) -> DrawnSheets:
     """Draw a study's sheets, write them and measure them back."""
     comparison = compare(study)
     leaves = kinematics.sheets(study, comparison)
@@ -69,13 +69,13 @@ def draw(study: LinkageStudy, folder: Path) -> Drawn:
         read.append(measure_file(path))
     vectors = tuple(vector for one in read for vector in one.vectors)
     points = tuple(point for one in read for point in one.points)
-    return Drawn(leaves, comparison, Measured(vectors, points, read[0].metadata))
+    return DrawnSheets(leaves, comparison, Measured(vectors, points, read[0].metadata))
 
 
 def road(found: Ground) -> Road:
     """Give the road of drawing a sheet, judged by its vectors and by its table."""
 
-    def run() -> Drawn:
+    def run() -> DrawnSheets:
         with tempfile.TemporaryDirectory(prefix="plandraft-bench-") as folder:
             return draw(found.fresh(), Path(folder))
 
@@ -85,16 +85,16 @@ def road(found: Ground) -> Road:
 
 
 def _judge(
-    found: Ground, read: Callable[[LinkageStudy, Drawn, Truth, Mapping[str, float]], Errors]
+    found: Ground, read: Callable[[LinkageStudy, DrawnSheets, Truth, Mapping[str, float]], Errors]
 ) -> Callable[[Any], Errors]:
-    def judge(drawn: Drawn) -> Errors:
+    def judge(drawn: DrawnSheets) -> Errors:
         truth = replay(found.study, sorted({drawn.shown, *drawn.plans})).truth()
         return read(found.fresh(), drawn, truth, found.largest)
 
     return judge
 
 
-def by_ruler(study: LinkageStudy, drawn: Drawn, truth: Truth, largest: Mapping[str, float]) -> Errors:
+def by_ruler(study: LinkageStudy, drawn: DrawnSheets, truth: Truth, largest: Mapping[str, float]) -> Errors:
     """Judge the points of the position in full lines and the vectors from the poles of the drawn plans."""
     places = {mark.name: mark.value for mark in drawn.measured.points if mark.position == drawn.shown}
     points = {("r", name): np.array([value]) for name, value in places.items() if ("r", name) in truth.values}
@@ -114,7 +114,7 @@ def by_ruler(study: LinkageStudy, drawn: Drawn, truth: Truth, largest: Mapping[s
     return found
 
 
-def by_table(study: LinkageStudy, drawn: Drawn, truth: Truth, largest: Mapping[str, float]) -> Errors:
+def by_table(study: LinkageStudy, drawn: DrawnSheets, truth: Truth, largest: Mapping[str, float]) -> Errors:
     """Judge the numbers of the table: sizes of v and a, and omega and epsilon with their signs; gaps have none."""
     language = study.scene.sheet.language
     known = [place for place, k in enumerate(drawn.plans) if not study.lost[k]]
@@ -143,7 +143,7 @@ def _number(cell: str) -> float:
         return float("nan")
 
 
-def by_hand(study: LinkageStudy, drawn: Drawn, largest: Mapping[str, float]) -> dict[str, Toll]:
+def by_hand(study: LinkageStudy, drawn: DrawnSheets, largest: Mapping[str, float]) -> dict[str, Toll]:
     """Draw the sheet's plans by hand, at the sheet's own scales, with slips of a hand's usual sizes."""
     marked = {(mark.plan, mark.position) for mark in drawn.measured.marks}
     whole = [k for k in drawn.plans if all((plan, k) in marked for plan in ORDERS[1:])]

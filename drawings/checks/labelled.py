@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from drawings.figures.linkage.vector_plan import written
+from drawings.figures.linkage.vector_plan import with_index
 from drawings.layout.ink import CELL, CLEAR
 from drawings.layout.labels import NEAR
 from drawings.lettering.extent import bounds
@@ -33,7 +33,7 @@ def unlettered(leaf: Leaf) -> Iterator[str]:
         for letter in label.text.plain.split(", "):
             labels.setdefault(letter, []).append(label)
     for plan, name, letter, spots in _marks(leaf.groups):
-        plain = Text(0j, letter if "{" in letter else written(letter)).plain
+        plain = Text(0j, letter if "{" in letter else with_index(letter)).plain
         if not any(_distance(spot, label.place) <= NEAREST for label in labels.get(plain, ()) for spot in spots):
             yield f"the letter {name} on {plan}"
 

@@ -20,7 +20,7 @@ from drawings.lettering.words import word
 from drawings.measure.measure import Measured
 from drawings.paper.strokes import Leaf, Line, Text
 from drawings.paper.walk import groups, texts
-from drawings.symbols.force_arrow import named
+from drawings.symbols.force_arrow import plain_name
 from plans.checks.comparison import Finding
 from plans.checks.force_comparison import ForceComparison
 from plans.checks.force_expected import ExpectedForces
@@ -91,7 +91,7 @@ class _Check:
         group = next(cut.group for cut in cuts if cut.label == label)
         language, letter = self.statics.study.scene.sheet.language, self.statics.form.sheet.reactions
         told = expected.polygon(self.statics.study.groups, group) | expected.parts(group)
-        return {named(force_letter(name, language, letter)): value for name, value in told.items()}
+        return {plain_name(force_letter(name, language, letter)): value for name, value in told.items()}
 
     def plans(self) -> Iterator[str]:
         """Hold the force plans and the lever's images."""
@@ -158,7 +158,7 @@ class _Check:
             one = told.reactions[key]
             ends = {str(k): complex(value) for k, value in enumerate(one.force)}
             shown = force_letter(f"R_{indices(one.giver, one.taker)}", language, sheet.reactions)
-            ends[named(shown)] = complex(one.force[self.position])
+            ends[plain_name(shown)] = complex(one.force[self.position])
             yield from self._held(f"hodograph-{key}", ends, self.slack)
 
     def _held(self, plan: str, expected: Mapping[str, complex], slack: float) -> Iterator[str]:

@@ -11,7 +11,7 @@ from drawings.commands.draw import draw
 from drawings.files import atomic_files
 from drawings.files.file_error import FileError
 from drawings.gallery.catalogue import GALLERY, catalogue
-from drawings.gallery.index import PAGE, Exhibit, index
+from drawings.gallery.index import PAGE, GalleryScene, index
 from drawings.lettering.lettering import lettered
 from drawings.lettering.specimen import specimen
 from drawings.pens.svg import svg
@@ -39,12 +39,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def redraw(folder: Path) -> Iterator[Path]:
     """Draw every scene of a folder into it, then the alphabet and the index; yield the files as they are written."""
-    entries, exhibits = catalogue(folder), list[Exhibit]()
+    entries, exhibits = catalogue(folder), list[GalleryScene]()
     if not entries:
         raise FileError(folder, message("file.no_scenes"))
     for entry in entries:
         drawn = draw(entry.path, folder)
-        exhibits.append(Exhibit(entry, drawn.study, drawn.paths))
+        exhibits.append(GalleryScene(entry, drawn.study, drawn.paths))
         yield from drawn.paths
     for path, content in (
         (folder / ALPHABET, svg(lettered(specimen()))),
@@ -56,7 +56,7 @@ def redraw(folder: Path) -> Iterator[Path]:
         path.unlink()
 
 
-def stale(folder: Path, exhibits: Iterable[Exhibit]) -> list[Path]:
+def stale(folder: Path, exhibits: Iterable[GalleryScene]) -> list[Path]:
     """List the sheets and reports of the scenes that drawing them did not write again; other files are not ours."""
     written = {path.name for exhibit in exhibits for path in exhibit.paths}
     names = tuple(f"{exhibit.entry.name}-" for exhibit in exhibits)

@@ -37,7 +37,7 @@ The [alphabet](alphabet.svg) in which the sheets are lettered is drawn by the sa
 """
 
 
-class Exhibit(NamedTuple):
+class GalleryScene(NamedTuple):
     """A scene of the gallery with its study, and the files that were written for it."""
 
     entry: Entry
@@ -45,13 +45,13 @@ class Exhibit(NamedTuple):
     paths: tuple[Path, ...]
 
 
-def index(exhibits: Sequence[Exhibit]) -> str:
+def index(exhibits: Sequence[GalleryScene]) -> str:
     """Write the index page."""
     rows = "".join(map(row, exhibits))
     return OPENING + rows + "".join(map(section, exhibits)) + CLOSING
 
 
-def row(exhibit: Exhibit) -> str:
+def row(exhibit: GalleryScene) -> str:
     """Write a mechanism's row of the table."""
     entry, study = exhibit.entry, exhibit.study
     link = f"[{entry.title}](#{_anchor(entry.title)})"
@@ -59,7 +59,7 @@ def row(exhibit: Exhibit) -> str:
     return f"| {link} | `{entry.name}` | {subject.structure} | {subject.output} | {_sheet(study)} |\n"
 
 
-def section(exhibit: Exhibit) -> str:
+def section(exhibit: GalleryScene) -> str:
     """Write a mechanism's section: its words, structure, sheets, and where to go on."""
     entry, subject = exhibit.entry, subject_of(exhibit.study)
     sheets = [path.name for path in exhibit.paths if path.suffix == ".svg"]

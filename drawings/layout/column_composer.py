@@ -8,12 +8,12 @@ from functools import cached_property
 from itertools import pairwise, product, takewhile
 from typing import NamedTuple, TypeVar
 
-from drawings.layout.block import Block
-from drawings.layout.columns import Column, Filled, Part, Zone, filled
+from drawings.layout.block import TextBlock
+from drawings.layout.columns import Column, Filled, Part, Zone, fill
 from drawings.layout.contents import Composition, Contents, at_foot
 from drawings.layout.footing import NARROW, PAD, Foot, Notes, feet
 from drawings.layout.picture import Ladder, Picture
-from drawings.layout.table import Setting, Table
+from drawings.layout.table import RuledTable, Setting
 from drawings.layout.trials import room_of
 from drawings.page.page import Field, Page
 from drawings.paper.strokes import SheetError
@@ -62,26 +62,26 @@ def _runs(whole: _Sheet) -> Iterator[tuple[_Sheet, Composition]]:
     while start < count:
         for end in range(count, start, -1):
             sheet = whole.part(slice(start, end))
-            found = sheet.best() or (sheet.best(legible=False) if end == start + 1 else None)
-            if found is not None:
+            composition = sheet.best() or (sheet.best(legible=False) if end == start + 1 else None)
+            if composition is not None:
                 break
         else:
             raise SheetError(message("refused.column", format=page.name))
-        yield sheet, found
+        yield sheet, composition
         start = end
 
 
-def _tables(table: Table, page: Page) -> Iterator[Composition]:
+def _tables(table: RuledTable, page: Page) -> Iterator[Composition]:
     """Set a table on sheets of its own, as many rows on each as fit."""
     start = 0
     while start < len(table.lines):
         for end in range(len(table.lines), start, -1):
-            found = _Sheet(Contents((), (table.part(slice(start, end)),)), page, {}).best()
-            if found is not None:
+            composition = _Sheet(Contents((), (table.part(slice(start, end)),)), page, {}).best()
+            if composition is not None:
                 break
         else:
             raise SheetError(message("refused.table", format=page.name))
-        yield found
+        yield composition
         start = end
 
 
@@ -127,7 +127,7 @@ class _Sheet:
 
     def best(self, legible: bool = True) -> Composition | None:
         """Find the composition with the largest figures."""
-        room, found = room_of(self.page), None
+        room, best = room_of(self.page), None
         if sum(_area(column, legible) for column in self.columns) > room.width * room.height:
             return None
         bases = _best_of(self._feet(room))
@@ -136,9 +136,9 @@ class _Sheet:
                 continue
             for base, split in product(bases, range(max(len(columns), 1))):
                 trial = self._filled(columns, split, base, room, legible)
-                if trial is not None and (found is None or trial.score > found[0].score):
-                    found = trial, base
-        return None if found is None else self._composed(*found, room)
+                if trial is not None and (best is None or trial.score > best[0].score):
+                    best = trial, base
+        return None if best is None else self._composed(*best, room)
 
     def _ways(self, room: Field) -> Iterator[tuple[Column, ...]]:
         """List the ways to stand columns and loose pictures; on paper that stands upright columns stand on columns."""
@@ -156,7 +156,7 @@ class _Sheet:
         heights = [room.top - floor for floor in base.floors]
         zones = [Zone(columns[:split], base.widths[0], heights[0])] if split else []
         zones.append(Zone(columns[split:], base.widths[1], heights[1]))
-        return filled(tuple(zones), room.width, legible)
+        return fill(tuple(zones), room.width, legible)
 
     def _feet(self, room: Field) -> Iterator[_Base]:
         table, notes, block = self.contents.table, self.contents.notes, self.page.block
@@ -169,18 +169,23 @@ class _Sheet:
                 rights = _standing(room, block, 0.0 if table_left else wide, *other)
                 for (one, low), (two, high) in product(list(lefts), list(rights)):
                     floors = low.top + PAD if low.top > room.bottom else room.bottom, high.top + PAD
-                    said = low.notes if notes_left else high.notes
+                    words = low.notes if notes_left else high.notes
                     corner = (low.table if table_left else high.table) if table is not None else None
-                    yield _Base((one, two), floors, corner, setting, said)
+                    yield _Base((one, two), floors, corner, setting, words)
 
     def _composed(self, trial: Filled, base: _Base, room: Field) -> Composition:
         floors = base.floors if len(trial.zones) > 1 else base.floors[1:]
         feet = at_foot(self.contents.table, base.table, base.setting)
-        return Composition(*trial.stood(room, floors), feet, base.notes)
+        return Composition(*trial.stand(room, floors), feet, base.notes)
 
 
 def _standing(
-    room: Field, block: Field | None, wide: float, table: Table | None, setting: Setting | None, notes: Notes | None
+    room: Field,
+    block: Field | None,
+    wide: float,
+    table: RuledTable | None,
+    setting: Setting | None,
+    notes: Notes | None,
 ) -> Iterator[tuple[float, Foot]]:
     """List widths of a zone with the ways to stand its foot in it."""
     needed = PAD if wide and notes else 0.0
@@ -211,9 +216,9 @@ def _best_of(ways: Iterable[_Base]) -> list[_Base]:
 
 def _smallest(part: Part, legible: bool) -> tuple[float, float]:
     """Give width and height that a part has at least, mm."""
-    if isinstance(part, Block):
+    if isinstance(part, TextBlock):
         return part.sizes[0][0], part.sizes[-1][1]
-    sizes = [(rung.wide, rung.high) for rung in part.rungs if not legible or rung.drawn >= part.least]
+    sizes = [(rung.wide, rung.high) for rung in part.rungs if not legible or rung.extent >= part.least]
     return min(sizes, default=(0.0, 0.0))
 
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias
 
-from drawings.layout.block import Block
+from drawings.layout.block import TextBlock
 from drawings.layout.grid import GAP
 from drawings.layout.picture import Ladder, Rung, Spot
 from drawings.page.page import Field
@@ -17,7 +17,7 @@ UNDER = 8.0  # mm from a picture to the lettering that belongs to it
 FOOT = 0.6  # share of the gap between two pictures that is left below the last one
 
 
-Part: TypeAlias = Ladder | Block
+Part: TypeAlias = Ladder | TextBlock
 Column: TypeAlias = tuple[Part, ...]
 
 
@@ -40,10 +40,10 @@ class Filled:
     def score(self) -> float:
         """How good it is: the harmonic mean of the sizes of its pictures, mm, to which the small ones matter most."""
         every = (pair for zone, own in zip(self.zones, self.rungs, strict=True) for pair in _pairs(zone, own))
-        sizes = [rung.drawn / one.weight for one, rung in every if rung.drawn > 0]
+        sizes = [rung.extent / one.weight for one, rung in every if rung.extent > 0]
         return len(sizes) / sum(1 / size for size in sizes) if sizes else 0.0
 
-    def stood(self, room: Field, floors: Sequence[float]) -> tuple[dict[str, Spot], dict[str, Field]]:
+    def stand(self, room: Field, floors: Sequence[float]) -> tuple[dict[str, Spot], dict[str, Field]]:
         """Stand the columns in a room, each zone on its floor: spare paper is shared, first headings are level."""
         spots: dict[str, Spot] = {}
         blocks: dict[str, Field] = {}
@@ -55,7 +55,7 @@ class Filled:
         ]
         level = min((rack.spare(room.top) / (len(rack.parts) + 1) for rack in racks), default=0.0)
         for rack in racks:
-            for one, rung, box in rack.stood(room.top, level):
+            for one, rung, box in rack.stand(room.top, level):
                 if rung is None:
                     blocks[one.name] = box
                 else:
@@ -92,9 +92,9 @@ class _Rack(NamedTuple):
         """Give the height that is left over, mm."""
         return top - self.floor - sum(high for _, high in self.sizes)
 
-    def stood(self, top: float, level: float) -> Iterator[tuple[Part, Rung | None, Field]]:
+    def stand(self, top: float, level: float) -> Iterator[tuple[Part, Rung | None, Field]]:
         """Give each part its box, the first one some millimetres under the top, lettering close under its picture."""
-        under = [isinstance(part, Block) and k > 0 for k, part in enumerate(self.parts)]
+        under = [isinstance(part, TextBlock) and k > 0 for k, part in enumerate(self.parts)]
         spare = self.spare(top) - level
         close = min(UNDER, spare / len(self.parts))
         up = (spare - close * sum(under)) / (len(self.parts) - sum(under) - 1 + FOOT)
@@ -105,21 +105,21 @@ class _Rack(NamedTuple):
             top -= high
 
 
-def filled(zones: tuple[Zone, ...], width: float, legible: bool = True) -> Filled | None:
+def fill(zones: tuple[Zone, ...], width: float, legible: bool = True) -> Filled | None:
     """Fit zones of columns into a width: from the least legible scales on, the smallest picture is enlarged first."""
     growth = _start(zones, legible)
     if growth is None or not growth.fits(width):
         return None
     places = [(c, i) for c, column in enumerate(growth.columns) for i, part in enumerate(column) if _ladder(part)]
-    growing = [(growth.drawn(c, i), c, i) for c, i in places]
+    growing = [(growth.extent(c, i), c, i) for c, i in places]
     heapq.heapify(growing)
     while growing:
         _, c, i = growing[0]
-        if growth.enlarged(c, i, width):
-            heapq.heapreplace(growing, (growth.drawn(c, i), c, i))
+        if growth.enlarge(c, i, width):
+            heapq.heapreplace(growing, (growth.extent(c, i), c, i))
         else:
             heapq.heappop(growing)
-    return growth.filled()
+    return growth.fill()
 
 
 @dataclass
@@ -133,10 +133,10 @@ class _Growth:
     sizes: list[tuple[float, float]]
     wide: list[float]
 
-    def drawn(self, c: int, i: int) -> float:
+    def extent(self, c: int, i: int) -> float:
         part = self.columns[c][i]
         assert isinstance(part, Ladder)
-        return part.rungs[self.steps[c][i]].drawn / part.weight
+        return part.rungs[self.steps[c][i]].extent / part.weight
 
     def fits(self, width: float) -> bool:
         """Tell whether all columns fit their zones, and the zones the width."""
@@ -147,23 +147,23 @@ class _Growth:
     def _across(self) -> float:
         return sum([max(own, zone.least) for own, zone in zip(self.wide, self.zones, strict=True)], _gaps(self.zones))
 
-    def enlarged(self, c: int, i: int, width: float) -> bool:
+    def enlarge(self, c: int, i: int, width: float) -> bool:
         """Draw a picture at the next larger scale if all still fits."""
         if self.steps[c][i] == 0:
             return False
         kept, z = self.sizes[c], self.zone_of[c]
         self.steps[c][i] -= 1
-        found = _measured(self.columns[c], self.steps[c])
-        if found[1] <= self.zones[z].height:
-            self.wide[z] += found[0] - kept[0]
+        size = _measured(self.columns[c], self.steps[c])
+        if size[1] <= self.zones[z].height:
+            self.wide[z] += size[0] - kept[0]
             if self._across() <= width:
-                self.sizes[c] = found
+                self.sizes[c] = size
                 return True
-            self.wide[z] += kept[0] - found[0]
+            self.wide[z] += kept[0] - size[0]
         self.steps[c][i] += 1
         return False
 
-    def filled(self) -> Filled:
+    def fill(self) -> Filled:
         rungs: list[list[tuple[Rung | None, ...]]] = [[] for _ in self.zones]
         for column, steps, z in zip(self.columns, self.steps, self.zone_of, strict=True):
             rungs[z].append(_rungs(column, steps))
@@ -186,9 +186,9 @@ def _start(zones: tuple[Zone, ...], legible: bool) -> _Growth | None:
 
 def _least(part: Part, legible: bool) -> int:
     """Give the place of the smallest allowed scale in a ladder; -1 where it has none."""
-    if isinstance(part, Block):
+    if isinstance(part, TextBlock):
         return 0
-    allowed = [k for k, rung in enumerate(part.rungs) if not legible or rung.drawn >= part.least or rung.drawn == 0]
+    allowed = [k for k, rung in enumerate(part.rungs) if not legible or rung.extent >= part.least or rung.extent == 0]
     return allowed[-1] if allowed else -1
 
 
@@ -220,7 +220,7 @@ def _measured(column: Column, steps: Sequence[int]) -> tuple[float, float]:
 
 
 def _size(part: Part, rung: Rung | None, width: float) -> tuple[float, float]:
-    if isinstance(part, Block):
+    if isinstance(part, TextBlock):
         return part.size(width)
     assert rung is not None  # every picture has a scale
     return rung.wide, rung.high
@@ -236,7 +236,7 @@ def _pairs(zone: Zone, rungs: Sequence[Sequence[Rung | None]]) -> Iterator[tuple
 
 def _widths(zone: Zone, rungs: Sequence[Sequence[Rung | None]]) -> list[float]:
     return [
-        max(part.sizes[0][0] if isinstance(part, Block) else rung.wide if rung else 0.0 for part, rung in pairs)
+        max(part.sizes[0][0] if isinstance(part, TextBlock) else rung.wide if rung else 0.0 for part, rung in pairs)
         for pairs in (list(zip(column, own, strict=True)) for column, own in zip(zone.columns, rungs, strict=True))
     ]
 
@@ -250,8 +250,8 @@ def _across(zone: Zone, rungs: Sequence[Sequence[Rung | None]], field: Field) ->
     """Give middle and width of each column of a zone: columns share what is left over."""
     widths = _widths(zone, rungs)
     across = (field.width - sum(widths)) / (len(widths) + 1)
-    found, left = [], field.left + across
+    places, left = [], field.left + across
     for width in widths:
-        found.append((left + width / 2, width))
+        places.append((left + width / 2, width))
         left += width + across
-    return found
+    return places

@@ -8,7 +8,7 @@ from dataclasses import replace
 from drawings.layout import column_composer, foremost_composer
 from drawings.layout.contents import Composition, Contents, Panel, TableSpot
 from drawings.layout.picture import Spot
-from drawings.layout.table import Table
+from drawings.layout.table import RuledTable
 from drawings.page.page import Page
 from drawings.page.scale import Scale
 
@@ -29,7 +29,7 @@ def compose(contents: Contents, page: Page) -> tuple[Composition, ...]:
     return _levelled(contents, [_tabled(one, further) for one in composed])
 
 
-def _tabled(one: Composition, further: Mapping[str, Table]) -> Composition:
+def _tabled(one: Composition, further: Mapping[str, RuledTable]) -> Composition:
     """Set the tables that stand among the figures."""
     standing = ((further[name], box) for name, box in one.blocks.items() if name in further)
     own = tuple(TableSpot(table, complex(box.left, box.top), table.setting(box)) for table, box in standing)

@@ -11,16 +11,16 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple, TypeAlias
 
-from drawings.layout.block import Block
+from drawings.layout.block import TextBlock
 from drawings.layout.footing import Notes
 from drawings.layout.picture import Picture, Spot
-from drawings.layout.table import Setting, Table
+from drawings.layout.table import RuledTable, Setting
 from drawings.page.page import Field
 
 EVEN = 1.0  # weight of a figure that counts as the others do
 
 
-Item: TypeAlias = Picture | Block
+Item: TypeAlias = Picture | TextBlock
 
 
 class Panel(NamedTuple):
@@ -44,7 +44,7 @@ class Contents:
     """
 
     panels: tuple[Panel, ...] = ()
-    tables: tuple[Table, ...] = ()
+    tables: tuple[RuledTable, ...] = ()
     notes: Notes | None = None
 
     @cached_property
@@ -56,10 +56,10 @@ class Contents:
     @cached_property
     def groups(self) -> tuple[tuple[Panel, ...], ...]:
         """The panels that stand together; one that belongs to no others is alone."""
-        found: dict[tuple[str, int], list[Panel]] = {}
+        groups: dict[tuple[str, int], list[Panel]] = {}
         for k, panel in enumerate(self.panels):
-            found.setdefault((panel.together, 0 if panel.together else k), []).append(panel)
-        return tuple(map(tuple, found.values()))
+            groups.setdefault((panel.together, 0 if panel.together else k), []).append(panel)
+        return tuple(map(tuple, groups.values()))
 
     @cached_property
     def others(self) -> tuple[tuple[Panel, ...], ...]:
@@ -68,7 +68,7 @@ class Contents:
         return tuple(group for group in without if group)
 
     @property
-    def table(self) -> Table | None:
+    def table(self) -> RuledTable | None:
         """The table that stands at the foot of a sheet."""
         return next(iter(self.tables), None)
 
@@ -76,7 +76,7 @@ class Contents:
 class TableSpot(NamedTuple):
     """A table, or a part of one, where it stands: its upper left corner, and how it is set."""
 
-    table: Table
+    table: RuledTable
     corner: complex
     setting: Setting
 
@@ -90,7 +90,7 @@ class Composition(NamedTuple):
     notes: Field | None = None
 
 
-def at_foot(table: Table | None, corner: complex | None, setting: Setting | None) -> tuple[TableSpot, ...]:
+def at_foot(table: RuledTable | None, corner: complex | None, setting: Setting | None) -> tuple[TableSpot, ...]:
     """Give the spot of the table at the foot of a sheet, if it has one there."""
     if table is None or corner is None or setting is None:
         return ()

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple, TypeAlias
 
-from drawings.layout.block import Block
+from drawings.layout.block import TextBlock
 from drawings.lettering.lettering import text_width
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
@@ -48,7 +48,7 @@ class Piece(NamedTuple):
     under: int
 
 
-class Equation(NamedTuple):
+class WrittenEquation(NamedTuple):
     """An equation as pieces between which its lines may be broken, and a heading before it such as ΣM_D:."""
 
     pieces: tuple[Piece, ...]
@@ -57,15 +57,15 @@ class Equation(NamedTuple):
 Row: TypeAlias = tuple[Piece, ...]
 
 
-def forces(terms: Sequence[Term], right: str = "0") -> Equation:
+def forces(terms: Sequence[Term], right: str = "0") -> WrittenEquation:
     """Write that the forces of a group balance: their sum is zero."""
     first, *others = terms
     pieces = [Piece("−" if first.sign == "−" else "", first.written, first.known)]
     pieces += [Piece(term.sign, term.written, term.known) for term in others]
-    return Equation((*pieces, Piece("=", right, UNKNOWN)))
+    return WrittenEquation((*pieces, Piece("=", right, UNKNOWN)))
 
 
-def moments(about: str, terms: Sequence[tuple[str, str]], right: str = "0") -> Equation:
+def moments(about: str, terms: Sequence[tuple[str, str]], right: str = "0") -> WrittenEquation:
     """Write the moments about a point by sign and product: ΣM_D: R^t_34·BD + G_4·h_1 − ... = 0.
 
     >>> [piece.text for piece in moments("D", [("+", "G_4·h_1"), ("−", "Φ_4·h_2")]).pieces]
@@ -74,36 +74,36 @@ def moments(about: str, terms: Sequence[tuple[str, str]], right: str = "0") -> E
     pieces = [Piece("", f"ΣM_{{{about}}}:", UNKNOWN)]
     for k, (sign, product) in enumerate(terms):
         pieces.append(Piece("" if k == 0 and sign == "+" else sign, product, UNKNOWN))
-    return Equation((*pieces, Piece("=", right, UNKNOWN)))
+    return WrittenEquation((*pieces, Piece("=", right, UNKNOWN)))
 
 
-def plain(*parts: str) -> Equation:
+def plain(*parts: str) -> WrittenEquation:
     """Write a line of parts between which it may be broken: a solution such as R^t_34 = ... = 12 N."""
-    return Equation(tuple(Piece("", part, UNKNOWN) for part in parts))
+    return WrittenEquation(tuple(Piece("", part, UNKNOWN) for part in parts))
 
 
 class Passage(NamedTuple):
     """Equations under each other, in letters of one size."""
 
     name: str
-    equations: tuple[Equation, ...]
+    equations: tuple[WrittenEquation, ...]
     size: float
 
     def rows(self, width: float) -> list[Row]:
         """Break the equations at a width, mm, before their signs."""
         return [row for one in self.equations for row in _broken(one, width, self.size)]
 
-    def block(self) -> Block:
+    def block(self) -> TextBlock:
         """Measure the ways to break it, each at the least width for its number of lines."""
         least = max(_length((piece,), self.size) for one in self.equations for piece in one.pieces)
         width = max(_length(one.pieces, self.size) for one in self.equations)
-        found: dict[float, float] = {}
-        while not found or width >= max(least, NARROWEST * self.size):
+        widths: dict[float, float] = {}
+        while not widths or width >= max(least, NARROWEST * self.size):
             rows = self.rows(width)
             width = max(_length(row, self.size) for row in rows)
-            found[self._height(len(rows))] = width  # the last is the least width for this height
+            widths[self._height(len(rows))] = width  # the last is the least width for this height
             width -= self.size / 10  # narrower by a pen's width: a line must break
-        return Block(self.name, tuple((wide, high) for high, wide in reversed(found.items())))
+        return TextBlock(self.name, tuple((wide, high) for high, wide in reversed(widths.items())))
 
     def _height(self, rows: int) -> float:
         return self.size * (ASCENT + STEP * (rows - 1) + DESCENT)
@@ -117,7 +117,7 @@ class Passage(NamedTuple):
         return Group(tuple(strokes), self.name)
 
 
-def _broken(one: Equation, width: float, size: float) -> Iterator[Row]:
+def _broken(one: WrittenEquation, width: float, size: float) -> Iterator[Row]:
     row: Row = ()
     for piece in one.pieces:
         if row and _length((*row, piece), size) > width:

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from drawings.layout.table import Setting, Table
+from drawings.layout.table import RuledTable, Setting
 from drawings.page.page import Field
 
 PAD = 6.0  # mm between the frame, the table, the notes and the figures
@@ -34,7 +34,7 @@ class Foot(NamedTuple):
 
 
 def feet(
-    column: Field, block: Field | None, table: Table | None, setting: Setting | None, notes: Notes | None
+    column: Field, block: Field | None, table: RuledTable | None, setting: Setting | None, notes: Notes | None
 ) -> Iterator[Foot]:
     """List the ways to stand a table, notes and a title block at the foot of a column."""
     wide, high = table.size(setting) if table is not None and setting is not None else (0.0, 0.0)

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from drawings.layout.contents import Composition, Contents, at_foot
 from drawings.layout.picture import Picture, Spot
-from drawings.layout.table import Table
-from drawings.layout.trials import Sheet, Trial
+from drawings.layout.table import RuledTable
+from drawings.layout.trials import SheetTrials, Trial
 from drawings.page.page import Field, Page
 from drawings.paper.strokes import SheetError
 from plans.words.words import message
@@ -27,13 +27,13 @@ def fits(contents: Contents) -> bool:
 
 def compose(contents: Contents, page: Page) -> Iterator[Composition]:
     """Compose the sheets: all on one if every figure stays readable there, or else the others on following ones."""
-    whole = Sheet(contents, page).best()
+    whole = SheetTrials(contents, page).best()
     if whole is not None:
         yield _composed(whole, contents)
         return
     assert contents.foremost is not None  # else it is not composed so
     alone = Contents((contents.foremost,), (), contents.notes)
-    first = Sheet(alone, page).best()
+    first = SheetTrials(alone, page).best()
     if first is None:
         raise SheetError(message("refused.largest", format=page.name))
     yield _composed(first, alone)
@@ -44,8 +44,8 @@ def _following(contents: Contents, page: Page) -> Iterator[Composition]:
     """Compose the following sheets: as many groups on each as stay readable, their table with them or after."""
     count, start = len(contents.others), 0
     while start < count:
-        found, part, chosen = _next(contents, page, start)
-        yield _composed(found, part)
+        trial, part, chosen = _next(contents, page, start)
+        yield _composed(trial, part)
         if part.table is None and contents.table is not None:
             yield from table_sheets(contents.table.of(chosen), page)
         start = chosen.stop
@@ -59,24 +59,24 @@ def _next(contents: Contents, page: Page, start: int) -> tuple[Trial, Contents, 
         panels = tuple(panel for group in contents.others[chosen] for panel in group)
         for tables in (tuple(table.of(chosen) for table in contents.tables), ()):
             part = Contents(panels, tables)
-            found = Sheet(part, page).best(legible=end - start > 1)
-            if found is not None:
-                return found, part, chosen
+            trial = SheetTrials(part, page).best(legible=end - start > 1)
+            if trial is not None:
+                return trial, part, chosen
     raise SheetError(message("refused.figure", format=page.name))
 
 
-def table_sheets(table: Table, page: Page) -> Iterator[Composition]:
+def table_sheets(table: RuledTable, page: Page) -> Iterator[Composition]:
     """Set a table on sheets of its own, as many rows on each as fit."""
     start = 0
     while start < len(table.lines):
         for end in range(len(table.lines), start, -1):
             part = Contents((), (table.part(slice(start, end)),))
-            found = Sheet(part, page).best()
-            if found is not None:
+            trial = SheetTrials(part, page).best()
+            if trial is not None:
                 break
         else:
             raise SheetError(message("refused.table", format=page.name))
-        yield _composed(found, part)
+        yield _composed(trial, part)
         start = end
 
 

@@ -28,17 +28,17 @@ class Grid(NamedTuple):
         return _size(self.rungs)
 
     @property
-    def drawn(self) -> list[float]:
+    def extent(self) -> list[float]:
         """The larger side of the lines of every picture that is more than a point, mm."""
-        return [rung.drawn for row in self.rungs for rung in row if rung.drawn > 0]
+        return [rung.extent for row in self.rungs for rung in row if rung.extent > 0]
 
     @property
     def legible(self) -> bool:
         """Whether every picture is drawn large enough for its letters."""
-        pairs = zip(self.rows, self.rungs, strict=True)
-        return all(
-            rung.drawn >= one.least for row, rungs in pairs for one, rung in zip(row, rungs, strict=True) if rung.drawn
+        pairs = (
+            pair for row, rungs in zip(self.rows, self.rungs, strict=True) for pair in zip(row, rungs, strict=True)
         )
+        return all(rung.extent >= one.least for one, rung in pairs if rung.extent)
 
     def spots(self, room: Field) -> dict[str, Spot]:
         """Stand the pictures in a room: columns and rows share what is left over, headings of a row are level."""
@@ -72,7 +72,7 @@ def grid(rows: Rows, width: float, height: float) -> Grid | None:
     growing = [(i, j) for i, row in enumerate(rows) for j in range(len(row))]
     rungs = [[one.rungs[step] for one, step in zip(*row, strict=True)] for row in zip(rows, steps, strict=True)]
     while growing:
-        i, j = min(growing, key=lambda place: rungs[place[0]][place[1]].drawn)
+        i, j = min(growing, key=lambda place: rungs[place[0]][place[1]].extent)
         if steps[i][j] > 0:
             kept, rungs[i][j] = rungs[i][j], rows[i][j].rungs[steps[i][j] - 1]
             size = _size(rungs)

@@ -32,12 +32,12 @@ class Labels:
 
     def beside(self, point: complex, content: str, size: float, gap: float, prefer: float = math.pi / 4) -> Stroke:
         """Place a label `gap` mm beside a point, as near as it can to the preferred direction, rad."""
-        found = self.free(point, content, size, gap, prefer)
-        if found is None:  # there is no free place on the whole sheet; a letter is needed all the same
+        label = self.free(point, content, size, gap, prefer)
+        if label is None:  # there is no free place on the whole sheet; a letter is needed all the same
             box = bounds(Text(0j, content, size, "start", self._slanted))
-            found = Text(self._near(point, box, gap, prefer), content, size, "start", self._slanted)
-            self.ink.draw([found])
-        return found
+            label = Text(self._near(point, box, gap, prefer), content, size, "start", self._slanted)
+            self.ink.draw([label])
+        return label
 
     def free(self, point: complex, content: str, size: float, gap: float, prefer: float) -> Stroke | None:
         """Place a label beside a point or at the end of a leader, or nowhere if there is no free place."""
@@ -89,7 +89,7 @@ class Labels:
 
     def _led(self, point: complex, box: Box, gap: float, prefer: float) -> tuple[complex, complex, complex] | None:
         """Find a free place further off, and the leader to it: from beside the point to the label's nearer edge."""
-        found, cheapest = None, math.inf
+        best, cheapest = None, math.inf
         for reach in LED:
             if cheapest <= reach:
                 break
@@ -104,8 +104,8 @@ class Labels:
                 crossed = self.ink.along(start, end)
                 cost = reach + 3 * TURNED * off + CROSSED * crossed
                 if crossed < LETTERED and cost < cheapest:
-                    found, cheapest = (start, end, corner), cost
-        return found
+                    best, cheapest = (start, end, corner), cost
+        return best
 
 
 def free_side(spot: complex, lines: Iterable[Stroke], near: float) -> float:

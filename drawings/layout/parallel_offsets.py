@@ -34,7 +34,7 @@ def merging(one: Segment, other: Segment) -> bool:
     return run > SHARE * shorter or (abreast and run > most)
 
 
-def lanes(
+def parallel_offsets(
     segments: Sequence[Segment], apart: float = APART, room: complex = APART * (1 + 1j), inside: Box = EVERYWHERE
 ) -> list[complex]:
     """Give the shift of each line, mm, that keeps it from merging with those before it; most have none.
@@ -44,16 +44,16 @@ def lanes(
     lines beside it is taken, or the outer one.
     """
     middle = sum(((start + end) / 2 for start, end in segments), 0j) / max(len(segments), 1)
-    placed: list[Segment] = []
+    before: list[Segment] = []
     shifts: list[complex] = []
     for segment in segments:
-        merges = segment[0] != segment[1] and any(merging(segment, other) for other in placed)
-        shifts.append(_shift(segment, placed, _lanes(segment, middle, apart, room), inside) if merges else 0j)
-        placed.append(moved(segment, shifts[-1]))
+        merges = segment[0] != segment[1] and any(merging(segment, other) for other in before)
+        shifts.append(_shift(segment, before, _lanes(segment, middle, apart, room), inside) if merges else 0j)
+        before.append(offset(segment, shifts[-1]))
     return shifts
 
 
-def moved(segment: Segment, shift: complex) -> Segment:
+def offset(segment: Segment, shift: complex) -> Segment:
     """Shift a line."""
     return segment[0] + shift, segment[1] + shift
 
@@ -67,24 +67,24 @@ def _lanes(segment: Segment, middle: complex, apart: float, letter: complex) -> 
 
 
 def _shift(
-    segment: Segment, placed: Sequence[Segment], tries: Sequence[tuple[complex, complex, float]], inside: Box
+    segment: Segment, before: Sequence[Segment], tries: Sequence[tuple[complex, complex, float]], inside: Box
 ) -> complex:
     """Find the nearest lane that is free, in the box if there is one, or else without room for a letter; or none."""
-    for kept, lettered in ((True, True), (True, False), (False, False)):
+    for kept, roomy in ((True, True), (True, False), (False, False)):
         for *sides, room in tries:
             free = [
-                (_crowd(line, placed), number, shift)
+                (_crowd(line, before), number, shift)
                 for number, shift in enumerate(sides)
-                if _clear(line := moved(segment, shift), placed)
-                and (not kept or _within(line, inside)) and (not lettered or _roomy(line, placed, 0.95 * room))
+                if _clear(line := offset(segment, shift), before)
+                and (not kept or _within(line, inside)) and (not roomy or _roomy(line, before, 0.95 * room))
             ]  # fmt: skip
             if free:
                 return min(free)[2]
     return 0j
 
 
-def _clear(segment: Segment, placed: Sequence[Segment]) -> bool:
-    return not any(merging(segment, other) for other in placed)
+def _clear(segment: Segment, before: Sequence[Segment]) -> bool:
+    return not any(merging(segment, other) for other in before)
 
 
 def _within(segment: Segment, inside: Box) -> bool:
@@ -92,9 +92,9 @@ def _within(segment: Segment, inside: Box) -> bool:
     return all(left <= end.real <= right and bottom <= end.imag <= top for end in segment)
 
 
-def _roomy(segment: Segment, placed: Sequence[Segment], room: float) -> bool:
+def _roomy(segment: Segment, before: Sequence[Segment], room: float) -> bool:
     """Tell whether a line leaves each of those beside it, and itself, a side for its letter."""
-    every = [segment, *placed]
+    every = [segment, *before]
     return not any(
         len({_left(one, other) for other in every if other is not one and _abreast(one, other, room)}) > 1
         for one in every if one is segment or _abreast(one, segment, room)
@@ -126,9 +126,9 @@ def _outward(segment: Segment, middle: complex) -> complex:
     return across if away >= 0 else -across
 
 
-def _crowd(segment: Segment, placed: Sequence[Segment]) -> int:
+def _crowd(segment: Segment, before: Sequence[Segment]) -> int:
     """Count the lines that are within a lane of a line for most of its length."""
-    return sum(_abreast(segment, other, APART) for other in placed)
+    return sum(_abreast(segment, other, APART) for other in before)
 
 
 def _beside(one: Segment, other: Segment, near: float) -> float:

@@ -42,7 +42,7 @@ class Picture(NamedTuple):
         around = self.margins
         return max(wide + 2 * around.side, self.heading), high + around.below + around.above
 
-    def drawn(self, scale: Scale) -> float:
+    def extent(self, scale: Scale) -> float:
         """Give the larger side of the drawn lines, mm."""
         return max(self.wide, self.high) / scale.mu
 
@@ -56,11 +56,11 @@ class Picture(NamedTuple):
         rungs: list[Rung] = []
         while len(rungs) < RUNGS and room > 0:
             scale = fitting(extent, room, self.letter, self.unit, standard)
-            rungs.append(Rung(scale, *self.size(scale), self.drawn(scale)))
+            rungs.append(Rung(scale, *self.size(scale), self.extent(scale)))
             room = extent / scale.mu * SMALLER
         return Ladder(self.name, tuple(rungs), self.least, weight)
 
-    def placed(self, box: Field, scale: Scale) -> Place:
+    def place(self, box: Field, scale: Scale) -> Place:
         """Place the picture in a box of its size: its middle in the middle of what the margins leave."""
         inner = Field(box.left, box.bottom + self.margins.below, box.right, box.top - self.margins.above)
         return Place(inner.centre, self.middle, scale)
@@ -72,7 +72,7 @@ class Rung(NamedTuple):
     scale: Scale
     wide: float
     high: float
-    drawn: float
+    extent: float
 
 
 class Ladder(NamedTuple):

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from drawings.layout.block import Block
+from drawings.layout.block import TextBlock
 from drawings.lettering.lettering import text_width
 from drawings.page.drafting import Drafting
 from drawings.page.page import Field
@@ -19,7 +19,7 @@ APART = 6.0  # mm between two bands or two parts of the table
 MOST_PARTS = 4  # side by side: more are wider than an A1 sheet
 
 
-class Row(NamedTuple):
+class TableRow(NamedTuple):
     """A line of the table: its name, and its cells."""
 
     name: str
@@ -33,14 +33,14 @@ class Setting(NamedTuple):
     parts: int
 
 
-class Table(NamedTuple):
+class RuledTable(NamedTuple):
     """A table in its natural size: cells as wide as their widest text, all of them alike.
 
     Its bands are of positions, each with its title over the headings of its columns; a table of no position has one
     band without a title.
     """
 
-    lines: tuple[Row, ...]
+    lines: tuple[TableRow, ...]
     positions: tuple[int, ...]
     text: float  # size of the letters, mm
     names: float  # width of the column of names, mm
@@ -68,15 +68,15 @@ class Table(NamedTuple):
         """Give the width of some bands beside the names, mm."""
         return self.names + len(self.heads) * self.cell * min(across, self.bands)
 
-    def part(self, rows: slice) -> Table:
+    def part(self, rows: slice) -> RuledTable:
         """Give the table of some of its rows."""
         return self._replace(lines=self.lines[rows])
 
-    def of(self, chosen: slice) -> Table:
+    def of(self, chosen: slice) -> RuledTable:
         """Give the table of some of its bands."""
         count = len(self.heads)
         cells = slice(count * chosen.start, count * chosen.stop)
-        lines = tuple(Row(line.name, line.cells[cells]) for line in self.lines)
+        lines = tuple(TableRow(line.name, line.cells[cells]) for line in self.lines)
         return self._replace(lines=lines, positions=self.positions[chosen])
 
     def size(self, setting: Setting) -> tuple[float, float]:
@@ -93,9 +93,9 @@ class Table(NamedTuple):
         larger = [any(w <= wide and h <= high and (w, h) != (wide, high) for w, h in sizes) for wide, high in sizes]
         return [way for way, worse in zip(ways, larger, strict=True) if not worse]
 
-    def block(self, name: str) -> Block:
+    def block(self, name: str) -> TextBlock:
         """Give the sizes that it may have where it stands among figures."""
-        return Block(name, tuple(sorted(self.size(setting) for setting in self.settings())))
+        return TextBlock(name, tuple(sorted(self.size(setting) for setting in self.settings())))
 
     def setting(self, box: Field) -> Setting:
         """Give the way to set it whose size a box has."""
@@ -130,21 +130,21 @@ class Table(NamedTuple):
 
 
 def table(
-    lines: Sequence[Row], first: str, heads: tuple[str, ...], text: float, positions: tuple[int, ...] = ()
-) -> Table:
+    lines: Sequence[TableRow], first: str, heads: tuple[str, ...], text: float, positions: tuple[int, ...] = ()
+) -> RuledTable:
     """Measure a table."""
     cell = max(text_width(Text(0j, one, text)) for one in (*heads, *(cell for line in lines for cell in line.cells)))
     names = max(text_width(Text(0j, one, text)) for one in (first, *(line.name for line in lines)))
-    return Table(tuple(lines), positions, text, names + text, max(cell, CELL * text) + text, first, heads)
+    return RuledTable(tuple(lines), positions, text, names + text, max(cell, CELL * text) + text, first, heads)
 
 
-def _columns(piece: Table, corner: complex) -> list[float]:
+def _columns(piece: RuledTable, corner: complex) -> list[float]:
     """Give the places of the upright lines."""
     cells = range(len(piece.heads) * piece.bands + 1)
     return [corner.real, *(corner.real + piece.names + piece.cell * k for k in cells)]
 
 
-def _rules(piece: Table, corner: complex, hand: Hand) -> list[Stroke]:
+def _rules(piece: RuledTable, corner: complex, hand: Hand) -> list[Stroke]:
     main, thin = LineStyle(hand.main), LineStyle(hand.construction)
     columns, top, strokes = _columns(piece, corner), corner.imag, list[Stroke]()
     rows = len(piece.lines) + piece.over
@@ -160,7 +160,7 @@ def _rules(piece: Table, corner: complex, hand: Hand) -> list[Stroke]:
     return strokes
 
 
-def _headings(piece: Table, corner: complex, drafting: Drafting) -> list[Stroke]:
+def _headings(piece: RuledTable, corner: complex, drafting: Drafting) -> list[Stroke]:
     size, row, columns = piece.text, piece.row, _columns(piece, corner)
     low = corner.imag - piece.over * row + UNDER * size
     middle = corner.imag - piece.over * row / 2 - size / 2 if piece.positions else low
@@ -176,7 +176,7 @@ def _headings(piece: Table, corner: complex, drafting: Drafting) -> list[Stroke]
     return strokes
 
 
-def _cells(piece: Table, corner: complex) -> list[Stroke]:
+def _cells(piece: RuledTable, corner: complex) -> list[Stroke]:
     columns, strokes = _columns(piece, corner), list[Stroke]()
     for k, line in enumerate(piece.lines):
         y = corner.imag - piece.row * (k + piece.over + 1) + UNDER * piece.text

@@ -34,7 +34,7 @@ class Trial(NamedTuple):
 
 def merit(spot: Spot | None, weight: float, plans: Grid | None) -> float:
     """Rate a composition: the sizes of its figures by their logarithms, twice as large counting alike for all."""
-    sizes = plans.drawn if plans is not None else []
+    sizes = plans.extent if plans is not None else []
     others = sum(map(math.log, sizes)) / len(sizes) if sizes else 0.0
     return others + (weight * math.log(max(spot.box.width, spot.box.height)) if spot is not None else 0.0)
 
@@ -57,7 +57,7 @@ def rows_of(contents: Contents) -> tuple[tuple[Picture, ...], ...]:
 
 
 @dataclass(frozen=True)
-class Sheet:
+class SheetTrials:
     """A sheet to be composed: what it shows, on which paper."""
 
     contents: Contents
@@ -95,7 +95,7 @@ class Sheet:
                 large = not legible or trial.grid is None or trial.grid.legible
                 if large and (best is None or trial.score > best.score):
                     best = trial
-        return best if best is None or best.halves is None else best.halves.evened(best)
+        return best if best is None or best.halves is None else best.halves.even_out(best)
 
     def _spots(self) -> list[Spot | None]:
         """Give the foremost figure at the largest scale that fits, and smaller ones that still fill half a sheet."""
@@ -112,7 +112,7 @@ class Sheet:
             return math.inf
         beside = self.grid(way, self.field.width - spot.box.width, self.field.height)
         above = self.grid(way, self.field.width, self.field.height - spot.box.height)
-        return max((self.merit(spot, found) for found in (beside, above) if found is not None), default=-math.inf)
+        return max((self.merit(spot, plans) for plans in (beside, above) if plans is not None), default=-math.inf)
 
     def grid(self, way: Rows, width: float, height: float) -> Grid | None:
         """Fit rows of plans into a room, each way and room once."""
@@ -148,20 +148,20 @@ class Sheet:
         high = spot.box.height if spot is not None else 0.0
         for foot in feet(column, block, content.table, setting, content.notes):
             free = room.top - foot.top - high - PAD
-            found = self.grid(way, room.width, free) if way is not None else None
-            if free < 0 or (way is not None and found is None):
+            rows = self.grid(way, room.width, free) if way is not None else None
+            if free < 0 or (way is not None and rows is None):
                 continue
-            spare = (free - found.size[1]) / 2 if found is not None else free
+            spare = (free - rows.size[1]) / 2 if rows is not None else free
             middle = room.top - high - spare
             plans = Field(room.left, foot.top + PAD, room.right, middle)
             main = Field(room.left, middle, room.right, room.top)
-            yield Trial(main, spot, plans, found, foot.table, setting, foot.notes, self.merit(spot, found))
+            yield Trial(main, spot, plans, rows, foot.table, setting, foot.notes, self.merit(spot, rows))
 
 
 class Halves(NamedTuple):
     """The foremost figure on the left and the others on the right, table and notes at the foot of either."""
 
-    sheet: Sheet
+    sheet: SheetTrials
     spot: Spot
     setting: Setting | None
     way: Rows
@@ -178,20 +178,20 @@ class Halves(NamedTuple):
         lows = [low for low in self._feet(left, None, True) if low.top + self.spot.box.height <= field.top]
         for low, foot in product(lows, list(self._feet(right, block, False)) if lows else ()):
             plans = Field(right.left, foot.top + PAD, field.right, field.top)
-            found = self.sheet.grid(self.way, plans.width, plans.height)
-            if found is not None:
+            rows = self.sheet.grid(self.way, plans.width, plans.height)
+            if rows is not None:
                 room = Field(left.left, low.top, left.right, field.top)
                 corner = (low if self.table_left else foot).table
-                said = (low if self.notes_left else foot).notes
-                score = self.sheet.merit(self.spot, found)
-                yield Trial(room, self.spot, plans, found, corner, self.setting, said, score, self)
+                words = (low if self.notes_left else foot).notes
+                score = self.sheet.merit(self.spot, rows)
+                yield Trial(room, self.spot, plans, rows, corner, self.setting, words, score, self)
 
     def _feet(self, column: Field, block: Field | None, on_left: bool) -> Iterator[Foot]:
         table = self.sheet.contents.table if self.table_left == on_left else None
-        said = self.sheet.contents.notes if self.notes_left == on_left else None
-        return feet(column, block, table, self.setting if table is not None else None, said)
+        words = self.sheet.contents.notes if self.notes_left == on_left else None
+        return feet(column, block, table, self.setting if table is not None else None, words)
 
-    def evened(self, found: Trial) -> Trial:
+    def even_out(self, found: Trial) -> Trial:
         """Share out what the right half has too much of, if the composition stays as good."""
         assert found.grid is not None and found.plans is not None  # halves have both
         own, others = self.spot.box.width, found.grid.size[0]

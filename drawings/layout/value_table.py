@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from drawings.layout.table import Row, Table
+from drawings.layout.table import RuledTable, TableRow
 from drawings.layout.table import table as measure
 from drawings.lettering.words import fixed, number, word
 from drawings.page.drafting import Drafting
@@ -19,7 +19,7 @@ PLAIN = 1e-3  # a smaller per cent is written by its power of ten
 NOISE = 9  # a difference below 10^-9 % is said to be below it: its own digits differ from machine to machine
 
 
-def rows(comparison: Comparison, positions: tuple[int, ...], given: set[str], language: str) -> list[Row]:
+def rows(comparison: Comparison, positions: tuple[int, ...], given: set[str], language: str) -> list[TableRow]:
     """Give a row for every velocity and acceleration of a point and a link, for some positions.
 
     Left out are the names in `given`, which the scene states, and what stays zero: links that do not turn.
@@ -32,9 +32,9 @@ def rows(comparison: Comparison, positions: tuple[int, ...], given: set[str], la
     ]
 
 
-def row(finding: Finding, name: str, positions: tuple[int, ...], language: str) -> Row:
+def row(finding: Finding, name: str, positions: tuple[int, ...], language: str) -> TableRow:
     """Give the row of a finding under a name."""
-    return Row(name, tuple(cell for k in positions for cell in _cells(finding, k, language)))
+    return TableRow(name, tuple(cell for k in positions for cell in _cells(finding, k, language)))
 
 
 def _name(finding: Finding, language: str) -> str:
@@ -48,10 +48,10 @@ def _cells(finding: Finding, position: int, language: str) -> tuple[str, str, st
         return "—", "—", "—"
     true = [float(abs(value)) if np.iscomplexobj(value) else float(value) for value in (ours, theirs)]
     places = max(DIGITS - 1 - int(np.floor(np.log10(finding.largest))), 0)
-    told = _per_cent(float(finding.difference[position]) / finding.largest * 100, language)
+    share = _per_cent(float(finding.difference[position]) / finding.largest * 100, language)
     if max(map(abs, true)) <= finding.allowed[position]:
-        told = "—"  # of what is nothing but for rounding there is no share
-    return fixed(true[0], language, places), fixed(true[1], language, places), told
+        share = "—"  # of what is nothing but for rounding there is no share
+    return fixed(true[0], language, places), fixed(true[1], language, places), share
 
 
 def _per_cent(value: float, language: str) -> str:
@@ -64,7 +64,7 @@ def _per_cent(value: float, language: str) -> str:
     return number(value, language, 2)
 
 
-def table(lines: Sequence[Row], positions: tuple[int, ...], drafting: Drafting) -> Table:
+def table(lines: Sequence[TableRow], positions: tuple[int, ...], drafting: Drafting) -> RuledTable:
     """Measure a table of values."""
     heads = tuple(drafting.word(key) for key in COLUMNS)
     return measure(lines, drafting.word("quantity"), heads, drafting.hand.text, positions)

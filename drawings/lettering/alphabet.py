@@ -34,7 +34,7 @@ Points: TypeAlias = tuple[complex, ...]
 Profile: TypeAlias = tuple[float, ...]
 
 
-class Chain(NamedTuple):
+class PenChain(NamedTuple):
     """One stroke of a letter, from pen down to pen up."""
 
     points: Points
@@ -45,7 +45,7 @@ class Glyph(NamedTuple):
     """A letter: its width between the outer edges, and its strokes from the lower left corner of its cell."""
 
     width: float
-    strokes: tuple[Chain, ...]
+    strokes: tuple[PenChain, ...]
 
 
 def letters(plain: str) -> Iterator[str]:
@@ -88,7 +88,7 @@ def glyph(letter: str) -> Glyph:
     """Give a letter of the alphabet, under its accents if it has any.
 
     >>> glyph("Г")
-    Glyph(width=5.0, strokes=(Chain(points=((0.5+0.5j), (0.5+9.5j), (4.5+9.5j)), closed=False),))
+    Glyph(width=5.0, strokes=(PenChain(points=((0.5+0.5j), (0.5+9.5j), (4.5+9.5j)), closed=False),))
     """
     notation = notations().get(letter)
     if notation is None:
@@ -99,10 +99,11 @@ def glyph(letter: str) -> Glyph:
 
 
 @cache
-def leaning(letter: str) -> tuple[Chain, ...]:
+def leaning(letter: str) -> tuple[PenChain, ...]:
     """Give a letter's strokes slanted: every point moves along the line of writing by tan 15 degrees of its height."""
     return tuple(
-        Chain(tuple(point + SLANT * point.imag for point in points), closed) for points, closed in glyph(letter).strokes
+        PenChain(tuple(point + SLANT * point.imag for point in points), closed)
+        for points, closed in glyph(letter).strokes
     )
 
 
@@ -139,7 +140,7 @@ def numbers(token: str) -> list[float]:
     return [*numbers[:3], *numbers[2:]] if token[0] == "@" and len(numbers) == 5 else numbers
 
 
-def _chain(notation: str) -> Chain:
+def _chain(notation: str) -> PenChain:
     points: list[complex] = []
     for token in notation.split():
         values = numbers(token)
@@ -153,7 +154,7 @@ def _chain(notation: str) -> Chain:
     kept = [points[0]] + [b for a, b in pairwise(points) if abs(b - a) > SAME]
     if closed and abs(kept[-1] - kept[0]) <= SAME:
         kept.pop()
-    return Chain(tuple(point + MIDDLE for point in kept), closed)
+    return PenChain(tuple(point + MIDDLE for point in kept), closed)
 
 
 def _arc(x: float, y: float, across: float, up: float, start: float, end: float) -> list[complex]:
@@ -197,8 +198,8 @@ def stacked(base: str, *accents: str) -> tuple[float, list[tuple[str, complex]]]
     return width, parts
 
 
-def _moved(body: Glyph, way: complex) -> tuple[Chain, ...]:
-    return tuple(Chain(tuple(point + way for point in points), closed) for points, closed in body.strokes)
+def _moved(body: Glyph, way: complex) -> tuple[PenChain, ...]:
+    return tuple(PenChain(tuple(point + way for point in points), closed) for points, closed in body.strokes)
 
 
 @cache

@@ -31,7 +31,7 @@ class UnknownLetter(SheetError):  # noqa: N818  (a draughtsman's word for it)
         self.lacks = lacks
 
 
-class Placed(NamedTuple):
+class PlacedLetter(NamedTuple):
     """A letter on its line of writing: how far along and how high it stands, and its d, all in mm."""
 
     letter: str
@@ -105,15 +105,15 @@ def outline(text: Text) -> tuple[Polyline, ...]:
     turn = cmath.rect(1, math.radians(text.rotation)) if text.rotation else 1 + 0j
     start = text.at - {"start": 0.0, "middle": 0.5, "end": 1.0}[text.anchor] * length * turn
     lean = SLANT if text.slanted else 0.0
-    written: list[Polyline] = []
+    chains: list[Polyline] = []
     for letter, along, rise, unit in places:
         origin, scale, style = start + turn * complex(along + lean * rise, rise), turn * unit, pen(unit, text.style)
         for points, closed in leaning(letter) if text.slanted else glyph(letter).strokes:
-            written.append(Polyline(tuple([origin + scale * point for point in points]), closed, style))
-    return tuple(written)
+            chains.append(Polyline(tuple([origin + scale * point for point in points]), closed, style))
+    return tuple(chains)
 
 
-def letters_of(text: Text) -> tuple[Placed, ...]:
+def letters_of(text: Text) -> tuple[PlacedLetter, ...]:
     """Give the letters of a text in their places on its line of writing, from its start."""
     return _line(text.runs, text.size)[0]
 
@@ -131,21 +131,21 @@ def pen(unit: float, ink: LineStyle) -> LineStyle:
 
 
 @lru_cache(maxsize=4096)
-def _line(pieces: tuple[Run, ...], size: float) -> tuple[tuple[Placed, ...], float]:
+def _line(pieces: tuple[Run, ...], size: float) -> tuple[tuple[PlacedLetter, ...], float]:
     """Set a text on its line of writing: the letters in their places, and its length."""
     if lacks := lacking(plain := "".join(piece.text for piece in pieces)):
         raise UnknownLetter(plain, lacks)
     units = {0: size / 10, -1: index_size(size) / 10, 1: index_size(size) / 10}
     rises = {0: 0.0, -1: -LOWERED * size, 1: RAISED * size}
-    placed: list[Placed] = []
+    places: list[PlacedLetter] = []
     along, last, before = 0.0, "", 0
     for letter, now in _levelled(pieces):
         if last:
             along += min(units[now], units[before]) * (gap(last, letter) if now == before else GAP)
-        placed.append(Placed(letter, along, rises[now], units[now]))
+        places.append(PlacedLetter(letter, along, rises[now], units[now]))
         along += glyph(letter).width * units[now]
         last, before = letter, now
-    return tuple(placed), along
+    return tuple(places), along
 
 
 def _levelled(pieces: tuple[Run, ...]) -> Iterator[tuple[str, int]]:

@@ -25,7 +25,7 @@ _POSITION = re.compile(r"-?[0-9]{1,9}")
 _STATED = 10.0 ** (1 - STATED_DIGITS)
 
 
-class Key(NamedTuple):
+class MarkKey(NamedTuple):
     """What a vector or point is called."""
 
     plan: str
@@ -49,9 +49,9 @@ class MeasuredVector(NamedTuple):
     scale: float
 
     @property
-    def key(self) -> Key:
+    def key(self) -> MarkKey:
         """What it is called."""
-        return Key(self.plan, self.quantity, self.name, self.position)
+        return MarkKey(self.plan, self.quantity, self.name, self.position)
 
     @property
     def reach(self) -> float:
@@ -73,9 +73,9 @@ class MeasuredPoint(NamedTuple):
     scale: float
 
     @property
-    def key(self) -> Key:
+    def key(self) -> MarkKey:
         """What it is called."""
-        return Key(self.plan, self.quantity, self.name, self.position)
+        return MarkKey(self.plan, self.quantity, self.name, self.position)
 
     @property
     def reach(self) -> float:
@@ -101,7 +101,7 @@ class Measured(NamedTuple):
 class Mismatch(NamedTuple):
     """A vector or point that is not what it states; `measured` is None if it is not on the sheet at all."""
 
-    key: Key
+    key: MarkKey
     measured: complex | None
     stated: complex | None
     allowed: float
@@ -134,7 +134,7 @@ def measure(source: bytes) -> Measured:
     )
 
 
-def check(measured: Measured, tolerance: float | None = None, expected: Iterable[Key] = ()) -> list[Mismatch]:
+def check(measured: Measured, tolerance: float | None = None, expected: Iterable[MarkKey] = ()) -> list[Mismatch]:
     """List what differs from what it states by more than `tolerance` (mm, else the sheet's own), or is missing.
 
     To the tolerance come the roundings of the stated value and of our own arithmetic; comparisons fail closed.

@@ -25,7 +25,7 @@ _FOREIGN = {b"%PDF": "a PDF", b"PK\x03\x04": "a ZIP or Word file", b"\x89PNG": "
 
 
 @dataclass
-class Sheet:
+class ReadSheet:
     """What was read."""
 
     viewport: Viewport
@@ -34,7 +34,7 @@ class Sheet:
     metadata: dict[str, Any] = field(default_factory=dict)
 
 
-def read(source: bytes) -> Sheet:
+def read(source: bytes) -> ReadSheet:
     """Read a sheet (svg or svgz); what cannot be read within the limits is refused with the reason."""
     return _Reader().read(_unpacked(source))
 
@@ -67,7 +67,7 @@ class _Frame(NamedTuple):
 
 class _Reader:
     def __init__(self) -> None:
-        self.sheet: Sheet | None = None
+        self.sheet: ReadSheet | None = None
         self.frames: list[_Frame] = []
         self.ids: set[str] = set()
         self.elements = self.entities = self.ampersands = self.path_length = 0
@@ -75,7 +75,7 @@ class _Reader:
         self.heard_depth = self.heard_length = 0
         self.left_aside: set[str] = set()
 
-    def read(self, source: bytes) -> Sheet:
+    def read(self, source: bytes) -> ReadSheet:
         self.ampersands = source.count(b"&")
         parser = self._parser()
         deadline = time.monotonic() + limits.READING_SECONDS
@@ -152,10 +152,10 @@ class _Reader:
         if "transform" in properties(attributes):
             raise SheetRefused("the root has a transform")
         paper = viewport(attributes)
-        self.sheet = Sheet(paper, notes=list(paper.notes))
+        self.sheet = ReadSheet(paper, notes=list(paper.notes))
         self.frames.append(_Frame(tag, paper.placing, Look().below(tag, properties(attributes)), ""))
 
-    def _enter(self, space: str, tag: str, attributes: dict[str, str], sheet: Sheet) -> None:
+    def _enter(self, space: str, tag: str, attributes: dict[str, str], sheet: ReadSheet) -> None:
         outer = self.frames[-1]
         self._listen(tag, attributes)
         if space != _SVG:
@@ -189,7 +189,7 @@ class _Reader:
             look = look._replace(gone=look.gone or "scaled to nothing")
         return _Frame(tag, outer.to_paper.after(moving), look, refusal)
 
-    def _mark(self, frame: _Frame, data: dict[str, str], attributes: Mapping[str, str], sheet: Sheet) -> None:
+    def _mark(self, frame: _Frame, data: dict[str, str], attributes: Mapping[str, str], sheet: ReadSheet) -> None:
         kind, who = data["kind"], called(data)
         if hidden := frame.look.hidden(filled=kind != "vector"):
             sheet.notes.append(f"{who} is not counted: {hidden}")

@@ -34,9 +34,9 @@ class TitleCell(NamedTuple):
     least: float = 2.5
     pad: float = 0.8
 
-    def lettered(self, corner: complex, plain: str) -> Iterator[Text]:
+    def letter(self, corner: complex, plain: str) -> Iterator[Text]:
         """Letter the graph: the largest size that it takes, in lines broken at spaces; a longer text is cut."""
-        size, lines = self.fitted(plain)
+        size, lines = self.fit(plain)
         length, depth = self._room
         low, high = _heights(lines, size)
         # A tail or an accent moves the lines from the middle.
@@ -52,10 +52,10 @@ class TitleCell(NamedTuple):
             up = first + STEP * size * (len(lines) - 1 - k) - depth / 2
             yield Text(centre + complex(across, up) * turn, (Run(line),), size, "start", True, self.rotation)
 
-    def fitted(self, plain: str) -> tuple[float, list[str]]:
+    def fit(self, plain: str) -> tuple[float, list[str]]:
         """Give the size of the lettering and its lines.
 
-        >>> TitleCell(0, 0, 70, 14, 5.0).fitted("Crank shaper"), TitleCell(0, 0, 20, 5).fitted("a name too long")
+        >>> TitleCell(0, 0, 70, 14, 5.0).fit("Crank shaper"), TitleCell(0, 0, 20, 5).fit("a name too long")
         ((5.0, ['Crank shaper']), (2.5, ['a name too…']))
         """
         sizes = [size for size in SIZES if self.least <= size <= self.size]
@@ -79,19 +79,19 @@ class TitleCell(NamedTuple):
         return high - low <= self._room[1] - 2 * CLEAR
 
 
-def titled(area: TitleCell, corner: complex, title: str, subtitle: str) -> Iterator[Text]:
+def write_title(area: TitleCell, corner: complex, title: str, subtitle: str) -> Iterator[Text]:
     """Letter a title, and its subtitle in smaller letters under it: whole if it can be, then as large as it can be."""
     splits = []
     for foot in FEET if subtitle else (0.0,):
         above = area._replace(bottom=area.bottom + foot, height=area.height - foot)
-        size, lines = above.fitted(title)
+        size, lines = above.fit(title)
         below = area._replace(height=foot, size=max(s for s in SIZES if s < max(size, 3.5)))
-        small, more = below.fitted(subtitle) if subtitle else (0.0, [])
+        small, more = below.fit(subtitle) if subtitle else (0.0, [])
         whole = not any(ELLIPSIS in line for line in (*lines, *more))
         splits.append((whole, size, small, foot, above, below))
     *_, above, below = max(splits)
-    yield from above.lettered(corner, title) if title else ()
-    yield from below.lettered(corner, subtitle) if subtitle else ()
+    yield from above.letter(corner, title) if title else ()
+    yield from below.letter(corner, subtitle) if subtitle else ()
 
 
 @lru_cache(maxsize=1024)

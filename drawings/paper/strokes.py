@@ -173,7 +173,7 @@ def runs(markup: str) -> tuple[Run, ...]:
     >>> runs(r"snake\_case")
     (Run(text='snake_case', level=0),)
     """
-    found: list[Run] = []
+    pieces: list[Run] = []
     place = 0
     while place < len(markup):
         match = _MARKUP.match(markup, place)
@@ -184,11 +184,11 @@ def runs(markup: str) -> tuple[Run, ...]:
         mark, braced, single, escaped, text = match.groups()
         level = {"_": -1, "^": 1}.get(mark, 0)
         piece = braced if braced is not None else single or escaped or text
-        if found and found[-1].level == level:
-            piece = found.pop().text + piece
-        found.append(Run(piece, level))
+        if pieces and pieces[-1].level == level:
+            piece = pieces.pop().text + piece
+        pieces.append(Run(piece, level))
         place = match.end()
-    return tuple(found)
+    return tuple(pieces)
 
 
 def numeral(value: float) -> str:

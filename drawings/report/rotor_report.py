@@ -17,6 +17,7 @@ from plans.model.rotor import Balance, Rotor
 from plans.rotor.balancing import UNBALANCES
 from plans.rotor.letters import unbalance_letters
 from plans.study import Study
+from plans.words.words import word
 
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
@@ -56,13 +57,15 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     rotor, notes = study["rotor"].rotor, _notes(study)
     residual = residuals(comparison.analysis, [leaf for own in leaves.values() for leaf in own])
     return Chapters(
-        subject=_listed(drafting.word("report rotor"), [*_masses(rotor, drafting), *notes.sums()]),
-        values=_listed(drafting.word("report counterweights"), notes.counterweights()),
+        subject=_listed(word(drafting.language, "report.rotor"), [*_masses(rotor, drafting), *notes.sums()]),
+        values=_listed(word(drafting.language, "report.counterweights"), notes.counterweights()),
         conditions=[
-            *_listed(drafting.word("report quality"), [*notes.quality(), *_residual(rotor, residual, drafting)]),
-            *_listed(drafting.word("report bearings"), notes.reactions()),
+            *_listed(
+                word(drafting.language, "report.quality"), [*notes.quality(), *_residual(rotor, residual, drafting)]
+            ),
+            *_listed(word(drafting.language, "report.bearings"), notes.reactions()),
         ],
-        left_out=[drafting.word("report rotor left out")],
+        left_out=[word(drafting.language, "report.rotor_left_out")],
     )
 
 
@@ -87,18 +90,18 @@ def _written(place: complex) -> complex:
 def _residual(rotor: Rotor, residual: Mapping[str, float], drafting: Drafting) -> Iterator[str]:
     for name, off in residual.items():
         told = drafting.number(GRAM_MILLIMETRES * off, 3)
-        yield drafting.word("report residual", letters=unbalance_letters(name), residual=told)
+        yield word(drafting.language, "report.residual", letters=unbalance_letters(name), residual=told)
     quality = rotor.quality(*residual.values())
     if quality is not None:
         told = drafting.number(quality, 3)
-        yield drafting.word("report residual quality", quality=told, grade=grade_name(quality, drafting))
+        yield word(drafting.language, "report.residual_quality", quality=told, grade=grade_name(quality, drafting))
 
 
 def _masses(rotor: Rotor, drafting: Drafting) -> Iterator[str]:
     for one in rotor.masses:
         numbers = {"moment": one.moment, "angle": float(one.angle), "arm": 1000 * rotor.arm(one.place)}
         told = {name: drafting.number(value, DIGITS) for name, value in numbers.items()}
-        yield drafting.word("report mass", name=one.name, **told)
+        yield word(drafting.language, "report.rotor_mass", name=one.name, **told)
 
 
 def _notes(study: Study) -> RotorNotes:

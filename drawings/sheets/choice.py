@@ -82,7 +82,7 @@ def _output_rate(study: LinkageStudy, comparison: MotionComparison, order: int) 
     out, motion = study.output, comparison.construction
     slide = frame_slide(study.mechanism, out.link)
     if slide is not None:
-        found = motion.points[out.point or slide.point]
-        return found.v if order == 1 else found.a
+        point = motion.points[out.point or slide.point]
+        return point.v if order == 1 else point.a
     turning = motion.links[out.link]
     return turning.omega if order == 1 else turning.epsilon

@@ -16,7 +16,7 @@ from drawings.figures.forces.force_letters import letter_of
 from drawings.figures.graphs import curve_graph, hodograph
 from drawings.layout import value_table
 from drawings.layout.contents import Panel
-from drawings.layout.table import Table
+from drawings.layout.table import RuledTable
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf, SheetError
 from drawings.sheets.choice import position
@@ -47,7 +47,9 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
 
 def sheets(study: LinkageStudy, comparison: ForceComparison, statics: Statics) -> tuple[Leaf, ...]:
     """Lay out the force sheets: one for each position that is asked for, and following ones where one has no room."""
-    return lay_out(study.scene, [_Forces(study, comparison, statics, k).draft for k in positions(study, comparison)])
+    return lay_out(
+        study.scene, [_ForceSheet(study, comparison, statics, k).draft for k in positions(study, comparison)]
+    )
 
 
 def positions(study: LinkageStudy, comparison: ForceComparison) -> tuple[int, ...]:
@@ -73,7 +75,7 @@ def positions(study: LinkageStudy, comparison: ForceComparison) -> tuple[int, ..
 
 
 @dataclass(frozen=True)
-class _Forces:
+class _ForceSheet:
     """What the force sheets of one position are drawn from."""
 
     study: LinkageStudy
@@ -88,11 +90,11 @@ class _Forces:
     @property
     def draft(self) -> Draft:
         """Title, figures, equations, table and notes of the sheets."""
-        said = notes(self.statics, self.position, self.drafting.language)
+        words = notes(self.statics, self.position, self.drafting.language)
         columns = (one for cut in self.plan.cuts for one in self._column(cut))
         loose = (*self._lever(), self._graph(), *self._hodographs())
         title = self.drafting.word("forces sheet title")
-        return Draft("forces", title, (*columns, *loose), (self._table(),), tuple(said), self._facts)
+        return Draft("forces", title, (*columns, *loose), (self._table(),), tuple(words), self._facts)
 
     @property
     def plan(self) -> ForcePlan:
@@ -145,7 +147,7 @@ class _Forces:
         room = curve_graph.measure(curve, "balancing", self.drafting)
         return Exhibit(Panel(room), partial(curve_graph.draw, curve, room, drafting=self.drafting))
 
-    def _curve(self) -> curve_graph.Curve:
+    def _curve(self) -> curve_graph.GraphCurve:
         own, least = self.forces, self.forces.nothing[1]
         stations = np.degrees(self.study.sense * (own.phi - own.phi[0])) % 360
         angles = np.arange(STEPS + 1) * 360 / STEPS
@@ -153,7 +155,7 @@ class _Forces:
         dense, ordinates = (np.where(np.abs(row) <= least, 0.0, row) for row in moments)
         dense = curve_graph.bounded(dense, ordinates)
         letter = letter_of(BALANCING, self.drafting)
-        return curve_graph.swing(curve_graph.Curve(letter, "N*m", angles, dense, stations, ordinates))
+        return curve_graph.swing(curve_graph.GraphCurve(letter, "N*m", angles, dense, stations, ordinates))
 
     def _hodographs(self) -> Iterator[Exhibit]:
         """The reactions whose hodographs the scene asks for."""
@@ -165,7 +167,7 @@ class _Forces:
             room = hodograph.measure(shown, f"hodograph-{key}", self.drafting)
             yield Exhibit(Panel(room), partial(hodograph.draw, shown, room, drafting=self.drafting))
 
-    def _table(self) -> Table:
+    def _table(self) -> RuledTable:
         drafting = self.drafting
         lines = force_table.rows(self.comparison, self.position, drafting.language, drafting.reactions)
         return value_table.table(lines, (self.position,), drafting)

@@ -11,10 +11,10 @@ import numpy as np
 
 from drawings.figures.linkage import missing_plan, position_plan, vector_plan
 from drawings.figures.linkage.skeleton import Skeletons, skeletons
-from drawings.figures.linkage.vector_plan import Diagram, diagram
+from drawings.figures.linkage.vector_plan import VectorDiagram, diagram
 from drawings.layout import value_table
 from drawings.layout.contents import Panel
-from drawings.layout.table import Table
+from drawings.layout.table import RuledTable
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.sheets.choice import plans, position
@@ -36,7 +36,7 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
 
 def sheets(study: LinkageStudy, comparison: MotionComparison) -> tuple[Leaf, ...]:
     """Lay out the kinematics sheet, and as many following ones as its figures need to stay readable."""
-    return lay_out(study.scene, [_Kinematics(study, comparison).draft])
+    return lay_out(study.scene, [_KinematicsSheet(study, comparison).draft])
 
 
 def sheet(study: LinkageStudy, comparison: MotionComparison) -> Leaf:
@@ -45,7 +45,7 @@ def sheet(study: LinkageStudy, comparison: MotionComparison) -> Leaf:
 
 
 @dataclass(frozen=True)
-class _Kinematics:
+class _KinematicsSheet:
     """What a set of kinematics sheets is drawn from; nothing is made that the scene's sheets do not need."""
 
     study: LinkageStudy
@@ -58,9 +58,9 @@ class _Kinematics:
     @property
     def draft(self) -> Draft:
         """Title, figures, table and notes of the sheets."""
-        said = notes(self.study, self.comparison, self.drafting.language)
+        words = notes(self.study, self.comparison, self.drafting.language)
         title = self.drafting.word("sheet title")
-        return Draft("kinematics", title, (self._main(), *self._plans()), self._tables(), tuple(said), self._facts)
+        return Draft("kinematics", title, (self._main(), *self._plans()), self._tables(), tuple(words), self._facts)
 
     @cached_property
     def shown(self) -> int:
@@ -96,7 +96,7 @@ class _Kinematics:
         draw = partial(vector_plan.draw, shown, room, drafting=self.drafting)
         return Exhibit(Panel(room, together=str(k)), draw)
 
-    def _diagram(self, subject: str, k: int) -> Diagram:
+    def _diagram(self, subject: str, k: int) -> VectorDiagram:
         drafts = self.study.drafts()
         return diagram(drafts.velocities if subject == ORDERS[1] else drafts.accelerations, k)
 
@@ -107,7 +107,7 @@ class _Kinematics:
         plan = self.drafting.word(f"{subject} plan")
         return self.drafting.word("no plan", plan=plan, position=k, reason=reason)
 
-    def _tables(self) -> tuple[Table, ...]:
+    def _tables(self) -> tuple[RuledTable, ...]:
         """The table of values, without what the scene states."""
         given = {f"{symbol}_{self.study.mechanism.drive.link}" for symbol in ("ω", "ε")}
         language = self.drafting.language

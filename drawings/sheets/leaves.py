@@ -13,7 +13,7 @@ from drawings.layout.figure import Figure
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Spot
-from drawings.layout.table import Table
+from drawings.layout.table import RuledTable
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.page.page import Field, Page, page_of
 from drawings.paper.strokes import Group, Leaf
@@ -48,7 +48,7 @@ class Draft:
     kind: str
     title: str
     shows: tuple[Exhibit | Caption, ...]
-    tables: tuple[Table, ...]
+    tables: tuple[RuledTable, ...]
     notes: tuple[str, ...]
     facts: Callable[[Collection[str]], Mapping[str, Any]]
 

@@ -14,14 +14,14 @@ TOGETHER = re.compile(r" (=|…|−|[+]) ")
 STEP = 1.8  # sizes of the letters from line to line: GOST 2.304-81 asks for 1.7 at least
 
 
-def measure(said: Sequence[str], size: float) -> Notes:
+def measure(paragraphs: Sequence[str], size: float) -> Notes:
     """Measure what notes need on paper."""
-    return Notes(tuple(text_width(Text(0j, _marked(note), size)) for note in said), STEP * size)
+    return Notes(tuple(text_width(Text(0j, _marked(note), size)) for note in paragraphs), STEP * size)
 
 
-def write(said: Sequence[str], field: Field, size: float) -> Group:
+def write(paragraphs: Sequence[str], field: Field, size: float) -> Group:
     """Write notes from the top of their field downwards, a long one broken between its parts."""
-    lines = [line for note in said for line in _broken(_marked(note), field.width, size)]
+    lines = [line for note in paragraphs for line in _broken(_marked(note), field.width, size)]
     step = min(STEP * size, field.height / max(len(lines), 1))
     strokes: list[Stroke] = [
         Text(complex(field.left, field.top - size - k * step), line, size, "start", True)

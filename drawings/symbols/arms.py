@@ -12,7 +12,7 @@ from drawings.page.scale import Scale
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Line, Polyline, Stroke
 from drawings.symbols.figure import Subject
-from drawings.symbols.force_arrow import named
+from drawings.symbols.force_arrow import plain_name
 from drawings.symbols.symbols import ARROW_LENGTH, arrowhead
 
 PAST = 4.0  # mm that a line of action is drawn past the foot of the perpendicular
@@ -79,4 +79,4 @@ class Arm:
 def to_scale(letter: str, about: complex, at: complex, direction: complex, scale: Scale, subject: Subject) -> Arm:
     """Give an arm on a scheme drawn to scale, measurable: the vector from the point to the line of action."""
     arm = Arm(letter, about, at, direction / abs(direction))
-    return replace(arm, data=subject.data("vector", named(letter), (arm.foot - about) * scale.mu, scale))
+    return replace(arm, data=subject.data("vector", plain_name(letter), (arm.foot - about) * scale.mu, scale))

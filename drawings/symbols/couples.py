@@ -9,7 +9,7 @@ from typing import NamedTuple
 from drawings.layout.labels import Labels
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Stroke
-from drawings.symbols.force_arrow import named
+from drawings.symbols.force_arrow import plain_name
 from drawings.symbols.symbols import turning_arrow
 
 HALF, THREE_QUARTERS = math.pi, 1.5 * math.pi  # rad: the arcs of a couple
@@ -17,7 +17,7 @@ RADIUS = 8.0  # mm, to the factor of the hand's symbols
 BESIDE = 1.2  # mm from the arc to its letter
 
 
-class Couple(NamedTuple):
+class CoupleArc(NamedTuple):
     """A couple about a place on paper: +1 counter-clockwise, -1 clockwise; the arc's middle faces a direction, rad."""
 
     letter: str
@@ -36,7 +36,7 @@ class Couple(NamedTuple):
         """Draw the arc and its head."""
         start = self.facing - self.sense * self.sweep / 2
         arrow = turning_arrow(self.at, self.radius, start, self.sense * self.sweep, hand, hand.relative)
-        data = {"kind": "couple", "name": named(self.letter), "sense": f"{self.sense:+d}"}
+        data = {"kind": "couple", "name": plain_name(self.letter), "sense": f"{self.sense:+d}"}
         return Group(arrow, "", data, self.letter)
 
     def letter_beside(self, labels: Labels, hand: Hand) -> Stroke:

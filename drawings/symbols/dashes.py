@@ -14,7 +14,7 @@ from drawings.paper.strokes import Arc, Line, LineStyle, Polyline, Stroke
 DASHED, DASH_DOT = (2.0, 8.0), (5.0, 30.0)
 
 
-def fitted(strokes: Iterable[Stroke]) -> Iterator[Stroke]:
+def fit_dashes(strokes: Iterable[Stroke]) -> Iterator[Stroke]:
     """Fit the dashes of lines, chains and arcs to their lengths; strokes of full lines pass."""
     for stroke in strokes:
         match stroke:

@@ -67,7 +67,7 @@ class ForceArrow:
 
     @property
     def _marked(self) -> dict[str, str]:
-        return {"kind": "force", "name": named(self.letter), "direction": stated(self.direction)}
+        return {"kind": "force", "name": plain_name(self.letter), "direction": stated(self.direction)}
 
     def letter_beside(self, labels: Labels, hand: Hand) -> Stroke:
         """Letter it: one to scale beside its middle, where no other of its polygon ends; a marked one at its end."""
@@ -82,20 +82,20 @@ def to_scale(
 ) -> ForceArrow:
     """Give a force of a true value at a place on paper, to scale and measurable; its name is its letter."""
     direction = value / abs(value) if value else 1 + 0j  # of no force the direction is of no account
-    data = subject.data("vector", named(letter), value, scale)
+    data = subject.data("vector", plain_name(letter), value, scale)
     return ForceArrow(letter, at, direction, abs(value) / scale.mu, ending, data=data)
 
 
-def named(letter: str) -> str:
+def plain_name(letter: str) -> str:
     """Name a force or an arm by its letter, without the braces of its index.
 
-    >>> named("R^t_{34}")
+    >>> plain_name("R^t_{34}")
     'R^t_34'
     """
     return letter.replace("{", "").replace("}", "")
 
 
-def marked(
+def not_to_scale(
     letter: str, direction: complex, at: complex, length: float, ending: bool = False, unknown: bool = False
 ) -> ForceArrow:
     """Give a force that only shows where and which way it acts, of some length on paper, mm."""

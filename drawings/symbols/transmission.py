@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Arc, Circle, Line, Polyline, Stroke
-from drawings.symbols.dashes import fitted
+from drawings.symbols.dashes import fit_dashes
 
 CONTACT = 0.9  # radius of the pitch point
 TANGENT, ACTION = 22.0, 30.0  # mm: half of the pitch tangent drawn, and half of the line of action
@@ -56,7 +56,7 @@ class Gear(NamedTuple):
         first = cmath.phase(self.action) - max(turn, 0.0)
         arc = Arc(contact, ANGLE * factor, first, first + abs(turn), hand.drafted)
         lines = [Line(contact - half, contact + half, hand.drafted) for half in (tangent, action)]
-        return *fitted([circle]), *lines, arc, Circle(contact, CONTACT * factor, INK)
+        return *fit_dashes([circle]), *lines, arc, Circle(contact, CONTACT * factor, INK)
 
 
 def _turn(gear: Gear) -> float:

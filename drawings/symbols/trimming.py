@@ -15,10 +15,10 @@ from drawings.paper.strokes import TURN, Arc, Circle, Line, Polyline, Stroke
 Mask = Circle | Polyline  # a circle, or a closed convex outline
 
 
-def trimmed(strokes: Iterable[Stroke], masks: Sequence[Mask]) -> Iterator[Stroke]:
+def trim(strokes: Iterable[Stroke], masks: Sequence[Mask]) -> Iterator[Stroke]:
     """Cut lines, chains and arcs at the outlines of masks and drop what is inside; other strokes pass.
 
-    >>> [line.start for line in trimmed([Line(-5 + 0j, 5 + 0j)], [Circle(0j, 2)])]
+    >>> [line.start for line in trim([Line(-5 + 0j, 5 + 0j)], [Circle(0j, 2)])]
     [(-5+0j), (2+0j)]
     """
     for stroke in strokes:
@@ -98,14 +98,14 @@ def _line_cuts(start: complex, run: complex, mask: Mask) -> list[float]:
         towards = (mask.centre - start) * run.conjugate() / length
         half = mask.radius**2 - towards.imag**2
         return [] if half <= 0 else [(towards.real + sign * math.sqrt(half)) / length for sign in (-1, 1)]
-    found = []
+    shares = []
     for corner, following in _sides(mask):
         side = following - corner
         crossed = (run.conjugate() * side).imag
         share = ((corner - start).conjugate() * side).imag / crossed if crossed else -1.0
         off = ((corner - start).conjugate() * run).imag / crossed if crossed else -1.0
-        found += [share] if 0 <= off <= 1 else []
-    return found
+        shares += [share] if 0 <= off <= 1 else []
+    return shares
 
 
 def _arc_cuts(arc: Arc, mask: Mask) -> list[float]:

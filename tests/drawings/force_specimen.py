@@ -11,7 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from drawings.figures.graphs import curve_graph, hodograph
-from drawings.figures.graphs.curve_graph import Curve
+from drawings.figures.graphs.curve_graph import GraphCurve
 from drawings.figures.graphs.hodograph import Hodograph
 from drawings.layout import value_table
 from drawings.layout.composer import compose
@@ -22,7 +22,7 @@ from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, picture
 from drawings.layout.place import Place
-from drawings.layout.table import Row
+from drawings.layout.table import TableRow
 from drawings.lettering.lettering import text_width
 from drawings.lettering.words import letter, word
 from drawings.page.drafting import Drafting
@@ -30,7 +30,7 @@ from drawings.page.page import Page
 from drawings.paper.strokes import Group, Leaf, Line, Stroke, Text
 from drawings.sheets.paragraphs import measure, write
 from drawings.symbols import arms, force_arrow, symbols, transmission
-from drawings.symbols.couples import Couple
+from drawings.symbols.couples import CoupleArc
 from drawings.symbols.figure import Subject, heading, point
 from drawings.symbols.force_arrow import ForceArrow
 
@@ -67,13 +67,13 @@ class Draft:
         turn = np.linspace(0, 360, 181)
         at = np.arange(12) * 30.0
         shape = lambda phi: 120 + 170 * np.sin(np.radians(phi)) - 60 * np.cos(2 * np.radians(phi))  # noqa: E731
-        self.curve = Curve(
+        self.curve = GraphCurve(
             letter(self.language, "M_{bal}"), "N*m", turn, shape(turn), at, shape(at), self.title("balancing-graph")
         )
         way = lambda phi: 1200 * np.exp(1j * np.radians(phi)) + 500 * np.exp(-2j * np.radians(phi)) + 300j  # noqa: E731
         self.hodograph = Hodograph("R_{34}", "F", "N", way(turn), way(at), 2)
         self.strokes: list[Stroke] = []
-        self.lettered: list[ForceArrow | Couple | arms.Arm] = []
+        self.lettered: list[ForceArrow | CoupleArc | arms.Arm] = []
 
     def title(self, name: str) -> str:
         kind, _, group = name.partition("-")
@@ -117,7 +117,7 @@ class Draft:
         ]
         columns.append((schemes["scheme-1"], polygons["polygon-1"]))
         lines = [
-            Row(f"R_{{{k}}}, {word(self.language, 'N')}", ("1644.10", "1644.10", "<10^{−9}"))
+            TableRow(f"R_{{{k}}}, {word(self.language, 'N')}", ("1644.10", "1644.10", "<10^{−9}"))
             for k in (12, 34, "05", "03", "01")
         ]
         loose = (
@@ -152,7 +152,7 @@ class Draft:
             self.strokes.append(self.passage(name).write(field, hand))
         figures: list[Figure] = []
         for name, spot in composed.spots.items():
-            place = self.pictures[name].placed(*spot)
+            place = self.pictures[name].place(*spot)
             scale = spot.scale.written(self.language)
             if name == "balancing-graph":
                 figures.append(curve_graph.draw(self.curve, self.pictures[name], spot, self.drafting))
@@ -166,19 +166,19 @@ class Draft:
         labels = Labels(ink, hand.drafted)
         letters = [one.letter_beside(labels, hand) for one in self.lettered]
         if "lever" in composed.spots:
-            pole = self.pictures["lever"].placed(*composed.spots["lever"]).on(0j)
+            pole = self.pictures["lever"].place(*composed.spots["lever"]).on(0j)
             letters.append(labels.beside(pole, "p", hand.letter, 1.6, -math.pi / 2))
         lettered = [group for one in figures for group in one.letter(labels)]
         groups = [stroke if isinstance(stroke, Group) else Group((stroke,)) for stroke in self.strokes]
         return Leaf(*page.size, (page.frame(), page.corners(), *groups, Group(tuple(letters)), *lettered))
 
-    def add(self, one: ForceArrow | Couple | arms.Arm) -> None:
+    def add(self, one: ForceArrow | CoupleArc | arms.Arm) -> None:
         drawn = one.draw(self.hand)
         self.strokes += drawn if isinstance(drawn, tuple) else [drawn]
         self.lettered.append(one)
 
     def shown(self, name: str, direction: complex, at: complex, length: float = 5.0, **how: bool) -> None:
-        self.add(force_arrow.marked(letter(self.language, name), direction, at, length * self.hand.letter, **how))
+        self.add(force_arrow.not_to_scale(letter(self.language, name), direction, at, length * self.hand.letter, **how))
 
     def scheme(self, name: str, place: Place) -> None:
         on, hand = place.on, self.hand
@@ -197,7 +197,7 @@ class Draft:
             self.shown("F_{us}", 1, on(D), ending=False, length=7.0)
             self.shown("G_5", -1j, on(D))
             self.shown("R_{05}", 1j, on(D), unknown=True)
-            self.add(Couple("M^Φ_4", on(S4), -1, 8.0 * hand.symbol, math.pi / 2))
+            self.add(CoupleArc("M^Φ_4", on(S4), -1, 8.0 * hand.symbol, math.pi / 2))
             subject = Subject(name, "l", 2)
             self.add(arms.to_scale("h_1", on(D), on(S4), -1j, place.scale, subject))
             self.add(arms.to_scale("h_2", on(D), on(S4), PHI4, place.scale, subject))
@@ -214,7 +214,7 @@ class Draft:
             self.shown("G_3", -1j, on(S3))
             self.shown("Φ_3", PHI3, on(S3))
             self.shown("R_{03}", R03, on(C), unknown=True)
-            self.add(Couple("M^Φ_3", on(S3), -1, 9.0 * hand.symbol, math.pi))
+            self.add(CoupleArc("M^Φ_3", on(S3), -1, 9.0 * hand.symbol, math.pi))
             self.add(arms.to_scale("h_3", on(C), on(B), -R34, place.scale, Subject(name, "l", 2)))
         else:
             wheel = transmission.Gear(on(SHAFT), place.length(0.18), math.radians(210), RZ / abs(RZ))
@@ -228,7 +228,9 @@ class Draft:
             self.shown("F_z", RZ, wheel.contact, 7.0)
             self.shown("R_{01}", R01, on(SHAFT), unknown=True)
             self.add(
-                Couple(letter(self.language, "M_{bal}"), on(SHAFT), 1, 10.0 * hand.symbol, math.radians(100), math.pi)
+                CoupleArc(
+                    letter(self.language, "M_{bal}"), on(SHAFT), 1, 10.0 * hand.symbol, math.radians(100), math.pi
+                )
             )
 
     def polygon(self, name: str, place: Place) -> None:

@@ -5,14 +5,14 @@ import time
 
 import pytest
 
-from drawings.layout.block import Block
-from drawings.layout.columns import Column, Zone, filled
+from drawings.layout.block import TextBlock
+from drawings.layout.columns import Column, Zone, fill
 from drawings.layout.composer import compose
 from drawings.layout.contents import Composition, Contents, Item, Panel
 from drawings.layout.footing import Notes
 from drawings.layout.grid import GAP
 from drawings.layout.picture import Ladder, Margins, Picture, Rung, picture
-from drawings.layout.table import Row, Table
+from drawings.layout.table import RuledTable, TableRow
 from drawings.page.page import Field, Page
 from drawings.page.scale import MANTISSAS
 from drawings.paper.strokes import SheetError
@@ -27,18 +27,18 @@ def figure(
 
 
 def group(name: str, scheme: tuple[float, float], polygon: tuple[float, float]) -> tuple[Item, ...]:
-    equations = Block(f"equations-{name}", ((70.0, 36.5), (100.0, 24.0)))
+    equations = TextBlock(f"equations-{name}", ((70.0, 36.5), (100.0, 24.0)))
     return figure(f"scheme-{name}", *scheme, ("l", "m")), equations, figure(f"polygon-{name}", *polygon)
 
 
-def table(rows: int) -> Table:
-    return Table(tuple(Row(f"R_{k}", ("1.0",) * 3) for k in range(rows)), (2,), 3.5, 25.0, 22.0)
+def table(rows: int) -> RuledTable:
+    return RuledTable(tuple(TableRow(f"R_{k}", ("1.0",) * 3) for k in range(rows)), (2,), 3.5, 25.0, 22.0)
 
 
 def contents(
     columns: tuple[tuple[Item, ...], ...],
     loose: tuple[Picture, ...] = (),
-    values: Table | None = None,
+    values: RuledTable | None = None,
     notes: Notes | None = None,
 ) -> Contents:
     panels = (Panel(item, together=f"column {k}") for k, column in enumerate(columns) for item in column)
@@ -101,7 +101,7 @@ def test_everything_is_shown_once_in_its_order(content: Contents, page: Page) ->
     figures = [panel.item.name for panel in content.panels if isinstance(panel.item, Picture)]
     assert [name for one in composed for name in one.spots] == figures
     assert [name for one in composed for name in one.blocks] == [
-        panel.item.name for panel in content.panels if isinstance(panel.item, Block)
+        panel.item.name for panel in content.panels if isinstance(panel.item, TextBlock)
     ]
     rows = [line for one in composed for own in one.tables for line in own.table.lines]
     assert content.table is not None and rows == list(content.table.lines)
@@ -131,7 +131,7 @@ def test_scales_are_standard_ones_and_every_figure_can_be_read(page: Page) -> No
     pictures = {one.item.name: one.item for one in SHAPER.panels if isinstance(one.item, Picture)}
     for one in compose(SHAPER, page):
         for name, spot in one.spots.items():
-            size = pictures[name].drawn(spot.scale)
+            size = pictures[name].extent(spot.scale)
             assert size >= LEAST or len(one.spots) <= len(COLUMNS[0])
             if spot.scale.letter == "F":
                 mantissa = float(f"{spot.scale.mu:e}".split("e")[0])
@@ -162,13 +162,13 @@ def test_lettering_stands_close_under_its_scheme() -> None:
 
 
 def test_lettering_is_broken_no_more_than_its_column_needs() -> None:
-    block = Block("equations", ((60.0, 40.0), (90.0, 25.0), (200.0, 10.0)))
+    block = TextBlock("equations", ((60.0, 40.0), (90.0, 25.0), (200.0, 10.0)))
     (one,) = compose(contents(((figure("scheme", 0.7, 0.3, ("l", "m")), block),)), Page("A3"))
     assert one.blocks["equations"].width == 200.0 and one.blocks["equations"].height == 10.0
 
 
 def test_lettering_is_no_wider_than_the_column_over_it() -> None:
-    block = Block("equations", ((60.0, 40.0), (90.0, 25.0), (600.0, 10.0)))
+    block = TextBlock("equations", ((60.0, 40.0), (90.0, 25.0), (600.0, 10.0)))
     (one,) = compose(contents(((figure("scheme", 0.1, 0.9, ("l", "m")), block), PRIMARY)), Page("A2"))
     assert one.spots["scheme"].box.width == 70.0 and one.blocks["equations"].width == 60.0
 
@@ -179,7 +179,7 @@ def test_no_picture_could_be_drawn_larger_by_itself() -> None:
         tuple(item.ladder(width, height) if isinstance(item, Picture) else item for item in column)
         for column in COLUMNS
     )
-    found = filled((Zone(columns, 0.0, height),), width)
+    found = fill((Zone(columns, 0.0, height),), width)
     assert found is not None
     rungs = [list(own) for own in found.rungs[0]]
     assert _fits(columns, rungs, width, height)
@@ -195,7 +195,7 @@ def test_no_picture_could_be_drawn_larger_by_itself() -> None:
 def _fits(columns: tuple[Column, ...], rungs: list[list[Rung | None]], width: float, height: float) -> bool:
     wide = [max(rung.wide for rung in own if rung) for own in rungs]
     high = [
-        sum(part.size(across)[1] if isinstance(part, Block) else rung.high if rung else 0.0
+        sum(part.size(across)[1] if isinstance(part, TextBlock) else rung.high if rung else 0.0
             for part, rung in zip(column, own, strict=True)) + GAP * (len(column) - 1)
         for column, own, across in zip(columns, rungs, wide, strict=True)
     ]  # fmt: skip

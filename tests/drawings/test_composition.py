@@ -12,7 +12,7 @@ from drawings.layout.contents import Composition, Contents, Panel
 from drawings.layout.footing import Notes, feet
 from drawings.layout.grid import Grid, grid
 from drawings.layout.picture import Margins, Picture, Spot, picture
-from drawings.layout.table import Row, Setting, Table
+from drawings.layout.table import RuledTable, Setting, TableRow
 from drawings.page.page import Field, Page
 
 BLOCK = Field(215.0, 0.0, 400.0, 55.0)
@@ -22,9 +22,9 @@ def plan(name: str, wide: float, high: float, least: float = 0.0) -> Picture:
     return picture(name, [0j, complex(wide, high)], ("v", "m/s"), Margins(10.0, 10.0, 20.0), 60.0, least)
 
 
-def table(rows: int, positions: int) -> Table:
-    lines = tuple(Row(f"v_{k}", ("1.0",) * 3 * positions) for k in range(rows))
-    return Table(lines, tuple(range(positions)), 3.5, 20.0, 20.0)
+def table(rows: int, positions: int) -> RuledTable:
+    lines = tuple(TableRow(f"v_{k}", ("1.0",) * 3 * positions) for k in range(rows))
+    return RuledTable(lines, tuple(range(positions)), 3.5, 20.0, 20.0)
 
 
 def inside(box: Field, room: Field) -> bool:
@@ -50,7 +50,7 @@ def apart(one: Field, other: Field) -> bool:
 def test_a_ladder_lists_the_standard_scales_from_the_largest_that_fits() -> None:
     rungs = plan("p", 2.0, 1.0).ladder(220.0, 200.0).rungs
     assert [rung.scale.mu for rung in rungs[:5]] == [0.01, 0.02, 0.025, 0.04, 0.05]
-    assert rungs[0].wide == 220.0 and rungs[0].drawn == 200.0 and rungs[0].high == 130.0
+    assert rungs[0].wide == 220.0 and rungs[0].extent == 200.0 and rungs[0].high == 130.0
 
 
 def test_a_picture_that_is_one_point_has_one_scale() -> None:

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from drawings.figures.linkage.coriolis import Turned, rule, turned
+from drawings.figures.linkage.coriolis import QuarterTurn, quarter_turn, rule
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Line, Text
 from drawings.sheets.kinematics import sheets
@@ -26,9 +26,9 @@ def shaper(speed: str) -> LinkageStudy:
     return LinkageStudy(parse_scene(text.replace(given, f'speed = "{speed}"')))
 
 
-def rules(study: LinkageStudy, k: int) -> list[Turned]:
+def rules(study: LinkageStudy, k: int) -> list[QuarterTurn]:
     marks = study.drafts().accelerations.board
-    return [found for mark in marks if (found := turned(mark, k)) is not None]
+    return [found for mark in marks if (found := quarter_turn(mark, k)) is not None]
 
 
 @pytest.mark.parametrize("speed", ["10 rad/s", "-10 rad/s"])
@@ -54,7 +54,7 @@ def test_the_rule_shows_the_slip_and_the_acceleration_that_the_analysis_gives(sp
 
 
 def test_the_figure_has_two_arms_at_a_right_angle() -> None:
-    strokes = rule(Turned(1 + 0j, 1j, 1, 2.0, "A"), 50 + 50j, hand_of("A1")).strokes
+    strokes = rule(QuarterTurn(1 + 0j, 1j, 1, 2.0, "A"), 50 + 50j, hand_of("A1")).strokes
     first, second = (stroke.end - stroke.start for stroke in strokes if isinstance(stroke, Line))
     assert abs(second - 1j * first) < 1e-9
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from drawings.figures.graphs import curve_graph, hodograph
-from drawings.figures.graphs.curve_graph import Curve
+from drawings.figures.graphs.curve_graph import GraphCurve
 from drawings.figures.graphs.hodograph import Hodograph
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
@@ -28,7 +28,7 @@ def moment(phi: np.ndarray) -> np.ndarray:
     return 80.0 * np.sin(np.radians(phi)) - 25.0
 
 
-CURVE = Curve("M_{bal}", "N*m", DENSE, moment(DENSE), AT, moment(AT))
+CURVE = GraphCurve("M_{bal}", "N*m", DENSE, moment(DENSE), AT, moment(AT))
 
 
 def flat(stroke: Stroke) -> list[Stroke]:
@@ -39,7 +39,7 @@ def leaf(drawn: Group) -> Leaf:
     return Leaf(400.0, 300.0, (drawn,))
 
 
-def graph(curve: Curve = CURVE, language: str = "en") -> Group:
+def graph(curve: GraphCurve = CURVE, language: str = "en") -> Group:
     drafting, curve = Drafting(HAND, language), curve._replace(title="Balancing moment")
     measure_ = curve_graph.measure(curve, "balancing", drafting)
     spot = Spot(Field(0, 0, *measure_.size(Scale(2.0, "φ", "°"))), Scale(2.0, "φ", "°"))
@@ -106,7 +106,7 @@ def rocking(phi: np.ndarray) -> np.ndarray:
 
 def test_a_crank_that_cannot_turn_fully_is_followed_through_its_positions() -> None:
     stations = np.array([20.0, 50.0, 80.0, 350.0])
-    whole = Curve("M_{bal}", "N*m", DENSE, rocking(DENSE), stations, rocking(stations))
+    whole = GraphCurve("M_{bal}", "N*m", DENSE, rocking(DENSE), stations, rocking(stations))
     part = curve_graph.swing(whole)
     assert part.length == 90  # from 350 through 0 to 80 degrees
     assert not part.closed

@@ -15,7 +15,7 @@ from drawings.paper.strokes import Arc, Fill, Group, Leaf, Line, Polyline, Text
 from drawings.pens.svg import svg
 from drawings.symbols import arms, force_arrow
 from drawings.symbols.arms import Arm
-from drawings.symbols.couples import HALF, THREE_QUARTERS, Couple
+from drawings.symbols.couples import HALF, THREE_QUARTERS, CoupleArc
 from drawings.symbols.figure import Subject
 
 HAND = hand_of("A1")
@@ -36,7 +36,7 @@ def test_a_force_to_scale_starts_from_its_point_and_ends_with_its_arrow() -> Non
 
 
 def test_a_force_may_end_at_its_point() -> None:
-    one = force_arrow.marked("F_{us}", 2j, 50 + 50j, 30.0, ending=True)
+    one = force_arrow.not_to_scale("F_{us}", 2j, 50 + 50j, 30.0, ending=True)
     assert one.tip == 50 + 50j and one.start == 50 + 20j and one.free == one.start
 
 
@@ -49,13 +49,13 @@ def test_a_force_to_scale_is_measured_back_from_its_sheet() -> None:
 
 
 def test_a_marked_force_tells_its_direction_but_cannot_be_measured() -> None:
-    drawn = force_arrow.marked("G_4", -3j, 10 + 90j, 25.0).draw(HAND)
+    drawn = force_arrow.not_to_scale("G_4", -3j, 10 + 90j, 25.0).draw(HAND)
     assert drawn.data == {"kind": "force", "name": "G_4", "direction": "0 -1"}
     assert measure(svg(Leaf(300.0, 200.0, (drawn,)))).vectors == ()
 
 
 def test_a_force_known_in_direction_only_is_dashed_with_an_open_head() -> None:
-    shaft, head = force_arrow.marked("R^n_{34}", 1, 40 + 40j, 30.0, unknown=True).draw(HAND).strokes
+    shaft, head = force_arrow.not_to_scale("R^n_{34}", 1, 40 + 40j, 30.0, unknown=True).draw(HAND).strokes
     assert isinstance(shaft, Line) and shaft.style.dash
     assert isinstance(head, Polyline) and not head.closed and head.points[1] == 70 + 40j
 
@@ -67,14 +67,14 @@ def test_a_vanishing_force_is_drawn_as_nothing_but_its_place() -> None:
 
 
 def test_a_marked_force_has_its_letter_at_the_end_away_from_its_point() -> None:
-    one = force_arrow.marked("G_4", -1j, 100 + 100j, 30.0)
+    one = force_arrow.not_to_scale("G_4", -1j, 100 + 100j, 30.0)
     text = one.letter_beside(labels(), HAND)
     assert isinstance(text, Text) and text.plain == "G4"
     assert abs(complex(bounds(text)[0], bounds(text)[3]) - one.tip) < 8.0
 
 
 def test_letters_of_forces_on_one_point_do_not_touch() -> None:
-    forces = [force_arrow.marked(f"R_{{{k}}}", cmath.rect(1, k * 0.4), 100 + 100j, 20.0) for k in range(15)]
+    forces = [force_arrow.not_to_scale(f"R_{{{k}}}", cmath.rect(1, k * 0.4), 100 + 100j, 20.0) for k in range(15)]
     ink = Ink(300.0, 200.0)
     ink.draw([one.draw(HAND) for one in forces])
     found = [bounds(text) for text in _texts(force_arrow.letters(forces, Labels(ink, HAND.drafted), HAND))]
@@ -95,7 +95,7 @@ def _texts(group: Group) -> list[Text]:
 @pytest.mark.parametrize("sweep", [HALF, THREE_QUARTERS])
 def test_a_couples_arrowhead_leads_in_its_sense(sense: int, sweep: float) -> None:
     at = 60 + 60j
-    arc, head = Couple("M^Φ_4", at, sense, 8.0, math.pi / 2, sweep).draw(HAND).strokes
+    arc, head = CoupleArc("M^Φ_4", at, sense, 8.0, math.pi / 2, sweep).draw(HAND).strokes
     assert isinstance(arc, Arc) and isinstance(head, Fill)
     tip, *wings = head.points
     ahead = tip - sum(wings) / 2
@@ -105,7 +105,7 @@ def test_a_couples_arrowhead_leads_in_its_sense(sense: int, sweep: float) -> Non
 
 
 def test_a_couple_has_its_letter_beyond_its_arc() -> None:
-    text = Couple("M^Φ_4", 100 + 100j, 1, 8.0, math.pi / 2).letter_beside(labels(), HAND)
+    text = CoupleArc("M^Φ_4", 100 + 100j, 1, 8.0, math.pi / 2).letter_beside(labels(), HAND)
     assert bounds(text)[1] > 108.0
 
 

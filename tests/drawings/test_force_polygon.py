@@ -6,10 +6,10 @@ import numpy as np
 
 from drawings.checks.force_marks import polygon_marks
 from drawings.checks.labelled import unlettered
-from drawings.figures.forces.force_polygon import Polygon, draw, polygon
+from drawings.figures.forces.force_kinds import WHOLE
+from drawings.figures.forces.force_polygon import ForcePolygon, draw, polygon
 from drawings.figures.forces.force_polygon import measure as room_of
-from drawings.figures.forces.shown_force import WHOLE, ShownForce
-from drawings.layout.parallel_offsets import lanes, merging, moved
+from drawings.layout.parallel_offsets import merging, offset, parallel_offsets
 from drawings.lettering.extent import bounds
 from drawings.measure.measure import Measured, MeasuredVector, check, measure
 from drawings.page.drafting import Drafting
@@ -17,6 +17,7 @@ from drawings.page.page import Field
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Fill, Group, Line, Text
 from drawings.pens.svg import svg
+from drawings.symbols.polygon import ShownVector
 from plans.forces.cut import CLOSING, KNOWN
 from tests.drawings.collisions import collisions
 from tests.drawings.collisions import strokes as flat
@@ -120,7 +121,7 @@ def test_no_letter_touches_a_line_and_each_force_has_its_own(name: str, paper: s
 def test_no_two_vectors_lie_on_one_another(name: str) -> None:
     for k in range(0, len(forced(name).study.turn), 3):
         for one in polygons(forced(name), k, A1):
-            lines = [(arrow.force.name, arrow.ends) for arrow in one.arrows]
+            lines = [(arrow.vector.name, arrow.ends) for arrow in one.arrows]
             merged = [(a, b) for i, (a, x) in enumerate(lines) for b, y in lines[:i] if merging(x, y)]
             assert merged == []
 
@@ -144,15 +145,15 @@ def test_the_lines_of_a_figure_stay_on_the_paper_that_it_asked_for(name: str) ->
 def test_a_vector_beside_its_place_keeps_its_value_and_thin_lines_lead_to_it() -> None:
     """Weights on a vertical guide: the reaction goes back over them, and is drawn in a lane of its own."""
     down = (
-        ShownForce("G_2", KNOWN, 0j, -40j),
-        ShownForce("G_3", KNOWN, -40j, -60j),
-        ShownForce("R_03", CLOSING, -100j, 100j),
+        ShownVector("G_2", KNOWN, 0j, -40j),
+        ShownVector("G_3", KNOWN, -40j, -60j),
+        ShownVector("R_03", CLOSING, -100j, 100j),
     )
-    shown = Polygon("2-3", True, 0, down, ())
+    shown = ForcePolygon("2-3", True, 0, down, ())
     measure_ = room_of(shown, "forces-2-3-0", Drafting(A1))
     placed = spot(measure_, Field(10, 10, 300, 300))
     drawn = draw(shown, measure_, placed, Drafting(A1))
-    assert [arrow.force.name for arrow in drawn.arrows if arrow.shift] == ["G_3", "G_2"]  # the longest keeps its place
+    assert [arrow.vector.name for arrow in drawn.arrows if arrow.shift] == ["G_3", "G_2"]  # the longest keeps its place
     assert len({arrow.shift for arrow in drawn.arrows if arrow.shift}) == 1  # both on one side, in one lane
     for one in measure(svg(leaf([drawn], A1))).vectors:
         assert abs(one.value - one.stated) <= 2e-3 * one.scale
@@ -171,7 +172,7 @@ def test_small_forces_among_huge_ones_are_named_for_the_table() -> None:
     case = forced("press")
     drawn = polygons(case, 3, A1)[0]
     assert {"G_4", "G_5", "Φ_4", "Φ_5"} <= set(drawn.faint)
-    assert {arrow.force.name for arrow in drawn.arrows}.isdisjoint(drawn.faint)
+    assert {arrow.vector.name for arrow in drawn.arrows}.isdisjoint(drawn.faint)
     assert {"F_us", "R_05", "R_24"}.isdisjoint(drawn.faint)
 
 
@@ -199,7 +200,7 @@ def test_letters_follow_the_language_and_the_letter_of_reactions() -> None:
 
 def test_the_directions_of_closing_sides_run_past_their_meeting() -> None:
     (drawn, *_) = polygons(forced("shaper at 60"), 0, A1)
-    closing = {arrow.force.name: arrow.ends for arrow in drawn.arrows if arrow.force.kind == CLOSING}
+    closing = {arrow.vector.name: arrow.ends for arrow in drawn.arrows if arrow.vector.kind == CLOSING}
     corner = closing["R_05"][1]
     assert abs(closing["R^n_34"][0] - corner) < 1e-6
     thin = [
@@ -230,10 +231,10 @@ def test_each_vector_ends_in_an_arrowhead() -> None:
 
 def test_lanes_keep_the_first_and_shift_what_runs_along_it() -> None:
     segments = [(0j, 100 + 0j), (100 + 0j, 40 + 0.2j), (40 + 0.2j, 40 + 60j), (0j, 30 + 0j)]
-    shifts = lanes(segments, 4.0, 12 + 10j)
+    shifts = parallel_offsets(segments, 4.0, 12 + 10j)
     assert shifts[0] == 0
     assert shifts[2] == 0
-    placed = [moved(one, shift) for one, shift in zip(segments, shifts, strict=True)]
+    placed = [offset(one, shift) for one, shift in zip(segments, shifts, strict=True)]
     assert not any(merging(one, other) for k, one in enumerate(placed) for other in placed[:k])
     for one, shift in zip(segments, shifts, strict=True):
         assert abs(((one[1] - one[0]) * shift.conjugate()).real) < 1e-9  # a shift is square to its line
@@ -244,6 +245,6 @@ def test_an_unknown_position_is_not_finite_and_raises_nothing() -> None:
     assert not np.isfinite(shown.points).all()
 
 
-def replace_start(shown: Polygon) -> Polygon:
+def replace_start(shown: ForcePolygon) -> ForcePolygon:
     first, *others = shown.forces
     return shown._replace(forces=(first._replace(value=complex("nan")), *others))

@@ -22,8 +22,8 @@ made = []
 with contextlib.redirect_stdout(io.StringIO()):
     from plans.linkage.study import LinkageStudy
     begin = LinkageStudy.__init__
-    def watched(study, scene):
-        begin(study, scene)
+    def watched(study, *given):
+        begin(study, *given)
         made.append(study.made)
     LinkageStudy.__init__ = watched
     code = cli.main(sys.argv[1:])

@@ -8,8 +8,8 @@ from math import radians
 import pytest
 
 from drawings.checks.force_marks import lever_marks
+from drawings.figures.forces.force_kinds import BALANCE, LOAD, PAIR
 from drawings.figures.forces.lever_plan import Hanging, hanging
-from drawings.figures.forces.shown_force import BALANCE, LOAD, PAIR
 from drawings.measure.measure import Measured, check, measure
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Circle, Group, Line, Text

@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 
 from drawings.figures.forces.force_fan import LONG, SHORT, lengths
+from drawings.figures.forces.force_kinds import KNOWN
 from drawings.figures.forces.loading_scheme import Scheme, SchemeFigure, draw, leverages, measure, scheme
-from drawings.figures.forces.shown_force import KNOWN
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Spot

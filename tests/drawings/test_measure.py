@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from drawings.measure import pathdata
 from drawings.measure.marks import KINDS
-from drawings.measure.measure import Key, check, measure, measure_file
+from drawings.measure.measure import MarkKey, check, measure, measure_file
 from drawings.measure.transform import Affine, transform
 from drawings.paper.limits import QUANTUM, SheetRefused
 from drawings.paper.strokes import Circle, Fill, Group, Leaf, Line, numeral, stated
@@ -288,7 +288,7 @@ def test_what_cannot_be_seen_is_not_counted(drawn: str) -> None:
     measured = measure(bare(drawn))
     assert measured.vectors == ()
     assert measured.notes != () or "urn:other" in drawn
-    assert [wrong.measured for wrong in check(measured, expected=[Key("v", "v", "B")])] == [None]
+    assert [wrong.measured for wrong in check(measured, expected=[MarkKey("v", "v", "B")])] == [None]
 
 
 # Seeded faults
@@ -299,7 +299,7 @@ def test_an_end_three_quanta_off_is_a_mismatch() -> None:
         start, end = 10.00005 + 20.00005j, 110.4321987 + 77.7654321j
         shift = cmath.rect(3 * QUANTUM, turn * math.pi / 8)
         source = sheet(vector(start, end + shift, 0.02, value=(end - start) * 0.02))
-        assert [wrong.key for wrong in check(measure(source))] == [Key("v", "v", "B", 3)]
+        assert [wrong.key for wrong in check(measure(source))] == [MarkKey("v", "v", "B", 3)]
 
 
 def test_a_swapped_sign_a_wrong_scale_and_a_lost_vector_are_mismatches() -> None:
@@ -309,8 +309,8 @@ def test_a_swapped_sign_a_wrong_scale_and_a_lost_vector_are_mismatches() -> None
     assert check(measure(sheet(vector(a, b, 1, value=2 * (b - a)))))
     assert check(measure(sheet(vector(b, a, 1, value=b - a))))
     measured = measure(sheet(vector(a, b, 1)))
-    assert check(measured, expected=[Key("v", "v", "B", 3)]) == []
-    assert check(measured, expected=[Key("v", "v", "C", 3)]) != []
+    assert check(measured, expected=[MarkKey("v", "v", "B", 3)]) == []
+    assert check(measured, expected=[MarkKey("v", "v", "C", 3)]) != []
     assert check(measured, tolerance=math.nan) != []
 
 
@@ -319,7 +319,7 @@ def test_a_point_off_its_place_is_a_mismatch() -> None:
     good = point(50 + 60j, 7 + 9j, 0.5)
     assert check(measure(sheet(good, pole))) == []
     [wrong] = check(measure(sheet(Group((Circle(50 + 60j + 3 * QUANTUM, 1),), data=good.data), pole)))
-    assert wrong.key == Key("p", "r", "A")
+    assert wrong.key == MarkKey("p", "r", "A")
 
 
 @pytest.mark.parametrize(

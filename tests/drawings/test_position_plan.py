@@ -7,7 +7,6 @@ import itertools
 import math
 from collections.abc import Iterator
 from functools import cache
-from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
@@ -32,11 +31,12 @@ from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.scene.scene import parse_scene, read_scene
 from tests.drawings import mechanisms
+from tests.gallery import LINKAGES
 from tests.rows import over
 
 shapely = pytest.importorskip("shapely")
 
-GALLERY = sorted((Path(__file__).parents[2] / "drawings" / "gallery").glob("*.toml"))
+GALLERY = LINKAGES
 NAMES = sorted({path.stem for path in GALLERY} | mechanisms.ALL.keys())
 # The outputs of these turn, or run to infinity: there is no stroke.
 SWINGING = {"crank-rocker", "jaw-crusher", "leg", "offset stone", "oscillating-cylinder", "tangent", "walking-leg"}
@@ -72,7 +72,7 @@ def drawn(name: str, hand: Hand = A1) -> Figure:
     comparison = compare(study)
     bones = skeletons(study, comparison.construction, position(study, comparison))
     measured = picture(name, bones.points, ("l", "m"), Margins(0.0, 0.0, 0.0), 0.0)
-    place = measured.placed(ROOM, measured.ladder(ROOM.width, ROOM.height).rungs[0].scale)
+    place = measured.place(ROOM, measured.ladder(ROOM.width, ROOM.height).rungs[0].scale)
     pairs = Pairs(bones, place, hand)
     groups = layers(pairs, "en")
     ink = Ink(440, 440)

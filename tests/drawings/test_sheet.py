@@ -23,9 +23,10 @@ from plans.checks.compare import compare
 from plans.linkage.study import LinkageStudy
 from plans.scene.scene import parse_scene
 from tests.drawings.collisions import collisions
+from tests.gallery import LINKAGES
 
 GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
-SCENES = sorted(GALLERY.glob("*.toml"))
+SCENES = LINKAGES
 NUMBER = re.compile(rb"-?\d+(?:\.\d+)?")
 
 FOUR_BAR = """

@@ -14,7 +14,7 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import Arc, Circle, Line, LineStyle, Polyline, Stroke
 from drawings.symbols.dashes import fit
 from drawings.symbols.symbols import block, ground, gusset, slot
-from drawings.symbols.trimming import Mask, trimmed
+from drawings.symbols.trimming import Mask, trim
 from tests.parts import examples
 from tests.rows import over
 
@@ -57,7 +57,7 @@ def left(spots: list[complex], own: list[Mask]) -> float:
 @examples(25)
 @given(places, places, st.lists(masks, min_size=1, max_size=3))
 def test_what_is_left_of_a_line_is_what_lies_outside(start: complex, end: complex, own: list[Mask]) -> None:
-    kept = list(trimmed([Line(start, end)], own))
+    kept = list(trim([Line(start, end)], own))
     assert sum(map(length, kept)) == pytest.approx(left([start, end], own), abs=2e-3)
 
 
@@ -67,14 +67,14 @@ def test_what_is_left_of_an_arc_is_what_lies_outside(
     centre: complex, radius: float, start: float, sweep: float, own: list[Mask]
 ) -> None:
     arc = Arc(centre, radius, start, start + sweep)
-    kept = list(trimmed([arc], own))
+    kept = list(trim([arc], own))
     assert sum(map(length, kept)) == pytest.approx(left([arc.at(k / 2000) for k in range(2001)], own), abs=0.05)
 
 
 @given(st.lists(places, min_size=3, max_size=6, unique=True), st.lists(masks, min_size=1, max_size=3))
 def test_what_is_left_of_a_closed_chain_is_what_lies_outside(points: list[complex], own: list[Mask]) -> None:
     chain = Polyline(tuple(points), True)
-    kept = list(trimmed([chain], own))
+    kept = list(trim([chain], own))
     whole = sum(length(stroke) + (abs(points[0] - points[-1]) if stroke == chain else 0) for stroke in kept)
     assert whole == pytest.approx(left([*points, points[0]], own), abs=5e-3)
 
@@ -121,5 +121,5 @@ def test_an_arc_that_barely_touches_a_mask_from_inside_is_cut_there() -> None:
     """The cosine of the meeting's angle is rounded to more than 1 here; it once ended a sheet with a bug."""
     arc = Arc(0j, 43.322697160103075, 0.0, 6.0)
     mask = Circle(41.42857831464702 + 0j, 1.8941188454560764)
-    kept = list(trimmed([arc], [mask]))
+    kept = list(trim([arc], [mask]))
     assert sum(part.sweep for part in kept if isinstance(part, Arc)) == pytest.approx(6.0)

@@ -10,7 +10,6 @@ from dataclasses import dataclass, replace
 from decimal import Decimal
 from functools import cache, cached_property
 from math import degrees
-from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
@@ -26,6 +25,7 @@ from plans.model.machine import FORCE, GEAR, MOMENT, Body, Force, Machine, Momen
 from plans.model.mechanism import FRAME, Mechanism
 from plans.model.motion import Motion
 from plans.scene.scene import parse_scene, read_scene
+from tests.gallery import LINKAGES
 from tests.parts import examples
 from tests.plans.chains import SIGNS, TURNS, chains, numbers
 from tests.plans.force_cases import DYADS, text_of
@@ -33,7 +33,7 @@ from tests.plans.machines import pointed
 from tests.plans.studies import study_of
 
 ROUNDINGS = 16.0  # of the plan's largest, in each of the equations: as of the motion, see chains.allowed
-GALLERY = sorted((Path(__file__).parents[2] / "drawings" / "gallery").glob("*.toml"))
+GALLERY = LINKAGES
 
 # The whole is as many machines as kill every fault of tests/cases/force_faults.toml that is a relation's to see.
 push = examples(6, 20)

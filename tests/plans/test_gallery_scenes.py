@@ -18,10 +18,11 @@ from plans.linkage.reading.form import LinkageForm
 from plans.linkage.study import LinkageStudy
 from plans.model.motion import Motion
 from plans.scene.scene import read_scene
+from tests.gallery import LINKAGES
 from tests.rows import over
 
 GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
-SCENES = sorted(GALLERY.glob("*.toml"))
+SCENES = LINKAGES
 ROUNDING = 1e-12  # m and rad for mechanisms of about a metre; rates are larger by omega, and its square
 # Kappa from which a report warns: 0.01 mm in a length moves a point by more than half a millimetre.
 WARNING = 60

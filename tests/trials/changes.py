@@ -8,6 +8,8 @@ from pathlib import Path
 from random import Random
 from typing import NamedTuple
 
+from tests.gallery import LINKAGES
+
 GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
 TABLE = re.compile(r"^\s*\[+([\w.]+)\]+")
 NUMBER = re.compile(r"(?<![\w.'\"-])\"?(-?\d+(?:\.\d+)?)(?: mm| rpm| rad/s)?\"?(?![\w.])")
@@ -26,7 +28,7 @@ class Spot(NamedTuple):
 
 @cache
 def _scenes() -> tuple[tuple[str, tuple[Spot, ...]], ...]:
-    texts = [path.read_text(encoding="utf-8") for path in sorted(GALLERY.glob("*.toml"))]
+    texts = [path.read_text(encoding="utf-8") for path in LINKAGES]
     return tuple((text, tuple(_spots(text))) for text in texts)
 
 

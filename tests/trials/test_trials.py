@@ -19,10 +19,10 @@ from plans.model.motion import Motion
 from plans.model.structure import decompose
 from plans.scene.scene import Scene, parse_scene
 from tests import parts
+from tests.gallery import LINKAGES
 from tests.trials import trial
 from tests.trials.__main__ import main
 from tests.trials.chains import KINDS as DYADS
-from tests.trials.changes import GALLERY
 from tests.trials.series import trials
 from tests.trials.table import failing, table
 from tests.trials.trial import ALONE, APART, KINDS, SLOW, TRACEBACK, WARNED, WITHHELD, text_of, tried
@@ -68,7 +68,7 @@ def test_chains_have_all_dyads_both_senses_and_all_kinds_of_positions():
 
 
 def test_a_change_changes_one_line_of_the_gallery():
-    gallery = [path.read_text(encoding="utf-8").splitlines() for path in GALLERY.glob("*.toml")]
+    gallery = [path.read_text(encoding="utf-8").splitlines() for path in LINKAGES]
     for number in range(50):
         lines = text_of("changes", number).splitlines()
         changed = [sum(a != b for a, b in zip(lines, own, strict=True)) for own in gallery if len(own) == len(lines)]

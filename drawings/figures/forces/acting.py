@@ -6,8 +6,9 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from drawings.figures.forces.cut_links import CutLinks
+from drawings.figures.forces.force_kinds import KNOWN, PRESSING, UNKNOWN
 from drawings.figures.forces.leverage import largest
-from drawings.figures.forces.shown_force import KNOWN, PRESSING, UNKNOWN, ShownForce
+from drawings.symbols.polygon import ShownVector
 from geometry.board import at
 from plans.forces.cut import REACTION, Cut, Support
 from plans.forces.force import ForcePlan
@@ -36,22 +37,22 @@ class Shift(NamedTuple):
     value: complex
 
 
-class Acting(NamedTuple):
+class SchemeForces(NamedTuple):
     """All forces and moments on the links of a cut, and the distances along guides at which reactions act."""
 
-    forces: tuple[ShownForce, ...]
+    forces: tuple[ShownVector, ...]
     moments: tuple[ShownMoment, ...]
     shifts: tuple[Shift, ...]
 
 
-def acting(plan: ForcePlan, cut: Cut, links: CutLinks, column: int) -> Acting:
+def acting(plan: ForcePlan, cut: Cut, links: CutLinks, column: int) -> SchemeForces:
     """List what acts on a cut in one position; what is zero there is left out."""
     least = NOTHING * largest(cut, column)
-    forces = list[ShownForce]()
+    forces = list[ShownVector]()
     for load in cut.loads:
         place = at(load.at.point, column)
         letter = links.name(load.at.name, place)
-        forces.append(ShownForce(load.name, KNOWN, place, at(load.force.point, column), letter))
+        forces.append(ShownVector(load.name, KNOWN, place, at(load.force.point, column), letter))
     moments = list(_couples(plan, cut, links, column))
     shifts: list[Shift] = []
     for support in cut.supports:
@@ -65,7 +66,7 @@ def acting(plan: ForcePlan, cut: Cut, links: CutLinks, column: int) -> Acting:
     if cut.group is None:
         forces += _driving(plan, column)
     kept = tuple(force for force in forces if abs(force.value) > least)
-    return Acting(kept, tuple(moments), tuple(shifts))
+    return SchemeForces(kept, tuple(moments), tuple(shifts))
 
 
 def _couples(plan: ForcePlan, cut: Cut, links: CutLinks, column: int) -> Iterator[ShownMoment]:
@@ -84,16 +85,16 @@ def _couples(plan: ForcePlan, cut: Cut, links: CutLinks, column: int) -> Iterato
         yield ShownMoment(BALANCING, shaft, 1 if size > 0 else -1, unknown=True)
 
 
-def _hinge(support: Support, column: int) -> Iterator[ShownForce]:
+def _hinge(support: Support, column: int) -> Iterator[ShownVector]:
     """Give the reaction of a hinge by its parts, or whole where it has none."""
     place = at(support.at.point, column)
     for one in support.parts or (support.force,):
-        yield ShownForce(one.name, UNKNOWN, place, at(one.point, column), support.at.name)
+        yield ShownVector(one.name, UNKNOWN, place, at(one.point, column), support.at.name)
 
 
 def _guide(
     support: Support, links: CutLinks, column: int, least: float
-) -> tuple[ShownForce, list[ShownMoment], list[Shift]]:  # fmt: skip
+) -> tuple[ShownVector, list[ShownMoment], list[Shift]]:  # fmt: skip
     """Give the reaction of a guide where it acts; one that acts far off, at the slider's point with its moment."""
     assert support.slide is not None
     value, point = at(support.force.point, column), at(support.at.point, column)
@@ -101,7 +102,7 @@ def _guide(
     foot = place + along * ((point - place) * along.conjugate()).real
     turning = 0.0 if support.moment is None else at(support.moment.point, column).real
     across = (along.conjugate() * value).imag
-    force = ShownForce(support.force.name, PRESSING, foot, value)
+    force = ShownVector(support.force.name, PRESSING, foot, value)
     arm = turning / across if abs(across) > least else 0.0
     if abs(turning) <= least * links.reach:
         return force, [], []
@@ -119,9 +120,9 @@ def _line(slide: Slide, links: CutLinks) -> tuple[complex, complex]:
     return links.of(link, way.through), complex(pose.turns[link][links.shown] * way.direction)
 
 
-def _driving(plan: ForcePlan, column: int) -> Iterator[ShownForce]:
+def _driving(plan: ForcePlan, column: int) -> Iterator[ShownVector]:
     """Give the force that drives the crank, if one does."""
     if plan.drive is not None and plan.driven is not None:
         spot = plan.driven.name if plan.driven.name in plan.positions.letters else ""
         place = at(plan.driven.point, column)
-        yield ShownForce(DRIVING, UNKNOWN, place, at(plan.drive.point, column), spot)
+        yield ShownVector(DRIVING, UNKNOWN, place, at(plan.drive.point, column), spot)

@@ -127,10 +127,10 @@ def _travel(all_poses: Poses, slide: Slide) -> tuple[float, float]:
 
 def _masses(plan: ForcePlan, cut: Cut) -> dict[str, tuple[int, complex]]:
     """Give the mass centres that forces act at and no point of their link names."""
-    found = {}
+    masses = {}
     for link in sorted({load.link for load in cut.loads if load.kind in (WEIGHT, INERTIA)}):
         centre = plan.machine.bodies[link].centre
         points = plan.mechanism.links[link].points
         if centre not in points.values():
-            found[f"S{link}'" if f"S{link}" in points else f"S{link}"] = link, centre
-    return found
+            masses[f"S{link}'" if f"S{link}" in points else f"S{link}"] = link, centre
+    return masses

@@ -6,11 +6,10 @@ from collections.abc import Iterator
 
 from drawings.figures.forces.force_letters import letter_of
 from drawings.figures.forces.leverage import Leverage, leverages
-from drawings.layout.equation import DIRECTION, FULL, UNKNOWN, Equation, Passage, Term, forces, moments, plain
+from drawings.layout.equation import DIRECTION, FULL, UNKNOWN, Passage, Term, WrittenEquation, forces, moments, plain
 from drawings.page.drafting import Drafting
 from geometry.board import Mark, at
-from plans.forces.cut import CLOSING, REACTION, Couple, Cut
-from plans.forces.cut import Equation as Moments
+from plans.forces.cut import CLOSING, REACTION, Couple, Cut, Equation
 from plans.forces.force import ForcePlan
 
 DIGITS = 5
@@ -48,7 +47,7 @@ class Equations:
         value = at(mark.point, self.column)
         return value if abs(value) > self.nothing[mark.is_moment] else 0j
 
-    def _given(self) -> Iterator[Equation]:
+    def _given(self) -> Iterator[WrittenEquation]:
         """Tell the known forces and moments, and the arms."""
         own = [one for one in self.cut.loads if one.kind != REACTION and self._size(one.force) > 0]
         loads = [self.statement(one.name, self._size(one.force), "N") for one in own]
@@ -63,7 +62,7 @@ class Equations:
             parts = [f"{letter} = {self.drafting.number(1000 * arm, DIGITS)}" for letter, arm in arms.items()]
             yield plain(*(f"{one}," for one in parts[:-1]), f"{parts[-1]} {mm}")
 
-    def _slotted(self) -> Iterator[Equation]:
+    def _slotted(self) -> Iterator[WrittenEquation]:
         """Tell the part along a slot: what is left of the stone's forces there, since a slot holds nothing along it."""
         for part in (part for one in self.cut.supports for part in one.parts if part.name.startswith("R^u")):
             terms = [self.letter(load.name) for load in self.cut.loads if load.link == self.cut.links[0]]
@@ -75,7 +74,7 @@ class Equations:
     def _couple(self, one: Couple) -> str:
         return self.statement(one.name, self._value(one.moment).real, "N*m")
 
-    def _moments(self, one: Moments) -> Iterator[Equation]:
+    def _moments(self, one: Equation) -> Iterator[WrittenEquation]:
         """Write an equation of moments, each force by its arm, and the force or the moment that it gives."""
         unknown = one.found.name
         named = {load.name for load in one.loads} | {unknown}
@@ -92,7 +91,7 @@ class Equations:
             yield moments(self._about(one), [own, *terms])
         yield plain(self.statement(unknown, value, unit))
 
-    def _about(self, one: Moments) -> str:
+    def _about(self, one: Equation) -> str:
         """Name the point of an equation, and the link where both leads have equations about one point."""
         links = {load.link for load in one.loads} | {couple.link for couple in one.couples}
         several = len(self.cut.equations) > 1
@@ -105,7 +104,7 @@ class Equations:
         """Write a moment by its size, its sense in the sign."""
         return "+" if at(couple.moment.point, self.column).real > 0 else "−", f"|{self.letter(couple.name)}|"
 
-    def _forces(self) -> Iterator[Equation]:
+    def _forces(self) -> Iterator[WrittenEquation]:
         """Write that the forces of the cut balance: known ones underlined twice, of known direction once."""
         closers = [side for side in self.cut.sides if side.kind == CLOSING]
         known = DIRECTION if len(closers) > 1 else UNKNOWN
@@ -122,9 +121,9 @@ class Equations:
         side = next(one for one in self.cut.sides if one.name == name)
         return abs(at(side.end.point, self.column) - at(side.start.point, self.column)) > self.nothing[0]
 
-    def _found(self) -> Iterator[Equation]:
+    def _found(self) -> Iterator[WrittenEquation]:
         """Tell the reactions that the polygon gives."""
-        found = [self.statement(one.force.name, self._size(one.force), "N") for one in self.cut.reactions]
+        statements = [self.statement(one.force.name, self._size(one.force), "N") for one in self.cut.reactions]
         moments = [one.moment for one in self.cut.reactions if one.moment is not None]
-        found += [self.statement(one.name, self._value(one).real, "N*m") for one in moments if self._size(one) > 0]
-        yield plain(*(f"{one}," for one in found[:-1]), found[-1])
+        statements += [self.statement(one.name, self._value(one).real, "N*m") for one in moments if self._size(one) > 0]
+        yield plain(*(f"{one}," for one in statements[:-1]), statements[-1])

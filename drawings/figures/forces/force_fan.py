@@ -65,15 +65,15 @@ def fan(
     Each arrow is given at its point, as it would stand alone; symbols reach some mm from there.
     """
     lines = list(around)
-    placed = [_standing(arrow, reach, arrow.ending, 0.0) for arrow, reach in zip(arrows, reaches, strict=True)]
+    standing = [_standing(arrow, reach, arrow.ending, 0.0) for arrow, reach in zip(arrows, reaches, strict=True)]
     for _ in range(ROUNDS):
         for k, (arrow, reach) in enumerate(zip(arrows, reaches, strict=True)):
             ink = Ink()
             for stroke, weight in lines:
                 ink.draw([stroke], weight)
-            ink.draw((other.shaft for other in (*placed[:k], *placed[k + 1 :])), WEIGHT)
-            placed[k] = _best(arrow, reach, _Room(ink, spots, box), hand)
-    return placed
+            ink.draw((other.shaft for other in (*standing[:k], *standing[k + 1 :])), WEIGHT)
+            standing[k] = _best(arrow, reach, _Room(ink, spots, box), hand)
+    return standing
 
 
 def _best(arrow: ForceArrow, reach: float, room: _Room, hand: Hand) -> ForceArrow:

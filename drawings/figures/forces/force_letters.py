@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from drawings.figures.linkage.vector_plan import written
+from drawings.figures.linkage.vector_plan import with_index
 from drawings.lettering.words import letter
 from drawings.page.drafting import Drafting
 
@@ -19,7 +19,7 @@ def force_letter(name: str, language: str = "en", reactions: str = REACTION) -> 
     ('R^t_{34}', 'M^Φ_{4}/BD', 'P^τ_{34}')
     """
     name, slash, arm = name.partition("/")
-    return letter(language, written(_REACTION.sub(reactions, name))) + slash + arm
+    return letter(language, with_index(_REACTION.sub(reactions, name))) + slash + arm
 
 
 def letter_of(name: str, drafting: Drafting) -> str:

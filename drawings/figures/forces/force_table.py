@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from drawings.figures.forces.force_letters import force_letter
-from drawings.layout.table import Row
+from drawings.layout.table import TableRow
 from drawings.layout.value_table import row
 from drawings.lettering.words import word
 from plans.checks.comparison import Finding
@@ -20,7 +20,7 @@ def label(finding: Finding, language: str, reactions: str) -> str:
     return f"{letter}{by}, {word(language, finding.unit)}"
 
 
-def rows(comparison: ForceComparison, position: int, language: str, reactions: str) -> list[Row]:
+def rows(comparison: ForceComparison, position: int, language: str, reactions: str) -> list[TableRow]:
     """Give the rows of one position; what is zero over the whole turn has none."""
     nothing = dict(zip(("N", "N*m"), comparison.construction.nothing, strict=True))
     return [

@@ -8,9 +8,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
+from drawings.figures.forces.force_kinds import BALANCE, PAIR
 from drawings.figures.forces.force_letters import letter_of
-from drawings.figures.forces.shown_force import BALANCE, PAIR, ShownForce
-from drawings.figures.linkage.vector_plan import written
+from drawings.figures.linkage.vector_plan import with_index
 from drawings.layout.parallel_offsets import Segment, merging
 from drawings.layout.place import Place
 from drawings.lettering.words import letter as by_language
@@ -18,7 +18,8 @@ from drawings.page.drafting import Drafting
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
 from drawings.symbols.arms import Arm
-from drawings.symbols.force_arrow import ForceArrow, marked
+from drawings.symbols.force_arrow import ForceArrow, not_to_scale
+from drawings.symbols.polygon import ShownVector
 from drawings.symbols.symbols import ARROW_LENGTH, STAND
 
 LONGEST, SHORTEST = 26.0, 13.0  # mm, to the factor of the hand's symbols: the greatest force, and one that is nothing
@@ -51,7 +52,7 @@ class Taken(NamedTuple):
     box: Field  # of the figure
 
 
-def forces(pushes: Sequence[ShownForce], place: Place, taken: Taken, drafting: Drafting) -> list[ForceArrow]:
+def forces(pushes: Sequence[ShownVector], place: Place, taken: Taken, drafting: Drafting) -> list[ForceArrow]:
     """Place the forces, the greatest first: each from its image or to it, where it runs along no other line."""
     greatest = max((abs(one.value) for one in pushes), default=1.0)
     arrows = []
@@ -66,8 +67,8 @@ def forces(pushes: Sequence[ShownForce], place: Place, taken: Taken, drafting: D
 def _beside(letter: str, force: complex, image: complex, length: float, taken: Taken) -> ForceArrow:
     """Draw a force from its image or to it; where both run along others, further on along its line of action."""
     along, step = force / abs(force), length + AFTER
-    tries = [marked(letter, force, image, length), marked(letter, force, image, length, ending=True)]
-    tries += [marked(letter, force, image + along * step * k, length, ending=k < 0) for k in (1, -1, 2, -2)]
+    tries = [not_to_scale(letter, force, image, length), not_to_scale(letter, force, image, length, ending=True)]
+    tries += [not_to_scale(letter, force, image + along * step * k, length, ending=k < 0) for k in (1, -1, 2, -2)]
 
     def cost(arrow: ForceArrow) -> int:
         ends = arrow.start, arrow.tip
@@ -87,7 +88,7 @@ def _shown(arm: Arm, box: Field) -> bool:
     return arm.length > ROOM * ARROW_LENGTH and _within(arm.foot, box)
 
 
-def reach(pushes: Sequence[ShownForce]) -> float:
+def reach(pushes: Sequence[ShownVector]) -> float:
     """Give how far forces reach from their images, mm: one of their length, or two where many share a line there."""
     lines = [(one.at, (one.direction) ** 2) for one in pushes]
     most = max((sum(at == image and abs(way - own) < PARALLEL for image, way in lines) for at, own in lines), default=0)
@@ -95,26 +96,26 @@ def reach(pushes: Sequence[ShownForce]) -> float:
 
 
 def arms(
-    pushes: Sequence[ShownForce], images: Mapping[complex, str], place: Place, taken: Taken, language: str
+    pushes: Sequence[ShownVector], images: Mapping[complex, str], place: Place, taken: Taken, language: str
 ) -> list[tuple[Reach, Arm | None]]:
     """Give all arms, and of the greatest moments those that run along nothing else to be drawn, numbered as hung."""
     loads = [one for one in pushes if one.kind != PAIR]
     every = {one.name: Arm("", place.on(0j), place.on(one.at), one.direction) for one in loads}
     chosen, numbers = _chosen(loads, every, taken), iter(range(1, ARMS + 1))
-    found: list[tuple[Reach, Arm | None]] = []
+    reaches: list[tuple[Reach, Arm | None]] = []
     for one in loads:
         arm, letter = every[one.name], ""
         if one.name in chosen:
             index = "bal" if one.kind == BALANCE else str(next(numbers))
             letter = by_language(language, f"h′_{{{index}}}")
         elif _ray(arm):
-            letter = "p" + written(images[min(images, key=lambda true: abs(true - one.at))])
+            letter = "p" + with_index(images[min(images, key=lambda true: abs(true - one.at))])
         kept = replace(arm, letter=letter) if one.name in chosen else None
-        found.append((Reach(one.name, arm.length * place.scale.mu, letter), kept))
-    return found
+        reaches.append((Reach(one.name, arm.length * place.scale.mu, letter), kept))
+    return reaches
 
 
-def _chosen(loads: Sequence[ShownForce], every: Mapping[str, Arm], taken: Taken) -> set[str]:
+def _chosen(loads: Sequence[ShownVector], every: Mapping[str, Arm], taken: Taken) -> set[str]:
     """Choose the arms that are drawn."""
     least = TELLING * max((abs(one.moment) for one in loads), default=0.0)
     lines, chosen = [*taken.rods, *taken.forces], set[str]()

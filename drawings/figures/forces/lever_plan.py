@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
 
+from drawings.figures.forces.force_kinds import BALANCE, LOAD, PAIR
 from drawings.figures.forces.force_polygon import ZERO
 from drawings.figures.forces.lever_layout import (
     SAME,
@@ -18,8 +19,7 @@ from drawings.figures.forces.lever_layout import (
     forces,
     reach,
 )
-from drawings.figures.forces.shown_force import BALANCE, LOAD, PAIR, ShownForce
-from drawings.figures.linkage.vector_plan import LEAST, diagram, written
+from drawings.figures.linkage.vector_plan import LEAST, diagram, with_index
 from drawings.layout.labels import Labels
 from drawings.layout.parallel_offsets import Segment
 from drawings.layout.picture import Margins, Picture, Spot, picture
@@ -31,6 +31,7 @@ from drawings.paper.strokes import LEAN, Circle, Group, Line, LineStyle, Stroke,
 from drawings.symbols.arms import Arm
 from drawings.symbols.figure import Subject, heading, point
 from drawings.symbols.force_arrow import ForceArrow
+from drawings.symbols.polygon import ShownVector
 from drawings.symbols.symbols import HINGE, POINT, fixed_hinge
 from geometry.board import Mark, at
 from plans.forces.force import ForcePlan
@@ -50,7 +51,7 @@ class Hanging(NamedTuple):
     pole: str
     images: tuple[tuple[str, str, complex], ...]  # name on the velocity plan, its letters, true place
     rods: tuple[tuple[Segment, bool], ...]  # true ends; whether it comes from the pole
-    forces: tuple[ShownForce, ...]
+    forces: tuple[ShownVector, ...]
 
     @property
     def points(self) -> list[complex]:
@@ -70,8 +71,8 @@ def hanging(plan: ForcePlan, lever: Lever, column: int) -> Hanging:
         if name is not None and mark.name != lever.pole.name:
             images[name] = name, place
             joined.append(((0j, place), True))
-    told = tuple((name, letters, place) for name, (letters, place) in images.items())
-    return Hanging(column, lever.pole.name, told, tuple(joined), tuple(_forces(lever, column)))
+    spots = tuple((name, letters, place) for name, (letters, place) in images.items())
+    return Hanging(column, lever.pole.name, spots, tuple(joined), tuple(_forces(lever, column)))
 
 
 def _new(name: str, place: complex, images: Mapping[str, tuple[str, complex]]) -> str | None:
@@ -91,17 +92,17 @@ def _turned(ends: tuple[complex, complex]) -> Segment:
     return QUARTER * ends[0], QUARTER * ends[1]
 
 
-def _forces(lever: Lever, column: int) -> Iterator[ShownForce]:
+def _forces(lever: Lever, column: int) -> Iterator[ShownVector]:
     """Give the forces that are not zero, the balancing one first; one at the hinge of the lever does nothing there."""
     driven, force = at(lever.driven.point, column), at(lever.force.point, column)
-    every = [ShownForce(lever.force.name, BALANCE, driven, force)]
+    every = [ShownVector(lever.force.name, BALANCE, driven, force)]
     for one in lever.hung:
         place, force = at(one.at.point, column), at(one.force.point, column)
-        every.append(ShownForce(one.name, LOAD, place, force))
+        every.append(ShownVector(one.name, LOAD, place, force))
     for pair in lever.pairs:
         force = at(pair.force.point, column)
         ends = (pair.end, force), (pair.start, -force)
-        every += [ShownForce(pair.force.name, PAIR, at(end.point, column), half) for end, half in ends]
+        every += [ShownVector(pair.force.name, PAIR, at(end.point, column), half) for end, half in ends]
     greatest = max(abs(one.value) for one in every)
     reach = max(abs(one.at) for one in every)
     yield from (one for one in every if abs(one.value) > ZERO * greatest and abs(one.at) > ZERO * reach)
@@ -137,7 +138,7 @@ class LeverFigure:
         for spot, own in names.items():
             prefer = cmath.phase(spot - middle) if abs(spot - middle) > SAME else math.pi / 4
             gap = BESIDE if spot != self.place.on(0j) else HINGE * self.hand.symbol + 1.0
-            yield labels.beside(spot, ", ".join(map(written, own)), self.hand.number, gap, prefer)
+            yield labels.beside(spot, ", ".join(map(with_index, own)), self.hand.number, gap, prefer)
 
 
 def measure(shown: Hanging, name: str, drafting: Drafting) -> Picture:
@@ -151,7 +152,7 @@ def measure(shown: Hanging, name: str, drafting: Drafting) -> Picture:
 
 def draw(shown: Hanging, room: Picture, spot: Spot, drafting: Drafting) -> LeverFigure:
     """Draw the lever in its spot: the turned plan on its hinge, the forces not to scale, arms of the greatest."""
-    place, hand = room.placed(*spot), drafting.hand
+    place, hand = room.place(*spot), drafting.hand
     subject = Subject(PLAN, SYMBOL, shown.column)
     rods = [(Line(place.on(start), place.on(end), _style(thin, hand))) for (start, end), thin in shown.rods]
     rods = [rod for rod in rods if abs(rod.end - rod.start) >= LEAST]

@@ -44,14 +44,14 @@ def leverages(plan: ForcePlan, cut: Cut, column: int) -> tuple[Leverage, ...]:
     Letters h are numbered through the cuts of the plan, so that a sheet has each of them once; forces on one line of
     action have one arm.
     """
-    found: list[Leverage] = []
+    arms: list[Leverage] = []
     start = 0
     for one in plan.cuts:
-        found = list(_of(plan, one, column, start))
+        arms = list(_of(plan, one, column, start))
         if one is cut:
             break
-        start += len({arm.letter for arm in found if arm.dimensioned})
-    return tuple(found)
+        start += len({arm.letter for arm in arms if arm.dimensioned})
+    return tuple(arms)
 
 
 def largest(cut: Cut, column: int) -> float:

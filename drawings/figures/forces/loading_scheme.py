@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from drawings.figures.forces.leverage import Leverage, leverages
 from drawings.figures.forces.scheme import Scheme, scheme
 from drawings.figures.forces.scheme_layout import Layout
-from drawings.figures.linkage.link_numbers import numbered
-from drawings.figures.linkage.vector_plan import written
+from drawings.figures.linkage.link_numbers import link_numbers
+from drawings.figures.linkage.vector_plan import with_index
 from drawings.layout.labels import Labels, free_side
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
@@ -80,7 +80,7 @@ def _title(shown: Scheme, drafting: Drafting) -> str:
 
 def draw(shown: Scheme, room: Picture, spot: Spot, drafting: Drafting) -> SchemeFigure:
     """Draw the scheme in its spot, with its title and its written scale above it."""
-    place, hand = room.placed(*spot), drafting.hand
+    place, hand = room.place(*spot), drafting.hand
     box = Field(spot.box.left, spot.box.bottom, spot.box.right, spot.box.top - _head(hand))
     laid = Layout(shown, place, drafting, box)
     under = f"{drafting.scale(spot.scale)};  {drafting.word('not to scale')}"
@@ -102,7 +102,7 @@ def _letters(laid: Layout, labels: Labels, hand: Hand) -> Iterator[Stroke]:
     if laid.gear is not None:
         middle, turn = laid.gear.angle(laid.hand)
         yield labels.beside(middle, "α", hand.letter, 1.0, turn)
-    yield from numbered(laid.joints, laid.shown.links.links, labels, hand)
+    yield from link_numbers(laid.joints, laid.shown.links.links, labels, hand)
 
 
 def _points(laid: Layout, labels: Labels, hand: Hand) -> Iterator[Stroke]:
@@ -110,7 +110,7 @@ def _points(laid: Layout, labels: Labels, hand: Hand) -> Iterator[Stroke]:
     lines = [*_lines(laid.links), *(arrow.shaft for arrow in laid.arrows)]
     for name, value in laid.shown.named.items():
         spot, gap = laid.place.on(value), laid.clear(name) + 1.0
-        yield labels.beside(spot, written(name), hand.letter, gap, free_side(spot, lines, gap + NEAR))
+        yield labels.beside(spot, with_index(name), hand.letter, gap, free_side(spot, lines, gap + NEAR))
 
 
 def _lines(strokes: list[Stroke]) -> Iterator[Line]:

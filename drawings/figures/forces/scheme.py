@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
-from drawings.figures.forces.acting import Acting, acting
+from drawings.figures.forces.acting import SchemeForces, acting
 from drawings.figures.forces.cut_links import CutLinks, cut_links
 from drawings.figures.forces.leverage import Leverage, leverages
 from geometry.board import at
@@ -36,7 +36,7 @@ class Scheme:
     cut: Cut
     column: int
     links: CutLinks
-    acting: Acting
+    acting: SchemeForces
     arms: tuple[Leverage, ...]
     wheel: Wheel | None
 
@@ -60,14 +60,14 @@ class Scheme:
     @property
     def points(self) -> list[complex]:
         """All true points that the figure must hold."""
-        found = [*self.named.values(), *self.links.slots]
-        found += [arm.foot for arm in self.dimensioned]
-        found += [force.at for force in self.acting.forces]
+        places = [*self.named.values(), *self.links.slots]
+        places += [arm.foot for arm in self.dimensioned]
+        places += [force.at for force in self.acting.forces]
         if self.wheel is not None:
             wheel = self.wheel
             turns = (1, 1j, -1, -1j) if wheel.whole else ()
-            found += [wheel.centre + wheel.radius * turn for turn in turns]
-        return found
+            places += [wheel.centre + wheel.radius * turn for turn in turns]
+        return places
 
 
 def scheme(plan: ForcePlan, cut: Cut, column: int) -> Scheme:

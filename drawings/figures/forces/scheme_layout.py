@@ -10,9 +10,9 @@ from typing import NamedTuple
 
 from drawings.figures.forces.acting import ShownMoment
 from drawings.figures.forces.force_fan import UNSIZED, fan, lengths
+from drawings.figures.forces.force_kinds import KNOWN, PRESSING
 from drawings.figures.forces.force_letters import letter_of
 from drawings.figures.forces.scheme import Scheme
-from drawings.figures.forces.shown_force import KNOWN, PRESSING, ShownForce
 from drawings.figures.linkage.pairs import Joints
 from drawings.layout.ink import Ink
 from drawings.layout.place import Place
@@ -21,10 +21,11 @@ from drawings.page.page import Field
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Circle, Group, Line, Stroke
 from drawings.symbols.arms import Arm, to_scale
-from drawings.symbols.couples import HALF, THREE_QUARTERS, Couple
-from drawings.symbols.dashes import fitted
+from drawings.symbols.couples import HALF, THREE_QUARTERS, CoupleArc
+from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.figure import Subject
-from drawings.symbols.force_arrow import ForceArrow, marked
+from drawings.symbols.force_arrow import ForceArrow, not_to_scale
+from drawings.symbols.polygon import ShownVector
 from drawings.symbols.symbols import ARROW_LENGTH, BLOCK, MASS, POINT, arrowhead, mass_centre
 from drawings.symbols.transmission import Gear
 
@@ -110,7 +111,7 @@ class Layout:
             reach = [((end - spot) * along.conjugate()).real for end in ends]
             low, high = min([0.0, *reach]), max([0.0, *reach])
             more = GUIDE * self.hand.symbol
-            yield from fitted([Line(spot + (low - more) * along, spot + (high + more) * along, self.hand.axis)])
+            yield from fit_dashes([Line(spot + (low - more) * along, spot + (high + more) * along, self.hand.axis)])
 
     def _ties(self) -> Iterator[Stroke]:
         """Tie a mass centre to its link where that is drawn as no more than its point."""
@@ -124,7 +125,7 @@ class Layout:
     @cached_property
     def marks(self) -> list[Stroke]:
         """Hinges, mass centres and other points, each under its letter."""
-        found: list[Stroke] = []
+        symbols: list[Stroke] = []
         for name, value in self.shown.named.items():
             at = self.place.on(value)
             if name in self.joints.hinges:
@@ -133,8 +134,8 @@ class Layout:
                 symbol = mass_centre(at, self.hand)
             else:
                 symbol = (Circle(at, POINT * self.hand.symbol, INK),)
-            found.append(Group(symbol, "", {}, name))
-        return found
+            symbols.append(Group(symbol, "", {}, name))
+        return symbols
 
     @cached_property
     def gear(self) -> Gear | None:
@@ -157,12 +158,12 @@ class Layout:
     @cached_property
     def shifts(self) -> list[Dimension]:
         """How far from their sliders' points guides press, beyond the block from where the reaction comes."""
-        found = []
+        dimensions = []
         for shift in self.shown.acting.shifts:
             start, end = self.place.on(shift.start), self.place.on(shift.end)
             ahead = shift.value / abs(shift.value)
-            found.append(Dimension(self.letter(shift.name), start, end, DIMENSION * self.hand.symbol * ahead))
-        return [one for one in found if one.length >= LEAST]
+            dimensions.append(Dimension(self.letter(shift.name), start, end, DIMENSION * self.hand.symbol * ahead))
+        return [one for one in dimensions if one.length >= LEAST]
 
     @cached_property
     def arrows(self) -> list[ForceArrow]:
@@ -177,18 +178,18 @@ class Layout:
         spots = [self.place.on(spot) for spot in self.shown.named.values()]
         return fan(arrows, [self._reach(force) for force in forces], self._around, spots, box, self.hand)
 
-    def _arrow(self, force: ShownForce, length: float) -> ForceArrow:
+    def _arrow(self, force: ShownVector, length: float) -> ForceArrow:
         """Give a force's arrow at its point; that of a guide presses on its slider."""
         at, size = self.place.on(force.at), length * self.hand.symbol
         letter = self.letter(force.name)
-        return marked(letter, force.direction, at, size, force.kind == PRESSING, force.kind != KNOWN)
+        return not_to_scale(letter, force.direction, at, size, force.kind == PRESSING, force.kind != KNOWN)
 
-    def _reach(self, force: ShownForce) -> float:
+    def _reach(self, force: ShownVector) -> float:
         """Give how far from a force's point symbols reach."""
         pressing = force.kind == PRESSING and self._on_block(force)
         return BLOCK[1] / 2 * self.hand.symbol if pressing else self._rim(force.spot)
 
-    def _on_block(self, force: ShownForce) -> bool:
+    def _on_block(self, force: ShownVector) -> bool:
         """Tell whether a guide's reaction meets its slider's block."""
         at, reach = self.place.on(force.at), BLOCK[0] / 2 * self.hand.symbol
         return any(abs(at - spot) <= reach for spot in self._blocks)
@@ -219,28 +220,28 @@ class Layout:
         return [*thick, *marks, *thin, *wheel]
 
     @cached_property
-    def couples(self) -> list[Couple]:
+    def couples(self) -> list[CoupleArc]:
         """The moments as arcs: each faces where it crosses the fewest lines; one about a point is inside the next."""
-        drawn = Ink()
+        ink = Ink()
         for stroke, weight in self._around:
-            drawn.draw([stroke], weight)
-        drawn.draw((arrow.shaft for arrow in self.arrows), ARROW)
-        found: list[Couple] = []
+            ink.draw([stroke], weight)
+        ink.draw((arrow.shaft for arrow in self.arrows), ARROW)
+        arcs: list[CoupleArc] = []
         for moment in self.shown.acting.moments:
             at = self.place.on(moment.at)
-            before = sum(abs(other.at - at) < RADIUS for other in found)
+            before = sum(abs(other.at - at) < RADIUS for other in arcs)
             least = BLOCKED if any(abs(spot - at) < RADIUS for spot in self._blocks) else RADIUS
-            found.append(self._couple(moment, at, (least + APART * before) * self.hand.symbol, drawn))
-        return found
+            arcs.append(self._couple(moment, at, (least + APART * before) * self.hand.symbol, ink))
+        return arcs
 
-    def _couple(self, moment: ShownMoment, at: complex, radius: float, drawn: Ink) -> Couple:
+    def _couple(self, moment: ShownMoment, at: complex, radius: float, ink: Ink) -> CoupleArc:
         letter = self.letter(moment.name)
         choices = [
-            Couple(letter, at, moment.sense, radius, 2 * math.pi * k / FACINGS, sweep)
+            CoupleArc(letter, at, moment.sense, radius, 2 * math.pi * k / FACINGS, sweep)
             for sweep in (THREE_QUARTERS, HALF)
             for k in range(FACINGS)
         ]
-        return min(choices, key=lambda one: drawn.crossed_by([one.draw(self.hand)]) + NARROW * (one.sweep == HALF))
+        return min(choices, key=lambda one: ink.crossed_by([one.draw(self.hand)]) + NARROW * (one.sweep == HALF))
 
     def strokes(self) -> Iterator[Stroke]:
         """Draw everything but letters, from the thinnest lines to the arrows."""

@@ -17,7 +17,7 @@ from drawings.page.drafting import Drafting
 from drawings.page.scale import Scale, fitting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Circle, Group, Line, Polyline, Stroke, Text
-from drawings.symbols.dashes import fitted
+from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.figure import Subject, heading
 from drawings.symbols.symbols import TICK, arrowhead
 from plans.model.motion import Floats
@@ -33,7 +33,7 @@ BELOW = -math.pi / 2  # a number stands on the side of its axis away from the or
 LEAST = 0.05  # mm: a shorter ordinate is a point
 
 
-class Curve(NamedTuple):
+class GraphCurve(NamedTuple):
     """A quantity over the angle of the crank, degrees in the sense of rotation; NaN is a gap.
 
     A crank that turns fully is followed over a turn from position 0 on, any other one through its positions.
@@ -50,8 +50,8 @@ class Curve(NamedTuple):
     @property
     def span(self) -> tuple[float, float]:
         """The least and the largest value, zero among them."""
-        found = np.concatenate([self.values, self.ordinates])
-        return float(np.nanmin(found, initial=0.0)), float(np.nanmax(found, initial=0.0))
+        values = np.concatenate([self.values, self.ordinates])
+        return float(np.nanmin(values, initial=0.0)), float(np.nanmax(values, initial=0.0))
 
     @property
     def length(self) -> float:
@@ -64,18 +64,18 @@ class Curve(NamedTuple):
         return self.length == TURN
 
 
-def swing(curve: Curve) -> Curve:
+def swing(curve: GraphCurve) -> GraphCurve:
     """Give the part of a curve over a turn that a crank which cannot turn fully passes through in its positions."""
-    held = np.unique(curve.stations[~np.isnan(curve.ordinates)])
-    if not np.isnan(curve.values).any() or len(held) < 2:
+    reached = np.unique(curve.stations[~np.isnan(curve.ordinates)])
+    if not np.isnan(curve.values).any() or len(reached) < 2:
         return curve
-    apart = np.diff(held, append=held[0] + TURN)
-    start, length = np.roll(held, -1)[apart.argmax()], TURN - apart.max()
+    apart = np.diff(reached, append=reached[0] + TURN)
+    start, length = np.roll(reached, -1)[apart.argmax()], TURN - apart.max()
     stations, angles = (np.mod(row - start, TURN) for row in (curve.stations, curve.angles[:-1]))
-    values, found = np.concatenate([curve.values[:-1], curve.ordinates]), np.concatenate([angles, stations])
-    order = np.argsort(found, kind="stable")
-    order = order[found[order] <= length]
-    return curve._replace(angles=found[order], values=values[order], stations=stations)
+    values, turns = np.concatenate([curve.values[:-1], curve.ordinates]), np.concatenate([angles, stations])
+    order = np.argsort(turns, kind="stable")
+    order = order[turns[order] <= length]
+    return curve._replace(angles=turns[order], values=values[order], stations=stations)
 
 
 def bounded(dense: Any, own: Any) -> Any:
@@ -85,7 +85,7 @@ def bounded(dense: Any, own: Any) -> Any:
     return np.where(np.abs(dense) > TALLEST * np.nanmax(np.abs(own), initial=0.0), np.nan, dense)
 
 
-def measure(curve: Curve, name: str, drafting: Drafting) -> Picture:
+def measure(curve: GraphCurve, name: str, drafting: Drafting) -> Picture:
     """Measure the room of a graph: its scale is that of the angle, the quantity's own follows from the height."""
     hand = drafting.hand
     side, below, above = (size * hand.letter for size in MARGINS)
@@ -97,7 +97,7 @@ def measure(curve: Curve, name: str, drafting: Drafting) -> Picture:
     )
 
 
-def scale_of(curve: Curve, room: Picture, spot: Spot, standard: str) -> Scale:
+def scale_of(curve: GraphCurve, room: Picture, spot: Spot, standard: str) -> Scale:
     """Choose the largest standard scale of the quantity for the height of a graph."""
     low, high = curve.span
     symbol = curve.letter.split("_")[0].split("^")[0]
@@ -108,7 +108,7 @@ def scale_of(curve: Curve, room: Picture, spot: Spot, standard: str) -> Scale:
 class GraphFigure:
     """A graph placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
 
-    curve: Curve
+    curve: GraphCurve
     name: str
     lines: tuple[Stroke, ...]
     stations: tuple[tuple[str, complex, float], ...]  # number, foot, side of the number
@@ -134,10 +134,10 @@ class _Axes(NamedTuple):
         return complex(self.place.on(complex(angle)).real, self.zero + value / self.scale.mu)
 
 
-def draw(curve: Curve, room: Picture, spot: Spot, drafting: Drafting) -> GraphFigure:
+def draw(curve: GraphCurve, room: Picture, spot: Spot, drafting: Drafting) -> GraphFigure:
     """Draw the graph in its spot, with its title and both of its scales above it."""
     hand, scale = drafting.hand, scale_of(curve, room, spot, drafting.standard)
-    place = room.placed(*spot)
+    place = room.place(*spot)
     low, high = curve.span
     spare = room.high / spot.scale.mu - (high - low) / scale.mu
     frame = _Axes(place, place.on(0j).imag + spare / 2 - low / scale.mu, scale)
@@ -153,7 +153,7 @@ def draw(curve: Curve, room: Picture, spot: Spot, drafting: Drafting) -> GraphFi
     return GraphFigure(curve, room.name, lines, tuple(stations), axes, hand)
 
 
-def _axes(curve: Curve, frame: _Axes, hand: Hand) -> Iterator[Stroke]:
+def _axes(curve: GraphCurve, frame: _Axes, hand: Hand) -> Iterator[Stroke]:
     """Draw both axes with their arrowheads, and a tick at their end."""
     low, high = curve.span
     first, last = frame.on(0.0), frame.on(curve.length)
@@ -166,10 +166,10 @@ def _axes(curve: Curve, frame: _Axes, hand: Hand) -> Iterator[Stroke]:
 
 
 def _ordinates(
-    curve: Curve, plan: str, frame: _Axes, hand: Hand
+    curve: GraphCurve, plan: str, frame: _Axes, hand: Hand
 ) -> tuple[list[Stroke], list[tuple[str, complex, float]]]:
     """Draw tick, ordinate and point of each position that is no gap; each ordinate can be measured."""
-    drawn: list[Stroke] = []
+    strokes: list[Stroke] = []
     stations: list[tuple[str, complex, float]] = []
     quantity = frame.scale.letter
     for k, (angle, value) in enumerate(zip(curve.stations, curve.ordinates, strict=True)):
@@ -177,22 +177,22 @@ def _ordinates(
             continue
         foot = frame.on(float(angle))
         stations.append((str(k), foot, -BELOW if value < 0 else BELOW))
-        drawn.append(Line(foot - 1j * TICK, foot + 1j * TICK, hand.drafted))
+        strokes.append(Line(foot - 1j * TICK, foot + 1j * TICK, hand.drafted))
         if math.isnan(value):
             continue
         tip = frame.on(float(angle), float(value))
         if abs(tip - foot) > LEAST:
             data = Subject(plan, quantity, k).data("vector", str(k), 1j * float(value), frame.scale)
-            drawn.append(Group((Line(foot, tip, hand.drafted),), "", data, str(k)))
-        drawn.append(Circle(tip, DOT * hand.symbol, INK))
-    return drawn, stations
+            strokes.append(Group((Line(foot, tip, hand.drafted),), "", data, str(k)))
+        strokes.append(Circle(tip, DOT * hand.symbol, INK))
+    return strokes, stations
 
 
-def _line(curve: Curve, frame: _Axes, hand: Hand) -> Iterator[Stroke]:
+def _line(curve: GraphCurve, frame: _Axes, hand: Hand) -> Iterator[Stroke]:
     """Draw the curve, broken at its gaps."""
     for run in stretches(curve.values):
         points = [frame.on(float(curve.angles[k]), float(curve.values[k])) for k in run]
-        yield from fitted([Polyline(tuple(points), False, hand.result)])
+        yield from fit_dashes([Polyline(tuple(points), False, hand.result)])
 
 
 def stretches(values: Floats) -> Iterator[Sequence[int]]:

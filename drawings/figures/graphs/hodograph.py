@@ -18,7 +18,7 @@ from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Circle, Group, Polyline, Stroke, Text
 from drawings.symbols.figure import Subject, heading, point, vector
-from drawings.symbols.force_arrow import named
+from drawings.symbols.force_arrow import plain_name
 from drawings.symbols.symbols import pole
 from plans.model.motion import Complexes
 
@@ -42,8 +42,8 @@ class Hodograph(NamedTuple):
     @property
     def points(self) -> list[complex]:
         """All true points that the figure must hold."""
-        found = np.concatenate([[0j], self.values, self.ends])
-        return [complex(value) for value in found[~np.isnan(found.real)]]
+        values = np.concatenate([[0j], self.values, self.ends])
+        return [complex(value) for value in values[~np.isnan(values.real)]]
 
 
 def measure(shown: Hodograph, name: str, drafting: Drafting) -> Picture:
@@ -84,13 +84,13 @@ class HodographFigure:
 
 def draw(shown: Hodograph, room: Picture, spot: Spot, drafting: Drafting) -> HodographFigure:
     """Draw the hodograph in its spot, with its title and its written scale above it."""
-    place, hand = room.placed(*spot), drafting.hand
+    place, hand = room.place(*spot), drafting.hand
     title = heading(spot.box, _title(shown, drafting), drafting.scale(spot.scale), hand)
     lines: list[Stroke] = [title, *_curve(shown, place, hand)]
     end = complex(shown.ends[shown.shown])
     subject = Subject(room.name, shown.symbol, shown.shown)
     if not math.isnan(end.real) and place.length(abs(end)) > LEAST:
-        lines.append(vector(subject, named(shown.letter), (0j, end), place, hand.relative, hand.symbol))
+        lines.append(vector(subject, plain_name(shown.letter), (0j, end), place, hand.relative, hand.symbol))
     every = subject._replace(position=None)
     lines.append(point(every, POLE, 0j, place, pole(place.on(0j)), "pole"))
     for k, value in enumerate(shown.ends):

@@ -21,7 +21,7 @@ STEP, AROUND = 4.0, 60.0  # mm: the search for a free place, step by step, and h
 APART = 2.0  # mm between the figure and everything else
 
 
-class Turned(NamedTuple):
+class QuarterTurn(NamedTuple):
     """A slip and the Coriolis acceleration that it gives, by directions; `sense` is that of the guide's turning.
 
     `size` is that of the acceleration, true units: what vanishes on paper has no direction either.
@@ -34,7 +34,7 @@ class Turned(NamedTuple):
     point: str
 
 
-def turned(mark: Mark, column: int) -> Turned | None:
+def quarter_turn(mark: Mark, column: int) -> QuarterTurn | None:
     """Read the figure off the record of an acceleration plan; nothing where the slip or the turning is zero."""
     if mark.step.op != "similar" or not mark.name.startswith("a^k_"):
         return None
@@ -45,39 +45,39 @@ def turned(mark: Mark, column: int) -> Turned | None:
     direction = slip / abs(slip)
     sense = 1 if turning > 0 else -1
     size = abs(at(mark.point, column))
-    return Turned(direction, 1j * sense * direction, sense, size, mark.name.removeprefix("a^k_"))
+    return QuarterTurn(direction, 1j * sense * direction, sense, size, mark.name.removeprefix("a^k_"))
 
 
-def rule(shown: Turned, centre: complex, hand: Hand) -> Group:
+def rule(shown: QuarterTurn, centre: complex, hand: Hand) -> Group:
     """Draw the slip, the acceleration, and the quarter turn between them."""
     arm = ARM * hand.letter
     corner = centre - arm / 2 * (shown.slip + shown.result)
-    drawn: list[Stroke] = []
+    strokes: list[Stroke] = []
     for direction in (shown.slip, shown.result):
         tip = corner + arm * direction
         head = arrowhead(corner, tip)
-        drawn += [Line(corner, tip, hand.other), *([head] if head is not None else [])]
+        strokes += [Line(corner, tip, hand.other), *([head] if head is not None else [])]
     start, end = sorted((0.0, shown.sense * math.pi / 2))
     base, radius = cmath.phase(shown.slip), arm / 2
-    drawn.append(Arc(corner, radius, base + start, base + end, hand.drafted))
+    strokes.append(Arc(corner, radius, base + start, base + end, hand.drafted))
     tip = corner + radius * shown.result
     back = corner + cmath.rect(radius, base + shown.sense * (math.pi / 2 - 0.4))
     head = arrowhead(back, tip)
-    drawn += [head] if head is not None else []
-    return Group((*drawn, *_letters(shown, corner, arm, hand)))
+    strokes += [head] if head is not None else []
+    return Group((*strokes, *_letters(shown, corner, arm, hand)))
 
 
-def _letters(shown: Turned, corner: complex, arm: float, hand: Hand) -> list[Stroke]:
+def _letters(shown: QuarterTurn, corner: complex, arm: float, hand: Hand) -> list[Stroke]:
     """Letter both vectors beyond their tips."""
-    drawn: list[Stroke] = []
+    texts: list[Stroke] = []
     for direction, content in ((shown.slip, "v_r"), (shown.result, f"a^k_{{{shown.point}}}")):
         text = Text(0j, content, hand.text, "start", True)
         left, bottom, right, top = bounds(text)
         half = complex(right - left, top - bottom) / 2
         reach = 1.0 + abs(half.real * direction.real) + abs(half.imag * direction.imag)
         spot = corner + (arm + reach) * direction - half - complex(left, bottom)
-        drawn.append(Text(spot, content, hand.text, "start", True))
-    return drawn
+        texts.append(Text(spot, content, hand.text, "start", True))
+    return texts
 
 
 def _outward(rings: int) -> Iterator[complex]:
@@ -90,7 +90,7 @@ def _outward(rings: int) -> Iterator[complex]:
                 yield complex(ring, off) * turn
 
 
-def placed(shown: Turned, box: Field, ink: Ink, hand: Hand) -> Group | None:
+def draw_nearby(shown: QuarterTurn, box: Field, ink: Ink, hand: Hand) -> Group | None:
     """Draw the figure in the free place nearest to its plan; nothing where there is none."""
     left, bottom, right, top = bounds(rule(shown, 0j, hand))
     middle = complex(left + right, bottom + top) / 2
@@ -101,7 +101,7 @@ def placed(shown: Turned, box: Field, ink: Ink, hand: Hand) -> Group | None:
             continue
         low, high = spot - half, spot + half
         if not ink.under((low.real, low.imag, high.real, high.imag)):
-            drawn = rule(shown, spot - middle, hand)
-            ink.draw([drawn])
-            return drawn
+            group = rule(shown, spot - middle, hand)
+            ink.draw([group])
+            return group
     return None

@@ -11,7 +11,7 @@ from drawings.layout.place import Place
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Line, Stroke
 from drawings.symbols.symbols import BLOCK, ground, tick
-from drawings.symbols.trimming import trimmed
+from drawings.symbols.trimming import trim
 from plans.model.mechanism import FRAME, Slide
 
 BEYOND = 16.0  # mm of a guide's axis past the block's outermost places
@@ -26,13 +26,13 @@ def frame_slides(bones: Skeletons) -> list[Slide]:
 
 def axes(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
     """Draw each frame's guide: its axis over the travel, and a tick at each position."""
-    drawn: list[Stroke] = []
+    lines: list[Stroke] = []
     for slide in frame_slides(bones):
         start, end = travel(bones, slide, place, hand)
-        drawn.append(Line(start, end, hand.axis))
+        lines.append(Line(start, end, hand.axis))
         blocks = [complex(spot) for spot in bones.numbered.blocks(slide) if not math.isnan(spot.real)]
-        drawn += [tick(place.on(spot), slide.on_owner.direction, hand) for spot in blocks]
-    return drawn
+        lines += [tick(place.on(spot), slide.on_owner.direction, hand) for spot in blocks]
+    return lines
 
 
 def travel(bones: Skeletons, slide: Slide, place: Place, hand: Hand) -> tuple[complex, complex]:
@@ -44,22 +44,20 @@ def travel(bones: Skeletons, slide: Slide, place: Place, hand: Hand) -> tuple[co
     return first - more, last + more
 
 
-def grounds(pairs: Pairs, drawn: Ink) -> list[Stroke]:
+def grounds(pairs: Pairs, ink: Ink) -> list[Stroke]:
     """Draw the ground beside the shown block of each guide, on the side where fewer links are."""
     bones, place, hand = pairs.bones, pairs.place, pairs.hand
-    found: list[Stroke] = []
+    strokes: list[Stroke] = []
     for slide in frame_slides(bones):
         start, end = travel(bones, slide, place, hand)
         block = complex(bones.numbered.blocks(slide)[bones.shown])
         middle = (start + end) / 2 if math.isnan(block.real) else place.on(block)
         sides = {side: ground(*_base(middle, slide, side, hand), hand) for side in (-1j, 1j)}
-        base, *hatch = min(sides.items(), key=lambda item: drawn.crossed_by(item[1]) + DOWNWARD * _up(slide, item[0]))[
-            1
-        ]
+        base, *hatch = min(sides.items(), key=lambda item: ink.crossed_by(item[1]) + DOWNWARD * _up(slide, item[0]))[1]
         over = [symbol for other, symbol in pairs.blocks if other != slide]
-        found += trimmed([base], over)
-        found += [line for line in hatch if list(trimmed([line], over)) == [line]]  # hatching is whole or left out
-    return found
+        strokes += trim([base], over)
+        strokes += [line for line in hatch if list(trim([line], over)) == [line]]  # hatching is whole or left out
+    return strokes
 
 
 def _up(slide: Slide, side: complex) -> float:

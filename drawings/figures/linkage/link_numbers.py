@@ -19,7 +19,7 @@ ROUND = 0.85  # radius of the circle, in sizes of its number: of two digits it i
 DIRECTIONS = 16
 
 
-def numbered(joints: Joints, links: list[int], labels: Labels, hand: Hand) -> Iterator[Stroke]:
+def link_numbers(joints: Joints, links: list[int], labels: Labels, hand: Hand) -> Iterator[Stroke]:
     """Number the links where the lines of all figures leave room."""
     for link in links:
         yield _number(str(link), list(_spots(joints, link, hand)), labels, hand)
@@ -69,9 +69,9 @@ def _number(content: str, spots: list[complex], labels: Labels, hand: Hand) -> S
     spot = next((spot for spot in spots if not covered(spot)), None) or min(spots, key=covered)
     left, bottom, right, top = bounds(Text(0j, content, hand.text, "middle"))
     text = Text(spot - complex(left + right, bottom + top) / 2, content, hand.text, "middle")
-    drawn = Group((Circle(spot, radius, hand.other), text), "", {}, content)
-    labels.ink.draw([drawn])
-    return drawn
+    group = Group((Circle(spot, radius, hand.other), text), "", {}, content)
+    labels.ink.draw([group])
+    return group
 
 
 def _square(middle: complex, half: float) -> Box:

@@ -28,11 +28,11 @@ def is_centre(name: str) -> bool:
 def unnamed(scene: Scene, links: Mapping[int, Link]) -> dict[str, tuple[int, complex]]:
     """Give the mass centres that no point of the scene names, by their letter: link, and place in its own frame."""
     taken = {name for link in links.values() for name in link.points}
-    found = {}
+    centres = {}
     form = cast("ForceForm | None", scene.part("forces"))
     for number, mass in sorted(form.masses.items()) if form else ():
         places, centre = links[number].points.values(), mass.place(links[number])
         size = max(abs(place - centre) for place in places)
         if number != FRAME and f"S{number}" not in taken and min(abs(p - centre) for p in places) > NEAR * size:
-            found[f"S{number}"] = number, centre
-    return found
+            centres[f"S{number}"] = number, centre
+    return centres

@@ -31,7 +31,7 @@ MOST = 0.3  # share of the numbers chosen that may fall out where places crowd a
 ANGLES = 12  # positions of a list whose crank angles still have room beside their numbers
 
 
-class Numbered(NamedTuple):
+class NumberedPlace(NamedTuple):
     """A place that bears a number: which poses it is of, its column there, the number, and if it is an extreme."""
 
     poses: Poses
@@ -42,59 +42,59 @@ class Numbered(NamedTuple):
 
 def same(bones: Skeletons, extreme: int) -> int | None:
     """Give the scene's own position that an extreme is, if it is one."""
-    found = bones.study.travel
-    assert found is not None  # asked only where there are extremes
-    apart = np.abs(bones.study.turn.directions - found.directions[extreme])
+    travel = bones.study.travel
+    assert travel is not None  # asked only where there are extremes
+    apart = np.abs(bones.study.turn.directions - travel.directions[extreme])
     best = int(np.argmin(apart))
     return best if apart[best] < SAME else None
 
 
-def numbered(bones: Skeletons) -> list[Numbered]:
+def numbered_places(bones: Skeletons) -> list[NumberedPlace]:
     """List what bears a number: every position, and each extreme that falls between two, as k'."""
     own = {same(bones, k) for k in range(2)} if bones.extremes else set()
-    found = [Numbered(bones.numbered, k, str(k), k in own) for k in range(len(bones.numbered))]
+    places = [NumberedPlace(bones.numbered, k, str(k), k in own) for k in range(len(bones.numbered))]
     for k in range(2) if bones.extremes else ():
         assert bones.study.travel is not None and bones.extremes is not None
         if same(bones, k) is None:
             phi, turn = bones.study.travel.extremes.phi[k], 2 * np.pi
             before = int(np.argmin(np.mod(bones.study.sense * (phi - bones.study.turn.phi), turn)))
             name = f"{before}'"
-            taken = any(name == other.name for other in found)
-            found.append(Numbered(bones.extremes, k, f"{name}'" if taken else name, True))
-    return found
+            taken = any(name == other.name for other in places)
+            places.append(NumberedPlace(bones.extremes, k, f"{name}'" if taken else name, True))
+    return places
 
 
 def numbers(pairs: Pairs, labels: Labels) -> Iterator[Stroke]:
     """Number every position outside the crank circle, and at the output as many as stand legibly."""
     bones, place, hand = pairs.bones, pairs.place, pairs.hand
-    found = numbered(bones)
-    yield from _crank_numbers(pairs, found, labels)
+    places = numbered_places(bones)
+    yield from _crank_numbers(pairs, places, labels)
     tip = output_point(bones)
     if tip is not None:
-        spots = [place.on(complex(one.poses.points[tip][one.column])) for one in found]
-        for k in legible(bones, found, spots, hand):
-            angle, more = _outward(bones, found[k], spots[k], place)
-            gap = (pairs.clear(tip) if _shown(bones, found[k]) else 0.0) + PATH_GAP + more * hand.number
-            number = labels.free(spots[k], found[k].name, hand.number, gap, angle)
+        spots = [place.on(complex(one.poses.points[tip][one.column])) for one in places]
+        for k in legible(bones, places, spots, hand):
+            angle, more = _outward(bones, places[k], spots[k], place)
+            gap = (pairs.clear(tip) if _is_shown(bones, places[k]) else 0.0) + PATH_GAP + more * hand.number
+            number = labels.free(spots[k], places[k].name, hand.number, gap, angle)
             yield from () if number is None else (number,)
 
 
-def _shown(bones: Skeletons, one: Numbered) -> bool:
+def _is_shown(bones: Skeletons, one: NumberedPlace) -> bool:
     return one.poses is bones.numbered and one.column == bones.shown
 
 
-def _crank_numbers(pairs: Pairs, found: list[Numbered], labels: Labels) -> Iterator[Stroke]:
+def _crank_numbers(pairs: Pairs, places: list[NumberedPlace], labels: Labels) -> Iterator[Stroke]:
     """Number the crank circle; where they crowd, every other one stands further out, and of a tiny circle not all."""
     bones, place, hand = pairs.bones, pairs.place, pairs.hand
     pivot, end = bones.pivot(place), bones.mechanism.drive.end
-    texts = [_angled(bones, one) for one in found]
+    texts = [_with_angle(bones, one) for one in places]
     every, further = _rings(bones, place, hand, max(width(text, hand) for text in texts))
-    for one, text in zip(found, texts, strict=True):
-        if not (one.extreme or _shown(bones, one) or one.column % every == 0):
+    for one, text in zip(places, texts, strict=True):
+        if not (one.extreme or _is_shown(bones, one) or one.column % every == 0):
             continue
         known = one.poses is bones.numbered
         spot = place.on(bones.crank_end(one.column) if known else complex(one.poses.points[end][one.column]))
-        gap = CRANK_GAP + (pairs.clear(end) if _shown(bones, one) else 0.0)
+        gap = CRANK_GAP + (pairs.clear(end) if _is_shown(bones, one) else 0.0)
         gap += BARRED * hand.symbol if _in_barrier(spot - pivot, bones.study.met) else 0.0
         gap += further if known and one.column // every % 2 else 0.0
         number = labels.free(spot, text, hand.number, gap, cmath.phase(spot - pivot))
@@ -115,7 +115,7 @@ def _in_barrier(ray: complex, barriers: tuple[Barrier, ...]) -> bool:
     return any((cmath.phase(ray) - b.start) % turn <= b.end - b.start for b in barriers)
 
 
-def _angled(bones: Skeletons, one: Numbered) -> str:
+def _with_angle(bones: Skeletons, one: NumberedPlace) -> str:
     """Write a position's number, and its crank angle where the scene lists the angles."""
     listed = bones.study.form.drive.positions
     if not isinstance(listed, tuple) or one.poses is not bones.numbered or len(listed) > ANGLES:
@@ -128,49 +128,49 @@ def width(text: str, hand: Hand) -> float:
     return text_width(Text(0j, text, hand.number, "start", True))
 
 
-def legible(bones: Skeletons, found: list[Numbered], spots: list[complex], hand: Hand) -> list[int]:
+def legible(bones: Skeletons, places: list[NumberedPlace], spots: list[complex], hand: Hand) -> list[int]:
     """Choose which numbers stand at the output: extremes always, the shown one, of the rest every so many as fit."""
-    first = [k for k, one in enumerate(found) if one.extreme]
-    first += [k for k, one in enumerate(found) if _shown(bones, one) and k not in first]
+    first = [k for k, one in enumerate(places) if one.extreme]
+    first += [k for k, one in enumerate(places) if _is_shown(bones, one) and k not in first]
     first = [k for k in first if not math.isnan(spots[k].real)]
     chosen: list[int] = []
     for step in STEPS:
         rest = [k for k in range(0, len(bones.numbered), step) if k not in first and not math.isnan(spots[k].real)]
-        chosen = _standing(bones, first, rest, found, spots, hand)
+        chosen = _uncrowded(bones, first, rest, places, spots, hand)
         if len(chosen) - len(first) >= (1 - MOST) * len(rest):
             break
     return chosen
 
 
-def _standing(
-    bones: Skeletons, first: list[int], rest: list[int], found: list[Numbered], spots: list[complex], hand: Hand
+def _uncrowded(
+    bones: Skeletons, first: list[int], rest: list[int], places: list[NumberedPlace], spots: list[complex], hand: Hand
 ) -> list[int]:
     """Keep of the rest what does not crowd what is kept already, on its own side of the path."""
     kept = list(first)
     for k in rest:
-        side = _returning(bones, found[k])
+        side = _returning(bones, places[k])
         near = (
             other
             for other in kept
-            if _returning(bones, found[other]) == side
-            and _crowds(found[k], found[other], spots[k] - spots[other], hand)
+            if _returning(bones, places[other]) == side
+            and _crowds(places[k], places[other], spots[k] - spots[other], hand)
         )
         if next(near, None) is None:
             kept.append(k)
     return kept
 
 
-def _crowds(one: Numbered, other: Numbered, apart: complex, hand: Hand) -> bool:
+def _crowds(one: NumberedPlace, other: NumberedPlace, apart: complex, hand: Hand) -> bool:
     wide = APART * (width(one.name, hand) + width(other.name, hand)) / 2
     return abs(apart.real) < wide and abs(apart.imag) < 1.3 * APART * hand.number
 
 
-def _returning(bones: Skeletons, one: Numbered) -> bool:
+def _returning(bones: Skeletons, one: NumberedPlace) -> bool:
     """Tell whether a place is passed on the return stroke; extremes belong to the stroke that begins there."""
-    found = bones.study.travel
-    if found is None or len(found.rests) > 2:
+    travel = bones.study.travel
+    if travel is None or len(travel.rests) > 2:
         return False
-    start, end = found.extremes.phi
+    start, end = travel.extremes.phi
     if one.poses is not bones.numbered:
         return one.column == 1
     sense, turn = bones.study.sense, 2 * math.pi
@@ -189,7 +189,7 @@ def output_point(bones: Skeletons) -> str | None:
     return chosen if out.link != mechanism.drive.link else None
 
 
-def _outward(bones: Skeletons, one: Numbered, spot: complex, place: Place) -> tuple[float, float]:
+def _outward(bones: Skeletons, one: NumberedPlace, spot: complex, place: Place) -> tuple[float, float]:
     """Direct a number away from its point's path: off a guide by the stroke, off an arc from its centre, else outward.
 
     The second number is how many sizes further off it stands: the return stroke has its own ring outside an arc.

@@ -20,7 +20,7 @@ from drawings.paper.strokes import INK, Circle, Group, Line, Polyline, Stroke
 from drawings.symbols import symbols
 from drawings.symbols.figure import Subject
 from drawings.symbols.symbols import BLOCK, HINGE, MASS, POINT, STONE
-from drawings.symbols.trimming import Mask, trimmed
+from drawings.symbols.trimming import Mask, trim
 from plans.model.mechanism import FRAME, Slide
 
 LEAST = 0.5  # of a symbol's size: smaller hinges are no circles any more
@@ -124,7 +124,7 @@ class Joints:
         for outline in self.outlines:
             own = [block for slide, block in self.blocks if outline.link in (slide.slider, slide.owner)]
             lines = (Line(*ends, self.hand.result) for ends in self._placed(outline))
-            yield from trimmed(lines, [*self.rounds, *own])
+            yield from trim(lines, [*self.rounds, *own])
 
     def _placed(self, outline: Outline) -> Iterator[tuple[complex, complex]]:
         for bar in outline.bars:
@@ -156,7 +156,7 @@ class Joints:
     def _joints(self, outline: Outline, block: Polyline) -> Iterator[Stroke]:
         """Mark where a rod leaves the block that it is one link with."""
         for ends in self._placed(outline):
-            for piece in trimmed([Line(*ends)], [block]):
+            for piece in trim([Line(*ends)], [block]):
                 assert isinstance(piece, Line)
                 for exit_, far in ((piece.start, piece.end), (piece.end, piece.start)):
                     yield from _welded(exit_, far, block, self.hand)

@@ -16,7 +16,7 @@ from drawings.figures.linkage.rotation import turnings
 from drawings.figures.linkage.skeleton import Poses, Skeletons
 from drawings.figures.linkage.stroke_dimension import stroke
 from drawings.figures.linkage.trajectories import trajectories
-from drawings.figures.linkage.vector_plan import written
+from drawings.figures.linkage.vector_plan import with_index
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels, free_side
 from drawings.layout.picture import Margins, Picture, Spot, picture
@@ -28,9 +28,9 @@ from drawings.paper.hand import Hand
 from drawings.paper.limits import MANY
 from drawings.paper.strokes import Arc, Group, Line, LineStyle, Stroke, Text
 from drawings.symbols import symbols
-from drawings.symbols.dashes import fitted
+from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.symbols import ARROW_LENGTH
-from drawings.symbols.trimming import trimmed
+from drawings.symbols.trimming import trim
 from geometry.board import Arc as Notch
 from geometry.board import at
 from plans.linkage.barrier import CHANGE
@@ -67,7 +67,7 @@ def measure(bones: Skeletons, name: str, drafting: Drafting) -> Picture:
 
 def draw(bones: Skeletons, room: Picture, spot: Spot, drafting: Drafting) -> PositionFigure:
     """Draw the plan of positions in its spot, with its title and its written scale above it."""
-    pairs = Pairs(bones, room.placed(*spot), drafting.hand)
+    pairs = Pairs(bones, room.place(*spot), drafting.hand)
     lines = Group(tuple(layers(pairs, drafting.language)), NAME)
     return PositionFigure(pairs, (_heading(spot, drafting), lines))
 
@@ -88,11 +88,11 @@ def layers(pairs: Pairs, language: str) -> list[Group]:
     blocks = [block for _, block in pairs.blocks]
     paths, positions = trajectories(bones, place, hand), [*_circle(bones, place, hand), *_positions(pairs)]
     extremes, lines = list(_extremes(pairs)), axes(bones, place, hand)
-    drawn = Ink()
-    drawn.draw([*body, *blocks, *stands])
-    grounded = grounds(pairs, drawn)
-    drawn.draw(grounded)
-    drawn.draw([*paths, *positions, *extremes, *lines], SHARE)
+    ink = Ink()
+    ink.draw([*body, *blocks, *stands])
+    grounded = grounds(pairs, ink)
+    ink.draw(grounded)
+    ink.draw([*paths, *positions, *extremes, *lines], SHARE)
     under: list[tuple[str, Iterable[Stroke]]] = [
         ("paths", paths),
         ("all-positions", positions),
@@ -100,12 +100,12 @@ def layers(pairs: Pairs, language: str) -> list[Group]:
         ("guides", lines),
         ("notches", _notches(bones, place, hand)),
     ]
-    groups = [Group(tuple(fitted(trimmed(strokes, pairs.masks))), name) for name, strokes in under]
+    groups = [Group(tuple(fit_dashes(trim(strokes, pairs.masks))), name) for name, strokes in under]
     groups += [
         Group(tuple(grounded), "grounds"),
         Group((*blocks, *body, *pairs.corners()), "shown-position"),
         Group((*stands, *pairs.marks()), "pairs"),
-        Group(tuple(stroke(bones, place, hand, language, drawn)), "stroke"),
+        Group(tuple(stroke(bones, place, hand, language, ink)), "stroke"),
         Group(tuple(part for turning in turnings(pairs) for part in turning.strokes(pairs)), "rotation"),
     ]
     return [group for group in groups if group.strokes]
@@ -114,16 +114,16 @@ def layers(pairs: Pairs, language: str) -> list[Group]:
 def _circle(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
     """Draw the crank circle; hatch it where the crank cannot go, and cross its gap positions and change points."""
     pivot, radius, (low, high) = bones.pivot(place), bones.crank(place), bones.swept
-    drawn: list[Stroke] = [Arc(pivot, radius, low, high, hand.drafted)]
+    strokes: list[Stroke] = [Arc(pivot, radius, low, high, hand.drafted)]
     for barrier in bones.study.met:
         count = max(int((barrier.end - barrier.start) * radius / HATCH), 1)
         for k in range(count + 1):
             ray = cmath.rect(1.0, barrier.start + (barrier.end - barrier.start) * k / count)
             tip = pivot + (radius + HATCH * hand.symbol) * ray * cmath.rect(1.0, SLANT)
-            drawn.append(Line(pivot + radius * ray, tip, hand.drafted))
+            strokes.append(Line(pivot + radius * ray, tip, hand.drafted))
     crossed = [complex(d) for d in bones.study.turn.directions[bones.study.lost]]
     crossed += [cmath.rect(1.0, barrier.start) for barrier in bones.study.met if barrier.kind == CHANGE]
-    return drawn + [arm for ray in crossed for arm in symbols.cross(pivot + radius * ray, hand)]
+    return strokes + [arm for ray in crossed for arm in symbols.cross(pivot + radius * ray, hand)]
 
 
 def _positions(pairs: Pairs) -> Iterable[Stroke]:
@@ -164,18 +164,18 @@ def _notches(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
     """Keep the notch arcs of the shown position, trimmed to their use; arcs that miss are drawn through the figure."""
     plan = bones.study.drafts().positions
     box = _around([place.on(value) for value in bones.points], NOTCH * hand.symbol)
-    drawn: list[Stroke] = []
+    arcs: list[Stroke] = []
     for mark in plan.board:
         for (source, ray), locus in zip(mark.rays, mark.step.inputs, strict=False):
             if mark.step.op == "meet" and isinstance(locus.value, Notch):
                 centre, arm = place.on(at(source.point, bones.shown)), at(ray, bones.shown)
                 if math.isnan(arm.real) and not math.isnan(centre.real):
-                    drawn += _within(
+                    arcs += _within(
                         Arc(centre, place.length(abs(at(locus.value.radius, 0))), 0, 2 * math.pi), box, hand
                     )
                 elif not math.isnan(arm.real):
-                    drawn.append(_notch(centre, place.length(abs(arm)), cmath.phase(arm), hand))
-    return drawn
+                    arcs.append(_notch(centre, place.length(abs(arm)), cmath.phase(arm), hand))
+    return arcs
 
 
 def _within(circle: Arc, box: Field, hand: Hand) -> Iterator[Arc]:
@@ -183,9 +183,9 @@ def _within(circle: Arc, box: Field, hand: Hand) -> Iterator[Arc]:
     step = 2 * math.pi / STEPS
     inside = [box.holds(circle.at(k / STEPS)) for k in range(STEPS + 1)]
     start = 0
-    for held, part in groupby(inside):
+    for is_inside, part in groupby(inside):
         count = len(list(part))
-        if held and count > 1:
+        if is_inside and count > 1:
             yield Arc(circle.centre, circle.radius, start * step, (start + count - 1) * step, hand.drafted)
         start += count
 
@@ -204,19 +204,19 @@ def _notch(centre: complex, radius: float, angle: float, hand: Hand) -> Arc:
 def letters(pairs: Pairs, labels: Labels) -> Group:
     """Letter the points and number the positions, where the lines of all figures leave room."""
     bones, place, hand = pairs.bones, pairs.place, pairs.sheet
-    drawn: list[Stroke] = []
+    strokes: list[Stroke] = []
     for name in sorted(bones.numbered.points):
         value = bones.spot(name, bones.shown)
         if not math.isnan(value.real):
             gap = pairs.clear(name) + 1.0
-            drawn.append(labels.beside(place.on(value), written(name), hand.letter, gap, _free(pairs, name)))
+            strokes.append(labels.beside(place.on(value), with_index(name), hand.letter, gap, _free(pairs, name)))
     for name in bones.masses:
         if name in pairs.centres:
-            drawn.append(labels.beside(pairs.centres[name], written(name), hand.letter, 2.5, math.pi / 4))
+            strokes.append(labels.beside(pairs.centres[name], with_index(name), hand.letter, 2.5, math.pi / 4))
     for turning in turnings(pairs):
         middle, away = turning.middle
-        drawn.append(labels.beside(middle, turning.letter, hand.letter, 1.5, away))
-    return Group((*drawn, *numbers(pairs, labels)))
+        strokes.append(labels.beside(middle, turning.letter, hand.letter, 1.5, away))
+    return Group((*strokes, *numbers(pairs, labels)))
 
 
 def _free(pairs: Pairs, name: str) -> float:

@@ -62,23 +62,23 @@ class Turning(NamedTuple):
 def turnings(pairs: Pairs) -> tuple[Turning, ...]:
     """Place the arrow of ω where it crosses the fewest lines, and beside it that of ε where the crank has one."""
     bones, drive = pairs.bones, pairs.bones.mechanism.drive
-    drawn = Ink()
-    drawn.draw([*pairs.bars(), *pairs.stands(), *(block for _, block in pairs.blocks)], THICK)
-    drawn.draw(circle for circles in pairs.hinges.values() for circle in circles)
-    found = [_placed(f"ω_{drive.link}", bones.study.sense, pairs, drawn)]
+    ink = Ink()
+    ink.draw([*pairs.bars(), *pairs.stands(), *(block for _, block in pairs.blocks)], THICK)
+    ink.draw(circle for circles in pairs.hinges.values() for circle in circles)
+    arrows = [_best(f"ω_{drive.link}", bones.study.sense, pairs, ink)]
     if drive.epsilon:
-        drawn.draw(found[0].field, THICK)
-        found.append(_placed(f"ε_{drive.link}", int(math.copysign(1, drive.epsilon)), pairs, drawn))
-    return tuple(found)
+        ink.draw(arrows[0].field, THICK)
+        arrows.append(_best(f"ε_{drive.link}", int(math.copysign(1, drive.epsilon)), pairs, ink))
+    return tuple(arrows)
 
 
-def _placed(letter: str, sense: int, pairs: Pairs, drawn: Ink) -> Turning:
+def _best(letter: str, sense: int, pairs: Pairs, ink: Ink) -> Turning:
     bones, place = pairs.bones, pairs.place
     crank = cmath.phase(place.on(bones.crank_end(bones.shown)) - bones.pivot(place))
 
     def cost(turning: Turning) -> float:
         away = abs(cmath.phase(cmath.rect(1.0, turning.start + turning.sweep / 2 - crank - 0.8 * sense)))
-        return drawn.crossed_by(turning.room) + APART * math.degrees(away)
+        return ink.crossed_by(turning.room) + APART * math.degrees(away)
 
     return min(_candidates(letter, sense, pairs), key=cost)
 

@@ -157,13 +157,13 @@ class Skeletons:
     @cached_property
     def travels(self) -> dict[Slide, tuple[float, float]]:
         """Give the outermost places of each slide's block along its line, m; a slide of no known place has none."""
-        found = {}
+        ends = {}
         for slide in self.mechanism.slides:
             along = np.concatenate([poses.along(slide) for poses in (*self.poses, self.way)])
             known = along[~np.isnan(along)]
             if known.size:
-                found[slide] = float(known.min()), float(known.max())
-        return found
+                ends[slide] = float(known.min()), float(known.max())
+        return ends
 
     @cached_property
     def points(self) -> list[complex]:
@@ -189,8 +189,8 @@ class Skeletons:
 def skeletons(study: LinkageStudy, motion: Motion, shown: int) -> Skeletons:
     """Gather the poses that the figure needs: the way between positions is computed densely, not splined."""
     turns = {FRAME: np.ones(len(motion.phi), dtype=np.complex128)}
-    turns |= {number: np.exp(1j * found.angle) for number, found in motion.links.items()}
-    numbered = Poses(study.mechanism.links, {name: found.r for name, found in motion.points.items()}, turns)
+    turns |= {number: np.exp(1j * turning.angle) for number, turning in motion.links.items()}
+    numbered = Poses(study.mechanism.links, {name: turning.r for name, turning in motion.points.items()}, turns)
     extremes = None
     if study.travel is not None:
         turn = CrankPositions(np.array(study.travel.extremes.phi), np.array(study.travel.directions))

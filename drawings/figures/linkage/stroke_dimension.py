@@ -31,15 +31,15 @@ BORDER = 14.0  # mm that a sheet leaves free round the points of a plan
 OUTSIDE = 30.0  # what each mm beyond the border costs
 
 
-def stroke(bones: Skeletons, place: Place, hand: Hand, language: str, drawn: Ink) -> list[Stroke]:
+def stroke(bones: Skeletons, place: Place, hand: Hand, language: str, ink: Ink) -> list[Stroke]:
     """Dimension the stroke H of a sliding output, in millimetres of the machine, on the clearer side of its guide."""
-    found, out = bones.study.travel, bones.study.output
+    travel, out = bones.study.travel, bones.study.output
     slide = frame_slide(bones.mechanism, out.link)
-    if found is None or slide is None or bones.extremes is None:
+    if travel is None or slide is None or bones.extremes is None:
         return []
     pins = [place.on(complex(value)) for value in bones.extremes.points[out.point or slide.point]]
     first, last = sorted(pins, key=lambda pin: (round(pin.real, 6), pin.imag))
-    text = f"H = {fixed(1000 * found.extremes.stroke, language)}".rstrip("0").rstrip(".,")
+    text = f"H = {fixed(1000 * travel.extremes.stroke, language)}".rstrip("0").rstrip(".,")
     room = _room([place.on(value) for value in bones.points])
     best: list[Stroke] = []
     cheapest = math.inf
@@ -47,7 +47,7 @@ def stroke(bones: Skeletons, place: Place, hand: Hand, language: str, drawn: Ink
         if distance >= cheapest:
             break  # no place further off can be better
         for strokes in _candidates(first, last, distance, text, hand):
-            cost = distance + _cost(strokes, drawn, room)
+            cost = distance + _cost(strokes, ink, room)
             if cost < cheapest:
                 best, cheapest = strokes, cost
     return best
@@ -83,10 +83,10 @@ def _dimension(first: complex, last: complex, off: complex, share: float, text: 
     ]
 
 
-def _cost(strokes: list[Stroke], drawn: Ink, room: Box) -> float:
+def _cost(strokes: list[Stroke], ink: Ink, room: Box) -> float:
     """Weigh a dimension: lines through its number, lines that its own lines cross, what is beyond the border."""
     letters, dimension, *extensions = strokes[:4]
-    struck, crossed = drawn.crossed_by([letters]), drawn.crossed_by([dimension]) + drawn.crossed_by(extensions) / 2
+    struck, crossed = ink.crossed_by([letters]), ink.crossed_by([dimension]) + ink.crossed_by(extensions) / 2
     return STRUCK * struck + CROSSED * crossed + OUTSIDE * _beyond(strokes, room)
 
 

@@ -27,13 +27,13 @@ def trajectories(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
     still = mechanism.links[FRAME].points.keys() | mechanism.links[mechanism.drive.link].points.keys()
     guided = {slide.slider for slide in mechanism.slides if slide.owner == FRAME}
     still |= {name for link in guided for name in mechanism.links[link].points}
-    drawn: list[Stroke] = []
+    strokes: list[Stroke] = []
     for name in sorted(bones.way.points.keys() - still):
         arc = _swing(bones, name, place, hand)
-        drawn += [arc] if arc else _path(_on(bones.way.points[name], place), hand)
+        strokes += [arc] if arc else _path(_on(bones.way.points[name], place), hand)
     for _, mass in sorted(bones.masses.items()):
-        drawn += _path(_on(bones.way.of(*mass), place), hand) if mass[0] not in guided else []
-    return drawn
+        strokes += _path(_on(bones.way.of(*mass), place), hand) if mass[0] not in guided else []
+    return strokes
 
 
 def _on(values: Complexes, place: Place) -> Complexes:

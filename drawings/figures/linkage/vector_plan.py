@@ -6,7 +6,7 @@ import cmath
 import math
 from dataclasses import dataclass
 
-from drawings.figures.linkage.coriolis import Turned, placed, turned
+from drawings.figures.linkage.coriolis import QuarterTurn, draw_nearby, quarter_turn
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
@@ -45,7 +45,7 @@ class Arrow:
 
 
 @dataclass(frozen=True)
-class Diagram:
+class VectorDiagram:
     """What one position of a plan shows: vectors, lines of known direction, and the letters at its points."""
 
     plan: Plan
@@ -53,7 +53,7 @@ class Diagram:
     arrows: tuple[Arrow, ...]
     rays: tuple[tuple[complex, complex], ...]  # true ends of lines of known direction: from its start to the meeting
     letters: tuple[Mark, ...]
-    turned: tuple[Turned, ...]  # the Coriolis parts' directions
+    turned: tuple[QuarterTurn, ...]  # the Coriolis parts' directions
 
     @property
     def points(self) -> list[complex]:
@@ -62,7 +62,7 @@ class Diagram:
         return [0j, *ends, *(end for ray in self.rays for end in ray)]
 
 
-def diagram(plan: Plan, column: int) -> Diagram:
+def diagram(plan: Plan, column: int) -> VectorDiagram:
     """Read a figure from a plan's record: what the named points rest on is drawn, the rest is left out."""
     needed = [mark for mark in behind(*plan.letters.values()) if mark.subject == plan.board.subject]
     images = [mark for mark in needed if mark.rays and mark is not plan.pole]
@@ -75,8 +75,8 @@ def diagram(plan: Plan, column: int) -> Diagram:
         if mark.step.op == "meet" or mark in plan.letters.values():
             arrows.setdefault((plan.pole, mark), _arrow(plan, plan.pole, mark, column))
     rays = tuple(ray for mark in needed if mark.step.op == "meet" for ray in _rays(mark, column))
-    rules = tuple(rule for mark in needed if (rule := turned(mark, column)) is not None)
-    return Diagram(plan, column, tuple(arrows.values()), rays, tuple(images), rules)
+    rules = tuple(rule for mark in needed if (rule := quarter_turn(mark, column)) is not None)
+    return VectorDiagram(plan, column, tuple(arrows.values()), rays, tuple(images), rules)
 
 
 def _arrow(plan: Plan, start: Mark, end: Mark, column: int) -> Arrow:
@@ -84,18 +84,18 @@ def _arrow(plan: Plan, start: Mark, end: Mark, column: int) -> Arrow:
 
 
 def _rays(mark: Mark, column: int) -> list[tuple[complex, complex]]:
-    found = []
+    rays = []
     for line in mark.step.inputs:
         if isinstance(line.value, Direction):
-            found.append((at(line.value.through, column), at(mark.point, column)))
-    return found
+            rays.append((at(line.value.through, column), at(mark.point, column)))
+    return rays
 
 
 @dataclass(frozen=True)
 class PlanFigure:
     """A diagram placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
 
-    shown: Diagram
+    shown: VectorDiagram
     place: Place
     lines: tuple[Stroke, ...]
     position: int
@@ -107,11 +107,11 @@ class PlanFigure:
         name = f"{self.shown.plan.board.subject}-{self.position}"
         letters = Group(tuple(_letters(self.shown, self.place, self.hand, labels)))
         seen = (rule for rule in self.shown.turned if self.place.length(rule.size) >= LEAST)
-        rules = (placed(rule, self.box, labels.ink, self.hand) for rule in seen)
+        rules = (draw_nearby(rule, self.box, labels.ink, self.hand) for rule in seen)
         return (Group((*self.lines, letters, *(rule for rule in rules if rule is not None)), name),)
 
 
-def measure(shown: Diagram, name: str, drafting: Drafting) -> Picture:
+def measure(shown: VectorDiagram, name: str, drafting: Drafting) -> Picture:
     """Measure the room that a plan needs: its points, letters around them, its heading above."""
     kind, hand = shown.plan.board.subject, drafting.hand
     title = text_width(Text(0j, drafting.word(kind, position=shown.column), hand.title))
@@ -121,12 +121,12 @@ def measure(shown: Diagram, name: str, drafting: Drafting) -> Picture:
     return picture(name, shown.points, (SYMBOL[kind], UNIT[kind]), margins, title, least)
 
 
-def draw(shown: Diagram, room: Picture, spot: Spot, drafting: Drafting) -> PlanFigure:
+def draw(shown: VectorDiagram, room: Picture, spot: Spot, drafting: Drafting) -> PlanFigure:
     """Draw the plan in its spot, with its title and its written scale above it."""
     position, hand = shown.column, drafting.hand
     kind = shown.plan.board.subject
     subject = Subject(kind, SYMBOL[kind], position)
-    place = room.placed(*spot)
+    place = room.place(*spot)
     title = _heading(shown, spot, drafting)
     lines = Group(tuple(_directions(shown, place, hand)))
     arrows = [_arrow_of(subject, arrow, place, hand) for arrow in shown.arrows if _visible(arrow, place)]
@@ -136,7 +136,7 @@ def draw(shown: Diagram, room: Picture, spot: Spot, drafting: Drafting) -> PlanF
     )
 
 
-def _heading(shown: Diagram, spot: Spot, drafting: Drafting) -> Group:
+def _heading(shown: VectorDiagram, spot: Spot, drafting: Drafting) -> Group:
     """Write a plan's title and its scale above it."""
     title = drafting.word(shown.plan.board.subject, position=shown.column)
     under = drafting.scale(spot.scale) if any(shown.points) else drafting.word("at rest")
@@ -153,20 +153,20 @@ def _arrow_of(subject: Subject, arrow: Arrow, place: Place, hand: Hand) -> Group
     return vector(subject, arrow.name, arrow.ends, place, style)
 
 
-def _directions(shown: Diagram, place: Place, hand: Hand) -> list[Stroke]:
+def _directions(shown: VectorDiagram, place: Place, hand: Hand) -> list[Stroke]:
     """Draw each line of known direction from a little before its start to a little past the meeting."""
-    drawn: list[Stroke] = []
+    lines: list[Stroke] = []
     for start, end in shown.rays:
         first, last = place.on(start), place.on(end)
         length = abs(last - first)
         if length < LEAST:
             continue
         along = (last - first) / length * BEYOND * hand.symbol
-        drawn.append(Line(first - along / 2, last + along, hand.drafted))
-    return drawn
+        lines.append(Line(first - along / 2, last + along, hand.drafted))
+    return lines
 
 
-def _letters(shown: Diagram, place: Place, hand: Hand, labels: Labels) -> list[Stroke]:
+def _letters(shown: VectorDiagram, place: Place, hand: Hand, labels: Labels) -> list[Stroke]:
     """Letter the pole and every image once; images that fall on one place share it."""
     names: dict[complex, list[str]] = {place.on(0j): [shown.plan.pole.name]}
     for mark in shown.letters:
@@ -175,17 +175,19 @@ def _letters(shown: Diagram, place: Place, hand: Hand, labels: Labels) -> list[S
         own = [shown.plan.letter(point) for point, image in shown.plan.letters.items() if image is mark]
         names.setdefault(same, []).extend(name for name in (mark.name, *own) if name not in names[same])
     middle = sum(names, 0j) / len(names)
-    drawn: list[Stroke] = []
+    strokes: list[Stroke] = []
     for spot, letters in names.items():
         prefer = cmath.phase(spot - middle) if abs(spot - middle) > 1e-9 else math.pi / 4
-        drawn.append(labels.beside(spot, ", ".join(written(letter) for letter in letters), hand.letter, 1.6, prefer))
-    return drawn
+        strokes.append(
+            labels.beside(spot, ", ".join(with_index(letter) for letter in letters), hand.letter, 1.6, prefer)
+        )
+    return strokes
 
 
-def written(letter: str) -> str:
+def with_index(letter: str) -> str:
     """Write a mark's letter with its index lowered: b, a_3, n_BA.
 
-    >>> written("a3"), written("n_BA"), written("s12'")
+    >>> with_index("a3"), with_index("n_BA"), with_index("s12'")
     ('a_{3}', 'n_{BA}', "s_{12}'")
     """
     if "_" in letter:

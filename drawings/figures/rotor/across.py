@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from drawings.figures.rotor.along import BESIDE, BODY, ORIGIN, SYMBOL, UNIT, body, origin
 from drawings.figures.rotor.dimension import dimension, extension
 from drawings.figures.rotor.letters import letter, size
-from drawings.figures.rotor.rotor_view import Body, RotorView
+from drawings.figures.rotor.rotor_view import RotorView, ShownBody
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
@@ -85,7 +85,7 @@ def measure(shown: RotorView, drafting: Drafting) -> Picture:
 
 def draw(shown: RotorView, room: Picture, spot: Spot, drafting: Drafting) -> AcrossFigure:
     """Draw the view in its spot: shaft, bearings, planes of correction, masses, and the arms dimensioned."""
-    place, hand = room.placed(*spot), drafting.hand
+    place, hand = room.place(*spot), drafting.hand
     title = heading(spot.box, drafting.word("view across"), drafting.scale(spot.scale), hand)
     lines = [*_shaft(shown, place, hand), *_shells(shown, place, hand), *_planes(shown, place, hand)]
     lines += [_stem(one, place, hand) for one in shown.told]
@@ -96,7 +96,7 @@ def draw(shown: RotorView, room: Picture, spot: Spot, drafting: Drafting) -> Acr
     return AcrossFigure(shown, place, (title, *lines, *arms, zero, *bodies), drafting)
 
 
-def _side(one: Body) -> complex:
+def _side(one: ShownBody) -> complex:
     """Give where a body is seen: its place along the shaft, and its height over the axis, m."""
     return complex(one.place, one.centre.imag)
 
@@ -133,14 +133,14 @@ def _planes(shown: RotorView, place: Place, hand: Hand) -> Iterator[Stroke]:
         yield Line(spot - half, spot + half, fit(hand.extreme, 2 * abs(half)))
 
 
-def _stem(one: Body, place: Place, hand: Hand) -> Stroke:
+def _stem(one: ShownBody, place: Place, hand: Hand) -> Stroke:
     style = hand.result if one.added else hand.other
     return Line(place.on(complex(one.place)), place.on(_side(one)), style)
 
 
-def _arms(shown: RotorView) -> dict[float, list[Body]]:
+def _arms(shown: RotorView) -> dict[float, list[ShownBody]]:
     """Give the different arms from the last plane with the bodies that have them, the shortest first."""
-    found: dict[float, list[Body]] = {}
+    found: dict[float, list[ShownBody]] = {}
     for one in shown.bodies:
         if one.arm and not (one.added and one.name == shown.planes[-1][0]):
             found.setdefault(one.arm, []).append(one)

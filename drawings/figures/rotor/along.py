@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from drawings.figures.rotor.letters import FEW, letter, size
-from drawings.figures.rotor.rotor_view import Body, RotorView
+from drawings.figures.rotor.rotor_view import RotorView, ShownBody
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
@@ -59,7 +59,7 @@ class AlongFigure:
             turned = cmath.rect(radius * hand.symbol, start + math.copysign(sweep, self.shown.turning) / 2)
             yield labels.beside(self.place.on(0j) + turned, "ω", hand.letter, BESIDE, cmath.phase(turned))
 
-    def _letter(self, labels: Labels, one: Body) -> Stroke:
+    def _letter(self, labels: Labels, one: ShownBody) -> Stroke:
         hand = self.drafting.hand
         gap = BODY * hand.symbol + BESIDE
         text = letter(one.mark, len(self.shown.bodies), self.drafting)
@@ -79,7 +79,7 @@ def measure(shown: RotorView, drafting: Drafting) -> Picture:
 
 def draw(shown: RotorView, room: Picture, spot: Spot, drafting: Drafting) -> AlongFigure:
     """Draw the view in its spot: axes, shaft, the lines to the masses, the masses."""
-    place, hand = room.placed(*spot), drafting.hand
+    place, hand = room.place(*spot), drafting.hand
     under = drafting.scale(spot.scale) if shown.scaled else drafting.word("angles alone")
     title = heading(spot.box, drafting.word("view along"), under, hand)
     lines = [*_axes(shown, place, hand), *_turning(shown, place, hand)]
@@ -103,14 +103,14 @@ def _turning(shown: RotorView, place: Place, hand: Hand) -> tuple[Stroke, ...]:
     return turning_arrow(place.on(0j), radius * hand.symbol, start, math.copysign(sweep, shown.turning), hand)
 
 
-def _spoke(one: Body, place: Place, hand: Hand) -> Stroke:
+def _spoke(one: ShownBody, place: Place, hand: Hand) -> Stroke:
     """Draw the line from the axis to a mass: a result in a main line, dashed where only its angle is known."""
     style = hand.result if one.added else hand.other
     ends = place.on(0j), place.on(one.centre)
     return Line(*ends, style if one.known else fit(style._replace(dash=hand.dashed), abs(ends[1] - ends[0])))
 
 
-def body(shown: RotorView, one: Body, centre: complex, place: Place, plan: str, drafting: Drafting) -> Group:
+def body(shown: RotorView, one: ShownBody, centre: complex, place: Place, plan: str, drafting: Drafting) -> Group:
     """Draw a mass as a circle, a counterweight as a black one; measurable where its radius is known."""
     hand, many = drafting.hand, one not in shown.told
     style = INK if one.added or many else LineStyle(hand.main, fill="#ffffff")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TypeAlias
 
-from drawings.layout.table import Row, Table, table
+from drawings.layout.table import RuledTable, TableRow, table
 from drawings.layout.value_table import COLUMNS, row
 from drawings.lettering.rotor_letters import index, lowered
 from drawings.page.drafting import Drafting
@@ -19,7 +19,7 @@ DIGITS = 5
 NOTHING = "—"
 
 
-def masses(rotor: Rotor, balance: Balance, drafting: Drafting) -> Table:
+def masses(rotor: Rotor, balance: Balance, drafting: Drafting) -> RuledTable:
     """Tell the masses of a rotor, then its counterweights."""
     rows = [_mass(rotor, one) for one in rotor.masses]
     rows += [_correction(rotor, one, drafting) for one in balance.corrections]
@@ -41,24 +41,24 @@ def _correction(rotor: Rotor, one: Correction, drafting: Drafting) -> tuple[str,
     return index(one.plane.name, drafting.language), (one.mass, one.radius, moment.angle, arm, moment.size)
 
 
-def _row(name: str, values: Values, flat: bool, drafting: Drafting) -> Row:
+def _row(name: str, values: Values, flat: bool, drafting: Drafting) -> TableRow:
     mass, radius, angle, arm, moment = values
     far = None if radius is None else 1000 * radius
     told = (mass, far, angle, moment) if flat else (mass, far, angle, 1000 * arm, moment, abs(moment * arm))
-    return Row(name, tuple(NOTHING if one is None else drafting.number(one, DIGITS) for one in told))
+    return TableRow(name, tuple(NOTHING if one is None else drafting.number(one, DIGITS) for one in told))
 
 
-def results(comparison: Comparison, drafting: Drafting) -> Table:
+def results(comparison: Comparison, drafting: Drafting) -> RuledTable:
     """Tell what both roads found, with the difference."""
     told = (one for one in comparison.findings if one.plan != EQUILIBRIUM and one.largest > 0)
     return _table(RESULTS, [_compared(one, drafting) for one in told], "quantity", COLUMNS, drafting)
 
 
-def _compared(finding: Finding, drafting: Drafting) -> Row:
+def _compared(finding: Finding, drafting: Drafting) -> TableRow:
     """Give the row of a finding; what vanishes is 0 by both roads."""
     name = _name(finding, drafting)
     if max(abs(finding.construction[0]), abs(finding.analysis[0])) <= finding.allowed[0]:
-        return Row(name, ("0", "0", NOTHING))
+        return TableRow(name, ("0", "0", NOTHING))
     return row(finding, name, (0,), drafting.language)
 
 
@@ -68,6 +68,6 @@ def _name(finding: Finding, drafting: Drafting) -> str:
     return f"{lowered(head, drafting.language)}{prime}, {drafting.word(finding.unit)}"
 
 
-def _table(name: str, lines: list[Row], first: str, heads: tuple[str, ...], drafting: Drafting) -> Table:
+def _table(name: str, lines: list[TableRow], first: str, heads: tuple[str, ...], drafting: Drafting) -> RuledTable:
     words = tuple(drafting.word(head) for head in heads)
     return table(lines, drafting.word(first), words, drafting.hand.text)._replace(name=name)

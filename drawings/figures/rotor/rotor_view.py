@@ -13,7 +13,7 @@ from plans.model.rotor import Balance, Rotor
 NOMINAL = 0.8  # of the largest known radius: where a mass without one is drawn
 
 
-class Body(NamedTuple):
+class ShownBody(NamedTuple):
     """A mass or a counterweight: its name, its centre in a plane across the shaft m, its place along it m.
 
     One whose radius nothing gives stands at its angle alone; a counterweight is `added`.
@@ -35,7 +35,7 @@ class Body(NamedTuple):
 class RotorView(NamedTuple):
     """A rotor to be seen: its bodies, the planes of correction, the bearings; metres."""
 
-    bodies: tuple[Body, ...]
+    bodies: tuple[ShownBody, ...]
     planes: tuple[tuple[str, float], ...]  # name and place
     bearings: tuple[float, ...]
     turning: float  # the sense in which it turns: 1, -1, or 0 where it is not given
@@ -56,7 +56,7 @@ class RotorView(NamedTuple):
         return len(self.bodies) > MOST
 
     @property
-    def told(self) -> tuple[Body, ...]:
+    def told(self) -> tuple[ShownBody, ...]:
         """The bodies that are lettered and measured: of too many masses the counterweights alone."""
         return tuple(one for one in self.bodies if one.added or not self.many)
 
@@ -80,6 +80,6 @@ def rotor_view(rotor: Rotor, balance: Balance) -> RotorView:
     return RotorView(tuple(bodies), planes, tuple(map(float, rotor.bearings)), turning)
 
 
-def _body(rotor: Rotor, name: str, angle: float, place: Fraction, radius: float | None, nominal: float) -> Body:
+def _body(rotor: Rotor, name: str, angle: float, place: Fraction, radius: float | None, nominal: float) -> ShownBody:
     centre = cmath.rect(radius or nominal, math.radians(angle))
-    return Body(name, centre, float(place), rotor.arm(place), False, bool(radius))
+    return ShownBody(name, centre, float(place), rotor.arm(place), False, bool(radius))

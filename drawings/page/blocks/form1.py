@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Mapping
 
 from drawings.lettering.words import word
-from drawings.page.title_cell import TitleCell, titled
+from drawings.page.title_cell import TitleCell, write_title
 from drawings.paper.formats import Field
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Line, LineStyle, Polyline, Stroke, Text
@@ -68,14 +68,14 @@ def block(corner: complex, entries: Mapping[str, str], hand: Hand, language: str
         for start, end in segments:
             yield Line(corner + complex(*start), corner + complex(*end), LineStyle(width, cap="round"))
     for key, graph in CAPTIONS.items():
-        yield from graph.lettered(corner, word(language, key))
-    filled = {key: text for key, text in _filled(entries).items() if text}
+        yield from graph.letter(corner, word(language, key))
+    filled = {key: text for key, text in _entries(entries).items() if text}
     for key, graph in ENTRIES.items():
-        yield from graph.lettered(corner, filled[key]) if key in filled else ()
-    yield from titled(TITLE, corner, filled.get("title", ""), filled.get("subtitle", ""))
+        yield from graph.letter(corner, filled[key]) if key in filled else ()
+    yield from write_title(TITLE, corner, filled.get("title", ""), filled.get("subtitle", ""))
 
 
-def _filled(entries: Mapping[str, str]) -> dict[str, str]:
+def _entries(entries: Mapping[str, str]) -> dict[str, str]:
     filled = dict(entries)
     filled["date"] = short_date(entries.get("date", ""))
     if entries.get("sheets", "1") == "1":
@@ -112,7 +112,7 @@ def extra(field: Field, place: Field, designation: str, name: str, hand: Hand, l
     corner = complex(place.left, place.bottom)
     turn = 180.0 if place.width > place.height else -90.0  # upside down, or read from the right
     if designation:
-        yield from TitleCell(0, 0, place.width, place.height, 5.0, rotation=turn).lettered(corner, designation)
+        yield from TitleCell(0, 0, place.width, place.height, 5.0, rotation=turn).letter(corner, designation)
     for key, off in BELOW.items():
         yield Text(complex(field.right - off, 1.4), word(language, key, format=name), 2.5, "start", True)
 
@@ -127,7 +127,7 @@ def _strip(corner: complex, hand: Hand, language: str) -> Iterator[Stroke]:
     at = corner
     yield Line(at, at + narrow + wide, main)
     for key, high in STRIP:
-        yield from TitleCell(0, 0, narrow, high, 2.5, rotation=90.0).lettered(at, word(language, key))
+        yield from TitleCell(0, 0, narrow, high, 2.5, rotation=90.0).letter(at, word(language, key))
         at += 1j * high
         yield Line(at, at + narrow + wide, main)
 

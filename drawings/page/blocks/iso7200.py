@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from drawings.lettering.words import word
-from drawings.page.title_cell import TitleCell, titled
+from drawings.page.title_cell import TitleCell, write_title
 from drawings.paper.formats import BLOCKS
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Line, LineStyle, Polyline, Run, Stroke, Text
@@ -43,8 +43,8 @@ def block(corner: complex, entries: Mapping[str, str], hand: Hand, language: str
     yield Polyline(outline, True, LineStyle(hand.main))
     rooms = {key: cell._replace(height=cell.height - UNDER, anchor="start", pad=PAD) for key, cell in CELLS.items()}
     for key, text in _values(entries, language):
-        yield from rooms[key].lettered(corner, text) if text else ()
-    yield from titled(rooms["title"], corner, entries.get("title", ""), entries.get("subtitle", ""))
+        yield from rooms[key].letter(corner, text) if text else ()
+    yield from write_title(rooms["title"], corner, entries.get("title", ""), entries.get("subtitle", ""))
 
 
 def _values(entries: Mapping[str, str], language: str) -> Iterator[tuple[str, str]]:
