@@ -14,8 +14,8 @@ from plans.model.rotor import ANALYSIS, EPS, ROUNDING, Balance, Correction, Resu
 Weighted = Sequence[tuple[complex, float]]
 
 
-def balance(rotor: Rotor) -> Balance:
-    """Find what balances a rotor, and what its bearings bear before and after."""
+def balance(rotor: Rotor, borne: bool = True) -> Balance:
+    """Find what balances a rotor and, if `borne` is asked for, what its bearings bear before and after."""
     loads = [(moment(one), one.place) for one in rotor.masses]
     corrections = tuple(_correction(rotor, loads, k) for k in range(len(rotor.planes)))
     found = [(one.moment.value, one.plane.place) for one in corrections]
@@ -25,8 +25,8 @@ def balance(rotor: Rotor) -> Balance:
         couple=_resultant([(one, rotor.arm(place)) for one, place in loads]),
         unbalance=_resultant([(one, 1.0) for one, _ in loads]),
         corrections=corrections,
-        before=_reactions(rotor, loads, []),
-        after=_reactions(rotor, [*loads, *found], [*[0.0] * len(loads), *carried]),
+        before=_reactions(rotor, loads, []) if borne else (),
+        after=_reactions(rotor, [*loads, *found], [*[0.0] * len(loads), *carried]) if borne else (),
     )
 
 

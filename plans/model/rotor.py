@@ -122,8 +122,8 @@ class Balance:
     couple: Resultant  # sum of m*D*h about the last plane, kg*m2
     unbalance: Resultant  # sum of m*D, kg*m
     corrections: tuple[Correction, ...]
-    before: tuple[Resultant, ...]  # reactions N of the bearings on the rotor, turning with it
-    after: tuple[Resultant, ...]
+    before: tuple[Resultant, ...] = ()  # reactions N of the bearings on the rotor, turning with it
+    after: tuple[Resultant, ...] = ()
 
     @property
     def gaps(self) -> tuple[Gap, ...]:

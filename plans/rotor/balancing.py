@@ -11,7 +11,7 @@ from geometry.board import Board, Mark
 from plans.model.rotor import Plane, Rotor, Unbalance
 from plans.rotor.heading import heading
 from plans.rotor.letters import moment_letters, unbalance_letters
-from plans.rotor.polygon import Polygon, close, polygon
+from plans.rotor.polygon import Polygon, close, polygon, rounding
 from plans.words.words import Message, because, message
 
 COUPLES, UNBALANCES = "couples", "unbalances"  # the boards: vectors m*D*h kg*m2, and m*D kg*m
@@ -37,7 +37,7 @@ class Balancing:
     moments: Polygon
     forces: Polygon
     corrections: tuple[Placed, ...]
-    unbalance: Mark  # against the sum of the static moments, before any correction
+    unbalance: Placed  # against the sum of the static moments, before any correction
 
     @property
     def boards(self) -> tuple[Board, ...]:
@@ -55,7 +55,8 @@ def balancing(rotor: Rotor) -> Balancing:
     laid = [one.mark for one in (*masses, *(() if moments.closed else first))]
     last = rotor.planes[-1]
     forces = polygon(board, pole, unbalance_letters(last.name), laid, sum(one.slack for one in first))
-    unbalance = close(board, pole, "ΣmD", [one.mark for one in masses], because("against_all"))
+    given = [one.mark for one in masses]
+    unbalance = Placed(close(board, pole, "ΣmD", given, because("against_all")), last.place, rounding(given))
     corrections = *first, Placed(forces.closing, last.place, forces.slack)
     return Balancing(rotor, masses, moments, forces, corrections, unbalance)
 

@@ -13,6 +13,7 @@ from plans.rotor.balancing import COUPLES, UNBALANCES
 from plans.rotor.bearings import BEARINGS, REACTIONS
 
 if TYPE_CHECKING:
+    from plans.rotor.study import RotorStudy
     from plans.study import Study
 
 
@@ -58,8 +59,13 @@ class RotorNumbers:
 def numbers(study: Study, by: str) -> RotorNumbers:
     """Balance the rotor of a scene by a road."""
     rotor = study["rotor"]
-    found = analysis.balance(rotor.rotor) if by == ANALYSIS else rotor.balance
+    borne = REACTIONS in study.plans
+    found = analysis.balance(rotor.rotor, borne) if by == ANALYSIS else _constructed(rotor, borne)
     return RotorNumbers(study.scene.title, rotor.rotor, found, study.plans)
+
+
+def _constructed(rotor: RotorStudy, borne: bool) -> Balance:
+    return rotor.balance if borne else rotor.corrected
 
 
 def _correction(one: Correction) -> dict[str, Any]:

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Collection
+from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 from geometry.board import Board, Mark
 from plans.model.rotor import CONSTRUCTION, Balance, Correction, Resultant, Rotor
-from plans.rotor.balancing import COUPLES, UNBALANCES, Balancing, Placed, balancing
+from plans.rotor.balancing import COUPLES, UNBALANCES, Balancing, balancing
 from plans.rotor.bearings import REACTIONS, Reactions, reactions
-from plans.rotor.polygon import Polygon
 
 if TYPE_CHECKING:
     from plans.study import Study
@@ -48,23 +48,24 @@ class RotorStudy:
         return (*self.drawing.boards, *((board,) if board is not None else ()))
 
     @cached_property
-    def balance(self) -> Balance:
-        """What balances the rotor, as it is told."""
-        found, (before, after) = self.drawing, self.reactions
+    def corrected(self) -> Balance:
+        """What balances the rotor, whatever its bearings bear."""
+        found, moments = self.drawing, self.drawing.moments
         pairs = zip(self.rotor.planes, found.corrections, strict=True)
-        corrections = tuple(Correction(plane, _moment(one)) for plane, one in pairs)
-        couple = _sum(found.moments.closing, found.moments)
-        unbalance = _sum(found.unbalance, found.forces)
-        return Balance(CONSTRUCTION, couple, unbalance, corrections, before.resultants, after.resultants)
+        corrections = tuple(Correction(plane, _resultant(one.mark, one.slack)) for plane, one in pairs)
+        couple = _resultant(moments.closing, moments.slack, -1)
+        return Balance(CONSTRUCTION, couple, _resultant(found.unbalance.mark, found.unbalance.slack, -1), corrections)
+
+    @cached_property
+    def balance(self) -> Balance:
+        """What balances the rotor, and what its bearings bear before and after."""
+        before, after = self.reactions
+        return replace(self.corrected, before=before.resultants, after=after.resultants)
 
 
-def _moment(one: Placed) -> Resultant:
-    return Resultant(complex(one.mark.point), one.slack)
-
-
-def _sum(closing: Mark, among: Polygon) -> Resultant:
-    """Give the sum of vectors that a closing vector is against."""
-    return Resultant(-complex(closing.point), among.slack)
+def _resultant(mark: Mark, slack: float, sense: int = 1) -> Resultant:
+    """Read a vector, or in the sense -1 the sum that it is against."""
+    return Resultant(sense * complex(mark.point), slack)
 
 
 def study_of(study: Study) -> RotorStudy:

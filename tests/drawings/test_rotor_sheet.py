@@ -227,6 +227,12 @@ def test_stiff_rotors_are_drawn(apart: str, heavy: str, tmp_path: Path) -> None:
     drawn(Rotor(masses(rows), planes, (Fraction("-0.1"), Fraction("0.6")), -100.0, 20.0, 6.3), tmp_path)
 
 
+def test_planes_that_lie_together_on_paper_are_drawn(tmp_path: Path) -> None:
+    far = Fraction(10**6)
+    planes = (Plane("I", far + Fraction(1, 10**9), 0.1), Plane("II", far, 0.1))
+    drawn(Rotor(masses(), planes, (Fraction(0), far)), tmp_path)
+
+
 @pytest.mark.parametrize("language", ["en", "ru"])
 def test_both_languages_say_the_same_of_a_rotor(language: str, tmp_path: Path) -> None:
     (leaf,), _ = drawn(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -157,7 +158,8 @@ def _dimensions(shown: RotorView, place: Place, drafting: Drafting) -> Iterator[
         level = bottom - number * step(hand)
         across = place.on(complex(own[0].place)).real
         names = " = ".join(f"h_{{{index(one.name, drafting.language)}}}" for one in own)
-        yield dimension(base.real, across, level, f"{names} = {drafting.number(1000 * abs(arm))}", hand)
+        text = f"{names} = {drafting.number(1000 * abs(arm))}"
+        yield dimension(base.real, across, level, math.copysign(1.0, arm), text, hand)
         yield extension(across, place.on(_side(own[0])).imag, level, hand)
     if arms:
         yield extension(base.real, base.imag - _half(shown, place, hand), level, hand)

@@ -13,11 +13,11 @@ TALL = 1.6  # sizes of a number with its index, and paper over it
 TAIL = 8.0  # mm of a dimension line outside its extension lines, where its arrows stand outside
 
 
-def dimension(base: float, last: float, level: float, text: str, hand: Hand) -> Group:
-    """Draw a level dimension from a base, mm: arrows and number outside, beyond the base, where it is short."""
+def dimension(base: float, last: float, level: float, sense: float, text: str, hand: Hand) -> Group:
+    """Draw a level dimension from a base, mm, in a sense +1 or -1: where it is short its number is beyond the base."""
     wide = text_width(Text(0j, text, hand.number, "middle", True))
     start, end = complex(base, level), complex(last, level)
-    along, tail = (end - start) / abs(end - start), TAIL * hand.symbol
+    along, tail = complex(sense), TAIL * hand.symbol
     roomy, fits = abs(end - start) >= 2 * ARROW_LENGTH * hand.symbol + 2, abs(end - start) >= wide + 2
     tips = [(end, start), (start, end)] if roomy else [(start - 2 * tail * along, start), (end + 2 * tail * along, end)]
     shelf = start if roomy and fits else start - (tail + (0.0 if fits else wide + 2)) * along

@@ -1,0 +1,99 @@
+"""A rotor by the command: drawn, solved by both roads, compared, explained, measured, timed, and begun from."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from drawings.commands import cli
+from tests.gallery import GALLERY
+
+FAN = GALLERY / "fan.toml"
+Run = Callable[..., tuple[int, str, str]]
+
+
+@pytest.fixture
+def run(capsys: pytest.CaptureFixture[str]) -> Run:
+    def command(*arguments: object) -> tuple[int, str, str]:
+        code = cli.main([str(argument) for argument in arguments])
+        said = capsys.readouterr()
+        return code, said.out, said.err
+
+    return command
+
+
+def test_solve_gives_the_textbook_s_values_by_both_roads(run: Run) -> None:
+    """Methods M7.3, book (8.5)."""
+    for by in ("construction", "analysis"):
+        code, out, err = run("solve", FAN, "--by", by)
+        told = json.loads(out)
+        assert (code, err, told["by"]) == (0, "", by)
+        first, second = told["corrections"]["I"], told["corrections"]["II"]
+        assert f"{first['moment']['size']:.11f}" == "0.04770639338"
+        assert f"{second['moment']['size']:.11f}" == "0.06181309812"
+        assert (first["mass"], second["radius"]) == (0.5, 0.1)
+        assert told["reactions"]["after"]["A"] == {"vector": [0.0, 0.0], "size": 0.0, "angle": None}
+        assert told["quality"]["grade"] == "G4000"
+
+
+def test_only_what_is_asked_for_is_told_and_made(run: Run) -> None:
+    code, out, err = run("solve", FAN, "--only", "couples", "--trace")
+    assert code == 0
+    assert json.loads(out).keys() == {"scene", "by", "couple"}
+    (made,) = (line for line in err.splitlines() if line.startswith(("made", "построено", "сделано")))
+    assert "реакции" not in made and "reactions" not in made
+
+
+def test_both_roads_agree(run: Run) -> None:
+    code, out, _ = run("compare", FAN, "--json")
+    names = {(one["plan"], one["name"]) for one in json.loads(out)["findings"]}
+    assert code == 0
+    assert {("unbalances", "m_ID_I"), ("unbalances", "m_IID_II"), ("reactions", "R_A")} <= names
+    assert {("equilibrium", "ΣmD"), ("equilibrium", "ΣmDh")} <= names
+
+
+def test_explain_tells_moments_first_then_forces(run: Run) -> None:
+    code, out, _ = run("explain", FAN, "m_IID_II", "--json")
+    steps = json.loads(out)
+    plans = [step["plan"] for step in steps]
+    assert code == 0
+    assert (steps[-1]["name"], steps[-1]["op"]) == ("m_IID_II", "join")
+    assert [step["name"] for step in steps].index("m_ID_Ih_I") < [step["name"] for step in steps].index("m_ID_I")
+    assert {"couples", "unbalances"} == set(plans)
+    assert all(step["why"] for step in steps)
+
+
+def test_a_mark_that_no_polygon_has_is_told_with_the_near_ones(run: Run) -> None:
+    code, out, err = run("explain", FAN, "m_1D_2")
+    assert (code, out) == (3, "")
+    assert "m_1D_1" in err
+
+
+def test_a_drawn_sheet_is_measured(run: Run, tmp_path: Path) -> None:
+    code, out, err = run("draw", FAN, "-o", tmp_path)
+    assert (code, err) == (0, "")
+    assert "m_ID_I = 0,04770639338" in out
+    code, out, _ = run("measure", tmp_path / "fan-rotor.svg")
+    assert code == 0
+    assert {"m_ID_Ih_I", "m_IID_II"} <= set(out.split())
+    report = (tmp_path / "fan-report.md").read_text("utf-8")
+    assert "G0.4" in report and "33,82300909" in report
+
+
+def test_the_bench_holds_both_roads_and_the_sheet_against_the_truth(run: Run) -> None:
+    pytest.importorskip("mpmath")
+    code, out, _ = run("bench", FAN, "--quick", "--json")
+    errors = [row["error"] for row in json.loads(out)["rows"]]
+    assert code == 0
+    assert len(errors) == 3
+    assert max(errors[:2]) < 4e-15
+    assert 1e-9 < errors[2] < 1e-5
+
+
+def test_a_rotor_is_begun_from_the_gallery(run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert run("new", "four-masses")[0] == 0
+    assert run("draw", "four-masses.toml", "-o", "out")[0] == 0
