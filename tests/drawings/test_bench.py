@@ -259,7 +259,7 @@ def test_the_command_prints_and_keeps_a_bench(run: Run, tmp_path: Path) -> None:
 
 
 def test_json_alone_stands_on_stdout(run: Run, tmp_path: Path, quick: Bench, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(command, "session", lambda *_: quick)
+    monkeypatch.setattr(session, "session", lambda *_: quick)
     code, out, err = run(GALLERY / "shaper.toml", *SHORT, "--json", "-o", tmp_path)
     assert code == 0
     assert json.loads(out)["scene"] == quick.title
