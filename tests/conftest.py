@@ -13,6 +13,8 @@ from tests.parts import SEEDED
 settings.register_profile("same", derandomize=True, deadline=None)
 settings.load_profile("same")
 
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # as the program itself does: there are as many workers as cores
+
 # Where Python is told to keep no bytecode, every worker and every command that a test starts would compile all packages
 # anew; it goes to pytest's own folder instead.
 if sys.dont_write_bytecode and "PYTEST_XDIST_WORKER" not in os.environ:

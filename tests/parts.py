@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any
 
 import pytest
@@ -11,6 +11,11 @@ from hypothesis import settings
 SEEDED = "seeded"  # the profile of runs on a planted fault: properties are whole in them
 
 whole = False  # set by tests/conftest.py before any test is imported
+
+
+def some(rows: Iterable[Any], every: int) -> list[Any]:
+    """Keep every so many rows of a test in the everyday run, the first among them; the rest are left to `--whole`."""
+    return [pytest.param(row, marks=pytest.mark.rest if place % every else ()) for place, row in enumerate(rows)]
 
 
 def examples(part: int, all_of_them: int = 100) -> Callable[[Any], Any]:

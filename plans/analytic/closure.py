@@ -123,16 +123,15 @@ def settle(constraints: Constraints, poses: Floats, phi: Floats) -> tuple[Floats
     """Bring rough poses together by damped Gauss-Newton (Levenberg), then close them; tell where that succeeded."""
     poses = poses.copy()
     miss = constraints.residual(constraints.place(poses), phi)
+    busy = np.arange(len(poses))
     for _ in range(DAMPED_ROUNDS):
-        size = np.linalg.norm(miss, axis=1)
-        busy = np.flatnonzero(size > SQRT_EPS)
+        size = np.linalg.norm(miss[busy], axis=1)
+        busy, size = busy[size > SQRT_EPS], size[size > SQRT_EPS]
         if not busy.size:
             break
-        step = _damped_step(constraints.jacobian(constraints.place(poses[busy])), miss[busy], size[busy])
-        moved, left = _descend(constraints, poses[busy], phi[busy], step, size[busy])
-        poses[busy], miss[busy] = moved, left
-        if np.all(np.linalg.norm(left, axis=1) >= size[busy] * (1.0 - SQRT_EPS)):
-            break
+        step = _damped_step(constraints.jacobian(constraints.place(poses[busy])), miss[busy], size)
+        poses[busy], miss[busy] = _descend(constraints, poses[busy], phi[busy], step, size)
+        busy = busy[np.linalg.norm(miss[busy], axis=1) < size * (1.0 - SQRT_EPS)]  # the rest are as near as they come
     return close(constraints, poses, phi)
 
 
@@ -171,11 +170,13 @@ def _descend(constraints: Constraints, poses: Floats, phi: Floats, step: Floats,
     """Go along the step by the first of 1, 1/2, 1/4, ... of it that lessens the miss."""
     whole, share = np.nan_to_num(step), np.ones(len(poses))
     moved = constraints.moved(poses, whole)
+    miss = constraints.residual(constraints.place(moved), phi)
+    worse = np.flatnonzero(np.linalg.norm(miss, axis=1) >= size)
     for _ in range(HALVINGS):
-        miss = constraints.residual(constraints.place(moved), phi)
-        worse = np.linalg.norm(miss, axis=1) >= size
-        if not worse.any():
+        if not worse.size:
             break
         share[worse] *= 0.5
-        moved = constraints.moved(poses, share[:, None] * whole)
+        moved[worse] = constraints.moved(poses[worse], share[worse, None] * whole[worse])
+        miss[worse] = constraints.residual(constraints.place(moved[worse]), phi[worse])
+        worse = worse[np.linalg.norm(miss[worse], axis=1) >= size[worse]]
     return moved, miss

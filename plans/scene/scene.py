@@ -91,7 +91,8 @@ class Scene(Table):
 
     def part(self, technique: str) -> TechniqueForm | None:
         """Give what it says of a technique by its name, nothing where it has no part in it; imports nothing."""
-        return dict(zip(self.techniques, self.forms, strict=True)).get(technique)
+        wanted = TECHNIQUES[technique].form
+        return next((form for form in self.forms if f"{type(form).__module__}:{type(form).__name__}" == wanted), None)
 
     def changed(self, *forms: TechniqueForm, **values: Any) -> Scene:
         """Give the scene with other values, which are not checked again."""

@@ -59,7 +59,7 @@ BYTES: dict[str, tuple[str | bytes, int, str]] = {
     "A19 an integer of 5,000 digits": (changed("0.100", "1" * 5000), 3, "10:6: expected a number of reas"),
     "A19 a number of 5,000 digits": (changed("0.100", "0.1" + "0" * 5000), 0, ""),
     "A20 50 MB of text": ('title = "' + "x" * 50_000_000 + '"\n' + PLAIN, 8, "SIZE_LIMIT = 1048576"),
-    "A20 a million keys": (b"".join(b"k%d=1\n" % k for k in range(1_000_000)), 8, "SIZE_LIMIT = 1048576"),
+    "A20 a million keys": (b"".join(map(b"k%d=1\n".__mod__, range(1_000_000))), 8, "SIZE_LIMIT = 1048576"),
     "A20 as many keys as fit": (b"".join(b"k%d=1\n" % k for k in range(100_000)), 3, "and 99981 more"),
     "A21 a ZIP": (b"PK\x03\x04" + bytes(range(256)) * 8, 3, "this is not a text file"),
     "A21 a PNG": (b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR" + bytes(range(256)), 3, "this is not a text file"),

@@ -259,7 +259,7 @@ def test_the_command_prints_and_keeps_a_bench(run: Run, tmp_path: Path) -> None:
 
 
 def test_json_alone_stands_on_stdout(run: Run, tmp_path: Path, quick: Bench, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(command, "session", lambda *_: quick)
+    monkeypatch.setattr(session, "session", lambda *_: quick)
     code, out, err = run(GALLERY / "shaper.toml", *SHORT, "--json", "-o", tmp_path)
     assert code == 0
     assert json.loads(out)["scene"] == quick.title
@@ -302,7 +302,7 @@ def test_without_matplotlib_a_plot_is_refused_before_anything_is_measured(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(plot, "find_spec", lambda name: None)
-    monkeypatch.setattr(command, "session", lambda *_: pytest.fail("measured"))
+    monkeypatch.setattr(session, "session", lambda *_: pytest.fail("measured"))
     code, _, err = run(GALLERY / "shaper.toml", *SHORT, "-o", tmp_path)
     assert code == 7
     assert "Fix: python -m pip install '.[bench]'" in err
@@ -311,7 +311,7 @@ def test_without_matplotlib_a_plot_is_refused_before_anything_is_measured(
 def test_a_folder_that_cannot_be_written_is_told_before_anything_is_measured(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(command, "session", lambda *_: pytest.fail("measured"))
+    monkeypatch.setattr(session, "session", lambda *_: pytest.fail("measured"))
     (tmp_path / "file").write_text("", "utf-8")
     assert run(GALLERY / "shaper.toml", *SHORT, "-o", tmp_path / "file")[0] == 7
 
@@ -321,7 +321,7 @@ def test_an_old_plot_outlives_a_failure_of_the_new_one(
 ) -> None:
     old = tmp_path / "shaper-bench.svg"
     old.write_text("old", "utf-8")
-    monkeypatch.setattr(command, "session", lambda *_: invented())
+    monkeypatch.setattr(session, "session", lambda *_: invented())
 
     def full(handle: int, content: bytes) -> None:
         raise OSError(28, "No space left on device")

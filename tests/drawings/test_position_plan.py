@@ -26,7 +26,7 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import Arc, Circle, Fill, Group, Line, Polyline, Stroke, Text
 from drawings.sheets.kinematics import position
 from drawings.symbols.dashes import DASH_DOT, DASHED
-from plans.checks.compare import compare
+from plans.checks.compare import Comparison, compare
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.scene.scene import parse_scene, read_scene
@@ -65,10 +65,15 @@ class Figure(NamedTuple):
 
 
 @cache
-def drawn(name: str, hand: Hand = A1) -> Figure:
+def compared(name: str) -> tuple[LinkageStudy, Comparison]:
     paths = {path.stem: path for path in LINKAGES}
     study = LinkageStudy(parse_scene(mechanisms.ALL[name]) if name in mechanisms.ALL else read_scene(paths[name]))
-    comparison = compare(study)
+    return study, compare(study)
+
+
+@cache
+def drawn(name: str, hand: Hand = A1) -> Figure:
+    study, comparison = compared(name)
     bones = skeletons(study, comparison.construction, position(study, comparison))
     measured = picture(name, bones.points, ("l", "m"), Margins(0.0, 0.0, 0.0), 0.0)
     place = measured.place(ROOM, measured.ladder(ROOM.width, ROOM.height).rungs[0].scale)

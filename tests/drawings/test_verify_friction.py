@@ -19,9 +19,9 @@ from plans.forces.statics import Statics
 from plans.linkage.study import LinkageStudy
 from plans.scene.scene import parse_scene
 from tests.drawings.memo import loaded_memo
-from tests.plans.loaded import GALLERY
+from tests.gallery import LINKAGES
 
-SHAPER = next(path for path in GALLERY if path.stem == "shaper-loaded").read_text("utf-8")
+SHAPER = next(path for path in LINKAGES if path.stem == "shaper-loaded").read_text("utf-8")
 STEEP = """
 title = "Steep rod"
 sheets = ["forces"]

@@ -20,10 +20,11 @@ from plans.linkage.study import LinkageStudy
 from plans.model.losses import Friction
 from plans.model.machine import Rubbing
 from plans.scene.scene import read_scene
+from tests.gallery import LINKAGES
 from tests.plans.chains import numbers
-from tests.plans.loaded import GALLERY, Loaded, loaded, push
+from tests.plans.loaded import Loaded, loaded, push
 
-SHAPER = next(path for path in GALLERY if path.stem == "shaper-loaded")
+SHAPER = next(path for path in LINKAGES if path.stem == "shaper-loaded")
 
 
 def rubbed(one: Loaded, f: float, radius: float, length: float) -> Loaded:
