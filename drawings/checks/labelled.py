@@ -6,10 +6,10 @@ import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from drawings.figures.linkage.vector_plan import with_index
 from drawings.layout.ink import CELL, CLEAR
 from drawings.layout.labels import NEAR
 from drawings.lettering.extent import bounds
+from drawings.lettering.indices import with_index
 from drawings.paper.limits import QUANTUM, SEEN
 from drawings.paper.strokes import Box, Circle, Group, Leaf, Line, Stroke, Text
 from drawings.paper.walk import walk

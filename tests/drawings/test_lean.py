@@ -10,6 +10,8 @@ from typing import NamedTuple
 
 import pytest
 
+from tests.gallery import GALLERY
+
 ROOT = Path(__file__).parent.parent.parent
 SHAPER = str(ROOT / "drawings/gallery/shaper.toml")
 HEAVY = ("mpmath", "scipy", "shapely", "matplotlib")
@@ -164,3 +166,10 @@ def test_measuring_a_sheet_needs_no_mechanism(draw: Run) -> None:
     assert done.returncode == 0, done.stderr
     modules = set(done.stdout.splitlines()[-1].split())
     assert not modules & {"numpy", "svgwrite", "plans", *HEAVY}
+
+
+def test_a_rotor_is_drawn_without_any_linkage(tmp_path: Path) -> None:
+    modules, _ = watched("draw", GALLERY / "flywheel.toml", "-o", tmp_path)
+    assert not modules & set(HEAVY)
+    others = ("plans.linkage", "plans.forces", "drawings.figures.linkage", "drawings.figures.forces")
+    assert [name for name in modules if name.startswith(others)] == []
