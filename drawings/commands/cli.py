@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from drawings import VERSION
-from drawings.commands.process import FILES, UNREADABLE, run, tell
+from drawings.commands.stderr import FILES, UNREADABLE, tell
 from drawings.files.signals import Stopped
 from geometry.errors import DraftError
 
@@ -219,7 +219,3 @@ def _bug_report() -> str:
     except OSError:
         return report
     return name
-
-
-if __name__ == "__main__":
-    run()

@@ -96,7 +96,7 @@ def test_the_steps_behind_a_velocity_make_no_accelerations() -> None:
 
 def traced(*arguments: object) -> dict[str, str]:
     """Run a command with --trace; give what the trace tells, line by line."""
-    command = [sys.executable, "-m", "drawings.commands.cli", *map(str, arguments), "--trace"]
+    command = [sys.executable, "-m", "drawings.commands.process", *map(str, arguments), "--trace"]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False, timeout=120)
     assert done.returncode == 0, done.stderr
     lines = done.stderr.splitlines()
