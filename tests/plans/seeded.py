@@ -80,7 +80,7 @@ def _spread(table: Sequence[Fault]) -> Sequence[Fault]:
 
 @cache
 def _changed() -> frozenset[str]:
-    """Name the files that the last commit changed, but for merges, or that none has yet; where nobody can tell, none."""
+    """Name the files changed by the last commit that is no merge, and since; where nobody can tell, none."""
     last = ["git", "log", "-1", "--no-merges", "--first-parent", "--format=", "--name-only"]
     told = [_told(command) for command in (last, ["git", "diff", "--name-only", "HEAD"])]
     return frozenset("".join(told).splitlines())
