@@ -30,7 +30,7 @@ def report(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> str:
     language = study.scene.sheet.language
     kinds = ", ".join(term(language, "kind", kind) for kind in leaves)
     parts = [
-        word(language, "report.title", title=study.scene.title, sheets=kinds),
+        word(language, "report.title", title=study.scene.heading(language), sheets=kinds),
         *(line for one in told for line in one.subject),
         *_comparison(study.comparisons, language),
         *(line for one in told for line in one.values),

@@ -79,7 +79,7 @@ def numbers(study: Study, by: str) -> MotionNumbers:
     order = ACCELERATIONS.number if study.techniques[-1] != "linkage" else max(orders, default=0)
     datum = complex(*(float(x) for x in linkage.mechanism.datum))
     found = _analysed(linkage, order) if by == "analysis" else _constructed(linkage, order)
-    return MotionNumbers(study.scene.title, datum, found[0], found[1], orders, found[2])
+    return MotionNumbers(study.scene.heading(), datum, found[0], found[1], orders, found[2])
 
 
 def _constructed(study: LinkageStudy, order: int) -> tuple[Motion, Extremes | None, None]:
