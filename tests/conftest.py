@@ -1,5 +1,6 @@
 """Settings of all tests: properties are drawn the same on every run, and no test is judged by the clock."""
 
+import gc
 import os
 import sys
 from pathlib import Path
@@ -38,3 +39,9 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         kept[bool(names & {"part", "rest"}) if config.getoption("whole") else "rest" not in names].append(item)
     config.hook.pytest_deselected(items=kept[False])
     items[:] = kept[True]
+
+
+def pytest_collection_finish() -> None:
+    """Let the collector of garbage pass by what stays to the end: all modules and items, walked anew at every turn."""
+    gc.collect()
+    gc.freeze()

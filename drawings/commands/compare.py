@@ -31,7 +31,7 @@ def run(options: argparse.Namespace) -> int:
         print("\n".join(_table(comparisons, study.scene.sheet.language)))
     if not all(comparison.agrees for comparison in comparisons):
         return FAILED
-    return GAPS if comparisons[-1].construction.gaps else 0
+    return GAPS if any(comparison.left_out for comparison in comparisons) else 0
 
 
 def _plain(title: str, comparisons: Sequence[Comparison]) -> dict[str, object]:

@@ -31,4 +31,4 @@ def run(options: argparse.Namespace) -> int:
         print_json(told)
     if options.trace:
         tell(trace.told(study))
-    return GAPS if found[-1].flawed else 0
+    return GAPS if any(numbers.flawed for numbers in found) else 0

@@ -33,7 +33,7 @@ class RotorNumbers:
 
     def plain(self) -> dict[str, Any]:
         """Give the numbers as plain data."""
-        data: dict[str, Any] = {"scene": self.title, "by": self.balance.by}
+        data: dict[str, Any] = {}
         if COUPLES in self.plans:
             data["couple"] = _vector(self.balance.couple)
         if UNBALANCES in self.plans:
@@ -42,7 +42,7 @@ class RotorNumbers:
             data |= self._quality()
         if REACTIONS in self.plans and self.balance.before:
             data["reactions"] = {"before": _reactions(self.balance.before), "after": _reactions(self.balance.after)}
-        return data
+        return {"scene": self.title, "by": self.balance.by, "rotor": data}
 
     def _quality(self) -> dict[str, Any]:
         """Give e*omega m/s before the correction, its grade, and the unbalance kg*m that the asked grade permits."""
