@@ -62,7 +62,7 @@ def remarks(study: Study) -> list[Message]:
     return lines
 
 
-def faults(text: str, study: Study) -> Iterator[str]:
+def faults(text: str, study: Study) -> Iterator[Message]:
     """Find no fault: the values of a motion are printed from the comparison that was judged."""
     yield from ()
 

@@ -58,7 +58,7 @@ def remarks(study: Study) -> list[Message]:
     return [line for name in study.techniques for line in named(REPORTS[name].remarks)(study)]
 
 
-def faults(text: str, study: Study) -> Iterator[str]:
+def faults(text: str, study: Study) -> Iterator[Message]:
     """Give what a report tells otherwise than the analysis."""
     return (fault for name in study.techniques for fault in named(REPORTS[name].faults)(text, study))
 
