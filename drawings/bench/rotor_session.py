@@ -37,7 +37,7 @@ def session(scene: Scene, order: Order, tell: Callable[[str], None]) -> Bench:
     names = [*(name for name, _ in ways), MEASURED]
     rows = (Row(name, None, 0, errors, times=times) for name, errors, times in zip(names, errors, taken, strict=True))
     tell("")
-    return Bench(scene.title, there, tuple(rows), (), tuple(_words(order)), order.accepted)
+    return Bench(scene.heading(), there, tuple(rows), (), tuple(_words(order)), order.accepted)
 
 
 def _measured(scene: Scene, folder: Path) -> dict[str, complex]:

@@ -10,6 +10,7 @@ from drawings.lettering.words import number
 from drawings.paper.strokes import Group, Leaf, Text
 from drawings.paper.walk import groups, texts
 from plans.checks.comparison import Finding
+from plans.words.words import Message, message
 
 _NUMBER = re.compile(r"[-−]?\d+(?:[.,]\d+)?")
 _SCALE = re.compile(r"(μ|K)\S+ = (\d+(?:[.,]\d+)?) ")  # of a plan, after its letter: mu_v, K_v
@@ -24,14 +25,14 @@ def plain(name: str) -> str:
     return name.replace("_", "").replace("^", "")
 
 
-def tables(leaf: Leaf, named: Mapping[str, Finding]) -> Iterator[str]:
+def tables(leaf: Leaf, named: Mapping[str, Finding]) -> Iterator[Message]:
     """Read all tables of values of a sheet back."""
     for group in leaf.groups:
         if group.name.startswith("values"):
             yield from table(group, named, tuple(int(k) for k in group.data["positions"].split()))
 
 
-def table(group: Group, named: Mapping[str, Finding], positions: tuple[int, ...]) -> Iterator[str]:
+def table(group: Group, named: Mapping[str, Finding], positions: tuple[int, ...]) -> Iterator[Message]:
     """Read a table's numbers back: each value is the analysis's, to the half of its last digit.
 
     `named` are the findings by what the first cell of their row says before its unit.
@@ -49,7 +50,7 @@ def table(group: Group, named: Mapping[str, Finding], positions: tuple[int, ...]
             if finding is not None and j < 3 * len(positions):
                 true, slack = finding.analysis[positions[j // 3]], float(finding.allowed[positions[j // 3]])
                 if j % 3 < 2 and not reads(text.plain, abs(true) if isinstance(true, complex) else float(true), slack):
-                    yield f"{text.plain} for {finding.name} of position {positions[j // 3]} in the table"
+                    yield message("wrong.value", text=text.plain, name=finding.name, position=positions[j // 3])
                 j += 1
 
 
@@ -64,14 +65,14 @@ def reads(text: str, true: float, slack: float) -> bool:
     return abs(float(written) - true) <= 0.5000001 * 10.0**-places + 1e-9 * abs(true) + slack
 
 
-def marked_scales(leaf: Leaf) -> Iterator[str]:
+def marked_scales(leaf: Leaf) -> Iterator[Message]:
     """Read the written scale of each figure that has marks."""
     for figure in leaf.groups:
         marked = (one.data for one in groups((figure,)) if one.data.get("kind") in ("vector", "point"))
         yield from scales(figure, {float(data["scale"]) for data in marked})
 
 
-def scales(group: Group, stated: Iterable[float]) -> Iterator[str]:
+def scales(group: Group, stated: Iterable[float]) -> Iterator[Message]:
     """Read a figure's written scale: mu is the one that its vectors are drawn to, and K is 1/mu to its own digits."""
     for text in (text.plain for text in texts((group,))):
         found = _SCALE.match(text)
@@ -79,4 +80,4 @@ def scales(group: Group, stated: Iterable[float]) -> Iterator[str]:
             continue
         symbol, read = (found[1], found[2].replace(",", ".")) if found else ("", "")
         if not all(read == number(1 / mu if symbol == "K" else mu) for mu in stated):
-            yield f"the scale {text}"
+            yield message("wrong.scale", text=text)

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from drawings.checks import reading
+from drawings.checks.wrong import Wrong
 from drawings.figures.rotor import across, along
 from drawings.figures.rotor.letters import MOST
 from drawings.figures.rotor.rotor_polygon import sum_letters
@@ -29,12 +30,12 @@ FAR = 1e-9  # of a place: both roads take it from one radius and one angle
 ASKEW = 0.0051  # degrees: the half of the last digit of an angle of three figures before the point
 
 
-def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[str]:
+def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     """Hold all that one sheet of a rotor shows against the analysis (row of the table of sheets)."""
     return check(measured, leaf, study["rotor"].rotor, study.comparison("rotor"), drafting_of(study.scene))
 
 
-def check(measured: Measured, leaf: Leaf, rotor: Rotor, comparison: Comparison, drafting: Drafting) -> Iterator[str]:
+def check(measured: Measured, leaf: Leaf, rotor: Rotor, comparison: Comparison, drafting: Drafting) -> Iterator[Wrong]:
     """Hold what a sheet shows against the analysis: the figures that its data name, tables, scales."""
     expected = Expected(rotor, comparison.analysis)
     for plan in leaf.metadata["figures"]:
@@ -136,7 +137,7 @@ def _seen(plan: str, centre: complex, place: float) -> complex:
     return centre if plan == along.NAME else complex(place, centre.imag)
 
 
-def _results(leaf: Leaf, comparison: Comparison) -> Iterator[str]:
+def _results(leaf: Leaf, comparison: Comparison) -> Iterator[Wrong]:
     """Read the table of results back."""
     named = {reading.plain(one.name): one for one in comparison.findings if one.plan != "equilibrium"}
     for group in _tables(leaf, RESULTS):

@@ -26,7 +26,7 @@ def run(options: argparse.Namespace) -> int:
     noted(study)
     comparisons = study.comparisons
     if options.json:
-        print_json(_plain(study.scene.title, comparisons))
+        print_json(_plain(study.scene.heading(), comparisons))
     else:
         print("\n".join(_table(comparisons, study.scene.sheet.language)))
     if not all(comparison.agrees for comparison in comparisons):

@@ -81,7 +81,7 @@ def numbers(study: Study, by: str) -> MotionNumbers:
     datum = complex(*(float(x) for x in linkage.mechanism.datum))
     told = linkage.form.drive.first is None or (study.chosen and EXTREMES in study.plans)
     found = (_analysed if by == "analysis" else _constructed)(linkage, order, told)
-    return MotionNumbers(study.scene.title, datum, found[0], found[1], orders, found[2])
+    return MotionNumbers(study.scene.heading(), datum, found[0], found[1], orders, found[2])
 
 
 def _constructed(study: LinkageStudy, order: int, told: bool) -> tuple[Motion, Extremes | None, None]:

@@ -61,7 +61,7 @@ def numbers(study: Study, by: str) -> RotorNumbers:
     rotor = study["rotor"]
     borne = REACTIONS in study.plans
     found = analysis.balance(rotor.rotor, borne) if by == ANALYSIS else _constructed(rotor, borne)
-    return RotorNumbers(study.scene.title, rotor.rotor, found, study.plans)
+    return RotorNumbers(study.scene.heading(), rotor.rotor, found, study.plans)
 
 
 def _constructed(rotor: RotorStudy, borne: bool) -> Balance:

@@ -155,7 +155,7 @@ def test_a_wrong_number_in_the_report_is_seen(shaper: Sheet, old: str) -> None:
 
 def test_a_jam_that_the_report_leaves_out_is_seen(steep: Sheet) -> None:
     wrong = re.sub(r"- Пара 0-3 заклинивает в положении \d+:.*\n", "", steep.text, count=1)
-    assert list(report_of(wrong, steep.comparison, steep.language)) == ["the jams in the report"]
+    assert list(map(str, report_of(wrong, steep.comparison, steep.language))) == ["the jams in the report"]
 
 
 def test_the_last_digit_may_be_rounded_as_either_road_does() -> None:
