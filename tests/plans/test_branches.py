@@ -13,10 +13,11 @@ from plans.linkage.sketch import SketchError
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME, Link, Mechanism, Way
 from plans.scene.scene import parse_scene
+from tests import parts
 from tests.plans import linkages
 from tests.plans.studies import study_of
 
-LINKAGES, TURN, DENSE = 1000, 12, 3600
+LINKAGES, TURN, DENSE = 1000 if parts.whole else 250, 12, 3600
 CHANGE, BEYOND, OUT = "change point", "beyond a change point", "out of reach"
 KITE = linkages.four_bar(0.2, 0.3, 0.3, 0.2, sketch={"B": 0.3 + 0.2j})
 RHOMBUS = linkages.four_bar(0.2, 0.2, 0.2, 0.2, sketch={"B": 0.3 + 0.2j})
@@ -57,6 +58,7 @@ def _nearest(both: np.ndarray, expected: np.ndarray) -> np.ndarray:
     return np.where(np.abs(both[0] - expected) <= np.abs(both[1] - expected), both[0], both[1])
 
 
+@pytest.mark.part
 def test_no_crank_rocker_changes_its_assembly():
     """Promise M13: of 1,000 crank-rockers at 12 positions, the nearest-point rule loses 7 %; a side loses none."""
     lengths = crank_rockers(LINKAGES)

@@ -14,7 +14,7 @@ from hypothesis import given
 from geometry.meet import EPS
 from geometry.precision import condition
 from plans.linkage.angles import rate
-from tests.parts import examples
+from tests.parts import examples, some
 from tests.plans import linkages
 from tests.plans.chains import chains, studied
 from tests.plans.replays import Replay, error, largest, rate_error
@@ -29,7 +29,7 @@ ALL = {
     "slider-crank": linkages.slider_crank(0.06, 0.20, 0.02, rod={"S": 0.07}),
     "shaper": linkages.shaper(),
 }
-COUNTS = (12, 36, 360, 1000, 100_000)
+COUNTS = some((1000, 12, 36, 360, 100_000), 4)
 SAMPLE = 24
 
 

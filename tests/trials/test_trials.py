@@ -1,4 +1,4 @@
-"""A part of the long trials: a four-hundredth, a fiftieth with --whole; `python -m tests.trials` makes them all."""
+"""A part of the long trials: an eight-hundredth, a fiftieth with --whole; `python -m tests.trials` makes them all."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from tests.trials.series import trials
 from tests.trials.table import failing, table
 from tests.trials.trial import ALONE, APART, KINDS, SLOW, TRACEBACK, WARNED, WITHHELD, text_of, tried
 
-SHARE = 50 if parts.whole else 400
+SHARE = 50 if parts.whole else 800
 
 
 @pytest.mark.part
