@@ -65,13 +65,17 @@ ODD = {
 
 @pytest.fixture(scope="module")
 def locales(tmp_path_factory: pytest.TempPathFactory) -> str:
-    """Make the locales that the system may lack; where it cannot, its own are all there are."""
-    folder = tmp_path_factory.mktemp("locales")
-    if shutil.which("localedef"):
-        for name in ("ru_RU", "tr_TR"):
-            command = ["localedef", "-i", name, "-f", "UTF-8", str(folder / f"{name}.UTF-8")]
-            subprocess.run(command, capture_output=True, check=False, timeout=60)
-    return str(folder)
+    """Give a folder for the locales that the system may lack."""
+    return str(tmp_path_factory.mktemp("locales"))
+
+
+def made(locale: str, locales: str) -> bool:
+    """Make a locale, once; where nothing can, the system's own are all there are."""
+    path = Path(locales, locale)
+    if shutil.which("localedef") and not path.exists():
+        command = ["localedef", "-i", path.stem, "-f", "UTF-8", str(path)]
+        subprocess.run(command, capture_output=True, check=False, timeout=60)
+    return path.exists()
 
 
 def run(
@@ -84,7 +88,7 @@ def run(
     command = [sys.executable, *around.options, "-c", RUNNER, around.locale, around.umask, *map(" ".join, commands)]
     inherited = {name: os.environ[name] for name in ("PATH", "SYSTEMROOT", "HOME") if name in os.environ}
     environment = {**inherited, "PYTHONPATH": str(ROOT), **around.environment}
-    if around.locale and any(Path(locales).iterdir()):
+    if around.locale and made(around.locale, locales):
         environment["LOCPATH"] = locales
     done = subprocess.run(command, cwd=here, env=environment, capture_output=True, check=False, timeout=120)
     if done.returncode == LACKING:

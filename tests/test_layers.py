@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 from collections import Counter
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -67,9 +68,15 @@ def imports(node: ast.AST, late: bool = False) -> Iterator[tuple[str, int, bool]
             yield from imports(child, late or types or isinstance(child, ast.FunctionDef | ast.AsyncFunctionDef))
 
 
+@cache
+def imported(text: str) -> tuple[tuple[str, int, bool], ...]:
+    """Give the imports of a file's text, which is read once for all that is asked of it."""
+    return tuple(imports(ast.parse(text)))
+
+
 def faults(path: str, text: str) -> Iterator[str]:
     """Give the imports of a file that its place forbids."""
-    for module, line, late in imports(ast.parse(text)):
+    for module, line, late in imported(text):
         where = f"{path}:{line}: {module}"
         for folder, barred in FORBIDDEN.items():
             if path.startswith(folder) and any(within(module, package) for package in barred):
@@ -190,7 +197,7 @@ def room_of(module: str) -> str | None:
 def upward(path: str, text: str) -> Iterator[tuple[str, str]]:
     """Give the imports of a file from a room that does not stand in a row below its own."""
     own = room_of(module_of(path))
-    for module, _, _ in imports(ast.parse(text)):
+    for module, _, _ in imported(text):
         other = room_of(module)
         if own and other and own != other and ROWS[other] >= ROWS[own]:
             yield path, module
@@ -198,7 +205,7 @@ def upward(path: str, text: str) -> Iterator[tuple[str, str]]:
 
 def known_to(path: str) -> set[str]:
     """Give our own files that a file imports, late and for the types alike."""
-    places = (module.replace(".", "/") for module, _, _ in imports(ast.parse((ROOT / path).read_text("utf-8"))))
+    places = (module.replace(".", "/") for module, _, _ in imported((ROOT / path).read_text("utf-8")))
     return {file for place in places for file in (f"{place}.py", f"{place}/__init__.py") if file in FILES} - {path}
 
 

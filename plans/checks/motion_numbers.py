@@ -79,7 +79,7 @@ def numbers(study: Study, by: str) -> MotionNumbers:
     borne = any("linkage" in row.needs for row in study.rows)
     order = ACCELERATIONS.number if borne else max(orders, default=0)
     datum = complex(*(float(x) for x in linkage.mechanism.datum))
-    told = EXTREMES in study.plans and (study.chosen or linkage.form.drive.first is None)
+    told = linkage.form.drive.first is None or (study.chosen and EXTREMES in study.plans)
     found = (_analysed if by == "analysis" else _constructed)(linkage, order, told)
     return MotionNumbers(study.scene.heading(), datum, found[0], found[1], orders, found[2])
 

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
+from functools import cache
+from typing import Literal, NamedTuple
 
-import numpy as np
 from shapely import LineString, MultiLineString, Polygon, STRtree
 from shapely.geometry.base import BaseGeometry
 
@@ -16,27 +17,40 @@ LEAST = 0.1  # mm between the ink of a letter and any other ink: what a pen of 0
 CHORDS = 64  # of a whole circle; on 100 mm of radius the chords miss it by 0.12 mm
 
 
-def shape(stroke: Stroke) -> BaseGeometry:
-    """Give a stroke's ink as a shape."""
+class Ink(NamedTuple):
+    """A stroke's line, or its face, and how far its ink reaches to either side of it."""
+
+    line: BaseGeometry
+    reach: float = 0.0
+    cap: Literal["round", "flat"] = "flat"
+
+    @property
+    def shape(self) -> BaseGeometry:
+        """The ink as a shape."""
+        return self.line.buffer(self.reach, cap_style=self.cap) if self.reach else self.line
+
+
+def ink(stroke: Stroke) -> Ink:
+    """Give a stroke's ink."""
     match stroke:
         case Text():
             written = outline(stroke)
             lines = MultiLineString([_pairs(chain.points, chain.closed) for chain in written if len(chain.points) > 1])
-            return lines.buffer(written[0].style.width / 2) if written else Polygon()
+            return Ink(lines, written[0].style.width / 2, "round") if written else Ink(Polygon())
         case Line():
-            return LineString(_pairs((stroke.start, stroke.end))).buffer(stroke.style.width / 2, cap_style="flat")
+            return Ink(LineString(_pairs((stroke.start, stroke.end))), stroke.style.width / 2)
         case Polyline():
-            return LineString(_pairs(stroke.points, stroke.closed)).buffer(stroke.style.width / 2, cap_style="flat")
+            return Ink(LineString(_pairs(stroke.points, stroke.closed)), stroke.style.width / 2)
         case Fill():
-            return Polygon(_pairs(stroke.points))
+            return Ink(Polygon(_pairs(stroke.points)))
         case Circle():
             round_ = Arc(stroke.centre, stroke.radius, 0.0, 2 * math.pi, stroke.style)
             ring = LineString(_pairs(tuple(round_.at(k / CHORDS) for k in range(CHORDS + 1))))
-            return Polygon(ring) if stroke.style.colour == "none" else ring.buffer(stroke.style.width / 2)
+            return Ink(Polygon(ring)) if stroke.style.colour == "none" else Ink(ring, stroke.style.width / 2, "round")
         case Arc():
             count = max(int(stroke.sweep / (2 * math.pi) * CHORDS), 4)
             points = tuple(stroke.at(k / count) for k in range(count + 1))
-            return LineString(_pairs(points)).buffer(stroke.style.width / 2, cap_style="flat")
+            return Ink(LineString(_pairs(points)), stroke.style.width / 2)
     raise TypeError(stroke)
 
 
@@ -47,13 +61,16 @@ def _pairs(points: tuple[complex, ...], closed: bool = False) -> list[tuple[floa
 def collisions(leaf: Leaf) -> list[str]:
     """Name every lettering that touches other ink, but for the frame's paper and what lettering is written on."""
     parts = [stroke for stroke in flat(leaf.groups) if not _paper(stroke, leaf)]
-    shapes = np.array([shape(stroke) for stroke in parts], dtype=object)
-    tree = STRtree(shapes)
+    inks = [ink(stroke) for stroke in parts]
+    shape = cache(lambda k: inks[k].shape)  # only of ink that other ink comes near: to widen a line is slow
+    tree = STRtree([one.line for one in inks])
+    farthest = max((one.reach for one in inks), default=0.0)
     found = []
     for k, stroke in enumerate(parts):
         if isinstance(stroke, Text):
-            for other in tree.query(shapes[k], predicate="dwithin", distance=LEAST):
-                if other != k and not (isinstance(parts[other], Text) and other < k):
+            for other in tree.query(inks[k].line, predicate="dwithin", distance=LEAST + inks[k].reach + farthest):
+                twice = other == k or (isinstance(parts[other], Text) and other < k)
+                if not twice and shape(k).dwithin(shape(other), LEAST):
                     found.append(f"{stroke.plain!r} at {stroke.at:.1f} touches {_named(parts[other])}")
     return found
 

@@ -2,6 +2,7 @@
 
 import itertools
 import time
+from functools import cache
 
 import pytest
 
@@ -85,10 +86,15 @@ def inside(box: Field, room: Field) -> bool:
     )  # fmt: skip
 
 
+@cache
+def composed(content: Contents, page: Page) -> list[Composition]:
+    return compose(content, page)
+
+
 @every_page
 @every_set
 def test_nothing_stands_on_anything_else_or_beyond_the_frame(content: Contents, page: Page) -> None:
-    for one in compose(content, page):
+    for one in composed(content, page):
         assert all(inside(box, page.field) for box in boxes(one, page))
         for first, second in itertools.combinations(boxes(one, page), 2):
             assert apart(first, second), (first, second)
@@ -97,15 +103,15 @@ def test_nothing_stands_on_anything_else_or_beyond_the_frame(content: Contents, 
 @every_page
 @every_set
 def test_everything_is_shown_once_in_its_order(content: Contents, page: Page) -> None:
-    composed = compose(content, page)
+    sheets = composed(content, page)
     figures = [panel.item.name for panel in content.panels if isinstance(panel.item, Picture)]
-    assert [name for one in composed for name in one.spots] == figures
-    assert [name for one in composed for name in one.blocks] == [
+    assert [name for one in sheets for name in one.spots] == figures
+    assert [name for one in sheets for name in one.blocks] == [
         panel.item.name for panel in content.panels if isinstance(panel.item, TextBlock)
     ]
-    rows = [line for one in composed for own in one.tables for line in own.table.lines]
+    rows = [line for one in sheets for own in one.tables for line in own.table.lines]
     assert content.table is not None and rows == list(content.table.lines)
-    assert [one.notes is not None for one in composed] == [k == 0 for k in range(len(composed))]
+    assert [one.notes is not None for one in sheets] == [k == 0 for k in range(len(sheets))]
 
 
 def box_of(one: Composition, name: str) -> Field | None:
@@ -115,7 +121,7 @@ def box_of(one: Composition, name: str) -> Field | None:
 @every_page
 @every_set
 def test_a_column_stays_together_from_top_to_bottom(content: Contents, page: Page) -> None:
-    for one in compose(content, page):
+    for one in composed(content, page):
         for column in (own for own in content.groups if len(own) > 1):
             names = [panel.item.name for panel in column]
             places = [box for name in names if (box := box_of(one, name)) is not None]

@@ -54,14 +54,14 @@ def left(spots: list[complex], own: list[Mask]) -> float:
     return float(shapely.length(shapely.difference(pieces, whole)).sum())
 
 
-@examples(25)
+@examples(10)
 @given(places, places, st.lists(masks, min_size=1, max_size=3))
 def test_what_is_left_of_a_line_is_what_lies_outside(start: complex, end: complex, own: list[Mask]) -> None:
     kept = list(trim([Line(start, end)], own))
     assert sum(map(length, kept)) == pytest.approx(left([start, end], own), abs=2e-3)
 
 
-@examples(25)
+@examples(10)
 @given(places, st.floats(2, 30), st.floats(-3, 3), st.floats(0.1, 6), st.lists(masks, min_size=1, max_size=3))
 def test_what_is_left_of_an_arc_is_what_lies_outside(
     centre: complex, radius: float, start: float, sweep: float, own: list[Mask]

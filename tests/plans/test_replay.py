@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 from fractions import Fraction
+from functools import cache
 from math import radians
 
 import numpy as np
@@ -38,11 +39,16 @@ def picked(count: int) -> list[int]:
     return sorted(rng.choice(count, SAMPLE, replace=False).tolist()) if count > SAMPLE else list(range(count))
 
 
+@cache
+def replayed(name: str, count: int) -> Replay:
+    return Replay(study_of(ALL[name], 0, count))
+
+
 @pytest.mark.parametrize("count", COUNTS)
 @pytest.mark.parametrize("name", ALL)
 def test_every_row_is_exact_to_four_eps_however_many_positions(name, count):
     """Places, velocities and accelerations of the pins, each against the largest of its own row over the turn."""
-    replay = Replay(study_of(ALL[name], 0, count))
+    replay = replayed(name, count)
     kappas = [condition(mark) for mark in replay.marks if mark.sharpness is not None]
     assert max(float(np.max(kappa)) for kappa in kappas) <= ORDINARY
     pins = {key: mark for key, mark in replay.points.items() if not key[1].startswith("S")}
@@ -56,7 +62,7 @@ def test_every_row_is_exact_to_four_eps_however_many_positions(name, count):
 @pytest.mark.parametrize("name", ALL)
 def test_every_result_is_exact_to_four_eps_of_its_plan(name, count):
     """All points and all rates, against the largest vector of their plan; a rate counts by the vector it is read of."""
-    replay = Replay(study_of(ALL[name], 0, count))
+    replay = replayed(name, count)
     sizes = [largest([mark for key, mark in replay.points.items() if key[0] == order]) for order in range(3)]
     for position in picked(count):
         true = replay.true(position, Fraction(360 * position, count))
@@ -69,7 +75,7 @@ def test_every_result_is_exact_to_four_eps_of_its_plan(name, count):
 
 @pytest.mark.parametrize("name", ALL)
 def test_bounds_hold_and_are_not_loose(name):
-    replay = Replay(study_of(ALL[name], 0, 360))
+    replay = replayed(name, 360)
     shares = []
     for position in picked(360):
         for mark, off, bound in replay.errors(position, Fraction(position)):

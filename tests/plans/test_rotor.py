@@ -15,6 +15,7 @@ from plans.analytic.rotor import balance as solve
 from plans.checks.rotor_comparison import compare_rotor
 from plans.model.rotor import EPS, Balance, Plane, Rotor, Unbalance
 from plans.rotor.study import RotorStudy
+from tests.parts import examples, some
 from tests.plans.rotors import DYNAMIC, STATIC, angles, dynamic, mass, masses, rotors, sizes, static
 
 
@@ -128,8 +129,8 @@ def test_stiff_rotors_agree_by_both_roads(planes, least) -> None:
     agree(Rotor(masses(rows), planes, (Fraction(0), Fraction(1, 10**6)), 1e4))
 
 
-@pytest.mark.parametrize("angle", [0, 33, Fraction(137507764, 1000000)])
-@pytest.mark.parametrize("planes", [STATIC, DYNAMIC])
+@pytest.mark.parametrize("angle", some([33, 0, Fraction(137507764, 1000000)], 3))
+@pytest.mark.parametrize("planes", some([DYNAMIC, STATIC], 2))
 def test_a_thousand_masses(angle, planes) -> None:
     """Catalogue J6: all at one angle, where every rounding goes one way, and around the shaft."""
     many = tuple(mass(k + 1, "0.7", "0.13", (angle * k if angle > 99 else angle), f"{k}e-3") for k in range(1000))
@@ -139,12 +140,14 @@ def test_a_thousand_masses(angle, planes) -> None:
     assert len(study.drawing.forces.sides) == 1000 + rotor.dynamic
 
 
+@examples(15)
 @given(rotors())
 def test_roads_agree(rotor) -> None:
     agree(rotor)
     agree(replace(rotor, planes=rotor.planes[:1]))
 
 
+@examples(15)
 @given(rotors())
 def test_the_polygons_close(rotor) -> None:
     """A polygon's residual is at most 8 eps of the sum of its vectors."""
@@ -161,6 +164,7 @@ def near(ours: Balance, theirs: Balance, rotor: Rotor, of=lambda value: value) -
 
 
 @ROADS
+@examples(15)
 @given(rotor=rotors(), by=angles)
 def test_turn(road, rotor, by) -> None:
     turned = replace(rotor, masses=tuple(one._replace(angle=one.angle + by) for one in rotor.masses))
@@ -168,6 +172,7 @@ def test_turn(road, rotor, by) -> None:
 
 
 @ROADS
+@examples(15)
 @given(rotor=rotors())
 def test_mirror(road, rotor) -> None:
     mirrored = replace(rotor, masses=tuple(one._replace(angle=-one.angle) for one in rotor.masses))
@@ -175,6 +180,7 @@ def test_mirror(road, rotor) -> None:
 
 
 @ROADS
+@examples(15)
 @given(rotor=rotors(), power=st.integers(-20, 20))
 def test_scale_of_masses(road, rotor, power) -> None:
     scaled = replace(rotor, masses=tuple(one._replace(moment=one.moment * 2.0**power) for one in rotor.masses))
@@ -182,6 +188,7 @@ def test_scale_of_masses(road, rotor, power) -> None:
 
 
 @ROADS
+@examples(15)
 @given(rotor=rotors(), times=st.fractions(Fraction(1, 100), 100))
 def test_scale_along_the_shaft(road, rotor, times) -> None:
     scaled = replace(
@@ -193,6 +200,7 @@ def test_scale_along_the_shaft(road, rotor, times) -> None:
 
 
 @ROADS
+@examples(15)
 @given(rotor=rotors(), by=st.fractions(-100, 100))
 def test_shift_along_the_shaft(road, rotor, by) -> None:
     shifted = replace(
@@ -204,6 +212,7 @@ def test_shift_along_the_shaft(road, rotor, by) -> None:
 
 
 @ROADS
+@examples(15)
 @given(rotor=rotors(), chance=st.randoms())
 def test_order_of_masses(road, rotor, chance) -> None:
     mixed = list(rotor.masses)
@@ -212,6 +221,7 @@ def test_order_of_masses(road, rotor, chance) -> None:
 
 
 @ROADS
+@examples(15)
 @given(rotor=rotors())
 def test_planes_changed_over(road, rotor) -> None:
     over = road(replace(rotor, planes=rotor.planes[::-1]))
@@ -219,6 +229,7 @@ def test_planes_changed_over(road, rotor) -> None:
 
 
 @ROADS
+@examples(15)
 @given(rotor=rotors(), other=rotors())
 def test_superposition(road, rotor, other) -> None:
     """What balances two rotors' masses together is the sum of what balances each."""
@@ -230,6 +241,7 @@ def test_superposition(road, rotor, other) -> None:
 
 
 @ROADS
+@examples(15)
 @given(rotor=rotors())
 def test_counterweights_applied_leave_nothing_to_balance(road, rotor) -> None:
     found = road(rotor)

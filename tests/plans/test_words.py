@@ -7,6 +7,7 @@ import json
 import re
 import string
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -116,9 +117,17 @@ ASIDE = re.compile(r"drawings/(pens|measure|bench)/|plans/bench/|(strokes|extent
 FILES = [path for top in ("plans", "drawings") for path in sorted((ROOT / top).rglob("*.py"))]
 
 
+@cache
+def nodes(path: Path) -> tuple[ast.Raise | ast.Call, ...]:
+    """Give what a file raises and calls; it is read once for all that is asked of it."""
+    return tuple(
+        node for node in ast.walk(ast.parse(path.read_text("utf-8"))) if isinstance(node, ast.Raise | ast.Call)
+    )
+
+
 def sentences(path: Path) -> Iterator[str]:
     """Give what a file raises that is a text of its own, and not words by their key."""
-    for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+    for node in nodes(path):
         error = node.exc if isinstance(node, ast.Raise) else None
         if isinstance(error, ast.Call) and ERRORS.fullmatch(ast.unparse(error.func)):
             yield from (ast.unparse(text) for text in error.args if isinstance(text, ast.JoinedStr | ast.Constant))
@@ -131,7 +140,7 @@ def test_what_ends_a_command_is_raised_by_its_key() -> None:
 
 def keys(path: Path) -> Iterator[str]:
     """Give the keys that a file names as they are; the reason of a step by its own name."""
-    for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+    for node in nodes(path):
         name = ast.unparse(node.func) if isinstance(node, ast.Call) else ""
         if isinstance(node, ast.Call) and name in ("message", "words.word", "word", "say", "because"):
             named = (one.value for part in node.args for one in ast.walk(part) if isinstance(one, ast.Constant))
@@ -156,7 +165,7 @@ def test_no_phrase_is_left_over() -> None:
 
 def terms(path: Path) -> Iterator[str]:
     """Give what a file says of a key that is missing or wrong: names of things, which every language has as terms."""
-    for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+    for node in nodes(path):
         if not isinstance(node, ast.Call):
             continue
         name, given = ast.unparse(node.func), [word.value for word in node.keywords if word.arg in ("wanted", "kind")]
