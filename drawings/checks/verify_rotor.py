@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
-from drawings.checks import reading, rotor_tables
+from drawings.checks import reading, rotor_tables, rotor_told
 from drawings.figures.rotor import across, along
 from drawings.figures.rotor.letters import MOST
 from drawings.figures.rotor.rotor_polygon import sum_letters
@@ -39,6 +39,7 @@ def check(measured: Measured, leaf: Leaf, rotor: Rotor, comparison: Comparison, 
     yield from reading.marked_scales(leaf)
     yield from rotor_tables.results(leaf, comparison, drafting)
     yield from rotor_tables.masses(leaf, rotor, comparison, drafting)
+    yield from rotor_told.notes(leaf, rotor, comparison, drafting)
 
 
 @dataclass(frozen=True)

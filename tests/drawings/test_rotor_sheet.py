@@ -138,6 +138,18 @@ def reworded(old: str, new: str) -> Change:
     return lambda s: replace(s, content=s.content.replace(old, new)) if isinstance(s, Text) and s.plain == old else s
 
 
+def note(old: str, new: str) -> Change:
+    """Change a number of the notes alone."""
+
+    def change(stroke: Stroke) -> Stroke:
+        if not isinstance(stroke, Group) or stroke.name != "notes":
+            return stroke
+        told = (one for one in stroke.strokes if isinstance(one, Text) and isinstance(one.content, str))
+        return replace(stroke, strokes=tuple(replace(one, content=one.content.replace(old, new)) for one in told))
+
+    return change
+
+
 def without(name: str) -> Change:
     return lambda stroke: None if isinstance(stroke, Group) and stroke.name == name else stroke
 
@@ -170,6 +182,13 @@ def row_dropped(name: str) -> Change:
         (reworded("0,061813", "0,061814"), "0,061814 for II in the table of masses"),
         (reworded("33,823", "33,833"), "33,833 for I in the table of masses"),
         (reworded("4608,5", "4608,9"), "4608,9 for R_A"),
+        (without("notes"), "ΣmDh is missing from the notes"),
+        (note("0,61813", "0,61814"), "in the notes"),
+        (note("95,413", "95,414"), "in the notes"),
+        (note("4608,5", "4608,6"), "in the notes"),
+        (note("−121,94", "121,94"), "in the notes"),
+        (note("401,1", "401,2"), "in the notes"),
+        (note("1942", "1943"), "in the notes"),
         (without("masses-1"), "1 is missing from the table of masses"),
         (without("results-1"), "ΣmD is missing from the table of results"),
         (reworded("0,8", "0,9"), "0,9 for 1 in the table of masses"),
