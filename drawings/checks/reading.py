@@ -37,12 +37,9 @@ def table(group: Group, named: Mapping[str, Finding], positions: tuple[int, ...]
 
     `named` are the findings by what the first cell of their row says before its unit.
     """
-    rows: dict[float, list[Text]] = {}
-    for text in texts((group,)):
-        rows.setdefault(round(text.at.imag, 3), []).append(text)
-    for row in rows.values():
+    for row in rows(group):
         finding, j = None, 0
-        for text in sorted(row, key=lambda text: text.at.real):
+        for text in row:
             begins = named.get(text.plain.rsplit(", ", 1)[0])
             if begins is not None:  # a table of several blocks has several names in a line
                 finding, j = begins, 0
@@ -54,15 +51,41 @@ def table(group: Group, named: Mapping[str, Finding], positions: tuple[int, ...]
                 j += 1
 
 
-def reads(text: str, true: float, slack: float) -> bool:
-    """Tell whether a text is a value to the half of its last digit, beside what the two roads may differ by."""
+def rows(group: Group) -> Iterator[list[Text]]:
+    """Give the rows of a table, each from left to right."""
+    found: dict[float, list[Text]] = {}
+    for text in texts((group,)):
+        found.setdefault(round(text.at.imag, 3), []).append(text)
+    for row in found.values():
+        yield sorted(row, key=lambda text: text.at.real)
+
+
+def reads(text: str, true: float, slack: float, digits: int = 0) -> bool:
+    """Tell whether a text is a value to the half of its last digit, beside what the two roads may differ by.
+
+    Of a number written with so many `digits` its end may be left off that is zero.
+
+    >>> reads("0.096", 0.0961, 0.0), reads("0.096", 0.0961, 0.0, 5), reads("123460", 123456.0, 0.0, 5)
+    (True, False, True)
+    """
     if text == "—":
         return math.isnan(true)
-    if not _NUMBER.fullmatch(text):
+    found = value(text)
+    if found is None:
         return False
-    written = text.replace("−", "-").replace(",", ".")
-    places = len(written.partition(".")[2])
-    return abs(float(written) - true) <= 0.5000001 * 10.0**-places + 1e-9 * abs(true) + slack
+    last: float = -len(re.split("[.,]", text)[-1]) if re.search("[.,]", text) else 0
+    if digits:
+        last = math.floor(math.log10(abs(true))) + 1 - digits if true else -math.inf
+    return abs(found - true) <= 0.5000001 * math.pow(10.0, last) + 1e-9 * abs(true) + slack
+
+
+def value(text: str) -> float | None:
+    """Read a number; None of what is none.
+
+    >>> value("−0,5"), value("—")
+    (-0.5, None)
+    """
+    return float(text.replace("−", "-").replace(",", ".")) if _NUMBER.fullmatch(text) else None
 
 
 def marked_scales(leaf: Leaf) -> Iterator[Message]:
