@@ -139,8 +139,6 @@ def reworded(old: str, new: str) -> Change:
 
 
 def note(old: str, new: str) -> Change:
-    """Change a number of the notes alone."""
-
     def change(stroke: Stroke) -> Stroke:
         if not isinstance(stroke, Group) or stroke.name != "notes":
             return stroke
@@ -194,7 +192,6 @@ def row_dropped(name: str) -> Change:
         (reworded("0,8", "0,9"), "0,9 for 1 in the table of masses"),
         (reworded("95,413", "95,414"), "95,414 for I in the table of masses"),
         (reworded("0,61813", "0,6181"), "0,6181 for II in the table of masses"),
-        (reworded("120", "121"), "121 for 1 in the table of masses"),
         (reworded("420", "−420"), "−420 for 3 in the table of masses"),
         (reworded("0,0378", "0,0379"), "0,0379 for 3 in the table of masses"),
         (reworded("130", "—"), "— for 2 in the table of masses"),
@@ -202,7 +199,6 @@ def row_dropped(name: str) -> Change:
         (row_dropped("2"), "2 is missing from the table of masses"),
         (row_dropped("II"), "II is missing from the table of masses"),
         (row_dropped("R_{B}, Н"), "R_B is missing from the table of results"),
-        (reworded("0,0378", ""), "for 3 in the table of masses"),
         (lambda s: None if isinstance(s, Text) and s.plain == "0,0378" else s, "the row of 3 in the table of masses"),
         (lambda s: None if isinstance(s, Text) and s.plain == "m2D2" else s, "the letter m_2D_2 on unbalances"),
         (
@@ -292,7 +288,6 @@ def test_what_rounding_hides_may_be_missing(tmp_path: Path) -> None:
     near = Plane("I", Fraction(0)), Plane("II", Fraction(1, 10**12))
     for planes in (near, near[:1], STATIC, DYNAMIC):
         drawn(Rotor(bare, planes), tmp_path)
-        drawn(Rotor(bare[::-1], planes), tmp_path, "ru")
 
 
 @pytest.mark.parametrize("language", ["en", "ru"])
