@@ -56,12 +56,13 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     """Tell a rotor, its counterweights, its quality and its bearings."""
     drafting, comparison = drafting_of(study.scene), study.comparison("rotor")
     rotor, notes = study["rotor"].rotor, _notes(study)
-    residual = residuals(comparison.analysis, [leaf for own in leaves.values() for leaf in own])
+    off = residuals(comparison.analysis, [leaf for own in leaves.values() for leaf in own])
+    residual = _residual(rotor, comparison.analysis, off, drafting)
     return Chapters(
         subject=_listed(chapter(drafting.language, "rotor").lstrip(), [*_masses(rotor, drafting), *notes.sums()]),
         values=_listed(chapter(drafting.language, "counterweights"), notes.counterweights()),
         conditions=[
-            *_listed(chapter(drafting.language, "quality"), [*notes.quality(), *_residual(rotor, residual, drafting)]),
+            *_listed(chapter(drafting.language, "quality"), [*notes.quality(), *residual]),
             *_listed(chapter(drafting.language, "bearings"), notes.reactions()),
         ],
         left_out=[word(drafting.language, "report.rotor_left_out")],
@@ -69,7 +70,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
 
 
 def residuals(analysis: Balance, leaves: Sequence[Leaf]) -> dict[str, float]:
-    """Give by how much each counterweight's static moment kg*m, read back from the sheets, is off the analysis's."""
+    """Give how far each counterweight's static moment kg*m, drawn to the file's last decimal, is off the analysis's."""
     planes = {unbalance_letters(one.plane.name): one.plane.name for one in analysis.corrections}
     true = dict(zip(planes.values(), analysis.moments, strict=True))
     read = dict.fromkeys(true, 0j)
@@ -86,13 +87,17 @@ def _written(place: complex) -> complex:
     return complex(round(place.real, DECIMALS), round(place.imag, DECIMALS))
 
 
-def _residual(rotor: Rotor, residual: Mapping[str, float], drafting: Drafting) -> Iterator[str]:
+def _residual(rotor: Rotor, analysis: Balance, residual: Mapping[str, float], drafting: Drafting) -> Iterator[str]:
     for name, off in residual.items():
         told = drafting.number(GRAM_MILLIMETRES * off, 3)
         yield word(drafting.language, "report.plane_residual", letters=unbalance_letters(name), residual=told)
     quality = rotor.quality(*residual.values())
-    if quality is not None:
-        told = drafting.number(quality, 3)
+    if quality is None:
+        return
+    told = drafting.number(quality, 3)
+    if not rotor.dynamic and not analysis.couple.vanishes:  # a grade is of the whole rotor
+        yield word(drafting.language, "report.resultant_quality", quality=told)
+    else:
         yield word(drafting.language, "report.residual_quality", quality=told, grade=grade_name(quality, drafting))
 
 

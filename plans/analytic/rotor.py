@@ -11,8 +11,6 @@ from fractions import Fraction
 
 from plans.model.rotor import ANALYSIS, EPS, ROUNDING, Balance, Correction, Resultant, Rotor, Unbalance
 
-Weighted = Sequence[tuple[complex, float]]
-
 
 def balance(rotor: Rotor, borne: bool = True) -> Balance:
     """Find what balances a rotor and, if `borne` is asked for, what its bearings bear before and after."""

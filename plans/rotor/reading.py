@@ -7,6 +7,7 @@ from decimal import Decimal
 from fractions import Fraction
 from typing import NamedTuple
 
+from plans.analytic.rotor import balance
 from plans.model.rotor import Plane, Rotor, Unbalance
 from plans.rotor.form import PlaneTable, RotorForm, RotorTable, UnbalanceTable
 from plans.scene.faults import Fault
@@ -64,6 +65,5 @@ def survey_of(meaning: Meaning) -> RotorSurvey:
 def notes_of(scene: Scene) -> Iterator[Fault]:
     """Give the notes on a scene's rotor: that one plane leaves a couple unbalanced (row of the table of techniques)."""
     rotor = scene.of(RotorForm).rotor
-    planes = rotor.planes or (PlaneTable(),)
-    if len(planes) < len(NUMERALS) and any(one.place != planes[0].place for one in rotor.masses):
+    if len(rotor.planes) < len(NUMERALS) and not balance(rotor_of(rotor), borne=False).couple.vanishes:
         yield scene.fault(("rotor", "planes") if rotor.planes else ("rotor",), "static_only")

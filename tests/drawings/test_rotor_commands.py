@@ -9,6 +9,11 @@ from pathlib import Path
 import pytest
 
 from drawings.commands import cli
+from drawings.report.rotor_report import chapters
+from drawings.sheets.rotor import leaves
+from plans.rotor.reading import notes_of
+from plans.scene.scene import parse_scene
+from plans.study import Study
 from tests.gallery import GALLERY
 
 FAN = GALLERY / "fan.toml"
@@ -98,3 +103,20 @@ def test_a_rotor_is_begun_from_the_gallery(run: Run, tmp_path: Path, monkeypatch
     monkeypatch.chdir(tmp_path)
     assert run("new", "four-masses")[0] == 0
     assert run("draw", "four-masses.toml", "-o", "out")[0] == 0
+
+
+@pytest.mark.parametrize(("angle", "noted"), [(180, False), (90, True)])
+def test_one_plane_is_noted_where_a_couple_about_it_is_left(angle: int, noted: bool) -> None:
+    """Two masses in one plane that is not the plane of correction."""
+    rows = f'{{ moment = 1, angle = 0, place = "0.5 m" }}, {{ moment = 1, angle = {angle}, place = "0.5 m" }}'
+    scene = parse_scene(f'sheets = ["rotor"]\nrotor.masses = [{rows}]\n')
+    assert bool(list(notes_of(scene))) == noted
+
+
+def test_the_quality_of_one_plane_tells_no_grade_while_a_couple_is_left() -> None:
+    rows = '{ moment = 1, angle = 0, place = "0.5 m" }, { moment = 1, angle = 90 }'
+    more = "rotor.speed = 100\nrotor.mass = 20\nrotor.bearings = [0, 1]\n"
+    study = Study(parse_scene(f'sheets = ["rotor"]\nrotor.masses = [{rows}]\n{more}[sheet]\nlanguage = "en"\n'))
+    told = "\n".join(chapters(study, {"rotor": leaves(study)}).conditions)
+    assert "of the resultant alone" in told
+    assert "as drawn: e" not in told

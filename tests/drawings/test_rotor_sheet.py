@@ -140,8 +140,6 @@ def reworded(old: str, new: str) -> Change:
 
 
 def note(old: str, new: str) -> Change:
-    """Change a number of the notes alone."""
-
     def change(stroke: Stroke) -> Stroke:
         if not isinstance(stroke, Group) or stroke.name != "notes":
             return stroke
@@ -195,7 +193,6 @@ def row_dropped(name: str) -> Change:
         (reworded("0,8", "0,9"), "0,9 for 1 in the table of masses"),
         (reworded("95,413", "95,414"), "95,414 for I in the table of masses"),
         (reworded("0,61813", "0,6181"), "0,6181 for II in the table of masses"),
-        (reworded("120", "121"), "121 for 1 in the table of masses"),
         (reworded("420", "−420"), "−420 for 3 in the table of masses"),
         (reworded("0,0378", "0,0379"), "0,0379 for 3 in the table of masses"),
         (reworded("130", "—"), "— for 2 in the table of masses"),
@@ -203,7 +200,6 @@ def row_dropped(name: str) -> Change:
         (row_dropped("2"), "2 is missing from the table of masses"),
         (row_dropped("II"), "II is missing from the table of masses"),
         (row_dropped("R_{B}, Н"), "R_B is missing from the table of results"),
-        (reworded("0,0378", ""), "for 3 in the table of masses"),
         (lambda s: None if isinstance(s, Text) and s.plain == "0,0378" else s, "the row of 3 in the table of masses"),
         (lambda s: None if isinstance(s, Text) and s.plain == "m2D2" else s, "the letter m_2D_2 on unbalances"),
         (
@@ -260,7 +256,7 @@ def test_static_moments_alone_are_drawn_by_their_angles(tmp_path: Path) -> None:
     assert len(measured.vectors) == 4 + 5
 
 
-@pytest.mark.parametrize("many", some([(39, 39 + 41), (1000, 2 + 3), (60, 2 + 3), (9, 10 + 11), (20, 20 + 22)], 2))
+@pytest.mark.parametrize("many", some([(39, 40 + 41), (1000, 2 + 3), (60, 2 + 3), (9, 10 + 11), (20, 21 + 22)], 2))
 def test_many_masses(many: tuple[int, int], tmp_path: Path) -> None:
     """Catalogue J6: numbers alone, then one vector for all masses, and always the table."""
     count, vectors = many
@@ -268,7 +264,7 @@ def test_many_masses(many: tuple[int, int], tmp_path: Path) -> None:
     around = tuple(mass(k + 1, "0.7", "0.13", angle * (k + 1) % 360, f"{k + 1}e-3") for k in range(count))
     rotor = Rotor(around, (Plane("I", Fraction(1), 0.1), Plane("II", Fraction(0), 0.1)), (), 100.0)
     found, measured = drawn(rotor, tmp_path)
-    assert sum(len(one.vectors) for one in measured) == pytest.approx(vectors, abs=1)
+    assert sum(len(one.vectors) for one in measured) == vectors
     rows = {text.plain for leaf in found for group in leaf.groups if "masses" in group.name for text in _texts(group)}
     assert {str(k + 1) for k in range(count)} <= rows
 
@@ -294,7 +290,6 @@ def test_what_rounding_hides_may_be_missing(tmp_path: Path) -> None:
     near = Plane("I", Fraction(0)), Plane("II", Fraction(1, 10**12))
     for planes in (near, near[:1], STATIC, DYNAMIC):
         drawn(Rotor(bare, planes), tmp_path)
-        drawn(Rotor(bare[::-1], planes), tmp_path, "ru")
 
 
 @pytest.mark.parametrize("language", ["en", "ru"])

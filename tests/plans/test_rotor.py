@@ -75,8 +75,8 @@ def test_a_balanced_rotor_needs_nothing_and_points_nowhere(road, count, planes) 
 
 @ROADS
 def test_a_balanced_couple_needs_a_second_plane_only(road) -> None:
-    """What lies in plane II alone is balanced there alone."""
-    rotor = Rotor((mass(1, "0.3", "0.1", 40, "0"), *star(3, 11, "0.2")[:0]), DYNAMIC)
+    """What lies in plane II, beside a star that balances itself, is balanced there alone."""
+    rotor = Rotor((mass(1, "0.3", "0.1", 40, "0"), *star(3, 11, "0.2")), DYNAMIC)
     first, second = road(rotor).corrections
     assert first.moment.angle is None
     assert math.isclose(second.moment.angle, -140.0) and math.isclose(second.moment.size, 0.03)
