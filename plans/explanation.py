@@ -21,6 +21,7 @@ class Explanation(NamedTuple):
     steps: tuple[Mark, ...]
     units: Mapping[str, str]
     notes: tuple[Message, ...] = ()
+    home: str = ""  # the plan whose marks are named without it
 
 
 class NoMark(NamedTuple):

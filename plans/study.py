@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 from functools import cached_property
 from typing import Any
 
+from plans.scene.demand import resting
 from plans.scene.scene import Scene
 from plans.techniques import TECHNIQUES, Technique, named
 
@@ -39,8 +40,7 @@ class Study:
     def techniques(self) -> tuple[str, ...]:
         """The techniques that make what is asked for, each after those that it rests on."""
         asked = [name for name, row in TECHNIQUES.items() if not self.plans.isdisjoint(row.plans)]
-        needed = {*asked, *(need for name in asked for need in TECHNIQUES[name].needs)}
-        return tuple(name for name in TECHNIQUES if name in needed)
+        return resting(asked)
 
     def construct(self) -> None:
         """Make all that is asked for by construction."""

@@ -103,5 +103,6 @@ def test_every_command_of_the_readme_is_a_command() -> None:
         "talk",
         "trace",
         "process",
+        "stderr",
     }
     assert told == files

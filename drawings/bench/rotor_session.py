@@ -29,15 +29,15 @@ def session(scene: Scene, order: Order, tell: Callable[[str], None]) -> Bench:
     true = rotor.truth(found)
     with tempfile.TemporaryDirectory(prefix="plandraft-bench-") as folder:
         ways = rotor.ways(found)
-        judged = [rotor.errors(run(), true) for _, run in ways]
-        judged.append(rotor.judged(_measured(scene, Path(folder)), true))
+        errors = [rotor.errors(run(), true) for _, run in ways]
+        errors.append(rotor.judge(_measured(scene, Path(folder)), true))
         tell("the rotor")
         runs = [*(run for _, run in ways), lambda: _measured(scene, Path(folder))]
         taken = interleaved(runs, order.rounds, BUDGET)
     names = [*(name for name, _ in ways), MEASURED]
-    rows = (Row(name, None, 0, errors, times=times) for name, errors, times in zip(names, judged, taken, strict=True))
+    rows = (Row(name, None, 0, errors, times=times) for name, errors, times in zip(names, errors, taken, strict=True))
     tell("")
-    return Bench(scene.title, there, tuple(rows), (), tuple(_words(order)), order.accepted)
+    return Bench(scene.heading(), there, tuple(rows), (), tuple(_words(order)), order.accepted)
 
 
 def _measured(scene: Scene, folder: Path) -> dict[str, complex]:

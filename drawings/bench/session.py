@@ -84,7 +84,7 @@ def session(scene: Scene, order: Order, tell: Callable[[str], None]) -> Bench:
     tell("")
     words = (*_words(order), *told)
     gaps = bool(LinkageStudy(scene).lost.any())
-    return Bench(scene.title, there, (*rows, *hands), tuple(ratios), words, order.accepted, gaps)
+    return Bench(scene.heading(), there, (*rows, *hands), tuple(ratios), words, order.accepted, gaps)
 
 
 def _at(scene: Scene, count: int, order: Order, largest: Mapping[str, float]) -> list[Row]:

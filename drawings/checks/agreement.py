@@ -12,15 +12,8 @@ def agree(comparison: Comparison) -> None:
     for lone in comparison.alone[:1]:
         raise SelfCheckFailed(_alone(lone))
     if comparison.worst > 1.0:
-        raise SelfCheckFailed(_apart(comparison))
+        raise SelfCheckFailed(comparison.apart)
 
 
 def _alone(lone: Lone) -> Message:
     return message(f"check.{lone.by}", position=lone.gap.position, plan=lone.gap.plan, reason=lone.gap.reason)
-
-
-def _apart(comparison: Comparison) -> Message:
-    worst = max(comparison.findings, key=lambda finding: float(finding.excess.max()))
-    if worst.plan == "positions":
-        return message("check.assembly", name=worst.name)
-    return message("check.differ", name=worst.name, times=f"{float(worst.excess.max()):.3g}")

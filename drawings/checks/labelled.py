@@ -6,13 +6,15 @@ import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from drawings.figures.linkage.vector_plan import with_index
+from drawings.checks.wrong import on
 from drawings.layout.ink import CELL, CLEAR
 from drawings.layout.labels import NEAR
 from drawings.lettering.extent import bounds
+from drawings.lettering.indices import with_index
 from drawings.paper.limits import QUANTUM, SEEN
 from drawings.paper.strokes import Box, Circle, Group, Leaf, Line, Stroke, Text
 from drawings.paper.walk import walk
+from plans.words.words import Message
 
 GAP = 3.0  # mm, the widest gap at which a label is placed beside its point
 SLACK = 2.0  # mm: letters of images that fall on one place stand at the first of them
@@ -26,7 +28,7 @@ class Label(NamedTuple):
     place: Box
 
 
-def unlettered(leaf: Leaf) -> Iterator[str]:
+def unlettered(leaf: Leaf) -> Iterator[Message]:
     """Name each mark of a sheet that no letter of its own stands beside."""
     labels: dict[str, list[Label]] = {}
     for label in _labels(leaf.groups):
@@ -35,7 +37,7 @@ def unlettered(leaf: Leaf) -> Iterator[str]:
     for plan, name, letter, spots in _marks(leaf.groups):
         plain = Text(0j, letter if "{" in letter else with_index(letter)).plain
         if not any(_distance(spot, label.place) <= NEAREST for label in labels.get(plain, ()) for spot in spots):
-            yield f"the letter {name} on {plan}"
+            yield on("letter", plan, name=name)
 
 
 def _labels(strokes: tuple[Stroke, ...]) -> Iterator[Label]:

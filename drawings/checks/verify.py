@@ -6,11 +6,12 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 
 from drawings.checks.labelled import unlettered
+from drawings.checks.wrong import Wrong, on
 from drawings.measure.measure import Measured, check, measure_file
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Leaf
 from geometry.errors import DraftError
-from plans.words.words import message
+from plans.words.words import Message, message
 
 TOLD = 5  # mismatches told one by one
 
@@ -21,27 +22,27 @@ class SelfCheckFailed(DraftError):  # noqa: N818  (the exit code's own word)
     exit_code = 5
 
 
-def verify(path: Path, leaf: Leaf, faults: Callable[[Measured, Leaf], Iterable[str]]) -> Measured:
+def verify(path: Path, leaf: Leaf, faults: Callable[[Measured, Leaf], Iterable[Wrong]]) -> Measured:
     """Measure a written sheet: it states what it shows, its marks have letters, and it has no faults of its kind."""
     try:
         measured = measure_file(path)
     except SheetRefused as refused:
         raise SelfCheckFailed(message("check.unmeasured", refusal=refused)) from refused
-    wrong = [f"{miss.key.name} on {miss.key.plan}" for miss in check(measured)]
+    wrong: list[Wrong] = [on("on", miss.key.plan, name=miss.key.name) for miss in check(measured)]
     wrong += [*faults(measured, leaf), *unlettered(leaf)]
     if wrong:
         raise SelfCheckFailed(message("check.sheet", marks=_first(wrong)))
     return measured
 
 
-def verify_report(wrong: Iterable[str]) -> None:
+def verify_report(wrong: Iterable[Wrong]) -> None:
     """See that a report has no faults."""
     told = list(wrong)
     if told:
         raise SelfCheckFailed(message("check.report", marks=_first(told)))
 
 
-def _first(wrong: list[str]) -> object:
+def _first(wrong: list[Wrong]) -> Message | tuple[Wrong, ...]:
     """Name the first of what is wrong, and how much more there is."""
-    marks, more = ", ".join(wrong[:TOLD]), len(wrong) - TOLD
+    marks, more = tuple(wrong[:TOLD]), len(wrong) - TOLD
     return message("check.more", marks=marks, count=more) if more > 0 else marks

@@ -13,6 +13,7 @@ from drawings.checks import reading
 from drawings.checks.force_marks import lever_marks, polygon_marks
 from drawings.checks.reading import plain, reads, scales
 from drawings.checks.verify_friction import friction_of
+from drawings.checks.wrong import on
 from drawings.figures.forces.force_equations import DIGITS
 from drawings.figures.forces.force_letters import force_letter
 from drawings.figures.forces.force_table import label
@@ -28,13 +29,14 @@ from plans.forces.cut import indices
 from plans.forces.statics import Statics
 from plans.model.order import VELOCITIES
 from plans.study import Study
+from plans.words.words import Message, message
 
 # The least that an arrow not to scale is turned by to be wrong: its direction is drawn with the coordinates of paper.
 ASKEW = 1e-3
 _TOLD = re.compile(r"(?P<name>\S+) = (?P<value>[−\d.,]+)(?: (?P<unit>\S+?))?,?")
 
 
-def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[str]:
+def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Message]:
     """Hold all that one force sheet shows against the analysis."""
     comparison, statics = study.comparison("forces"), study["forces"]
     check = _Check(measured, leaf, comparison, statics)
@@ -93,7 +95,7 @@ class _Check:
         told = expected.polygon(self.statics.study.groups, group) | expected.parts(group)
         return {plain_name(force_letter(name, language, letter)): value for name, value in told.items()}
 
-    def plans(self) -> Iterator[str]:
+    def plans(self) -> Iterator[Message]:
         """Hold the force plans and the lever's images."""
         study, expected = self.statics.study, self.expected()
         cuts = {cut.label: cut.group for cut in self.statics.drafts().plans.plan.cuts}
@@ -104,7 +106,7 @@ class _Check:
         speed = max(float(one.allowed[self.position]) for one in self.comparison.motion.of(VELOCITIES.plan))
         yield from lever_marks(self.measured, expected, letters, 2 * speed)
 
-    def arrows(self) -> Iterator[str]:
+    def arrows(self) -> Iterator[Message]:
         """Hold the directions of arrows that are not to scale, on the schemes and on the lever."""
         whole = {name: value for cut in self._labels() for name, value in self.forces(cut).items()}
         for group in self.leaf.groups:
@@ -116,12 +118,12 @@ class _Check:
                     continue
                 along, force = shaft.end - shaft.start, known[name]
                 if abs(force) > self.slack and not abs(along / abs(along) - force / abs(force)) <= ASKEW:
-                    yield f"the direction of {name} on {group.name}"
+                    yield on("direction", group.name, name=name)
 
     def _labels(self) -> list[str]:
         return [cut.label for cut in self.statics.drafts().plans.plan.cuts]
 
-    def told(self) -> Iterator[str]:
+    def told(self) -> Iterator[Message]:
         """Read the sizes of forces that the equations state."""
         for group in self.leaf.groups:
             label = group.name.removeprefix("equations-")
@@ -134,20 +136,20 @@ class _Check:
                     continue
                 size = abs(known[found["name"]])
                 if not reads(found["value"].rstrip(","), size, self.slack + _half(size)):
-                    yield f"{text.plain} in the equations of {label}"
+                    yield message("wrong.equation", text=text.plain, cut=label)
 
     @property
     def _newton(self) -> tuple[str, ...]:
         return (word(self.statics.study.scene.sheet.language, "N"),)
 
-    def scales(self) -> Iterator[str]:
+    def scales(self) -> Iterator[Message]:
         """Read the written scale of each figure whose vectors are to one scale."""
         for group in self.leaf.groups:
             stated = {float(s.data["scale"]) for s in groups((group,)) if s.data.get("kind") in ("vector", "point")}
             if len(stated) == 1 and group.name != "balancing":
                 yield from scales(group, stated)
 
-    def curves(self) -> Iterator[str]:
+    def curves(self) -> Iterator[Message]:
         """Hold the ordinates of the balancing moment and the ends of hodographs over the positions."""
         told = self.comparison.analysis
         moments = {str(k): complex(0, value) for k, value in enumerate(told.balancing.moment)}
@@ -161,10 +163,10 @@ class _Check:
             ends[plain_name(shown)] = complex(one.force[self.position])
             yield from self._held(f"hodograph-{key}", ends, self.slack)
 
-    def _held(self, plan: str, expected: Mapping[str, complex], slack: float) -> Iterator[str]:
+    def _held(self, plan: str, expected: Mapping[str, complex], slack: float) -> Iterator[Message]:
         told = [(one.plan, one.name, one.value, one.scale) for one in self.measured.vectors]
         told += [(one.plan, one.name, one.value, one.scale) for one in self.measured.points]
         for own, name, value, scale in told:
             allowed = slack + 2 * self.measured.quantum * scale
             if own == plan and name in expected and not abs(value - expected[name]) <= allowed:
-                yield f"{name} on {plan} (against the analysis)"
+                yield on("differs_on", plan, name=name)

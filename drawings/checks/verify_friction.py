@@ -19,6 +19,7 @@ from plans.model.losses import Friction
 from plans.model.motion import Floats
 from plans.study import Study
 from plans.words import words
+from plans.words.words import Message, message
 
 _SIGNS = str.maketrans({"\N{NO-BREAK SPACE}": " ", "\n": " "})
 FIGURE = r"[−\d.,]+\d|\d"
@@ -77,7 +78,7 @@ class Told:
         return {pair: [k for other, k in told if other == pair] for pair, _ in told}
 
 
-def friction_of(leaf: Leaf, comparison: ForceComparison, position: int, language: str) -> Iterator[str]:
+def friction_of(leaf: Leaf, comparison: ForceComparison, position: int, language: str) -> Iterator[Message]:
     """Read what the notes of a force sheet say of friction."""
     notes = [group for group in leaf.groups if group.name == "notes"]
     told = Told(comparison) if comparison.friction is not None else None
@@ -96,22 +97,22 @@ def friction_of(leaf: Leaf, comparison: ForceComparison, position: int, language
     yield from _jams(said, told, language)
 
 
-def _jams(said: str, told: Told, language: str) -> Iterator[str]:
+def _jams(said: str, told: Told, language: str) -> Iterator[Message]:
     jams = told.jams()
     pairs, positions = ", ".join(jams), runs(sorted({k for own in jams.values() for k in own}))
     sentence = word(language, "jams", pairs=pairs, positions=positions).translate(_SIGNS)
     begins = word(language, "jams", pairs="@", positions="").partition("@")[0]
     if (sentence not in said) if jams else (begins in said):
-        yield f"{begins}... (friction, against the analysis)"
+        yield message("wrong.friction", text=f"{begins}...")
 
 
-def _held(said: str, pattern: str, value: tuple[float, float] | None, language: str, digits: int) -> Iterator[str]:
+def _held(said: str, pattern: str, value: tuple[float, float] | None, language: str, digits: int) -> Iterator[Message]:
     """Find a phrase in the notes, and hold its number against what may be written there."""
     found = re.search(re.escape(pattern.translate(_SIGNS)).replace("@", f"({FIGURE})"), said)
     if found is None:
-        yield f"{pattern.replace('@', '...')} is missing"
+        yield message("wrong.missing", name=pattern.replace("@", "..."))
     elif value is not None and not reads(found[1], *value, language, digits):
-        yield f"{found[0]} (friction, against the analysis)"
+        yield message("wrong.friction", text=found[0])
 
 
 def reads(text: str, value: float, slack: float, language: str = "en", digits: int = 4) -> bool:
@@ -128,12 +129,12 @@ def reads(text: str, value: float, slack: float, language: str = "en", digits: i
     return abs(float(text.replace("−", "-").replace(",", ".")) - value) <= slack
 
 
-def report_faults(text: str, study: Study) -> Iterator[str]:
+def report_faults(text: str, study: Study) -> Iterator[Message]:
     """Read what the report of a scene says of its friction."""
     return report_of(text, study.comparison("forces"), study.scene.sheet.language)
 
 
-def report_of(text: str, comparison: ForceComparison, language: str) -> Iterator[str]:
+def report_of(text: str, comparison: ForceComparison, language: str) -> Iterator[Message]:
     """Read what the report says of friction: every cell of its table, the cycle and the shares."""
     if comparison.friction is None:
         return
@@ -141,23 +142,23 @@ def report_of(text: str, comparison: ForceComparison, language: str) -> Iterator
     part = part.partition("\n## ")[0]
     rows = [row.strip("| ").split(" | ") for row in part.splitlines() if re.match(r"\| \d", row)]
     if len(rows) != len(told.found.phi):
-        yield "the table of friction in the report"
+        yield message("wrong.friction_table")
         return
     for k, row in enumerate(rows):
         cells = [told.power(key, k) for key in told.found.powers]
         cells += [told.lost(k), told.useful(k), told.efficiency(k)]
         for cell, value in zip(row[1:], cells, strict=True):
             if not reads(cell, *value, language, digits=6):
-                yield f"{cell} in position {k} of the table of friction in the report"
+                yield message("wrong.friction_cell", text=cell, position=k)
     yield from _further(part, told, language)
     jam = words.word(language, "report.jam", pair="@", position="#", ratio="%", advice="").partition("%")[0]
     pattern = re.escape(jam).replace("@", r"(\S+)").replace(r"\#", r"(\d+)")
     shown = {(pair, int(k)) for pair, k in re.findall(pattern, part)}
     if shown != {(pair, k) for pair, own in told.jams().items() for k in own}:
-        yield "the jams in the report"
+        yield message("wrong.jams")
 
 
-def _further(part: str, told: Told, language: str) -> Iterator[str]:
+def _further(part: str, told: Told, language: str) -> Iterator[Message]:
     """Read the cycle's efficiency and the shares of wear below the table."""
     cycle = told.cycle()
     if cycle is not None:

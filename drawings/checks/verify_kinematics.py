@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 
 from drawings.checks import reading
+from drawings.checks.wrong import on
 from drawings.figures.linkage.vector_plan import LEAST
 from drawings.measure.measure import Measured, MeasuredVector
 from drawings.paper.strokes import Leaf
@@ -14,9 +15,10 @@ from plans.checks.expected import Expected
 from plans.linkage.study import LinkageStudy
 from plans.model.order import POSITIONS
 from plans.study import Study
+from plans.words.words import Message, message
 
 
-def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[str]:
+def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Message]:
     """Hold the plans, the points, the table and the scales of a kinematics sheet against the analysis."""
     linkage, comparison = study["linkage"], study.comparison("linkage")
     gone = {gap.position for gap in comparison.construction.gaps}
@@ -29,7 +31,7 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[str]:
     yield from reading.tables(leaf, {finding.name.replace("_", ""): finding for finding in comparison.findings})
 
 
-def _plans(measured: Measured, study: LinkageStudy, comparison: MotionComparison, k: int) -> Iterator[str]:
+def _plans(measured: Measured, study: LinkageStudy, comparison: MotionComparison, k: int) -> Iterator[Message]:
     """Hold the arrows of one position's plans against the analysis: each that must be there, each that is."""
     drafts = study.drafts()
     expected = Expected(study.mechanism, comparison.analysis, k, drafts.velocities.written)
@@ -42,9 +44,9 @@ def _plans(measured: Measured, study: LinkageStudy, comparison: MotionComparison
         must = start in ("p", "π") and end in letters
         if found is not None:
             if not abs(found.value - value) <= _allowed(comparison, found, measured):
-                yield f"{start} {end} on {plan} in position {k} (against the analysis)"
+                yield on("differs_at", plan, name=f"{start} {end}", position=k)
         elif must and not abs(value) <= 2 * LEAST * scales.get(plan, 0.0):
-            yield f"{start} {end} on {plan} in position {k} is missing"
+            yield on("missing_at", plan, name=f"{start} {end}", position=k)
 
 
 def _allowed(comparison: MotionComparison, vector: MeasuredVector, measured: Measured) -> float:
@@ -54,7 +56,7 @@ def _allowed(comparison: MotionComparison, vector: MeasuredVector, measured: Mea
     return 2 * own + 2 * measured.quantum * vector.scale
 
 
-def _points(measured: Measured, comparison: MotionComparison, shown: int) -> Iterator[str]:
+def _points(measured: Measured, comparison: MotionComparison, shown: int) -> Iterator[Message]:
     """Hold the points of the shown position against the analysis; none may be missing."""
     seen = {mark.name: mark for mark in measured.points if mark.position == shown}
     for finding in comparison.of(POSITIONS.plan):
@@ -64,6 +66,6 @@ def _points(measured: Measured, comparison: MotionComparison, shown: int) -> Ite
             continue
         mark = seen.get(name)
         if mark is None:
-            yield f"{name} on the plan of positions is missing"
+            yield message("wrong.point_missing", name=name)
         elif not abs(mark.value - true) <= float(finding.allowed[shown]) + 2 * measured.quantum * mark.scale:
-            yield f"{name} on the plan of positions (against the analysis)"
+            yield message("wrong.point_differs", name=name)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+from functools import reduce
 from pathlib import Path
 
 from drawings.bench import plot, record, table
@@ -14,8 +15,9 @@ from drawings.files import atomic_files
 from geometry.errors import LimitError
 from plans.bench.result import Bench
 from plans.linkage.reading.fields import POSITIONS_LIMIT
-from plans.scene.scene import read_scene
-from plans.techniques import named, technique_of
+from plans.scene.scene import Scene, read_scene
+from plans.study import Study
+from plans.techniques import named
 from plans.words.words import message, placed
 
 GAPS = 4
@@ -29,7 +31,7 @@ def run(options: argparse.Namespace) -> int:
     if options.output is not None:
         plot.ready()
         atomic_files.prepare(options.output)
-    found: Bench = named(SESSIONS[technique_of(scene.sheets[0])])(scene, order(options), _tell)
+    found = _measured(scene, order(options))
     print(record.json_text(found) if options.json else table.written(found))
     if options.output is not None:
         stem = options.output / f"{Path(scene.file).stem}-bench"
@@ -38,6 +40,13 @@ def run(options: argparse.Namespace) -> int:
             atomic_files.write(path, content)
             print(path, file=sys.stderr if options.json else sys.stdout)
     return GAPS if found.gaps else 0
+
+
+def _measured(scene: Scene, wanted: Order) -> Bench:
+    """Run the sessions of all techniques that a scene asks for."""
+    sessions = dict.fromkeys(SESSIONS[technique] for technique in Study(scene).techniques)
+    benches: list[Bench] = [named(session)(scene, wanted, _tell) for session in sessions]
+    return reduce(Bench.joined, benches)
 
 
 def order(options: argparse.Namespace) -> Order:

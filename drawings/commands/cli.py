@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from drawings import VERSION
-from drawings.commands.process import FILES, UNREADABLE, run, tell
+from drawings.commands.stderr import FILES, UNREADABLE, tell
 from drawings.files.signals import Stopped
 from geometry.errors import DraftError
 
@@ -24,7 +24,7 @@ exit codes: 0 written and verified; 1 a bug of plandraft; 2 wrong command line; 
 4 drawn, but with gaps or marks too near a dead centre; 5 a self-check failed, sheet withheld;
 7 cannot read or write; 8 a named limit was exceeded.
 
-a scene is one TOML file: [mechanism] with frame, links, lengths, slides and a rough sketch, and [drive].
+a scene is one TOML file: what is studied, a linkage or a rotor, and what is asked of it.
 start from a scene of the gallery (plandraft new) and change it; every mistake is told with its line and what to write.
 """
 
@@ -64,13 +64,16 @@ def parser() -> argparse.ArgumentParser:
     )
     solve.add_argument("--json", action="store_true", help="JSON, which is the only form and the default")
     solve.add_argument(
-        "--only", type=_orders, metavar="PLANS", help="some of positions,velocities,accelerations, joined by commas"
+        "--only",
+        type=_orders,
+        metavar="PLANS",
+        help="some plans, joined by commas: positions,velocities or forces",
     )
     solve.add_argument("--trace", action=_Trace, nargs=0, help=TRACED)
     compare = _command(commands, "compare", "compare construction and analysis, quantity by quantity")
     compare.add_argument("--json", action="store_true", help="as JSON")
     explain = _command(commands, "explain", "print the drafting steps behind a mark")
-    explain.add_argument("mark", metavar="MARK", help="B, v_B, a_B, omega_3, epsilon_3, or a plan's letter such as a3")
+    explain.add_argument("mark", metavar="MARK", help="a letter of a plan, such as B, v_B, omega_3, R_12, m_1D_1")
     explain.add_argument("--position", type=int, default=0, metavar="K", help="number of the position (default: 0)")
     explain.add_argument("--all", action="store_true", help="of a force also the plans that it rests on")
     explain.add_argument("--json", action="store_true", help="as JSON")
@@ -130,7 +133,7 @@ def _orders(text: str) -> list[str]:
     names = [name.strip() for name in text.split(",")]
     from plans.techniques import TECHNIQUES  # only this option asks for the table
 
-    known = [plan for row in TECHNIQUES.values() for plan in row.plans if plan != "extremes"]
+    known = [plan for row in TECHNIQUES.values() for plan in row.plans]
     wrong = [name for name in names if name not in known]
     if wrong or not names:
         raise argparse.ArgumentTypeError(f"{', '.join(wrong)} is none of {', '.join(known)}")
@@ -219,7 +222,3 @@ def _bug_report() -> str:
     except OSError:
         return report
     return name
-
-
-if __name__ == "__main__":
-    run()

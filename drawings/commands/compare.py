@@ -26,12 +26,12 @@ def run(options: argparse.Namespace) -> int:
     noted(study)
     comparisons = study.comparisons
     if options.json:
-        print_json(_plain(study.scene.title, comparisons))
+        print_json(_plain(study.scene.heading(), comparisons))
     else:
         print("\n".join(_table(comparisons, study.scene.sheet.language)))
     if not all(comparison.agrees for comparison in comparisons):
         return FAILED
-    return GAPS if comparisons[-1].construction.gaps else 0
+    return GAPS if any(comparison.left_out for comparison in comparisons) else 0
 
 
 def _plain(title: str, comparisons: Sequence[Comparison]) -> dict[str, object]:

@@ -10,7 +10,7 @@ from itertools import chain, takewhile
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-from drawings.commands.process import tell
+from drawings.commands.stderr import tell
 from drawings.commands.talk import noted
 from drawings.commands.trace import Trace
 from drawings.files.atomic_files import staged

@@ -30,7 +30,7 @@ def run(options: argparse.Namespace) -> int:
     language = study.scene.sheet.language
     print(word(language, "explain.steps", title=explanation.title, count=len(explanation.steps)))
     for number, mark in enumerate(explanation.steps, 1):
-        print(f"{number:>3}. {sentence(mark, explanation.units, language)}")
+        print(f"{number:>3}. {sentence(mark, explanation, language)}")
     for note in explanation.notes:
         print(f"     {note.worded(language)}")
     return 0
@@ -58,11 +58,13 @@ def _no_mark(name: str, none: Sequence[NoMark]) -> Message:
     return message("mark.meant", near=near[0], **parts)
 
 
-def sentence(mark: Mark, units: Mapping[str, str], language: str) -> str:
+def sentence(mark: Mark, of: Explanation, language: str) -> str:
     """Say one step: what is drawn, from which marks, where it is, how sharply it meets, and why."""
-    sources = ", ".join(_named(source, language) for source in mark.step.inputs)
-    text = f"{_named(mark, language)}: {term(language, 'op', mark.step.op)}" + (f" ({sources})" if sources else "")
-    text += f" = {_value(mark, units).worded(language)}"
+    sources = ", ".join(_named(source, of.home, language) for source in mark.step.inputs)
+    text = f"{_named(mark, of.home, language)}: {term(language, 'op', mark.step.op)}" + (
+        f" ({sources})" if sources else ""
+    )
+    text += f" = {_value(mark, of.units).worded(language)}"
     if mark.sharpness is not None:
         angle = f"{np.degrees(np.arcsin(min(at(mark.sharpness, 0).real, 1.0))):.2f}"
         kappa = f"{float(condition(mark).flat[0]):.3g}"
@@ -70,12 +72,12 @@ def sentence(mark: Mark, units: Mapping[str, str], language: str) -> str:
     return f"{text}. {said(mark.step.why, language)}" if mark.step.why else text
 
 
-def _named(mark: Mark, language: str) -> str:
+def _named(mark: Mark, home: str, language: str) -> str:
     """Name a mark by its letters; one that has words for its name by those of the language."""
     name = term(language, "mark_name", mark.name)
     if " " in mark.name and name == mark.name:
         name = " ".join(term(language, "mark_part", part) for part in mark.name.split(" "))
-    return f"{name} [{term(language, 'plan', mark.subject)}]" if mark.subject != "positions" else name
+    return name if mark.subject == home else f"{name} [{term(language, 'plan', mark.subject)}]"
 
 
 def _value(mark: Mark, units: Mapping[str, str]) -> Message:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from drawings.commands.process import tell
+from drawings.commands.stderr import tell
 from drawings.files.json_text import print_json
 from drawings.files.manifest import manifest_beside
 from drawings.measure.measure import Measured, check, measure_file

@@ -9,12 +9,11 @@ import signal
 import sys
 from typing import NoReturn
 
+from drawings.commands.stderr import FILES, UNREADABLE, tell
 from drawings.files.signals import ENDING, Stopped, raise_signals
 
 COLLECTED = 100_000  # new objects between two collections: a sheet makes few more, and hardly any of them in rings
 STREAMS = 3  # stdin, stdout, stderr
-FILES = 7
-UNREADABLE = "plandraft itself cannot be read: {error}. Fix: install it again"
 
 
 def run() -> NoReturn:
@@ -58,7 +57,5 @@ def _fill_streams() -> None:
         sys.stderr = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115, PTH123  (open as long as the process is)
 
 
-def tell(message: str) -> None:
-    """Say a message on stderr; where nobody can hear it, the work goes on, and the exit code tells how it ended."""
-    with contextlib.suppress(OSError, ValueError):
-        print(message, file=sys.stderr)
+if __name__ == "__main__":
+    run()

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from typing import Any
 
-from drawings.commands.process import tell
+from drawings.commands.stderr import tell
 from drawings.commands.talk import noted
 from drawings.commands.trace import Trace
 from drawings.files.json_text import print_json
@@ -31,4 +31,4 @@ def run(options: argparse.Namespace) -> int:
         print_json(told)
     if options.trace:
         tell(trace.told(study))
-    return GAPS if found[-1].flawed else 0
+    return GAPS if any(numbers.flawed for numbers in found) else 0

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from drawings.commands.process import tell
+from drawings.commands.stderr import tell
 from drawings.files.file_error import of_system
 from plans.scene.faults import SceneError
 from plans.scene.notes import notes_of

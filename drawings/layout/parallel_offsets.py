@@ -14,7 +14,7 @@ EVERYWHERE: Box = (-math.inf, -math.inf, math.inf, math.inf)
 APART = 3.2  # mm between two lanes: the arrowheads of both, 1.8 wide each on A1, and paper between them
 NEAR = 1.0  # mm: lines of 0.7 with their axes nearer than this are one to the eye
 SHARE = 0.35  # of the shorter line that may be so near: two that leave one corner are 3 mm apart at its end
-SHORT = 15.0  # mm: of a shorter line nearness is a fifteenth
+SHORT = 15.0  # mm: beside a line shorter than this, only what is nearer than a fifteenth of its length is near
 ABREAST = math.sin(math.radians(1)), 3.0  # lines at less than a degree are not so near for more than 3 mm
 THROUGH = 0.5  # mm: a line so near the middle of all runs through it
 

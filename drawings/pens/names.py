@@ -11,7 +11,8 @@ from drawings.paper.walk import groups as within
 
 Attributes: TypeAlias = dict[str, str]
 
-_ILLEGAL = re.compile("[^\t\n\x20-\x7e\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+# What XML carries unchanged. As a class of a regular expression it takes 5 ms to compile, a tenth of all imports.
+_LEGAL = (range(0x20, 0x7F), range(0xA0, 0xD800), range(0xE000, 0xFFFE), range(0x10000, 0x110000))
 _NAME = re.compile(r"[^\W\d][\w.-]*")
 _DATA = re.compile(r"[a-z][a-z0-9-]*")
 _RESERVED = ("sheet", "seal")
@@ -19,8 +20,11 @@ _RESERVED = ("sheet", "seal")
 
 def legal(text: str) -> str:
     """Pass text on if XML can carry it unchanged; control characters and halves of characters are refused."""
-    if found := _ILLEGAL.search(text):
-        raise SheetError(f"{text!r}: the character {found[0]!r} at {found.start()} cannot be written")
+    if text.isascii() and text.isprintable():
+        return text
+    for place, sign in enumerate(text):
+        if sign not in "\t\n" and not any(ord(sign) in codes for codes in _LEGAL):
+            raise SheetError(f"{text!r}: the character {sign!r} at {place} cannot be written")
     return text
 
 

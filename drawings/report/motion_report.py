@@ -21,7 +21,6 @@ from plans.linkage.barrier import Barrier
 from plans.linkage.extreme import ExtremePositions
 from plans.linkage.pressure import interval
 from plans.linkage.study import LinkageStudy
-from plans.model.dyad import RUSSIAN
 from plans.model.mechanism import FRAME
 from plans.model.order import PLANS
 from plans.model.structure import formula, mechanism_class
@@ -63,7 +62,7 @@ def remarks(study: Study) -> list[Message]:
     return lines
 
 
-def faults(text: str, study: Study) -> Iterator[str]:
+def faults(text: str, study: Study) -> Iterator[Message]:
     """Find no fault: the values of a motion are printed from the comparison that was judged."""
     yield from ()
 
@@ -93,8 +92,7 @@ def _structure(study: LinkageStudy) -> Iterator[str]:
     yield say("report.mobility", **parts)
     yield say("report.formula", formula=formula(mechanism, study.groups), klass=mechanism_class(study.groups))
     for group, side in zip(study.groups, study.sweep.sides, strict=True):
-        joints = f"{group.kind} ({RUSSIAN[group.kind]})"
-        yield say("report.group", group=group.label, joints=joints, side=f"{side:+.0f}")
+        yield say("report.group", group=group.label, joints=group.kind, side=f"{side:+.0f}")
     rates = {"omega": mechanism.drive.omega, "epsilon": mechanism.drive.epsilon}
     told = {name: number(rate, study.language) for name, rate in rates.items()}
     yield say("report.drive", link=mechanism.drive.link, **told)

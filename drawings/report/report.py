@@ -30,7 +30,7 @@ def report(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> str:
     language = study.scene.sheet.language
     kinds = ", ".join(term(language, "kind", kind) for kind in leaves)
     parts = [
-        word(language, "report.title", title=study.scene.title, sheets=kinds),
+        word(language, "report.title", title=study.scene.heading(language), sheets=kinds),
         *(line for one in told for line in one.subject),
         *_comparison(study.comparisons, language),
         *(line for one in told for line in one.values),
@@ -58,7 +58,7 @@ def remarks(study: Study) -> list[Message]:
     return [line for name in study.techniques for line in named(REPORTS[name].remarks)(study)]
 
 
-def faults(text: str, study: Study) -> Iterator[str]:
+def faults(text: str, study: Study) -> Iterator[Message]:
     """Give what a report tells otherwise than the analysis."""
     return (fault for name in study.techniques for fault in named(REPORTS[name].faults)(text, study))
 

@@ -52,9 +52,9 @@ class RotorNotes(NamedTuple):
         yield word("quality before", quality=number(before), grade=grade_name(before, self.drafting))
         if rotor.grade is not None:
             whole = GRAM_MILLIMETRES * permissible(rotor.grade, rotor.mass, rotor.speed)
-            told = {"grade": letters(rotor.grade), "permissible": number(whole)}
+            grade = {"grade": letters(rotor.grade), "permissible": number(whole)}
             each = {"each": number(whole / len(rotor.planes))}
-            yield word("permissible", **told, **each) if rotor.dynamic else word("permissible in one", **told)
+            yield word("permissible", **grade, **each) if rotor.dynamic else word("permissible in one", **grade)
 
     def reactions(self) -> Iterator[str]:
         """Say what the bearings bear before and after."""
@@ -75,8 +75,8 @@ class RotorNotes(NamedTuple):
         if one.radius is not None:
             parts.append(word("counterweight radius", index=plane, radius=self._number(1000 * one.radius)))
         moment, angle = self._number(one.moment.size), self._number(one.moment.angle)
-        told = word("counterweight", letters=name, moment=moment, angle=angle)
-        return f"{told};  {',  '.join(parts)}" if parts else told
+        said = word("counterweight", letters=name, moment=moment, angle=angle)
+        return f"{said};  {',  '.join(parts)}" if parts else said
 
     def _vector(self, one: Resultant, unit: str) -> str:
         """Write a vector by its size and direction; one that vanishes is 0."""

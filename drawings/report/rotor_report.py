@@ -18,7 +18,7 @@ from plans.model.rotor import Balance, Rotor
 from plans.rotor.balancing import UNBALANCES
 from plans.rotor.letters import unbalance_letters
 from plans.study import Study
-from plans.words.words import word
+from plans.words.words import Message, word
 
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
@@ -47,7 +47,7 @@ def remarks(study: Study) -> list[str]:
     return []
 
 
-def faults(text: str, study: Study) -> Iterator[str]:
+def faults(text: str, study: Study) -> Iterator[Message]:
     """Find no fault: the numbers of a rotor are printed from the comparison that was judged."""
     yield from ()
 

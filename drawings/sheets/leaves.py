@@ -75,6 +75,10 @@ class _Leaves:
     def drafting(self) -> Drafting:
         return drafting_of(self.scene)
 
+    @property
+    def title(self) -> str:
+        return self.scene.heading(self.drafting.language)
+
     @cached_property
     def contents(self) -> Contents:
         """All that the sheets must show, measured."""
@@ -92,11 +96,11 @@ class _Leaves:
         return Leaf(
             *page.size,
             (page.frame(), page.corners(), *still, *(group for figure in figures for group in figure.letter(labels))),
-            title=f"{self.scene.title}: {draft.title}",
+            title=f"{self.title}: {draft.title}",
             description=" ".join(draft.notes),
             metadata={
                 "sheet": draft.kind,
-                "title": self.scene.title,
+                "title": self.title,
                 **draft.facts(composed.spots.keys()),
                 "number": number,
                 "of": count,
@@ -125,7 +129,7 @@ class _Leaves:
         foremost = self.contents.foremost
         spot = composed.spots.get(foremost.item.name) if foremost is not None else None
         return {
-            "title": self.scene.title,
+            "title": self.title,
             "subtitle": self.draft.title,
             **{key: getattr(self.scene.sheet, key) for key in ENTRIES},
             "scale": spot.scale.ratio(self.drafting.language) if spot is not None else "",

@@ -65,10 +65,10 @@ def _thin(shown: RotorView) -> bool:
 
 def _polygons(rotor: RotorStudy, drafting: Drafting) -> Iterator[Exhibit]:
     """Show the polygon of moments, if a second plane asks for it, then that of static moments."""
-    found = rotor.drawing
-    names = frozenset(one.mark.name for one in found.corrections[:-1])
-    for drawn in (found.moments, found.forces) if rotor.rotor.dynamic else (found.forces,):
-        shown = rotor_polygon.polygon(drawn, names)
+    drawing = rotor.drawing
+    names = frozenset(one.mark.name for one in drawing.corrections[:-1])
+    for construction in (drawing.moments, drawing.forces) if rotor.rotor.dynamic else (drawing.forces,):
+        shown = rotor_polygon.polygon(construction, names)
         room = rotor_polygon.measure(shown, drafting)
         yield Exhibit(Panel(room, together=TOGETHER), partial(rotor_polygon.draw, shown, room, drafting=drafting))
 

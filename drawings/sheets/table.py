@@ -24,7 +24,7 @@ SHEETS: Final[Mapping[str, Sheet]] = {
         faults="drawings.checks.verify_kinematics:faults",
     ),
     "positions": Sheet(
-        admit="drawings.sheets.admission:of_linkage",
+        admit="drawings.sheets.linkage_admission:of_linkage",
         leaves="drawings.sheets.positions:leaves",
         faults="drawings.checks.verify_kinematics:faults",
     ),

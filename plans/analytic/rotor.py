@@ -18,7 +18,7 @@ def balance(rotor: Rotor, borne: bool = True) -> Balance:
     """Find what balances a rotor and, if `borne` is asked for, what its bearings bear before and after."""
     loads = [(moment(one), one.place) for one in rotor.masses]
     corrections = tuple(_correction(rotor, loads, k) for k in range(len(rotor.planes)))
-    found = [(one.moment.value, one.plane.place) for one in corrections]
+    added = [(one.moment.value, one.plane.place) for one in corrections]
     carried = [one.moment.slack for one in corrections]
     return Balance(
         by=ANALYSIS,
@@ -26,7 +26,7 @@ def balance(rotor: Rotor, borne: bool = True) -> Balance:
         unbalance=_resultant([(one, 1.0) for one, _ in loads]),
         corrections=corrections,
         before=_reactions(rotor, loads, []) if borne else (),
-        after=_reactions(rotor, [*loads, *found], [*[0.0] * len(loads), *carried]) if borne else (),
+        after=_reactions(rotor, [*loads, *added], [*[0.0] * len(loads), *carried]) if borne else (),
     )
 
 
@@ -64,12 +64,12 @@ def _reactions(
     """Give the reactions of the bearings on the rotor, by moments about the other one."""
     if not rotor.bearings or rotor.speed is None:
         return ()
-    found = []
+    resultants = []
     for here, other in (rotor.bearings, rotor.bearings[::-1]):
         shares = [float((other - place) / (here - other)) * rotor.speed**2 for _, place in loads]
         slack = sum(abs(share) * off for share, off in zip(shares, carried, strict=False))
-        found.append(_resultant(zip((one for one, _ in loads), shares, strict=True), slack))
-    return tuple(found)
+        resultants.append(_resultant(zip((one for one, _ in loads), shares, strict=True), slack))
+    return tuple(resultants)
 
 
 def _resultant(weighted: Iterable[tuple[complex, float]], carried: float = 0.0) -> Resultant:

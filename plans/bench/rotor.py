@@ -48,16 +48,16 @@ def truth(rotor: Rotor) -> Truth:
 
 def errors(found: Balance, true: Truth) -> Errors:
     """Judge what a road has found."""
-    told = {unbalance_letters(one.plane.name): one.moment.value for one in found.corrections}
-    told |= {f"R_{name}": one.value for name, one in zip(BEARINGS, found.before, strict=False)}
-    return judged(told, true)
+    values = {unbalance_letters(one.plane.name): one.moment.value for one in found.corrections}
+    values |= {f"R_{name}": one.value for name, one in zip(BEARINGS, found.before, strict=False)}
+    return judge(values, true)
 
 
-def judged(told: Mapping[str, complex], true: Truth) -> Errors:
+def judge(values: Mapping[str, complex], true: Truth) -> Errors:
     """Give the largest errors of some values by their kinds, each in shares of the largest of its kind."""
     kinds: dict[str, float] = {}
     worst = ""
-    for name, value in told.items():
+    for name, value in values.items():
         kind = REACTION if name.startswith("R_") else STATIC
         most = max((abs(near) for other, (near, _) in true.items() if other.startswith("R_") == (kind == REACTION)))
         near, rest = true[name]

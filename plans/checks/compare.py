@@ -26,7 +26,8 @@ from plans.model.motion import (
     Floats,
     Motion,
 )
-from plans.model.order import ORDERS, numbers_of
+from plans.model.order import ORDERS, POSITIONS, numbers_of
+from plans.words.words import Message, message
 
 if TYPE_CHECKING:
     from plans.study import Study
@@ -51,6 +52,13 @@ class MotionComparison(Comparison):
     findings: tuple[Finding, ...]
     kappa: Floats  # condition of the scaled Jacobian at every position
     road: Analysis  # by which the analysis was made
+
+    @property
+    def apart(self) -> Message:
+        """Say in what the two roads differ most: in the places themselves, they assemble the mechanism in two ways."""
+        if self.foremost.plan == POSITIONS.plan:
+            return message("check.assembly", name=self.foremost.name)
+        return super().apart
 
 
 @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN on both roads

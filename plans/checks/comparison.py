@@ -9,6 +9,7 @@ from typing import Any, NamedTuple, Protocol
 import numpy as np
 
 from plans.model.motion import Complexes, Floats, Gap
+from plans.words.words import Message, message
 
 
 class Finding(NamedTuple):
@@ -71,6 +72,17 @@ class Comparison:
     def worst(self) -> float:
         """The largest difference in units of its allowed one."""
         return max((float(np.max(finding.excess)) for finding in self.findings), default=0.0)
+
+    @property
+    def apart(self) -> Message:
+        """Say in what the two roads differ most."""
+        worst = self.foremost
+        return message("check.differ", name=worst.name, times=f"{float(worst.excess.max()):.3g}")
+
+    @property
+    def foremost(self) -> Finding:
+        """The finding with the largest difference in units of its allowed one."""
+        return max(self.findings, key=lambda finding: float(finding.excess.max()))
 
     @property
     def alone(self) -> tuple[Lone, ...]:

@@ -13,6 +13,7 @@ from plans.model.kinetostatics import Kinetostatics, Loading, pair
 from plans.model.machine import Body, Machine
 from plans.model.mechanism import FRAME, Mechanism
 from plans.model.motion import Motion
+from plans.words.words import Message, message
 
 
 class ExpectedForces:
@@ -105,7 +106,7 @@ def missed(
     parts: Mapping[str, complex],
     allowed: float,
     least: float,
-) -> Iterator[str]:
+) -> Iterator[Message]:
     """Name the forces that a polygon lacks, or shows otherwise than expected, or that nothing is known of.
 
     `allowed` N is what a force may differ by; one below `least` N may be missing.
@@ -113,9 +114,9 @@ def missed(
     known = {**parts, **expected}
     for name, value in seen.items():
         if name not in known:
-            yield f"{name} is no force of this group"
+            yield message("wrong.stranger", name=name)
         elif not abs(value - known[name]) <= allowed:
-            yield f"{name} (against the analysis)"
+            yield message("wrong.differs", name=name)
     for name, value in expected.items():
         if name not in seen and not abs(value) <= least:
-            yield f"{name} is missing"
+            yield message("wrong.missing", name=name)

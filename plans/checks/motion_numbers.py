@@ -13,7 +13,7 @@ import numpy as np
 
 from plans.analytic.kinematics import Analysis
 from plans.checks.plain_numbers import gap_numbers, pairs, plain
-from plans.linkage.study import LinkageStudy
+from plans.linkage.study import EXTREMES, LinkageStudy
 from plans.model.motion import Extremes, Motion
 from plans.model.order import ACCELERATIONS, ORDERS, numbers_of
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class MotionNumbers:
-    """The motion of a linkage by one road, its extremes where the scene starts at one, and the orders that are told."""
+    """The motion of a linkage by one road, its extremes where they are told, and the orders that are."""
 
     title: str
     datum: complex
@@ -76,24 +76,26 @@ def numbers(study: Study, by: str) -> MotionNumbers:
     """Find the motion of a scene by a road: what is asked for of it, and what the forces rest on."""
     linkage = study["linkage"]
     orders = numbers_of(study.plans)
-    order = ACCELERATIONS.number if study.techniques[-1] != "linkage" else max(orders, default=0)
+    borne = any("linkage" in row.needs for row in study.rows)
+    order = ACCELERATIONS.number if borne else max(orders, default=0)
     datum = complex(*(float(x) for x in linkage.mechanism.datum))
-    found = _analysed(linkage, order) if by == "analysis" else _constructed(linkage, order)
-    return MotionNumbers(study.scene.title, datum, found[0], found[1], orders, found[2])
+    told = linkage.form.drive.first is None or (study.chosen and EXTREMES in study.plans)
+    found = (_analysed if by == "analysis" else _constructed)(linkage, order, told)
+    return MotionNumbers(study.scene.heading(), datum, found[0], found[1], orders, found[2])
 
 
-def _constructed(study: LinkageStudy, order: int) -> tuple[Motion, Extremes | None, None]:
+def _constructed(study: LinkageStudy, order: int, told: bool) -> tuple[Motion, Extremes | None, None]:
     motion = study.motion(order)
-    found = study.extreme_positions if study.form.drive.first is None else None
+    found = study.extreme_positions if told else None
     return motion, found.extremes if found else None, None
 
 
-def _analysed(study: LinkageStudy, order: int) -> tuple[Motion, Extremes | None, Analysis]:
+def _analysed(study: LinkageStudy, order: int, told: bool) -> tuple[Motion, Extremes | None, Analysis]:
     """Solve by analysis alone: a start at an extreme is found by analysis too."""
     road = Analysis(study.mechanism, first=study.form.drive.first is not None, looks=study.looks.phi)
-    extremes = None if road.first else road.extremes(study.output)
-    if extremes is None:  # of a start at an extreme that is none the turn says why
-        return road.motion(study.turn.phi, order), None, road
+    extremes = road.extremes(study.output) if told or not road.first else None
+    if extremes is None or road.first:  # of a start at an extreme that is none the turn says why
+        return road.motion(study.turn.phi, order), extremes, road
     count = study.form.drive.count
     phi = extremes.phi[0] + study.sense * 2 * np.pi * np.arange(count) / count
     return road.motion(phi, order), extremes, road

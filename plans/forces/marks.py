@@ -38,7 +38,7 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
         # What a reaction rests on besides the forces: the plans that it is found over.
         notes += [message("explain.left_out", count=len(steps) - len(own))] if len(own) < len(steps) else []
         steps = own
-    return Explanation(motion.title(linkage, name, wanted), tuple(steps), UNITS, tuple(notes))
+    return Explanation(motion.title(linkage, name, wanted), tuple(steps), UNITS, tuple(notes), motion.HOME)
 
 
 def _find(board: Board, name: str) -> tuple[Mark | None, Message | None]:

@@ -203,7 +203,7 @@ class Statics:
         """Give the force plans over all positions, in blocks where these are more than those of a sheet."""
         if len(self.study.turn) <= BLOCK:
             yield self.drafts()
-        else:  # a block is no longer kept than it is read
+        else:  # one block after another is made and read, and none is kept
             yield from (ForceDrafts(self, drafts) for drafts, _ in self.study.blocks())
 
     @cached_property

@@ -15,12 +15,13 @@ from plans.linkage.drafts import Drafts
 from plans.linkage.plan import Plan
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
-from plans.model.order import ORDERS
+from plans.model.order import ORDERS, POSITIONS
 from plans.words.words import Message, message
 
 if TYPE_CHECKING:
     from plans.study import Study
 
+HOME = POSITIONS.plan
 UNITS = {order.plan: order.point.unit for order in ORDERS}
 
 
@@ -32,7 +33,7 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     if not targets:
         return _no_mark(linkage)
     notes = (_rate(name, *targets),) if len(targets) > 1 else ()
-    return Explanation(title(linkage, name, wanted), tuple(behind(*targets)), UNITS, notes)
+    return Explanation(title(linkage, name, wanted), tuple(behind(*targets)), UNITS, notes, HOME)
 
 
 def title(study: LinkageStudy, name: str, position: int) -> Message:

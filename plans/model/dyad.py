@@ -13,7 +13,6 @@ from plans.words.words import message
 
 # The five kinds of two-lead groups, numbered as the textbook does (figure 6.12): outer, inner, outer pair.
 NUMBERS = {"RRR": 1, "RRP": 2, "RPR": 3, "PRP": 4, "RPP": 5}
-RUSSIAN = {"RRR": "ВВВ", "RRP": "ВВП", "RPR": "ВПВ", "PRP": "ПВП", "RPP": "ВПП"}
 
 
 class Dyad(NamedTuple):

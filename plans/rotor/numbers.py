@@ -33,16 +33,16 @@ class RotorNumbers:
 
     def plain(self) -> dict[str, Any]:
         """Give the numbers as plain data."""
-        told: dict[str, Any] = {"scene": self.title, "by": self.balance.by}
+        data: dict[str, Any] = {}
         if COUPLES in self.plans:
-            told["couple"] = _vector(self.balance.couple)
+            data["couple"] = _vector(self.balance.couple)
         if UNBALANCES in self.plans:
-            told["unbalance"] = _vector(self.balance.unbalance)
-            told["corrections"] = {one.plane.name: _correction(one) for one in self.balance.corrections}
-            told |= self._quality()
+            data["unbalance"] = _vector(self.balance.unbalance)
+            data["corrections"] = {one.plane.name: _correction(one) for one in self.balance.corrections}
+            data |= self._quality()
         if REACTIONS in self.plans and self.balance.before:
-            told["reactions"] = {"before": _reactions(self.balance.before), "after": _reactions(self.balance.after)}
-        return told
+            data["reactions"] = {"before": _reactions(self.balance.before), "after": _reactions(self.balance.after)}
+        return {"scene": self.title, "by": self.balance.by, "rotor": data}
 
     def _quality(self) -> dict[str, Any]:
         """Give e*omega m/s before the correction, its grade, and the unbalance kg*m that the asked grade permits."""
@@ -50,10 +50,10 @@ class RotorNumbers:
         if before is None or rotor.mass is None or rotor.speed is None:
             return {}
         grade = grade_of(before)
-        told: dict[str, Any] = {"before": before / MILLIMETRES, "grade": letters(grade) if grade else None}
+        data: dict[str, Any] = {"before": before / MILLIMETRES, "grade": letters(grade) if grade else None}
         if rotor.grade is not None:
-            told["permissible"] = permissible(rotor.grade, rotor.mass, rotor.speed)
-        return {"quality": told}
+            data["permissible"] = permissible(rotor.grade, rotor.mass, rotor.speed)
+        return {"quality": data}
 
 
 def numbers(study: Study, by: str) -> RotorNumbers:
@@ -61,7 +61,7 @@ def numbers(study: Study, by: str) -> RotorNumbers:
     rotor = study["rotor"]
     borne = REACTIONS in study.plans
     found = analysis.balance(rotor.rotor, borne) if by == ANALYSIS else _constructed(rotor, borne)
-    return RotorNumbers(study.scene.title, rotor.rotor, found, study.plans)
+    return RotorNumbers(study.scene.heading(), rotor.rotor, found, study.plans)
 
 
 def _constructed(rotor: RotorStudy, borne: bool) -> Balance:

@@ -50,11 +50,13 @@ class RotorStudy:
     @cached_property
     def corrected(self) -> Balance:
         """What balances the rotor, whatever its bearings bear."""
-        found, moments = self.drawing, self.drawing.moments
-        pairs = zip(self.rotor.planes, found.corrections, strict=True)
+        drawing, moments = self.drawing, self.drawing.moments
+        pairs = zip(self.rotor.planes, drawing.corrections, strict=True)
         corrections = tuple(Correction(plane, _resultant(one.mark, one.slack)) for plane, one in pairs)
         couple = _resultant(moments.closing, moments.slack, -1)
-        return Balance(CONSTRUCTION, couple, _resultant(found.unbalance.mark, found.unbalance.slack, -1), corrections)
+        return Balance(
+            CONSTRUCTION, couple, _resultant(drawing.unbalance.mark, drawing.unbalance.slack, -1), corrections
+        )
 
     @cached_property
     def balance(self) -> Balance:

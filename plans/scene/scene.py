@@ -18,7 +18,7 @@ from plans.scene.sheet import SheetTable
 from plans.scene.source import Source, parse_source, read_source
 from plans.scene.tables import REQUIRED, Kinds, Table, key, read_parts, table
 from plans.techniques import TECHNIQUES, named
-from plans.words.words import placed
+from plans.words.words import ENGLISH, placed, term
 
 
 class TechniqueForm(Table):
@@ -38,7 +38,7 @@ F = TypeVar("F", bound=TechniqueForm)
 class Scene(Table):
     """What the user asked for: the sheets wanted, and what each technique that they need is told."""
 
-    title: str = key(f.TEXT, "Mechanism", meaning="Title of the sheet and the report.")
+    title: str = key(f.TEXT, "", meaning="Title of the sheet and the report; default: a word for what is drawn.")
     sheets: tuple[str, ...] = key(
         many(f.words(*SHEETS, kind="sheet_name"), f.NOT_EMPTY, f.NO_REPEATS, first=f.FEW),
         (),
@@ -113,6 +113,10 @@ class Scene(Table):
                 return False
             found = found[name]
         return True
+
+    def heading(self, language: str = ENGLISH) -> str:
+        """Give its title; of one without, the word of a language for its first technique."""
+        return self.title or term(language, "untitled", self.techniques[0])
 
     def fault(self, path: Path, kind: str, /, **details: object) -> Fault:
         """Make a fault at a key of this scene."""

@@ -50,7 +50,7 @@ def tongue(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., subprocess
     (home / "plans/words/xx.json").write_text(json.dumps(words, ensure_ascii=False), "utf-8")
 
     def run(*arguments: object) -> subprocess.CompletedProcess[str]:
-        command = [sys.executable, "-m", "drawings.commands.cli", *map(str, arguments)]
+        command = [sys.executable, "-m", "drawings.commands.process", *map(str, arguments)]
         settings = {**os.environ, "PYTHONPATH": str(home), "PYTHONIOENCODING": "utf-8"}
         return subprocess.run(command, cwd=home, env=settings, capture_output=True, text=True, check=False)
 

@@ -83,7 +83,7 @@ def process(
     *arguments: object, cwd: Path = ROOT, options: tuple[str, ...] = (), **environment: str
 ) -> subprocess.CompletedProcess[bytes]:
     """Run the command in a process of its own."""
-    command = [sys.executable, *options, "-m", "drawings.commands.cli", *map(str, arguments)]
+    command = [sys.executable, *options, "-m", "drawings.commands.process", *map(str, arguments)]
     known = {**os.environ, "PYTHONPATH": str(ROOT), **environment}
     return subprocess.run(command, cwd=cwd, env=known, capture_output=True, check=False, timeout=120)
 
@@ -722,7 +722,7 @@ def test_data_goes_to_stdout_and_talk_to_stderr(gapped: Path) -> None:
 
 def test_a_reader_that_leaves_early_ends_the_command_quietly(tmp_path: Path) -> None:
     scene = edited(tmp_path, "positions = 12", "positions = 3000")
-    command = [sys.executable, "-m", "drawings.commands.cli", "solve", str(scene)]
+    command = [sys.executable, "-m", "drawings.commands.process", "solve", str(scene)]
     with subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as running:
         assert running.stdout is not None
         assert running.stderr is not None
@@ -736,7 +736,7 @@ def test_a_reader_that_leaves_early_ends_the_command_quietly(tmp_path: Path) -> 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="this system has no full device")
 def test_a_full_stdout_ends_with_7_and_one_line() -> None:
     with Path("/dev/full").open("wb") as full:
-        command = [sys.executable, "-m", "drawings.commands.cli", "solve", str(SHAPER)]
+        command = [sys.executable, "-m", "drawings.commands.process", "solve", str(SHAPER)]
         done = subprocess.run(command, cwd=ROOT, stdout=full, stderr=subprocess.PIPE, check=False)
     assert done.returncode == 7
     assert len(done.stderr.splitlines()) == 1
@@ -744,7 +744,7 @@ def test_a_full_stdout_ends_with_7_and_one_line() -> None:
 
 @pytest.mark.skipif(os.name != "posix", reason="closes a stream by the shell")
 def test_a_closed_stdout_ends_with_7_and_one_line() -> None:
-    command = f"'{sys.executable}' -m drawings.commands.cli compare '{SHAPER}' >&-"
+    command = f"'{sys.executable}' -m drawings.commands.process compare '{SHAPER}' >&-"
     done = subprocess.run(["sh", "-c", command], cwd=ROOT, stderr=subprocess.PIPE, check=False)
     assert done.returncode == 7
     assert len(done.stderr.splitlines()) == 1

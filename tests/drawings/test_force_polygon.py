@@ -79,7 +79,7 @@ def test_the_check_sees_a_force_that_is_turned_that_lacks_or_that_nobody_knows()
 
     def wrong(*vectors: MeasuredVector) -> list[str]:
         changed = Measured(vectors, marks.points, marks.metadata, marks.quantum)
-        return list(polygon_marks(changed, expected, case.study.groups, group, 1e-6))
+        return list(map(str, polygon_marks(changed, expected, case.study.groups, group, 1e-6)))
 
     assert wrong(*marks.vectors) == []
     for one in marks.vectors:

@@ -10,6 +10,8 @@ from typing import NamedTuple
 
 import pytest
 
+from tests.gallery import GALLERY
+
 ROOT = Path(__file__).parent.parent.parent
 SHAPER = str(ROOT / "drawings/gallery/shaper.toml")
 HEAVY = ("mpmath", "scipy", "shapely", "matplotlib")
@@ -94,7 +96,7 @@ def test_the_steps_behind_a_velocity_make_no_accelerations() -> None:
 
 def traced(*arguments: object) -> dict[str, str]:
     """Run a command with --trace; give what the trace tells, line by line."""
-    command = [sys.executable, "-m", "drawings.commands.cli", *map(str, arguments), "--trace"]
+    command = [sys.executable, "-m", "drawings.commands.process", *map(str, arguments), "--trace"]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False, timeout=120)
     assert done.returncode == 0, done.stderr
     lines = done.stderr.splitlines()
@@ -157,10 +159,23 @@ def test_drawing_needs_one_pen_and_no_other_library(draw: Run) -> None:
     assert not draw.modules & set(HEAVY)
 
 
-def test_measuring_a_sheet_needs_no_mechanism(draw: Run) -> None:
+def imported(*arguments: object) -> set[str]:
+    """Run a command with nothing watching it; give the modules that it imported."""
     lines = "import sys; from drawings.commands import cli; cli.main(sys.argv[1:]); print(*sys.modules)"
-    command = [sys.executable, "-c", lines, "measure", str(draw.out / "shaper-kinematics.svg")]
+    command = [sys.executable, "-c", lines, *map(str, arguments)]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False, timeout=60)
     assert done.returncode == 0, done.stderr
-    modules = set(done.stdout.splitlines()[-1].split())
+    return set(done.stdout.splitlines()[-1].split())
+
+
+def test_measuring_a_sheet_needs_no_mechanism(draw: Run) -> None:
+    modules = imported("measure", draw.out / "shaper-kinematics.svg")
     assert not modules & {"numpy", "svgwrite", "plans", *HEAVY}
+
+
+def test_a_rotor_is_drawn_without_any_linkage(tmp_path: Path) -> None:
+    modules = imported("draw", GALLERY / "flywheel.toml", "-o", tmp_path)
+    assert "plans.rotor.balancing" in modules
+    assert not modules & set(HEAVY)
+    others = ("plans.linkage", "plans.forces", "drawings.figures.linkage", "drawings.figures.forces")
+    assert [name for name in modules if name.startswith(others)] == []

@@ -139,6 +139,36 @@ def reworded(old: str, new: str) -> Change:
     return lambda s: replace(s, content=s.content.replace(old, new)) if isinstance(s, Text) and s.plain == old else s
 
 
+def note(old: str, new: str) -> Change:
+    """Change a number of the notes alone."""
+
+    def change(stroke: Stroke) -> Stroke:
+        if not isinstance(stroke, Group) or stroke.name != "notes":
+            return stroke
+        told = (one for one in stroke.strokes if isinstance(one, Text) and isinstance(one.content, str))
+        return replace(stroke, strokes=tuple(replace(one, content=one.content.replace(old, new)) for one in told))
+
+    return change
+
+
+def without(name: str) -> Change:
+    return lambda stroke: None if isinstance(stroke, Group) and stroke.name == name else stroke
+
+
+def row_dropped(name: str) -> Change:
+    """Leave the row of a table out, by its first cell."""
+
+    def change(stroke: Stroke) -> Stroke:
+        told = [one for one in stroke.strokes if isinstance(one, Text)] if isinstance(stroke, Group) else []
+        rows = {one.at.imag for one in told if one.content == name and one.anchor == "start"}
+        if not rows or not isinstance(stroke, Group):
+            return stroke
+        kept = tuple(one for one in stroke.strokes if not (isinstance(one, Text) and one.at.imag in rows))
+        return replace(stroke, strokes=kept)
+
+    return change
+
+
 @pytest.mark.parametrize(
     ("change", "wrong"),
     [
@@ -153,6 +183,28 @@ def reworded(old: str, new: str) -> Change:
         (reworded("0,061813", "0,061814"), "0,061814 for II in the table of masses"),
         (reworded("33,823", "33,833"), "33,833 for I in the table of masses"),
         (reworded("4608,5", "4608,9"), "4608,9 for R_A"),
+        (without("notes"), "ΣmDh is missing from the notes"),
+        (note("0,61813", "0,61814"), "in the notes"),
+        (note("95,413", "95,414"), "in the notes"),
+        (note("4608,5", "4608,6"), "in the notes"),
+        (note("−121,94", "121,94"), "in the notes"),
+        (note("401,1", "401,2"), "in the notes"),
+        (note("1942", "1943"), "in the notes"),
+        (without("masses-1"), "1 is missing from the table of masses"),
+        (without("results-1"), "ΣmD is missing from the table of results"),
+        (reworded("0,8", "0,9"), "0,9 for 1 in the table of masses"),
+        (reworded("95,413", "95,414"), "95,414 for I in the table of masses"),
+        (reworded("0,61813", "0,6181"), "0,6181 for II in the table of masses"),
+        (reworded("120", "121"), "121 for 1 in the table of masses"),
+        (reworded("420", "−420"), "−420 for 3 in the table of masses"),
+        (reworded("0,0378", "0,0379"), "0,0379 for 3 in the table of masses"),
+        (reworded("130", "—"), "— for 2 in the table of masses"),
+        (reworded("m, кг", "D, мм"), "Масса in the table of masses"),
+        (row_dropped("2"), "2 is missing from the table of masses"),
+        (row_dropped("II"), "II is missing from the table of masses"),
+        (row_dropped("R_{B}, Н"), "R_B is missing from the table of results"),
+        (reworded("0,0378", ""), "for 3 in the table of masses"),
+        (lambda s: None if isinstance(s, Text) and s.plain == "0,0378" else s, "the row of 3 in the table of masses"),
         (lambda s: None if isinstance(s, Text) and s.plain == "m2D2" else s, "the letter m_2D_2 on unbalances"),
         (
             lambda s: (
@@ -233,6 +285,16 @@ def test_planes_that_lie_together_on_paper_are_drawn(tmp_path: Path) -> None:
     far = Fraction(10**6)
     planes = (Plane("I", far + Fraction(1, 10**9), 0.1), Plane("II", far, 0.1))
     drawn(Rotor(masses(), planes, (Fraction(0), far)), tmp_path)
+
+
+def test_what_rounding_hides_may_be_missing(tmp_path: Path) -> None:
+    """A moment 10^42 times less than another, and planes a picometre apart."""
+    pair = mass(1, "1e21", "1", 0, "0"), mass(2, "1e-21", "1", 10, "1")
+    bare = tuple(one._replace(mass=None, radius=None) for one in pair)
+    near = Plane("I", Fraction(0)), Plane("II", Fraction(1, 10**12))
+    for planes in (near, near[:1], STATIC, DYNAMIC):
+        drawn(Rotor(bare, planes), tmp_path)
+        drawn(Rotor(bare[::-1], planes), tmp_path, "ru")
 
 
 @pytest.mark.parametrize("language", ["en", "ru"])

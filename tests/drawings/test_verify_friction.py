@@ -18,6 +18,7 @@ from plans.checks.force_comparison import ForceComparison, compare_forces
 from plans.forces.statics import Statics
 from plans.linkage.study import LinkageStudy
 from plans.scene.scene import parse_scene
+from plans.words.words import said
 from tests.drawings.memo import loaded_memo
 from tests.gallery import LINKAGES
 
@@ -155,7 +156,10 @@ def test_a_wrong_number_in_the_report_is_seen(shaper: Sheet, old: str) -> None:
 
 def test_a_jam_that_the_report_leaves_out_is_seen(steep: Sheet) -> None:
     wrong = re.sub(r"- Пара 0-3 заклинивает в положении \d+:.*\n", "", steep.text, count=1)
-    assert list(report_of(wrong, steep.comparison, steep.language)) == ["the jams in the report"]
+    assert list(map(str, report_of(wrong, steep.comparison, steep.language))) == ["the jams in the report"]
+    with pytest.raises(verify.SelfCheckFailed) as failed:
+        verify.verify_report(report_of(wrong, steep.comparison, steep.language))
+    assert said(failed.value, "ru") == "отчёт не совпадает с расчётом: заклинивания в отчёте"
 
 
 def test_the_last_digit_may_be_rounded_as_either_road_does() -> None:

@@ -141,6 +141,13 @@ def test_the_engine_has_a_mass_centre_on_its_rod() -> None:
     assert mechanism.output is None
 
 
+def test_a_scene_without_a_title_is_called_by_what_it_shows_in_the_language_of_the_sheet() -> None:
+    rotor = parse_scene('[rotor]\nspeed = "600 rpm"\n[[rotor.masses]]\nmass = "1 kg"\nradius = "0.1 m"\nangle = 0\n')
+    assert (rotor.title, rotor.heading(), rotor.heading("ru")) == ("", "Rotor", "Ротор")
+    assert parse_scene(FOUR_BAR).heading("ru") == "Механизм"
+    assert parse_scene(f'title = "Press"\n{FOUR_BAR}').heading("ru") == "Press"
+
+
 def test_a_third_point_lies_where_the_sketch_shows_it() -> None:
     assert build(FOUR_BAR).links[2].points["E"] == 0.18 + 0.24j
     below = ("E = [0.1, 0.4]", "E = [0.3, -0.4]")

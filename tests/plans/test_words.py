@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 
+from plans.model.dyad import NUMBERS
 from plans.scene.faults import Fault
 from plans.scene.source import language_of
 from plans.techniques import TECHNIQUES
@@ -155,10 +156,11 @@ def test_every_key_that_is_named_is_there() -> None:
 
 def test_no_phrase_is_left_over() -> None:
     """Of groups whose keys are named as they are, every one is asked for."""
-    groups = ("step", "advice", "limit", "gap", "refused", "structure", "sketch", "stroke", "extreme", "mark")
+    groups = ("step", "advice", "limit", "gap", "refused", "structure", "sketch", "stroke", "extreme", "mark", "wrong")
     texts = "\n".join(path.read_text("utf-8") for path in FILES)
     own = [key for key in words(ENGLISH) if key.partition(".")[0] in groups]
-    assert [key for key in own if f'"{key.removeprefix("step.")}"' not in texts and f'"{key}"' not in texts] == []
+    bare = {key: re.sub(r"^(step|wrong)\.", "", key) for key in own}
+    assert [key for key in own if f'"{bare[key]}"' not in texts and f'"{key}"' not in texts] == []
 
 
 def terms(path: Path) -> Iterator[str]:
@@ -184,6 +186,8 @@ def test_plans_and_sheets_have_names() -> None:
     for row in TECHNIQUES.values():
         named = [*(f"plan.{plan}" for plan in row.plans), *(f"kind.{sheet}" for sheet in row.sheets)]
         assert set(named) <= words(ENGLISH).keys()
+    assert {f"untitled.{name}" for name, row in TECHNIQUES.items() if not row.needs} <= words(ENGLISH).keys()
+    assert {f"dyad.{kind}" for kind in NUMBERS} <= words(ENGLISH).keys()
 
 
 def test_a_message_is_a_value() -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from drawings.figures.linkage.vector_plan import with_index
+from drawings.lettering.indices import with_index
 from drawings.lettering.words import letter
 from drawings.page.drafting import Drafting
 

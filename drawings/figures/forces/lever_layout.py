@@ -10,9 +10,9 @@ from typing import NamedTuple
 
 from drawings.figures.forces.force_kinds import BALANCE, PAIR
 from drawings.figures.forces.force_letters import letter_of
-from drawings.figures.linkage.vector_plan import with_index
 from drawings.layout.parallel_offsets import Segment, merging
 from drawings.layout.place import Place
+from drawings.lettering.indices import with_index
 from drawings.lettering.words import letter as by_language
 from drawings.page.drafting import Drafting
 from drawings.page.page import Field

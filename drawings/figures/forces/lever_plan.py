@@ -19,11 +19,12 @@ from drawings.figures.forces.lever_layout import (
     forces,
     reach,
 )
-from drawings.figures.linkage.vector_plan import LEAST, diagram, with_index
+from drawings.figures.linkage.vector_plan import LEAST, diagram
 from drawings.layout.labels import Labels
 from drawings.layout.parallel_offsets import Segment
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
+from drawings.lettering.indices import with_index
 from drawings.lettering.lettering import text_width
 from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand

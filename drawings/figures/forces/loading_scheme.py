@@ -13,11 +13,11 @@ from drawings.figures.forces.leverage import Leverage, leverages
 from drawings.figures.forces.scheme import Scheme, scheme
 from drawings.figures.forces.scheme_layout import Layout
 from drawings.figures.linkage.link_numbers import link_numbers
-from drawings.figures.linkage.vector_plan import with_index
 from drawings.layout.labels import Labels, free_side
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
 from drawings.lettering.extent import bounds
+from drawings.lettering.indices import with_index
 from drawings.lettering.lettering import text_width
 from drawings.page.drafting import Drafting
 from drawings.page.page import Field

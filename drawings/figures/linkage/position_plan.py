@@ -16,11 +16,11 @@ from drawings.figures.linkage.rotation import turnings
 from drawings.figures.linkage.skeleton import Poses, Skeletons
 from drawings.figures.linkage.stroke_dimension import stroke
 from drawings.figures.linkage.trajectories import trajectories
-from drawings.figures.linkage.vector_plan import with_index
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels, free_side
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
+from drawings.lettering.indices import with_index
 from drawings.lettering.lettering import text_width
 from drawings.page.drafting import Drafting
 from drawings.paper.formats import Field

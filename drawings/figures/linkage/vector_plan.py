@@ -10,6 +10,7 @@ from drawings.figures.linkage.coriolis import QuarterTurn, draw_nearby, quarter_
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
+from drawings.lettering.indices import with_index
 from drawings.lettering.lettering import text_width
 from drawings.page.drafting import Drafting
 from drawings.page.page import Field
@@ -183,16 +184,3 @@ def _letters(shown: VectorDiagram, place: Place, hand: Hand, labels: Labels) -> 
             labels.beside(spot, ", ".join(with_index(letter) for letter in letters), hand.letter, 1.6, prefer)
         )
     return strokes
-
-
-def with_index(letter: str) -> str:
-    """Write a mark's letter with its index lowered: b, a_3, n_BA.
-
-    >>> with_index("a3"), with_index("n_BA"), with_index("s12'")
-    ('a_{3}', 'n_{BA}', "s_{12}'")
-    """
-    if "_" in letter:
-        head, index = letter.split("_", 1)
-        return f"{head}_{{{index}}}"
-    digits = "".join(sign for sign in letter if sign.isdigit())
-    return letter.replace(digits, f"_{{{digits}}}", 1) if digits else letter

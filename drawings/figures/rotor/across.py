@@ -52,7 +52,7 @@ class AcrossFigure:
 
     def _masses(self, labels: Labels) -> Iterator[Stroke]:
         hand = self.drafting.hand
-        for one in self.shown.told:
+        for one in self.shown.distinct:
             spot, up = self.place.on(_side(one)), 1.2 if one.centre.imag >= 0 else -1.2
             text = letter(one.mark, len(self.shown.bodies), self.drafting)
             yield labels.beside(spot, text, size(text, self.drafting), BODY * hand.symbol + BESIDE, up)
@@ -89,7 +89,7 @@ def draw(shown: RotorView, room: Picture, spot: Spot, drafting: Drafting) -> Acr
     place, hand = room.place(*spot), drafting.hand
     title = heading(spot.box, drafting.word("view across"), drafting.scale(spot.scale), hand)
     lines = [*_shaft(shown, place, hand), *_shells(shown, place, hand), *_planes(shown, place, hand)]
-    lines += [_stem(one, place, hand) for one in shown.told]
+    lines += [_stem(one, place, hand) for one in shown.distinct]
     bodies = [body(shown, one, _side(one), place, NAME, drafting) for one in shown.bodies]
     arms = _dimensions(shown, place, drafting)
     base = complex(shown.planes[-1][1])

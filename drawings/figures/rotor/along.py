@@ -43,7 +43,7 @@ class AlongFigure:
 
     def letter(self, labels: Labels) -> tuple[Group, ...]:
         """Give the whole view, each mass lettered outward."""
-        letters = tuple(self._letter(labels, one) for one in self.shown.told)
+        letters = tuple(self._letter(labels, one) for one in self.shown.distinct)
         letters += tuple(self._axis(labels))
         return (Group((*self.lines, Group(letters)), NAME),)
 
@@ -83,7 +83,7 @@ def draw(shown: RotorView, room: Picture, spot: Spot, drafting: Drafting) -> Alo
     under = drafting.scale(spot.scale) if shown.scaled else drafting.word("angles alone")
     title = heading(spot.box, drafting.word("view along"), under, hand)
     lines = [*_axes(shown, place, hand), *_turning(shown, place, hand)]
-    lines += [_spoke(one, place, hand) for one in shown.told]
+    lines += [_spoke(one, place, hand) for one in shown.distinct]
     bodies = (body(shown, one, one.centre, place, NAME, drafting) for one in shown.bodies)
     (circle,) = hinge(place.on(0j), hand)
     axis = origin(NAME, 0j, place, circle)
@@ -112,7 +112,7 @@ def _spoke(one: ShownBody, place: Place, hand: Hand) -> Stroke:
 
 def body(shown: RotorView, one: ShownBody, centre: complex, place: Place, plan: str, drafting: Drafting) -> Group:
     """Draw a mass as a circle, a counterweight as a black one; measurable where its radius is known."""
-    hand, many = drafting.hand, one not in shown.told
+    hand, many = drafting.hand, one not in shown.distinct
     style = INK if one.added or many else LineStyle(hand.main, fill="#ffffff")
     circle = Circle(place.on(centre), (DOT if many else BODY) * hand.symbol, style)
     if many or not one.known:  # too many masses bear no letters; the table has them

@@ -44,14 +44,14 @@ def _correction(rotor: Rotor, one: Correction, drafting: Drafting) -> tuple[str,
 def _row(name: str, values: Values, flat: bool, drafting: Drafting) -> TableRow:
     mass, radius, angle, arm, moment = values
     far = None if radius is None else 1000 * radius
-    told = (mass, far, angle, moment) if flat else (mass, far, angle, 1000 * arm, moment, abs(moment * arm))
-    return TableRow(name, tuple(NOTHING if one is None else drafting.number(one, DIGITS) for one in told))
+    cells = (mass, far, angle, moment) if flat else (mass, far, angle, 1000 * arm, moment, abs(moment * arm))
+    return TableRow(name, tuple(NOTHING if one is None else drafting.number(one, DIGITS) for one in cells))
 
 
 def results(comparison: Comparison, drafting: Drafting) -> RuledTable:
     """Tell what both roads found, with the difference."""
-    told = (one for one in comparison.findings if one.plan != EQUILIBRIUM and one.largest > 0)
-    return _table(RESULTS, [_compared(one, drafting) for one in told], "quantity", COLUMNS, drafting)
+    findings = (one for one in comparison.findings if one.plan != EQUILIBRIUM and one.largest > 0)
+    return _table(RESULTS, [_compared(one, drafting) for one in findings], "quantity", COLUMNS, drafting)
 
 
 def _compared(finding: Finding, drafting: Drafting) -> TableRow:

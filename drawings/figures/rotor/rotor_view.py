@@ -10,6 +10,7 @@ from typing import NamedTuple
 from drawings.figures.rotor.letters import MOST
 from plans.model.rotor import Balance, Rotor
 
+SLIM = 5  # times as long as it is thick: a rotor of which no radius is known
 NOMINAL = 0.8  # of the largest known radius: where a mass without one is drawn
 
 
@@ -56,7 +57,7 @@ class RotorView(NamedTuple):
         return len(self.bodies) > MOST
 
     @property
-    def told(self) -> tuple[ShownBody, ...]:
+    def distinct(self) -> tuple[ShownBody, ...]:
         """The bodies that are lettered and measured: of too many masses the counterweights alone."""
         return tuple(one for one in self.bodies if one.added or not self.many)
 
@@ -69,7 +70,7 @@ class RotorView(NamedTuple):
 def rotor_view(rotor: Rotor, balance: Balance) -> RotorView:
     """Put masses and counterweights where they are; one that vanishes is left out."""
     radii = [one.radius for own in (rotor.masses, balance.corrections) for one in own if one.radius]
-    nominal = NOMINAL * max(radii, default=1.0 / NOMINAL)
+    nominal = NOMINAL * max(radii, default=_length(rotor) / SLIM)
     bodies = [_body(rotor, one.name, float(one.angle), one.place, one.radius, nominal) for one in rotor.masses]
     for one in balance.corrections:
         if one.moment.angle is not None:
@@ -78,6 +79,12 @@ def rotor_view(rotor: Rotor, balance: Balance) -> RotorView:
     planes = tuple((one.name, float(one.place)) for one in rotor.planes)
     turning = 0.0 if rotor.speed is None else math.copysign(1.0, rotor.speed)
     return RotorView(tuple(bodies), planes, tuple(map(float, rotor.bearings)), turning)
+
+
+def _length(rotor: Rotor) -> float:
+    """Give how far along the shaft the rotor reaches, m; 1 of a thin disc."""
+    places = [*(one.place for one in rotor.masses), *(one.place for one in rotor.planes), *rotor.bearings]
+    return float(max(places) - min(places)) or 1.0
 
 
 def _body(rotor: Rotor, name: str, angle: float, place: Fraction, radius: float | None, nominal: float) -> ShownBody:

@@ -59,7 +59,7 @@ def _build(survey: Survey) -> Mechanism | None:
         number: Link(number, {name: as_complex(s) for name, s in shape.items()}) for number, shape in shapes.items()
     }
     drive = Drive(form.drive.link, *ends, float(form.drive.speed), float(form.drive.acceleration))
-    return Mechanism(survey.scene.title, datum, links, slides, drive, sketch, output, form.mechanism.through)
+    return Mechanism(survey.scene.heading(), datum, links, slides, drive, sketch, output, form.mechanism.through)
 
 
 def _drive_ends(survey: Survey) -> tuple[str, str] | None:

@@ -1,0 +1,120 @@
+"""The tables of techniques, sheets, reports, sessions: all that they name is there, and none hides another."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from drawings.bench.sessions import SESSIONS
+from drawings.commands import cli
+from drawings.report.table import REPORTS
+from drawings.sheets.table import SHEETS
+from plans.techniques import TECHNIQUES, named
+from tests.gallery import GALLERY
+
+# A four-bar of which some positions are out of reach, with masses, and a rotor on whose bearings nothing is asked.
+ROTOR = """
+[rotor]
+bearings = [-0.1, 0.6]
+speed = "1500 rpm"
+[[rotor.masses]]
+mass = 1
+radius = 0.1
+angle = 30
+place = 0.1
+[[rotor.planes]]
+place = 0.5
+radius = 0.1
+[[rotor.planes]]
+place = 0
+radius = 0.1
+"""
+LINKAGE = """sheets = [{sheets}]
+[mechanism]
+frame = {{ O = [0, 0], C = [0.3, 0] }}
+[mechanism.links]
+1 = "OA"
+2 = "AB"
+3 = "BC"
+[mechanism.lengths]
+OA = 0.2
+AB = 0.2
+BC = 0.2
+[mechanism.sketch]
+A = [0.1, 0.17]
+B = [0.25, 0.2]
+[drive]
+link = 1
+speed = 10
+start = 60
+positions = 12
+[masses]
+2 = {{ mass = 1 }}
+"""
+
+
+def texts(rows: Mapping[str, Any]) -> Iterator[str]:
+    """Give all that the rows of a table name."""
+    for row in rows.values():
+        yield from (text for text in ([row] if isinstance(row, str) else row) if isinstance(text, str) and ":" in text)
+
+
+@pytest.mark.parametrize("table", [TECHNIQUES, SHEETS, REPORTS, SESSIONS], ids=lambda table: next(iter(table)))
+def test_all_that_a_table_names_is_there(table: Mapping[str, Any]) -> None:
+    names = list(texts(table))
+    assert names
+    assert all(callable(named(text)) for text in names)
+
+
+def test_every_sheet_of_a_technique_is_in_the_table_of_sheets() -> None:
+    assert {sheet for row in TECHNIQUES.values() for sheet in row.sheets} == set(SHEETS)
+    assert set(TECHNIQUES) == set(REPORTS) == set(SESSIONS)
+
+
+def trace_of(err: str) -> str:
+    """Give the plans that a trace says were made."""
+    return next(line for line in err.splitlines() if line.startswith("made:")).removeprefix("made: ")
+
+
+@pytest.fixture
+def both(tmp_path: Path) -> Path:
+    scene = tmp_path / "both.toml"
+    scene.write_text(LINKAGE.format(sheets='"forces", "rotor"') + ROTOR, "utf-8")
+    return scene
+
+
+def test_no_technique_hides_the_numbers_of_another(both: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert cli.main(["solve", str(both)]) == 4
+    told = json.loads(capsys.readouterr().out)
+    assert set(told["reactions"]) == {"0-1", "0-3", "1-2", "2-3"}
+    assert set(told["rotor"]["corrections"]) == {"I", "II"}
+
+
+@pytest.mark.parametrize("command", [("solve",), ("solve", "--by", "analysis"), ("compare",), ("compare", "--json")])
+def test_gaps_of_one_technique_are_not_hidden_by_another(command: tuple[str, ...], both: Path) -> None:
+    assert cli.main([*command, str(both)]) == 4
+
+
+def test_a_rotor_beside_a_linkage_asks_nothing_of_it(both: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    cli.main(["solve", str(both), "--only", "positions,couples", "--trace"])
+    made = trace_of(capsys.readouterr().err)
+    assert "velocities" not in made
+    assert "positions" in made
+
+
+@pytest.mark.parametrize("name", ["crank-rocker", "scotch-yoke"])
+def test_positions_alone_are_drawn_and_nothing_else_is_made(
+    name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = (GALLERY / f"{name}.toml").read_text("utf-8").replace('start = "extreme"', "start = 30")
+    lines = [line for line in text.splitlines() if not line.startswith(("sheets", "forces =", "hodographs"))]
+    scene = tmp_path / "alone.toml"
+    scene.write_text("\n".join(['sheets = ["positions"]', *lines]), "utf-8")
+    assert cli.main(["draw", str(scene), "-o", str(tmp_path / "out"), "--trace"]) == 0
+    told = capsys.readouterr()
+    assert (tmp_path / "out" / "alone-positions.svg").is_file()
+    assert trace_of(told.err) == "positions"
