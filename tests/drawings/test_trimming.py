@@ -7,7 +7,7 @@ import itertools
 import math
 
 import pytest
-from hypothesis import given
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from drawings.paper.hand import Hand
@@ -66,6 +66,8 @@ def test_what_is_left_of_a_line_is_what_lies_outside(start: complex, end: comple
 def test_what_is_left_of_an_arc_is_what_lies_outside(
     centre: complex, radius: float, start: float, sweep: float, own: list[Mask]
 ) -> None:
+    # an arc on the edge of a mask is neither inside nor outside; shapely's chords of both are of no use there
+    assume(not any(isinstance(one, Circle) and (one.centre, one.radius) == (centre, radius) for one in own))
     arc = Arc(centre, radius, start, start + sweep)
     kept = list(trim([arc], own))
     assert sum(map(length, kept)) == pytest.approx(left([arc.at(k / 2000) for k in range(2001)], own), abs=0.05)
