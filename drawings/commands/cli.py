@@ -58,18 +58,7 @@ def parser() -> argparse.ArgumentParser:
     new = commands.add_parser("new", help="write a scene of the gallery to start from; without a name, list them")
     new.add_argument("name", nargs="?", metavar="NAME", help="the scene's name in the gallery")
     new.add_argument("-o", "--output", type=Path, default=Path(), metavar="DIR", help="its folder (default: this one)")
-    solve = _command(commands, "solve", "print all numbers as JSON: SI units and radians, null at gaps")
-    solve.add_argument(
-        "--by", choices=("construction", "analysis"), default="construction", help="which road (default: construction)"
-    )
-    solve.add_argument("--json", action="store_true", help="JSON, which is the only form and the default")
-    solve.add_argument(
-        "--only",
-        type=_orders,
-        metavar="PLANS",
-        help="some plans, joined by commas: positions,velocities or forces",
-    )
-    solve.add_argument("--trace", action=_Trace, nargs=0, help=TRACED)
+    _solve(commands)
     compare = _command(commands, "compare", "compare construction and analysis, quantity by quantity")
     compare.add_argument("--json", action="store_true", help="as JSON")
     explain = _command(commands, "explain", "print the drafting steps behind a mark")
@@ -84,6 +73,21 @@ def parser() -> argparse.ArgumentParser:
     schema = commands.add_parser("schema", help="print the JSON Schema of a scene, for editors")
     schema.add_argument("-o", "--output", type=Path, metavar="FILE", help="write it into a file")
     return top
+
+
+def _solve(commands: argparse._SubParsersAction[_Parser]) -> None:
+    solve = _command(commands, "solve", "print all numbers as JSON: SI units and radians, null at gaps")
+    solve.add_argument(
+        "--by", choices=("construction", "analysis"), default="construction", help="which road (default: construction)"
+    )
+    solve.add_argument("--json", action="store_true", help="JSON, which is the only form and the default")
+    solve.add_argument(
+        "--only",
+        type=_orders,
+        metavar="PLANS",
+        help="some plans, joined by commas: positions,velocities or forces",
+    )
+    solve.add_argument("--trace", action=_Trace, nargs=0, help=TRACED)
 
 
 def _bench(commands: argparse._SubParsersAction[_Parser]) -> None:
