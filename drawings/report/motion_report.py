@@ -20,7 +20,7 @@ from plans.checks.comparison import Finding
 from plans.linkage.barrier import Barrier
 from plans.linkage.extreme import ExtremePositions
 from plans.linkage.pressure import interval
-from plans.linkage.study import LinkageStudy
+from plans.linkage.study import EXTREMES, LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.model.order import PLANS
 from plans.model.structure import formula, mechanism_class
@@ -224,7 +224,8 @@ def _left_out(study: Study, linkage: LinkageStudy, leaves: Mapping[str, Sequence
         yield say("report.plans_drawn", plans=names, count=count, shown=sheets[0].metadata["shown"])
     if sheets and count > MANY:
         yield say("report.ticks", count=count, most=MANY)
-    missing = [term(linkage.language, "plan", plan) for plan in PLANS if plan not in study.made]
+    shown = study.made & study.plans
+    missing = [term(linkage.language, "plan", plan) for plan in (EXTREMES, *PLANS) if plan not in shown]
     if missing:
         yield say("report.not_made", plans=", ".join(missing))
     still = [str(n) for n in sorted(linkage.mechanism.links) if n != FRAME and n not in _turning(linkage)]

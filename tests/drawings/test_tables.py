@@ -118,3 +118,5 @@ def test_positions_alone_are_drawn_and_nothing_else_is_made(
     told = capsys.readouterr()
     assert (tmp_path / "out" / "alone-positions.svg").is_file()
     assert trace_of(told.err) == "positions"
+    report = (tmp_path / "out" / "alone-report.md").read_text("utf-8")
+    assert "- Plans not made: extremes, velocities, accelerations." in report
