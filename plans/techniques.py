@@ -25,9 +25,11 @@ class Technique(NamedTuple):
     plans: tuple[str, ...]  # what it makes, in order: the names that --only and --trace know
     sheets: Mapping[str, tuple[str, ...]]  # what a scene may ask for, each with the plans that it needs
     needs: tuple[str, ...] = ()  # techniques that it rests on
+    borrows: tuple[str, ...] = ()  # techniques whose tables it reads, though it makes none of their plans
 
 
 MOTION: Final = ("extremes", "positions", "velocities", "accelerations")
+DYNAMICS: Final = ("reduction", "works", "flywheel", "speeds", "run")
 
 TECHNIQUES: Final[Mapping[str, Technique]] = {
     "linkage": Technique(
@@ -56,6 +58,21 @@ TECHNIQUES: Final[Mapping[str, Technique]] = {
         plans=("forces", "friction"),
         sheets={"forces": (*MOTION, "forces", "friction")},
         needs=("linkage",),
+    ),
+    "dynamics": Technique(
+        form="plans.dynamics.form:DynamicsForm",
+        tables=("dynamics",),
+        shares={},
+        meaning="plans.dynamics.reading:survey_of",
+        notes="plans.dynamics.reading:notes_of",
+        study="plans.dynamics.study:study_of",
+        comparison="plans.checks.dynamics_comparison:comparison_of",
+        numbers="plans.checks.dynamics_numbers:numbers",
+        marks="plans.dynamics.marks:marks",
+        plans=DYNAMICS,
+        sheets={"dynamics": ("positions", "velocities", *DYNAMICS)},
+        needs=("linkage",),
+        borrows=("forces",),
     ),
     "rotor": Technique(
         form="plans.rotor.form:RotorForm",

@@ -12,8 +12,9 @@ SHEETS = tuple(sheet for technique in TECHNIQUES.values() for sheet in technique
 
 
 def techniques_of(data: Mapping[str, Any]) -> tuple[str, ...]:
-    """Name the techniques that a file has a part in, by a sheet, a table or a key, and those that they rest on."""
-    return resting((name for name, technique in TECHNIQUES.items() if next(_parts(technique, data), None)))
+    """Name the techniques that a file has a part in, by a sheet, a table or a key, and those that they build on."""
+    asked = [name for name, technique in TECHNIQUES.items() if next(_parts(technique, data), None)]
+    return resting([*asked, *(other for name in asked for other in TECHNIQUES[name].borrows)])
 
 
 def resting(techniques: Iterable[str]) -> tuple[str, ...]:

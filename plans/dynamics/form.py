@@ -1,0 +1,68 @@
+"""The form of machine dynamics: what is asked of the motion, motor, shafts and flywheel (исходные данные динамики)."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+
+from plans.dynamics import fields as d
+from plans.scene import fields as f
+from plans.scene.readers import many
+from plans.scene.scene import TechniqueForm
+from plans.scene.tables import Missing, Table, key, table
+
+
+class ShaftTable(Table):
+    """A rotating mass beside the linkage: moment of inertia kg*m2, and its turns for one turn of the crank."""
+
+    inertia: Decimal = key(
+        d.INERTIA,
+        meaning="Moment of inertia about its own axis.",
+        missing=Missing("moment of inertia", "inertia = 0.4"),
+    )
+    ratio: Decimal = key(d.RATIO, Decimal(1), meaning="Its turns for one turn of the crank (передаточное отношение).")
+    name: str = key(f.TEXT, "", meaning="What it is: gear, pulley, carrier.")
+
+
+class MotorTable(Table):
+    """The motor: inertia of its rotor, and its turns for one turn of the crank."""
+
+    rotor: Decimal | None = key(d.INERTIA, None, meaning="Moment of inertia of the rotor.")
+    ratio: Decimal = key(d.RATIO, Decimal(1), meaning="Turns of the motor for one turn of the crank.")
+
+
+class FlywheelTable(Table):
+    """What is known of the flywheel: the shaft that it is to sit on, mean diameter of its rim m, material."""
+
+    ratio: Decimal = key(d.RATIO, Decimal(1), meaning="Turns of its shaft for one turn of the crank: 1 is the crank's.")
+    diameter: Decimal | None = key(f.LENGTH, None, meaning="Mean diameter of the rim; its mass is found.")
+    density: Decimal = key(d.MATERIAL, Decimal(7200), meaning="Density of the rim; default: grey iron.")
+    breadth: Decimal = key(d.SHARE, Decimal("1.5"), meaning="Axial breadth of the rim's section over its thickness.")
+
+
+class DynamicsTable(Table):
+    """The steady motion that is asked for: mean speed, fluctuation, and the machine beside the linkage."""
+
+    fluctuation: Decimal | None = key(
+        d.FLUCTUATION,
+        None,
+        meaning='Coefficient of fluctuation of speed δ (неравномерность хода), 0.0125 or "1/80"; asks for a flywheel.',
+    )
+    speed: Decimal | None = key(
+        f.ANGULAR_SPEED, None, meaning="Mean angular speed of the crank; default: that of the drive."
+    )
+    divisions: int = key(d.DIVISIONS, 24, meaning="Strips of a turn in which the graphs are drawn.")
+    motor: MotorTable | None = key(table(MotorTable), None, meaning="The motor.")
+    shafts: tuple[ShaftTable, ...] = key(
+        many(table(ShaftTable), first=f.FEW), (), meaning="Gears and other rotating masses beside the linkage."
+    )
+    flywheel: FlywheelTable = key(table(FlywheelTable), FlywheelTable(), meaning="What is known of the flywheel.")
+
+
+class DynamicsForm(TechniqueForm):
+    """What a scene says of the motion of the machine."""
+
+    dynamics: DynamicsTable = key(
+        table(DynamicsTable),
+        meaning="Motion of the machine under its loads (динамика машины): fluctuation, motor, shafts, flywheel.",
+        missing=Missing("table", '[dynamics] with fluctuation = "1/80"', {}),
+    )

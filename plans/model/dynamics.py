@@ -1,0 +1,182 @@
+"""The motion of a machine under its forces: the task, the account of a steady turn, the flywheel (динамика машины).
+
+Angles `turned` run from 0 at position 0 to 2 pi in the sense in which the crank turns, rad; moments and rates are
+positive in that sense. Both roads give these values: by construction on strips, by analysis on the same strips or
+exactly.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from plans.model.motion import Floats, Gap
+
+CONSTRUCTION, ANALYSIS = "construction", "analysis"
+TURN = 2 * np.pi
+
+
+class Shaft(NamedTuple):
+    """A rotating mass of the machine unit (вал): its inertia kg*m2, and how many turns it makes for one of the crank."""
+
+    name: str
+    inertia: float
+    ratio: float
+
+    @property
+    def reduced(self) -> float:
+        """Its inertia reduced to the crank's shaft, kg*m2 (6.4, 6.5)."""
+        return self.inertia * self.ratio**2
+
+
+class Rim(NamedTuple):
+    """What is known of the flywheel's rim (обод): its shaft's turns for one of the crank, mean diameter m, material.
+
+    `density` is kg/m3, `breadth` the axial breadth over the radial thickness of the rim's section.
+    """
+
+    ratio: float = 1.0
+    diameter: float | None = None
+    density: float = 7200.0
+    breadth: float = 1.5
+
+
+class Task(NamedTuple):
+    """What is asked of the machine's motion: mean speed rad/s above 0, coefficient of fluctuation, strips of a turn."""
+
+    speed: float
+    delta: float | None
+    divisions: int
+    shafts: tuple[Shaft, ...] = ()
+    rim: Rim = Rim()
+
+    @property
+    def present(self) -> float:
+        """The constant inertias that are there beside the linkage, reduced to the crank's shaft, kg*m2."""
+        return float(sum(shaft.reduced for shaft in self.shafts))
+
+
+@dataclass(frozen=True)
+class Reduced:
+    """Loads and masses reduced to the crank at the positions of a scene, by one road; NaN at gaps (приведение)."""
+
+    by: str
+    phi: Floats  # (N,) rad
+    moment: Floats  # (N,) N*m, of loads and weights, positive in the sense of rotation
+    inertia: Floats  # (N,) kg*m2, of the linkage alone
+    slope: Floats  # (N,) kg*m2: its derivative by the angle turned
+    gaps: tuple[Gap, ...] = ()
+
+    @property
+    def unanswered(self) -> tuple[Gap, ...]:
+        """The gaps, as a comparison asks for them."""
+        return self.gaps
+
+
+@dataclass(frozen=True)
+class Cycle:
+    """The account of one turn of steady motion on n strips, by one road (цикл установившегося движения).
+
+    Moments are those of the loads and weights, reduced to the crank: a resistance is negative.
+    """
+
+    by: str
+    turned: Floats  # (n + 1,) rad: edges of the strips, among them all of `breaks`
+    breaks: Floats  # (b,) rad: where the reduced moment jumps or bends
+    moments: Floats  # (n, 2) N*m: at the beginning and at the end of each strip; sides of an edge differ at a jump
+    means: Floats  # (n,) N*m: ordinate at the middle of each strip
+    work: Floats  # (n + 1,) J: of loads and weights since position 0
+    inertia: Floats  # (n + 1,) kg*m2: of the linkage, reduced to the crank
+    gaps: tuple[Gap, ...] = ()
+
+    @property
+    def unanswered(self) -> tuple[Gap, ...]:
+        """The gaps, as a comparison asks for them."""
+        return self.gaps
+
+    @property
+    def driving(self) -> float:
+        """The constant moment N*m of the drive that keeps the motion steady (движущий момент)."""
+        return -float(self.work[-1]) / TURN
+
+    @property
+    def surplus(self) -> Floats:
+        """Change of the kinetic energy since position 0, J (избыточная работа): of the drive and of the loads."""
+        return self.driving * self.turned + self.work
+
+    @property
+    def varying(self) -> Floats:
+        """The part of the reduced inertia that changes, kg*m2: that above its value at position 0."""
+        return self.inertia - self.inertia[0]
+
+
+class Touch(NamedTuple):
+    """A point of the loop of energy and inertia that a tangent touches: angle turned rad, kg*m2, J."""
+
+    turned: float
+    varying: float
+    surplus: float
+
+
+@dataclass(frozen=True)
+class Flywheel:
+    """The flywheel by Wittenbauer's loop (маховик): tangents at psi_min and psi_max, and what they cut off.
+
+    Pairs are of the tangent at psi_min, which touches from below, then of that at psi_max, which touches from above.
+    """
+
+    by: str
+    slopes: tuple[float, float]  # J per kg*m2: omega2/2 of the least and the greatest speed
+    touches: tuple[Touch, Touch]
+    cuts: tuple[float, float]  # J: where they cut the axis of energy, o1l and o1k
+    own: float  # kg*m2: reduced inertia of the linkage at position 0
+    present: float  # kg*m2: rotor, gears and shafts, reduced
+
+    @property
+    def whole(self) -> float:
+        """The inertia J0 kg*m2 that the machine must have at position 0."""
+        low, high = self.slopes
+        return (self.cuts[1] - self.cuts[0]) / (high - low)
+
+    @property
+    def energy(self) -> float:
+        """The kinetic energy T0 J that it has there: about that of the run-up."""
+        return self.whole * self.slopes[1] - self.cuts[1]
+
+    @property
+    def needed(self) -> float:
+        """What is missing of J0, kg*m2; not above zero where the machine is heavy enough without a flywheel."""
+        return self.whole - self.own - self.present
+
+    @property
+    def inertia(self) -> float:
+        """The flywheel's moment of inertia at the crank's shaft, kg*m2 (6.16)."""
+        return max(self.needed, 0.0)
+
+
+@dataclass(frozen=True)
+class Speeds:
+    """The crank's motion over a steady turn (закон движения): rad/s at the edges, rad/s2 at the middles of strips.
+
+    `inertia` kg*m2 and `energy` J are those of the whole machine at position 0.
+    """
+
+    by: str
+    turned: Floats  # (n + 1,) rad
+    omega: Floats  # (n + 1,) rad/s
+    epsilon: Floats  # (n,) rad/s2: at the middle of each strip
+    extremes: tuple[float, float]  # rad/s: least and greatest
+    inertia: float
+    energy: float
+
+    @property
+    def mean(self) -> float:
+        """The mean of the least and the greatest speed, rad/s (6.13)."""
+        return sum(self.extremes) / 2
+
+    @property
+    def delta(self) -> float:
+        """The coefficient of fluctuation that is achieved (6.13)."""
+        return (self.extremes[1] - self.extremes[0]) / self.mean
