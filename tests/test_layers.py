@@ -37,6 +37,9 @@ SHARED = (
     "plans.model.machine",
     "plans.model.kinetostatics",
     "plans.model.losses",
+    "plans.model.dynamics",
+    "plans.model.motor",
+    "plans.model.run",
     "plans.model.rotor",
 )
 ONLY_IN = {
@@ -44,6 +47,7 @@ ONLY_IN = {
     "mpmath": ("geometry/replay.py", "plans/bench/truth.py"),
     "matplotlib": ("drawings/bench/plot.py",),
     "pylinkage": ("plans/bench/peers.py",),
+    "scipy": ("plans/analytic/dynamics/equation.py",),
     "mechanism": ("plans/bench/peers.py",),
 }
 # Imported inside the function that needs them.
