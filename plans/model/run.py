@@ -78,6 +78,10 @@ class Works(NamedTuple):
         """What is left for the kinetic energy (6.1)."""
         return self.driving - self.useful - self.braking + self.weights
 
+    def joined(self, other: Works) -> Works:
+        """Add the works of another part of the stage."""
+        return Works(*map(sum, zip(self, other, strict=True)))
+
     @property
     def efficiency(self) -> float | None:
         """The share of the drive's work that is used over a cycle (7.1, кпд); None where nothing drives."""
@@ -181,6 +185,19 @@ class Run:
         """Give the instants s at which a stage begins and ends."""
         found = self.stage(name)
         return None if found is None else (float(self.t[found.first]), float(self.t[found.last]))
+
+
+def beyond(turned: float) -> float:
+    """Give an angle that is surely on the far side of a break, in whatever turn it is."""
+    return turned * (1 + SIDE) + SIDE
+
+
+def before(turned: float) -> float:
+    """Give an angle that is surely on the near side of a break, in whatever turn it is."""
+    return turned * (1 - SIDE) - SIDE
+
+
+SIDE = 4 * 2.0**-52  # of an angle: what rounding can do to it when whole turns are taken off
 
 
 def goal_of(motor: Motor, task: RunTask, resisting: float) -> float | None:

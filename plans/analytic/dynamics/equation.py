@@ -16,7 +16,7 @@ import numpy as np
 from plans.model.dynamics import TURN
 from plans.model.motion import Floats
 from plans.model.motor import Motor
-from plans.model.run import ReducedLink, Works
+from plans.model.run import ReducedLink, Works, before, beyond
 
 EXPLICIT, IMPLICIT = "DOP853", "LSODA"
 # Shares of rounding that a step is allowed: the multistep method cannot be asked for the last digits.
@@ -26,9 +26,8 @@ TOLERANCES = {EXPLICIT: 1e-12, IMPLICIT: 1e-10}
 STIFF = 140.0  # times over in a turn
 ANGLE, SPEED, STOP = "angle", "speed", "stop"  # what a leg ends with
 SIZE = 6  # of the state
-SPEED_AXIS = np.eye(1, SIZE, 1)[0]
+SPEED_AXIS: Floats = np.eye(1, SIZE, 1)[0]
 EPS = 2.0**-52
-SIDE = 4 * EPS  # of an angle: so much beside a break one is surely on one side of it, whatever turn it is
 
 
 @dataclass(frozen=True)
@@ -60,7 +59,8 @@ class Equation:
 
     def counted(self, values: Floats, sense: int = 1) -> Floats:
         """Give a state with its speed counted from the base, or in the sense -1 again from rest."""
-        return values - sense * self.base * SPEED_AXIS
+        shift: Floats = sense * self.base * SPEED_AXIS
+        return values - shift
 
     def rates(self, _: float, state: Floats) -> list[float]:
         """Give the derivatives of the state by time: rad/s, rad/s2, and powers W."""
@@ -82,7 +82,7 @@ class Equation:
 
     def between(self, turned: float, end: float | None) -> Equation:
         """Give the equation for the piece that begins at an angle and ends at a break."""
-        return self if end is None else replace(self, piece=(turned * (1 + SIDE) + SIDE, end * (1 - SIDE)))
+        return self if end is None else replace(self, piece=(beyond(turned), before(end)))
 
 
 class State(NamedTuple):
@@ -205,8 +205,8 @@ def _events(equation: Equation, ends: Ends) -> dict[str, Callable[[float, Floats
 
     for event, direction in ((stop, -1.0), (angle, 1.0), (speed, 1.0)):
         vars(event).update(terminal=True, direction=direction)
-    named = {"": turning, STOP: stop, ANGLE: angle, SPEED: speed}
-    return named if ends.speed is not None else {name: named[name] for name in ("", STOP, ANGLE)}
+    asked = {SPEED: speed} if ends.speed is not None else {}
+    return {"": turning, STOP: stop, ANGLE: angle, **asked}
 
 
 def _refined(equation: Equation, t: float, near: Floats, reason: str, ends: Ends) -> State:

@@ -107,7 +107,9 @@ class _Course:
         if self._runs_up() and self._goes_on() and self.task.brake is not None:
             self._runs_down(self.task.brake)
         rows = np.concatenate([leg.rows for leg in self.legs] or [np.zeros((1, 4))])
-        return Run(ANALYSIS, *rows.T, tuple(self.stages), self.steady, self._method, self.failure)
+        t, turned, omega, epsilon = rows.T
+        stages = tuple(self.stages)
+        return Run(ANALYSIS, t, turned, omega, epsilon, stages, self.steady, self._method, self.failure)
 
     @property
     def _method(self) -> Method:
