@@ -46,7 +46,7 @@ def omegas(cycle: Cycle, inertia: float, energy: float) -> Floats:
     """Give the angular velocity at the edges of the strips, rad/s (6.12); NaN where the machine has no energy left."""
     ratio = 2 * (energy + cycle.surplus) / (inertia + cycle.varying)
     with np.errstate(invalid="ignore"):
-        return np.sqrt(ratio)
+        return np.asarray(np.sqrt(ratio))
 
 
 def natural(cycle: Cycle, inertia: float, speed: float) -> float | None:

@@ -19,7 +19,7 @@ TURN = 2 * np.pi
 
 
 class Shaft(NamedTuple):
-    """A rotating mass of the machine unit (вал): its inertia kg*m2, and how many turns it makes for one of the crank."""
+    """A rotating mass of the machine unit (вал): inertia kg*m2, and its turns for one turn of the crank."""
 
     name: str
     inertia: float
@@ -104,7 +104,7 @@ class Cycle:
     @property
     def surplus(self) -> Floats:
         """Change of the kinetic energy since position 0, J (избыточная работа): of the drive and of the loads."""
-        return self.driving * self.turned + self.work
+        return np.asarray(self.driving * self.turned + self.work)
 
     @property
     def varying(self) -> Floats:
