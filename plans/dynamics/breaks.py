@@ -117,7 +117,7 @@ def _zeros(reduction: Reduction, level: Level) -> Floats:
 
 
 def _closer(reduction: Reduction, level: Level, low: Floats, high: Floats) -> tuple[Floats, Floats]:
-    fan: Floats = np.linspace(low, high, FAN)
+    fan = np.asarray(np.linspace(low, high, FAN), dtype=np.float64)
     above = level.height(_motion(reduction, fan.ravel())).reshape(fan.shape) >= 0
     changed = above != above[0]
     change = np.where(changed.any(axis=0), np.argmax(changed, axis=0), FAN - 1)

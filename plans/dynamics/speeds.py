@@ -73,4 +73,4 @@ def _mean(cycle: Cycle, inertia: float, energy: float) -> float:
 def _corners(cycle: Cycle) -> Floats:
     """Give the breaks that are edges inside the turn."""
     inside = cycle.breaks[(cycle.breaks > cycle.turned[0]) & (cycle.breaks < cycle.turned[-1])]
-    return inside[np.isin(inside, cycle.turned)]
+    return np.asarray(inside[np.isin(inside, cycle.turned)])

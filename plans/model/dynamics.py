@@ -109,7 +109,7 @@ class Cycle:
     @property
     def varying(self) -> Floats:
         """The part of the reduced inertia that changes, kg*m2: that above its value at position 0."""
-        return self.inertia - self.inertia[0]
+        return np.asarray(self.inertia - self.inertia[0])
 
 
 class Touch(NamedTuple):
@@ -180,3 +180,25 @@ class Speeds:
     def delta(self) -> float:
         """The coefficient of fluctuation that is achieved (6.13)."""
         return (self.extremes[1] - self.extremes[0]) / self.mean
+
+
+@dataclass(frozen=True)
+class Account:
+    """All that one road finds of a machine's motion; None: not asked for, or told elsewhere why there is none."""
+
+    by: str
+    reduced: Reduced
+    cycle: Cycle | None = None
+    flywheel: Flywheel | None = None
+    speeds: Speeds | None = None
+    before: Speeds | None = None
+
+    @property
+    def unanswered(self) -> tuple[Gap, ...]:
+        """The gaps of the reduction."""
+        return self.reduced.gaps
+
+    @property
+    def gaps(self) -> tuple[Gap, ...]:
+        """The gaps of the reduction."""
+        return self.reduced.gaps
