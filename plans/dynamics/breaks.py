@@ -106,7 +106,7 @@ def _zeros(reduction: Reduction, level: Level) -> Floats:
     """Close in on all changes of sign of a level over the turn, by fans of crank angles between two neighbours."""
     step = TURN / NODES
     # Between the nodes of a turn that begins beside position 0: a break at position 0 itself is between two of them.
-    nodes: Floats = step * (np.arange(NODES + 1) - 0.5)
+    nodes = np.asarray(step * (np.arange(NODES + 1) - 0.5), dtype=np.float64)
     above = level.height(_motion(reduction, nodes)) >= 0
     low = nodes[:-1][above[1:] != above[:-1]]
     high = low + step
