@@ -3,8 +3,7 @@
 A point of a diagram is x + iy in true units. Parallels stay parallel whatever the scales of the two axes, so that the
 construction with a pole distance in units of x is the one on paper with the pole distance in mm. An ordinate of an
 integral curve is the integral over the pole distance, one of a derivative curve the derivative times it; `values` are
-freed of it. Choose the pole so that the steepest ray rises by less than 1e12 times the pole distance: a line that is
-steeper cannot be told from an ordinate.
+freed of it. A line so steep that it cannot be told from an ordinate is refused: a pole farther off makes rays flatter.
 """
 
 from __future__ import annotations
@@ -18,7 +17,7 @@ import numpy as np
 import numpy.typing as npt
 
 from geometry.board import Board, Mark
-from geometry.diagram import SILENT, Axes, Reasons, axes_of, curve, ordinates, rising
+from geometry.diagram import SILENT, Axes, Reasons, axes_of, curve, ordinates, refuse_steep, rising
 from geometry.meet import EPS
 from geometry.strips import Floats, middles, pieces, runs
 
@@ -137,6 +136,7 @@ def integral(
     if len(y) != len(x) - 1:
         raise ValueError(f"expected a mean ordinate for each of {len(x) - 1} strips, found {len(y)}")
     axes = axes_of(board, name, pole, why)
+    refuse_steep(y, pole)
     points = [board.given(f"{name}:0", complex(x[0], start / pole), why.start)]
     drawn = []
     for number, (width, mean) in enumerate(zip(np.diff(x).tolist(), y.tolist(), strict=True), 1):
@@ -181,6 +181,7 @@ def derivative_by_chords(
     x, smooth = rising(xs), pieces(xs, breaks)
     axes = axes_of(board, name, pole, why)
     points = curve(board, name, x, ys, why)
+    refuse_steep(np.diff(ys), np.diff(x))
     rows = []
     for k, (one, other) in enumerate(pairwise(points), 1):
         chord = board.join(f"{name}:{k - 1}-{k}", one, other, why.part)
@@ -210,6 +211,7 @@ def derivative_by_tangents(
     x = np.asarray(xs, dtype=float)
     axes = axes_of(board, name, pole, why)
     points = curve(board, name, x, ys, why)
+    refuse_steep(slopes, 1.0)
     rows = []
     for k, (point, slope) in enumerate(zip(points, np.asarray(slopes, dtype=float).tolist(), strict=True)):
         tangent = board.given(f"{name}:τ_{k}", complex(1.0, slope), why.tangent)

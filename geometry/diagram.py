@@ -9,7 +9,10 @@ import numpy as np
 import numpy.typing as npt
 
 from geometry.board import Board, Mark
+from geometry.meet import UNBORNE
 from geometry.strips import Floats
+
+STEEPEST = 1.0 / UNBORNE  # a rise over a run: a line that is steeper no longer meets an ordinate plainly
 
 
 class Reasons(NamedTuple):
@@ -75,6 +78,16 @@ def rising(edges: npt.ArrayLike) -> Floats:
     if len(x) < 2 or not bool(np.all(np.diff(x) > 0)):
         raise ValueError(f"expected two edges or more, each beyond the last, found {x.tolist()}")
     return x
+
+
+def refuse_steep(rises: npt.ArrayLike, runs: npt.ArrayLike) -> None:
+    """Refuse a line that cannot be told from an ordinate."""
+    steep = np.max(np.nan_to_num(np.abs(np.asarray(rises, dtype=float) / runs)), initial=0.0)
+    if steep >= STEEPEST:
+        raise ValueError(
+            f"a line rises {steep:.3g} times as far as it runs, and {STEEPEST:.3g} is too steep: take the ordinates in "
+            "a larger unit, or for an integral a greater pole distance"
+        )
 
 
 def ordinates(points: Sequence[Mark]) -> Floats:

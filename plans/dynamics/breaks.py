@@ -20,7 +20,7 @@ from plans.model.dynamics import TURN
 from plans.model.machine import ALWAYS, WORKING, Force, Moment
 from plans.model.motion import Floats, Motion
 
-# Two breaks are one if they are nearer than an extreme is known by its notch, or by a root: half the digits of an angle.
+# Two breaks are one if they are nearer than an extreme is known by its notch or a root: half the digits of an angle.
 SAME = 1e-7
 
 Height = Callable[[Motion], Floats]
@@ -37,7 +37,7 @@ class Level(NamedTuple):
         """Tell at which crank angles, rad, the load changes: not on the stroke on which it rests."""
         if self.stroke is None or self.during == ALWAYS:
             return np.ones(len(phi), dtype=bool)
-        return self.stroke.working(phi) == (self.during == WORKING)
+        return np.asarray(self.stroke.working(phi) == (self.during == WORKING))
 
 
 def breaks(reduction: Reduction) -> Floats:
@@ -106,7 +106,7 @@ def _zeros(reduction: Reduction, level: Level) -> Floats:
     """Close in on all changes of sign of a level over the turn, by fans of crank angles between two neighbours."""
     step = TURN / NODES
     # Between the nodes of a turn that begins beside position 0: a break at position 0 itself is between two of them.
-    nodes = step * (np.arange(NODES + 1) - 0.5)
+    nodes = np.asarray(step * (np.arange(NODES + 1) - 0.5), dtype=np.float64)
     above = level.height(_motion(reduction, nodes)) >= 0
     low = nodes[:-1][above[1:] != above[:-1]]
     high = low + step
@@ -117,7 +117,7 @@ def _zeros(reduction: Reduction, level: Level) -> Floats:
 
 
 def _closer(reduction: Reduction, level: Level, low: Floats, high: Floats) -> tuple[Floats, Floats]:
-    fan = np.linspace(low, high, FAN)
+    fan: Floats = np.linspace(low, high, FAN)
     above = level.height(_motion(reduction, fan.ravel())).reshape(fan.shape) >= 0
     changed = above != above[0]
     change = np.where(changed.any(axis=0), np.argmax(changed, axis=0), FAN - 1)

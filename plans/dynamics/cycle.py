@@ -9,30 +9,18 @@ import numpy as np
 
 from geometry.board import Board, Mark
 from geometry.calculus import Integral, integral
-from geometry.diagram import Reasons
 from geometry.strips import middles, strips
 from plans.dynamics.breaks import breaks
 from plans.dynamics.reduction import Reducing, Reduction
 from plans.model.dynamics import CONSTRUCTION, TURN, Cycle
 from plans.model.motion import Floats
+from plans.words.calculus import REASONS
 from plans.words.words import because
 
 WORKS = "works"
-# Both sides of a jump are read off plans beside it, at this part of a strip and at twice it, and carried on to the edge:
-# what that leaves out is the square of the part, far below the width of any line, and rounding grows by three.
+# Both sides of a jump are read off plans beside it, at this part of a strip and at twice it, and carried on to the
+# edge: what that leaves out is the square of the part, far below the width of any line, and rounding grows by three.
 BESIDE = 2.0**-20
-WHY = Reasons(
-    axes=because("axes"),
-    pole=because("pole_distance"),
-    start=because("works_start"),
-    mean=because("mean_moment"),
-    carried=because("carried"),
-    ray=because("ray"),
-    strip=because("strip"),
-    edge=because("strip_end"),
-    chord=because("chord"),
-    integral=because("work_so_far"),
-)
 
 
 @dataclass(frozen=True)
@@ -73,7 +61,7 @@ class Turn:
         middle, edge = self.reduction.at(middles(self.edges)), self.reduction.at(self.edges)
         means = middle.moment
         board = Board(WORKS)
-        curve = integral(board, "A", self.edges, means, why=WHY)
+        curve = integral(board, "A", self.edges, means, why=REASONS)
         whole = board.join("A_us", curve.points[0], curve.points[-1], because("work_of_loads"))
         drive = board.turn("A_dr", board.given("φ", complex(TURN), because("whole_turn")), 1.0, because("steady"))
         drive = board.lay_off("A_dr", drive, board.turn("-A_us", whole, -1.0, because("steady")), because("steady"))

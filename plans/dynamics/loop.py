@@ -23,7 +23,7 @@ class Tangent(NamedTuple):
     touch: Mark
     line: Mark
     cut: Mark  # l of the least speed, k of the greatest
-    index: int  # of the point among the edges of the strips
+    place: int  # of the point among the edges of the strips
 
 
 @dataclass(frozen=True)
@@ -64,7 +64,7 @@ def loop(cycle: Cycle, task: Task) -> Loop:
     origin = board.meet("O", least.line, greatest.line, why=because("machine_origin"))
     both = least, greatest
     touches = [
-        Touch(float(cycle.turned[one.index]), float(varying[one.index]), float(surplus[one.index])) for one in both
+        Touch(float(cycle.turned[one.place]), float(varying[one.place]), float(surplus[one.place])) for one in both
     ]
     cuts = [complex(one.cut.point).imag for one in both]
     found = Flywheel(

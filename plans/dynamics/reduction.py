@@ -1,8 +1,8 @@
 """Loads and masses reduced to the crank by Zhukovsky's lever (приведение сил и масс, M4.2, M4.4).
 
-The crank turns at one radian a second: the velocity plan then shows what each point moves for a radian of the crank. On
-that plan, turned into a lever, loads and weights have the reduced moment, the momenta of all masses the reduced inertia,
-and mass times acceleration half of its slope.
+The crank turns at one radian a second: the velocity plan then shows what each point moves for a radian of the crank.
+On that plan, turned into a lever, loads and weights have the reduced moment, the momenta of all masses the reduced
+inertia, and mass times acceleration half of its slope.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from plans.linkage.assembly_limits import Sweep, at_angles
 from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.study import LinkageStudy
 from plans.linkage.velocity import velocities
-from plans.model.dynamics import CONSTRUCTION, TURN, Reduced
+from plans.model.dynamics import CONSTRUCTION, Reduced
 from plans.model.mechanism import Mechanism
 from plans.model.motion import Floats
 from plans.model.order import VELOCITIES
@@ -75,12 +75,9 @@ class Reducing:
         return tuple(_moments(self.forces, self._names(INERTIA)))
 
     def _names(self, *kinds: str) -> frozenset[str]:
-        plan = self.plan
-        known = (
-            *(one for row in plan.loads.values() for one in row),
-            *(c for row in plan.couples.values() for c in row),
-        )
-        return frozenset(one.name for one in known if one.kind in kinds)
+        acting: list[Load | Couple] = [one for row in self.plan.loads.values() for one in row]
+        acting += [one for row in self.plan.couples.values() for one in row]
+        return frozenset(one.name for one in acting if one.kind in kinds)
 
     @property
     def moment(self) -> Floats:
@@ -134,11 +131,12 @@ class Reduction:
     @cached_property
     def reduced(self) -> Reduced:
         """Reduced moment and inertia at the positions of the scene."""
-        gaps = tuple(gap for gap in self.study.motion(VELOCITIES.number).gaps)
+        gaps = self.study.motion(VELOCITIES.number).gaps
         gone = np.zeros(len(self.study.turn), dtype=bool)
         gone[[gap.position for gap in gaps]] = True
-        rows = (np.where(gone, np.nan, row) for row in (self.own.moment, self.own.inertia, self.own.slope))
-        return Reduced(CONSTRUCTION, self.study.turn.phi, *rows, gaps=gaps)
+        told = (self.own.moment, self.own.inertia, self.own.slope)
+        moment, inertia, slope = (np.where(gone, np.nan, row) for row in told)
+        return Reduced(CONSTRUCTION, self.study.turn.phi, moment, inertia, slope, gaps)
 
 
 def unit(mechanism: Mechanism, sense: int) -> Mechanism:

@@ -46,7 +46,7 @@ def omegas(cycle: Cycle, inertia: float, energy: float) -> Floats:
     """Give the angular velocity at the edges of the strips, rad/s (6.12); NaN where the machine has no energy left."""
     ratio = 2 * (energy + cycle.surplus) / (inertia + cycle.varying)
     with np.errstate(invalid="ignore"):
-        return np.sqrt(ratio)
+        return np.asarray(np.sqrt(ratio))
 
 
 def natural(cycle: Cycle, inertia: float, speed: float) -> float | None:
@@ -73,4 +73,4 @@ def _mean(cycle: Cycle, inertia: float, energy: float) -> float:
 def _corners(cycle: Cycle) -> Floats:
     """Give the breaks that are edges inside the turn."""
     inside = cycle.breaks[(cycle.breaks > cycle.turned[0]) & (cycle.breaks < cycle.turned[-1])]
-    return inside[np.isin(inside, cycle.turned)]
+    return np.asarray(inside[np.isin(inside, cycle.turned)])
