@@ -39,6 +39,10 @@ SHARED = (
     "plans.model.losses",
     "plans.model.rotor",
     "plans.model.dynamics",
+    "plans.model.flywheel_methods",
+    "plans.model.flywheel_rim",
+    "plans.model.motor",
+    "plans.model.run",
 )
 ONLY_IN = {
     "svgwrite": ("drawings/pens/svg.py", "drawings/bench/plain_pen.py"),  # the bench times its defaults beside our pen
@@ -167,6 +171,7 @@ ROOMS = (
     ("plans.study", "plans.explanation"),
     ("plans.linkage", "plans.rotor"),
     ("plans.forces",),
+    ("plans.dynamics",),
     ("plans.checks", "plans.bench"),
     ("drawings.paper",),
     ("drawings.lettering", "drawings.measure"),
@@ -174,7 +179,7 @@ ROOMS = (
     ("drawings.layout", "drawings.report"),
     ("drawings.symbols",),
     ("drawings.figures.linkage", "drawings.figures.graphs", "drawings.figures.rotor"),
-    ("drawings.figures.forces",),
+    ("drawings.figures.forces", "drawings.figures.dynamics"),
     ("drawings.checks", "drawings.sheets"),
     ("drawings.bench", "drawings.gallery"),
     ("drawings.commands",),

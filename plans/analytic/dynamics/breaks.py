@@ -11,11 +11,12 @@ from typing import Protocol
 
 import numpy as np
 
+from plans.analytic.closure import Flags
 from plans.analytic.dynamics.curve import Curve, looks, smooth
 from plans.analytic.dynamics.reduction import Reduction
 from plans.analytic.dynamics.roots import roots
 from plans.model.dynamics import TURN
-from plans.model.machine import Force, Machine, Moment
+from plans.model.machine import ALWAYS, WORKING, Force, Machine, Moment
 from plans.model.motion import Floats, Motion
 
 
@@ -29,6 +30,9 @@ class Run(Protocol):
     @property
     def end(self) -> float:
         """Crank where it ends."""
+
+    def working(self, phi: Floats, /) -> Flags:
+        """Tell the crank angles of the working stroke."""
 
     def share(self, motion: Motion, /) -> Floats:
         """Give the share of the stroke that is gone at the positions of a motion."""
@@ -46,31 +50,34 @@ def breaks(reduction: Reduction, strokes: Mapping[str, Run], noise: float) -> Fl
 
 
 def _crossings(reduction: Reduction, strokes: Mapping[str, Run], noise: float) -> Floats:
-    """Give the angles at which a stroke is gone by a share that counts."""
-    shares = {name: sorted(set(_shares(reduction.machine, name))) for name in strokes}
-    counted = [name for name in strokes if shares[name]]
+    """Give the angles at which a stroke is gone by a share at which a load changes its law, while the load acts."""
+    counted = [name for name in strokes if any(_laws(reduction.machine, name))]
 
     def sample(motion: Motion) -> tuple[Floats, Floats]:
         return np.array([strokes[name].share(motion) for name in counted]), np.ones(len(counted))
 
     curves = smooth(reduction, sample, noise) if counted else []
-    pairs = zip(counted, curves, strict=True)
-    found = [_at(curve, share) for name, curve in pairs for share in shares[name]]
-    return np.concatenate(found) if found else np.zeros(0)
+    found = [np.zeros(0)]
+    for name, curve in zip(counted, curves, strict=True):
+        for share, during in sorted(set(_laws(reduction.machine, name))):
+            at = _at(curve, share)
+            works = strokes[name].working(reduction.start + reduction.sense * at)
+            found.append(at[(during == ALWAYS) | (works == (during == WORKING))])
+    return np.concatenate(found)
 
 
 def _at(curve: Curve, share: float) -> Floats:
     return roots(lambda turned, side: curve.at(turned, side) - share, looks([curve]))
 
 
-def _shares(machine: Machine, stroke: str) -> Iterator[float]:
-    """Give the shares within a stroke at which a load over it changes its law."""
+def _laws(machine: Machine, stroke: str) -> Iterator[tuple[float, str]]:
+    """Give the shares within a stroke at which a load over it changes its law, and when it acts."""
     loads: tuple[Force | Moment, ...] = (*machine.forces, *machine.moments)
     for load in loads:
         if load.stroke == stroke:
             places = load.diagram.travel if isinstance(load, Force) and load.diagram is not None else ()
             first, last = load.overrun
-            yield from (share for share in (*places, first, 1.0 - last) if 0.0 < share < 1.0)
+            yield from ((share, load.during) for share in (*places, first, 1.0 - last) if 0.0 < share < 1.0)
 
 
 def _reversals(reduction: Reduction, noise: float) -> Floats:
@@ -104,7 +111,7 @@ def _rests(reduction: Reduction, point: str, turned: Floats, noise: float) -> Fl
     if not turned.size:
         return turned
     speeds = np.abs(reduction.motion(np.append(turned, np.arange(12) * (TURN / 12))).points[point].v)
-    return turned[speeds[: len(turned)] <= noise * speeds.max()]
+    return np.asarray(turned[speeds[: len(turned)] <= noise * speeds.max()])
 
 
 def _merged(found: Floats, least: float) -> Floats:

@@ -5,11 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from plans.analytic.dynamics.exact import Exact
+from plans.analytic.extremes import EQUAL
 from plans.model.dynamics import ANALYSIS, Cycle
 from plans.model.motion import Floats
-
-# rad: an edge so near to a break is drawn at it, by a road that found it with other roundings; no strip is so narrow
-SAME = 1e-9
 
 
 def exact_cycle(found: Exact, turned: Floats) -> Cycle:
@@ -38,5 +36,5 @@ def _snapped(turned: Floats, breaks: Floats) -> Floats:
     """Move edges that are meant for a break to the very break, so that each side of it is that of its strip."""
     snapped = np.array(turned)
     for at in breaks:
-        snapped[np.abs(turned - at) <= SAME] = at
+        snapped[np.abs(turned - at) <= EQUAL] = at
     return snapped
