@@ -154,7 +154,7 @@ class _MassTable(NamedTuple):
         assert moment.true is not None  # every mass has one
         if self.flat:
             return [mass, far, angle, moment]
-        turned = Cell(abs(moment.true * arm), moment.slack * abs(arm))
+        turned = Cell(moment.true * arm, moment.slack * abs(arm))
         return [mass, far, angle, Cell(1000 * arm), moment, turned]
 
 

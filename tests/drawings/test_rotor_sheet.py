@@ -299,3 +299,12 @@ def test_both_languages_say_the_same_of_a_rotor(language: str, tmp_path: Path) -
     )
     comma = "," if language == "ru" else "."
     assert f"0{comma}061813" in leaf.description and f"33{comma}823" in leaf.description
+
+
+def test_a_moment_beyond_the_last_plane_is_negative(tmp_path: Path) -> None:
+    """A mass 2 m beyond plane II turns the other way about it: m·D·h = 4·(−2) kg·m², at the angle of the mass."""
+    planes = (Plane("I", Fraction(3)), Plane("II", Fraction(2)))
+    beyond, within = mass(1, "4", "1", 40, "0"), mass(2, "4", "1", 130, "4")
+    (leaf,), _ = drawn(Rotor((beyond, within), planes), tmp_path)
+    table = [text.plain for group in leaf.groups if "masses" in group.name for text in _texts(group)]
+    assert {"−2000", "−8", "40"} <= set(table) and "8" in table
