@@ -7,8 +7,8 @@ from decimal import Decimal
 from fractions import Fraction
 from typing import NamedTuple
 
-from plans.analytic.rotor import balance
 from plans.model.rotor import Plane, Rotor, Unbalance
+from plans.rotor.balancing import balancing
 from plans.rotor.form import PlaneTable, RotorForm, RotorTable, UnbalanceTable
 from plans.scene.faults import Fault
 from plans.scene.scene import Meaning, Scene
@@ -65,5 +65,5 @@ def survey_of(meaning: Meaning) -> RotorSurvey:
 def notes_of(scene: Scene) -> Iterator[Fault]:
     """Give the notes on a scene's rotor: that one plane leaves a couple unbalanced (row of the table of techniques)."""
     rotor = scene.of(RotorForm).rotor
-    if len(rotor.planes) < len(NUMERALS) and not balance(rotor_of(rotor), borne=False).couple.vanishes:
+    if len(rotor.planes) < len(NUMERALS) and not balancing(rotor_of(rotor)).moments.closed:
         yield scene.fault(("rotor", "planes") if rotor.planes else ("rotor",), "static_only")
