@@ -10,17 +10,18 @@ from typing import NamedTuple
 from plans.model.rotor import Plane, Rotor, Unbalance
 from plans.rotor.balancing import balancing
 from plans.rotor.form import PlaneTable, RotorForm, RotorTable, UnbalanceTable
+from plans.rotor.letters import ALONE
 from plans.scene.faults import Fault
 from plans.scene.scene import Meaning, Scene
 from plans.scene.units import WORKING
 
-NUMERALS, ALONE = ("I", "II"), ("cw",)  # the names of two planes, and of one
+NUMERALS = ("I", "II")  # the names of two planes
 
 
 def rotor_of(form: RotorTable) -> Rotor:
     """Make the rotor that a scene gives; without a plane of correction the origin is one."""
     planes = form.planes or (PlaneTable(),)
-    names = ALONE if len(planes) == 1 else NUMERALS
+    names = (ALONE,) if len(planes) == 1 else NUMERALS
     return Rotor(
         masses=tuple(_unbalance(number, one) for number, one in enumerate(form.masses, 1)),
         planes=tuple(
