@@ -145,6 +145,18 @@ def test_one_plane_is_noted_where_a_couple_about_it_is_left(angle: int, noted: b
     assert bool(list(notes_of(scene))) == noted
 
 
+@pytest.mark.parametrize(("planes", "doubled"), [(1, False), (2, True)])
+def test_the_quality_of_two_planes_is_by_the_worse_one_doubled(planes: int, doubled: bool) -> None:
+    """Static moments of 1 and 3 kg*m in the planes of a rotor of 20 kg: 2*3/20 of 100 rad/s, or 4/20 in one plane."""
+    rows = "{ moment = 1, angle = 0, place = 1 }, { moment = 3, angle = 0, place = 0 }"
+    two = "rotor.planes = [{ place = 1 }, { place = 0 }]\n" if planes > 1 else ""
+    more = f'rotor.speed = 100\nrotor.mass = 20\n{two}[sheet]\nlanguage = "en"\n'
+    study = Study(parse_scene(f'sheets = ["rotor"]\nrotor.masses = [{rows}]\n{more}'))
+    told = [line for line in chapters(study, {"rotor": leaves(study)}).conditions if "e·ω" in line]
+    assert f"e·ω = {30000 if doubled else 20000} mm/s" in told[0]
+    assert ["the worse plane, doubled" in line for line in told] == [doubled] * len(told)
+
+
 def test_the_quality_of_one_plane_tells_no_grade_while_a_couple_is_left() -> None:
     rows = '{ moment = 1, angle = 0, place = "0.5 m" }, { moment = 1, angle = 90 }'
     more = "rotor.speed = 100\nrotor.mass = 20\nrotor.bearings = [0, 1]\n"
