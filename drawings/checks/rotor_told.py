@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from drawings.checks.reading import reads
 from drawings.checks.rotor_tables import Cell, direction, found_mass, named, radius
+from drawings.checks.wrong import Wrong, within
 from drawings.lettering.rotor_letters import index
 from drawings.page.drafting import Drafting
 from drawings.paper.strokes import Leaf, Text
@@ -19,6 +20,7 @@ from plans.model.rotor import Balance, Rotor
 from plans.rotor.letters import unbalance_letters
 
 DIGITS, FEWER = 5, 4  # of vectors and counterweights; of speeds and of what a grade permits
+NOTES = "notes"  # the name of their figure
 _NUMBER = r"[−\d.,]*\d"
 _GAP = "\0"  # stands for a number of a phrase
 
@@ -39,21 +41,21 @@ class Told(NamedTuple):
         return angle is None or (self.angle is not None and self.angle.holds(angle))
 
 
-def notes(leaf: Leaf, rotor: Rotor, comparison: Comparison, drafting: Drafting) -> Iterator[str]:
+def notes(leaf: Leaf, rotor: Rotor, comparison: Comparison, drafting: Drafting) -> Iterator[Wrong]:
     """Read the notes of the first sheet back: each letter in its turn, none left out."""
     if leaf.metadata["number"] != 1:
         return
-    told = " ".join(text.plain for group in leaf.groups if group.name == "notes" for text in texts((group,)))
+    told = " ".join(text.plain for group in leaf.groups if group.name == NOTES for text in texts((group,)))
     due = list(_expected(rotor, comparison, drafting))
     for found in _told(drafting).finditer(told):
         one = next((one for one in due if one.name == found["name"]), None)
         if one is None:
-            yield f"{found[0]} in the notes (the analysis has none)"
+            yield within("stranger_in", NOTES, text=found[0])
             continue
         due.remove(one)
         if not one.holds(found["value"], found["angle"]) or (found["angle"] is None and _pointed(one)):
-            yield f"{found[0]} in the notes"
-    yield from (f"{one.name} is missing from the notes" for one in due if not one.optional)
+            yield within("in", NOTES, text=found[0])
+    yield from (within("missing_from", NOTES, name=one.name) for one in due if not one.optional)
 
 
 def _told(drafting: Drafting) -> re.Pattern[str]:

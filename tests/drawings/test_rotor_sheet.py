@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
@@ -24,6 +25,7 @@ from plans.model.rotor import Plane, Rotor
 from plans.rotor.study import RotorStudy
 from plans.scene.scene import parse_scene, read_scene
 from plans.study import Study
+from plans.words.words import said
 from tests.parts import some
 from tests.plans.rotors import DYNAMIC, STATIC, dynamic, mass, masses, static
 
@@ -219,6 +221,7 @@ def test_a_planted_fault_is_seen(fan, change: Change, wrong: str, tmp_path: Path
     with pytest.raises(SelfCheckFailed) as told:
         verify(written(spoilt, tmp_path), spoilt, partial(faults, study=study))
     assert wrong in str(told.value)
+    assert not re.search(r"\b(the|is|on|in|for|against)\b", said(told.value, "ru"))
 
 
 def star(count: int, start: int = 17, place: str = "0.37") -> tuple:
