@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from decimal import Decimal
 from fractions import Fraction
 from typing import NamedTuple
 
 from plans.model.rotor import Plane, Rotor, Unbalance
-from plans.rotor.balancing import balancing
 from plans.rotor.form import PlaneTable, RotorForm, RotorTable, UnbalanceTable
 from plans.rotor.letters import ALONE
 from plans.scene.faults import Fault
-from plans.scene.scene import Meaning, Scene
+from plans.scene.scene import Meaning
 from plans.scene.units import WORKING
 
 NUMERALS = ("I", "II")  # the names of two planes
@@ -61,10 +59,3 @@ class RotorSurvey(NamedTuple):
 def survey_of(meaning: Meaning) -> RotorSurvey:
     """Examine a scene's rotor (row of the table of techniques)."""
     return RotorSurvey(rotor_of(meaning.scene.of(RotorForm).rotor), [])
-
-
-def notes_of(scene: Scene) -> Iterator[Fault]:
-    """Give the notes on a scene's rotor: that one plane leaves a couple unbalanced (row of the table of techniques)."""
-    rotor = scene.of(RotorForm).rotor
-    if len(rotor.planes) < len(NUMERALS) and not balancing(rotor_of(rotor)).moments.closed:
-        yield scene.fault(("rotor", "planes") if rotor.planes else ("rotor",), "static_only")

@@ -11,7 +11,7 @@ import pytest
 from drawings.commands import cli
 from drawings.report.rotor_report import chapters
 from drawings.sheets.rotor import leaves
-from plans.rotor.reading import notes_of
+from plans.rotor.notes import notes_of
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.gallery import GALLERY

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
+from plans.rotor.notes import notes_of
 from plans.scene.faults import Fault, SceneError
 from plans.scene.scene import parse_scene
 
@@ -76,3 +79,34 @@ def test_a_speed_by_another_name_is_known(name: str) -> None:
 def test_an_angle_by_another_name_is_known_and_not_missed_besides(name: str) -> None:
     (fault,) = refused(f'masses = [{{ moment = 1, "{name}" = 20 }}]\n')
     assert "angle = 20" in fault.advice
+
+
+def noted(rotor: str) -> list[tuple[str, str]]:
+    notes = list(notes_of(parse_scene(f"[rotor]\n{rotor}")))
+    assert all(re.search("[а-я]{3}", note.worded("ru")) for note in notes)
+    return list(zip((note.kind for note in notes), places(notes), strict=True))
+
+
+BALANCED = "{ mass = 1, radius = 0.1, angle = 0, place = 0.2 }, { mass = 1, radius = 0.1, angle = 180, place = 0.2 }"
+
+
+@pytest.mark.parametrize(
+    ("rotor", "notes"),
+    [
+        (f"masses = [{BALANCED}]\n", []),
+        ("masses = [{ mass = 1, radius = 120, angle = 0 }]\n", [("metres", "masses.0.radius")]),
+        ('masses = [{ mass = 1, radius = "120 m", angle = 0 }]\n', []),
+        ("masses = [{ mass = 1, radius = 19, angle = 0 }]\n", []),
+        (f"masses = [{BALANCED}]\nspeed = 9\nbearings = [-100, 0.6]\n", [("enormous", "bearings.0")]),
+        (f"masses = [{BALANCED}]\nspeed = 9\nbearings = [-0.1, 0.6]\n", []),
+        (f"masses = [{BALANCED}]\nspeed = 9\nmass = 1.9\n", [("light_rotor", "mass")]),
+        (f"masses = [{BALANCED}]\nspeed = 9\nmass = 2\n", []),
+        (f"masses = [{BALANCED}]\nspeed = 9\n", [("spare_speed", "speed")]),
+        (f"masses = [{BALANCED}]\nbearings = [0, 1]\n", [("still_bearings", "bearings")]),
+        (f"masses = [{BALANCED}]\nmass = 3\n", [("still_mass", "mass")]),
+        (f"masses = [{BALANCED}]\nplanes = [{{ place = 0.0019 }}, {{ place = 0 }}]\n", [("near_planes", "planes")]),
+        (f"masses = [{BALANCED}]\nplanes = [{{ place = 0.002 }}, {{ place = 0 }}]\n", []),
+    ],
+)
+def test_what_may_be_a_slip_is_noted(rotor: str, notes: list[tuple[str, str]]) -> None:
+    assert noted(rotor) == notes
