@@ -172,7 +172,7 @@ ROOMS = (
     ("drawings.page", "drawings.files", "drawings.pens"),
     ("drawings.layout", "drawings.report"),
     ("drawings.symbols",),
-    ("drawings.figures.linkage", "drawings.figures.graphs", "drawings.figures.rotor"),
+    ("drawings.figures.linkage", "drawings.figures.graphs", "drawings.figures.rotor", "drawings.figures.dynamics"),
     ("drawings.figures.forces",),
     ("drawings.checks", "drawings.sheets"),
     ("drawings.bench", "drawings.gallery"),
