@@ -106,7 +106,7 @@ def _zeros(reduction: Reduction, level: Level) -> Floats:
     """Close in on all changes of sign of a level over the turn, by fans of crank angles between two neighbours."""
     step = TURN / NODES
     # Between the nodes of a turn that begins beside position 0: a break at position 0 itself is between two of them.
-    nodes = step * (np.arange(NODES + 1) - 0.5)
+    nodes = np.asarray(step * (np.arange(NODES + 1) - 0.5), dtype=np.float64)
     above = level.height(_motion(reduction, nodes)) >= 0
     low = nodes[:-1][above[1:] != above[:-1]]
     high = low + step
@@ -117,7 +117,7 @@ def _zeros(reduction: Reduction, level: Level) -> Floats:
 
 
 def _closer(reduction: Reduction, level: Level, low: Floats, high: Floats) -> tuple[Floats, Floats]:
-    fan = np.asarray(np.linspace(low, high, FAN), dtype=np.float64)
+    fan: Floats = np.linspace(low, high, FAN)
     above = level.height(_motion(reduction, fan.ravel())).reshape(fan.shape) >= 0
     changed = above != above[0]
     change = np.where(changed.any(axis=0), np.argmax(changed, axis=0), FAN - 1)

@@ -86,9 +86,7 @@ def measure(course: LoadCourse, drafting: Drafting) -> Picture:
     margins = Margins(side + BEYOND / 2, under, above + BEYOND + 2 * hand.title + hand.text)
     high, title = course.length / RATIO, text_width(Text(0j, _title(course, drafting), hand.title))
     middle = complex(course.length, high) / 2
-    return Picture(
-        name_of(course), course.length, high, middle, symbol, unit, margins, title, LETTERS * hand.letter
-    )
+    return Picture(name_of(course), course.length, high, middle, symbol, unit, margins, title, LETTERS * hand.letter)
 
 
 def draw(course: LoadCourse, room: Picture, spot: Spot, drafting: Drafting) -> LoadFigure:
@@ -189,7 +187,7 @@ def _branch(branch: Branch, axes: Axes, hand: Hand) -> Iterator[Stroke]:
 
 def _sizes(course: LoadCourse, axes: Axes, drafting: Drafting) -> Iterator[Dimension]:
     """Dimension the whole stroke, and over it the overruns in shares of it."""
-    symbol, unit, whole = _way(course)
+    _, unit, whole = _way(course)
     low = 1j * (axes.on(0.0, course.span[0]).imag - axes.zero.imag)
     near, far = (low - 1j * level * drafting.hand.symbol for level in LEVELS)
     told = drafting.number(course.length if course.turning else 1000 * course.length, DIGITS)
