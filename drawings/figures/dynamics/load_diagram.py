@@ -114,7 +114,7 @@ def scale_of(course: LoadCourse, room: Picture, spot: Spot, standard: str) -> Sc
 def spans(course: LoadCourse) -> tuple[tuple[str, float], ...]:
     """Give what is dimensioned along the way, by its mark: the whole stroke, and each overrun."""
     _, _, whole = _way(course)
-    shares = (("first overrun", course.overrun[0]), ("last overrun", course.overrun[1]))
+    shares = (("overrun_1", course.overrun[0]), ("overrun_2", course.overrun[1]))
     return (whole, course.length), *((name, share * course.length) for name, share in shares if share)
 
 
