@@ -39,6 +39,8 @@ SHARED = (
     "plans.model.losses",
     "plans.model.rotor",
     "plans.model.dynamics",
+    "plans.model.flywheel_methods",
+    "plans.model.flywheel_rim",
     "plans.model.motor",
     "plans.model.run",
 )

@@ -22,7 +22,7 @@ from drawings.symbols.dashes import fit
 from drawings.symbols.dimension import Dimension
 from drawings.symbols.figure import Subject, heading
 from drawings.symbols.hatching import hatching
-from plans.model.flywheel_rim import FlywheelRim
+from plans.model.flywheel_rim import Wheel
 
 NAME = "flywheel_sketch"
 MARGINS = Margins(2.0, 2.4, 3.4)  # paper around it for letters, in their sizes
@@ -38,20 +38,20 @@ DIGITS = 4
 SYMBOL, UNIT = "l", "m"
 
 
-class Wheel(NamedTuple):
+class Outlines(NamedTuple):
     """The outlines of a wheel, true: the cut has its middle at 0, the side view is beside it."""
 
-    rim: FlywheelRim
+    rim: Wheel
 
     @property
     def outer(self) -> float:
         """The outer radius, m."""
-        return (self.rim.diameter + self.rim.thickness) / 2
+        return self.rim.outer / 2
 
     @property
     def inner(self) -> float:
         """The inner radius of the rim, m."""
-        return (self.rim.diameter - self.rim.thickness) / 2
+        return self.rim.inner / 2
 
     @property
     def hub(self) -> float:
@@ -105,19 +105,19 @@ class SketchFigure:
         return (Group((*self.lines, Group(tuple(letters))), NAME),)
 
 
-def measure(rim: FlywheelRim, drafting: Drafting) -> Picture:
+def measure(rim: Wheel, drafting: Drafting) -> Picture:
     """Measure the room that the sketch needs: both views, the dimensions beside them."""
     hand = drafting.hand
     title = max(text_width(Text(0j, drafting.word("flywheel"), hand.title)), text_width(Text(0j, _said(rim, drafting))))
     side, below, above = (share * hand.letter for share in MARGINS)
     far = OFF * hand.symbol
     margins = Margins(side + 2 * far, below + AXIS * hand.symbol, above + far + 2 * hand.title + 2 * hand.text)
-    return picture(NAME, Wheel(rim).corners, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
+    return picture(NAME, Outlines(rim).corners, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
 
 
-def draw(rim: FlywheelRim, room: Picture, spot: Spot, drafting: Drafting) -> SketchFigure:
+def draw(rim: Wheel, room: Picture, spot: Spot, drafting: Drafting) -> SketchFigure:
     """Draw the sketch in its spot: the cut hatched, the side view, axes, sizes; mass and inertia under its scale."""
-    place, hand, wheel = room.place(*spot), drafting.hand, Wheel(rim)
+    place, hand, wheel = room.place(*spot), drafting.hand, Outlines(rim)
     title = heading(spot.box, drafting.word("flywheel"), drafting.scale(spot.scale), hand)
     under = complex(spot.box.centre.real, spot.box.top - 1.6 * hand.title - 2.6 * hand.text)
     said = Text(under, _said(rim, drafting), hand.text, "middle", True)
@@ -129,12 +129,12 @@ def draw(rim: FlywheelRim, room: Picture, spot: Spot, drafting: Drafting) -> Ske
     return SketchFigure(lines, sizes, hand)
 
 
-def true(rim: FlywheelRim) -> tuple[tuple[str, complex], ...]:
+def true(rim: Wheel) -> tuple[tuple[str, complex], ...]:
     """Give the sizes that are dimensioned by their letters, m: mean diameter, thickness, breadth."""
     return ("D", 1j * rim.diameter), ("t", 1j * rim.thickness), ("b", complex(rim.breadth))
 
 
-def _said(rim: FlywheelRim, drafting: Drafting) -> str:
+def _said(rim: Wheel, drafting: Drafting) -> str:
     mass, inertia = drafting.number(rim.mass, DIGITS), drafting.number(rim.inertia, DIGITS)
     return drafting.word("rim mass", mass=mass, inertia=inertia)
 
@@ -144,7 +144,7 @@ def size(letter: str, metres: float, drafting: Drafting) -> str:
     return f"{letter} = {drafting.number(1000 * metres, DIGITS)}"
 
 
-def _sizes(wheel: Wheel, place: Place, drafting: Drafting) -> Iterator[Dimension]:
+def _sizes(wheel: Outlines, place: Place, drafting: Drafting) -> Iterator[Dimension]:
     """Dimension the mean diameter left of the cut, the thickness right of it, the breadth above it."""
     rim, far = wheel.rim, OFF * drafting.hand.symbol
     broad, reach = rim.breadth / 2, place.length(wheel.long)
@@ -163,7 +163,7 @@ def _marked(one: Dimension, letter: str, value: complex, scale: Scale, hand: Han
     return Group(one.draw(hand), "", data, one.letter)
 
 
-def _cut(wheel: Wheel, place: Place, hand: Hand) -> Iterator[Stroke]:
+def _cut(wheel: Outlines, place: Place, hand: Hand) -> Iterator[Stroke]:
     upper = [place.on(corner) for corner in wheel.half]
     lower = [place.on(corner.conjugate()) for corner in wheel.half]
     for outline in (upper, lower):
@@ -174,7 +174,7 @@ def _cut(wheel: Wheel, place: Place, hand: Hand) -> Iterator[Stroke]:
         yield Line(place.on(complex(end, wheel.bore)), place.on(complex(end, -wheel.bore)), hand.result)
 
 
-def _side(wheel: Wheel, place: Place, hand: Hand) -> Iterator[Stroke]:
+def _side(wheel: Outlines, place: Place, hand: Hand) -> Iterator[Stroke]:
     middle = place.on(wheel.side)
     for radius in (wheel.outer, wheel.inner, wheel.hub, wheel.bore):
         yield Circle(middle, place.length(radius), hand.result)
@@ -182,7 +182,7 @@ def _side(wheel: Wheel, place: Place, hand: Hand) -> Iterator[Stroke]:
     yield Circle(middle, mean, fit(hand.axis, 2 * math.pi * mean, True))
 
 
-def _axes(wheel: Wheel, place: Place, hand: Hand) -> Iterator[Stroke]:
+def _axes(wheel: Outlines, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw the axis of the shaft through both views, and the upright one of the side view."""
     past = AXIS * hand.symbol
     across, up = place.length(wheel.long) + past, place.length(wheel.outer) + past
