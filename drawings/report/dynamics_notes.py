@@ -106,7 +106,12 @@ class DynamicsNotes(NamedTuple):
         section = {"breadth": number(1000 * rim.breadth), "thickness": number(1000 * rim.thickness)}
         added = self.drafting.number(100 * rim.added, PER_CENT)
         yield self.drafting.word(
-            "rim sizes", mass=number(rim.mass), diameter=number(1000 * rim.diameter), **section, speed=speed, added=added
+            "rim sizes",
+            mass=number(rim.mass),
+            diameter=number(1000 * rim.diameter),
+            **section,
+            speed=speed,
+            added=added,
         )
 
     def fluctuation(self, delta: float) -> str:
