@@ -362,6 +362,12 @@ def test_a_derivative_is_not_joined_across_a_corner() -> None:
     assert [curve.values[piece].tolist() for piece in curve.pieces] == [[1], [-1, -1]]
 
 
+def test_a_corner_has_the_tangents_of_both_its_sides() -> None:
+    curve = derivative_by_tangents(Board("slopes"), "v", [0, 1, 1, 2], [0, 1, 1, 0], [1, 3, -2, -1])
+    assert [curve.values[piece].tolist() for piece in curve.pieces] == [[1, 3], [-2, -1]]
+    assert curve.middles.tolist() == [complex(one.point).real for one in curve.points] == [0, 1, 1, 2]
+
+
 def test_many_strips_cost_eight_marks_each() -> None:
     edges = strips(0, 1, 4096)
     assert len(drawn(edges, np.ones(4096)).board) == 8 * 4096 + 5
