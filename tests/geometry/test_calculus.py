@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from drawings.commands.explain import sentence
@@ -244,6 +244,7 @@ diagrams = st.lists(st.tuples(st.floats(1e-3, 10), means), min_size=1, max_size=
 )
 
 
+@example((np.array([0.0, 1.0]), np.array([5e-324])), 2.0)
 @given(diagrams, st.floats(1e-3, 1e3))
 def test_a_pole_elsewhere_changes_the_curve_and_not_the_values(diagram: tuple[Floats, Floats], pole: float) -> None:
     one, other = drawn(*diagram), drawn(*diagram, pole=pole)
