@@ -3,31 +3,19 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
-from drawings.commands import cli
 from drawings.report.rotor_report import chapters
 from drawings.sheets.rotor import leaves
 from plans.rotor.notes import notes_of
 from plans.scene.scene import parse_scene
 from plans.study import Study
+from tests.drawings.conftest import Run
 from tests.gallery import GALLERY
 
 FAN = GALLERY / "fan.toml"
-Run = Callable[..., tuple[int, str, str]]
-
-
-@pytest.fixture
-def run(capsys: pytest.CaptureFixture[str]) -> Run:
-    def command(*arguments: object) -> tuple[int, str, str]:
-        code = cli.main([str(argument) for argument in arguments])
-        said = capsys.readouterr()
-        return code, said.out, said.err
-
-    return command
 
 
 def test_solve_gives_the_textbook_s_values_by_both_roads(run: Run) -> None:
