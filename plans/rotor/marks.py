@@ -9,7 +9,7 @@ from geometry.board import Mark
 from geometry.steps import behind
 from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.rotor.balancing import COUPLES, UNBALANCES
-from plans.rotor.bearings import REACTIONS
+from plans.rotor.bearings import BEARINGS, REACTIONS
 from plans.rotor.letters import moment_letters, unbalance_letters, written
 from plans.words.words import languages, message
 
@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from plans.rotor.study import RotorStudy
     from plans.study import Study
 
+REACTION_LETTERS = frozenset(f"R_{bearing}{prime}" for bearing in BEARINGS for prime in ("", "'"))
 UNITS = {COUPLES: "kg*m2", UNBALANCES: "kg*m", REACTIONS: "N"}
 
 
@@ -29,11 +30,16 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
             tuple(written(one, study.scene.sheet.language) for one in own) for own in (_names(rotor), _wanted(rotor))
         )
         examples = tuple(one.name for found in rotor.reactions for one in found.marks[:1])
-        return NoMark(names, message("mark.marks", marks=", ".join(wanted)), examples)
+        listed = (
+            message("mark.no_reactions") if name in REACTION_LETTERS else message("mark.marks", marks=", ".join(wanted))
+        )
+        return NoMark(names, listed, examples)
     if position:
         raise UnknownMark(message("mark.no_position", mark=name, position=position))
     steps = tuple(behind(mark))
-    return Explanation(message("explain.name", mark=name), steps, UNITS, zeros=frozenset(_zeros(rotor, steps)))
+    return Explanation(
+        message("explain.name", mark=name), steps, UNITS, letters=written, zeros=frozenset(_zeros(rotor, steps))
+    )
 
 
 def _find(rotor: RotorStudy, name: str) -> Mark | None:
