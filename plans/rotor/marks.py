@@ -26,14 +26,7 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     rotor: RotorStudy = study["rotor"]
     mark = _find(rotor, name)
     if mark is None:
-        names, wanted = (
-            tuple(written(one, study.scene.sheet.language) for one in own) for own in (_names(rotor), _wanted(rotor))
-        )
-        examples = tuple(one.name for found in rotor.reactions for one in found.marks[:1])
-        listed = (
-            message("mark.no_reactions") if name in REACTION_LETTERS else message("mark.marks", marks=", ".join(wanted))
-        )
-        return NoMark(names, listed, examples)
+        return _no_mark(rotor, name, study.scene.sheet.language)
     if position:
         raise UnknownMark(message("mark.no_position", mark=name, position=position))
     steps = tuple(behind(mark))
@@ -44,10 +37,6 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
 
 def _find(rotor: RotorStudy, name: str) -> Mark | None:
     return next((mark for mark in _marks(rotor) if name in {written(mark.name, each) for each in languages()}), None)
-
-
-def _names(rotor: RotorStudy) -> list[str]:
-    return [mark.name for mark in _marks(rotor)]
 
 
 def _marks(rotor: RotorStudy) -> Iterator[Mark]:
@@ -70,6 +59,16 @@ def _closings(rotor: RotorStudy) -> Iterator[tuple[Mark, float]]:
     yield from ((one.mark, one.slack) for one in (drawing.unbalance, *drawing.corrections))
     for found in rotor.reactions:
         yield from zip(found.marks, found.slacks, strict=True)
+
+
+def _no_mark(rotor: RotorStudy, name: str, language: str) -> NoMark:
+    """Name the marks that there are, and what a reaction needs that is not among them."""
+    names = tuple(written(mark.name, language) for mark in _marks(rotor))
+    if name in REACTION_LETTERS:
+        return NoMark(names, message("mark.no_reactions"), ())
+    wanted = ", ".join(written(one, language) for one in _wanted(rotor))
+    examples = tuple(one.name for found in rotor.reactions for one in found.marks[:1])
+    return NoMark(names, message("mark.marks", marks=wanted), examples)
 
 
 def _wanted(rotor: RotorStudy) -> list[str]:

@@ -91,7 +91,7 @@ def test_the_residual_of_the_sheet_is_of_the_finest_grade(fan) -> None:
         (dropped("m_II", "along"), "m_II on along is missing"),
         (reworded("0,061813", "0,061814"), "0,061814 for II in the table of masses"),
         (reworded("33,823", "33,833"), "33,833 for I in the table of masses"),
-        (reworded("4608,5", "4608,9"), "4608,9 for R_A"),
+        (reworded("4608,5", "4608,9"), "4608,9 for R_A in the table of results"),
         (without("notes"), "ΣmDh is missing from the notes"),
         (note("0,61813", "0,61814"), "in the notes"),
         (note("95,413", "95,414"), "in the notes"),
