@@ -12,6 +12,7 @@ import numpy.typing as npt
 
 from plans.forces.force_drawing import ForceDrawing
 from plans.forces.force_template import ForcePattern, ForcePlans
+from plans.forces.lines import off_their_lines, told_line
 from plans.forces.loading import loading
 from plans.forces.reading.form import ForceForm
 from plans.forces.reading.inventory import machine_of
@@ -116,7 +117,17 @@ class Statics:
         borne = any(body.mass or body.inertia for body in machine.bodies.values())
         if not (borne or machine.forces or machine.moments or machine.springs):
             raise SceneError([scene.fault(("sheets",), "nothing_acts")])
+        self._check_lines(machine)
         return machine
+
+    def _check_lines(self, machine: Machine) -> None:
+        """See that forces between two links act along lines that their points lie on."""
+        if not any(map(told_line, machine.forces)):
+            return
+        scene, off = self.study.scene, off_their_lines(machine, self.study.motion(0))
+        faults = [(("loads", "forces", index, "direction"), "off_line", force.line) for index, force in off]
+        if faults:
+            raise SceneError(scene.fault(path, kind, line="".join(line or ())) for path, kind, line in faults)
 
     @cached_property
     def pairs(self) -> tuple[Pair, ...]:

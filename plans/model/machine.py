@@ -33,20 +33,34 @@ class Diagram(NamedTuple):
     back: tuple[float, ...] = ()
 
 
+class End(NamedTuple):
+    """A point of a link, by its letter and its place in the link's own frame, at which a force acts."""
+
+    link: int
+    point: str
+    at: complex
+
+
 class Force(NamedTuple):
-    """A load on a point of a link: N along a fixed direction, or against the motion of the point."""
+    """A load on a point of a link: N along a fixed direction or a line of points, or against the motion of the point.
+
+    One between two links acts along a line that both points lie on, and on the other the opposite way.
+    """
 
     name: str  # as the sheet letters it: "F_us", "F_D"
     link: int
     point: str
     at: complex
     size: float  # N; of a diagram 1
-    direction: complex | None  # unit vector; None: against the motion of the point
+    direction: complex | None  # unit vector; None: along its line, or without one against the motion of the point
     during: str = ALWAYS
     diagram: Diagram | None = None
     overrun: tuple[float, float] = (0.0, 0.0)  # shares of the stroke at its ends in which the load rests
     stroke: str = ""  # point whose stroke counts; "": the output's
     useful: bool = True  # whether its work is the machine's purpose
+    line: tuple[str, str] | None = None  # the points from the first of which to the second it acts
+    other: End | None = None  # where it acts back: on its line too
+    resists: bool = False  # whether it acts against the motion of its point from the other
 
 
 class Moment(NamedTuple):
