@@ -38,6 +38,7 @@ SHARED = (
     "plans.model.kinetostatics",
     "plans.model.losses",
     "plans.model.rotor",
+    "plans.model.working",
 )
 ONLY_IN = {
     "svgwrite": ("drawings/pens/svg.py", "drawings/bench/plain_pen.py"),  # the bench times its defaults beside our pen

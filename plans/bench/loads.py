@@ -11,7 +11,7 @@ from typing import Any
 
 from plans.forces.stroke import Stroke
 from plans.model.kinetostatics import Loading
-from plans.model.machine import Force, Machine, Spring
+from plans.model.machine import Force, Machine, Spring, Track
 from plans.model.mechanism import FRAME, Mechanism
 from plans.model.motion import Floats
 
@@ -22,7 +22,7 @@ class TrueLoads:
 
     machine: Machine
     mechanism: Mechanism
-    strokes: Mapping[str, Stroke]
+    strokes: Mapping[Track, Stroke]
     loading: Loading
     phi: Floats
 
@@ -69,7 +69,11 @@ class TrueLoads:
     def _share(self, mp: Any, true: Mapping[tuple[str, str], Any], stroke: Stroke) -> Any:
         """Give the share of its stroke that an output has gone."""
         low, high = map(mp.mpf, stroke.reach)
-        if stroke.way is None:
+        if stroke.parting is not None:
+            start, end = (self._place(mp, true, name) for name in stroke.parting.line)
+            away = self._place(mp, true, stroke.point) - self._place(mp, true, stroke.parting.other)
+            beyond = (mp.conj(end - start) * away).real / abs(end - start) - (low + high) / 2
+        elif stroke.way is None:
             beyond = true["angle", str(stroke.link)] - (low + high) / 2
             beyond -= 2 * mp.pi * mp.nint(beyond / (2 * mp.pi))
         else:

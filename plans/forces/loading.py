@@ -9,14 +9,14 @@ import numpy as np
 
 from plans.forces.stroke import KAPPA, ROUNDING, Stroke, asks
 from plans.model.kinetostatics import Applied, Loading, Twist
-from plans.model.machine import ALWAYS, WORKING, End, Force, Machine, Moment, Spring
+from plans.model.machine import ALWAYS, WORKING, End, Force, Machine, Moment, Spring, Track
 from plans.model.mechanism import FRAME
 from plans.model.motion import Complexes, Floats, LinkMotion, Motion, PointMotion
 
 APART = 8 * 2.0**-52  # share of two places: points nearer to each other than their rounding are in one place
 
 
-def loading(machine: Machine, motion: Motion, strokes: Mapping[str, Stroke]) -> Loading:
+def loading(machine: Machine, motion: Motion, strokes: Mapping[Track, Stroke]) -> Loading:
     """Give all loads over the positions of a motion of order 2; NaN at gaps."""
     forces = [end for force in machine.forces for end in _acting(force, motion, strokes)]
     forces += [end for spring in machine.springs for end in _ends(spring, motion)]
@@ -26,7 +26,7 @@ def loading(machine: Machine, motion: Motion, strokes: Mapping[str, Stroke]) -> 
     return Loading(tuple(forces), moments)
 
 
-def _acting(force: Force, motion: Motion, strokes: Mapping[str, Stroke]) -> Iterator[Applied]:
+def _acting(force: Force, motion: Motion, strokes: Mapping[Track, Stroke]) -> Iterator[Applied]:
     """Give a force at its point, and of one between two links the opposite at the other, where that moves."""
     value = _force(force, motion, strokes)
     yield Applied(force.name, force.link, force.point, force.at, value, force.useful)
@@ -34,7 +34,7 @@ def _acting(force: Force, motion: Motion, strokes: Mapping[str, Stroke]) -> Iter
         yield Applied(f"{force.name}′", *force.other, 0.0 - value, force.useful)  # of a zero no -0
 
 
-def _force(force: Force, motion: Motion, strokes: Mapping[str, Stroke]) -> Complexes:
+def _force(force: Force, motion: Motion, strokes: Mapping[Track, Stroke]) -> Complexes:
     r = motion.points[force.point].r
     course = _direction(force, motion)
     return np.where(np.isnan(r), np.nan, _size(force, motion, strokes) * course + 0.0)  # of a zero no -0
@@ -52,13 +52,13 @@ def _direction(force: Force, motion: Motion) -> Any:
     return along if force.other is None or not force.resists else -_parting(motion, force, force.other, along) * along
 
 
-def _moment(moment: Moment, motion: Motion, strokes: Mapping[str, Stroke]) -> Floats:
+def _moment(moment: Moment, motion: Motion, strokes: Mapping[Track, Stroke]) -> Floats:
     sense = -_sense(motion, moment.link) if moment.against else 1.0
     angle = motion.links[moment.link].angle
     return np.where(np.isnan(angle), np.nan, _size(moment, motion, strokes) * sense + 0.0)
 
 
-def _size(load: Force | Moment, motion: Motion, strokes: Mapping[str, Stroke]) -> Floats:
+def _size(load: Force | Moment, motion: Motion, strokes: Mapping[Track, Stroke]) -> Floats:
     """Give the size of a load: nothing on a stroke that is not its own, and in the overruns at the ends."""
     if not asks(load):
         return np.full(motion.phi.shape, load.size)

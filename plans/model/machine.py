@@ -9,6 +9,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
 
+from plans.model.mechanism import SLOWER, Parting
+
 ALWAYS, WORKING, IDLE = "always", "working stroke", "idle stroke"
 MOMENT, COUPLING, FORCE, GEAR = "moment", "coupling", "force", "gear"
 
@@ -20,6 +22,17 @@ class Body(NamedTuple):
     mass: float
     inertia: float
     centre: complex
+
+
+class Track(NamedTuple):
+    """Whose stroke a load counts: of the output, of a point, or of one from another; and which of the two works."""
+
+    point: str = ""  # "": the output
+    working: str = SLOWER
+    parting: Parting | None = None
+
+
+OUTPUT = Track()
 
 
 class Diagram(NamedTuple):
@@ -56,7 +69,7 @@ class Force(NamedTuple):
     during: str = ALWAYS
     diagram: Diagram | None = None
     overrun: tuple[float, float] = (0.0, 0.0)  # shares of the stroke at its ends in which the load rests
-    stroke: str = ""  # point whose stroke counts; "": the output's
+    stroke: Track = OUTPUT
     useful: bool = True  # whether its work is the machine's purpose
     line: tuple[str, str] | None = None  # the points from the first of which to the second it acts
     other: End | None = None  # where it acts back: on its line too
@@ -72,7 +85,7 @@ class Moment(NamedTuple):
     against: bool = False
     during: str = ALWAYS
     overrun: tuple[float, float] = (0.0, 0.0)
-    stroke: str = ""
+    stroke: Track = OUTPUT
     useful: bool = True
 
 

@@ -67,6 +67,11 @@ class ForceTable(LoadTable):
         """Whether the force needs to know the stroke."""
         return self.diagram is not None or super().changes
 
+    @property
+    def owns_stroke(self) -> bool:
+        """Whether the stroke that counts is another than the output's."""
+        return super().owns_stroke or self.between is not None
+
     def check(self) -> None:
         """See that the force has one place and one form."""
         self._check_place()
@@ -92,7 +97,7 @@ class ForceTable(LoadTable):
             "then": {"not": {"anyOf": [*_ON, _LIST]}, "properties": {"direction": g.LINE.form()}},
             "else": {"required": ["on", "point"], **sized},
             "not": {"required": ["diagram", *PART["required"]], "properties": PART["properties"] | _BACK},
-            **only_with_stroke({"required": ["diagram"]}),
+            **only_with_stroke({"required": ["diagram"]}, owned=("stroke", "between")),
         }
 
     def _check_alone(self, first: str, second: str) -> None:

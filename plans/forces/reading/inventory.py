@@ -14,12 +14,12 @@ from plans.forces.reading import references
 from plans.forces.reading.ends import Ends, holders, point_of
 from plans.forces.reading.force import ForceTable
 from plans.forces.reading.form import ForceForm, FrictionTable, GearTable, PairTable
-from plans.forces.reading.load import Vector
+from plans.forces.reading.load import LoadTable, Vector
 from plans.forces.reading.loads import LoadsTable, MomentTable, SpringTable
 from plans.linkage.reading.guides import direction
 from plans.model.kinetostatics import pairs
-from plans.model.machine import GEAR, Body, Diagram, End, Force, Machine, Moment, Rubbing, Spring, Transmission
-from plans.model.mechanism import FRAME, Mechanism
+from plans.model.machine import GEAR, Body, Diagram, End, Force, Machine, Moment, Rubbing, Spring, Track, Transmission
+from plans.model.mechanism import FRAME, Mechanism, Parting
 from plans.model.structure import decompose
 from plans.scene.faults import Path, SceneError
 from plans.scene.scene import Scene
@@ -91,8 +91,11 @@ def _force(name: str, force: ForceTable, mechanism: Mechanism) -> Force:
     table = force.diagram
     diagram = Diagram(_floats(table.travel), _floats(table.force), _floats(table.back)) if table else None
     (own, other), resists = _where(force, mechanism), force.between is not None and force.against is not None
-    when = force.phase, diagram, _overrun(force.rests), force.stroke or "", force.useful
     line = _line(force, own, other)
+    track = _track(force)
+    if other is not None and line is not None and force.stroke is None and force.changes:
+        track = track._replace(point=own.point, parting=Parting(other.point, line))
+    when = force.phase, diagram, _overrun(force.rests), track, force.useful
     return Force(name, own.link, own.point, own.at, size, course, *when, line, other, resists)
 
 
@@ -135,12 +138,17 @@ def _floats(values: Iterable[Decimal]) -> tuple[float, ...]:
     return tuple(map(float, values))
 
 
+def _track(load: LoadTable) -> Track:
+    """Give whose stroke a load counts; a force between two links without another counts their own."""
+    return Track(load.stroke or "", load.working)
+
+
 def _overrun(rests: Vector) -> tuple[float, float]:
     return float(rests[0]), float(rests[1])
 
 
 def _moment(name: str, moment: MomentTable) -> Moment:
-    when = moment.phase, _overrun(moment.rests), moment.stroke or "", moment.useful
+    when = moment.phase, _overrun(moment.rests), _track(moment), moment.useful
     return Moment(name, moment.on, float(moment.value), moment.against is not None, *when)
 
 

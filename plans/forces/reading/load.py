@@ -7,6 +7,8 @@ from typing import Any
 
 from plans.forces.reading import fields as h
 from plans.model.machine import ALWAYS, IDLE, WORKING
+from plans.model.mechanism import SLOWER
+from plans.model.working import STROKES
 from plans.scene import fields as f
 from plans.scene.faults import wrong
 from plans.scene.forms import Form
@@ -27,9 +29,11 @@ def symbol() -> Any:
     return key(h.SYMBOL, None, meaning="Its letters on the sheet; default: F_us, F_D, M_3, F_s.")
 
 
-def only_with_stroke(*others: Form) -> Form:
-    """Give the rule that only a load which changes over a stroke names one."""
-    return {"dependentSchemas": {"stroke": {"anyOf": [PART, {"required": ["overrun"]}, *others]}}}
+def only_with_stroke(*others: Form, owned: tuple[str, ...] = ("stroke",)) -> Form:
+    """Give the rule that only a load which changes over a stroke names one, and of its own stroke which works."""
+    changes: Form = {"anyOf": [PART, {"required": ["overrun"]}, *others]}
+    own: Form = {"anyOf": [{"required": [name]} for name in owned]}
+    return {"dependentSchemas": {"stroke": changes, "working": {"allOf": [changes, own]}}}
 
 
 class LoadTable(Table):
@@ -45,7 +49,16 @@ class LoadTable(Table):
         NO_OVERRUN,
         meaning="Shares of the stroke at its ends (перебег) in which the load rests.",
     )
-    stroke: str | None = key(f.POINT, None, meaning="The point whose stroke counts; default: the output's.")
+    stroke: str | None = key(
+        f.POINT,
+        None,
+        meaning="The point whose stroke counts; default: the output's, of a force between two points their own.",
+    )
+    working: str = key(
+        f.words(*STROKES),
+        SLOWER,
+        meaning="Which stroke of that point is the working one; of the output [output] says it.",
+    )
     useful: bool = key(f.FLAG, True, meaning="Whether its work is what the machine is for.")
     name: str | None = symbol()
 
@@ -60,6 +73,11 @@ class LoadTable(Table):
         return self.overrun if isinstance(self.overrun, tuple) else (self.overrun, self.overrun)
 
     @property
+    def owns_stroke(self) -> bool:
+        """Whether the stroke that counts is another than the output's."""
+        return self.stroke is not None
+
+    @property
     def changes(self) -> bool:
         """Whether the load needs to know the stroke."""
         return self.phase != ALWAYS or self.rests != NO_OVERRUN
@@ -70,3 +88,5 @@ class LoadTable(Table):
             raise wrong("no_stroke_left", at=("overrun",))
         if self.stroke is not None and not self.changes:
             raise wrong("spare_stroke", at=("stroke",))
+        if "working" in self.given and not (self.changes and self.owns_stroke):
+            raise wrong("spare_working", at=("working",))
