@@ -34,6 +34,7 @@ from plans.model.dynamics import Account, Cycle, Flywheel, Speeds
 from plans.model.flywheel_methods import Methods
 from plans.model.flywheel_rim import Wheel
 from plans.model.kinetostatics import Loading
+from plans.model.machine import Track
 from plans.model.motion import Floats, Motion
 
 if TYPE_CHECKING:
@@ -96,7 +97,7 @@ def compare_dynamics(study: DynamicsStudy, motion: MotionComparison) -> Dynamics
     )
 
 
-def _loads(study: DynamicsStudy, strokes: Mapping[str, Stroke], motion: Motion) -> Loading:
+def _loads(study: DynamicsStudy, strokes: Mapping[Track, Stroke], motion: Motion) -> Loading:
     return loading(study.statics.machine, motion, strokes)
 
 
