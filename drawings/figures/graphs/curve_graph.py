@@ -9,9 +9,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from drawings.figures.graphs.axes import BEYOND, Axes
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot
-from drawings.layout.place import Place
 from drawings.lettering.lettering import text_width
 from drawings.page.drafting import Drafting
 from drawings.page.scale import Scale, fitting
@@ -19,13 +19,12 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Circle, Group, Line, Polyline, Stroke, Text
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.figure import Subject, heading
-from drawings.symbols.symbols import TICK, arrowhead
+from drawings.symbols.symbols import TICK
 from plans.model.motion import Floats
 
 TURN = 360.0  # degrees
 RATIO = 1.6  # a graph is drawn so many times as long as it is high
 TALLEST = 2.0  # times the largest of the positions: towards a dead centre of a drive forces have no limit
-BEYOND = 9.0  # mm that an axis goes beyond the graph, for its arrowhead
 MARGINS = Margins(3.2, 1.6, 1.0)  # paper around the graph for letters and numbers, in sizes of a letter
 LETTERS = 18.0  # a graph is drawn at least so many of its letters long: its positions are numbered
 DOT = 0.7  # mm, radius of a point of the curve
@@ -123,55 +122,40 @@ class GraphFigure:
         return (Group((*self.lines, Group(tuple(letters))), self.name),)
 
 
-class _Axes(NamedTuple):
-    """Where angles and values lie on paper."""
-
-    place: Place
-    zero: float  # height of the zero line on the sheet, mm
-    scale: Scale
-
-    def on(self, angle: float, value: float = 0.0) -> complex:
-        return complex(self.place.on(complex(angle)).real, self.zero + value / self.scale.mu)
-
-
 def draw(curve: GraphCurve, room: Picture, spot: Spot, drafting: Drafting) -> GraphFigure:
     """Draw the graph in its spot, with its title and both of its scales above it."""
     hand, scale = drafting.hand, scale_of(curve, room, spot, drafting.standard)
     place = room.place(*spot)
     low, high = curve.span
     spare = room.high / spot.scale.mu - (high - low) / scale.mu
-    frame = _Axes(place, place.on(0j).imag + spare / 2 - low / scale.mu, scale)
+    zero = place.on(0j)
+    frame = Axes(zero + 1j * (spare / 2 - low / scale.mu), spot.scale, scale)
     scales = f"{spot.scale.written(drafting.language)};  {scale.written(drafting.language)}"
     ordinates, stations = _ordinates(curve, room.name, frame, hand)
     title = heading(spot.box, curve.title, scales, hand)
     lines = (title, *_axes(curve, frame, hand), *ordinates, *_line(curve, frame, hand))
     last = frame.on(curve.length)
-    ends = (frame.on(0.0).real + 1j * (frame.on(0.0, high).imag + BEYOND), last + BEYOND)
+    ends = (frame.on(0.0, high) + 1j * BEYOND, last + BEYOND)
     axes = ((f"{curve.letter}, {drafting.word(curve.unit)}", ends[0], 0.0), ("φ", ends[1], math.pi / 2))
     if curve.closed:
         stations.append(("0", last, BELOW))
     return GraphFigure(curve, room.name, lines, tuple(stations), axes, hand)
 
 
-def _axes(curve: GraphCurve, frame: _Axes, hand: Hand) -> Iterator[Stroke]:
+def _axes(curve: GraphCurve, frame: Axes, hand: Hand) -> Iterator[Stroke]:
     """Draw both axes with their arrowheads, and a tick at their end."""
-    low, high = curve.span
-    first, last = frame.on(0.0), frame.on(curve.length)
-    for start, end in ((first, last + BEYOND), (frame.on(0.0, low), frame.on(0.0, high) + 1j * BEYOND)):
-        yield Line(start, end, hand.other)
-        head = arrowhead(start, end, hand.symbol)
-        if head is not None:
-            yield head
+    last = frame.on(curve.length)
+    yield from frame.lines((0.0, curve.length), curve.span, hand)
     yield Line(last - 1j * TICK, last + 1j * TICK, hand.other)
 
 
 def _ordinates(
-    curve: GraphCurve, plan: str, frame: _Axes, hand: Hand
+    curve: GraphCurve, plan: str, frame: Axes, hand: Hand
 ) -> tuple[list[Stroke], list[tuple[str, complex, float]]]:
     """Draw tick, ordinate and point of each position that is no gap; each ordinate can be measured."""
     strokes: list[Stroke] = []
     stations: list[tuple[str, complex, float]] = []
-    quantity = frame.scale.letter
+    quantity = frame.up.letter
     for k, (angle, value) in enumerate(zip(curve.stations, curve.ordinates, strict=True)):
         if angle > curve.length:  # a gap beyond the last position that is held
             continue
@@ -182,13 +166,13 @@ def _ordinates(
             continue
         tip = frame.on(float(angle), float(value))
         if abs(tip - foot) > LEAST:
-            data = Subject(plan, quantity, k).data("vector", str(k), 1j * float(value), frame.scale)
+            data = Subject(plan, quantity, k).data("vector", str(k), 1j * float(value), frame.up)
             strokes.append(Group((Line(foot, tip, hand.drafted),), "", data, str(k)))
         strokes.append(Circle(tip, DOT * hand.symbol, INK))
     return strokes, stations
 
 
-def _line(curve: GraphCurve, frame: _Axes, hand: Hand) -> Iterator[Stroke]:
+def _line(curve: GraphCurve, frame: Axes, hand: Hand) -> Iterator[Stroke]:
     """Draw the curve, broken at its gaps."""
     for run in stretches(curve.values):
         points = [frame.on(float(curve.angles[k]), float(curve.values[k])) for k in run]

@@ -1,0 +1,41 @@
+"""The axes of a graph on paper: where its values lie, arrows at their ends, a scale for each of them (оси графика)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from drawings.page.scale import Scale
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import Line, Stroke
+from drawings.symbols.symbols import arrowhead
+
+BEYOND = 9.0  # mm that an axis goes beyond the graph, for its arrowhead
+
+
+class Axes(NamedTuple):
+    """Where the values of a graph lie on paper: its zero, mm, and the scale and the direction of each axis."""
+
+    zero: complex
+    across: Scale
+    up: Scale
+    along: complex = 1 + 0j  # the way of the abscissas on paper
+    rise: complex = 1j  # that of the ordinates
+
+    def on(self, x: float, y: float = 0.0) -> complex:
+        """Give the place on paper of true values, mm."""
+        return self.zero + self.along * (x / self.across.mu) + self.rise * (y / self.up.mu)
+
+    def lines(self, across: tuple[float, float], up: tuple[float, float], hand: Hand) -> Iterator[Stroke]:
+        """Draw both axes over ranges of true values, each with its arrowhead beyond the end."""
+        (left, right), (low, high) = across, up
+        yield from arrow(self.on(left), self.on(right) + BEYOND * self.along, hand)
+        yield from arrow(self.on(0.0, low), self.on(0.0, high) + BEYOND * self.rise, hand)
+
+
+def arrow(start: complex, end: complex, hand: Hand) -> Iterator[Stroke]:
+    """Draw an axis with its arrowhead."""
+    yield Line(start, end, hand.other)
+    head = arrowhead(start, end, hand.symbol)
+    if head is not None:
+        yield head
