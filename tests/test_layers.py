@@ -38,6 +38,9 @@ SHARED = (
     "plans.model.kinetostatics",
     "plans.model.losses",
     "plans.model.rotor",
+    "plans.model.dynamics",
+    "plans.model.motor",
+    "plans.model.run",
 )
 ONLY_IN = {
     "svgwrite": ("drawings/pens/svg.py", "drawings/bench/plain_pen.py"),  # the bench times its defaults beside our pen
@@ -166,6 +169,7 @@ ROOMS = (
     ("plans.study", "plans.explanation"),
     ("plans.linkage", "plans.rotor"),
     ("plans.forces",),
+    ("plans.dynamics",),
     ("plans.checks", "plans.bench"),
     ("drawings.paper",),
     ("drawings.lettering", "drawings.measure"),
@@ -173,7 +177,7 @@ ROOMS = (
     ("drawings.layout", "drawings.report"),
     ("drawings.symbols",),
     ("drawings.figures.linkage", "drawings.figures.graphs", "drawings.figures.rotor"),
-    ("drawings.figures.forces",),
+    ("drawings.figures.forces", "drawings.figures.dynamics"),
     ("drawings.checks", "drawings.sheets"),
     ("drawings.bench", "drawings.gallery"),
     ("drawings.commands",),

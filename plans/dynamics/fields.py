@@ -1,4 +1,4 @@
-"""Fields of machine dynamics: a coefficient of fluctuation as 0.0125 or "1/80", ratios of shafts (величины динамики)."""
+"""Fields of machine dynamics: a coefficient of fluctuation as 0.0125 or "1/80", ratios (величины динамики)."""
 
 from __future__ import annotations
 

@@ -19,7 +19,7 @@ TURN = 2 * np.pi
 
 
 class Shaft(NamedTuple):
-    """A rotating mass of the machine unit (вал): its inertia kg*m2, and how many turns it makes for one of the crank."""
+    """A rotating mass of the machine unit (вал): inertia kg*m2, and its turns for one turn of the crank."""
 
     name: str
     inertia: float
@@ -104,12 +104,12 @@ class Cycle:
     @property
     def surplus(self) -> Floats:
         """Change of the kinetic energy since position 0, J (избыточная работа): of the drive and of the loads."""
-        return self.driving * self.turned + self.work
+        return np.asarray(self.driving * self.turned + self.work)
 
     @property
     def varying(self) -> Floats:
         """The part of the reduced inertia that changes, kg*m2: that above its value at position 0."""
-        return self.inertia - self.inertia[0]
+        return np.asarray(self.inertia - self.inertia[0])
 
 
 class Touch(NamedTuple):
@@ -180,3 +180,25 @@ class Speeds:
     def delta(self) -> float:
         """The coefficient of fluctuation that is achieved (6.13)."""
         return (self.extremes[1] - self.extremes[0]) / self.mean
+
+
+@dataclass(frozen=True)
+class Account:
+    """All that one road finds of a machine's motion; None: not asked for, or told elsewhere why there is none."""
+
+    by: str
+    reduced: Reduced
+    cycle: Cycle | None = None
+    flywheel: Flywheel | None = None
+    speeds: Speeds | None = None
+    before: Speeds | None = None
+
+    @property
+    def unanswered(self) -> tuple[Gap, ...]:
+        """The gaps of the reduction."""
+        return self.reduced.gaps
+
+    @property
+    def gaps(self) -> tuple[Gap, ...]:
+        """The gaps of the reduction."""
+        return self.reduced.gaps

@@ -1,0 +1,98 @@
+"""The numbers of a machine's motion as plain data, for `solve`: SI units, radians, null at gaps (числа динамики)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from plans.checks.plain_numbers import gap_numbers, plain
+from plans.dynamics.study import FLYWHEEL, REDUCTION, SPEEDS, WORKS
+from plans.model.dynamics import CONSTRUCTION, Account, Cycle, Flywheel, Reduced, Speeds
+
+if TYPE_CHECKING:
+    from plans.study import Study
+
+
+@dataclass(frozen=True)
+class DynamicsNumbers:
+    """A machine's motion by one road, and which of it is told."""
+
+    title: str
+    account: Account
+    plans: frozenset[str]
+
+    @property
+    def flawed(self) -> bool:
+        """Whether something has no numbers."""
+        return bool(self.account.unanswered)
+
+    def plain(self) -> dict[str, Any]:
+        """Give the numbers as plain data."""
+        account, data = self.account, dict[str, Any]()
+        if REDUCTION in self.plans:
+            data[REDUCTION] = _reduced(account.reduced)
+        if WORKS in self.plans and account.cycle is not None:
+            data[WORKS] = _cycle(account.cycle)
+        if FLYWHEEL in self.plans and account.flywheel is not None:
+            data[FLYWHEEL] = _flywheel(account.flywheel)
+        if SPEEDS in self.plans:
+            data[SPEEDS] = {"after": _speeds(account.speeds), "before": _speeds(account.before)}
+        return {"scene": self.title, "by": account.by, "dynamics": data}
+
+
+def numbers(study: Study, by: str) -> DynamicsNumbers:
+    """Give a machine's motion by a road (row of the table of techniques)."""
+    comparison = study.comparison("dynamics")
+    account = comparison.construction if by == CONSTRUCTION else comparison.exact
+    return DynamicsNumbers(study.scene.heading(), account, study.plans)
+
+
+def _reduced(found: Reduced) -> dict[str, Any]:
+    return {
+        "phi": plain(found.phi),
+        "moment": plain(found.moment),
+        "inertia": plain(found.inertia),
+        "slope": plain(found.slope),
+        "gaps": [gap_numbers(gap) for gap in found.gaps],
+    }
+
+
+def _cycle(found: Cycle) -> dict[str, Any]:
+    return {
+        "turned": plain(found.turned),
+        "breaks": plain(found.breaks),
+        "moments": [plain(row) for row in found.moments],
+        "means": plain(found.means),
+        "work": plain(found.work),
+        "surplus": plain(found.surplus),
+        "inertia": plain(found.inertia),
+        "driving": found.driving + 0.0,
+    }
+
+
+def _flywheel(found: Flywheel) -> dict[str, Any]:
+    return {
+        "psi": np.arctan(found.slopes).tolist(),
+        "cuts": list(found.cuts),
+        "touches": [one._asdict() for one in found.touches],
+        "whole": found.whole,
+        "energy": found.energy,
+        "own": found.own,
+        "present": found.present,
+        "needed": found.needed,
+        "inertia": found.inertia,
+    }
+
+
+def _speeds(found: Speeds | None) -> dict[str, Any] | None:
+    if found is None:
+        return None
+    return {
+        "turned": plain(found.turned),
+        "omega": plain(found.omega),
+        "epsilon": plain(found.epsilon),
+        "extremes": list(found.extremes),
+        "delta": found.delta,
+    }

@@ -1,0 +1,132 @@
+"""Where the reduced moment jumps or bends over a turn: strokes end, diagrams break, points reverse (границы участков).
+
+A graph is divided there, so that no strip has a jump or a bend inside it (M2.3). Each place is closed in on by the plan
+of positions, or the velocity plan, drawn for crank angles between its neighbours.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from plans.dynamics.reduction import Reduction
+from plans.forces.stroke import Stroke, asks
+from plans.linkage.assembly_limits import FAN, LOOKS, NODES, at_angles
+from plans.model.dynamics import TURN
+from plans.model.machine import ALWAYS, WORKING, Force, Moment
+from plans.model.motion import Floats, Motion
+
+# Two breaks are one if they are nearer than an extreme is known by its notch or a root: half the digits of an angle.
+SAME = 1e-7
+
+Height = Callable[[Motion], Floats]
+
+
+class Level(NamedTuple):
+    """What changes its sign at a break, and of a load that acts on one stroke alone that stroke."""
+
+    height: Height
+    stroke: Stroke | None = None
+    during: str = ALWAYS
+
+    def counts(self, phi: Floats) -> npt.NDArray[np.bool_]:
+        """Tell at which crank angles, rad, the load changes: not on the stroke on which it rests."""
+        if self.stroke is None or self.during == ALWAYS:
+            return np.ones(len(phi), dtype=bool)
+        return np.asarray(self.stroke.working(phi) == (self.during == WORKING))
+
+
+def breaks(reduction: Reduction) -> Floats:
+    """Give the angles turned since position 0, rad in [0, 2 pi), at which the reduced moment jumps or bends."""
+    places = [*_ends(reduction), *(place for level in _levels(reduction) for place in _zeros(reduction, level))]
+    return _distinct(np.mod(np.array(places, dtype=np.float64), TURN))
+
+
+def _ends(reduction: Reduction) -> Iterator[float]:
+    """Give the ends of all strokes over which a load changes."""
+    sense = reduction.study.sense
+    for stroke in reduction.statics.strokes.values():
+        yield from (sense * (end - reduction.start) for end in (stroke.begin, stroke.end))
+
+
+def _levels(reduction: Reduction) -> Iterator[Level]:
+    machine, strokes = reduction.statics.machine, reduction.statics.strokes
+    loads: tuple[Force | Moment, ...] = (*machine.forces, *machine.moments)
+    for load in loads:
+        if asks(load):
+            stroke = strokes[load.stroke]
+            yield from (Level(_passing(stroke, share), stroke, load.during) for share in _shares(load))
+        if isinstance(load, Moment) and load.against:
+            yield Level(_turning(load.link))
+        if isinstance(load, Force) and load.direction is None:
+            yield from _moving(reduction, load.point)
+
+
+def _shares(load: Force | Moment) -> list[float]:
+    """Give the shares of the stroke, inside it, at which a load changes its course."""
+    begin, end = load.overrun
+    places = {begin, 1.0 - end, *(load.diagram.travel if isinstance(load, Force) and load.diagram else ())}
+    return sorted(place for place in places if 0.0 < place < 1.0)
+
+
+def _passing(stroke: Stroke, share: float) -> Height:
+    return lambda motion: stroke.share(motion) - share
+
+
+def _turning(link: int) -> Height:
+    return lambda motion: motion.links[link].omega
+
+
+def _moving(reduction: Reduction, point: str) -> Iterator[Level]:
+    """Tell where a point reverses: its speed along the way that it had a node before changes its sign."""
+    speed = _nodes(reduction).points[point].v
+    with np.errstate(invalid="ignore"):
+        turns = np.flatnonzero((speed.conj() * np.roll(speed, -1)).real < 0)
+    for way in {complex(np.round(speed[k] / np.abs(speed[k]), 6)) for k in turns}:
+        yield Level(_along(point, way))
+
+
+def _along(point: str, way: complex) -> Height:
+    return lambda motion: np.asarray((way.conjugate() * motion.points[point].v).real)
+
+
+def _nodes(reduction: Reduction) -> Motion:
+    return _motion(reduction, TURN * np.arange(NODES) / NODES)
+
+
+def _motion(reduction: Reduction, turned: Floats) -> Motion:
+    return reduction.sweep.motion(at_angles(reduction.start + reduction.study.sense * turned), 1)
+
+
+def _zeros(reduction: Reduction, level: Level) -> Floats:
+    """Close in on all changes of sign of a level over the turn, by fans of crank angles between two neighbours."""
+    step = TURN / NODES
+    # Between the nodes of a turn that begins beside position 0: a break at position 0 itself is between two of them.
+    nodes = np.asarray(step * (np.arange(NODES + 1) - 0.5), dtype=np.float64)
+    above = level.height(_motion(reduction, nodes)) >= 0
+    low = nodes[:-1][above[1:] != above[:-1]]
+    high = low + step
+    for _ in range(LOOKS if low.size else 0):
+        low, high = _closer(reduction, level, low, high)
+    found = np.asarray((low + high) / 2)
+    return found[level.counts(reduction.start + reduction.study.sense * found)]
+
+
+def _closer(reduction: Reduction, level: Level, low: Floats, high: Floats) -> tuple[Floats, Floats]:
+    fan: Floats = np.linspace(low, high, FAN)
+    above = level.height(_motion(reduction, fan.ravel())).reshape(fan.shape) >= 0
+    changed = above != above[0]
+    change = np.where(changed.any(axis=0), np.argmax(changed, axis=0), FAN - 1)
+    each = np.arange(len(low))
+    return fan[change - 1, each], fan[change, each]
+
+
+def _distinct(places: Floats) -> Floats:
+    """Leave one of each that are the same; one that a rounding leaves short of a whole turn is at its beginning."""
+    within = np.sort(np.where(TURN - places < SAME, 0.0, places))
+    kept = [place for before, place in pairwise([-TURN, *within.tolist()]) if place - before > SAME]
+    return np.array(kept, dtype=np.float64)

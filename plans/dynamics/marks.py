@@ -1,0 +1,77 @@
+"""Marks of a machine's motion by the names that `explain` takes: M_red, J_red, A_7, A_dr, o1k, o1l, J_0 (точки)."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from geometry.board import Mark
+from geometry.steps import behind
+from plans.dynamics.cycle import WORKS
+from plans.dynamics.loop import LOOP, Loop
+from plans.dynamics.reduction import Reducing
+from plans.dynamics.speeds import SPEEDS
+from plans.explanation import Explanation, NoMark, UnknownMark
+from plans.linkage import marks as motion
+from plans.words.words import Message, message
+
+if TYPE_CHECKING:
+    from plans.dynamics.study import DynamicsStudy
+    from plans.study import Study
+
+MOMENT, INERTIA, DRIVE = "M_red", "J_red", "A_dr"
+SEGMENTS = {"o1k": 1, "o1l": 0}
+POINT = re.compile(r"A_(?P<edge>\d+)")
+UNITS = {**motion.UNITS, "forces": "N", "lever": "m", WORKS: "J", LOOP: "J", SPEEDS: "rad/s"}
+EXAMPLES = (MOMENT, INERTIA, "o1k")
+
+
+def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
+    """Give the steps behind a mark: of the reduction in one position, of the diagrams in the whole turn."""
+    dynamics: DynamicsStudy = study["dynamics"]
+    if name in (MOMENT, INERTIA):
+        return _reduced(dynamics, position, name)
+    targets = _diagram(dynamics, name)
+    if targets is None:
+        return NoMark((MOMENT, INERTIA, DRIVE, *SEGMENTS, "J_0"), None, EXAMPLES)
+    return Explanation(message("explain.name", mark=name), tuple(behind(*targets)), UNITS, _notes(dynamics, name))
+
+
+def _reduced(dynamics: DynamicsStudy, position: int, name: str) -> Explanation:
+    linkage = dynamics.linkage
+    wanted = motion.position_of(linkage, position)
+    lever = Reducing(dynamics.reduction, linkage.turn.part([wanted]))
+    inertial = name == INERTIA
+    terms = lever.moved if inertial else lever.acting
+    total = float((lever.inertia if inertial else lever.moment)[0])
+    note = message("explain.sum", mark=name, value=f"{total + 0.0:.10g}", unit="kg*m2" if inertial else "N*m")
+    return Explanation(motion.title(linkage, name, wanted), tuple(behind(*terms)), UNITS, (note,), motion.HOME)
+
+
+def _diagram(dynamics: DynamicsStudy, name: str) -> tuple[Mark, ...] | None:
+    """Find a mark of the works or of the loop."""
+    point = POINT.fullmatch(name)
+    if point:
+        return (_work(dynamics, int(point["edge"])),)
+    if name == DRIVE:
+        return (dynamics.works.drive,)
+    loop = dynamics.loop if name in (*SEGMENTS, "J_0") else None
+    if loop is None:
+        return None
+    return (loop.tangents[SEGMENTS[name]].cut,) if name in SEGMENTS else (loop.origin,)
+
+
+def _work(dynamics: DynamicsStudy, edge: int) -> Mark:
+    points = dynamics.works.curve.points
+    if edge >= len(points):
+        raise UnknownMark(message("mark.strip", edge=edge, last=len(points) - 1))
+    return points[edge]
+
+
+def _notes(dynamics: DynamicsStudy, name: str) -> tuple[Message, ...]:
+    """Say how J0 follows from the segments, which do not hang on a far meeting of two lines."""
+    loop: Loop | None = dynamics.loop
+    if name != "J_0" or loop is None:
+        return ()
+    wheel = loop.flywheel
+    return (message("explain.whole", whole=f"{wheel.whole:.10g}", energy=f"{wheel.energy:.10g}"),)

@@ -1,0 +1,178 @@
+"""Loads and masses reduced to the crank by Zhukovsky's lever (приведение сил и масс, M4.2, M4.4).
+
+The crank turns at one radian a second: the velocity plan then shows what each point moves for a radian of the crank.
+On that plan, turned into a lever, loads and weights have the reduced moment, the momenta of all masses the reduced
+inertia, and mass times acceleration half of its slope.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from copy import copy
+from dataclasses import replace
+from functools import cached_property
+
+import numpy as np
+
+from geometry.board import Mark
+from geometry.precision import errors
+from plans.forces.cut import INERTIA, LOAD, WEIGHT, Couple, Load
+from plans.forces.force import ForcePlan
+from plans.forces.lever import Lever, lever
+from plans.forces.loading import loading
+from plans.forces.statics import Statics
+from plans.linkage.acceleration import accelerations
+from plans.linkage.assembly_limits import Sweep, at_angles
+from plans.linkage.crank_positions import CrankPositions
+from plans.linkage.study import LinkageStudy
+from plans.linkage.velocity import velocities
+from plans.model.dynamics import CONSTRUCTION, Reduced
+from plans.model.mechanism import Mechanism
+from plans.model.motion import Floats
+from plans.model.order import VELOCITIES
+from plans.words.words import because
+
+
+class Reducing:
+    """The lever at some crank positions, whatever is not reached: what hangs on it, and what it has about its pole."""
+
+    def __init__(self, reduction: Reduction, turn: CrankPositions) -> None:
+        self.reduction, self.turn = reduction, turn
+
+    @cached_property
+    @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, and is named outside
+    def plan(self) -> ForcePlan:
+        """The forces at these positions, on the plans of a crank that turns at one radian a second."""
+        sweep, statics = self.reduction.sweep, self.reduction.statics
+        groups = self.reduction.study.groups
+        speeds = velocities(sweep.positions(self.turn), groups)
+        acting = loading(statics.machine, sweep.motion(self.turn, 2), statics.strokes)
+        return ForcePlan(accelerations(speeds, groups), statics.machine, acting)
+
+    @cached_property
+    def forces(self) -> Lever | None:
+        """The lever with loads, weights, and mass times acceleration with the sign of an inertia force."""
+        return _hung(self.plan)
+
+    @cached_property
+    def momenta(self) -> Lever | None:
+        """The lever with the momenta of all masses."""
+        return _hung(_with_momenta(self.plan))
+
+    @property
+    def acting(self) -> tuple[Mark, ...]:
+        """The moments of loads and weights about the pole."""
+        return tuple(_moments(self.forces, self._names(LOAD, WEIGHT)))
+
+    @property
+    def moved(self) -> tuple[Mark, ...]:
+        """The moments of momenta about the pole."""
+        return tuple(mark for _, mark in self.momenta.moments) if self.momenta else ()
+
+    @property
+    def hindering(self) -> tuple[Mark, ...]:
+        """The moments of inertia forces about the pole."""
+        return tuple(_moments(self.forces, self._names(INERTIA)))
+
+    def _names(self, *kinds: str) -> frozenset[str]:
+        acting: list[Load | Couple] = [one for row in self.plan.loads.values() for one in row]
+        acting += [one for row in self.plan.couples.values() for one in row]
+        return frozenset(one.name for one in acting if one.kind in kinds)
+
+    @property
+    def moment(self) -> Floats:
+        """The reduced moment of loads and weights, N*m, positive in the sense of rotation."""
+        return self._total(self.acting)
+
+    @property
+    def inertia(self) -> Floats:
+        """The reduced inertia of the linkage, kg*m2."""
+        return self._total(self.moved)
+
+    @property
+    def slope(self) -> Floats:
+        """The derivative of the reduced inertia by the angle turned, kg*m2."""
+        return -2 * self._total(self.hindering)
+
+    def _total(self, moments: Iterable[Mark]) -> Floats:
+        return sum((np.asarray(mark.point).real for mark in moments), np.zeros(len(self.turn)))
+
+    def off(self, moments: tuple[Mark, ...]) -> Floats:
+        """Bound how far rounding can have moved the sum of some moments."""
+        bounds = errors(*moments) if moments else {}
+        return sum((bounds[mark].place for mark in moments), np.zeros(len(self.turn)))
+
+
+class Reduction:
+    """The reduction of a scene's machine to its crank, at any of its positions."""
+
+    def __init__(self, study: LinkageStudy, statics: Statics) -> None:
+        self.study, self.statics = study, statics
+
+    @cached_property
+    def sweep(self) -> Sweep:
+        """The mechanism at one radian a second."""
+        return self.study.sweep.over(unit(self.study.mechanism, self.study.sense))
+
+    @property
+    def start(self) -> float:
+        """The crank angle of position 0, rad."""
+        return float(self.study.turn.phi[0])
+
+    def at(self, turned: Floats) -> Reducing:
+        """Hang everything on the lever at some angles turned since position 0, rad."""
+        return Reducing(self, at_angles(self.start + self.study.sense * turned))
+
+    @cached_property
+    def own(self) -> Reducing:
+        """The lever at the positions of the scene."""
+        return Reducing(self, self.study.turn)
+
+    @cached_property
+    def reduced(self) -> Reduced:
+        """Reduced moment and inertia at the positions of the scene."""
+        gaps = self.study.motion(VELOCITIES.number).gaps
+        gone = np.zeros(len(self.study.turn), dtype=bool)
+        gone[[gap.position for gap in gaps]] = True
+        told = (self.own.moment, self.own.inertia, self.own.slope)
+        moment, inertia, slope = (np.where(gone, np.nan, row) for row in told)
+        return Reduced(CONSTRUCTION, self.study.turn.phi, moment, inertia, slope, gaps)
+
+
+def unit(mechanism: Mechanism, sense: int) -> Mechanism:
+    """Give the mechanism with a crank that turns steadily at one radian a second."""
+    return replace(mechanism, drive=replace(mechanism.drive, omega=float(sense), epsilon=0.0))
+
+
+@np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, and is named outside
+def _hung(plan: ForcePlan) -> Lever | None:
+    return lever(plan)
+
+
+def _with_momenta(plan: ForcePlan) -> ForcePlan:
+    """Give each link its momentum at the mass centre, and its moment of momentum, in place of its forces."""
+    other = copy(plan)
+    other.loads = {link: list(_momentum(plan, link)) for link in plan.loads}
+    other.couples = {link: list(_spin(plan, link)) for link in plan.couples}
+    return other
+
+
+def _momentum(plan: ForcePlan, link: int) -> Iterator[Load]:
+    body = plan.machine.bodies.get(link)
+    if body is None or not body.mass:
+        return
+    speed = plan.centre(plan.velocities, body)
+    if speed is not plan.velocities.pole:
+        mark = plan.board.turn(f"Q_{link}", speed, body.mass, because("momentum"))
+        yield Load(f"Q_{link}", link, plan.centre(plan.positions, body), mark, INERTIA)
+
+
+def _spin(plan: ForcePlan, link: int) -> Iterator[Couple]:
+    body, reading = plan.machine.bodies.get(link), plan.velocities.readings.get(link)
+    if body is not None and body.inertia and reading is not None:
+        mark = plan.board.couple(f"K_{link}", *reading, body.inertia, because("moment_of_momentum"))
+        yield Couple(f"K_{link}", link, mark, INERTIA)
+
+
+def _moments(hung: Lever | None, names: frozenset[str]) -> Iterator[Mark]:
+    return (mark for name, mark in (hung.moments if hung else ()) if name in names)

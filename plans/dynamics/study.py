@@ -1,0 +1,131 @@
+"""The study of a machine's motion: reduction, works, loop, speeds, each made once, when asked for (динамика машины)."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from geometry.errors import ConstructionError
+from plans.dynamics.cycle import Turn, Works
+from plans.dynamics.loop import Loop, loop
+from plans.dynamics.reading import task_of
+from plans.dynamics.reduction import Reduction
+from plans.dynamics.speeds import SpeedCurve, natural, speed_curve
+from plans.forces.statics import Statics
+from plans.linkage.obstruction import obstruction
+from plans.linkage.study import LinkageStudy
+from plans.model.dynamics import Cycle, Flywheel, Reduced, Speeds, Task
+from plans.words.words import message, placed
+
+if TYPE_CHECKING:
+    from plans.study import Study
+
+REDUCTION, WORKS, FLYWHEEL, SPEEDS, RUN = "reduction", "works", "flywheel", "speeds", "run"
+
+
+class NoCycle(ConstructionError):  # noqa: N818  (the exception tree's own word)
+    """A steady motion was asked of a machine whose crank cannot turn fully."""
+
+
+class DynamicsStudy:
+    """A machine and its motion by construction."""
+
+    def __init__(self, linkage: LinkageStudy, statics: Statics) -> None:
+        self.linkage, self.statics = linkage, statics
+        self.made: dict[str, None] = {}
+
+    def construct(self, plans: Collection[str]) -> None:
+        """Make what is asked for."""
+        asked = {REDUCTION: "reduced", WORKS: "works", FLYWHEEL: "loop", SPEEDS: "curve"}
+        for plan, name in asked.items():
+            if plan in plans:
+                getattr(self, name)
+
+    @cached_property
+    def task(self) -> Task:
+        """What is asked of the motion."""
+        return task_of(self.linkage.scene)
+
+    @cached_property
+    def reduction(self) -> Reduction:
+        """The reduction to the crank, at any position."""
+        return Reduction(self.linkage, self.statics)
+
+    @cached_property
+    def reduced(self) -> Reduced:
+        """Reduced moment and inertia at the positions of the scene."""
+        self.made.setdefault(REDUCTION)
+        return self.reduction.reduced
+
+    @cached_property
+    def turn(self) -> Turn:
+        """The steady turn in strips."""
+        study = self.linkage
+        if study.barriers or study.assembly.phi is None:
+            line, _ = study.scene.place(("dynamics",))
+            why = message("dynamics.no_cycle", why=obstruction(study.sweep))
+            raise NoCycle(placed(f"{study.scene.file}:{line}", why))
+        return Turn(self.reduction, self.task.divisions)
+
+    @cached_property
+    def works(self) -> Works:
+        """The works of the steady turn."""
+        self.made.setdefault(WORKS)
+        return self.turn.works
+
+    @property
+    def cycle(self) -> Cycle:
+        """The account of the steady turn."""
+        return self.works.cycle
+
+    @cached_property
+    def loop(self) -> Loop | None:
+        """Wittenbauer's loop with its tangents; None where no fluctuation is asked for."""
+        if self.task.delta is None:
+            return None
+        self.made.setdefault(FLYWHEEL)
+        return loop(self.cycle, self.task)
+
+    @property
+    def flywheel(self) -> Flywheel | None:
+        """The flywheel; None where no fluctuation is asked for."""
+        return self.loop.flywheel if self.loop else None
+
+    @property
+    def bare(self) -> float:
+        """The inertia kg*m2 of the machine at position 0 without a flywheel."""
+        return float(self.cycle.inertia[0]) + self.task.present
+
+    @cached_property
+    def curve(self) -> SpeedCurve | None:
+        """The motion with the flywheel, or of a machine that needs none; None where no fluctuation is asked for."""
+        wheel = self.flywheel
+        if wheel is None:
+            return None
+        if wheel.needed <= 0:
+            return self.unaided
+        self.made.setdefault(SPEEDS)
+        return speed_curve(self.cycle, wheel.whole, wheel.energy)
+
+    @cached_property
+    def unaided(self) -> SpeedCurve | None:
+        """The motion without a flywheel; None where the machine would stop."""
+        self.made.setdefault(SPEEDS)
+        energy = natural(self.cycle, self.bare, self.task.speed) if self.bare > 0 else None
+        return None if energy is None else speed_curve(self.cycle, self.bare, energy)
+
+    @property
+    def speeds(self) -> Speeds | None:
+        """The achieved motion."""
+        return self.curve.speeds if self.curve else None
+
+    @property
+    def before(self) -> Speeds | None:
+        """The motion without a flywheel."""
+        return self.unaided.speeds if self.unaided else None
+
+
+def study_of(study: Study) -> DynamicsStudy:
+    """Make the study of a scene's motion (row of the table of techniques)."""
+    return DynamicsStudy(study["linkage"], study["forces"])
