@@ -111,7 +111,10 @@ def _points(loop: Loop, numbered: Sequence[int], axes: Axes, hand: Hand) -> Iter
     yield Group((pole(axes.zero),), "", subject.data("pole", "o1", 0j, PAPER), "o_{1}")
     for k, place in enumerate(_places(loop, axes)):
         dot = Circle(place, (TOUCH if k in loop.touches else DOT) * hand.symbol, INK)
-        name, value = loop.strips.names[k], complex(loop.cycle.varying[k] / axes.across.mu, loop.cycle.surplus[k] / axes.up.mu)
+        name, value = (
+            loop.strips.names[k],
+            complex(loop.cycle.varying[k] / axes.across.mu, loop.cycle.surplus[k] / axes.up.mu),
+        )
         data = subject._replace(position=k).data("point", name, value, PAPER)
         yield Group((dot,), "", data, name) if k in numbered else dot
 
@@ -205,8 +208,7 @@ class _Tangent:
     def letters(self) -> Iterator[Letter]:
         """The angle, the cut and the segment, lettered."""
         size, side = self.hand.letter, OVER if self.which else UNDER
-        middle = self.end + ARM * size * self.along / 2
-        yield Letter(middle, ANGLES[self.which], size, side)
+        yield Letter(self.end, ANGLES[self.which], size, side)
         yield Letter(self.cut, CUTS[self.which], size, math.pi / 4 if self.which else -math.pi / 4)
         if self.dimension is not None:
             yield Letter(self.dimension.middle, self.dimension.letter, size, LEFT)
@@ -215,7 +217,11 @@ class _Tangent:
 def _broken_off(tail: complex, start: complex, along: complex, hand: Hand) -> Stroke:
     """Draw a line to a place where it is broken off: a zigzag across it, and a little more of it."""
     step, off = BREAK * along, BREAK * 1.4j * along
-    return Polyline((start, tail, tail - step / 2 + off, tail - 1.5 * step - off, tail - 2 * step, tail - 5 * step), False, hand.relative)
+    return Polyline(
+        (start, tail, tail - step / 2 + off, tail - 1.5 * step - off, tail - 2 * step, tail - 5 * step),
+        False,
+        hand.relative,
+    )
 
 
 def _plain(name: str) -> str:

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from drawings.layout.labels import Labels
 from drawings.lettering.lettering import text_width
+from drawings.paper.formats import Field
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Stroke, Text
 
@@ -38,9 +39,13 @@ class Part(NamedTuple):
         return Group((*self.lines, Group(letters)), self.name)
 
 
-def caption(at: complex, title: str, scales: str, hand: Hand) -> Group:
-    """Write a part's title and its scales on one line, centred under a place."""
-    own, more = Text(0j, title, hand.title, "start", True), Text(0j, scales, hand.text, "start", True)
-    start = at - (text_width(own) + BETWEEN + text_width(more)) / 2 - 1j * hand.title
-    then = start + text_width(own) + BETWEEN
+def caption(title: str, scales: str, field: Field, hand: Hand) -> Group:
+    """Write a part's title and its scales on one line at the top of a field, in its middle if it is no longer."""
+    start = complex(max(field.centre.real - wide(title, scales, hand) / 2, field.left), field.top - hand.title)
+    then = start + text_width(Text(0j, title, hand.title)) + BETWEEN
     return Group((Text(start, title, hand.title, "start", True), Text(then, scales, hand.text, "start", True)))
+
+
+def wide(title: str, scales: str, hand: Hand) -> float:
+    """Give the length of a caption, mm."""
+    return text_width(Text(0j, title, hand.title)) + BETWEEN + text_width(Text(0j, scales, hand.text))

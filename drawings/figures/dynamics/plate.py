@@ -6,47 +6,43 @@ scale, and under the inertia, turned by 90 degrees, in that one's.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import product
 from typing import NamedTuple
 
+from drawings.figures.dynamics import equations, quantities, rays, strip_graph
 from drawings.figures.dynamics import loop as loop_figure
-from drawings.figures.dynamics import quantities, rays, strip_graph
 from drawings.figures.dynamics.curves import Dense, dense
 from drawings.figures.dynamics.loop import Loop
-from drawings.figures.dynamics.part import Part, caption
+from drawings.figures.dynamics.part import Part, caption, wide
 from drawings.figures.dynamics.strip_graph import StripGraph
 from drawings.figures.dynamics.strips import Strips, strips
 from drawings.figures.graphs.axes import BEYOND, Axes
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot
+from drawings.lettering.extent import bounds
 from drawings.page.drafting import Drafting
 from drawings.page.scale import Scale, fitting
 from drawings.paper.formats import Field
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Group, Line, Stroke
-from plans.model.dynamics import TURN, Cycle, Flywheel, Speeds, Task
+from drawings.paper.strokes import Group, Line, Polyline, Stroke
+from drawings.symbols.dashes import fit_dashes
+from drawings.symbols.trimming import trim
+from plans.model.dynamics import TURN, Account, Cycle, Task
 
 MOMENTS, WORKS, SURPLUS, SPEEDS = 0.30, 0.40, 0.76, 0.34  # heights of the rows, in lengths of the axis of angles
-WIDE = 0.82  # width of the loop, likewise
+WIDE = 0.86  # width of the loop, likewise
 LONG = 24.0  # sizes of a letter that the axis of angles has at least: its positions are numbered
 POLE = (3.5, 9.0)  # least and greatest pole distance, in sizes of a letter
-LEFT, MIDDLE, RIGHT = 10.5, 9.0, 6.0  # paper beside the graphs, between them and the loop, beside it, likewise
+LEFT, MIDDLE, RIGHT = 10.0, 8.0, 5.4  # paper beside the graphs, between them and the loop, beside it, likewise
 LARGER = 1 + 1e-9  # times an extent that fits: no two standard scales lie so near
+TITLES = ("reduced moments", "works", "surplus energy", "speed over the turn", "loop")
+CLEAR = 1.5  # mm around a caption
+FIRST = (quantities.SURPLUS, quantities.WORKS, quantities.MOMENTS, quantities.SPEEDS)  # what is enlarged first
 COARSER = 4  # scales tried beyond the largest: they differ by ten times
 GRAPHS, ENERGY = "diagrams", "energy-mass"  # names of the plates
-
-
-class Machine(NamedTuple):
-    """What the plates show of a machine: its task, the account of its turn, its flywheel, its speeds."""
-
-    task: Task
-    cycle: Cycle
-    flywheel: Flywheel | None = None
-    speeds: Speeds | None = None
-    before: Speeds | None = None
 
 
 class Row(NamedTuple):
@@ -61,7 +57,8 @@ class Plate:
     """What stands on one plate: graphs, the loop, or both of them in line."""
 
     name: str
-    machine: Machine
+    task: Task
+    account: Account
     graphs: bool
     loop: bool
     drafting: Drafting
@@ -71,20 +68,26 @@ class Plate:
         """The hand that draws."""
         return self.drafting.hand
 
+    @property
+    def cycle(self) -> Cycle:
+        """The account of the steady turn."""
+        assert self.account.cycle is not None  # without one there is nothing to draw over the turn
+        return self.account.cycle
+
     @cached_property
     def dense(self) -> Dense:
         """The turn followed densely."""
-        return dense(self.machine.cycle)
+        return dense(self.cycle)
 
     @cached_property
     def strips(self) -> Strips:
         """The strips of the turn."""
-        return strips(self.machine.cycle, self.machine.task.divisions)
+        return strips(self.cycle, self.task.divisions)
 
     @cached_property
     def shown(self) -> Loop:
         """The loop."""
-        return Loop(self.machine.cycle, self.dense, self.strips, self.machine.flywheel)
+        return Loop(self.cycle, self.dense, self.strips, self.account.flywheel)
 
     @property
     def rows(self) -> tuple[Row, ...]:
@@ -93,7 +96,7 @@ class Plate:
         if not self.graphs:
             return Row(quantities.INERTIA, MOMENTS + WORKS), middle
         first = Row(quantities.MOMENTS, MOMENTS), Row(quantities.WORKS, WORKS)
-        last = (Row(quantities.SPEEDS, SPEEDS),) if self.machine.speeds else ()
+        last = (Row(quantities.SPEEDS, SPEEDS),) if self.account.speeds else ()
         return *first, middle if self.loop else Row(quantities.SURPLUS, WORKS), *last
 
     @property
@@ -105,6 +108,12 @@ class Plate:
     def under(self) -> float:
         """Paper under the lines of a row, mm: numbers."""
         return 2 * self.hand.number
+
+    @property
+    def below(self) -> float:
+        """Paper under the last row, mm: for the equations of the loop, where they do not stand beside a row."""
+        written = self.account.flywheel is not None and self.loop and not (self.graphs and self.account.speeds)
+        return equations.height(self.drafting) if written else 0.0
 
     @property
     def beside(self) -> tuple[float, float, float]:
@@ -128,9 +137,17 @@ def measure(plate: Plate) -> Picture:
     """Measure the room of a plate; its scale is that of the angle, to which all its sizes go."""
     wide, high = TURN * plate.wide, TURN * plate.high
     between = len(plate.rows) * (plate.over + plate.under)
-    margins = Margins(sum(plate.beside) / 2, 0.0, between)
-    least = LONG * plate.hand.letter * max(plate.wide, plate.high)
+    margins = Margins(sum(plate.beside) / 2, plate.below, between)
+    least = max(LONG * plate.hand.letter, _longest(plate)) * max(plate.wide, plate.high)
     return Picture(plate.name, wide, high, complex(wide, high) / 2, "φ", "rad", margins, 0.0, least)
+
+
+def _longest(plate: Plate) -> float:
+    """Give the length of the axis of angles beside whose end the captions of the graphs have room, mm."""
+    drafting = plate.drafting
+    scales = f"{drafting.scale(Scale(0.025, 'J', 'kg*m2'))};  {drafting.scale(Scale(0.025, 'φ', 'rad'))}"
+    longest = max(wide(drafting.word(title), scales, plate.hand) for title in TITLES)
+    return longest - BEYOND - 2 * plate.hand.letter
 
 
 @dataclass(frozen=True)
@@ -165,7 +182,17 @@ class _Drawing:
     @property
     def figure(self) -> PlateFigure:
         parts = [*self._graphs(), *self._energy()]
-        return PlateFigure(tuple(parts), Group(tuple(self._joining()), "transfer"))
+        masks = [_mask(part.lines[0]) for part in parts if part.name != rays.NAME]
+        joining = fit_dashes(trim(self._joining(), masks))
+        return PlateFigure((*parts, *self._equations()), Group(tuple(joining), "transfer"))
+
+    def _equations(self) -> Iterator[Part]:
+        """Write under the loop what it gives."""
+        wheel = self.plate.account.flywheel
+        if self.plate.loop and wheel is not None:
+            left = self.loop_axes.zero.real - loop_figure.TAIL * self.plate.hand.letter
+            corner = complex(left, self.fields[quantities.SURPLUS].bottom - 2 * self.plate.under)
+            yield Part(equations.NAME, (equations.write(wheel, self.loop_axes, corner, self.plate.drafting),), ())
 
     @property
     def length(self) -> float:
@@ -177,19 +204,51 @@ class _Drawing:
         """The fields of the rows' lines, by what they show, as wide as the axis of angles."""
         box, plate = self.spot.box, self.plate
         left, top, fields = box.left + plate.beside[0], box.top, {}
-        for row in plate.rows:
+        for name, high in self.heights.items():
             top -= plate.over
-            fields[row.name] = Field(left, top - row.high * self.length, left + self.length, top)
-            top -= row.high * self.length + plate.under
+            fields[name] = Field(left, top - high, left + self.length, top)
+            top -= high + plate.under
         return fields
 
     @cached_property
+    def heights(self) -> dict[str, float]:
+        """The heights of the rows, mm: what one leaves at its scale goes to the loop first, then to the others."""
+        rooms = {row.name: row.high * self.length for row in self.plate.rows}
+        found = {name: self._filled(name, room) for name, room in rooms.items()}
+        for name in FIRST:
+            if name in found:
+                spare = sum(rooms.values()) - sum(found.values())
+                found[name] = self._filled(name, found[name] + spare)
+        spare = sum(rooms.values()) - sum(found.values())
+        return {name: high + spare / len(found) for name, high in found.items()}
+
+    def _filled(self, name: str, room: float) -> float:
+        """Give how much of a room the values of a row fill at a standard scale, mm."""
+        low, high = self.spans[name]
+        return room if high == low else (high - low) / self._fitting(high - low, room, "", "").mu
+
+    @cached_property
+    def spans(self) -> dict[str, tuple[float, float]]:
+        """The least and the greatest value of each row."""
+        graphs = (self.moments, self.works, self.surplus, *([self.speeds] if self.speeds else []))
+        spans = {graph.name: graph.span for graph in graphs}
+        if self.plate.loop:
+            spans[quantities.SURPLUS] = self.plate.shown.up
+        return {**spans, quantities.INERTIA: (0.0, 0.0)}
+
+    @cached_property
+    def speeds(self) -> StripGraph | None:
+        """The graph of the speeds."""
+        found = self.plate.account.speeds
+        return quantities.speeds(self.plate.cycle, self.plate.dense, found) if found else None
+
+    @cached_property
     def surplus(self) -> StripGraph:
-        return quantities.surplus(self.plate.machine.cycle, self.plate.dense)
+        return quantities.surplus(self.plate.cycle, self.plate.dense)
 
     @cached_property
     def inertia(self) -> StripGraph:
-        return quantities.inertia(self.plate.machine.cycle, self.plate.dense)
+        return quantities.inertia(self.plate.cycle, self.plate.dense)
 
     @cached_property
     def energy_scale(self) -> Scale:
@@ -221,11 +280,11 @@ class _Drawing:
 
     @cached_property
     def moments(self) -> StripGraph:
-        return quantities.moments(self.plate.machine.cycle, self.plate.dense)
+        return quantities.moments(self.plate.cycle, self.plate.dense)
 
     @cached_property
     def works(self) -> StripGraph:
-        return quantities.works(self.plate.machine.cycle)
+        return quantities.works(self.plate.cycle)
 
     def _fitting(self, extent: float, room: float, letter: str, unit: str) -> Scale:
         return fitting(extent, room, letter, unit, self.plate.drafting.standard)
@@ -269,26 +328,33 @@ class _Drawing:
         if not self.plate.graphs:
             return
         moments, works, distance = self.integration
-        cycle, hand = self.plate.machine.cycle, self.plate.hand
+        cycle, hand = self.plate.cycle, self.plate.hand
         axes = self._axes(self.moments, moments)
         yield self._graph(self.moments, axes, "reduced moments")
         yield rays.draw(cycle, axes, distance, hand)
-        yield self._graph(self.works, self._axes(self.works, works), "works", f"H = {self.plate.drafting.number(distance)} {self.plate.drafting.word('mm')}")
+        yield self._graph(
+            self.works,
+            self._axes(self.works, works),
+            "works",
+            f"H = {self.plate.drafting.number(distance)} {self.plate.drafting.word('mm')}",
+        )
         yield self._graph(self.surplus, self.surplus_axes, "surplus energy")
-        machine = self.plate.machine
-        if machine.speeds is not None:
-            graph = quantities.speeds(cycle, self.plate.dense, machine.speeds)
-            room = self.fields[graph.name].height
-            up = self._fitting(graph.span[1] - graph.span[0], room, "ω", "rad/s")
-            yield self._graph(graph, self._axes(graph, up), "speed over the turn")
+        if self.speeds is not None:
+            low, high = self.speeds.span
+            up = self._fitting(high - low, self.fields[self.speeds.name].height, "ω", "rad/s")
+            yield self._graph(self.speeds, self._axes(self.speeds, up), "speed over the turn", self._mean())
+
+    def _mean(self) -> str:
+        """Write the mean speed, from which the speeds are drawn."""
+        drafting = self.plate.drafting
+        return f"ω_m = {drafting.number(self.plate.task.speed, 5)} {drafting.word('rad/s')}"
 
     def _graph(self, graph: StripGraph, axes: Axes, title: str, more: str = "") -> Part:
         """Draw a graph with its title over it."""
         plate, drafting = self.plate, self.plate.drafting
         part = strip_graph.draw(graph, plate.strips, axes, drafting)
-        scales = ";  ".join(filter(None, (drafting.scale(axes.up), drafting.scale(axes.across), more)))
-        field = self.fields[graph.name]
-        head = caption(complex(field.centre.real, field.top + plate.over), drafting.word(title), scales, plate.hand)
+        scales = ";  ".join((drafting.scale(axes.up), more or drafting.scale(axes.across)))
+        head = caption(drafting.word(title), scales, self._over(graph.name), plate.hand)
         return part._replace(lines=(head, *part.lines))
 
     def _energy(self) -> Iterator[Part]:
@@ -296,20 +362,29 @@ class _Drawing:
         if not self.plate.loop:
             return
         plate, drafting = self.plate, self.plate.drafting
-        middle = self.loop_axes.on(sum(plate.shown.across) / 2).real
         turned = strip_graph.draw(self.inertia, plate.strips, self.inertia_axes, drafting)
-        scales = f"{drafting.scale(self.inertia_scale)};  {drafting.scale(self.inertia_axes.across)}"
-        high = max(field.top for field in self.fields.values()) + plate.over
-        head = caption(complex(middle, high), drafting.word("reduced inertia"), scales, plate.hand)
-        yield turned._replace(lines=(head, *turned.lines))
-        part = loop_figure.draw(plate.shown, self.loop_axes, drafting)
-        scales = f"{drafting.scale(self.energy_scale)};  {drafting.scale(self.inertia_scale)}"
-        place = complex(middle, self.fields[quantities.SURPLUS].top + plate.over)
-        yield part._replace(lines=(caption(place, drafting.word("loop"), scales, plate.hand), *part.lines))
+        yield self._headed(
+            turned, plate.rows[0].name, "reduced inertia", (self.inertia_scale, self.inertia_axes.across)
+        )
+        loop = loop_figure.draw(plate.shown, self.loop_axes, drafting)
+        yield self._headed(loop, quantities.SURPLUS, "loop", (self.energy_scale, self.inertia_scale))
+
+    def _headed(self, part: Part, row: str, title: str, scales: Sequence[Scale]) -> Part:
+        """Write the title of what stands beside the graphs, level with that of a row."""
+        drafting, over = self.plate.drafting, self._over(row)
+        left = self.loop_axes.zero.real - 2 * loop_figure.TAIL / 3 * self.plate.hand.letter
+        field = over._replace(left=left, right=self.spot.box.right)
+        head = caption(drafting.word(title), ";  ".join(map(drafting.scale, scales)), field, self.plate.hand)
+        return part._replace(lines=(head, *part.lines))
+
+    def _over(self, row: str) -> Field:
+        """Give the field of a row with the paper over it."""
+        field = self.fields[row]
+        return field._replace(top=field.top + self.plate.over)
 
     def _joining(self) -> Iterator[Stroke]:
         """Draw the strip edges of jumps through the graphs, and the transfer of points into the loop."""
-        hand, cycle, strips_ = self.plate.hand, self.plate.machine.cycle, self.plate.strips
+        hand, cycle, strips_ = self.plate.hand, self.plate.cycle, self.plate.strips
         if self.plate.graphs:
             top, low = self.fields[quantities.MOMENTS], self.surplus_axes
             for k in strips_.jumps:
@@ -320,4 +395,13 @@ class _Drawing:
                 spot = self.loop_axes.on(float(cycle.varying[k]), float(cycle.surplus[k]))
                 yield Line(self.inertia_axes.on(float(cycle.turned[k]), float(cycle.varying[k])), spot, hand.drafted)
                 if self.plate.graphs:
-                    yield Line(self.surplus_axes.on(float(cycle.turned[k]), float(cycle.surplus[k])), spot, hand.drafted)
+                    yield Line(
+                        self.surplus_axes.on(float(cycle.turned[k]), float(cycle.surplus[k])), spot, hand.drafted
+                    )
+
+
+def _mask(head: Stroke) -> Polyline:
+    """Give the box around a caption: no line that joins graphs runs through it."""
+    left, bottom, right, top = bounds(head)
+    low, high = complex(left, bottom) - CLEAR * (1 + 1j), complex(right, top) + CLEAR * (1 + 1j)
+    return Polyline((low, complex(high.real, low.imag), high, complex(low.real, high.imag)), True)

@@ -19,7 +19,9 @@ def moments(cycle: Cycle, dense: Dense) -> StripGraph:
     before = np.append(-cycle.moments[0, 0], -cycle.moments[:, 1])
     most = int(np.argmax(np.abs(dense.moment)))
     traces = (
-        Trace(dense.turned, -dense.moment, "result", "M_{us}", most / (len(dense.moment) - 1), _away(-dense.moment[most])),
+        Trace(
+            dense.turned, -dense.moment, "result", "M_{us}", most / (len(dense.moment) - 1), _away(-dense.moment[most])
+        ),
         _level(cycle.driving, "relative", "M_{dr}"),
     )
     return StripGraph(MOMENTS, "M_{red}", "N*m", after, before, traces)
@@ -77,4 +79,3 @@ def _level(value: float, style: str, letter: str, side: float = OVER) -> Trace:
 
 def _away(value: float) -> float:
     return OVER if value >= 0 else UNDER
-

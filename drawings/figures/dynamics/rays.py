@@ -13,6 +13,7 @@ from drawings.symbols.dimension import Dimension
 from drawings.symbols.symbols import pole
 from plans.model.dynamics import Cycle
 
+NAME = "pole"
 POLE = "P"
 APART = 1.0  # sizes of a letter between the ends of two rays that are drawn
 OFF = 2.2  # sizes of a letter from the axis to the dimension of the pole distance
@@ -25,7 +26,7 @@ def draw(cycle: Cycle, axes: Axes, distance: float, hand: Hand) -> Part:
     rays = (line for k in rays_of(cycle, axes, hand) for line in _ray(cycle, k, at, axes, hand))
     base = Line(at, axes.zero, hand.drafted)
     letters = (Letter(at, POLE, hand.letter, LEFT), Letter(size.middle, "H", hand.letter, UNDER))
-    return Part("pole", (base, *rays, *size.draw(hand), pole(at)), letters)
+    return Part(NAME, (base, *rays, *size.draw(hand), pole(at)), letters)
 
 
 def rays_of(cycle: Cycle, axes: Axes, hand: Hand) -> tuple[int, ...]:

@@ -23,7 +23,7 @@ from plans.model.motion import Floats
 
 DOT = 0.6  # mm, radius of a point of a curve
 LEAST = 0.05  # mm: a shorter ordinate is a point
-APART = 1.9  # sizes of a number from one numbered edge to the next
+APART = 2.4  # sizes of a number from one numbered edge to the next
 
 
 class Trace(NamedTuple):
@@ -77,9 +77,7 @@ def draw(graph: StripGraph, strips: Strips, axes: Axes, drafting: Drafting) -> P
     return Part(graph.name, lines, (*_letters(graph, axes, drafting), *_numbers(graph, strips, numbered, axes, hand)))
 
 
-def _edges(
-    graph: StripGraph, strips: Strips, numbered: tuple[int, ...], axes: Axes, hand: Hand
-) -> Iterator[Stroke]:
+def _edges(graph: StripGraph, strips: Strips, numbered: tuple[int, ...], axes: Axes, hand: Hand) -> Iterator[Stroke]:
     """Draw tick, ordinate and points of each edge."""
     tick = TICK * axes.rise
     for k, angle in enumerate(strips.turned):
@@ -118,9 +116,7 @@ def _letters(graph: StripGraph, axes: Axes, drafting: Drafting) -> Iterator[Lett
             yield Letter(spot, drafting.letter(trace.letter), size, trace.side)
 
 
-def _numbers(
-    graph: StripGraph, strips: Strips, numbered: tuple[int, ...], axes: Axes, hand: Hand
-) -> Iterator[Letter]:
+def _numbers(graph: StripGraph, strips: Strips, numbered: tuple[int, ...], axes: Axes, hand: Hand) -> Iterator[Letter]:
     """Number the edges at the axis, each on the side away from its ordinate."""
     for k in numbered:
         away = axes.rise if graph.values[k] < graph.base else -axes.rise

@@ -1,4 +1,4 @@
-"""The strips of a turn: what their edges are called, and which of them bear their numbers on paper (участки оборота)."""
+"""The strips of a turn: what their edges are called, and which of them are numbered on paper (участки оборота)."""
 
 from __future__ import annotations
 
