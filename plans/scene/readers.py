@@ -140,5 +140,10 @@ def checked(check: Callable[[], Any], value: object, path: Path, refused: Refusa
     try:
         return check()
     except Wrong as wrong:
-        refused.append(Refusal(path + wrong.at, wrong.kind, wrong.details, value))
+        refused.append(refusal(wrong, value, path))
         return REFUSED
+
+
+def refusal(wrong: Wrong, value: object, path: Path) -> Refusal:
+    """Make the refusal of a value for what is wrong with it or a part of it."""
+    return Refusal(path + wrong.at, wrong.kind, wrong.details, value)

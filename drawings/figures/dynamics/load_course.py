@@ -1,0 +1,81 @@
+"""The course of a load over its stroke: its corners on the way out and back, as a load diagram shows it (нагрузка)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+
+from plans.forces.stroke import Stroke, asks
+from plans.model.machine import ALWAYS, IDLE, WORKING, Force, Machine, Moment
+
+Branch: TypeAlias = tuple[complex, ...]  # corners: way m or degrees + load N or N*m * i, in the order of the motion
+
+
+class LoadCourse(NamedTuple):
+    """A load over its stroke: how long that is, m or degrees, and the load on the working and on the idle stroke.
+
+    A load against the motion is positive on the working stroke and negative on the idle one, any other one positive
+    in its own direction. A stroke on which it rests has no branch.
+    """
+
+    name: str
+    turning: bool  # whether the stroke is that of a link that swings
+    couple: bool  # whether the load is a moment
+    length: float
+    overrun: tuple[float, float]
+    out: Branch
+    back: Branch
+
+    @property
+    def span(self) -> tuple[float, float]:
+        """The least and the greatest load, zero among them."""
+        sizes = [corner.imag for corner in (*self.out, *self.back)]
+        return min(0.0, *sizes), max(0.0, *sizes)
+
+    @property
+    def corners(self) -> tuple[complex, ...]:
+        """The corners at which the load is not zero, each once: on the way out, then on the way back."""
+        return tuple(dict.fromkeys(corner for corner in (*self.out, *self.back) if corner.imag))
+
+
+def courses(machine: Machine, strokes: Mapping[str, Stroke]) -> Iterator[LoadCourse]:
+    """Give the course of every load that changes over a stroke."""
+    loads: tuple[Force | Moment, ...] = (*machine.forces, *machine.moments)
+    return (course(load, strokes[load.stroke]) for load in loads if asks(load))
+
+
+def course(load: Force | Moment, stroke: Stroke) -> LoadCourse:
+    """Give the course of a load over its stroke."""
+    low, high = stroke.reach
+    length = abs(high - low) if stroke.sliding else math.degrees(abs(high - low))
+    out = tuple(_corners(load, length, False)) if load.during in (ALWAYS, WORKING) else ()
+    back = tuple(reversed([*_corners(load, length, True)])) if load.during in (ALWAYS, IDLE) else ()
+    return LoadCourse(load.name, not stroke.sliding, isinstance(load, Moment), length, load.overrun, out, back)
+
+
+def _corners(load: Force | Moment, length: float, idle: bool) -> Iterator[complex]:
+    """Give the corners of a branch from the beginning of the working stroke on, with the jumps at the overruns."""
+    begin, end = load.overrun[0], 1 - load.overrun[1]
+    sense = -1.0 if idle and _opposing(load) else 1.0
+    if begin > 0:
+        yield from (0j, complex(length * begin))
+    travel = load.diagram.travel if isinstance(load, Force) and load.diagram is not None else ()
+    for share in sorted({begin, end, *(place for place in travel if begin < place < end)}):
+        yield complex(length * share, sense * _size(load, share, idle) + 0.0)
+    if end < 1:
+        yield from (complex(length * end), complex(length))
+
+
+def _opposing(load: Force | Moment) -> bool:
+    """Tell whether a load turns over with the motion."""
+    return load.against if isinstance(load, Moment) else load.direction is None
+
+
+def _size(load: Force | Moment, share: float, idle: bool) -> float:
+    if isinstance(load, Moment) or load.diagram is None:
+        return load.size
+    travel, there, back = load.diagram
+    return load.size * float(np.interp(share, travel, back or there if idle else there))

@@ -1,0 +1,206 @@
+"""The load diagram: a load over its stroke, there and back, as a machine's task gives it (диаграмма нагрузки).
+
+An indicator diagram closes; a resistance against the motion stands above the way out and below the way back.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+from string import ascii_lowercase
+from typing import NamedTuple
+
+from drawings.figures.dynamics.load_course import Branch, LoadCourse
+from drawings.figures.graphs.axes import BEYOND, Axes
+from drawings.layout.labels import Labels
+from drawings.layout.picture import Margins, Picture, Spot
+from drawings.lettering.lettering import text_width
+from drawings.lettering.words import letter as lettered
+from drawings.page.drafting import Drafting
+from drawings.page.scale import Scale, fitting
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import INK, Circle, Group, Line, Polyline, Stroke, Text
+from drawings.symbols.dimension import Dimension
+from drawings.symbols.figure import Subject, heading
+from drawings.symbols.symbols import TICK, arrowhead
+
+NAME = "load_diagram"
+RATIO = 1.6  # it is drawn so many times as long as it is high
+MARGINS = Margins(3.2, 1.6, 1.0)  # paper around it for letters, in their sizes
+LETTERS = 12.0  # it is drawn at least so many letters long
+LEVELS = (9.0, 17.0)  # mm under the diagram: the overruns, the whole stroke
+DOT = 0.7  # mm, radius of a corner
+FEW = 12  # corners that are lettered a, b, c; more are numbered
+ABOVE = 1.2  # mm from a dimension line to its letters
+DIGITS = 4
+SLIDING, SWINGING = ("S", "m", "H"), ("ψ", "°", "β")  # letters of the way and of the whole stroke, unit of the way
+LEAST = 0.05  # mm: a shorter line is a point
+
+
+class LoadMark(NamedTuple):
+    """A corner of a load diagram: its letter or number, and the true place."""
+
+    letter: str
+    at: complex
+
+
+def name_of(course: LoadCourse) -> str:
+    """Name the figure of a load."""
+    return f"{NAME}-{course.name}"
+
+
+def marks(course: LoadCourse) -> tuple[LoadMark, ...]:
+    """Letter the corners that are no zero."""
+    corners = course.corners
+    names = ascii_lowercase if len(corners) <= FEW else [str(k + 1) for k in range(len(corners))]
+    return tuple(map(LoadMark, names, corners))
+
+
+@dataclass(frozen=True)
+class LoadFigure:
+    """A load diagram placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
+
+    name: str
+    lines: tuple[Stroke, ...]
+    corners: tuple[tuple[str, complex, float], ...]  # letter, place, side of the letter
+    axes: tuple[tuple[str, complex, float], ...]
+    sizes: tuple[Dimension, ...]
+    hand: Hand
+
+    def letter(self, labels: Labels) -> tuple[Group, ...]:
+        """Give the whole figure: axes, corners and dimensions lettered."""
+        hand = self.hand
+        letters = [labels.along(*one.lines[0], one.letter, hand.number, ABOVE, math.pi / 2) for one in self.sizes]
+        letters += [labels.beside(end, text, hand.letter, 1.2, side) for text, end, side in self.axes]
+        letters += [labels.beside(at, text, hand.number, DOT + 0.6, side) for text, at, side in self.corners]
+        return (Group((*self.lines, Group(tuple(letters))), self.name),)
+
+
+def measure(course: LoadCourse, drafting: Drafting) -> Picture:
+    """Measure the room of a load diagram: its scale is that of the way, the load's own follows from the height."""
+    hand, (symbol, unit, _) = drafting.hand, _way(course)
+    side, below, above = (size * hand.letter for size in MARGINS)
+    under = below + (LEVELS[-1] + 2) * hand.symbol
+    margins = Margins(side + BEYOND / 2, under, above + BEYOND + 2 * hand.title + hand.text)
+    high, title = course.length / RATIO, text_width(Text(0j, _title(course, drafting), hand.title))
+    middle = complex(course.length, high) / 2
+    return Picture(name_of(course), course.length, high, middle, symbol, unit, margins, title, LETTERS * hand.letter)
+
+
+def draw(course: LoadCourse, room: Picture, spot: Spot, drafting: Drafting) -> LoadFigure:
+    """Draw the diagram in its spot: axes, both branches with their arrows, corners, the stroke and its overruns."""
+    hand, scale = drafting.hand, scale_of(course, room, spot, drafting.standard)
+    axes, (low, high) = _axes(course, room, spot, scale), course.span
+    said = f"{spot.scale.written(drafting.language)};  {scale.written(drafting.language)}"
+    lines: list[Stroke] = [heading(spot.box, _title(course, drafting), said, hand)]
+    lines += axes.lines((0.0, course.length), (low, high), hand)
+    sizes = tuple(_sizes(course, axes, drafting))
+    lines += [_sized(course, one, value, spot.scale, hand) for one, value in zip(sizes, spans(course), strict=True)]
+    lines += [stroke for one in marks(course) for stroke in _ordinate(one, course, axes, hand)]
+    lines += [stroke for branch in _branches(course) for stroke in _branch(branch, axes, hand)]
+    corners = tuple((one.letter, axes.on(one.at.real, one.at.imag), _side(one.at)) for one in marks(course))
+    return LoadFigure(room.name, tuple(lines), corners, _ends(course, axes, scale, drafting), sizes, hand)
+
+
+def scale_of(course: LoadCourse, room: Picture, spot: Spot, standard: str) -> Scale:
+    """Choose the largest standard scale of the load for the height of the diagram."""
+    low, high = course.span
+    symbol, unit = ("M", "N*m") if course.couple else ("F", "N")
+    return fitting(high - low, room.high / spot.scale.mu, symbol, unit, standard)
+
+
+def spans(course: LoadCourse) -> tuple[tuple[str, float], ...]:
+    """Give what is dimensioned along the way, by its mark: the whole stroke, and each overrun."""
+    _, _, whole = _way(course)
+    shares = (("overrun_1", course.overrun[0]), ("overrun_2", course.overrun[1]))
+    return (whole, course.length), *((name, share * course.length) for name, share in shares if share)
+
+
+def _way(course: LoadCourse) -> tuple[str, str, str]:
+    return SWINGING if course.turning else SLIDING
+
+
+def _title(course: LoadCourse, drafting: Drafting) -> str:
+    return drafting.word("load diagram of", name=lettered(drafting.language, _marked_up(course.name)))
+
+
+def _marked_up(name: str) -> str:
+    head, _, index = name.partition("_")
+    return f"{head}_{{{index}}}" if index else head
+
+
+def _axes(course: LoadCourse, room: Picture, spot: Spot, scale: Scale) -> Axes:
+    """Put the load's zero so that the diagram stands in the middle of its height."""
+    low, high = course.span
+    spare = room.high / spot.scale.mu - (high - low) / scale.mu
+    place = room.place(*spot)
+    return Axes(place.on(0j) + 1j * (spare / 2 - low / scale.mu), spot.scale, scale)
+
+
+def _ends(course: LoadCourse, axes: Axes, scale: Scale, drafting: Drafting) -> tuple[tuple[str, complex, float], ...]:
+    """Give the letters of both axes, with their units."""
+    symbol, unit, _ = _way(course)
+    across, up = (f"{one}, {drafting.word(of)}" for one, of in ((symbol, unit), (scale.letter, scale.unit)))
+    top = axes.on(0.0, course.span[1]) + 1j * BEYOND
+    return (up, top, 0.0), (across, axes.on(course.length) + BEYOND, math.pi / 2)
+
+
+def _side(at: complex) -> float:
+    return math.pi / 2 if at.imag > 0 else -math.pi / 2
+
+
+def _ordinate(one: LoadMark, course: LoadCourse, axes: Axes, hand: Hand) -> Iterator[Stroke]:
+    """Draw the ordinate of a corner, which can be measured, and its point."""
+    foot, tip = axes.on(one.at.real), axes.on(one.at.real, one.at.imag)
+    yield Line(foot - 1j * TICK, foot + 1j * TICK, hand.drafted)
+    if abs(tip - foot) > LEAST:
+        data = Subject(name_of(course), axes.up.letter, None).data("vector", one.letter, 1j * one.at.imag, axes.up)
+        yield Group((Line(foot, tip, hand.drafted),), "", data, one.letter)
+    yield Circle(tip, DOT * hand.symbol, INK)
+
+
+def _branches(course: LoadCourse) -> Iterator[Branch]:
+    """Give both branches, and what joins them at the ends of the stroke where the load changes there at once."""
+    yield from filter(None, (course.out, course.back))
+    if course.out and course.back:
+        yield from ((one, other) for one, other in zip(_tips(course.out), _tips(course.back)[::-1], strict=True))
+
+
+def _tips(branch: Branch) -> tuple[complex, complex]:
+    return branch[0], branch[-1]
+
+
+def _branch(branch: Branch, axes: Axes, hand: Hand) -> Iterator[Stroke]:
+    """Draw a branch with an arrowhead in the middle of its longest part: the sense of the motion."""
+    places = [axes.on(corner.real, corner.imag) for corner in branch]
+    parts = [(one, other) for one, other in pairwise(places) if abs(other - one) > LEAST]
+    if not parts:
+        return
+    yield Polyline(tuple(places), False, hand.result)
+    start, end = max(parts, key=lambda part: abs(part[1] - part[0]))
+    head = arrowhead(start, (start + end) / 2, hand.symbol)
+    if head is not None and len(branch) > 2:
+        yield head
+
+
+def _sizes(course: LoadCourse, axes: Axes, drafting: Drafting) -> Iterator[Dimension]:
+    """Dimension the whole stroke, and over it the overruns in shares of it."""
+    _, unit, whole = _way(course)
+    low = 1j * (axes.on(0.0, course.span[0]).imag - axes.zero.imag)
+    near, far = (low - 1j * level * drafting.hand.symbol for level in LEVELS)
+    told = drafting.number(course.length if course.turning else 1000 * course.length, DIGITS)
+    yield Dimension(f"{whole} = {told}{unit if course.turning else ''}", axes.on(0.0), axes.on(course.length), far)
+    first, last = course.overrun
+    for share, start, end in ((first, 0.0, first), (last, 1 - last, 1.0)):
+        if share:
+            text = f"{drafting.number(share)}{whole}"
+            yield Dimension(text, axes.on(start * course.length), axes.on(end * course.length), near)
+
+
+def _sized(course: LoadCourse, one: Dimension, span: tuple[str, float], scale: Scale, hand: Hand) -> Group:
+    """Draw a dimension; its line can be measured."""
+    name, length = span
+    data = Subject(name_of(course), scale.letter, None).data("vector", name, complex(length), scale)
+    return Group(one.draw(hand), "", data, one.letter)

@@ -1,0 +1,121 @@
+"""Angles at which the reduced moment jumps or bends, by roots (изломы нагрузки).
+
+Ends of strokes; places of a stroke at which a load sets in, rests or changes its law; reversals of a point or a link
+against whose motion a load acts.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Protocol
+
+import numpy as np
+
+from plans.analytic.closure import Flags
+from plans.analytic.dynamics.curve import Curve, looks, smooth
+from plans.analytic.dynamics.reduction import Reduction
+from plans.analytic.dynamics.roots import roots
+from plans.model.dynamics import TURN
+from plans.model.machine import ALWAYS, WORKING, Force, Machine, Moment
+from plans.model.motion import Floats, Motion
+
+
+class Run(Protocol):
+    """A stroke: crank angles rad at which it begins and ends, and the share of it that is gone (ход)."""
+
+    @property
+    def begin(self) -> float:
+        """Crank where the working stroke begins."""
+
+    @property
+    def end(self) -> float:
+        """Crank where it ends."""
+
+    def working(self, phi: Floats, /) -> Flags:
+        """Tell the crank angles of the working stroke."""
+
+    def share(self, motion: Motion, /) -> Floats:
+        """Give the share of the stroke that is gone at the positions of a motion."""
+
+
+def breaks(reduction: Reduction, strokes: Mapping[str, Run], noise: float) -> Floats:
+    """Give the angles turned, rad in [0, 2 pi), at which the moment of the loads jumps or bends, rising.
+
+    Angles that differ by less than the rounding of a root, `noise` of a turn, are one.
+    """
+    ends = [reduction.turned(phi) for run in strokes.values() for phi in (run.begin, run.end)]
+    crossed = _crossings(reduction, strokes, noise)
+    turned = _reversals(reduction, noise)
+    return _merged(np.concatenate((ends, crossed, turned)), noise * TURN)
+
+
+def _crossings(reduction: Reduction, strokes: Mapping[str, Run], noise: float) -> Floats:
+    """Give the angles at which a stroke is gone by a share at which a load changes its law, while the load acts."""
+    counted = [name for name in strokes if any(_laws(reduction.machine, name))]
+
+    def sample(motion: Motion) -> tuple[Floats, Floats]:
+        return np.array([strokes[name].share(motion) for name in counted]), np.ones(len(counted))
+
+    curves = smooth(reduction, sample, noise) if counted else []
+    found = [np.zeros(0)]
+    for name, curve in zip(counted, curves, strict=True):
+        for share, during in sorted(set(_laws(reduction.machine, name))):
+            at = _at(curve, share)
+            works = strokes[name].working(reduction.start + reduction.sense * at)
+            found.append(at[(during == ALWAYS) | (works == (during == WORKING))])
+    return np.concatenate(found)
+
+
+def _at(curve: Curve, share: float) -> Floats:
+    return roots(lambda turned, side: curve.at(turned, side) - share, looks([curve]))
+
+
+def _laws(machine: Machine, stroke: str) -> Iterator[tuple[float, str]]:
+    """Give the shares within a stroke at which a load over it changes its law, and when it acts."""
+    loads: tuple[Force | Moment, ...] = (*machine.forces, *machine.moments)
+    for load in loads:
+        if load.stroke == stroke:
+            places = load.diagram.travel if isinstance(load, Force) and load.diagram is not None else ()
+            first, last = load.overrun
+            yield from ((share, load.during) for share in (*places, first, 1.0 - last) if 0.0 < share < 1.0)
+
+
+def _reversals(reduction: Reduction, noise: float) -> Floats:
+    """Give the angles at which a point or a link with a load against its motion turns back."""
+    machine = reduction.machine
+    points = sorted({force.point for force in machine.forces if force.direction is None and force.size})
+    links = sorted({moment.link for moment in machine.moments if moment.against and moment.size})
+    if not points and not links:
+        return np.zeros(0)
+
+    def sample(motion: Motion) -> tuple[Floats, Floats]:
+        moved = [motion.points[point] for point in points]
+        rows = [(one.v * one.a.conj()).real for one in moved]
+        rows += [_turning(motion.links[link].omega, noise) for link in links]
+        sizes = [np.abs(one.v).max() * np.abs(one.a).max() for one in moved] + [1.0] * len(links)
+        return np.array(rows), np.array(sizes)
+
+    curves = smooth(reduction, sample, noise)
+    found = [roots(curve.at, looks([curve])) for curve in curves]
+    rests = [_rests(reduction, point, at, noise) for point, at in zip(points, found, strict=False)]
+    return np.concatenate([*rests, *found[len(points) :]])
+
+
+def _turning(omega: Floats, noise: float) -> Floats:
+    """Give no angular velocity at all to a link that only slides, beside the crank's of 1 rad/s."""
+    return omega if (np.abs(omega) > noise).any() else np.zeros_like(omega)
+
+
+def _rests(reduction: Reduction, point: str, turned: Floats, noise: float) -> Floats:
+    """Keep the angles at which a point is at rest, and not only slowest: there is nothing left of its velocity."""
+    if not turned.size:
+        return turned
+    speeds = np.abs(reduction.motion(np.append(turned, np.arange(12) * (TURN / 12))).points[point].v)
+    return np.asarray(turned[speeds[: len(turned)] <= noise * speeds.max()])
+
+
+def _merged(found: Floats, least: float) -> Floats:
+    """Bring angles into one turn, and keep the first of those that are nearer than `least`; a whole turn is 0."""
+    within = np.mod(found, TURN)
+    within = np.sort(np.where(np.minimum(within, TURN - within) < least, 0.0, within))
+    return np.asarray(within[np.diff(within, prepend=-1.0) >= least])

@@ -1,0 +1,106 @@
+"""One turn of steady motion to rounding: moments, work and inertia at any angle turned (точный цикл движения)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from plans.analytic.closure import EPS
+from plans.analytic.dynamics.breaks import Run, breaks
+from plans.analytic.dynamics.curve import LEAST, Curve, broken, looks, smooth
+from plans.analytic.dynamics.reduction import Reduction
+from plans.analytic.dynamics.roots import Sided, roots
+from plans.model.dynamics import TURN
+from plans.model.motion import Floats, Motion
+
+ROUNDINGS = 8.0  # a linear solution at rest leaves a few roundings of the largest term in each of its rows
+MOST = 1e-9  # share: where rounding is magnified to more, nothing is told to be settled
+
+
+@dataclass(frozen=True)
+class Exact:
+    """The loads, reduced to the crank, and the inertia over a turn; angles `turned` rad (N,) in the sense of rotation.
+
+    `noise` is the share of the largest to which positions and rates are known.
+    """
+
+    breaks: Floats
+    load: Curve
+    mass: Curve
+    growth: Curve
+    noise: float
+
+    @property
+    def error(self) -> float:
+        """The share of the largest by which moment or inertia may be off; infinite where they are not known."""
+        return max(one.error for one in (self.load, self.mass, self.growth))
+
+    @property
+    def settled(self) -> bool:
+        """Whether that is rounding."""
+        return self.error <= self.noise <= MOST
+
+    def moment(self, turned: Floats, side: int = 1) -> Floats:
+        """Give the moment of loads and weights, N*m; at a jump as it is beyond, or before it if side < 0."""
+        return self.load.at(turned, side)
+
+    def work(self, turned: Floats) -> Floats:
+        """Give their work since position 0, J."""
+        return self.load.since(turned)
+
+    @property
+    def driving(self) -> float:
+        """The constant moment N*m of the drive that keeps the motion steady."""
+        return -float(self.work(np.array([TURN]))[0]) / TURN
+
+    def surplus(self, turned: Floats) -> Floats:
+        """Give the change of the kinetic energy since position 0, J."""
+        return self.driving * np.asarray(turned) + self.work(turned)
+
+    def inertia(self, turned: Floats) -> Floats:
+        """Give the reduced inertia of the linkage, kg*m2."""
+        return self.mass.at(turned)
+
+    @property
+    def own(self) -> float:
+        """The reduced inertia of the linkage at position 0, kg*m2."""
+        return float(self.inertia(np.zeros(1))[0])
+
+    def varying(self, turned: Floats) -> Floats:
+        """Give the part of it that changes: that above its value at position 0."""
+        return self.inertia(turned) - self.own
+
+    def slope(self, turned: Floats) -> Floats:
+        """Give its derivative by the angle, kg*m2."""
+        return self.growth.at(turned)
+
+    def turns(self, slope: Sided) -> Floats:
+        """Give where a quantity with this slope may be least or greatest: at rests of it, at breaks, at the ends."""
+        places = looks([self.load, self.mass], *self.breaks)
+        return np.unique(np.concatenate(([0.0], self.breaks, roots(slope, places))))
+
+
+def exact(reduction: Reduction, strokes: Mapping[str, Run]) -> Exact:
+    """Find moments and inertia over a turn of a machine whose loads change over `strokes`."""
+    noise = _noise(reduction)
+
+    def masses(motion: Motion) -> tuple[Floats, Floats]:
+        found = reduction.ordinates(motion)
+        return np.array((found.inertia, found.slope)), np.full(2, np.abs(found.inertia).max())
+
+    def loads(motion: Motion) -> tuple[Floats, Floats]:
+        found = reduction.ordinates(motion)
+        return found.moment[None], found.gross.max()[None]
+
+    at = breaks(reduction, strokes, noise)
+    mass, growth = smooth(reduction, masses, noise)
+    (load,) = broken(reduction, loads, at, noise) if at.size else smooth(reduction, loads, noise)
+    return Exact(at, load, mass, growth, noise)
+
+
+def _noise(reduction: Reduction) -> float:
+    """Give the share to which rates are known: their condition magnifies a rounding once for every order."""
+    kappa = reduction.road.conditions(reduction.even(LEAST))
+    return float(ROUNDINGS * EPS * np.max(kappa, where=np.isfinite(kappa), initial=1.0) ** 2)

@@ -1,0 +1,29 @@
+"""Other classical methods for the flywheel, with exact extremes (методы Мерцалова и Гутьяра; M4.10)."""
+
+from __future__ import annotations
+
+from plans.analytic.dynamics.exact import Exact
+from plans.analytic.dynamics.flywheel import book_slopes, flywheel
+from plans.model.dynamics import Task
+from plans.model.flywheel_methods import Methods
+
+
+def methods(found: Exact, task: Task) -> Methods | None:
+    """Find J0 by each method; None where no fluctuation is asked for.
+
+    Mertsalov takes the energy of the varying inertia at the mean speed throughout; Gutyar at the greatest where he
+    seeks the greatest energy of the rest, at the least where he seeks the least. Both divide by omega_m^2 delta.
+    """
+    if not task.delta:
+        return None
+    even = task.speed**2 * task.delta
+    mean = task.speed**2 / 2.0
+    level = flywheel(found, task, (mean, mean))
+    exact = flywheel(found, task)
+    return Methods(
+        book=flywheel(found, task, book_slopes(task)).whole,
+        mertsalov=(level.cuts[1] - level.cuts[0]) / even,
+        gutyar=(exact.cuts[1] - exact.cuts[0]) / even,
+        height=level.cuts[1] - level.cuts[0],
+        touches=level.touches,
+    )

@@ -1,0 +1,122 @@
+"""A quantity of the turn that jumps or bends, as Chebyshev's polynomials on pieces within which it is smooth.
+
+A piece on which the polynomial's last coefficients are not yet rounding is halved. Its nodes lie inside it, so that
+each side of a jump counts on its own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.polynomial import chebyshev
+
+from plans.analytic.closure import EPS, Flags
+from plans.model.motion import Floats
+
+NODES = 32
+TAIL = NODES // 4  # coefficients that must have died away
+LOOKS = 24  # places on a piece, among which every zero of its polynomial that matters shows
+ROUNDINGS = 4.0  # of the largest: what fitting leaves
+NARROW = np.pi / 32.0  # a piece so narrow is smooth to rounding, or rounding is all that is left of it
+NARROWEST = 2.0 * np.pi / 2.0**20  # rad: what does not settle on such a piece settles on none
+MOST = 2048  # pieces
+
+# Angles turned (N,) to several quantities there, (k, N), and to the largest of what each of them sums up, (k,): what
+# is less than its rounding is nothing.
+Sample = Callable[[Floats], tuple[Floats, Floats]]
+
+_ANGLES = np.pi * (np.arange(NODES) + 0.5) / NODES
+_PLACES = np.cos(_ANGLES)  # of the nodes, from 1 down to -1
+_FIT = np.cos(np.outer(np.arange(NODES), _ANGLES)) * 2.0 / NODES
+_FIT[0] /= 2.0
+
+
+@dataclass(frozen=True)
+class Pieces:
+    """Edges (p + 1,) rad of the pieces, coefficients (p, n) of the quantity and (p, n + 1) of its integral from 0.
+
+    `error` is the share of the largest that the last coefficients still have; where it `settled` that is rounding.
+    """
+
+    edges: Floats
+    coefficients: Floats
+    integrals: Floats
+    error: float
+    settled: bool
+
+    @property
+    def looks(self) -> Floats:
+        """Angles rad among which every change of sign shows."""
+        low, wide = self.edges[:-1, None], np.diff(self.edges)[:, None]
+        return np.append((low + wide * np.arange(LOOKS) / LOOKS).ravel(), self.edges[-1])
+
+    def at(self, turned: Floats, side: int = 1) -> Floats:
+        """Give the quantity at angles turned rad, (N,); at an edge by the piece beyond it, or before it if side < 0."""
+        return self._sum(self.coefficients, turned, side)
+
+    def since(self, turned: Floats) -> Floats:
+        """Give its integral from 0."""
+        return self._sum(self.integrals, turned, 1)
+
+    def _sum(self, coefficients: Floats, turned: Floats, side: int) -> Floats:
+        turned = np.asarray(turned, dtype=np.float64)
+        on = np.searchsorted(self.edges, turned, "right" if side > 0 else "left") - 1
+        on = np.clip(on, 0, len(self.edges) - 2)
+        low, high = self.edges[on], self.edges[on + 1]
+        place = ((turned - low) - (high - turned)) / (high - low)
+        return np.asarray(chebyshev.chebval(place, np.moveaxis(coefficients[on], -1, 0), tensor=False))
+
+
+def pieces(sample: Sample, knots: Floats, noise: float) -> list[Pieces]:
+    """Fit quantities on the pieces between knots, rad, the first 0 and the last a turn; `noise`: share of rounding."""
+    low, high = knots[:-1], knots[1:]
+    kept: list[tuple[Floats, Floats, Floats]] = []
+    largest, error, settled = np.zeros((1, 1)), 0.0, True
+    while low.size:
+        fitted, size = _fit(sample, low, high)
+        largest = np.maximum(largest, size)
+        tails = _share(np.abs(fitted[:, :, -TAIL:]).max(axis=2), largest).max(axis=0)
+        done = (tails <= ROUNDINGS * EPS) | ((high - low <= NARROW) & (tails <= noise))
+        lost = ~done & ((high - low <= NARROWEST) | ~np.isfinite(tails) | (2 * low.size > MOST))
+        settled &= not lost.any()
+        error = max(error, float(np.max(tails[done | lost], initial=0.0)))
+        kept.append((low[done | lost], high[done | lost], fitted[:, done | lost]))
+        low, high = _halves(low, high, ~(done | lost))
+    return _joined(kept, error, settled)
+
+
+def _fit(sample: Sample, low: Floats, high: Floats) -> tuple[Floats, Floats]:
+    """Fit all quantities on some pieces: coefficients (k, p, n), and their sizes, (k, 1)."""
+    at = (low[:, None] * (1.0 - _PLACES) + high[:, None] * (1.0 + _PLACES)) / 2.0
+    ordinates, sizes = sample(at.ravel())
+    return ordinates.reshape(-1, *at.shape) @ _FIT.T, sizes[:, None]
+
+
+def _share(part: Floats, whole: Floats) -> Floats:
+    """Divide by the largest; of nothing at all there is no share."""
+    return np.asarray(part / np.where(whole == 0.0, 1.0, whole))
+
+
+def _halves(low: Floats, high: Floats, which: Flags) -> tuple[Floats, Floats]:
+    """Halve some pieces."""
+    low, high = low[which], high[which]
+    middle = (low + high) / 2.0
+    return np.concatenate((low, middle)), np.concatenate((middle, high))
+
+
+def _joined(kept: list[tuple[Floats, Floats, Floats]], error: float, settled: bool) -> list[Pieces]:
+    """Put the pieces in order and integrate each quantity along them."""
+    low, high = (np.concatenate([part[k] for part in kept]) for k in (0, 1))
+    order = np.argsort(low)
+    edges = np.append(low[order], high[order][-1])
+    fitted = np.concatenate([part[2] for part in kept], axis=1)[:, order]
+    return [Pieces(edges, one, _integrals(one, np.diff(edges)), error, settled) for one in fitted]
+
+
+def _integrals(coefficients: Floats, wide: Floats) -> Floats:
+    """Integrate polynomials on pieces one after another, from the beginning of the first."""
+    found = chebyshev.chebint(coefficients, lbnd=-1, axis=1) * wide[:, None] / 2.0
+    found[1:, 0] += np.cumsum(found.sum(axis=1))[:-1]
+    return np.asarray(found)
