@@ -69,6 +69,6 @@ def test_it_holds_the_licence_and_says_what_it_needs(wheel: zipfile.ZipFile, inf
     assert wheel.read(f"{info}licenses/LICENSE") == (ROOT / "LICENSE").read_bytes()
     metadata = wheel.read(f"{info}METADATA").decode()
     needed = [line for line in metadata.splitlines() if line.startswith("Requires-Dist:") and "extra ==" not in line]
-    assert len(needed) == 2
-    assert {line.split()[1].split(">")[0] for line in needed} == {"numpy", "svgwrite"}
+    assert len(needed) == 3
+    assert {line.split()[1].split(">")[0] for line in needed} == {"numpy", "scipy", "svgwrite"}
     assert "Name: plandraft\n" in metadata
