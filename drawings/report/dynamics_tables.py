@@ -1,13 +1,16 @@
-"""The motion of a machine in tables of the report: reduction, works, tangents, other fluctuations (таблицы динамики)."""
+"""The motion of a machine in tables of the report: reduction, works, tangents (таблицы динамики)."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
 
+import numpy as np
+
 from drawings.page.drafting import Drafting
 from drawings.report.markdown import header, row
 from plans.model.dynamics import Cycle, Flywheel, Reduced, Speeds, Task, Touch
+from plans.model.motion import Floats
 from plans.words.words import word
 
 DIGITS = 10
@@ -18,16 +21,16 @@ LARGEST = 1.0  # fluctuation: a machine that comes to rest once in a turn has 2
 def reduction(found: Reduced, drafting: Drafting) -> Iterator[str]:
     """Tell moment, inertia and its slope at the positions of the scene."""
     heads = ("φ, °", "M_red, N*m", "J_red, kg*m2", "dJ/dφ, kg*m2")
-    columns = [[math.degrees(angle) for angle in found.phi], found.moment, found.inertia, found.slope]
+    columns = [np.degrees(found.phi), found.moment, found.inertia, found.slope]
     yield from _table([word(drafting.language, "table.position"), *_units(heads, drafting)], columns, drafting)
 
 
 def works(cycle: Cycle, speeds: Speeds | None, drafting: Drafting) -> Iterator[str]:
     """Tell moments on both sides of each edge, works, energy, inertia, and the speed with the flywheel."""
     heads = ["φ, °", "M-, N*m", "M+, N*m", "A_us, J", "ΔT, J", "J, kg*m2", "ΔJ, kg*m2"]
-    before, after = [cycle.moments[-1, 1], *cycle.moments[:, 1]], [*cycle.moments[:, 0], cycle.moments[0, 0]]
-    columns: list[Sequence[float]] = [[math.degrees(one) for one in cycle.turned], before, after, -cycle.work]
-    columns += [cycle.surplus, cycle.inertia, cycle.varying]
+    before = np.roll(cycle.moments[:, 1], 1)
+    sides = np.append(before, before[0]), np.append(cycle.moments[:, 0], cycle.moments[0, 0])
+    columns = [np.degrees(cycle.turned), *sides, -cycle.work, cycle.surplus, cycle.inertia, cycle.varying]
     if speeds is not None:
         heads.append("ω, rad/s")
         columns.append(speeds.omega)
@@ -74,7 +77,7 @@ def _units(heads: Sequence[str], drafting: Drafting) -> list[str]:
     ]
 
 
-def _table(heads: Sequence[str], columns: Sequence[Sequence[float]], drafting: Drafting) -> Iterator[str]:
+def _table(heads: Sequence[str], columns: Sequence[Floats], drafting: Drafting) -> Iterator[str]:
     yield from header(heads)
     for k, cells in enumerate(zip(*columns, strict=True)):
         yield row([str(k), *("—" if math.isnan(one) else drafting.number(float(one), DIGITS) for one in cells)])
