@@ -22,6 +22,7 @@ class Explanation(NamedTuple):
     units: Mapping[str, str]
     notes: tuple[Message, ...] = ()
     home: str = ""  # the plan whose marks are named without it
+    zeros: frozenset[Mark] = frozenset()  # marks whose coordinates are nothing but rounding
 
 
 class NoMark(NamedTuple):

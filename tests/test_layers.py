@@ -22,6 +22,7 @@ FORBIDDEN = {
     "geometry/": ("plans", "drawings"),
     "plans/": ("drawings",),
     "plans/analytic/": ("geometry.meet", "geometry.board", "geometry.replay", "geometry.precision"),
+    "plans/rotor/": ("plans.analytic",),
     # Loads are put on either road's motion.
     "plans/forces/loading.py": EITHER,
     "plans/forces/stroke.py": EITHER,
@@ -116,6 +117,7 @@ def test_all_three_layers_are_examined() -> None:
         ("plans/analytic/friction.py", "from plans.forces.rubbing import lost"),
         ("plans/analytic/friction.py", "from plans.forces import locking, friction"),
         ("plans/forces/loading.py", "from plans.linkage.study import LinkageStudy"),
+        ("plans/rotor/reading.py", "def f():\n    from plans.analytic.rotor import balance"),
         ("drawings/page/page.py", "import svgwrite"),
         ("drawings/pens/svg.py", "from .strokes import Line"),
         ("geometry/replay.py", "import mpmath"),

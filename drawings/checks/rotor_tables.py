@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from drawings.checks import reading
 from drawings.checks.reading import reads
-from drawings.checks.wrong import Wrong
+from drawings.checks.wrong import Wrong, within
 from drawings.figures.rotor.rotor_table import DIGITS, FLAT, HEADINGS, MASSES, NOTHING, RESULTS
 from drawings.lettering.rotor_letters import index, lowered
 from drawings.page.drafting import Drafting
@@ -67,12 +67,12 @@ def results(leaf: Leaf, comparison: Comparison, drafting: Drafting) -> Iterator[
             seen.add(name)
             one = known.get(name)
             if one is not None and "0" in cells[:2] and not abs(one.analysis[0]) <= one.allowed[0] + _whole(one):
-                yield f"0 for {one.name} in the table of results"
+                yield within("cell", RESULTS, name=one.name, text="0")
             if one is not None and len(cells) != 3:  # by plan, by analysis, difference
-                yield f"the row of {one.name} in the table of results"
+                yield within("row", RESULTS, name=one.name)
     if UNBALANCES in leaf.metadata["figures"]:
         missing = (one.name for name, one in known.items() if one.largest > 0 and name not in seen)
-        yield from (f"{name} is missing from the table of results" for name in missing)
+        yield from (within("missing_from", RESULTS, name=name) for name in missing)
 
 
 def _whole(one: Finding) -> float:
@@ -88,17 +88,16 @@ def masses(leaf: Leaf, rotor: Rotor, comparison: Comparison, drafting: Drafting)
         [text.plain for text in row] for group in _tables(leaf, MASSES) for row in reading.rows(group)
     ):
         if name not in lines:
-            yield from () if [name, *cells] == table.heading else (f"{name} in the table of masses",)
+            yield from () if [name, *cells] == table.heading else (within("in", MASSES, text=name),)
             continue
         seen.append(name)
         if len(cells) != len(lines[name]):
-            yield f"the row of {name} in the table of masses"
+            yield within("row", MASSES, name=name)
             continue
         wrong = (text for text, cell in zip(cells, lines[name], strict=True) if not cell.holds(text))
-        yield from (f"{text} for {name} in the table of masses" for text in wrong)
-    yield from (
-        f"{name} is missing from the table of masses" for name in _run(leaf, list(lines), seen) if name not in seen
-    )
+        yield from (within("cell", MASSES, name=name, text=text) for text in wrong)
+    missing = (name for name in _run(leaf, list(lines), seen) if name not in seen)
+    yield from (within("missing_from", MASSES, name=name) for name in missing)
 
 
 def _run(leaf: Leaf, names: Sequence[str], seen: Sequence[str]) -> Sequence[str]:
@@ -154,7 +153,7 @@ class _MassTable(NamedTuple):
         assert moment.true is not None  # every mass has one
         if self.flat:
             return [mass, far, angle, moment]
-        turned = Cell(abs(moment.true * arm), moment.slack * abs(arm))
+        turned = Cell(moment.true * arm, moment.slack * abs(arm))
         return [mass, far, angle, Cell(1000 * arm), moment, turned]
 
 

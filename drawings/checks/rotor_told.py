@@ -8,19 +8,21 @@ from typing import NamedTuple
 
 from drawings.checks.reading import reads
 from drawings.checks.rotor_tables import Cell, direction, found_mass, named, radius
+from drawings.checks.wrong import Wrong, within
 from drawings.lettering.rotor_letters import index
 from drawings.page.drafting import Drafting
 from drawings.paper.strokes import Leaf, Text
 from drawings.paper.walk import texts
-from drawings.report.rotor_notes import GRAM_MILLIMETRES
+from drawings.report.rotor_notes import ANGLE, GRAM_MILLIMETRES
 from plans.checks.comparison import Comparison
 from plans.model.balance_quality import permissible
 from plans.model.rotor import Balance, Rotor
 from plans.rotor.letters import unbalance_letters
 
 DIGITS, FEWER = 5, 4  # of vectors and counterweights; of speeds and of what a grade permits
+NOTES = "notes"  # the name of their figure
 _NUMBER = r"[−\d.,]*\d"
-_TOLD = re.compile(rf"(?P<name>[^\s=;,]+)\s=\s(?P<value>{_NUMBER})(?:(?:\s\S+)?\s(?:∠|at|под)\s(?P<angle>{_NUMBER})°)?")
+_GAP = "\0"  # stands for a number of a phrase
 
 
 class Told(NamedTuple):
@@ -39,21 +41,33 @@ class Told(NamedTuple):
         return angle is None or (self.angle is not None and self.angle.holds(angle))
 
 
-def notes(leaf: Leaf, rotor: Rotor, comparison: Comparison, drafting: Drafting) -> Iterator[str]:
+def notes(leaf: Leaf, rotor: Rotor, comparison: Comparison, drafting: Drafting) -> Iterator[Wrong]:
     """Read the notes of the first sheet back: each letter in its turn, none left out."""
     if leaf.metadata["number"] != 1:
         return
-    told = " ".join(text.plain for group in leaf.groups if group.name == "notes" for text in texts((group,)))
+    told = " ".join(text.plain for group in leaf.groups if group.name == NOTES for text in texts((group,)))
     due = list(_expected(rotor, comparison, drafting))
-    for found in _TOLD.finditer(told):
+    for found in _told(drafting).finditer(told):
         one = next((one for one in due if one.name == found["name"]), None)
         if one is None:
-            yield f"{found[0]} in the notes (the analysis has none)"
+            yield within("stranger_in", NOTES, text=found[0])
             continue
         due.remove(one)
         if not one.holds(found["value"], found["angle"]) or (found["angle"] is None and _pointed(one)):
-            yield f"{found[0]} in the notes"
-    yield from (f"{one.name} is missing from the notes" for one in due if not one.optional)
+            yield within("in", NOTES, text=found[0])
+    yield from (within("missing_from", NOTES, name=one.name) for one in due if not one.optional)
+
+
+def _told(drafting: Drafting) -> re.Pattern[str]:
+    """Read a letter with its size and, as the phrase of a counterweight or a vector tells it, its direction."""
+    _, before, after = drafting.word("counterweight", letters="", moment=_GAP, angle=_GAP).split(_GAP)
+    turned = rf"(?:{_spaced(before)}|\s\S+{_spaced(ANGLE)})(?P<angle>{_NUMBER}){_spaced(after)}"
+    return re.compile(rf"(?P<name>[^\s=;,]+)\s=\s(?P<value>{_NUMBER})(?:{turned})?")
+
+
+def _spaced(text: str) -> str:
+    """Give the pattern of a text in which any space may be a line's end."""
+    return re.sub(r"\s", r"\\s", "".join(one if one.isspace() else re.escape(one) for one in text))
 
 
 def _pointed(one: Told) -> bool:
@@ -89,6 +103,6 @@ def _graded(rotor: Rotor, analysis: Balance, drafting: Drafting) -> Iterator[Tol
         yield Told("e·ω", Cell(quality, 2 * slack), FEWER)
         if rotor.grade is not None:
             whole = GRAM_MILLIMETRES * permissible(rotor.grade, rotor.mass, rotor.speed)
-            yield Told("Uдоп" if drafting.language == "ru" else "Uper", Cell(whole), FEWER)
+            yield Told(Text(0j, drafting.word("permissible letters")).plain, Cell(whole), FEWER)
     if analysis.before and rotor.speed is not None:
         yield Told("ω", Cell(rotor.speed), FEWER)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from drawings.checks import reading, rotor_tables, rotor_told
-from drawings.checks.wrong import Wrong
+from drawings.checks.wrong import Wrong, on
 from drawings.figures.rotor import across, along
 from drawings.figures.rotor.letters import MOST
 from drawings.figures.rotor.rotor_polygon import sum_letters
@@ -103,30 +103,31 @@ def _vectors(measured: Measured, plan: str, expected: Expected) -> Iterator[Wron
     slack = expected.slack * arm + 2 * measured.quantum * scale
     for name in seen.keys() - true.keys():
         if not abs(seen[name].value) <= slack:
-            yield f"{name} on {plan} (the analysis has none)"
+            yield on("stranger_on", plan, name=name)
     for name, one in seen.items():
         if name in true and not abs(one.value - true[name]) <= slack:
-            yield f"{name} on {plan} (against the analysis)"
-    yield from (f"{name} on {plan} is missing" for name in true.keys() - seen.keys() if not abs(true[name]) <= slack)
+            yield on("differs_on", plan, name=name)
+    lost = (name for name in true.keys() - seen.keys() if not abs(true[name]) <= slack)
+    yield from (on("missing_on", plan, name=name) for name in lost)
     yield from _open(list(seen.values()), plan, slack)
 
 
 def _open(vectors: list[MeasuredVector], plan: str, slack: float) -> Iterator[Wrong]:
     """Say so where the vectors of a polygon do not close."""
     if abs(sum(one.value for one in vectors)) > len(vectors) * slack:
-        yield f"the polygon {plan} does not close"
+        yield on("open", plan)
 
 
 def _points(measured: Measured, plan: str, expected: Expected) -> Iterator[Wrong]:
     """Hold the masses of a view against the analysis; none that is to be told apart may be missing."""
     true = {f"m_{name}": _seen(plan, centre, place) for name, centre, place in expected.centres()}
     seen = {one.name: one for one in measured.points if one.plan == plan}
-    yield from (f"{name} on {plan} (the analysis has none)" for name in seen.keys() - true.keys())
+    yield from (on("stranger_on", plan, name=name) for name in seen.keys() - true.keys())
     for name, one in seen.items():
         off = abs(one.value - true.get(name, one.value))
         if not off <= FAR * abs(one.value) + 2 * measured.quantum * one.scale:
-            yield f"{name} on {plan} (against the analysis)"
-    yield from (f"{name} on {plan} is missing" for name in expected.distinct & true.keys() - seen.keys())
+            yield on("differs_on", plan, name=name)
+    yield from (on("missing_on", plan, name=name) for name in expected.distinct & true.keys() - seen.keys())
 
 
 def _seen(plan: str, centre: complex, place: float) -> complex:

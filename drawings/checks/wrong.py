@@ -18,6 +18,15 @@ def on(key: str, plan: str, **parts: object) -> Message:
     return message(f"wrong.{key}", plan=_figure(plan), **parts)
 
 
+def within(key: str, where: str, **parts: object) -> Message:
+    """Say what is wrong in a table or in the notes of a sheet, by the name of its figure.
+
+    >>> str(within("cell", "masses", name="II", text="0.5"))
+    '0.5 for II in the table of masses'
+    """
+    return message(f"wrong.{key}", where=where, **parts)
+
+
 def _figure(plan: str) -> Wrong:
     """Name the figure of a group of links or a pair; any other by the word for its plan."""
     kind, _, which = plan.partition("-")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 import difflib
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -25,7 +25,7 @@ def run(options: argparse.Namespace) -> int:
     noted(study)
     explanation = explained(study, options.position, options.mark)
     if options.json:
-        print_json([_plain(mark, explanation.units) for mark in explanation.steps])
+        print_json([_plain(mark, explanation) for mark in explanation.steps])
         return 0
     language = study.scene.sheet.language
     print(word(language, "explain.steps", title=explanation.title, count=len(explanation.steps)))
@@ -50,9 +50,9 @@ def explained(study: Study, position: int, name: str) -> Explanation:
 def _no_mark(name: str, none: Sequence[NoMark]) -> Message:
     """Say which marks there are, and which of them may have been meant."""
     near = difflib.get_close_matches(name, [known for one in none for known in one.names], 1)
-    listed = tuple(one.listed for one in none if one.listed)
     examples = ", ".join(example for one in none for example in one.examples)
-    parts: dict[str, object] = {"mark": name, "listed": listed, "examples": examples}
+    also = (message("mark.also", examples=examples),) if examples else ()
+    parts: dict[str, object] = {"mark": name, "listed": (*(one.listed for one in none if one.listed), *also)}
     if not near:
         return message("mark.unknown", **parts)
     return message("mark.meant", near=near[0], **parts)
@@ -64,7 +64,7 @@ def sentence(mark: Mark, of: Explanation, language: str) -> str:
     text = f"{_named(mark, of.home, language)}: {term(language, 'op', mark.step.op)}" + (
         f" ({sources})" if sources else ""
     )
-    text += f" = {_value(mark, of.units).worded(language)}"
+    text += f" = {_value(mark, of).worded(language)}"
     if mark.sharpness is not None:
         angle = f"{np.degrees(np.arcsin(min(at(mark.sharpness, 0).real, 1.0))):.2f}"
         kappa = f"{float(condition(mark).flat[0]):.3g}"
@@ -80,8 +80,8 @@ def _named(mark: Mark, home: str, language: str) -> str:
     return name if mark.subject == home else f"{name} [{term(language, 'plan', mark.subject)}]"
 
 
-def _value(mark: Mark, units: Mapping[str, str]) -> Message:
-    unit = units.get(_drawn_on(mark), "")
+def _value(mark: Mark, of: Explanation) -> Message:
+    unit = of.units.get(_drawn_on(mark), "")
     if isinstance(mark.value, Line):
         through, direction = at(mark.value.through, 0), at(mark.value.direction, 0)
         return message("explain.line", through=_pair(through), direction=_pair(direction))
@@ -90,7 +90,7 @@ def _value(mark: Mark, units: Mapping[str, str]) -> Message:
     if isinstance(mark.value, Arc):
         radius = f"{at(mark.value.radius, 0).real:.10g}"
         return message("explain.arc", centre=_pair(at(mark.value.centre, 0)), radius=radius, unit=unit)
-    return message("explain.point", value=_pair(at(mark.value, 0)), unit=unit)
+    return message("explain.point", value=_pair(0j if mark in of.zeros else at(mark.value, 0)), unit=unit)
 
 
 def _moment(mark: Mark) -> Message:
@@ -114,12 +114,12 @@ def _pair(value: complex) -> Message:
     return message("explain.pair", x=f"{value.real + 0.0:.10g}", y=f"{value.imag + 0.0:.10g}")
 
 
-def _plain(mark: Mark, units: Mapping[str, str]) -> dict[str, object]:
+def _plain(mark: Mark, of: Explanation) -> dict[str, object]:
     return {
         "plan": mark.subject,
         "name": mark.name,
         "op": mark.step.op,
         "from": [source.name for source in mark.step.inputs],
-        "value": str(_value(mark, units)),
+        "value": str(_value(mark, of)),
         "why": str(mark.step.why),
     }

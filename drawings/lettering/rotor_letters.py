@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 
 from drawings.lettering.words import word
+from plans.rotor.letters import ALONE
 
-ALONE = "cw"  # the name of the only plane of correction
 INDEX = re.compile(r"_([^_]+?)(?=[Dh]_|$)")
 
 

@@ -49,10 +49,15 @@ class RotorNotes(NamedTuple):
         before = rotor.quality(*self.balance.sizes)
         if before is None or rotor.mass is None or rotor.speed is None:
             return
-        yield word("quality before", quality=number(before), grade=grade_name(before, self.drafting))
+        told = "quality before of two" if rotor.dynamic else "quality before"
+        yield word(told, quality=number(before), grade=grade_name(before, self.drafting))
         if rotor.grade is not None:
             whole = GRAM_MILLIMETRES * permissible(rotor.grade, rotor.mass, rotor.speed)
-            grade = {"grade": letters(rotor.grade), "permissible": number(whole)}
+            grade = {
+                "grade": letters(rotor.grade),
+                "permissible": number(whole),
+                "letters": word("permissible letters"),
+            }
             each = {"each": number(whole / len(rotor.planes))}
             yield word("permissible", **grade, **each) if rotor.dynamic else word("permissible in one", **grade)
 

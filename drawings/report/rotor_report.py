@@ -94,11 +94,12 @@ def _residual(rotor: Rotor, analysis: Balance, residual: Mapping[str, float], dr
     quality = rotor.quality(*residual.values())
     if quality is None:
         return
-    told = drafting.number(quality, 3)
+    told, of_two = drafting.number(quality, 3), "_of_two" if rotor.dynamic else ""
     if not rotor.dynamic and not analysis.couple.vanishes:  # a grade is of the whole rotor
         yield word(drafting.language, "report.resultant_quality", quality=told)
     else:
-        yield word(drafting.language, "report.residual_quality", quality=told, grade=grade_name(quality, drafting))
+        grade = grade_name(quality, drafting)
+        yield word(drafting.language, f"report.residual_quality{of_two}", quality=told, grade=grade)
 
 
 def _masses(rotor: Rotor, drafting: Drafting) -> Iterator[str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Final
 
 GRADES: Final = (0.4, 1.0, 2.5, 6.3, 16.0, 40.0, 100.0, 250.0, 630.0, 1600.0, 4000.0)  # mm/s
@@ -29,6 +30,15 @@ def grade_of(value: float) -> float | None:
     (0.4, 6.3, 16.0, None)
     """
     return next((grade for grade in GRADES if value <= grade), None)
+
+
+def nearest_grade(value: float) -> float:
+    """Give the grade that a value mm/s differs from by the smallest factor; of zero the finest.
+
+    >>> nearest_grade(7.0), nearest_grade(0.0)
+    (6.3, 0.4)
+    """
+    return min(GRADES, key=lambda grade: abs(math.log(grade / value))) if value > 0 else GRADES[0]
 
 
 def letters(grade: float) -> str:

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterator
 from decimal import Decimal
 from functools import partial
 
-from plans.model.balance_quality import GRADES, letters
+from plans.model.balance_quality import GRADES, letters, nearest_grade
 from plans.scene import fields as f
 from plans.scene import units
-from plans.scene.faults import wrong
+from plans.scene.faults import Wrong, together, wrong
 from plans.scene.forms import Form
 from plans.scene.readers import Check, Field, many
 from plans.scene.scene import TechniqueForm
 from plans.scene.tables import Missing, Table, key, table
+from plans.words.words import message
 
 STATIC_MOMENT = units.Kind(
     "static moment",
@@ -55,6 +58,7 @@ class UnbalanceTable(Table):
         f.ANGLE,
         meaning="Where the mass is, degrees counter-clockwise from any line of the rotor.",
         missing=Missing("angle", "angle = 20"),
+        also=("phase", "phi", "φ"),
     )
     place: Decimal = key(
         f.COORDINATE,
@@ -65,11 +69,14 @@ class UnbalanceTable(Table):
 
     def check(self) -> None:
         """See that the static moment is given in one way, and wholly."""
+        together(self._misfits())
+
+    def _misfits(self) -> Iterator[Wrong]:
         for name in ("mass", "radius"):
             if self.moment is None and name not in self.given:
-                raise wrong("missing", at=(name,))
+                yield wrong("missing", at=(name,))
             if self.moment is not None and name in self.given:
-                raise wrong("one_of_two", first=name, second="moment", found="both", at=(name,))
+                yield wrong("one_of_two", first=name, second="moment", found="both", at=(name,))
 
     @classmethod
     def rules(cls) -> Form:
@@ -120,6 +127,15 @@ def _bearings() -> Field:
     return many(f.COORDINATE, Check(_check_apart, unique=True), first=two)._replace(shown=f"{BEARINGS} m")
 
 
+def _likely_grade(value: object) -> str:
+    """Give the grade that a text or a number is likely to mean: that of the same digits, else the nearest."""
+    found = re.search(r"\d+(?:[.,]\d+)?", str(value))
+    if not found or isinstance(value, bool):
+        return ""
+    same = (one for one in map(letters, GRADES) if re.sub(r"\D", "", one) == re.sub(r"\D", "", found[0]))
+    return next(same, letters(nearest_grade(float(found[0].replace(",", ".")))))
+
+
 class RotorTable(Table):
     """A rotor: its unbalanced masses, where it may be corrected, its bearings, speed, mass, and the grade asked."""
 
@@ -139,33 +155,37 @@ class RotorTable(Table):
     speed: Decimal | None = key(
         f.ANGULAR_SPEED,
         None,
-        meaning='Angular speed, rad/s or "3000 rpm".',
+        meaning='Angular speed, rad/s or "3000 rpm"; negative is clockwise.',
         missing=Missing("angular speed", 'speed = "3000 rpm"'),
+        also=("rpm", "n", "omega", "ω"),
     )
     mass: Decimal | None = key(
         HEAVY, None, meaning="Mass of the whole rotor, kg.", missing=Missing("mass", 'mass = "20 kg"')
     )
     grade: str | None = key(
-        f.words(*map(letters, GRADES)),
+        f.words(*map(letters, GRADES), likely=_likely_grade),
         None,
         meaning="Balance quality grade asked, ISO 21940-11; needs speed and mass.",
     )
 
     def check(self) -> None:
         """See that it turns, that a grade has what it needs, and that with two planes each thing has its place."""
+        together((*self._standing(), *self._ungraded(), *self._unplaced()))
+
+    def _standing(self) -> Iterator[Wrong]:
         if self.speed == 0:
-            raise wrong("not_positive", kind="angular speed", at=("speed",))
+            yield wrong("zero", kind="angular speed", at=("speed",))
+
+    def _ungraded(self) -> Iterator[Wrong]:
         for name in ("speed", "mass"):
             if self.grade is not None and name not in self.given:
-                raise wrong("missing", at=(name,))
-        if len(self.planes) == PLANES_LIMIT:
-            self._check_places()
+                yield wrong("missing", at=(name,), why=message("why.grade"))
 
-    def _check_places(self) -> None:
-        for name in ("masses", "planes"):
+    def _unplaced(self) -> Iterator[Wrong]:
+        for name in ("masses", "planes") if len(self.planes) == PLANES_LIMIT else ():
             for index, entry in enumerate(getattr(self, name)):
                 if "place" not in entry.given:
-                    raise wrong("missing", at=(name, index, "place"))
+                    yield wrong("missing", at=(name, index, "place"), why=message("why.planes"))
 
     @classmethod
     def rules(cls) -> Form:

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from plans.words.words import word
+
+ALONE = "cw"  # the index of the only counterweight, which each language writes in its own letters
+
 
 def unbalance_letters(name: str) -> str:
     """Letter a static moment.
@@ -19,3 +23,12 @@ def moment_letters(name: str) -> str:
     'm_2D_2h_2'
     """
     return f"{unbalance_letters(name)}h_{name}"
+
+
+def written(name: str, language: str) -> str:
+    """Write the letters of a vector as a language does.
+
+    >>> written("m_cwD_cwh_cw", "ru"), written("m_IID_II", "ru")
+    ('m_прD_прh_пр', 'm_IID_II')
+    """
+    return name.replace(f"_{ALONE}", f"_{word(language, 'sheet.counterweight index')}")

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from geometry.board import Board
+from geometry.board import Mark
 from geometry.steps import behind
-from plans.explanation import Explanation, NoMark
+from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.rotor.balancing import COUPLES, UNBALANCES
 from plans.rotor.bearings import REACTIONS
-from plans.rotor.letters import moment_letters, unbalance_letters
-from plans.words.words import message
+from plans.rotor.letters import moment_letters, unbalance_letters, written
+from plans.words.words import languages, message
 
 if TYPE_CHECKING:
     from plans.rotor.study import RotorStudy
@@ -20,16 +21,49 @@ UNITS = {COUPLES: "kg*m2", UNBALANCES: "kg*m", REACTIONS: "N"}
 
 
 def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
-    """Give the steps behind a mark; a rotor has no positions, and each is the same."""
+    """Give the steps behind a mark, by its letters in any language; a rotor is the same in every position."""
     rotor: RotorStudy = study["rotor"]
-    mark = next((board[name] for board in rotor.boards if name in board and name != "0"), None)
+    mark = _find(rotor, name)
     if mark is None:
-        return NoMark(_names(rotor.boards), message("mark.marks", marks=", ".join(_wanted(rotor))), ("R_A", "R_A'"))
-    return Explanation(message("explain.name", mark=name), tuple(behind(mark)), UNITS)
+        names, wanted = (
+            tuple(written(one, study.scene.sheet.language) for one in own) for own in (_names(rotor), _wanted(rotor))
+        )
+        examples = tuple(one.name for found in rotor.reactions for one in found.marks[:1])
+        return NoMark(names, message("mark.marks", marks=", ".join(wanted)), examples)
+    if position:
+        raise UnknownMark(message("mark.no_position", mark=name, position=position))
+    steps = tuple(behind(mark))
+    return Explanation(message("explain.name", mark=name), steps, UNITS, zeros=frozenset(_zeros(rotor, steps)))
 
 
-def _names(boards: tuple[Board, ...]) -> tuple[str, ...]:
-    return tuple(mark.name for board in boards for mark in board if mark.name != "0")
+def _find(rotor: RotorStudy, name: str) -> Mark | None:
+    return next((mark for mark in _marks(rotor) if name in {written(mark.name, each) for each in languages()}), None)
+
+
+def _names(rotor: RotorStudy) -> list[str]:
+    return [mark.name for mark in _marks(rotor)]
+
+
+def _marks(rotor: RotorStudy) -> Iterator[Mark]:
+    """Give all marks but the poles."""
+    return (mark for board in rotor.boards for mark in board if mark.name != "0")
+
+
+def _zeros(rotor: RotorStudy, steps: Sequence[Mark]) -> Iterator[Mark]:
+    """Give the marks that vanish, with the corners that then fall on the pole and what is turned from them."""
+    vanishing = {mark for mark, slack in _closings(rotor) if abs(complex(mark.point)) <= slack}
+    yield from vanishing
+    yield from (mark.step.inputs[0] for mark in vanishing if mark.step.op == "join")
+    yield from (mark for mark in steps if mark.step.op == "turn" and mark.step.inputs[0] in vanishing)
+
+
+def _closings(rotor: RotorStudy) -> Iterator[tuple[Mark, float]]:
+    """Give what closes a sum, and how far rounding can have moved it."""
+    drawing = rotor.drawing
+    yield from ((one.closing, one.slack) for one in (drawing.moments, drawing.forces))
+    yield from ((one.mark, one.slack) for one in (drawing.unbalance, *drawing.corrections))
+    for found in rotor.reactions:
+        yield from zip(found.marks, found.slacks, strict=True)
 
 
 def _wanted(rotor: RotorStudy) -> list[str]:

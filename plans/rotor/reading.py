@@ -2,25 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from decimal import Decimal
 from fractions import Fraction
 from typing import NamedTuple
 
-from plans.analytic.rotor import balance
 from plans.model.rotor import Plane, Rotor, Unbalance
 from plans.rotor.form import PlaneTable, RotorForm, RotorTable, UnbalanceTable
+from plans.rotor.letters import ALONE
 from plans.scene.faults import Fault
-from plans.scene.scene import Meaning, Scene
+from plans.scene.scene import Meaning
 from plans.scene.units import WORKING
 
-NUMERALS, ALONE = ("I", "II"), ("cw",)  # the names of two planes, and of one
+NUMERALS = ("I", "II")  # the names of two planes
 
 
 def rotor_of(form: RotorTable) -> Rotor:
     """Make the rotor that a scene gives; without a plane of correction the origin is one."""
     planes = form.planes or (PlaneTable(),)
-    names = ALONE if len(planes) == 1 else NUMERALS
+    names = (ALONE,) if len(planes) == 1 else NUMERALS
     return Rotor(
         masses=tuple(_unbalance(number, one) for number, one in enumerate(form.masses, 1)),
         planes=tuple(
@@ -60,10 +59,3 @@ class RotorSurvey(NamedTuple):
 def survey_of(meaning: Meaning) -> RotorSurvey:
     """Examine a scene's rotor (row of the table of techniques)."""
     return RotorSurvey(rotor_of(meaning.scene.of(RotorForm).rotor), [])
-
-
-def notes_of(scene: Scene) -> Iterator[Fault]:
-    """Give the notes on a scene's rotor: that one plane leaves a couple unbalanced (row of the table of techniques)."""
-    rotor = scene.of(RotorForm).rotor
-    if len(rotor.planes) < len(NUMERALS) and not balance(rotor_of(rotor), borne=False).couple.vanishes:
-        yield scene.fault(("rotor", "planes") if rotor.planes else ("rotor",), "static_only")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from collections.abc import Callable
 from decimal import Decimal
 from functools import partial
 from typing import TypeVar
@@ -63,18 +64,23 @@ def flag(value: object) -> bool:
     return value
 
 
-def choice(value: object, choices: tuple[str, ...], kind: str = "choice") -> str:
-    """Read one of the words that are allowed."""
+def choice(
+    value: object, choices: tuple[str, ...], kind: str = "choice", likely: Callable[[object], str] | None = None
+) -> str:
+    """Read one of the words that are allowed; `likely` gives the one that another value is nearest to, or ""."""
+    meant = likely(value) if likely else ""
     if not isinstance(value, str):
         raise wrong(
             "wrong_type",
             wanted="text",
             found=type_name(value),
-            example=sample(choices[0]),
+            example=sample(meant or choices[0]),
         )
     if value not in choices:
-        listed, advice = ", ".join(choices), message("advice.write", name=choices[0])
-        raise wrong(kind, choices=listed, suggestion=suggestion(value, choices, advice))
+        advice = message("advice.write", name=meant or choices[0])
+        raise wrong(
+            kind, choices=", ".join(choices), suggestion=advice if meant else suggestion(value, choices, advice)
+        )
     return value
 
 
@@ -135,10 +141,10 @@ def positive(kind: units.Kind) -> Field:
     return one(units.positive, partial(forms.quantity, kind, exclusiveMinimum=0), kind.si, kind=kind)
 
 
-def words(*choices: str, kind: str = "choice") -> Field:
+def words(*choices: str, kind: str = "choice", likely: Callable[[object], str] | None = None) -> Field:
     """Read one of some words."""
     shown = ", ".join(f'"{word}"' for word in choices)
-    return one(choice, partial(forms.choice, choices), shown, choices=choices, kind=kind)
+    return one(choice, partial(forms.choice, choices), shown, choices=choices, kind=kind, likely=likely)
 
 
 def pair(entry: Field, what: str = "[x, y]") -> Field:

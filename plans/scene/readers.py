@@ -136,9 +136,15 @@ def _all(checks: tuple[Check, ...], found: Any, path: Path, refused: Refusals) -
 
 
 def checked(check: Callable[[], Any], value: object, path: Path, refused: Refusals) -> Any:
-    """Give what a check gives; what it raises as Wrong is a refusal."""
+    """Give what a check gives; what it raises as Wrong is a refusal, of several together each."""
     try:
         return check()
     except Wrong as wrong:
-        refused.append(Refusal(path + wrong.at, wrong.kind, wrong.details, value))
-        return REFUSED
+        refused.append(_refusal(wrong, path, value))
+    except ExceptionGroup as several:
+        refused += [_refusal(wrong, path, value) for wrong in several.exceptions if isinstance(wrong, Wrong)]
+    return REFUSED
+
+
+def _refusal(wrong: Wrong, path: Path, value: object) -> Refusal:
+    return Refusal(path + wrong.at, wrong.kind, wrong.details, value)

@@ -79,8 +79,11 @@ def spare(source: Source, check: Callable[[Mapping[str, Any]], T], kinds: Kinds)
 def _fault(refusal: Refusal, source: Source, tables: Tables) -> Fault:
     path = refusal.path
     if refusal.kind == "missing":
-        missing = _missing(path, tables)
-        return source.fault(path, "missing", thing=missing.thing, example=missing.example)
+        missing, why = _missing(path, tables), refusal.details.get("why")
+        details = {"thing": missing.thing, "example": missing.example}
+        return (
+            source.fault(path, "missing_for", why=why, **details) if why else source.fault(path, "missing", **details)
+        )
     if refusal.kind == "unknown_key":
         return _unknown_key(path, source, tables)
     if refusal.kind in ("not_a_list", "not_a_table"):
@@ -96,14 +99,26 @@ def _unknown_key(path: Path, source: Source, tables: Tables) -> Fault:
     known = list(holders_of(tables[own]))
     elsewhere = [table for table in tables if table != own and key in holders_of(tables[table])]
     homes = [] if elsewhere or key in known else [home for kind in tables[()] if (home := kind.home_of(key))]
-    near = nearest(key, known)
+    other = _other_name(key, tables[own])
+    near = [other] if other else nearest(key, known)
     meant: Path = (*path[:-1], *near[:1]) if near else (*elsewhere[0], key) if elsewhere else ()
     details = {
         "table": table_name(own),
         "known": ", ".join(known),
-        "suggestion": _meaning(key, known, elsewhere, homes),
+        "suggestion": _named_otherwise(other, path, tables) if other else _meaning(key, known, elsewhere, homes),
     }
     return source.fault(path, "unknown_key", **details, meant=meant)
+
+
+def _other_name(key: str, kinds: Kinds) -> str:
+    """Give the key of a table that an author may have meant by another name."""
+    stated = ((name, kind.keys[name].also) for kind in kinds for name in kind.keys)
+    return next((name for name, also in stated if key.casefold() in also), "")
+
+
+def _named_otherwise(name: str, path: Path, tables: Tables) -> Message:
+    """Suggest a key with a line that would do: its unit may be another than the name said."""
+    return message("advice.meant", names=(_missing((*path[:-1], name), tables).example,))
 
 
 def _meaning(key: str, known: list[str], elsewhere: list[Path], homes: list[Path]) -> Message:

@@ -26,17 +26,28 @@ class Missing(NamedTuple):
 
 
 class Key(NamedTuple):
-    """A key of a table: the field of its value, what stands for it where it is not given, and what it means."""
+    """A key of a table: the field of its value, what stands for it where it is not given, and what it means.
+
+    `also` are other names that an author may give it.
+    """
 
     field: Field
     default: Any
     meaning: str
     missing: Missing | None
+    also: tuple[str, ...] = ()
 
 
-def key(field: Field, default: Any = REQUIRED, *, meaning: str = "", missing: Missing | None = None) -> Any:
+def key(
+    field: Field,
+    default: Any = REQUIRED,
+    *,
+    meaning: str = "",
+    missing: Missing | None = None,
+    also: tuple[str, ...] = (),
+) -> Any:
     """Declare a key in the body of a Table."""
-    return Key(field, default, meaning, missing)
+    return Key(field, default, meaning, missing, also)
 
 
 class Table:

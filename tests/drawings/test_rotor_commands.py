@@ -11,7 +11,7 @@ import pytest
 from drawings.commands import cli
 from drawings.report.rotor_report import chapters
 from drawings.sheets.rotor import leaves
-from plans.rotor.reading import notes_of
+from plans.rotor.notes import notes_of
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.gallery import GALLERY
@@ -78,6 +78,38 @@ def test_a_mark_that_no_polygon_has_is_told_with_the_near_ones(run: Run) -> None
     assert "m_1D_1" in err
 
 
+def test_what_vanishes_is_explained_as_zero(run: Run, tmp_path: Path) -> None:
+    """Rounding alone is nothing: neither a reaction of a balanced rotor, nor what closes a star of masses."""
+    told = json.loads(run("explain", FAN, "R_A'", "--json")[1])
+    assert (told[-1]["name"], told[-1]["value"]) == ("R_A'", "(0, 0) N")
+    rows = ", ".join(f"{{ moment = 1, angle = {angle}, place = 1 }}" for angle in (17, 137, 257))
+    star = tmp_path / "star.toml"
+    planes = "[{ place = 0.3 }, { place = 0 }]"
+    star.write_text(f'sheets = ["rotor"]\nrotor.masses = [{rows}]\nrotor.planes = {planes}\n', "utf-8")
+    told = json.loads(run("explain", star, "m_ID_I", "--json")[1])
+    assert [one["value"] for one in told[-3:]] == ["(0, 0) kg*m2", "(0, 0) kg*m2", "(0, 0) kg*m"]
+    assert [one["name"] for one in told[-3:]] == ["m_ID_Ih_I:3", "m_ID_Ih_I", "m_ID_I"]
+
+
+@pytest.mark.parametrize("mark", ["m_прD_пр", "m_cwD_cw"])
+def test_a_mark_is_known_by_its_letters_in_any_language(run: Run, mark: str) -> None:
+    code, out, _ = run("explain", GALLERY / "flywheel.toml", mark, "--json")
+    assert (code, json.loads(out)[-1]["name"]) == (0, "m_cwD_cw")
+
+
+def test_a_rotor_has_no_positions(run: Run) -> None:
+    assert run("explain", FAN, "R_A", "--position", 0)[0] == 0
+    code, out, err = run("explain", FAN, "R_A", "--position", 99)
+    assert (code, out) == (3, "")
+    assert "--position 99" in err
+
+
+def test_reactions_are_offered_where_there_are_some(run: Run) -> None:
+    assert "R_A, R_A'" in run("explain", FAN, "R_C")[2]
+    err = run("explain", GALLERY / "flywheel.toml", "R_A")[2]
+    assert "m_cwD_cw" in err and err.count("R_A") == 1 and "also" not in err
+
+
 def test_a_drawn_sheet_is_measured(run: Run, tmp_path: Path) -> None:
     code, out, err = run("draw", FAN, "-o", tmp_path)
     assert (code, err) == (0, "")
@@ -111,6 +143,18 @@ def test_one_plane_is_noted_where_a_couple_about_it_is_left(angle: int, noted: b
     rows = f'{{ moment = 1, angle = 0, place = "0.5 m" }}, {{ moment = 1, angle = {angle}, place = "0.5 m" }}'
     scene = parse_scene(f'sheets = ["rotor"]\nrotor.masses = [{rows}]\n')
     assert bool(list(notes_of(scene))) == noted
+
+
+@pytest.mark.parametrize(("planes", "doubled"), [(1, False), (2, True)])
+def test_the_quality_of_two_planes_is_by_the_worse_one_doubled(planes: int, doubled: bool) -> None:
+    """Static moments of 1 and 3 kg*m in the planes of a rotor of 20 kg: 2*3/20 of 100 rad/s, or 4/20 in one plane."""
+    rows = "{ moment = 1, angle = 0, place = 1 }, { moment = 3, angle = 0, place = 0 }"
+    two = "rotor.planes = [{ place = 1 }, { place = 0 }]\n" if planes > 1 else ""
+    more = f'rotor.speed = 100\nrotor.mass = 20\n{two}[sheet]\nlanguage = "en"\n'
+    study = Study(parse_scene(f'sheets = ["rotor"]\nrotor.masses = [{rows}]\n{more}'))
+    told = [line for line in chapters(study, {"rotor": leaves(study)}).conditions if "e·ω" in line]
+    assert f"e·ω = {30000 if doubled else 20000} mm/s" in told[0]
+    assert ["the worse plane, doubled" in line for line in told] == [doubled] * len(told)
 
 
 def test_the_quality_of_one_plane_tells_no_grade_while_a_couple_is_left() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
@@ -24,6 +25,7 @@ from plans.model.rotor import Plane, Rotor
 from plans.rotor.study import RotorStudy
 from plans.scene.scene import parse_scene, read_scene
 from plans.study import Study
+from plans.words.words import said
 from tests.parts import some
 from tests.plans.rotors import DYNAMIC, STATIC, dynamic, mass, masses, static
 
@@ -219,6 +221,7 @@ def test_a_planted_fault_is_seen(fan, change: Change, wrong: str, tmp_path: Path
     with pytest.raises(SelfCheckFailed) as told:
         verify(written(spoilt, tmp_path), spoilt, partial(faults, study=study))
     assert wrong in str(told.value)
+    assert not re.search(r"\b(the|is|on|in|for|against)\b", said(told.value, "ru"))
 
 
 def star(count: int, start: int = 17, place: str = "0.37") -> tuple:
@@ -299,3 +302,12 @@ def test_both_languages_say_the_same_of_a_rotor(language: str, tmp_path: Path) -
     )
     comma = "," if language == "ru" else "."
     assert f"0{comma}061813" in leaf.description and f"33{comma}823" in leaf.description
+
+
+def test_a_moment_beyond_the_last_plane_is_negative(tmp_path: Path) -> None:
+    """A mass 2 m beyond plane II turns the other way about it: m·D·h = 4·(−2) kg·m², at the angle of the mass."""
+    planes = (Plane("I", Fraction(3)), Plane("II", Fraction(2)))
+    beyond, within = mass(1, "4", "1", 40, "0"), mass(2, "4", "1", 130, "4")
+    (leaf,), _ = drawn(Rotor((beyond, within), planes), tmp_path)
+    table = [text.plain for group in leaf.groups if "masses" in group.name for text in _texts(group)]
+    assert {"−2000", "−8", "40"} <= set(table) and "8" in table

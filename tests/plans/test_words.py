@@ -85,6 +85,24 @@ def test_a_russian_phrase_is_in_russian() -> None:
                 assert form and not form.endswith(".")  # the sentence around it ends so
 
 
+@cache
+def compared(text: str) -> tuple[int, ...]:
+    """Give the lines of a file that compare something with the name of a language."""
+    return tuple(
+        part.lineno
+        for node in ast.walk(ast.parse(text))
+        if isinstance(node, ast.Compare)
+        for part in ast.walk(node)
+        if isinstance(part, ast.Constant) and part.value in languages()
+    )
+
+
+def test_a_language_is_never_compared_by_name() -> None:
+    assert [(path.name, lines) for path in FILES if (lines := compared(path.read_text("utf-8")))] == []
+    assert compared('if drawing.language == "ru":\n    pass') == (1,)
+    assert compared('one = 1 if language in ("ru", "en") else 2') == (1, 1)
+
+
 def test_a_message_is_said_in_the_language_that_is_asked_for() -> None:
     lost = placed("a: b.toml:4:1", message("advice.meant", names=("AB", "CD", "EF")))
     assert str(lost) == "a: b.toml:4:1: did you mean AB or CD or EF?"

@@ -14,7 +14,7 @@ from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
 from drawings.lettering.lettering import text_width
-from drawings.lettering.rotor_letters import ALONE, index
+from drawings.lettering.rotor_letters import index
 from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Line, Stroke, Text
@@ -22,6 +22,7 @@ from drawings.symbols.dashes import fit
 from drawings.symbols.figure import heading
 from drawings.symbols.symbols import ground, pole
 from plans.rotor.bearings import BEARINGS
+from plans.rotor.letters import ALONE
 
 NAME = "across"
 MARGINS = Margins(4.6, 1.6, 2.6)  # paper around it for letters, in their sizes

@@ -44,7 +44,7 @@ def _correction(rotor: Rotor, one: Correction, drafting: Drafting) -> tuple[str,
 def _row(name: str, values: Values, flat: bool, drafting: Drafting) -> TableRow:
     mass, radius, angle, arm, moment = values
     far = None if radius is None else 1000 * radius
-    cells = (mass, far, angle, moment) if flat else (mass, far, angle, 1000 * arm, moment, abs(moment * arm))
+    cells = (mass, far, angle, moment) if flat else (mass, far, angle, 1000 * arm, moment, moment * arm)
     return TableRow(name, tuple(NOTHING if one is None else drafting.number(one, DIGITS) for one in cells))
 
 

@@ -12,9 +12,9 @@ from plans.forces.reading.loads import DiagramTable
 from plans.linkage.reading.linkage import mechanism_of
 from plans.model.mechanism import Link, Mechanism
 from plans.scene.faults import Fault, Path
+from plans.scene.lengths import HUNDREDS
 from plans.scene.scene import Scene
 
-HUNDREDS = 100  # times as much as anything else of its kind: mostly another unit
 # Gravity of the Earth, m/s2, and how many times it a machine stands at most: the Sun's is 28 times.
 EARTH, MOST_EARTHS = Decimal("9.81"), 30
 ROUGH = 1  # rubber on a dry road; a larger coefficient of friction is mostly a lost decimal point

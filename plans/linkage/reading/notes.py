@@ -11,15 +11,13 @@ from plans.linkage.reading.fields import split_line
 from plans.linkage.reading.form import FrameLine, LinkageForm
 from plans.linkage.reading.survey import spread
 from plans.scene.faults import TWINS, Fault, Path
+from plans.scene.lengths import odd_lengths
 from plans.scene.scene import Scene
 
 # Lengths in one mechanism that differ more (ratio of longest to shortest) are mostly of two units.
 SPREAD = Decimal(10_000)
-# Metres: links of machines are shorter, and lengths in millimetres are mostly larger numbers.
-METRES = Decimal(20)
 # Where all angles of a list are smaller than a turn in radians, they were perhaps meant so.
 TURN_IN_RADIANS = Decimal("6.3")
-HUNDREDS = 100  # times as much as anything else of its kind: mostly another unit
 TWELFTH, ROUNDED = pi / 12, 0.002  # an angle of the drawing board, 15 degrees, in radians, to three figures
 FEW_ANGLES = 3  # a shorter list tells nothing
 RADIANS = re.compile(r"""["'].*\b(?:rad|рад)\s*["']""")
@@ -34,29 +32,12 @@ def notes_of(scene: Scene) -> Iterator[Fault]:
 
 def _lengths(scene: Scene, form: LinkageForm) -> Iterator[Fault]:
     lengths = form.mechanism.lengths
-    if lengths and max(lengths.values()) >= METRES:  # else nothing is odd, and the file need not be searched
-        notes = {key: scene.fault(("mechanism", "lengths", key), "metres") for key in lengths}
-        bare = [key for key in lengths if not notes[key].value.startswith(("'", '"'))]
-        if bare and all(lengths[key] >= METRES for key in bare):
-            details = {"least": METRES, "example": notes[bare[0]].value}
-            yield scene.fault(("mechanism", "lengths", bare[0]), "metres", **details)
-        else:
-            yield from _enormous(scene, form, bare)
+    stated: dict[Path, Decimal] = {("mechanism", "lengths", key): size for key, size in lengths.items()}
+    yield from odd_lengths(scene, stated, lambda path: str(path[-1]))
     apart = spread(lengths)
     if apart and apart.ratio > SPREAD:
         path = ("mechanism", "lengths", apart.longest)
         yield scene.fault(path, "spread", name=apart.longest, other=apart.shortest, ratio=f"{apart.ratio:.3g}")
-
-
-def _enormous(scene: Scene, form: LinkageForm, bare: list[str]) -> Iterator[Fault]:
-    """Find bare lengths a hundred times as long as the longest of the others."""
-    lengths = form.mechanism.lengths
-    for key in bare:
-        others = max((size for other, size in lengths.items() if other != key), default=lengths[key])
-        if lengths[key] >= METRES and lengths[key] >= HUNDREDS * others:
-            details = {"name": key, "ratio": f"{lengths[key] / others:.3g}"}
-            note = scene.fault(("mechanism", "lengths", key), "enormous", **details)
-            yield scene.fault(note.path, "enormous", example=note.value, **details)
 
 
 def _angles(scene: Scene, form: LinkageForm) -> Iterator[Fault]:
