@@ -1,4 +1,4 @@
-"""What the loop gives, worked out beside it: angles, segments, the origin off the paper, the flywheel (расчёт по петле)."""
+"""What the loop gives, worked out beside it: angles, segments, origin off the paper, flywheel (расчёт по петле)."""
 
 from __future__ import annotations
 
