@@ -70,4 +70,5 @@ def _wheel(wheel: Flywheel, drafting: Drafting) -> str:
     there = number(wheel.own + wheel.present, DIGITS)
     if wheel.needed <= 0:
         return drafting.word("no flywheel", there=there, whole=number(wheel.whole, DIGITS))
-    return f"{drafting.letter('J_{fly}')} = J_0 − J_0^* = {number(wheel.whole, DIGITS)} − {there} = {number(wheel.inertia, DIGITS)} {unit}"
+    whole, inertia = number(wheel.whole, DIGITS), number(wheel.inertia, DIGITS)
+    return f"{drafting.letter('J_{fly}')} = J_0 − J_0^* = {whole} − {there} = {inertia} {unit}"

@@ -9,7 +9,7 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 
 from plans.forces.stroke import Stroke, asks
-from plans.model.machine import ALWAYS, IDLE, WORKING, Force, Machine, Moment
+from plans.model.machine import ALWAYS, IDLE, WORKING, Force, Machine, Moment, Track
 
 Branch: TypeAlias = tuple[complex, ...]  # corners: way m or degrees + load N or N*m * i, in the order of the motion
 
