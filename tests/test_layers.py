@@ -47,6 +47,7 @@ SHARED = (
     "plans.model.flywheel_rim",
     "plans.model.motor",
     "plans.model.run",
+    "plans.model.working",
 )
 ONLY_IN = {
     "svgwrite": ("drawings/pens/svg.py", "drawings/bench/plain_pen.py"),  # the bench times its defaults beside our pen

@@ -75,7 +75,9 @@ def _bodies(machine: Machine, language: str) -> Iterator[str]:
     gravity = {"x": write(machine.gravity.real), "y": write(machine.gravity.imag)}
     yield say("report.gravity", **gravity) if machine.gravity else say("report.no_gravity")
     for force in machine.forces:
-        yield say("report.force", name=force.name, point=force.point, link=force.link, during=force.during)
+        ends = {"point": force.point, "link": force.link, "during": force.during}
+        far = {} if force.other is None else {"far": force.other.point, "other": force.other.link}
+        yield say("report.force_between" if far else "report.force", name=force.name, **ends, **far)
     for moment in machine.moments:
         yield say("report.moment", name=moment.name, link=moment.link, during=moment.during)
     for spring in machine.springs:

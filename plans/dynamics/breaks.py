@@ -62,7 +62,9 @@ def _levels(reduction: Reduction) -> Iterator[Level]:
             yield from (Level(_passing(stroke, share), stroke, load.during) for share in _shares(load))
         if isinstance(load, Moment) and load.against:
             yield Level(_turning(load.link))
-        if isinstance(load, Force) and load.direction is None:
+        if isinstance(load, Force) and load.resists and load.other is not None:
+            yield Level(_parting(load))
+        elif isinstance(load, Force) and load.direction is None and load.line is None:
             yield from _moving(reduction, load.point)
 
 
@@ -79,6 +81,18 @@ def _passing(stroke: Stroke, share: float) -> Height:
 
 def _turning(link: int) -> Height:
     return lambda motion: motion.links[link].omega
+
+
+def _parting(force: Force) -> Height:
+    """Tell the speed at which a point goes away from another along a line that both lie on."""
+    assert force.line is not None and force.other is not None  # of a force between two links
+    own, far, (start, end) = force.point, force.other.point, force.line
+
+    def height(motion: Motion) -> Floats:
+        along = motion.points[end].r - motion.points[start].r
+        return np.asarray((along.conj() * (motion.points[own].v - motion.points[far].v)).real)
+
+    return height
 
 
 def _moving(reduction: Reduction, point: str) -> Iterator[Level]:

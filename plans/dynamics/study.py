@@ -15,7 +15,7 @@ from plans.dynamics.speeds import SpeedCurve, natural, speed_curve
 from plans.forces.statics import Statics
 from plans.linkage.obstruction import obstruction
 from plans.linkage.study import LinkageStudy
-from plans.model.dynamics import Cycle, Flywheel, Reduced, Speeds, Task
+from plans.model.dynamics import CONSTRUCTION, Account, Cycle, Flywheel, Reduced, Speeds, Task
 from plans.words.words import message, placed
 
 if TYPE_CHECKING:
@@ -39,7 +39,7 @@ class DynamicsStudy:
         """Make what is asked for."""
         asked = {REDUCTION: "reduced", WORKS: "works", FLYWHEEL: "loop", SPEEDS: "curve"}
         for plan, name in asked.items():
-            if plan in plans:
+            if plan in plans and (plan == REDUCTION or self.steady or self.task.delta is not None):
                 getattr(self, name)
 
     @cached_property
@@ -58,11 +58,23 @@ class DynamicsStudy:
         self.made.setdefault(REDUCTION)
         return self.reduction.reduced
 
+    @property
+    def steady(self) -> bool:
+        """Whether the crank can turn fully, and its motion be steady."""
+        return not self.linkage.barriers and self.linkage.assembly.phi is not None
+
+    @property
+    def account(self) -> Account:
+        """All that is found by construction; the reduction alone where the crank cannot turn fully."""
+        if not self.steady and self.task.delta is None:
+            return Account(CONSTRUCTION, self.reduced)
+        return Account(CONSTRUCTION, self.reduced, self.cycle, self.flywheel, self.speeds, self.before)
+
     @cached_property
     def turn(self) -> Turn:
         """The steady turn in strips."""
         study = self.linkage
-        if study.barriers or study.assembly.phi is None:
+        if not self.steady:
             line, _ = study.scene.place(("dynamics",))
             why = message("dynamics.no_cycle", why=obstruction(study.sweep))
             raise NoCycle(placed(f"{study.scene.file}:{line}", why))

@@ -27,6 +27,7 @@ from plans.model.mechanism import Mechanism, Output, StructureError
 from plans.model.motion import Floats, Gap, Motion
 from plans.model.order import PLANS, numbers_of
 from plans.model.structure import decompose
+from plans.model.working import NoWorkingStroke
 from plans.scene.scene import Scene
 from plans.words.words import Message, message, placed
 
@@ -141,7 +142,12 @@ class LinkageStudy:
     def extreme_positions(self) -> ExtremePositions | None:
         """The output's extreme positions, None where it has none."""
         self.made.setdefault(EXTREMES)
-        return extremes(self.sweep, self.output)
+        try:
+            return extremes(self.sweep, self.output)
+        except NoWorkingStroke as error:
+            line, column = self.scene.place(("output", "working"))
+            where = f"{self.scene.file}:{line}:{column}: output.working"
+            raise StructureError(placed(where, error.args[0])) from None
 
     @property
     def travel(self) -> ExtremePositions | None:

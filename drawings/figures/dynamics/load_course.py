@@ -41,7 +41,7 @@ class LoadCourse(NamedTuple):
         return tuple(dict.fromkeys(corner for corner in (*self.out, *self.back) if corner.imag))
 
 
-def courses(machine: Machine, strokes: Mapping[str, Stroke]) -> Iterator[LoadCourse]:
+def courses(machine: Machine, strokes: Mapping[Track, Stroke]) -> Iterator[LoadCourse]:
     """Give the course of every load that changes over a stroke."""
     loads: tuple[Force | Moment, ...] = (*machine.forces, *machine.moments)
     return (course(load, strokes[load.stroke]) for load in loads if asks(load))

@@ -1,0 +1,254 @@
+"""A machine's motion by both roads: reduction, works, loop, speeds; and the true error of the method (сравнение).
+
+The chords of the construction are held against the same chords by the analysis's own ordinates, so that nothing but
+rounding parts them; what the chords themselves leave out is told beside, against the exact turn, and is not judged.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from geometry.board import Mark
+from geometry.meet import EPS
+from geometry.strips import Departure, departure
+from plans.analytic.dynamics.cycle import exact_cycle, sampled_cycle
+from plans.analytic.dynamics.exact import Exact, exact
+from plans.analytic.dynamics.flywheel import flywheel, flywheel_of_points
+from plans.analytic.dynamics.methods import methods
+from plans.analytic.dynamics.reduction import Reduction as Reducing
+from plans.analytic.dynamics.reduction import reduced
+from plans.analytic.dynamics.rim import wheel
+from plans.analytic.dynamics.speeds import Stall, Swing, with_flywheel, without_flywheel
+from plans.checks.compare import ANALYSIS, MotionComparison
+from plans.checks.comparison import Comparison, Finding
+from plans.dynamics.breaks import SAME
+from plans.dynamics.study import FLYWHEEL, REDUCTION, SPEEDS, WORKS, DynamicsStudy
+from plans.forces.loading import loading
+from plans.forces.stroke import Stroke
+from plans.model.dynamics import Account, Cycle, Flywheel, Speeds
+from plans.model.flywheel_methods import Methods
+from plans.model.flywheel_rim import Wheel
+from plans.model.kinetostatics import Loading
+from plans.model.machine import Track
+from plans.model.motion import Floats, Motion
+
+if TYPE_CHECKING:
+    from plans.study import Study
+
+ORDER = 2  # the reduction rests on velocities, its slope on accelerations: rounding is magnified once more for each
+
+
+@dataclass(frozen=True)
+class DynamicsComparison(Comparison):
+    """A machine's motion by both roads, over its positions by both; `exact` is the turn without the chords' error."""
+
+    construction: Account
+    analysis: Account
+    findings: tuple[Finding, ...]
+    motion: MotionComparison
+    exact: Account
+    turn: Exact | None = None  # the exact turn at any angle; None where the crank cannot turn fully
+    after: Swing | Stall | None = None  # the exact motion with the flywheel
+    before: Swing | Stall | None = None  # and without one
+    methods: Methods | None = None  # J0 by other methods
+    wheel: Wheel | None = None  # the rim of the flywheel that was constructed
+
+    @property
+    def agrees(self) -> bool:
+        """Whether both roads find the same over the same motion."""
+        return super().agrees and self.motion.agrees
+
+    @property
+    def error(self) -> Departure | None:
+        """The true error of the chords in J0, as a share of it; None where no fluctuation is asked for."""
+        drawn, true = self.construction.flywheel, self.exact.flywheel
+        return None if drawn is None or true is None else departure([drawn.whole], [true.whole])
+
+
+def comparison_of(study: Study) -> DynamicsComparison:
+    """Compare a scene's machine (row of the table of techniques)."""
+    return compare_dynamics(study["dynamics"], study.comparison("linkage"))
+
+
+def compare_dynamics(study: DynamicsStudy, motion: MotionComparison) -> DynamicsComparison:
+    """Compare the motion of a machine whose positions are compared."""
+    strokes = study.statics.over(motion.road.extremes)
+    road = Reducing(
+        motion.road, study.statics.machine, partial(_loads, study, strokes), float(study.linkage.turn.phi[0])
+    )
+    theirs = Account("analysis", reduced(road, study.linkage.turn.phi))
+    both = _Reduced(study, motion, theirs)
+    ours = study.account
+    if ours.cycle is None:
+        return DynamicsComparison(ours, theirs, tuple(both.findings()), motion, theirs)
+    turn = exact(road, strokes)
+    sampled = _sampled(study, theirs, turn, ours.cycle)
+    true, after, before = _exact(study, theirs, turn, ours.cycle)
+    chords = _Chords(study, ours.cycle, sampled, turn)
+    found = (*both.findings(), *chords.findings())
+    wheel_of = wheel(ours.flywheel.inertia, study.task.rim) if ours.flywheel else None
+    return DynamicsComparison(
+        ours, sampled, found, motion, true, turn, after, before, methods(turn, study.task), wheel_of
+    )
+
+
+def _loads(study: DynamicsStudy, strokes: Mapping[Track, Stroke], motion: Motion) -> Loading:
+    return loading(study.statics.machine, motion, strokes)
+
+
+def _sampled(study: DynamicsStudy, theirs: Account, turn: Exact, cycle: Cycle) -> Account:
+    """Do what the construction does, with the ordinates of the analysis."""
+    task, sampled = study.task, sampled_cycle(turn, cycle.turned)
+    found = flywheel_of_points(sampled, task) if task.delta else None
+    return replace(theirs, cycle=sampled, flywheel=found)
+
+
+def _exact(
+    study: DynamicsStudy, theirs: Account, turn: Exact, cycle: Cycle
+) -> tuple[Account, Swing | Stall | None, Swing | Stall]:
+    """Account for the turn without any error but rounding."""
+    task = study.task
+    found = flywheel(turn, task) if task.delta else None
+    before = without_flywheel(turn, task)
+    after = with_flywheel(turn, task, found) if found else None
+    speeds = [_told(one, cycle.turned) for one in (after, before)]
+    true = replace(theirs, cycle=exact_cycle(turn, cycle.turned), flywheel=found, speeds=speeds[0], before=speeds[1])
+    return true, after, before
+
+
+def _told(found: Swing | Stall | None, turned: Floats) -> Speeds | None:
+    return found.speeds(turned) if isinstance(found, Swing) else None
+
+
+class _Reduced(NamedTuple):
+    """The reduction at the positions of the scene by both roads."""
+
+    study: DynamicsStudy
+    motion: MotionComparison
+    theirs: Account
+
+    def findings(self) -> Iterator[Finding]:
+        """Compare reduced moment, inertia and its slope."""
+        ours, lever = self.study.reduced, self.study.reduction.own
+        pairs = (
+            ("M_red", "N*m", "moment", lever.acting, 1),
+            ("J_red", "kg*m2", "inertia", lever.moved, 1),
+            ("dJ/dφ", "kg*m2", "slope", lever.hindering, ORDER),
+        )
+        for name, unit, field, marks, order in pairs:
+            values = getattr(ours, field), getattr(self.theirs.reduced, field)
+            largest = _gross(marks)
+            off = lever.off(marks) * (2 if field == "slope" else 1)
+            allowed = off + ANALYSIS * EPS * self.motion.kappa ** (order + 1) * largest
+            yield Finding(REDUCTION, name, unit, *values, np.abs(values[0] - values[1]), allowed, largest)
+
+
+def _gross(marks: Iterable[Mark]) -> float:
+    """Give the largest sum of moments by their sizes: they may cancel each other."""
+    sizes = sum((np.abs(np.asarray(mark.point)) for mark in marks), np.zeros(1))
+    return float(np.nanmax(sizes, initial=0.0))
+
+
+class _Chords:
+    """The works, the loop and the speeds by both roads on the same strips, with what rounding allows them."""
+
+    def __init__(self, study: DynamicsStudy, cycle: Cycle, theirs: Account, turn: Exact) -> None:
+        assert theirs.cycle is not None  # it was made of this one
+        self.study, self.ours, self.theirs, self.turn = study, cycle, theirs.cycle, turn
+        self.wheels = study.flywheel, theirs.flywheel
+        works = study.works
+        self.size = _gross(works.middle.acting)
+        self.mean = works.middle.off(works.middle.acting) + turn.noise * self.size
+        self.mass = works.edge.off(works.edge.moved) + turn.noise * _gross(works.edge.moved)
+        areas = np.cumsum(np.diff(cycle.turned) * self.mean)
+        self.work = works.curve.slacks + np.concatenate(([0.0], areas))
+
+    def findings(self) -> Iterator[Finding]:
+        """Compare all that is drawn over the turn."""
+        ours, theirs = self.ours, self.theirs
+        if ours.breaks.size or self.turn.breaks.size:
+            yield self._breaks()
+        yield _finding(WORKS, "M_red", "N*m", (ours.means, theirs.means), self.mean)
+        yield _finding(WORKS, "J_red", "kg*m2", (ours.inertia, theirs.inertia), self.mass)
+        yield _finding(WORKS, "A", "J", (ours.work, theirs.work), self.work)
+        yield _finding(WORKS, "ΔT", "J", (ours.surplus, theirs.surplus), self._surplus, _largest(ours.work))
+        yield self._settled()
+        if self.wheels[0] is not None and self.wheels[1] is not None:
+            yield from self._flywheel(self.wheels[0], self.wheels[1])
+            yield from self._speeds(self.wheels[1])
+
+    @property
+    def _surplus(self) -> Floats:
+        return np.asarray(self.work + self.work[-1] + 4 * EPS * _largest(self.ours.work))
+
+    def _breaks(self) -> Finding:
+        """Compare where the moment jumps or bends, of each road the nearest of the other."""
+        ours, theirs = self.ours.breaks, self.turn.breaks
+        pairs = [(one, _nearest(one, theirs)) for one in ours] + [(_nearest(one, ours), one) for one in theirs]
+        both = np.array(pairs, dtype=np.float64).reshape(-1, 2).T
+        return _finding(WORKS, "φ", "rad", (both[0], both[1]), np.full(both.shape[1], SAME), 2 * np.pi)
+
+    def _settled(self) -> Finding:
+        """See that the exact turn is exact."""
+        error = np.array([self.turn.error])
+        allowed = np.array([self.turn.noise if self.turn.settled else 0.0])
+        return Finding(WORKS, "exact", "", error, 0 * error, error, allowed, 1.0)
+
+    def _flywheel(self, ours: Flywheel, theirs: Flywheel) -> Iterator[Finding]:
+        steep, mass = ours.slopes[1], 2 * float(self.mass.max())
+        cut = float(self._surplus.max()) + steep * mass
+        largest = max(map(abs, (*ours.cuts, *theirs.cuts, _largest(self.ours.work))))
+        names = ("o1l", "o1k")
+        for name, one, other in zip(names, ours.cuts, theirs.cuts, strict=True):
+            yield _single(FLYWHEEL, name, "J", one, other, cut + 4 * EPS * largest, largest)
+        whole = self._whole(ours)
+        yield _single(FLYWHEEL, "J_0", "kg*m2", ours.whole, theirs.whole, whole, abs(ours.whole))
+        energy = steep * whole + cut
+        yield _single(FLYWHEEL, "T_0", "J", ours.energy, theirs.energy, energy, abs(ours.energy))
+
+    def _whole(self, ours: Flywheel) -> float:
+        """Give how far rounding can have moved J0: both segments over the difference of the slopes."""
+        low, high = ours.slopes
+        cut = float(self._surplus.max()) + 2 * high * float(self.mass.max())
+        far = max(map(abs, (*ours.cuts, _largest(self.ours.work))))
+        return 2 * (cut + 4 * EPS * far) / (high - low) + 8 * EPS * high / (high - low) * abs(ours.whole)
+
+    def _speeds(self, wheel: Flywheel) -> Iterator[Finding]:
+        """Compare the speeds that the same flywheel keeps."""
+        ours = self.study.speeds
+        if ours is None or wheel.needed <= 0:
+            return
+        theirs = np.sqrt(2 * (wheel.energy + self.theirs.surplus) / (wheel.whole + self.theirs.varying))
+        low, high = wheel.slopes
+        cut = float(self._surplus.max()) + 4 * high * float(self.mass.max())
+        off = self._whole(wheel) * (high - low) + cut + 8 * EPS * abs(wheel.energy)
+        allowed = off / (wheel.whole * ours.omega)
+        yield _finding(SPEEDS, "ω", "rad/s", (ours.omega, theirs), np.asarray(allowed))
+
+
+def _nearest(one: float, places: Floats) -> float:
+    """Give the nearest of some angles of a turn, on the same side of its end; infinity where there are none."""
+    if not places.size:
+        return np.inf
+    apart = np.angle(np.exp(1j * (places - one)))
+    return float(one + apart[np.argmin(np.abs(apart))])
+
+
+def _largest(values: Floats) -> float:
+    return float(np.abs(values).max(initial=0.0))
+
+
+def _finding(
+    plan: str, name: str, unit: str, pair: tuple[Floats, Floats], allowed: Floats, largest: float | None = None
+) -> Finding:
+    most = _largest(pair[1]) if largest is None else largest
+    return Finding(plan, name, unit, *pair, np.abs(pair[0] - pair[1]), allowed, most)
+
+
+def _single(plan: str, name: str, unit: str, one: float, other: float, allowed: float, largest: float) -> Finding:
+    return _finding(plan, name, unit, (np.array([one]), np.array([other])), np.array([allowed]), largest)
