@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property, partial
 from typing import Any, NamedTuple
 
-from drawings.figures.dynamics import dynamics_table, plate
+from drawings.figures.dynamics import dynamics_table, plate, plate_figure
 from drawings.figures.dynamics.plate import Plate
 from drawings.layout.contents import Panel
 from drawings.layout.footing import PAD
@@ -92,7 +92,7 @@ class _DynamicsSheet:
         return Plate(name, self.machine.task, self.machine.own, graphs, loop, self.drafting)
 
     def _exhibit(self, shown: Plate) -> Exhibit:
-        return Exhibit(Panel(plate.measure(shown)), partial(plate.draw, shown))
+        return Exhibit(Panel(plate.measure(shown)), partial(plate_figure.draw, shown))
 
     def _takes(self, shown: Plate) -> bool:
         """Tell whether the paper has room for a plate beside or over the title block, large enough to be read."""
