@@ -18,7 +18,7 @@ from geometry.meet import EPS
 from geometry.strips import Departure, departure
 from plans.analytic.dynamics.cycle import exact_cycle, sampled_cycle
 from plans.analytic.dynamics.exact import Exact, exact
-from plans.analytic.dynamics.flywheel import flywheel, flywheel_of_points
+from plans.analytic.dynamics.flywheel import book_slopes, flywheel, flywheel_of_points
 from plans.analytic.dynamics.methods import methods
 from plans.analytic.dynamics.reduction import Reduction as Reducing
 from plans.analytic.dynamics.reduction import reduced
@@ -32,7 +32,6 @@ from plans.forces.loading import loading
 from plans.forces.stroke import Stroke
 from plans.model.dynamics import Account, Cycle, Flywheel, Speeds
 from plans.model.flywheel_methods import Methods
-from plans.model.flywheel_rim import Wheel
 from plans.model.kinetostatics import Loading
 from plans.model.machine import Track
 from plans.model.motion import Floats, Motion
@@ -55,8 +54,7 @@ class DynamicsComparison(Comparison):
     turn: Exact | None = None  # the exact turn at any angle; None where the crank cannot turn fully
     after: Swing | Stall | None = None  # the exact motion with the flywheel
     before: Swing | Stall | None = None  # and without one
-    methods: Methods | None = None  # J0 by other methods
-    wheel: Wheel | None = None  # the rim of the flywheel that was constructed
+    methods: Methods | None = None  # J0 by other methods, exact
 
     @property
     def agrees(self) -> bool:
@@ -91,10 +89,7 @@ def compare_dynamics(study: DynamicsStudy, motion: MotionComparison) -> Dynamics
     true, after, before = _exact(study, theirs, turn, ours.cycle)
     chords = _Chords(study, ours.cycle, sampled, turn)
     found = (*both.findings(), *chords.findings())
-    wheel_of = wheel(ours.flywheel.inertia, study.task.rim) if ours.flywheel else None
-    return DynamicsComparison(
-        ours, sampled, found, motion, true, turn, after, before, methods(turn, study.task), wheel_of
-    )
+    return DynamicsComparison(ours, sampled, found, motion, true, turn, after, before, methods(turn, study.task))
 
 
 def _loads(study: DynamicsStudy, strokes: Mapping[Track, Stroke], motion: Motion) -> Loading:
@@ -180,6 +175,8 @@ class _Chords:
         yield self._settled()
         if self.wheels[0] is not None and self.wheels[1] is not None:
             yield from self._flywheel(self.wheels[0], self.wheels[1])
+            yield from self._methods(self.wheels[0])
+            yield from self._rim(self.wheels[1])
             yield from self._speeds(self.wheels[1])
 
     @property
@@ -210,6 +207,34 @@ class _Chords:
         yield _single(FLYWHEEL, "J_0", "kg*m2", ours.whole, theirs.whole, whole, abs(ours.whole))
         energy = steep * whole + cut
         yield _single(FLYWHEEL, "T_0", "J", ours.energy, theirs.energy, energy, abs(ours.energy))
+
+    def _methods(self, ours: Flywheel) -> Iterator[Finding]:
+        """Compare J0 by the other methods, from the points of the same loop."""
+        task, told = self.study.task, self.study.methods
+        if told is None or task.delta is None:
+            return
+        mean, even = task.speed**2 / 2, task.speed**2 * task.delta
+        level = flywheel_of_points(self.theirs, task, (mean, mean)).cuts
+        gutyar = flywheel_of_points(self.theirs, task).cuts
+        book = flywheel_of_points(self.theirs, task, book_slopes(task))
+        allowed, largest = 2 * self._whole(ours), abs(ours.whole)
+        pairs = {
+            "book": (told.book, book.whole),
+            "mertsalov": (told.mertsalov, (level[1] - level[0]) / even),
+            "gutyar": (told.gutyar, (gutyar[1] - gutyar[0]) / even),
+        }
+        for name, (one, other) in pairs.items():
+            yield _single(FLYWHEEL, f"J_0 {name}", "kg*m2", one, other, allowed, largest)
+
+    def _rim(self, theirs: Flywheel) -> Iterator[Finding]:
+        """Compare mass and section of the rim."""
+        one, other = self.study.wheel, wheel(theirs.inertia, self.study.task.rim)
+        if one is None or other is None or self.wheels[0] is None:
+            return
+        share = self._whole(self.wheels[0]) / theirs.inertia + 16 * EPS
+        for name, unit in (("inertia", "kg*m2"), ("mass", "kg"), ("thickness", "m"), ("breadth", "m")):
+            size = abs(getattr(other, name))
+            yield _single(FLYWHEEL, name, unit, getattr(one, name), getattr(other, name), share * size, size)
 
     def _whole(self, ours: Flywheel) -> float:
         """Give how far rounding can have moved J0: both segments over the difference of the slopes."""
