@@ -73,7 +73,7 @@ class DynamicsNotes(NamedTuple):
             return
         numbers = {"own": wheel.own, "present": wheel.present, "bare": wheel.own + wheel.present, "whole": wheel.whole}
         told = {name: self._number(value) for name, value in numbers.items()}
-        key = "flywheel adds" if wheel.needed > 0 else "no flywheel"
+        key = "flywheel adds" if wheel.needed > 0 else "heavy enough"
         yield self.drafting.word(key, **told, inertia=self._number(wheel.inertia))
 
     def other(self) -> Iterator[str]:

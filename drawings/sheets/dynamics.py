@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from functools import cached_property, partial
 from typing import Any, NamedTuple
 
-from drawings.figures.dynamics import dynamics_table, plate, plate_figure
+from drawings.figures.dynamics import dynamics_table, flywheel_sketch, load_diagram, plate, plate_figure
+from drawings.figures.dynamics.load_course import LoadCourse, courses
 from drawings.figures.dynamics.plate import Plate
 from drawings.layout.contents import Panel
 from drawings.layout.footing import PAD
@@ -16,17 +17,22 @@ from drawings.layout.trials import room_of
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.page.page import Page, page_of
 from drawings.paper.strokes import Leaf
+from drawings.report.dynamics_report import notes_of
 from drawings.sheets.leaves import Caption, Draft, Exhibit, lay_out
 from plans.model.dynamics import Account, Task
 from plans.model.flywheel_methods import Methods
+from plans.model.flywheel_rim import Wheel
 from plans.scene.scene import Scene
 from plans.study import Study
 
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheets of the motion of a scene's machine (row of the table of sheets)."""
-    comparison, task = study.comparison("dynamics"), study["dynamics"].task
-    return sheets(study.scene, Machine(task, comparison.construction, comparison.exact))
+    own, comparison = study["dynamics"], study.comparison("dynamics")
+    loads = tuple(courses(own.statics.machine, own.statics.strokes))
+    notes = notes_of(study)
+    machine = Machine(own.task, comparison.construction, comparison.exact, comparison.methods, loads, notes.rim, notes.all)
+    return sheets(study.scene, machine)
 
 
 def sheets(scene: Scene, machine: Machine) -> tuple[Leaf, ...]:
@@ -35,12 +41,15 @@ def sheets(scene: Scene, machine: Machine) -> tuple[Leaf, ...]:
 
 
 class Machine(NamedTuple):
-    """What is asked of a machine's motion, and what the roads found of it."""
+    """What is asked of a machine's motion, what the roads found of it, its loads, the flywheel's rim, what is said."""
 
     task: Task
     own: Account
     exact: Account
     methods: Methods | None = None
+    loads: tuple[LoadCourse, ...] = ()
+    rim: Wheel | None = None
+    notes: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -61,11 +70,11 @@ class _DynamicsSheet:
     @property
     def draft(self) -> Draft:
         title = self.drafting.word("dynamics sheet title")
-        return Draft("dynamics", title, tuple(self._shows()), (), (), _facts)
+        return Draft("dynamics", title, tuple(self._shows()), (), self.machine.notes, _facts)
 
     def _shows(self) -> Iterator[Exhibit | Caption]:
         """Show graphs and loop in line where the paper takes them so, or else apart."""
-        whole = self._plate(plate.GRAPHS, graphs=True, loop=True)
+        whole = self._plate(plate.WHOLE, graphs=True, loop=True)
         if self._takes(whole):
             yield self._exhibit(whole)
             yield self._positions()
@@ -74,6 +83,17 @@ class _DynamicsSheet:
             yield self._positions()
             yield self._exhibit(self._plate(plate.ENERGY, loop=True))
         yield self._results()
+        yield from self._beside()
+
+    def _beside(self) -> Iterator[Exhibit]:
+        """Show the loads over their strokes, and the flywheel where a rim of its diameter can be made."""
+        for load in self.machine.loads:
+            room = load_diagram.measure(load, self.drafting)
+            yield Exhibit(Panel(room), partial(load_diagram.draw, load, room, drafting=self.drafting))
+        rim = self.machine.rim
+        if rim is not None and rim.fits:
+            room = flywheel_sketch.measure(rim, self.drafting)
+            yield Exhibit(Panel(room), partial(flywheel_sketch.draw, rim, room, drafting=self.drafting))
 
     def _positions(self) -> Caption:
         """Tell the values at the edges of the strips."""

@@ -27,7 +27,7 @@ WIDE = 0.86  # width of the loop, likewise
 LONG = 24.0  # sizes of a letter that the axis of angles has at least: its positions are numbered
 LEFT, MIDDLE, RIGHT = 10.0, 8.0, 5.4  # paper beside the graphs, between them and the loop, beside it, likewise
 TITLES = ("reduced moments", "works", "surplus energy", "speed over the turn", "loop")
-GRAPHS, ENERGY = "diagrams", "energy-mass"  # names of the plates
+WHOLE, GRAPHS, ENERGY = "machine", "diagrams", "energy-mass"  # names of the plates
 
 
 class Row(NamedTuple):
