@@ -73,7 +73,9 @@ class _Graph:
     @cached_property
     def marks(self) -> Mapping[int, MeasuredVector]:
         """The ordinates by their edges."""
-        return {one.position: one for one in self.measured.vectors if one.plan == self.name and one.position is not None}
+        return {
+            one.position: one for one in self.measured.vectors if one.plan == self.name and one.position is not None
+        }
 
     @property
     def told(self) -> frozenset[int]:

@@ -1,4 +1,4 @@
-"""Wrong formulas of a machine's motion by construction, each of which must be seen by the tests that are named beside it."""
+"""Wrong formulas of a machine's motion by construction, each seen by the tests that are named beside it."""
 
 from __future__ import annotations
 
