@@ -8,6 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from drawings.sheets.force_notes import notes as force_notes
+from drawings.sheets.notes import notes as motion_notes
 from geometry.replay import exact
 from plans.checks.compare import compare
 from plans.checks.force_comparison import ForceComparison, compare_forces
@@ -188,3 +190,13 @@ def test_what_no_rate_enters_is_kept() -> None:
     assert paced.assembly is one.assembly and paced.extreme_positions is one.extreme_positions
     assert one.turn.rates is None and paced.turn.rates is not None
     assert one.motion().points["D"].v.tolist() != paced.motion().points["D"].v.tolist()
+
+
+def test_the_sheets_say_the_rates_of_all_positions_and_of_the_one_that_they_show() -> None:
+    def pace(phi: Floats) -> Rates:
+        return Rates(np.linspace(-9, -11, len(phi)), np.linspace(2, -3, len(phi)))
+
+    one = study(GALLERY / "slider-crank.toml").paced(pace)
+    assert "ω_1 = −11 … −9 rad/s, ε_1 = −3 … 2 rad/s²" in motion_notes(one, compare(one), "en")
+    assert force_notes(Statics(one), 11, "en")[0] == "ω_1 = −11 rad/s, ε_1 = −3 rad/s²"
+    assert force_notes(Statics(one), 0, "ru")[0] == "ω_1 = −9 рад/с, ε_1 = 2 рад/с²"
