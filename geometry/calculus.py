@@ -24,6 +24,7 @@ from geometry.strips import Floats, middles, pieces, runs
 # What a value of n steps goes through: the difference of the edges, a product, a quotient, the start and the pole
 # distance are rounded once each, and every sum once; half an eps a rounding, which leaves the other half to spare.
 ROUNDINGS = 5
+TINY = float(np.finfo(np.float64).tiny)  # below it a number loses digits
 
 
 def integral_scale(mu_y: float, mu_x: float, pole_mm: float) -> float:
@@ -44,7 +45,7 @@ def derivative_scale(mu_y: float, mu_x: float, pole_mm: float) -> float:
     return mu_y / (mu_x * pole_mm)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)  # the record behind a mark is too long to be shown
 class Integral:
     """An integral curve by chords: over n strips its points at the n+1 edges, and the rays that its chords follow.
 
@@ -76,11 +77,13 @@ class Integral:
     @cached_property
     def slacks(self) -> Floats:
         """How far rounding can have moved each value, (n+1,): some eps for each strip, of all areas taken positive."""
+        # A bound carried from step to step (geometry.precision) would grow with each crossing; ordinates only add up.
         areas = np.abs(np.concatenate([self.values[:1], self.means * np.diff(self.edges)]))
-        return np.asarray(EPS * (np.arange(len(areas)) + ROUNDINGS) * np.cumsum(areas))
+        least = TINY * max(1.0, self.distance)
+        return np.asarray((np.arange(len(areas)) + ROUNDINGS) * (EPS * np.cumsum(areas) + least))
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)  # the record behind a mark is too long to be shown
 class Derivative:
     """A derivative curve: its points, over the middles of the parts by chords, at the points themselves by tangents.
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
 from geometry.board import Mark
@@ -22,6 +22,7 @@ class Explanation(NamedTuple):
     units: Mapping[str, str]
     notes: tuple[Message, ...] = ()
     home: str = ""  # the plan whose marks are named without it
+    letters: Callable[[str, str], str] = lambda name, language: name  # a name as a language writes it
     zeros: frozenset[Mark] = frozenset()  # marks whose coordinates are nothing but rounding
 
 

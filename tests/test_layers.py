@@ -35,6 +35,7 @@ SHARED = (
     "plans.model.mechanism",
     "plans.model.motion",
     "plans.model.order",
+    "plans.model.rates",
     "plans.model.machine",
     "plans.model.kinetostatics",
     "plans.model.losses",
@@ -47,6 +48,7 @@ SHARED = (
     "plans.model.flywheel_rim",
     "plans.model.motor",
     "plans.model.run",
+    "plans.model.working",
 )
 ONLY_IN = {
     "svgwrite": ("drawings/pens/svg.py", "drawings/bench/plain_pen.py"),  # the bench times its defaults beside our pen

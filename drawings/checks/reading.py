@@ -33,7 +33,15 @@ def tables(leaf: Leaf, named: Mapping[str, Finding]) -> Iterator[Message]:
 
 
 def table(group: Group, named: Mapping[str, Finding], positions: tuple[int, ...]) -> Iterator[Message]:
-    """Read a table's numbers back: each value is the analysis's, to the half of its last digit.
+    """Read the numbers of a table of positions back."""
+    for text, name, position in wrong_values(group, named, positions):
+        yield message("wrong.value", text=text, name=name, position=position)
+
+
+def wrong_values(
+    group: Group, named: Mapping[str, Finding], positions: tuple[int, ...]
+) -> Iterator[tuple[str, str, int]]:
+    """Give each text of a table that is not the analysis's value to the half of its last digit: whose it is, and where.
 
     `named` are the findings by what the first cell of their row says before its unit.
     """
@@ -47,7 +55,7 @@ def table(group: Group, named: Mapping[str, Finding], positions: tuple[int, ...]
             if finding is not None and j < 3 * len(positions):
                 true, slack = finding.analysis[positions[j // 3]], float(finding.allowed[positions[j // 3]])
                 if j % 3 < 2 and not reads(text.plain, abs(true) if isinstance(true, complex) else float(true), slack):
-                    yield message("wrong.value", text=text.plain, name=finding.name, position=positions[j // 3])
+                    yield text.plain, finding.name, positions[j // 3]
                 j += 1
 
 

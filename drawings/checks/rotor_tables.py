@@ -60,7 +60,8 @@ def results(leaf: Leaf, comparison: Comparison, drafting: Drafting) -> Iterator[
     """Read the table of results back: under the polygon that ends the construction stands every finding."""
     known, seen = named(comparison, drafting.language), set[str]()
     for group in _tables(leaf, RESULTS):
-        yield from reading.table(group, known, (0,))
+        for text, name, _ in reading.wrong_values(group, known, (0,)):
+            yield within("cell", RESULTS, name=name, text=text)
         for row in reading.rows(group):
             name, *cells = (text.plain for text in row)
             name = name.rsplit(", ", 1)[0]

@@ -60,10 +60,8 @@ def _no_mark(name: str, none: Sequence[NoMark]) -> Message:
 
 def sentence(mark: Mark, of: Explanation, language: str) -> str:
     """Say one step: what is drawn, from which marks, where it is, how sharply it meets, and why."""
-    sources = ", ".join(_named(source, of.home, language) for source in mark.step.inputs)
-    text = f"{_named(mark, of.home, language)}: {term(language, 'op', mark.step.op)}" + (
-        f" ({sources})" if sources else ""
-    )
+    sources = ", ".join(_named(source, of, language) for source in mark.step.inputs)
+    text = f"{_named(mark, of, language)}: {term(language, 'op', mark.step.op)}" + (f" ({sources})" if sources else "")
     text += f" = {_value(mark, of).worded(language)}"
     if mark.sharpness is not None:
         angle = f"{np.degrees(np.arcsin(min(at(mark.sharpness, 0).real, 1.0))):.2f}"
@@ -72,12 +70,12 @@ def sentence(mark: Mark, of: Explanation, language: str) -> str:
     return f"{text}. {said(mark.step.why, language)}" if mark.step.why else text
 
 
-def _named(mark: Mark, home: str, language: str) -> str:
+def _named(mark: Mark, of: Explanation, language: str) -> str:
     """Name a mark by its letters; one that has words for its name by those of the language."""
-    name = term(language, "mark_name", mark.name)
+    name = of.letters(term(language, "mark_name", mark.name), language)
     if " " in mark.name and name == mark.name:
         name = " ".join(term(language, "mark_part", part) for part in mark.name.split(" "))
-    return name if mark.subject == home else f"{name} [{term(language, 'plan', mark.subject)}]"
+    return name if mark.subject == of.home else f"{name} [{term(language, 'plan', mark.subject)}]"
 
 
 def _value(mark: Mark, of: Explanation) -> Message:

@@ -128,14 +128,18 @@ class _Sheet:
         if sum(_area(column, legible) for column in self.columns) > room.width * room.height:
             return None
         bases = _best_of(self._feet(room))
-        for columns in self._ways(room):
-            if sum(_least(column, legible) for column in columns) > room.width:
-                continue
-            for base, split in product(bases, range(max(len(columns), 1))):
-                trial = self._filled(columns, split, base, room, legible)
-                if trial is not None and (best is None or trial.score > best[0].score):
-                    best = trial, base
-        return None if best is None else self._composed(*best, room)
+        for aside in (False, True):  # all columns beside the title block only where they cannot stand otherwise
+            for columns in self._ways(room):
+                if sum(_least(column, legible) for column in columns) > room.width:
+                    continue
+                splits = [len(columns)] if aside else range(max(len(columns), 1))
+                for base, split in product(bases, splits):
+                    trial = self._filled(columns, split, base, room, legible)
+                    if trial is not None and (best is None or trial.score > best[0].score):
+                        best = trial, base
+            if best is not None:
+                return self._composed(*best, room)
+        return None
 
     def _ways(self, room: Field) -> Iterator[tuple[Column, ...]]:
         """List the ways to stand columns and loose pictures; on paper that stands upright columns stand on columns."""

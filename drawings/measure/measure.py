@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, NamedTuple, TypeAlias
@@ -34,15 +35,14 @@ class MarkKey(NamedTuple):
     position: int | None = None
 
 
-class MeasuredVector(NamedTuple):
-    """A vector: its ends on the sheet (mm, y up), its value by measurement and as stated, in true units."""
+@dataclass(frozen=True)
+class MeasuredMark:
+    """A mark of a sheet: what it is called, its value by measurement and as stated, in true units."""
 
     plan: str
     quantity: str
     name: str
     position: int | None
-    start: complex
-    end: complex
     value: complex
     stated: complex
     unit: str
@@ -52,6 +52,14 @@ class MeasuredVector(NamedTuple):
     def key(self) -> MarkKey:
         """What it is called."""
         return MarkKey(self.plan, self.quantity, self.name, self.position)
+
+
+@dataclass(frozen=True)
+class MeasuredVector(MeasuredMark):
+    """A vector: its ends on the sheet (mm, y up)."""
+
+    start: complex
+    end: complex
 
     @property
     def reach(self) -> float:
@@ -59,23 +67,11 @@ class MeasuredVector(NamedTuple):
         return abs(self.start) + abs(self.end)
 
 
-class MeasuredPoint(NamedTuple):
-    """A point: its place on the sheet (mm, y up), its true coordinates by measurement from the pole and as stated."""
+@dataclass(frozen=True)
+class MeasuredPoint(MeasuredMark):
+    """A point: its place on the sheet (mm, y up); its value is measured from the pole."""
 
-    plan: str
-    quantity: str
-    name: str
-    position: int | None
     at: complex
-    value: complex
-    stated: complex
-    unit: str
-    scale: float
-
-    @property
-    def key(self) -> MarkKey:
-        """What it is called."""
-        return MarkKey(self.plan, self.quantity, self.name, self.position)
 
     @property
     def reach(self) -> float:
@@ -189,7 +185,7 @@ def _vector(mark: SheetMark) -> MeasuredVector:
     scale = _scale(mark)
     start, end = mark.points
     own = (_text(mark, "plan"), _text(mark, "quantity"), _text(mark, "name"), _position(mark))
-    return MeasuredVector(*own, start, end, (end - start) * scale, _stated(mark), mark.data.get("unit", ""), scale)
+    return MeasuredVector(*own, (end - start) * scale, _stated(mark), mark.data.get("unit", ""), scale, start, end)
 
 
 def _point(mark: SheetMark, poles: Mapping[tuple[str, int | None], _Pole]) -> MeasuredPoint:
@@ -200,7 +196,7 @@ def _point(mark: SheetMark, poles: Mapping[tuple[str, int | None], _Pole]) -> Me
     (at,), scale = mark.points, _scale(mark)
     own = (plan, _text(mark, "quantity"), _text(mark, "name"), position)
     value = (at - pole[0]) * scale + pole[1]
-    return MeasuredPoint(*own, at, value, _stated(mark), mark.data.get("unit", ""), scale)
+    return MeasuredPoint(*own, value, _stated(mark), mark.data.get("unit", ""), scale, at)
 
 
 def _place(mark: SheetMark) -> tuple[str, int | None]:

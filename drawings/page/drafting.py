@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from drawings.lettering.words import number, word
+from drawings.lettering.words import letter, number, word
 from drawings.page.page import page_of
 from drawings.page.scale import Scale
 from drawings.paper.hand import Hand
@@ -27,6 +27,10 @@ class Drafting(NamedTuple):
     def number(self, value: float, digits: int = 4) -> str:
         """Write a number with some significant digits."""
         return number(value, self.language, digits)
+
+    def letter(self, markup: str) -> str:
+        """Write a letter as courses of the sheet's language do."""
+        return letter(self.language, markup)
 
     def scale(self, scale: Scale) -> str:
         """Write a scale as the sheet does."""

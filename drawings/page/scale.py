@@ -17,6 +17,7 @@ REDUCTIONS: Final = (
     2000, 5000, 10000, 20000, 25000, 50000,
 )  # fmt: skip
 ENLARGEMENTS: Final = (2, 2.5, 4, 5, 10, 20, 40, 50, 100)
+TURNED = "rad"  # the unit of a turn laid off along an axis: ISO 5455 speaks of lengths, and its steps are too wide here
 # Beyond the tables, as mu. By GOST a picture is enlarged (100 n):1, n whole: 400:1, but no 250:1, so that mu has no 4.
 # It says nothing of reductions beyond 1:50 000; these go on as the last ones do.
 BEYOND: Final = (1.0, 2.0, 2.5, 5.0)
@@ -63,7 +64,7 @@ def fitting(extent: float, room: float, letter: str, unit: str, standard: str = 
     least = extent / room * (1 - 1e-12)  # a picture that fits exactly is not lost to a rounding
     if letter == "l" and standard == "GOST":
         return Scale(_of_lengths(least), letter, unit)
-    return Scale(_next(least, MANTISSAS[standard]), letter, unit)
+    return Scale(_next(least, MANTISSAS["GOST" if unit == TURNED else standard]), letter, unit)
 
 
 def _of_lengths(least: float) -> float:

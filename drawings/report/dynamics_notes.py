@@ -64,7 +64,17 @@ class DynamicsNotes(NamedTuple):
         key = "why loads" if share > wheel.whole / 2 else "why masses"
         most = self._number(resisting(cycle, high.turned, low.turned))
         yield self.drafting.word(key, **said, whole=self._number(wheel.whole), most=most)
-        yield self._missing(wheel)
+        yield from self.missing()
+
+    def missing(self) -> Iterator[str]:
+        """Say what of J0 is there, and what the flywheel must add."""
+        wheel = self.account.flywheel
+        if wheel is None:
+            return
+        numbers = {"own": wheel.own, "present": wheel.present, "bare": wheel.own + wheel.present, "whole": wheel.whole}
+        told = {name: self._number(value) for name, value in numbers.items()}
+        key = "flywheel adds" if wheel.needed > 0 else "heavy enough"
+        yield self.drafting.word(key, **told, inertia=self._number(wheel.inertia))
 
     def other(self) -> Iterator[str]:
         """Say what flywheel twice and half the fluctuation would ask for, and what the strips leave out."""
@@ -117,13 +127,6 @@ class DynamicsNotes(NamedTuple):
     def fluctuation(self, delta: float) -> str:
         """Write a coefficient of fluctuation as tables of permitted ones do."""
         return f"1/{self._number(1 / delta)}"
-
-    def _missing(self, wheel: Flywheel) -> str:
-        """Say what of J0 is there, and what the flywheel must add."""
-        numbers = {"own": wheel.own, "present": wheel.present, "bare": wheel.own + wheel.present}
-        key = "flywheel adds" if wheel.needed > 0 else "no flywheel"
-        told = {name: self._number(value) for name, value in numbers.items()}
-        return self.drafting.word(key, **told, inertia=self._number(wheel.inertia))
 
     def _angle(self, turned: float) -> str:
         return self._number(math.degrees(turned))

@@ -12,6 +12,11 @@ def of_forces(scene: Scene) -> list[str]:
     return [word(scene.sheet.language, "report.idle_loads" if given else "report.no_loads")]
 
 
+def of_dynamics(scene: Scene) -> list[str]:
+    """Say that a scene's motion under its loads is not shown by the sheets that it asks for."""
+    return [word(scene.sheet.language, "report.idle_dynamics")] if scene.has(("dynamics",)) else []
+
+
 def nothing(scene: Scene) -> list[str]:
     """Say nothing: a scene without it has nothing of it to leave out."""
     return []

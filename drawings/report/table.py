@@ -34,6 +34,14 @@ REPORTS: Final[Mapping[str, Report]] = {
         idle="drawings.report.idle:of_forces",
         faults="drawings.checks.verify_friction:report_faults",
     ),
+    "dynamics": Report(
+        subject="drawings.report.linkage_subject:subject",
+        chapters="drawings.report.dynamics_report:chapters",
+        headline="drawings.report.dynamics_report:headline",
+        remarks="drawings.report.dynamics_report:remarks",
+        idle="drawings.report.idle:of_dynamics",
+        faults="drawings.report.dynamics_report:faults",
+    ),
     "rotor": Report(
         subject="drawings.report.rotor_report:subject",
         chapters="drawings.report.rotor_report:chapters",

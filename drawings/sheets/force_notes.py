@@ -10,6 +10,7 @@ from drawings.figures.forces.force_letters import force_letter
 from drawings.lettering.words import number, runs, word
 from drawings.sheets.notes import lengths
 from geometry.board import at
+from plans.forces.lines import told_line
 from plans.forces.primary import DRIVING
 from plans.forces.statics import Statics
 from plans.model.kinetostatics import NOTHING
@@ -65,15 +66,26 @@ def _load(load: Force | Moment, size: str, language: str) -> str:
     name = force_letter(load.name, language)
     if isinstance(load, Force) and load.diagram is not None:
         said = word(language, "load diagram", name=name)
-    elif isinstance(load, Force) and load.direction is None:
+    elif isinstance(load, Force) and load.direction is None and load.line is None:
         said = word(language, "load against", name=name, size=size, point=load.point)
     else:
         said = word(language, "load always", name=name, size=size)
-    during = [] if load.during == ALWAYS else [word(language, load.during)]
+    during = list(_place(load, language)) if isinstance(load, Force) else []
+    during += [] if load.during == ALWAYS else [word(language, load.during)]
     if load.overrun != (0.0, 0.0):
         shares = dict.fromkeys(number(share, language) for share in load.overrun)
         during.append(word(language, "overrun", share="; ".join(shares)))
     return ", ".join([said, *during])
+
+
+def _place(force: Force, language: str) -> Iterator[str]:
+    """Tell the line of a force, and between which points of two links it acts."""
+    if force.other is not None:
+        yield word(language, "load between", start=force.point, end=force.other.point)
+    if force.line is not None and (force.other is None or told_line(force)):
+        yield word(language, "load along", line="".join(force.line))
+    if force.resists:
+        yield word(language, "load resisting")
 
 
 def _lever(statics: Statics, position: int, language: str) -> Iterator[str]:

@@ -5,17 +5,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
-from typing import NamedTuple
 
 import numpy as np
 
 from plans.analytic.assembly import Shape, home
 from plans.analytic.closure import EPS, SQRT_EPS, Flags
-from plans.analytic.constraints import TURN, Constraints, X, Y
+from plans.analytic.constraints import Constraints
+from plans.analytic.coordinate import Coordinate, coordinate_of
 from plans.analytic.ends import Station
 from plans.analytic.turn import FULL, Blocks, March, station, stations_at, whole_turn
-from plans.model.mechanism import FRAME, Mechanism, Output, Slide
+from plans.model.mechanism import FASTER, Mechanism, Output
 from plans.model.motion import Extremes, Floats
+from plans.model.working import by_time, works
 
 ROUNDS = 64  # bisection alone makes 53 digits of a stride
 ROUNDINGS = 2.0  # of a crank angle: a step of so much is none
@@ -23,37 +24,10 @@ CLOSEST = 1e-6  # rad: two rests that are closer are one, in which the output on
 EQUAL = 1e-7  # rad: strokes whose crank arcs differ by less are equal on paper and in any machine
 
 
-class _Coordinate(NamedTuple):
-    """The output coordinate: along the frame's guide in units of `size`, or the turn of the link."""
-
-    place: int  # of the link in the poses
-    guide: Slide | None
-    own: complex  # the point shown, in the link's own frame, in units of `size`
-    size: float
-
-    def along(self, taylor: Floats) -> Floats:
-        """Give the coordinate and its two derivatives by the crank angle at N stations, (3, N)."""
-        poses, first, second = taylor[:, :, self.place]
-        if self.guide is None:
-            return np.array((poses[:, TURN], first[:, TURN], second[:, TURN]))
-        way = self.guide.way(FRAME)
-        arm, spin = self.own * np.exp(1j * poses[:, TURN]), 1j * first[:, TURN]
-        places = (
-            poses[:, X] + 1j * poses[:, Y] + arm - way.through / self.size,
-            first[:, X] + 1j * first[:, Y] + arm * spin,
-            second[:, X] + 1j * second[:, Y] + arm * (spin**2 + 1j * second[:, TURN]),
-        )
-        return np.asarray((np.array(places) * way.direction.conjugate()).real)
-
-    def at(self, place: Station) -> Floats:
-        """Give the coordinate and its two derivatives at one station, (3,)."""
-        return self.along(np.array((place.poses, place.first, place.second))[:, None])[:, 0]
-
-
 class _Rest:
     """A rest of the output that is closed in on: the crank angles around it, the nearest station, the next step."""
 
-    def __init__(self, coordinate: _Coordinate, low: Station, high: Station) -> None:
+    def __init__(self, coordinate: Coordinate, low: Station, high: Station) -> None:
         self.coordinate, self.bottom, self.top = coordinate, low.phi, high.phi
         self.rising = coordinate.at(high)[1] >= 0.0
         self.near = min(low, high, key=lambda end: abs(float(coordinate.at(end)[1])))
@@ -86,9 +60,9 @@ def extremes(shape: Shape, output: Output, looks: Floats, turn: March | None = N
     turn = whole_turn(shape, begun) if begun else None
     if turn is None:
         return None
-    coordinate = _coordinate(mechanism, constraints, output)
+    coordinate = coordinate_of(mechanism, constraints, output)
     coordinates, speed, _ = coordinate.along(turn.taylor)
-    full_turn = abs(coordinates[-1] - coordinates[0]) > np.pi and coordinate.guide is None
+    full_turn = abs(coordinates[-1] - coordinates[0]) > np.pi and not coordinate.sliding
     if full_turn or np.abs(speed).max() <= SQRT_EPS:
         return None
     turn = _dense(constraints, blocks, turn, coordinate)
@@ -97,8 +71,7 @@ def extremes(shape: Shape, output: Output, looks: Floats, turn: March | None = N
     signs[-1] = signs[0]  # one position: a rounding of a rest there is no second rest
     changes = np.flatnonzero(signs[1:] != signs[:-1])
     found = _refine(constraints, blocks, [_Rest(coordinate, turn.stations[k], turn.stations[k + 1]) for k in changes])
-    sense = -1.0 if mechanism.drive.omega < 0.0 else 1.0
-    return _strokes(found, sense, coordinate)
+    return _strokes(found, mechanism, output, coordinate)
 
 
 def _begun(shape: Shape, looks: Floats) -> March | None:
@@ -106,7 +79,7 @@ def _begun(shape: Shape, looks: Floats) -> March | None:
     return March((station(shape.constraints, shape.blocks, start),), None, None) if start else None
 
 
-def _dense(constraints: Constraints, blocks: Blocks, turn: March, coordinate: _Coordinate) -> March:
+def _dense(constraints: Constraints, blocks: Blocks, turn: March, coordinate: Coordinate) -> March:
     """Put stations between those of a turn until the speed has at most one zero between any two of them."""
     stations, pending = list(turn.stations), list(pairwise(turn.stations))
     while pending:
@@ -148,16 +121,6 @@ def _taylor(stations: Sequence[Station]) -> Floats:
     return np.array([(s.poses, s.first, s.second) for s in stations]).swapaxes(0, 1)
 
 
-def _coordinate(mechanism: Mechanism, constraints: Constraints, output: Output) -> _Coordinate:
-    guides = [s for s in mechanism.slides if {s.slider, s.owner} == {FRAME, output.link}]
-    guide = guides[0] if guides else None
-    points = mechanism.links[output.link].points
-    named = (output.point or "", guide.point if guide else "", next(iter(points)))
-    point = next(name for name in named if name in points)
-    own = points[point] / constraints.size
-    return _Coordinate(constraints.numbers.index(output.link), guide, own, constraints.size)
-
-
 def _refine(constraints: Constraints, blocks: Blocks, rests: list[_Rest]) -> list[tuple[float, float]]:
     """Close in on all rests together: their crank angles and the coordinate there."""
     if not rests:
@@ -177,18 +140,33 @@ def _refine(constraints: Constraints, blocks: Blocks, rests: list[_Rest]) -> lis
     return [(rest.near.phi, float(rest.coordinate.at(rest.near)[0])) for rest in rests]
 
 
-def _strokes(found: list[tuple[float, float]], sense: float, coordinate: _Coordinate) -> Extremes | None:
-    """Order the farthest two of the extremes so that the slower stroke comes first."""
+def _strokes(
+    found: list[tuple[float, float]], mechanism: Mechanism, output: Output, coordinate: Coordinate
+) -> Extremes | None:
+    """Order the farthest two of the extremes so that the working stroke comes first."""
     if len(found) < 2:
         return None
-    reach = [e[1] for e in found]
-    blur = EQUAL * (max(reach) - min(reach))  # an output that stands equally far twice in a turn: its first time counts
-    most = min((e for e in found if e[1] >= max(reach) - blur), key=lambda e: (e[0] + EQUAL) % FULL)
-    least = min((e for e in found if e[1] <= min(reach) + blur), key=lambda e: (e[0] + EQUAL) % FULL)
+    along = [e[1] for e in found]
+    blur = EQUAL * (max(along) - min(along))  # an output that stands equally far twice in a turn: its first time counts
+    most = min((e for e in found if e[1] >= max(along) - blur), key=lambda e: (e[0] + EQUAL) % FULL)
+    least = min((e for e in found if e[1] <= min(along) + blur), key=lambda e: (e[0] + EQUAL) % FULL)
+    sense = -1.0 if mechanism.drive.omega < 0.0 else 1.0
     arc = float(sense * (least[0] - most[0]) % FULL)
     begin, end = (most, least) if arc > np.pi else (least, most)
     if abs(arc - np.pi) < EQUAL:  # an angle a rounding short of a full turn counts as 0
         begin, end = sorted((begin, end), key=lambda e: (e[0] + EQUAL) % FULL)
-    unit = coordinate.size if coordinate.guide else 1.0
+    unit = coordinate.size if coordinate.sliding else 1.0
+    equal = abs(arc - np.pi) < EQUAL
+    reach = begin[1] * unit, end[1] * unit
+    turned = _turned(mechanism, output, reach, equal)
+    if turned:
+        begin, end, reach = end, begin, (reach[1], reach[0])
     phi = tuple(float(angle % FULL) % FULL for angle in (begin[0], end[0]))
-    return Extremes((phi[0], phi[1]), (begin[1] * unit, end[1] * unit), coordinate.guide is not None, abs(arc - np.pi))
+    return Extremes((phi[0], phi[1]), reach, coordinate.sliding, abs(arc - np.pi), turned and not equal)
+
+
+def _turned(mechanism: Mechanism, output: Output, reach: tuple[float, float], equal: bool) -> bool:
+    """Tell whether the working stroke is the way back of the slower one; of equal strokes time tells none."""
+    if by_time(output):
+        return output.working == FASTER and not equal
+    return not works(mechanism, output, *reach)

@@ -26,6 +26,7 @@ from plans.forces.statics import ForceDrafts, Statics
 from plans.forces.stroke import Stroke, strokes
 from plans.linkage.study import LinkageStudy
 from plans.model.kinetostatics import Kinetostatics, Loading
+from plans.model.machine import Track
 from plans.model.motion import Floats, Motion
 
 FORCES_CONSTRUCTED, FORCES_ANALYSED = "construction: forces", "analysis: forces"
@@ -124,7 +125,7 @@ class ForceGround:
         return road, motion, loading(self.statics.machine, motion, self._strokes)
 
     @cached_property
-    def _strokes(self) -> dict[str, Stroke]:
+    def _strokes(self) -> dict[Track, Stroke]:
         """The strokes by analysis: once a scene, as those of the construction."""
         road, _ = self._marched()
         return strokes(self.statics.machine, self.study.mechanism, self.study.output, road.extremes)

@@ -11,7 +11,7 @@ from typing import Any
 
 from plans.forces.stroke import Stroke
 from plans.model.kinetostatics import Loading
-from plans.model.machine import Force, Machine, Spring
+from plans.model.machine import Force, Machine, Spring, Track
 from plans.model.mechanism import FRAME, Mechanism
 from plans.model.motion import Floats
 
@@ -22,17 +22,26 @@ class TrueLoads:
 
     machine: Machine
     mechanism: Mechanism
-    strokes: Mapping[str, Stroke]
+    strokes: Mapping[Track, Stroke]
     loading: Loading
     phi: Floats
 
     def at(self, mp: Any, column: int, true: Mapping[tuple[str, str], Any]) -> list[Any]:
         """Give all forces, then all moments, of one position whose true motion is known."""
-        constructed = [complex(load.force[column]) for load in self.loading.forces]
-        forces = zip(self.machine.forces, constructed, strict=False)
-        found = [self._force(mp, column, true, *one) for one in forces]
+        constructed = iter([complex(load.force[column]) for load in self.loading.forces])
+        found = [end for force in self.machine.forces for end in self._acting(mp, column, true, force, constructed)]
         found += [end for spring in self.machine.springs for end in self._ends(mp, true, spring)]
         return [*found, *(mp.mpf(float(twist.moment[column])) for twist in self.loading.moments)]
+
+    def _acting(
+        self, mp: Any, column: int, true: Mapping[tuple[str, str], Any], force: Force, constructed: Iterator[complex]
+    ) -> Iterator[Any]:
+        """Give a force at its point, and at the other end where that moves."""
+        value = self._force(mp, column, true, force, next(constructed))
+        yield value
+        if force.other is not None and force.other.link != FRAME:
+            next(constructed)
+            yield -value
 
     def _force(self, mp: Any, column: int, true: Mapping[tuple[str, str], Any], force: Force, given: complex) -> Any:
         if given == 0:  # it rests, or is none
@@ -45,14 +54,26 @@ class TrueLoads:
             size *= _between(self._share(mp, true, stroke), travel, table)
         if force.direction is not None:
             return size * mp.mpc(force.direction)
+        ways = [size * way for way in self._ways(mp, true, force)]
+        return min(ways, key=lambda way: abs(way - given))
+
+    def _ways(self, mp: Any, true: Mapping[tuple[str, str], Any], force: Force) -> list[Any]:
+        """Give the unit directions that a force without a fixed one may have."""
+        if force.line is not None:
+            start, end = (self._place(mp, true, point) for point in force.line)
+            along = (end - start) / abs(end - start)
+            return [-along, along] if force.resists else [along]
         # Against the velocity; from a rest, where that has no direction, against the acceleration.
-        ways = [-true[kind, force.point] / abs(true[kind, force.point]) for kind in ("v", "a")]
-        return size * min(ways, key=lambda way: abs(way - given / abs(given)))
+        return [-true[kind, force.point] / abs(true[kind, force.point]) for kind in ("v", "a")]
 
     def _share(self, mp: Any, true: Mapping[tuple[str, str], Any], stroke: Stroke) -> Any:
         """Give the share of its stroke that an output has gone."""
         low, high = map(mp.mpf, stroke.reach)
-        if stroke.way is None:
+        if stroke.parting is not None:
+            start, end = (self._place(mp, true, name) for name in stroke.parting.line)
+            away = self._place(mp, true, stroke.point) - self._place(mp, true, stroke.parting.other)
+            beyond = (mp.conj(end - start) * away).real / abs(end - start) - (low + high) / 2
+        elif stroke.way is None:
             beyond = true["angle", str(stroke.link)] - (low + high) / 2
             beyond -= 2 * mp.pi * mp.nint(beyond / (2 * mp.pi))
         else:
@@ -60,10 +81,14 @@ class TrueLoads:
             beyond = (mp.conj(way) * (true["r", stroke.point] - mp.mpc(stroke.way.through))).real - (low + high) / 2
         return min(max(beyond / (high - low) + mp.mpf(0.5), mp.mpf(0)), mp.mpf(1))
 
+    def _place(self, mp: Any, true: Mapping[tuple[str, str], Any], point: str) -> Any:
+        """Give the place of a point, m."""
+        fixed = self.mechanism.links[FRAME].points
+        return mp.mpc(fixed[point]) if point in fixed else true["r", point]
+
     def _ends(self, mp: Any, true: Mapping[tuple[str, str], Any], spring: Spring) -> Iterator[Any]:
         """Give the pull at each end of a spring that moves."""
-        fixed = self.mechanism.links[FRAME].points
-        first, second = (mp.mpc(fixed[name]) if name in fixed else true["r", name] for name in spring.points)
+        first, second = (self._place(mp, true, name) for name in spring.points)
         apart = second - first
         pull = mp.mpf(spring.stiffness) * apart * (1 - mp.mpf(spring.free) / abs(apart) if spring.free else 1)
         yield from (way for way, link in zip((pull, -pull), spring.links, strict=True) if link != FRAME)

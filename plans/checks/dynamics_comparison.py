@@ -18,7 +18,7 @@ from geometry.meet import EPS
 from geometry.strips import Departure, departure
 from plans.analytic.dynamics.cycle import exact_cycle, sampled_cycle
 from plans.analytic.dynamics.exact import Exact, exact
-from plans.analytic.dynamics.flywheel import flywheel, flywheel_of_points
+from plans.analytic.dynamics.flywheel import book_slopes, flywheel, flywheel_of_points
 from plans.analytic.dynamics.methods import methods
 from plans.analytic.dynamics.reduction import Reduction as Reducing
 from plans.analytic.dynamics.reduction import reduced
@@ -32,8 +32,8 @@ from plans.forces.loading import loading
 from plans.forces.stroke import Stroke
 from plans.model.dynamics import Account, Cycle, Flywheel, Speeds
 from plans.model.flywheel_methods import Methods
-from plans.model.flywheel_rim import Wheel
 from plans.model.kinetostatics import Loading
+from plans.model.machine import Track
 from plans.model.motion import Floats, Motion
 
 if TYPE_CHECKING:
@@ -54,8 +54,7 @@ class DynamicsComparison(Comparison):
     turn: Exact | None = None  # the exact turn at any angle; None where the crank cannot turn fully
     after: Swing | Stall | None = None  # the exact motion with the flywheel
     before: Swing | Stall | None = None  # and without one
-    methods: Methods | None = None  # J0 by other methods
-    wheel: Wheel | None = None  # the rim of the flywheel that was constructed
+    methods: Methods | None = None  # J0 by other methods, exact
 
     @property
     def agrees(self) -> bool:
@@ -90,13 +89,10 @@ def compare_dynamics(study: DynamicsStudy, motion: MotionComparison) -> Dynamics
     true, after, before = _exact(study, theirs, turn, ours.cycle)
     chords = _Chords(study, ours.cycle, sampled, turn)
     found = (*both.findings(), *chords.findings())
-    wheel_of = wheel(ours.flywheel.inertia, study.task.rim) if ours.flywheel else None
-    return DynamicsComparison(
-        ours, sampled, found, motion, true, turn, after, before, methods(turn, study.task), wheel_of
-    )
+    return DynamicsComparison(ours, sampled, found, motion, true, turn, after, before, methods(turn, study.task))
 
 
-def _loads(study: DynamicsStudy, strokes: Mapping[str, Stroke], motion: Motion) -> Loading:
+def _loads(study: DynamicsStudy, strokes: Mapping[Track, Stroke], motion: Motion) -> Loading:
     return loading(study.statics.machine, motion, strokes)
 
 
@@ -170,8 +166,7 @@ class _Chords:
     def findings(self) -> Iterator[Finding]:
         """Compare all that is drawn over the turn."""
         ours, theirs = self.ours, self.theirs
-        if ours.breaks.size or self.turn.breaks.size:
-            yield self._breaks()
+        yield self._breaks()
         yield _finding(WORKS, "M_red", "N*m", (ours.means, theirs.means), self.mean)
         yield _finding(WORKS, "J_red", "kg*m2", (ours.inertia, theirs.inertia), self.mass)
         yield _finding(WORKS, "A", "J", (ours.work, theirs.work), self.work)
@@ -179,6 +174,8 @@ class _Chords:
         yield self._settled()
         if self.wheels[0] is not None and self.wheels[1] is not None:
             yield from self._flywheel(self.wheels[0], self.wheels[1])
+            yield from self._methods(self.wheels[0])
+            yield from self._rim(self.wheels[1])
             yield from self._speeds(self.wheels[1])
 
     @property
@@ -186,8 +183,8 @@ class _Chords:
         return np.asarray(self.work + self.work[-1] + 4 * EPS * _largest(self.ours.work))
 
     def _breaks(self) -> Finding:
-        """Compare where the moment jumps or bends, of each road the nearest of the other."""
-        ours, theirs = self.ours.breaks, self.turn.breaks
+        """Compare where the moment jumps or bends, of each road the nearest of the other; position 0 is always one."""
+        ours, theirs = (np.append(0.0, road.breaks) for road in (self.ours, self.turn))
         pairs = [(one, _nearest(one, theirs)) for one in ours] + [(_nearest(one, ours), one) for one in theirs]
         both = np.array(pairs, dtype=np.float64).reshape(-1, 2).T
         return _finding(WORKS, "φ", "rad", (both[0], both[1]), np.full(both.shape[1], SAME), 2 * np.pi)
@@ -210,6 +207,34 @@ class _Chords:
         energy = steep * whole + cut
         yield _single(FLYWHEEL, "T_0", "J", ours.energy, theirs.energy, energy, abs(ours.energy))
 
+    def _methods(self, ours: Flywheel) -> Iterator[Finding]:
+        """Compare J0 by the other methods, from the points of the same loop."""
+        task, told = self.study.task, self.study.methods
+        if told is None or task.delta is None:
+            return
+        mean, even = task.speed**2 / 2, task.speed**2 * task.delta
+        level = flywheel_of_points(self.theirs, task, (mean, mean)).cuts
+        gutyar = flywheel_of_points(self.theirs, task).cuts
+        book = flywheel_of_points(self.theirs, task, book_slopes(task))
+        allowed, largest = 2 * self._whole(ours), abs(ours.whole)
+        pairs = {
+            "book": (told.book, book.whole),
+            "mertsalov": (told.mertsalov, (level[1] - level[0]) / even),
+            "gutyar": (told.gutyar, (gutyar[1] - gutyar[0]) / even),
+        }
+        for name, (one, other) in pairs.items():
+            yield _single(FLYWHEEL, f"J_0 {name}", "kg*m2", one, other, allowed, largest)
+
+    def _rim(self, theirs: Flywheel) -> Iterator[Finding]:
+        """Compare mass and section of the rim."""
+        one, other = self.study.wheel, wheel(theirs.inertia, self.study.task.rim)
+        if one is None or other is None or self.wheels[0] is None:
+            return
+        share = self._whole(self.wheels[0]) / theirs.inertia + 16 * EPS
+        for name, unit in (("inertia", "kg*m2"), ("mass", "kg"), ("thickness", "m"), ("breadth", "m")):
+            size = abs(getattr(other, name))
+            yield _single(FLYWHEEL, name, unit, getattr(one, name), getattr(other, name), share * size, size)
+
     def _whole(self, ours: Flywheel) -> float:
         """Give how far rounding can have moved J0: both segments over the difference of the slopes."""
         low, high = ours.slopes
@@ -231,9 +256,7 @@ class _Chords:
 
 
 def _nearest(one: float, places: Floats) -> float:
-    """Give the nearest of some angles of a turn, on the same side of its end; infinity where there are none."""
-    if not places.size:
-        return np.inf
+    """Give the nearest of some angles of a turn, on the same side of its end."""
     apart = np.angle(np.exp(1j * (places - one)))
     return float(one + apart[np.argmin(np.abs(apart))])
 

@@ -23,6 +23,14 @@ DENSITY = units.Kind(
     Decimal("1e6"),
 )
 
+TIME = units.Kind(
+    "time",
+    "s",
+    {"s": Decimal(1), "ms": Decimal("0.001"), "с": Decimal(1), "мс": Decimal("0.001")},
+    Decimal("1e-9"),
+    Decimal("1e6"),
+)
+
 
 def fluctuation(value: object) -> Decimal:
     """Read a coefficient of fluctuation of speed, above 0 and at most 1 (коэффициент неравномерности).
@@ -66,3 +74,4 @@ RATIO = one(ratio, partial(forms.quantity, units.NUMBER), "number")
 INERTIA = f.positive(units.INERTIA)
 MATERIAL = f.positive(DENSITY)
 SHARE = f.positive(units.NUMBER)
+STEP = f.positive(TIME)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from decimal import Decimal
 
 from plans.dynamics import fields as d
+from plans.dynamics.motor import MotorTable, RunTable
 from plans.scene import fields as f
 from plans.scene.readers import many
 from plans.scene.scene import TechniqueForm
@@ -21,13 +22,6 @@ class ShaftTable(Table):
     )
     ratio: Decimal = key(d.RATIO, Decimal(1), meaning="Its turns for one turn of the crank (передаточное отношение).")
     name: str = key(f.TEXT, "", meaning="What it is: gear, pulley, carrier.")
-
-
-class MotorTable(Table):
-    """The motor: inertia of its rotor, and its turns for one turn of the crank."""
-
-    rotor: Decimal | None = key(d.INERTIA, None, meaning="Moment of inertia of the rotor.")
-    ratio: Decimal = key(d.RATIO, Decimal(1), meaning="Turns of the motor for one turn of the crank.")
 
 
 class FlywheelTable(Table):
@@ -52,6 +46,11 @@ class DynamicsTable(Table):
     )
     divisions: int = key(d.DIVISIONS, 24, meaning="Strips of a turn in which the graphs are drawn.")
     motor: MotorTable | None = key(table(MotorTable), None, meaning="The motor.")
+    run: RunTable = key(
+        table(RunTable),
+        RunTable(),
+        meaning="Run-up, steady motion and run-down (тахограмма), of a motor with one of the four laws.",
+    )
     shafts: tuple[ShaftTable, ...] = key(
         many(table(ShaftTable), first=f.FEW), (), meaning="Gears and other rotating masses beside the linkage."
     )

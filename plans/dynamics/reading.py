@@ -7,6 +7,7 @@ from decimal import Decimal
 from typing import NamedTuple
 
 from plans.dynamics.form import DynamicsForm, DynamicsTable
+from plans.dynamics.motor import motor_of
 from plans.linkage.reading.form import LinkageForm
 from plans.model.dynamics import Rim, Shaft, Task
 from plans.scene.faults import Fault
@@ -49,7 +50,23 @@ def survey_of(meaning: Meaning) -> DynamicsSurvey:
     form, drive = scene.of(DynamicsForm).dynamics, scene.of(LinkageForm).drive
     still = ("dynamics", "speed") if form.speed is not None else ("drive", "speed")
     speed = drive.speed if form.speed is None else form.speed
-    return DynamicsSurvey([scene.fault(still, "crank_at_rest")] if speed == 0 else [])
+    return DynamicsSurvey(
+        [scene.fault(still, "crank_at_rest")] if speed == 0 else [*_motor_faults(meaning, abs(speed))]
+    )
+
+
+def _motor_faults(meaning: Meaning, speed: Decimal) -> Iterator[Fault]:
+    """Give what keeps a motor from running the machine: no law of its moment, or one that ends below its speed."""
+    scene = meaning.scene
+    form = scene.of(DynamicsForm).dynamics
+    if form.motor is None or form.motor.law is None:
+        doubted = any(path[:2] == ("dynamics", "motor") for path in meaning.doubts)
+        if scene.has(("dynamics", "run")) and not doubted:
+            yield scene.fault(("dynamics", "run"), "no_law")
+    elif form.motor.speeds and form.motor.speeds[-1] < speed * abs(form.motor.ratio):
+        found, wanted = (f"{float(one):.5g}" for one in (form.motor.speeds[-1], speed * abs(form.motor.ratio)))
+        path = ("dynamics", "motor", "speeds", len(form.motor.speeds) - 1)
+        yield scene.fault(path, "speeds_end", found=found, wanted=wanted)
 
 
 def notes_of(scene: Scene) -> Iterator[Fault]:
@@ -57,6 +74,11 @@ def notes_of(scene: Scene) -> Iterator[Fault]:
     form = scene.of(DynamicsForm).dynamics
     if form.fluctuation is not None and form.fluctuation > LARGE:
         yield scene.fault(("dynamics", "fluctuation"), "large_fluctuation", found=f"{float(form.fluctuation):g}")
+    motor, speed = motor_of(form.motor), task_of(scene).speed
+    free = motor.speed(0.0) if motor else None
+    if free is not None and not speed <= free <= FASTEST * speed:
+        yield scene.fault(("dynamics", "motor"), "free_speed", found=f"{free:.5g}", wanted=f"{speed:.5g}")
 
 
+FASTEST = 2.0  # times its speed under load: no motor runs faster without it, and a ratio left out is mostly more
 LARGE = Decimal("0.2")  # machines that beat, crush and punch: tables of permitted fluctuation end at 1/5

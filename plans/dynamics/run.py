@@ -46,7 +46,7 @@ def run(link: ReducedLink, motor: Motor, task: RunTask) -> Run:
 
 
 def step_of(link: ReducedLink, motor: Motor, task: RunTask) -> float:
-    """Give the step s of the table: as asked, or a strip of the turn at full speed, or less where the motor is stiff."""
+    """Give the step s of the table: as asked, or a strip of a turn at full speed, less where the motor is stiff."""
     if task.step is not None:
         return task.step
     period = TURN / (motor.speed(0.0) or task.speed)

@@ -9,13 +9,17 @@ from typing import TYPE_CHECKING
 from geometry.errors import ConstructionError
 from plans.dynamics.cycle import Turn, Works
 from plans.dynamics.loop import Loop, loop
+from plans.dynamics.methods import methods
 from plans.dynamics.reading import task_of
 from plans.dynamics.reduction import Reduction
+from plans.dynamics.rim import rim_of
 from plans.dynamics.speeds import SpeedCurve, natural, speed_curve
 from plans.forces.statics import Statics
 from plans.linkage.obstruction import obstruction
 from plans.linkage.study import LinkageStudy
 from plans.model.dynamics import CONSTRUCTION, Account, Cycle, Flywheel, Reduced, Speeds, Task
+from plans.model.flywheel_methods import Methods
+from plans.model.flywheel_rim import Wheel
 from plans.words.words import message, placed
 
 if TYPE_CHECKING:
@@ -103,6 +107,16 @@ class DynamicsStudy:
     def flywheel(self) -> Flywheel | None:
         """The flywheel; None where no fluctuation is asked for."""
         return self.loop.flywheel if self.loop else None
+
+    @cached_property
+    def methods(self) -> Methods | None:
+        """J0 by other methods from the points of the loop; None where no fluctuation is asked for."""
+        return methods(self.cycle, self.task)
+
+    @cached_property
+    def wheel(self) -> Wheel | None:
+        """The rim of the flywheel; None without a diameter, or where no flywheel is needed."""
+        return rim_of(self.flywheel.inertia, self.task.rim) if self.flywheel else None
 
     @property
     def bare(self) -> float:

@@ -9,19 +9,16 @@ import numpy as np
 
 from plans.forces.stroke import KAPPA, ROUNDING, Stroke, asks
 from plans.model.kinetostatics import Applied, Loading, Twist
-from plans.model.machine import ALWAYS, WORKING, Force, Machine, Moment, Spring
+from plans.model.machine import ALWAYS, WORKING, End, Force, Machine, Moment, Spring, Track
 from plans.model.mechanism import FRAME
 from plans.model.motion import Complexes, Floats, LinkMotion, Motion, PointMotion
 
 APART = 8 * 2.0**-52  # share of two places: points nearer to each other than their rounding are in one place
 
 
-def loading(machine: Machine, motion: Motion, strokes: Mapping[str, Stroke]) -> Loading:
+def loading(machine: Machine, motion: Motion, strokes: Mapping[Track, Stroke]) -> Loading:
     """Give all loads over the positions of a motion of order 2; NaN at gaps."""
-    forces = [
-        Applied(force.name, force.link, force.point, force.at, _force(force, motion, strokes), force.useful)
-        for force in machine.forces
-    ]
+    forces = [end for force in machine.forces for end in _acting(force, motion, strokes)]
     forces += [end for spring in machine.springs for end in _ends(spring, motion)]
     moments = tuple(
         Twist(moment.name, moment.link, _moment(moment, motion, strokes), moment.useful) for moment in machine.moments
@@ -29,19 +26,39 @@ def loading(machine: Machine, motion: Motion, strokes: Mapping[str, Stroke]) -> 
     return Loading(tuple(forces), moments)
 
 
-def _force(force: Force, motion: Motion, strokes: Mapping[str, Stroke]) -> Complexes:
+def _acting(force: Force, motion: Motion, strokes: Mapping[Track, Stroke]) -> Iterator[Applied]:
+    """Give a force at its point, and of one between two links the opposite at the other, where that moves."""
+    value = _force(force, motion, strokes)
+    yield Applied(force.name, force.link, force.point, force.at, value, force.useful)
+    if force.other is not None and force.other.link != FRAME:
+        yield Applied(f"{force.name}′", *force.other, 0.0 - value, force.useful)  # of a zero no -0
+
+
+def _force(force: Force, motion: Motion, strokes: Mapping[Track, Stroke]) -> Complexes:
     r = motion.points[force.point].r
-    course = -_course(motion, force.point) if force.direction is None else force.direction
+    course = _direction(force, motion)
     return np.where(np.isnan(r), np.nan, _size(force, motion, strokes) * course + 0.0)  # of a zero no -0
 
 
-def _moment(moment: Moment, motion: Motion, strokes: Mapping[str, Stroke]) -> Floats:
+def _direction(force: Force, motion: Motion) -> Any:
+    """Give the unit direction of a force; 0 where what it acts against does not move."""
+    if force.direction is not None:
+        return force.direction
+    if force.line is None:
+        return -_course(motion, force.point)
+    apart, length = _apart(motion, force.line)
+    with np.errstate(invalid="ignore"):  # a gap is NaN
+        along = apart / length
+    return along if force.other is None or not force.resists else -_parting(motion, force, force.other, along) * along
+
+
+def _moment(moment: Moment, motion: Motion, strokes: Mapping[Track, Stroke]) -> Floats:
     sense = -_sense(motion, moment.link) if moment.against else 1.0
     angle = motion.links[moment.link].angle
     return np.where(np.isnan(angle), np.nan, _size(moment, motion, strokes) * sense + 0.0)
 
 
-def _size(load: Force | Moment, motion: Motion, strokes: Mapping[str, Stroke]) -> Floats:
+def _size(load: Force | Moment, motion: Motion, strokes: Mapping[Track, Stroke]) -> Floats:
     """Give the size of a load: nothing on a stroke that is not its own, and in the overruns at the ends."""
     if not asks(load):
         return np.full(motion.phi.shape, load.size)
@@ -72,6 +89,26 @@ def _sense(motion: Motion, link: int) -> Floats:
     return np.asarray(np.sign(_moving(omega, epsilon, motion.links.values())))
 
 
+def _parting(motion: Motion, force: Force, other: End, along: Complexes) -> Floats:
+    """Give the sense +1 or -1 in which a point goes along a line from another; from a rest that in which it will.
+
+    The line turns with the points: d2s/dt2 = a along it + its turning times v across it, from the other point.
+    """
+    assert force.line is not None  # of a force between two links
+    own, far, (start, end) = motion.points[force.point], motion.points[other.point], force.line
+    v, turning = along.conj() * (own.v - far.v), along.conj() * (motion.points[end].v - motion.points[start].v)
+    _, length = _apart(motion, force.line)
+    growth = (along.conj() * (own.a - far.a)).real + turning.imag / length * v.imag
+    return np.asarray(np.sign(_moving(v.real, growth, motion.points.values())))
+
+
+def _apart(motion: Motion, points: tuple[str, str]) -> tuple[Complexes, Floats]:
+    """Give the way m from one point to another, and its length, NaN where both are in one place: it has no line."""
+    first, second = (motion.points[point].r for point in points)
+    apart = second - first
+    return apart, np.where(np.abs(apart) <= APART * (np.abs(first) + np.abs(second)), np.nan, np.abs(apart))
+
+
 def _moving(speed: Any, growth: Any, motions: Collection[PointMotion | LinkMotion]) -> Any:
     """Give a velocity; where it is zero but for rounding, the acceleration, to which the next velocity is parallel."""
     rests = np.abs(speed) <= ROUNDING * _largest(one[1] for one in motions)
@@ -91,9 +128,7 @@ def _ends(spring: Spring, motion: Motion) -> Iterator[Applied]:
 
     Ends in one place have no line: only a spring without free length then has a force, none.
     """
-    first, second = (motion.points[point].r for point in spring.points)
-    apart = second - first
-    length = np.where(np.abs(apart) <= APART * (np.abs(first) + np.abs(second)), np.nan, np.abs(apart))
+    apart, length = _apart(motion, spring.points)
     stretched = 1.0 - spring.free / length if spring.free else 1.0
     pull = spring.stiffness * stretched * apart
     moving = [k for k in (0, 1) if spring.links[k] != FRAME]

@@ -12,6 +12,7 @@ import numpy.typing as npt
 
 from plans.forces.force_drawing import ForceDrawing
 from plans.forces.force_template import ForcePattern, ForcePlans
+from plans.forces.lines import off_their_lines, told_line
 from plans.forces.loading import loading
 from plans.forces.reading.form import ForceForm
 from plans.forces.reading.inventory import machine_of
@@ -35,10 +36,11 @@ from plans.model.kinetostatics import (
     pairs,
     without_forces,
 )
-from plans.model.machine import Machine
+from plans.model.machine import Machine, Track
 from plans.model.mechanism import Output, StructureError
 from plans.model.motion import CHANGE_POINT, DEAD_CENTRE, Extremes, Floats, Gap, Motion
 from plans.model.order import VELOCITIES
+from plans.model.working import NoWorkingStroke
 from plans.scene.faults import SceneError
 from plans.words.words import Message, message, placed
 
@@ -116,7 +118,17 @@ class Statics:
         borne = any(body.mass or body.inertia for body in machine.bodies.values())
         if not (borne or machine.forces or machine.moments or machine.springs):
             raise SceneError([scene.fault(("sheets",), "nothing_acts")])
+        self._check_lines(machine)
         return machine
+
+    def _check_lines(self, machine: Machine) -> None:
+        """See that forces between two links act along lines that their points lie on."""
+        if not any(map(told_line, machine.forces)):
+            return
+        scene, off = self.study.scene, off_their_lines(machine, self.study.motion(0))
+        faults = [(("loads", "forces", index, "direction"), "off_line", force.line) for index, force in off]
+        if faults:
+            raise SceneError(scene.fault(path, kind, line="".join(line or ())) for path, kind, line in faults)
 
     @cached_property
     def pairs(self) -> tuple[Pair, ...]:
@@ -124,21 +136,27 @@ class Statics:
         return pairs(self.study.mechanism, self.study.groups)
 
     @cached_property
-    def strokes(self) -> Mapping[str, Stroke]:
+    def strokes(self) -> Mapping[Track, Stroke]:
         """The strokes over which loads change, by construction."""
         return self.over(self._extremes)
 
-    def over(self, extremes: Callable[[Output], Extremes | None]) -> dict[str, Stroke]:
+    def over(self, extremes: Callable[[Output], Extremes | None]) -> dict[Track, Stroke]:
         """Find the strokes over which loads change by the extreme positions of either road."""
-        study, scene = self.study, self.study.scene
+        study = self.study
         try:
             return strokes(self.machine, study.mechanism, study.output, extremes)
         except NoStroke as error:
             why = error.args[0]
             if study.barriers:
                 why = message("stroke.barred", load=error.load, thing=error.thing, why=obstruction(study.sweep))
-            line, column = scene.place(("loads",))
-            raise StructureError(placed(f"{scene.file}:{line}:{column}: loads", why)) from None
+            raise self._refused(why) from None
+        except NoWorkingStroke as error:
+            raise self._refused(error.args[0]) from None
+
+    def _refused(self, why: Message) -> StructureError:
+        """Say what is wrong with the loads of the scene."""
+        line, column = self.study.scene.place(("loads",))
+        return StructureError(placed(f"{self.study.scene.file}:{line}:{column}: loads", why))
 
     def _extremes(self, output: Output) -> Extremes | None:
         """Find the extreme positions of an output by construction."""
@@ -174,7 +192,7 @@ class Statics:
         """Give the forces over a whole turn from the first position on, in even steps; NaN where there are none."""
         study = self.study
         phi = study.turn.phi[0] + study.sense * 2 * np.pi * np.arange(steps + 1) / steps
-        drafts = Drafts(study, at_angles(phi))
+        drafts = Drafts(study, at_angles(phi).paced(study.pace))
         found, none = ForceDrafts(self, drafts).read()
         return without(found, none | drafts.lost)
 
@@ -215,7 +233,7 @@ class Statics:
 
         study, motion = self.study, self.study.motion(2)
         loads = self.loading(motion)
-        return friction(study.mechanism, study.groups, self.machine, motion, loads, self.forces)
+        return friction(study.mechanism, study.groups, self.machine, motion, loads, self.forces, study.turn.times)
 
     def _reason(self, position: int) -> str:
         """Say why a position that has velocities has no forces."""

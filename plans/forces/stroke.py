@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
-from plans.model.machine import ALWAYS, Force, Machine, Moment
-from plans.model.mechanism import FRAME, Mechanism, Output, StructureError, Way
+from plans.model.machine import ALWAYS, OUTPUT, Force, Machine, Moment, Track
+from plans.model.mechanism import FRAME, Mechanism, Output, Parting, StructureError, Way
 from plans.model.motion import Extremes, Floats, Motion
+from plans.model.working import frame_way
 from plans.words.words import Message, message
 
 TURN = 2 * np.pi
@@ -29,12 +31,24 @@ class Stroke(NamedTuple):
     reach: tuple[float, float]  # output coordinate there: m along the guide, or rad of the link's +x axis
     link: int
     point: str = ""  # that slides
-    way: Way | None = None  # the line of the frame that it slides along; None: the link swings
+    way: Way | None = None  # the line of the frame that it slides along; None: the link swings, or parts
+    parting: Parting | None = None  # from what the point is away
+
+    @property
+    def angles(self) -> tuple[float, float]:
+        """The crank's angles rad over the working and over the idle stroke."""
+        work = float(np.mod(self.sense * (self.end - self.begin), TURN))
+        return work, TURN - work
+
+    @property
+    def output(self) -> Output:
+        """What has the stroke."""
+        return Output(self.link, self.point or None, parting=self.parting)
 
     @property
     def sliding(self) -> bool:
-        """Whether the output slides on the frame."""
-        return self.way is not None
+        """Whether the output slides, on the frame or away from another point."""
+        return self.way is not None or self.parting is not None
 
     def working(self, phi: Floats) -> npt.NDArray[np.bool_]:
         """Tell the crank angles of the working stroke; the extreme position from which it begins is of it.
@@ -50,7 +64,9 @@ class Stroke(NamedTuple):
         """Give the share of the stroke between the place and that where the working stroke begins, NaN at gaps."""
         low, high = self.reach
         middle = (low + high) / 2
-        if self.way is None:
+        if self.parting is not None:
+            beyond = _apart(self.parting, self.point, motion) - middle
+        elif self.way is None:
             beyond = motion.links[self.link].angle - middle
             beyond -= TURN * np.round(beyond / TURN)
         else:
@@ -67,6 +83,15 @@ class NoStroke(StructureError):  # noqa: N818  (the exception tree's own word)
         self.load, self.thing = load, thing
 
 
+def _apart(parting: Parting, point: str, motion: Motion) -> Floats:
+    """Give how far m a point is from another along their line; NaN at gaps."""
+    start, end = (motion.points[name].r for name in parting.line)
+    along = (end - start).conj()
+    with np.errstate(invalid="ignore"):  # a gap is NaN
+        away = (along * (motion.points[point].r - motion.points[parting.other].r)).real / np.abs(along)
+    return np.asarray(away)
+
+
 def asks(load: Force | Moment) -> bool:
     """Tell whether a load changes over a stroke."""
     changes = load.during != ALWAYS or load.overrun != (0.0, 0.0)
@@ -75,25 +100,40 @@ def asks(load: Force | Moment) -> bool:
 
 def strokes(
     machine: Machine, mechanism: Mechanism, output: Output, extremes: Callable[[Output], Extremes | None]
-) -> dict[str, Stroke]:
-    """Find the strokes that loads ask for, by the letter of the point; `extremes` is that of either road."""
-    found: dict[str, Stroke] = {}
+) -> dict[Track, Stroke]:
+    """Find the strokes that loads ask for; `extremes` is that of either road."""
+    found: dict[Track, Stroke] = {}
     loads: tuple[Force | Moment, ...] = (*machine.forces, *machine.moments)
     for load in loads:
         if asks(load) and load.stroke not in found:
-            shown = output_at(mechanism, load.stroke) if load.stroke else output
+            shown = output if load.stroke == OUTPUT else _shown(mechanism, load)
             reached = extremes(shown) if shown else None
             if shown is None or reached is None or not (reached.sliding or reached.stroke < TURN):
-                point = message("place.point", point=load.stroke)
-                raise NoStroke(load.name, point if load.stroke else message("place.link", link=output.link))
+                raise NoStroke(load.name, _thing(load.stroke, output))
             found[load.stroke] = _stroke(mechanism, shown, reached)
     return found
+
+
+def _shown(mechanism: Mechanism, load: Force | Moment) -> Output | None:
+    """Give the output whose stroke a load counts, where it is not that of the mechanism."""
+    track = load.stroke
+    if track.parting is not None:
+        return Output(load.link, track.point, track.working, track.parting)
+    shown = output_at(mechanism, track.point)
+    return shown and replace(shown, working=track.working)
+
+
+def _thing(track: Track, output: Output) -> Message:
+    """Name what has a stroke, or none."""
+    if track.parting is not None:
+        return message("place.points", first=track.parting.other, second=track.point)
+    return message("place.point", point=track.point) if track.point else message("place.link", link=output.link)
 
 
 def output_at(mechanism: Mechanism, point: str) -> Output | None:
     """Give the link whose stroke is that of a point: one that slides on the frame, else swings about it; or none."""
     links = [link for link in sorted(mechanism.links) if link != FRAME and point in mechanism.links[link].points]
-    sliding = [link for link in links if _way(mechanism, link)]
+    sliding = [link for link in links if frame_way(mechanism, link)]
     fixed = mechanism.links[FRAME].points
     hung = [link for link in links if not fixed.keys().isdisjoint(mechanism.links[link].points)]
     return next((Output(link, point) for link in (*sliding, *hung)), None)
@@ -101,11 +141,5 @@ def output_at(mechanism: Mechanism, point: str) -> Output | None:
 
 def _stroke(mechanism: Mechanism, shown: Output, reached: Extremes) -> Stroke:
     sense = -1 if mechanism.drive.omega < 0 else 1
-    point, way = _way(mechanism, shown.link) or ("", None)
-    return Stroke(*reached.phi, sense, reached.reach, shown.link, shown.point or point, way)
-
-
-def _way(mechanism: Mechanism, link: int) -> tuple[str, Way] | None:
-    """Give the point and the line by which a link slides on the frame."""
-    slides = (slide for slide in mechanism.slides if {slide.slider, slide.owner} == {link, FRAME})
-    return next(((slide.point, slide.way(FRAME)) for slide in slides), None)
+    point, way = (shown.parting is None and frame_way(mechanism, shown.link)) or ("", None)
+    return Stroke(*reached.phi, sense, reached.reach, shown.link, shown.point or point, way, shown.parting)

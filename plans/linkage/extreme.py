@@ -20,8 +20,9 @@ from plans.linkage.plan import Plan
 from plans.linkage.primary import PRIMARIES
 from plans.linkage.travel import Travel, frame_slide
 from plans.model.group import Group
-from plans.model.mechanism import FRAME, Mechanism, Output
+from plans.model.mechanism import FRAME, SLOWER, Mechanism, Output
 from plans.model.motion import Extremes, Floats
+from plans.model.working import by_time, works
 
 # A notched extreme and a velocity of zero are one position when their crank angles agree to half the digits: the
 # coordinate of an extreme is stationary, so half its digits is all that a root found by its value could tell.
@@ -48,7 +49,7 @@ def output(mechanism: Mechanism, groups: Sequence[Group]) -> Output:
     if groups:
         link = max([lead for host, lead, _ in groups[-1].outer_pairs if host == FRAME] or groups[-1].links)
     slide = frame_slide(mechanism, link)
-    return Output(link, slide.point if slide else None)
+    return Output(link, slide.point if slide else None, mechanism.working)
 
 
 def notches(mechanism: Mechanism, groups: Sequence[Group], sides: Sequence[float]) -> tuple[Plan, list[Mark]] | None:
@@ -68,9 +69,10 @@ def notches(mechanism: Mechanism, groups: Sequence[Group], sides: Sequence[float
 def extremes(sweep: Sweep, out: Output) -> ExtremePositions | None:
     """Find the output's two extreme positions over a free turn; None where it has none, as a link that turns fully.
 
-    The working stroke, to which the crank gives the larger angle, comes first (рабочий ход).
+    The working stroke comes first (рабочий ход): that to which the crank gives the larger angle, or as the output says.
     """
-    if out.link == sweep.mechanism.drive.link or sweep.barred:
+    turns = out.link == sweep.mechanism.drive.link and out.parting is None
+    if turns or sweep.barred:
         return None
     travel = Travel(_resting(sweep), out)
     rests = travel.rests()
@@ -84,13 +86,15 @@ def extremes(sweep: Sweep, out: Output) -> ExtremePositions | None:
     low, high = _farthest(places, -reach), _farthest(places, reach)
     if not reach[low] < reach[high]:
         return None
-    first, second = _working(places, low, high, sweep.mechanism.drive.omega)
-    phi = [float(np.angle(exact.directions[k]) % (2 * np.pi)) for k in (first, second)]
+    order = _slower(places, low, high, sweep.mechanism.drive.omega)
+    phi = [float(np.angle(exact.directions[k]) % (2 * np.pi)) for k in order]
     sense = -1.0 if sweep.mechanism.drive.omega < 0 else 1.0
-    work = (sense * (phi[1] - phi[0])) % (2 * np.pi)
-    found = Extremes(
-        (phi[0], phi[1]), (float(reach[first]), float(reach[second])), travel.sliding, max(work - np.pi, 0.0)
-    )
+    more = (sense * (phi[1] - phi[0])) % (2 * np.pi) - np.pi
+    back = _turned(sweep.mechanism, out, [float(reach[k]) for k in order], equal=more < EQUAL)
+    first, second = order[::-1] if back else order
+    begun = (phi[1], phi[0]) if back else (phi[0], phi[1])
+    reached = float(reach[first]), float(reach[second])
+    found = Extremes(begun, reached, travel.sliding, max(more, 0.0), back and more >= EQUAL)
     by_notch = drawn[0] if drawn and all(directions[k][1] for k in (first, second)) else None
     return ExtremePositions(
         found, (complex(exact.directions[first]), complex(exact.directions[second])), by_notch, tuple(places)
@@ -127,7 +131,14 @@ def _reaches(travel: Travel, turn: CrankPositions) -> Floats:
     return np.asarray(near + np.angle(np.exp(1j * (reach - near))))
 
 
-def _working(rests: list[float], low: int, high: int, omega: float) -> tuple[int, int]:
+def _turned(mechanism: Mechanism, out: Output, reach: Sequence[float], equal: bool) -> bool:
+    """Tell whether the working stroke is not the slower one, by its two coordinates; of equal ones time tells none."""
+    if by_time(out):
+        return out.working != SLOWER and not equal
+    return not works(mechanism, out, *reach)
+
+
+def _slower(rests: list[float], low: int, high: int, omega: float) -> tuple[int, int]:
     """Order two rests so that the crank turns through the larger angle from the first to the second."""
     sense = -1.0 if omega < 0 else 1.0
     there = (sense * (rests[high] - rests[low])) % (2 * np.pi)

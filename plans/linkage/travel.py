@@ -9,8 +9,8 @@ import numpy as np
 from geometry.meet import dot
 from plans.linkage.assembly_limits import FAN, LOOKS, NODES, Sweep, at_angles
 from plans.linkage.crank_positions import CrankPositions
-from plans.model.mechanism import FRAME, Mechanism, Output, Slide
-from plans.model.motion import Floats
+from plans.model.mechanism import FRAME, Mechanism, Output, Parting, Slide
+from plans.model.motion import Complexes, Floats, Motion, PointMotion
 
 # An output slower than this, m/s or rad/s with the crank at 1 rad/s, stands: what is left are roundings of a true zero.
 STILL = 1e-12
@@ -22,20 +22,26 @@ def frame_slide(mechanism: Mechanism, link: int) -> Slide | None:
 
 
 class Travel:
-    """The output's coordinate and velocity over the crank angle: along the frame's guide, or the output link's turn."""
+    """The output's coordinate and velocity over the crank angle: along the frame's guide, or the output link's turn.
+
+    Of an output that parts from another point it is the way between them along a line of points.
+    """
 
     def __init__(self, sweep: Sweep, out: Output) -> None:
         self.sweep, self.out = sweep, out
-        self.slide = frame_slide(sweep.mechanism, out.link)
+        self.slide = None if out.parting else frame_slide(sweep.mechanism, out.link)
 
     @property
     def sliding(self) -> bool:
-        """Whether the output slides on the frame."""
-        return self.slide is not None
+        """Whether the output slides, on the frame or away from another point."""
+        return self.slide is not None or self.out.parting is not None
 
     def coordinate(self, turn: CrankPositions) -> Floats:
         """Read off the plan of positions: metres along the guide from its own point, or radians."""
         seen = self.sweep.motion(turn, 0)
+        if self.out.parting is not None:
+            apart, along = self._parting(self.out.parting, seen)
+            return np.asarray(dot(along, apart.r))
         if self.slide is None:
             return seen.links[self.out.link].angle
         way = self.slide.way(FRAME)
@@ -44,10 +50,21 @@ class Travel:
     def speed(self, turn: CrankPositions) -> Floats:
         """Read off the velocity plan the output's velocity, or its omega."""
         seen = self.sweep.motion(turn, 1)
+        if self.out.parting is not None:  # its point and the other are on the line, so that turning moves neither along
+            apart, along = self._parting(self.out.parting, seen)
+            return np.asarray(dot(along, apart.v))
         if self.slide is None:
             return seen.links[self.out.link].omega
         along = seen.points[self._pin(self.slide)].v
         return np.asarray(dot(self.slide.way(FRAME).direction, along))
+
+    def _parting(self, parting: Parting, seen: Motion) -> tuple[PointMotion, Complexes]:
+        """Give place and velocity of the output's point from the other, and the unit direction of their line."""
+        own, far = (seen.points[name] for name in (self.out.point or "", parting.other))
+        start, end = (seen.points[name].r for name in parting.line)
+        with np.errstate(invalid="ignore"):  # a gap is NaN
+            along = (end - start) / np.abs(end - start)
+        return PointMotion(one - other for one, other in zip(own, far, strict=False)), along
 
     def _pin(self, slide: Slide) -> str:
         return self.out.point or slide.point

@@ -9,6 +9,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
 
+from plans.model.mechanism import SLOWER, Parting
+
 ALWAYS, WORKING, IDLE = "always", "working stroke", "idle stroke"
 MOMENT, COUPLING, FORCE, GEAR = "moment", "coupling", "force", "gear"
 
@@ -22,6 +24,17 @@ class Body(NamedTuple):
     centre: complex
 
 
+class Track(NamedTuple):
+    """Whose stroke a load counts: of the output, of a point, or of one from another; and which of the two works."""
+
+    point: str = ""  # "": the output
+    working: str = SLOWER
+    parting: Parting | None = None
+
+
+OUTPUT = Track()
+
+
 class Diagram(NamedTuple):
     """Sizes of a load N over the stroke of a point: at shares of it that rise from 0 to 1 in the working sense.
 
@@ -33,20 +46,34 @@ class Diagram(NamedTuple):
     back: tuple[float, ...] = ()
 
 
+class End(NamedTuple):
+    """A point of a link, by its letter and its place in the link's own frame, at which a force acts."""
+
+    link: int
+    point: str
+    at: complex
+
+
 class Force(NamedTuple):
-    """A load on a point of a link: N along a fixed direction, or against the motion of the point."""
+    """A load on a point of a link: N along a fixed direction or a line of points, or against the motion of the point.
+
+    One between two links acts along a line that both points lie on, and on the other the opposite way.
+    """
 
     name: str  # as the sheet letters it: "F_us", "F_D"
     link: int
     point: str
     at: complex
     size: float  # N; of a diagram 1
-    direction: complex | None  # unit vector; None: against the motion of the point
+    direction: complex | None  # unit vector; None: along its line, or without one against the motion of the point
     during: str = ALWAYS
     diagram: Diagram | None = None
     overrun: tuple[float, float] = (0.0, 0.0)  # shares of the stroke at its ends in which the load rests
-    stroke: str = ""  # point whose stroke counts; "": the output's
+    stroke: Track = OUTPUT
     useful: bool = True  # whether its work is the machine's purpose
+    line: tuple[str, str] | None = None  # the points from the first of which to the second it acts
+    other: End | None = None  # where it acts back: on its line too
+    resists: bool = False  # whether it acts against the motion of its point from the other
 
 
 class Moment(NamedTuple):
@@ -58,7 +85,7 @@ class Moment(NamedTuple):
     against: bool = False
     during: str = ALWAYS
     overrun: tuple[float, float] = (0.0, 0.0)
-    stroke: str = ""
+    stroke: Track = OUTPUT
     useful: bool = True
 
 

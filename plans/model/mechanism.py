@@ -16,6 +16,7 @@ from geometry.errors import DraftError
 FRAME = 0
 CRANK = "crank"  # kind of primary link: a crank on the frame
 # What may carry a linkage through its change points: another one beside it, set at another angle, or its inertia.
+SLOWER, FASTER = "slower", "faster"  # the working stroke, by the time that it takes
 PARALLEL, INERTIA = "parallel", "inertia"
 THROUGH = (PARALLEL, INERTIA)
 
@@ -73,11 +74,21 @@ class Drive:
 
 
 @dataclass(frozen=True, slots=True)
+class Parting:
+    """How far a point is from another along a line of two points, from the first of which to the second it counts."""
+
+    other: str
+    line: tuple[str, str]
+
+
+@dataclass(frozen=True, slots=True)
 class Output:
     """The output link (выходное звено) and, where it slides or was asked for, the point that shows its motion."""
 
     link: int
     point: str | None
+    working: str = SLOWER  # which of its strokes is the working one
+    parting: Parting | None = None  # from what its point is away, where that counts and not its motion on the frame
 
 
 @dataclass(frozen=True)
@@ -92,6 +103,7 @@ class Mechanism:
     sketch: Mapping[str, complex]  # rough places, measured from the datum
     output: Output | None  # None: the last link on the frame of the last group
     through: str | None = None  # what carries the links through change points: PARALLEL, INERTIA; None: nothing
+    working: str = SLOWER  # the working stroke, where the scene names no output
 
     @cached_property
     def hinges(self) -> dict[str, tuple[int, ...]]:

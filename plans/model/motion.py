@@ -112,12 +112,13 @@ class Motion:
 
 @dataclass(frozen=True)
 class Extremes:
-    """The two extreme positions of the output link (крайние положения), the slower (working) stroke first."""
+    """The two extreme positions of the output link (крайние положения), the working stroke first."""
 
     phi: tuple[float, float]  # rad in [0, 2 pi): crank where the working stroke begins, and where it ends
     reach: tuple[float, float]  # output coordinate there: m along the guide, or rad of the output link's +x axis
     sliding: bool  # True: reach and stroke are metres; False: radians
-    overlap: float  # rad, theta: working angle of the crank less pi (угол перекрытия)
+    overlap: float  # rad, theta: the crank's angle over the slower stroke less pi (угол перекрытия)
+    faster: bool = False  # whether the working stroke is the faster one
 
     @property
     def stroke(self) -> float:
@@ -126,5 +127,11 @@ class Extremes:
 
     @property
     def ratio(self) -> float:
-        """Coefficient of mean speeds K = (pi + theta)/(pi - theta) (коэффициент изменения средней скорости)."""
+        """Coefficient of mean speeds K = (pi + theta)/(pi - theta) >= 1 (коэффициент изменения средней скорости)."""
         return float((np.pi + self.overlap) / (np.pi - self.overlap))
+
+    @property
+    def angles(self) -> tuple[float, float]:
+        """The crank's angles rad over the working and over the idle stroke (фазовые углы рабочего и холостого хода)."""
+        slow, fast = np.pi + self.overlap, np.pi - self.overlap
+        return (fast, slow) if self.faster else (slow, fast)

@@ -6,21 +6,23 @@ turned, rad from 0 at the position in which it starts. A moment that hinders the
 
 from __future__ import annotations
 
+import math
 from bisect import bisect_right
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias
 
 from plans.model.dynamics import TURN
-from plans.model.motion import Floats
+from plans.model.motion import Floats, Gap
 from plans.model.motor import Motor
+from plans.words.words import Message, message
 
 OfTurn: TypeAlias = Callable[[float], float]  # of the angle turned rad, of period 2 pi
-RUN_UP, STEADY, RUN_DOWN = "run-up", "steady", "run-down"
+RUN_UP, STEADY, RUN_DOWN = "run_up", "steady", "run_down"
 # Why a run ends before its time.
-TOO_WEAK, STALLED, UNSETTLED, TOO_MANY_ROWS = "too weak", "stalled", "unsettled", "too many rows"
+TOO_WEAK, STALLED, UNSETTLED, TOO_MANY_ROWS = "too_weak", "stalled", "unsettled", "too_many_rows"
 SETTLED = 0.99  # of the speed that it tends to and never reaches: there a run-up has come to its end
-TURNS_MOST = 1000  # of one stage: a run-up that takes more has not settled
+TURNS_MOST = 500  # of one stage: a run-up that takes more has not settled
 
 
 def _nothing(_: float) -> float:
@@ -157,7 +159,14 @@ class Failure(NamedTuple):
     reason: str
     turned: float
     omega: float
-    limit: float  # what could not be kept: N*m, rad/s, turns or rows, as the reason says
+    limit: float  # what could not be borne, reached or kept: N*m, rad/s or rows, as the reason says
+
+    @property
+    def message(self) -> Message:
+        """Say on one line where the run ends, why, and what would help."""
+        where = {"phi": f"{math.degrees(self.turned % TURN):.4g}", "turns": f"{self.turned // TURN:g}"}
+        size = {"omega": f"{self.omega:.4g}", "limit": f"{self.limit:.5g}"}
+        return message(f"run.{self.reason}", stage=message(f"run.{self.stage}"), **where, **size)
 
 
 @dataclass(frozen=True)
@@ -176,6 +185,20 @@ class Run:
     steady: SteadyTurn | None
     method: Method
     failure: Failure | None = None
+
+    @property
+    def gaps(self) -> tuple[Gap, ...]:
+        """Where the run ends before its time, as a comparison asks for it: the row in which it does."""
+        if self.failure is None:
+            return ()
+        why = self.failure
+        stage = message(f"run.{why.stage}")
+        return (Gap(len(self.t) - 1, why.turned % TURN, "run", why.reason, stage, 0.0, why.message),)
+
+    @property
+    def unanswered(self) -> tuple[Gap, ...]:
+        """The gaps, as a comparison asks for them."""
+        return self.gaps
 
     def stage(self, name: str) -> Stage | None:
         """Give a stage by its name; None where the run has none."""

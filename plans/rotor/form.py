@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from decimal import Decimal
 from functools import partial
+from typing import Any
 
 from plans.model.balance_quality import GRADES, letters, nearest_grade
 from plans.scene import fields as f
 from plans.scene import units
-from plans.scene.faults import Wrong, together, wrong
+from plans.scene.faults import Wrong, wrong
 from plans.scene.forms import Form
 from plans.scene.readers import Check, Field, many
 from plans.scene.scene import TechniqueForm
@@ -67,15 +68,13 @@ class UnbalanceTable(Table):
         missing=Missing("place along the shaft", 'place = "100 mm"'),
     )
 
-    def check(self) -> None:
+    @classmethod
+    def misfits(cls, value: Mapping[str, Any]) -> Iterator[Wrong]:
         """See that the static moment is given in one way, and wholly."""
-        together(self._misfits())
-
-    def _misfits(self) -> Iterator[Wrong]:
         for name in ("mass", "radius"):
-            if self.moment is None and name not in self.given:
+            if "moment" not in value and name not in value:
                 yield wrong("missing", at=(name,))
-            if self.moment is not None and name in self.given:
+            if "moment" in value and name in value:
                 yield wrong("one_of_two", first=name, second="moment", found="both", at=(name,))
 
     @classmethod
@@ -136,6 +135,16 @@ def _likely_grade(value: object) -> str:
     return next(same, letters(nearest_grade(float(found[0].replace(",", ".")))))
 
 
+def _entries(value: Mapping[str, Any], name: str) -> list[Any]:
+    found = value.get(name)
+    return found if isinstance(found, list) else []
+
+
+def _unplaced(value: Mapping[str, Any], name: str) -> Iterator[int]:
+    """Give the numbers of the tables in a list that have no place."""
+    return (at for at, one in enumerate(_entries(value, name)) if isinstance(one, dict) and "place" not in one)
+
+
 class RotorTable(Table):
     """A rotor: its unbalanced masses, where it may be corrected, its bearings, speed, mass, and the grade asked."""
 
@@ -169,23 +178,19 @@ class RotorTable(Table):
     )
 
     def check(self) -> None:
-        """See that it turns, that a grade has what it needs, and that with two planes each thing has its place."""
-        together((*self._standing(), *self._ungraded(), *self._unplaced()))
-
-    def _standing(self) -> Iterator[Wrong]:
+        """See that it turns."""
         if self.speed == 0:
-            yield wrong("zero", kind="angular speed", at=("speed",))
+            raise wrong("zero", kind="angular speed", at=("speed",))
 
-    def _ungraded(self) -> Iterator[Wrong]:
-        for name in ("speed", "mass"):
-            if self.grade is not None and name not in self.given:
-                yield wrong("missing", at=(name,), why=message("why.grade"))
-
-    def _unplaced(self) -> Iterator[Wrong]:
-        for name in ("masses", "planes") if len(self.planes) == PLANES_LIMIT else ():
-            for index, entry in enumerate(getattr(self, name)):
-                if "place" not in entry.given:
-                    yield wrong("missing", at=(name, index, "place"), why=message("why.planes"))
+    @classmethod
+    def misfits(cls, value: Mapping[str, Any]) -> Iterator[Wrong]:
+        """See that a grade has what it needs, and that with two planes each thing has its place."""
+        if "grade" in value:
+            lacking = (name for name in ("speed", "mass") if name not in value)
+            yield from (wrong("missing", at=(name,), why=message("why.grade")) for name in lacking)
+        if len(_entries(value, "planes")) == PLANES_LIMIT:
+            unplaced = ((name, place) for name in ("masses", "planes") for place in _unplaced(value, name))
+            yield from (wrong("missing", at=(*at, "place"), why=message("why.planes")) for at in unplaced)
 
     @classmethod
     def rules(cls) -> Form:

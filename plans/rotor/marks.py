@@ -9,7 +9,7 @@ from geometry.board import Mark
 from geometry.steps import behind
 from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.rotor.balancing import COUPLES, UNBALANCES
-from plans.rotor.bearings import REACTIONS
+from plans.rotor.bearings import BEARINGS, REACTIONS
 from plans.rotor.letters import moment_letters, unbalance_letters, written
 from plans.words.words import languages, message
 
@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from plans.rotor.study import RotorStudy
     from plans.study import Study
 
+REACTION_LETTERS = frozenset(f"R_{bearing}{prime}" for bearing in BEARINGS for prime in ("", "'"))
 UNITS = {COUPLES: "kg*m2", UNBALANCES: "kg*m", REACTIONS: "N"}
 
 
@@ -25,23 +26,17 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     rotor: RotorStudy = study["rotor"]
     mark = _find(rotor, name)
     if mark is None:
-        names, wanted = (
-            tuple(written(one, study.scene.sheet.language) for one in own) for own in (_names(rotor), _wanted(rotor))
-        )
-        examples = tuple(one.name for found in rotor.reactions for one in found.marks[:1])
-        return NoMark(names, message("mark.marks", marks=", ".join(wanted)), examples)
+        return _no_mark(rotor, name, study.scene.sheet.language)
     if position:
         raise UnknownMark(message("mark.no_position", mark=name, position=position))
     steps = tuple(behind(mark))
-    return Explanation(message("explain.name", mark=name), steps, UNITS, zeros=frozenset(_zeros(rotor, steps)))
+    return Explanation(
+        message("explain.name", mark=name), steps, UNITS, letters=written, zeros=frozenset(_zeros(rotor, steps))
+    )
 
 
 def _find(rotor: RotorStudy, name: str) -> Mark | None:
     return next((mark for mark in _marks(rotor) if name in {written(mark.name, each) for each in languages()}), None)
-
-
-def _names(rotor: RotorStudy) -> list[str]:
-    return [mark.name for mark in _marks(rotor)]
 
 
 def _marks(rotor: RotorStudy) -> Iterator[Mark]:
@@ -64,6 +59,16 @@ def _closings(rotor: RotorStudy) -> Iterator[tuple[Mark, float]]:
     yield from ((one.mark, one.slack) for one in (drawing.unbalance, *drawing.corrections))
     for found in rotor.reactions:
         yield from zip(found.marks, found.slacks, strict=True)
+
+
+def _no_mark(rotor: RotorStudy, name: str, language: str) -> NoMark:
+    """Name the marks that there are, and what a reaction needs that is not among them."""
+    names = tuple(written(mark.name, language) for mark in _marks(rotor))
+    if name in REACTION_LETTERS:
+        return NoMark(names, message("mark.no_reactions"), ())
+    wanted = ", ".join(written(one, language) for one in _wanted(rotor))
+    examples = tuple(one.name for found in rotor.reactions for one in found.marks[:1])
+    return NoMark(names, message("mark.marks", marks=wanted), examples)
 
 
 def _wanted(rotor: RotorStudy) -> list[str]:

@@ -13,7 +13,16 @@ SHEETS = tuple(sheet for technique in TECHNIQUES.values() for sheet in technique
 
 def techniques_of(data: Mapping[str, Any]) -> tuple[str, ...]:
     """Name the techniques that a file has a part in, by a sheet, a table or a key, and those that they build on."""
-    asked = [name for name, technique in TECHNIQUES.items() if next(_parts(technique, data), None)]
+    return reading([name for name, technique in TECHNIQUES.items() if next(_parts(technique, data), None)])
+
+
+def reading(techniques: Iterable[str]) -> tuple[str, ...]:
+    """Add to some techniques those whose tables they read: they rest on them, or borrow from them.
+
+    >>> reading(["dynamics"])
+    ('linkage', 'forces', 'dynamics')
+    """
+    asked = resting(techniques)
     return resting([*asked, *(other for name in asked for other in TECHNIQUES[name].borrows)])
 
 

@@ -100,12 +100,6 @@ def wrong(kind: str, /, **details: object) -> Wrong:
     return Wrong(kind, details)
 
 
-def together(wrongs: Iterable[Wrong]) -> None:
-    """Raise all that is wrong with the parts of one value, if anything is."""
-    if found := [*wrongs]:
-        raise ExceptionGroup("several parts are wrong", found)
-
-
 def dotted(path: Path) -> str:
     """Write a path as the file would: mechanism.slides[1].along, with quotes where TOML needs them.
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from plans.scene.demand import resting
+from plans.scene.demand import reading
 from plans.scene.faults import Fault, Path
 from plans.scene.scene import Scene
 from plans.techniques import TECHNIQUES, named, technique_of
@@ -25,7 +25,7 @@ def _mark(scene: Scene) -> Iterator[Fault]:
 
 def _unused(scene: Scene, asked: Iterable[str]) -> Iterator[Fault]:
     """Find what only techniques need of which no sheet is wanted."""
-    used = resting([*map(technique_of, scene.sheets), *asked])
+    used = reading([*map(technique_of, scene.sheets), *asked])
     for technique in (TECHNIQUES[name] for name in scene.techniques if name not in used):
         wanted = ", ".join(f'"{sheet}"' for sheet in (*scene.sheets, next(iter(technique.sheets))))
         keys: list[Path] = [(name,) for name in technique.tables]

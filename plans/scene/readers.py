@@ -136,15 +136,14 @@ def _all(checks: tuple[Check, ...], found: Any, path: Path, refused: Refusals) -
 
 
 def checked(check: Callable[[], Any], value: object, path: Path, refused: Refusals) -> Any:
-    """Give what a check gives; what it raises as Wrong is a refusal, of several together each."""
+    """Give what a check gives; what it raises as Wrong is a refusal."""
     try:
         return check()
     except Wrong as wrong:
-        refused.append(_refusal(wrong, path, value))
-    except ExceptionGroup as several:
-        refused += [_refusal(wrong, path, value) for wrong in several.exceptions if isinstance(wrong, Wrong)]
-    return REFUSED
+        refused.append(refusal(wrong, value, path))
+        return REFUSED
 
 
-def _refusal(wrong: Wrong, path: Path, value: object) -> Refusal:
+def refusal(wrong: Wrong, value: object, path: Path) -> Refusal:
+    """Make the refusal of a value for what is wrong with it or a part of it."""
     return Refusal(path + wrong.at, wrong.kind, wrong.details, value)

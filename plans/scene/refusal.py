@@ -28,7 +28,7 @@ def refusals(error: Refused, source: Source, kinds: Kinds) -> list[Fault]:
     faults = [_fault(refusal, source, tables) for refusal in told]
     misspelt = {_meant(fault) for fault in faults}
     tops: set[Path] = {() for path in misspelt if len(path) == 1}
-    spelt: Mapping[str, set[Path]] = {"missing": misspelt, "no_table": tops}
+    spelt: Mapping[str, set[Path]] = {"missing": misspelt, "missing_for": misspelt, "no_table": tops}
     faults = [fault for fault in faults if fault.path not in spelt.get(fault.kind, set())]
     return faults + _needs(
         [str(r.path[0]) for r in error.refusals if _lacks(r) and r.path not in misspelt], source, kinds

@@ -5,13 +5,13 @@ A key is stated once, in the body of its table: its field, its default, what it 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from copy import copy
 from typing import Any, ClassVar, Final, NamedTuple, TypeAlias, TypeVar
 
-from plans.scene.faults import Path
+from plans.scene.faults import Path, Wrong
 from plans.scene.forms import Form
-from plans.scene.readers import REFUSED, Field, Refusal, Refusals, Refused, checked
+from plans.scene.readers import REFUSED, Field, Refusal, Refusals, Refused, checked, refusal
 
 REQUIRED: Final = object()  # the default of a key that has none
 T = TypeVar("T", bound="Table")
@@ -73,6 +73,11 @@ class Table:
 
     def check(self) -> None:
         """See that the keys fit each other; called where each of them is taken."""
+
+    @classmethod
+    def misfits(cls, value: Mapping[str, Any]) -> Iterable[Wrong]:
+        """Give what is wrong with the keys that a table has or lacks, whatever their values are."""
+        return ()
 
     @classmethod
     def home_of(cls, name: str) -> Path:
@@ -187,6 +192,7 @@ def _parts(kinds: Kinds, value: object, path: Path, refused: Refusals) -> Any:
         elif _required(parts, name):
             refused.append(Refusal((*path, name), "missing", {}, value))
     refused += [Refusal((*path, name), "unknown_key", {}, value[name]) for name in value if name not in holders]
+    refused += [refusal(wrong, value, path) for kind in kinds for wrong in kind.misfits(value)]
     if len(refused) > before:
         return REFUSED
     made = {kind: kind(**values[kind]) for kind in kinds}

@@ -109,7 +109,7 @@ def test_a_spoilt_sheet_is_seen(language: str) -> None:
     assert sheet.by_table(found.fresh(), drawn, found.truth, found.largest).largest < 1e-4
     place = next(k for k, v in enumerate(drawn.measured.vectors) if v.name == "p b")
     longer = drawn.measured.vectors[place]
-    spoilt = longer._replace(value=longer.value * (1 + longer.scale / abs(longer.value)))
+    spoilt = replace(longer, value=longer.value * (1 + longer.scale / abs(longer.value)))
     vectors = (*drawn.measured.vectors[:place], spoilt, *drawn.measured.vectors[place + 1 :])
     seen = replace(drawn, measured=drawn.measured._replace(vectors=vectors))
     errors = sheet.by_ruler(found.fresh(), seen, found.truth, found.largest)

@@ -18,7 +18,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from drawings.commands import cli
 from drawings.commands import draw as draw_command
 from drawings.commands import solve as solve_command
 from drawings.files import atomic_files
@@ -29,6 +28,7 @@ from drawings.paper.strokes import Group, Leaf, Line, Stroke
 from drawings.pens import svg as pen
 from plans.checks import compare as comparing
 from plans.model.motion import Motion, PointMotion
+from tests.drawings.conftest import Run
 from tests.gallery import LINKAGES
 from tests.parts import some
 from tests.rows import over
@@ -59,24 +59,6 @@ speed = 10
 start = 60
 positions = 12
 """
-
-Run = Callable[..., tuple[int, str, str]]
-
-
-@pytest.fixture
-def run(capsys: pytest.CaptureFixture[str]) -> Run:
-    """Run the command in this process: exit code, stdout, stderr."""
-
-    def command(*arguments: object) -> tuple[int, str, str]:
-        try:
-            code = cli.main([str(argument) for argument in arguments])
-        except SystemExit as end:
-            code = int(end.code or 0)
-        out, err = capsys.readouterr()
-        assert "Traceback" not in out + err
-        return code, out, err
-
-    return command
 
 
 def process(

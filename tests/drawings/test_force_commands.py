@@ -4,29 +4,17 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from drawings.commands import cli
+from tests.drawings.conftest import Run
 from tests.plans.force_cases import ROADS, WORKED, text_of
 
 GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
 LOADED = GALLERY / "shaper-loaded.toml"
 SHAPER = WORKED["shaper"]
-Run = Callable[..., tuple[int, str, str]]
-
-
-@pytest.fixture
-def run(capsys: pytest.CaptureFixture[str]) -> Run:
-    def command(*arguments: object) -> tuple[int, str, str]:
-        code = cli.main([str(argument) for argument in arguments])
-        said = capsys.readouterr()
-        return code, said.out, said.err
-
-    return command
 
 
 @pytest.fixture

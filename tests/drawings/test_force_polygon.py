@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from drawings.checks.force_marks import polygon_marks
@@ -85,8 +87,8 @@ def test_the_check_sees_a_force_that_is_turned_that_lacks_or_that_nobody_knows()
     for one in marks.vectors:
         others = [other for other in marks.vectors if other is not one]
         if one.plan == "forces-2-3":
-            assert wrong(*others, one._replace(value=one.value * 1.01)) != []
-            assert wrong(*others, one._replace(name="F_7")) != []
+            assert wrong(*others, replace(one, value=one.value * 1.01)) != []
+            assert wrong(*others, replace(one, name="F_7")) != []
             if "^" not in one.name:
                 assert wrong(*others) == [f"{one.name} is missing on forces-2-3 in position 0"]
     assert wrong() == ["the force plan of 2-3 in position 0 is missing"]

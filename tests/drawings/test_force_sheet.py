@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -14,7 +13,7 @@ from drawings.checks.verify import SelfCheckFailed
 from drawings.commands.draw import draw
 from drawings.lettering.lettering import lettered
 from drawings.measure.measure import measure_file
-from drawings.paper.strokes import Group, Leaf, Line, SheetError, Stroke, Text, stated
+from drawings.paper.strokes import Group, Leaf, Line, SheetError, Stroke
 from drawings.paper.walk import groups, texts
 from drawings.pens.svg import svg
 from drawings.sheets import forces
@@ -26,12 +25,12 @@ from plans.scene.faults import SceneError
 from plans.scene.scene import parse_scene, read_scene
 from tests.drawings.collisions import collisions
 from tests.drawings.memo import verify_loaded
+from tests.drawings.slips import Change, changed, dropped, marked, rewritten, stretched
 from tests.plans.force_cases import text_of
 from tests.plans.test_statics import YOKE
 
 GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
 Checked = tuple[LinkageStudy, ForceComparison, Statics, Leaf]
-Change = Callable[[Stroke], Stroke | None]
 
 
 def sheets_of(study: LinkageStudy) -> tuple[ForceComparison, Statics, tuple[Leaf, ...]]:
@@ -47,49 +46,8 @@ def checked() -> Checked:
     return study, comparison, statics, leaves[0]
 
 
-def walked(stroke: Stroke, change: Change) -> Stroke | None:
-    found = change(stroke)
-    if isinstance(found, Group):
-        kept = tuple(inner for s in found.strokes if (inner := walked(s, change)) is not None)
-        return replace(found, strokes=kept) if kept else None
-    return found
-
-
-def changed(leaf: Leaf, change: Change) -> Leaf:
-    return replace(leaf, groups=tuple(group for g in leaf.groups if isinstance(group := walked(g, change), Group)))
-
-
-def marked(kind: str, name: str, plan: str = "") -> Callable[[Stroke], bool]:
-    def is_it(stroke: Stroke) -> bool:
-        data = stroke.data if isinstance(stroke, Group) else {}
-        return data.get("kind") == kind and data.get("name") == name and data.get("plan", "") == plan
-
-    return is_it
-
-
-def dropped(name: str, plan: str) -> Change:
-    is_it = marked("vector", name, plan)
-    return lambda stroke: None if is_it(stroke) else stroke
-
-
-def stretched(name: str, plan: str, by: complex = 1.01) -> Change:
-    """Draw a vector otherwise than it is, and state it so: measuring alone cannot see it."""
-    is_it = marked("vector", name, plan)
-
-    def change(stroke: Stroke) -> Stroke:
-        if isinstance(stroke, Group) and is_it(stroke):
-            line = stroke.strokes[0]
-            assert isinstance(line, Line)
-            x, y = (float(part) for part in stroke.data["value"].split())
-            longer = replace(line, end=line.start + by * (line.end - line.start))
-            return replace(stroke, strokes=(longer,), data={**stroke.data, "value": stated(by * complex(x, y))})
-        return stroke
-
-    return change
-
-
 def reversed_arrow(name: str) -> Change:
-    is_it = marked("force", name)
+    is_it = marked(name, kind="force")
 
     def change(stroke: Stroke) -> Stroke:
         if isinstance(stroke, Group) and is_it(stroke) and isinstance(stroke.strokes[0], Line):
@@ -100,13 +58,9 @@ def reversed_arrow(name: str) -> Change:
     return change
 
 
-def rewritten(old: str, new: str) -> Change:
-    return lambda stroke: replace(stroke, content=new) if isinstance(stroke, Text) and stroke.plain == old else stroke
-
-
 FAULTS: dict[str, Change] = {
-    "a known force is dropped": dropped("F_us", "forces-4-5"),
-    "a closing side is dropped": dropped("R_05", "forces-4-5"),
+    "a known force is dropped": dropped("F_us", "forces-4-5", "vector"),
+    "a closing side is dropped": dropped("R_05", "forces-4-5", "vector"),
     "a reaction is too long": stretched("R_34", "forces-4-5"),
     "an inner reaction is turned about": stretched("R_32", "forces-2-3", -1.0),
     "a tangential part is turned about": stretched("R^t_34", "forces-4-5", -1.0),

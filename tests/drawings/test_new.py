@@ -6,28 +6,16 @@ import errno
 import os
 import subprocess
 import sys
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
-from drawings.commands import cli, new
+from drawings.commands import new
 from drawings.gallery.catalogue import GALLERY, catalogue
 from geometry.errors import DraftError
+from tests.drawings.conftest import Run
 
 ENTRIES = catalogue()
-
-Run = Callable[..., tuple[int, str, str]]
-
-
-@pytest.fixture
-def run(capsys: pytest.CaptureFixture[str]) -> Run:
-    """Run plandraft in this process: exit code, stdout, stderr."""
-
-    def plandraft(*arguments: object) -> tuple[int, str, str]:
-        return cli.main([str(argument) for argument in arguments]), *capsys.readouterr()
-
-    return plandraft
 
 
 def test_new_writes_a_scene_of_the_gallery_to_start_from(run: Run, tmp_path: Path) -> None:

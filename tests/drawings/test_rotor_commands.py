@@ -3,31 +3,19 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
-from drawings.commands import cli
 from drawings.report.rotor_report import chapters
 from drawings.sheets.rotor import leaves
 from plans.rotor.notes import notes_of
 from plans.scene.scene import parse_scene
 from plans.study import Study
+from tests.drawings.conftest import Run
 from tests.gallery import GALLERY
 
 FAN = GALLERY / "fan.toml"
-Run = Callable[..., tuple[int, str, str]]
-
-
-@pytest.fixture
-def run(capsys: pytest.CaptureFixture[str]) -> Run:
-    def command(*arguments: object) -> tuple[int, str, str]:
-        code = cli.main([str(argument) for argument in arguments])
-        said = capsys.readouterr()
-        return code, said.out, said.err
-
-    return command
 
 
 def test_solve_gives_the_textbook_s_values_by_both_roads(run: Run) -> None:
@@ -97,6 +85,15 @@ def test_a_mark_is_known_by_its_letters_in_any_language(run: Run, mark: str) -> 
     assert (code, json.loads(out)[-1]["name"]) == (0, "m_cwD_cw")
 
 
+def test_the_steps_have_the_letters_of_the_sheet(run: Run, tmp_path: Path) -> None:
+    scene = tmp_path / "flywheel.toml"
+    scene.write_text(
+        (GALLERY / "flywheel.toml").read_text("utf-8").replace("[sheet]", '[sheet]\nlanguage = "ru"'), "utf-8"
+    )
+    out = run("explain", scene, "m_cwD_cw")[1]
+    assert "m_прD_пр:1" in out and "_cw" not in out.partition("\n")[2]
+
+
 def test_a_rotor_has_no_positions(run: Run) -> None:
     assert run("explain", FAN, "R_A", "--position", 0)[0] == 0
     code, out, err = run("explain", FAN, "R_A", "--position", 99)
@@ -106,8 +103,14 @@ def test_a_rotor_has_no_positions(run: Run) -> None:
 
 def test_reactions_are_offered_where_there_are_some(run: Run) -> None:
     assert "R_A, R_A'" in run("explain", FAN, "R_C")[2]
-    err = run("explain", GALLERY / "flywheel.toml", "R_A")[2]
-    assert "m_cwD_cw" in err and err.count("R_A") == 1 and "also" not in err
+    err = run("explain", GALLERY / "flywheel.toml", "R_C")[2]
+    assert "m_cwD_cw" in err and "R_A" not in err and "also" not in err
+
+
+def test_a_reaction_that_is_not_found_is_told_what_it_needs(run: Run) -> None:
+    code, out, err = run("explain", GALLERY / "flywheel.toml", "R_A'")
+    assert (code, out) == (3, "")
+    assert "bearings and a speed" in err
 
 
 def test_a_drawn_sheet_is_measured(run: Run, tmp_path: Path) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
@@ -16,7 +15,7 @@ from drawings.checks.verify_rotor import check, faults
 from drawings.lettering.lettering import lettered
 from drawings.measure.measure import Measured
 from drawings.page.drafting import drafting_of
-from drawings.paper.strokes import Circle, Group, Leaf, Line, Stroke, Text, stated
+from drawings.paper.strokes import Leaf, Text
 from drawings.pens.svg import svg
 from drawings.report.rotor_report import residuals
 from drawings.sheets.rotor import leaves, sheets
@@ -26,6 +25,8 @@ from plans.rotor.study import RotorStudy
 from plans.scene.scene import parse_scene, read_scene
 from plans.study import Study
 from plans.words.words import said
+from tests.drawings.pages import texts
+from tests.drawings.slips import Change, changed, dropped, note, reworded, row_dropped, shifted, turned, without
 from tests.parts import some
 from tests.plans.rotors import DYNAMIC, STATIC, dynamic, mass, masses, static
 
@@ -77,98 +78,6 @@ def test_the_residual_of_the_sheet_is_of_the_finest_grade(fan) -> None:
     assert study["rotor"].rotor.quality(*found.values()) < 0.4
 
 
-Change = Callable[[Stroke], Stroke | None]
-
-
-def changed(leaf: Leaf, change: Change) -> Leaf:
-    return replace(leaf, groups=tuple(group for g in leaf.groups if isinstance(group := walked(g, change), Group)))
-
-
-def walked(stroke: Stroke, change: Change) -> Stroke | None:
-    found = change(stroke)
-    if isinstance(found, Group):
-        kept = tuple(inner for s in found.strokes if (inner := walked(s, change)) is not None)
-        return replace(found, strokes=kept) if kept else None
-    return found
-
-
-def marked(stroke: Stroke, name: str, plan: str) -> bool:
-    return isinstance(stroke, Group) and stroke.data.get("name") == name and stroke.data.get("plan") == plan
-
-
-def dropped(name: str, plan: str) -> Change:
-    return lambda stroke: None if marked(stroke, name, plan) else stroke
-
-
-def turned(name: str, plan: str) -> Change:
-    """Draw a vector the wrong way round, and state it so: measuring alone cannot see it."""
-
-    def change(stroke: Stroke) -> Stroke:
-        if not marked(stroke, name, plan) or not isinstance(stroke, Group):
-            return stroke
-        line, *rest = stroke.strokes
-        assert isinstance(line, Line)
-        x, y = (float(part) for part in stroke.data["value"].split())
-        data = {**stroke.data, "value": stated(-complex(x, y))}
-        return replace(stroke, strokes=(replace(line, start=line.end, end=line.start), *rest), data=data)
-
-    return change
-
-
-def shifted(name: str, plan: str, by: complex) -> Change:
-    """Draw a mark some millimetres aside, and state it so."""
-
-    def change(stroke: Stroke) -> Stroke:
-        if not marked(stroke, name, plan) or not isinstance(stroke, Group):
-            return stroke
-        first, *rest = stroke.strokes
-        scale = float(stroke.data["scale"])
-        x, y = (float(part) for part in stroke.data["value"].split())
-        data = {**stroke.data, "value": stated(complex(x, y) + by * scale)}
-        moved = (
-            replace(first, end=first.end + by)
-            if isinstance(first, Line)
-            else replace(first, centre=first.centre + by)
-            if isinstance(first, Circle)
-            else first
-        )
-        return replace(stroke, strokes=(moved, *rest), data=data)
-
-    return change
-
-
-def reworded(old: str, new: str) -> Change:
-    return lambda s: replace(s, content=s.content.replace(old, new)) if isinstance(s, Text) and s.plain == old else s
-
-
-def note(old: str, new: str) -> Change:
-    def change(stroke: Stroke) -> Stroke:
-        if not isinstance(stroke, Group) or stroke.name != "notes":
-            return stroke
-        told = (one for one in stroke.strokes if isinstance(one, Text) and isinstance(one.content, str))
-        return replace(stroke, strokes=tuple(replace(one, content=one.content.replace(old, new)) for one in told))
-
-    return change
-
-
-def without(name: str) -> Change:
-    return lambda stroke: None if isinstance(stroke, Group) and stroke.name == name else stroke
-
-
-def row_dropped(name: str) -> Change:
-    """Leave the row of a table out, by its first cell."""
-
-    def change(stroke: Stroke) -> Stroke:
-        told = [one for one in stroke.strokes if isinstance(one, Text)] if isinstance(stroke, Group) else []
-        rows = {one.at.imag for one in told if one.content == name and one.anchor == "start"}
-        if not rows or not isinstance(stroke, Group):
-            return stroke
-        kept = tuple(one for one in stroke.strokes if not (isinstance(one, Text) and one.at.imag in rows))
-        return replace(stroke, strokes=kept)
-
-    return change
-
-
 @pytest.mark.parametrize(
     ("change", "wrong"),
     [
@@ -182,7 +91,7 @@ def row_dropped(name: str) -> Change:
         (dropped("m_II", "along"), "m_II on along is missing"),
         (reworded("0,061813", "0,061814"), "0,061814 for II in the table of masses"),
         (reworded("33,823", "33,833"), "33,833 for I in the table of masses"),
-        (reworded("4608,5", "4608,9"), "4608,9 for R_A"),
+        (reworded("4608,5", "4608,9"), "4608,9 for R_A in the table of results"),
         (without("notes"), "ΣmDh is missing from the notes"),
         (note("0,61813", "0,61814"), "in the notes"),
         (note("95,413", "95,414"), "in the notes"),
@@ -234,15 +143,9 @@ def test_a_balanced_rotor_has_no_counterweight_and_no_closing_vector(planes, tmp
     rotor = Rotor(star(5), planes, (Fraction(0), Fraction(1)), 300.0, 20.0, 6.3)
     found, measured = drawn(rotor, tmp_path)
     assert not [mark for one in measured for mark in one.marks if mark.name.startswith(("m_I", "m_cw"))]
-    words = [text.plain for leaf in found for group in leaf.groups for text in _texts(group)]
+    words = [text.plain for leaf in found for group in leaf.groups for text in texts(group)]
     assert any("closes by itself" in word for word in words)
     assert found[0].description.count("= 0: nothing to balance") == len(planes)
-
-
-def _texts(stroke: Stroke) -> list[Text]:
-    if isinstance(stroke, Group):
-        return [text for inner in stroke.strokes for text in _texts(inner)]
-    return [stroke] if isinstance(stroke, Text) else []
 
 
 def test_one_plane_says_that_a_couple_is_left(tmp_path: Path) -> None:
@@ -268,7 +171,7 @@ def test_many_masses(many: tuple[int, int], tmp_path: Path) -> None:
     rotor = Rotor(around, (Plane("I", Fraction(1), 0.1), Plane("II", Fraction(0), 0.1)), (), 100.0)
     found, measured = drawn(rotor, tmp_path)
     assert sum(len(one.vectors) for one in measured) == vectors
-    rows = {text.plain for leaf in found for group in leaf.groups if "masses" in group.name for text in _texts(group)}
+    rows = {text.plain for leaf in found for group in leaf.groups if "masses" in group.name for text in texts(group)}
     assert {str(k + 1) for k in range(count)} <= rows
 
 
@@ -309,5 +212,5 @@ def test_a_moment_beyond_the_last_plane_is_negative(tmp_path: Path) -> None:
     planes = (Plane("I", Fraction(3)), Plane("II", Fraction(2)))
     beyond, within = mass(1, "4", "1", 40, "0"), mass(2, "4", "1", 130, "4")
     (leaf,), _ = drawn(Rotor((beyond, within), planes), tmp_path)
-    table = [text.plain for group in leaf.groups if "masses" in group.name for text in _texts(group)]
+    table = [text.plain for group in leaf.groups if "masses" in group.name for text in texts(group)]
     assert {"−2000", "−8", "40"} <= set(table) and "8" in table

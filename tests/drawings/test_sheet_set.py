@@ -12,29 +12,17 @@ from pathlib import Path
 import pytest
 
 from drawings import VERSION
-from drawings.commands import cli
 from drawings.files import atomic_files, lock, sheet_set
 from drawings.files.file_error import FileError
 from drawings.files.manifest import manifest_beside, manifest_of, read_manifest
 from drawings.files.sheet_set import output_folder, publish
 from drawings.measure.seal import digest, seal
+from tests.drawings.conftest import Run
 
 ROOT = Path(__file__).parent.parent.parent
 PLAIN = ROOT / "tests/catalogue/plain.toml"
 OLD = {"shaper-kinematics.svg": b"old sheet", "shaper-kinematics-2.svg": b"old second", "shaper-report.md": b"old"}
 NEW = {"shaper-kinematics.svg": b"new sheet", "shaper-report.md": b"new"}
-
-Run = Callable[..., tuple[int, str, str]]
-
-
-@pytest.fixture
-def run(capsys: pytest.CaptureFixture[str]) -> Run:
-    """Run plandraft in this process: exit code, stdout, stderr."""
-
-    def plandraft(*arguments: object) -> tuple[int, str, str]:
-        return cli.main([str(argument) for argument in arguments]), *capsys.readouterr()
-
-    return plandraft
 
 
 def put(folder: Path, files: dict[str, bytes]) -> list[Path]:

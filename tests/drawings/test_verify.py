@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -10,13 +9,14 @@ import pytest
 
 from drawings.checks.verify import SelfCheckFailed
 from drawings.lettering.lettering import lettered
-from drawings.paper.strokes import Circle, Group, Leaf, Line, Stroke, Text, stated
+from drawings.paper.strokes import Circle, Group, Leaf, Stroke, Text
 from drawings.pens.svg import svg
 from drawings.sheets.kinematics import sheet
 from plans.checks.compare import MotionComparison, compare
 from plans.linkage.study import LinkageStudy
 from plans.scene.scene import read_scene
 from tests.drawings.memo import verify_motion
+from tests.drawings.slips import Change, changed, dropped, rewritten, stretched
 
 SHAPER = Path(__file__).parents[2] / "drawings" / "gallery" / "shaper.toml"
 
@@ -26,53 +26,6 @@ def checked() -> tuple[LinkageStudy, MotionComparison, Leaf]:
     study = LinkageStudy(read_scene(SHAPER))
     comparison = compare(study)
     return study, comparison, sheet(study, comparison)
-
-
-Change = Callable[[Stroke], Stroke | None]
-
-
-def changed(leaf: Leaf, change: Change) -> Leaf:
-    return replace(leaf, groups=tuple(group for g in leaf.groups if isinstance(group := walked(g, change), Group)))
-
-
-def walked(stroke: Stroke, change: Change) -> Stroke | None:
-    found = change(stroke)
-    if isinstance(found, Group):
-        kept = tuple(inner for s in found.strokes if (inner := walked(s, change)) is not None)
-        return replace(found, strokes=kept) if kept else None
-    return found
-
-
-def named(name: str, plan: str = "velocities") -> Callable[[Stroke], bool]:
-    def is_it(stroke: Stroke) -> bool:
-        return isinstance(stroke, Group) and stroke.data.get("name") == name and stroke.data.get("plan") == plan
-
-    return is_it
-
-
-def dropped(name: str, plan: str = "velocities") -> Change:
-    is_it = named(name, plan)
-    return lambda stroke: None if is_it(stroke) else stroke
-
-
-def stretched(name: str, plan: str) -> Change:
-    """Draw a vector 1 % too long, and state it so: measuring alone cannot see it."""
-    is_it = named(name, plan)
-
-    def change(stroke: Stroke) -> Stroke:
-        if isinstance(stroke, Group) and is_it(stroke):
-            line = stroke.strokes[0]
-            assert isinstance(line, Line)
-            x, y = (1.01 * float(part) for part in stroke.data["value"].split())
-            longer = replace(line, end=line.start + 1.01 * (line.end - line.start))
-            return replace(stroke, strokes=(longer,), data={**stroke.data, "value": stated(complex(x, y))})
-        return stroke
-
-    return change
-
-
-def rewritten(old: str, new: str) -> Change:
-    return lambda stroke: replace(stroke, content=new) if isinstance(stroke, Text) and stroke.content == old else stroke
 
 
 def exchanged(stroke: Stroke, one: str, other: str) -> Stroke:
@@ -95,7 +48,7 @@ def moved_point(stroke: Stroke) -> Stroke:
 
 
 FAULTS: dict[str, Change] = {
-    "an absolute velocity is dropped": dropped("p b"),
+    "an absolute velocity is dropped": dropped("p b", "velocities"),
     "every vector is dropped": without_arrows,
     "an absolute velocity is too long": stretched("p d", "velocities"),
     "a relative velocity is too long": stretched("b d", "velocities"),

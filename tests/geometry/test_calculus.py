@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from drawings.commands.explain import sentence
@@ -244,6 +244,7 @@ diagrams = st.lists(st.tuples(st.floats(1e-3, 10), means), min_size=1, max_size=
 )
 
 
+@example((np.array([0.0, 1.0]), np.array([5e-324])), 2.0)
 @given(diagrams, st.floats(1e-3, 1e3))
 def test_a_pole_elsewhere_changes_the_curve_and_not_the_values(diagram: tuple[Floats, Floats], pole: float) -> None:
     one, other = drawn(*diagram), drawn(*diagram, pole=pole)
@@ -360,6 +361,12 @@ def test_a_derivative_is_not_joined_across_a_corner() -> None:
     curve = derivative_by_chords(Board("slopes"), "v", [0, 1, 2, 4], [0, 1, 0, -2], breaks=[1])
     assert curve.values.tolist() == [1, -1, -1]
     assert [curve.values[piece].tolist() for piece in curve.pieces] == [[1], [-1, -1]]
+
+
+def test_a_corner_has_the_tangents_of_both_its_sides() -> None:
+    curve = derivative_by_tangents(Board("slopes"), "v", [0, 1, 1, 2], [0, 1, 1, 0], [1, 3, -2, -1])
+    assert [curve.values[piece].tolist() for piece in curve.pieces] == [[1, 3], [-2, -1]]
+    assert curve.middles.tolist() == [complex(one.point).real for one in curve.points] == [0, 1, 1, 2]
 
 
 def test_many_strips_cost_eight_marks_each() -> None:

@@ -21,6 +21,7 @@ from plans.bench.truth import FORCE_KINDS, Truth, of_forces, replay
 from plans.checks.compare import notches
 from plans.forces.force_template import ForcePattern
 from plans.forces.reading.form import ForceForm
+from plans.model.machine import OUTPUT
 from plans.scene.scene import Scene, parse_scene, read_scene
 from tests.parts import some
 from tests.plans.force_cases import WORKED
@@ -107,7 +108,7 @@ def test_the_true_forces_on_the_ram_are_in_balance_to_thirty_digits() -> None:
         exact = truth.values[kind, name]
         return mp.mpc(complex(exact.near[k])) + mp.mpc(complex(exact.rest[k]))
 
-    working = statics.strokes[""].working(study.turn.phi)
+    working = statics.strokes[OUTPUT].working(study.turn.phi)
     for k in range(12):
         v, weight = whole("v", "D", k), 25 * mp.mpc(complex(0, -9.81))
         load = -1500 * v / abs(v) if working[k] else 0

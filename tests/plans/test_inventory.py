@@ -19,12 +19,14 @@ from plans.model.machine import (
     GEAR,
     IDLE,
     MOMENT,
+    OUTPUT,
     WORKING,
     Body,
     Diagram,
     Machine,
     Rubbing,
     Spring,
+    Track,
     Transmission,
 )
 from plans.scene.faults import Fault, SceneError, dotted
@@ -135,7 +137,7 @@ def test_the_worked_shaper() -> None:
     (useful,) = found.forces
     assert (useful.name, useful.link, useful.point, useful.at) == ("F_us", 5, "D", 0)
     assert (useful.size, useful.direction, useful.during, useful.useful) == (1500.0, None, WORKING, True)
-    assert (useful.diagram, useful.overrun, useful.stroke) == (None, (0.0, 0.0), "")
+    assert (useful.diagram, useful.overrun, useful.stroke) == (None, (0.0, 0.0), OUTPUT)
     assert found.transmission == Transmission(GEAR, 0.18, pytest.approx(7 * math.pi / 6), pytest.approx(math.pi / 9))
     assert (found.moments, found.springs, found.friction) == ((), (), {})
 
@@ -207,7 +209,7 @@ def test_a_diagram_against_the_motion_is_of_the_working_stroke_unless_it_gives_b
 def test_overruns_the_point_of_the_stroke_and_what_is_no_purpose() -> None:
     more = 'value = 900\nagainst = "motion"\noverrun = [0.05, 0.1]\nstroke = "B"\nuseful = false\nname = "F_т"\n'
     (force,) = machine(SHAPER + ON_D + more).forces
-    assert (force.overrun, force.stroke, force.useful, force.name) == ((0.05, 0.1), "B", False, "F_т")
+    assert (force.overrun, force.stroke, force.useful, force.name) == ((0.05, 0.1), Track("B"), False, "F_т")
     (both,) = machine(SHAPER + ON_D + 'value = 900\nagainst = "motion"\noverrun = 0.1').forces
     assert both.overrun == (0.1, 0.1)
 

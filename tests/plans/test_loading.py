@@ -18,7 +18,7 @@ from plans.forces.stroke import Stroke, output_at, strokes
 from plans.linkage.extreme import extremes
 from plans.linkage.study import LinkageStudy
 from plans.model.kinetostatics import Loading
-from plans.model.machine import Machine
+from plans.model.machine import OUTPUT, Machine, Track
 from plans.model.mechanism import Output, StructureError
 from plans.model.motion import Complexes, Extremes, Motion
 from plans.scene.scene import parse_scene
@@ -103,7 +103,7 @@ AGAINST = 'against = "motion"\n'
 class Loaded(NamedTuple):
     machine: Machine
     motion: Motion
-    strokes: dict[str, Stroke]
+    strokes: dict[Track, Stroke]
     loading: Loading
 
     def force(self, k: int = 0) -> Complexes:
@@ -169,9 +169,9 @@ def test_an_extreme_is_the_same_position_to_the_rounding_of_its_angle() -> None:
 def test_shares_of_the_stroke_are_of_the_place(by: str) -> None:
     text = ENGINE + ON_B + "diagram = { travel = [0, 1], force = [0, 1], back = [0, 1] }\ndirection = 0\n"
     found = loaded(text, by)
-    assert found.strokes[""].reach == pytest.approx((0.5, 0.3))
+    assert found.strokes[OUTPUT].reach == pytest.approx((0.5, 0.3))
     assert found.force() == pytest.approx([0, AT_60, AT_90, 1, AT_90, AT_60], abs=1e-14)
-    assert found.strokes[""].share(found.motion).max() <= 1
+    assert found.strokes[OUTPUT].share(found.motion).max() <= 1
 
 
 @pytest.mark.parametrize("by", ROADS)
@@ -276,10 +276,10 @@ def test_the_stroke_of_a_rocker_is_its_swing_whatever_its_direction(degrees: flo
     assert other == pytest.approx(plain, abs=1e-12)
     # By the law of cosines: B of the extremes is 0.5 and 0.3 from O, and 0.35 and 0.3 are the triangle's other sides.
     ends = [math.pi - math.acos((0.35**2 + 0.3**2 - far**2) / (2 * 0.35 * 0.3)) for far in (0.5, 0.3)]
-    assert sorted(loaded(turned(ROCKER, 0) + ON_B + card, by).strokes["B"].reach) == pytest.approx(sorted(ends))
+    assert sorted(loaded(turned(ROCKER, 0) + ON_B + card, by).strokes[Track("B")].reach) == pytest.approx(sorted(ends))
     # At 0 degrees A lies on OC, 0.25 from C.
     here = math.pi - math.acos((0.25**2 + 0.3**2 - 0.4**2) / (2 * 0.25 * 0.3))
-    begun = loaded(turned(ROCKER, 0) + ON_B + card, by).strokes["B"].reach[0]
+    begun = loaded(turned(ROCKER, 0) + ON_B + card, by).strokes[Track("B")].reach[0]
     assert plain[0] == pytest.approx((here - begun) / (sum(ends) - 2 * begun))
 
 
@@ -295,8 +295,8 @@ def test_the_link_whose_stroke_is_that_of_a_point() -> None:
 def test_a_load_may_count_another_stroke_than_the_outputs(by: str) -> None:
     text = SHAPER + ON_D + 'value = [1, 0]\nduring = "working stroke"\nstroke = "B"\n'
     found = loaded(text, by)
-    assert found.strokes.keys() == {"B"}
-    assert not found.strokes["B"].sliding
+    assert found.strokes.keys() == {Track("B")}
+    assert not found.strokes[Track("B")].sliding
     assert found.force().real.tolist() == [1] * 8 + [0] * 4  # the rocker's extremes are those of the ram here
 
 

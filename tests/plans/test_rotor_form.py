@@ -31,6 +31,15 @@ def test_all_that_is_missing_is_told_at_once_with_its_reason() -> None:
     assert all("такой записи нет" in fault.worded("ru") for fault in faults)
 
 
+def test_what_is_missing_is_told_beside_what_is_wrong() -> None:
+    faults = refused("grade = 'G1'\nspeed = 'fast'\nmasses = [{ mass = -1, angle = 0 }, { moment = 1, angel = 0 }]\n")
+    assert places(faults) == ["mass", "speed", "masses.0.radius", "masses.0.mass", "masses.1.angel"]
+
+
+def test_a_misspelt_key_is_not_missed_besides() -> None:
+    assert places(refused(f"grade = 'G1'\nsped = 9\nmass = 9\n{MASSES}")) == ["sped"]
+
+
 def test_a_mass_without_anything_lacks_mass_and_radius() -> None:
     assert places(refused("masses = [{ angle = 0 }]\n")) == ["masses.0.mass", "masses.0.radius"]
 

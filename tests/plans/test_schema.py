@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 import tomllib
+from decimal import Decimal
 from pathlib import Path
 from typing import Any
 
@@ -121,6 +122,39 @@ def test_an_editor_marks_the_very_key(old: str, new: str, where: str) -> None:
     assert old in PLAIN
     errors = list(EDITOR.iter_errors(tomllib.loads(PLAIN.replace(old, new, 1))))
     assert [".".join(map(str, error.absolute_path)) for error in errors] == [where]
+
+
+BY_POINT, BETWEEN = 'on = 2\npoint = "B"\n', 'between = ["O", { on = 3, point = "B" }]\n'
+
+
+@pytest.mark.parametrize(
+    ("force", "right"),
+    [
+        (BY_POINT + "value = [1, 0]\n", True),
+        (BY_POINT + 'value = 1\ndirection = "AB"\n', True),
+        (BY_POINT + 'value = 1\ndirection = ["A", "B"]\n', True),
+        (BY_POINT + 'value = 1\ndirection = "ABC"\n', False),
+        (BY_POINT + 'value = 1\ndirection = "AB"\nagainst = "motion"\n', False),
+        (BY_POINT + "value = 1\n", False),
+        (BETWEEN + "value = 1\n", True),
+        (BETWEEN + 'value = 1\ndirection = "AB"\nagainst = "motion"\n', True),
+        (BETWEEN + "value = 1\ndirection = 90\n", False),
+        (BETWEEN + "value = [1, 0]\n", False),
+        (BETWEEN + "on = 2\nvalue = 1\n", False),
+        ('on = 2\nvalue = 1\nagainst = "motion"\n', False),
+        ("value = 1\n", False),
+    ],
+)
+def test_an_editor_and_the_reader_are_of_one_mind_about_a_force(force: str, right: bool) -> None:
+    text = PLAIN + "[[loads.forces]]\n" + force
+    assert (not list(EDITOR.iter_errors(tomllib.loads(text)))) == right
+    tables = tomllib.loads(text, parse_float=Decimal)
+    try:
+        read_parts(kinds_of(techniques_of(tables)), tables)
+        reads = True
+    except Refused:
+        reads = False
+    assert reads == right
 
 
 KINDS = (units.LENGTH, units.ANGLE, units.SPEED, units.ANGULAR_ACCELERATION, units.ACCELERATION)

@@ -9,7 +9,7 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 
 from plans.forces.stroke import Stroke, asks
-from plans.model.machine import ALWAYS, IDLE, WORKING, Force, Machine, Moment
+from plans.model.machine import ALWAYS, IDLE, WORKING, Force, Machine, Moment, Track
 
 Branch: TypeAlias = tuple[complex, ...]  # corners: way m or degrees + load N or N*m * i, in the order of the motion
 
@@ -41,7 +41,7 @@ class LoadCourse(NamedTuple):
         return tuple(dict.fromkeys(corner for corner in (*self.out, *self.back) if corner.imag))
 
 
-def courses(machine: Machine, strokes: Mapping[str, Stroke]) -> Iterator[LoadCourse]:
+def courses(machine: Machine, strokes: Mapping[Track, Stroke]) -> Iterator[LoadCourse]:
     """Give the course of every load that changes over a stroke."""
     loads: tuple[Force | Moment, ...] = (*machine.forces, *machine.moments)
     return (course(load, strokes[load.stroke]) for load in loads if asks(load))
@@ -71,7 +71,9 @@ def _corners(load: Force | Moment, length: float, idle: bool) -> Iterator[comple
 
 def _opposing(load: Force | Moment) -> bool:
     """Tell whether a load turns over with the motion."""
-    return load.against if isinstance(load, Moment) else load.direction is None
+    if isinstance(load, Moment):
+        return load.against
+    return load.resists or (load.direction is None and load.line is None)
 
 
 def _size(load: Force | Moment, share: float, idle: bool) -> float:

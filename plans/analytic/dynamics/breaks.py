@@ -16,7 +16,7 @@ from plans.analytic.dynamics.curve import Curve, looks, smooth
 from plans.analytic.dynamics.reduction import Reduction
 from plans.analytic.dynamics.roots import roots
 from plans.model.dynamics import TURN
-from plans.model.machine import ALWAYS, WORKING, Force, Machine, Moment
+from plans.model.machine import ALWAYS, WORKING, Force, Machine, Moment, Track
 from plans.model.motion import Floats, Motion
 
 
@@ -38,7 +38,7 @@ class Run(Protocol):
         """Give the share of the stroke that is gone at the positions of a motion."""
 
 
-def breaks(reduction: Reduction, strokes: Mapping[str, Run], noise: float) -> Floats:
+def breaks(reduction: Reduction, strokes: Mapping[Track, Run], noise: float) -> Floats:
     """Give the angles turned, rad in [0, 2 pi), at which the moment of the loads jumps or bends, rising.
 
     Angles that differ by less than the rounding of a root, `noise` of a turn, are one.
@@ -49,7 +49,7 @@ def breaks(reduction: Reduction, strokes: Mapping[str, Run], noise: float) -> Fl
     return _merged(np.concatenate((ends, crossed, turned)), noise * TURN)
 
 
-def _crossings(reduction: Reduction, strokes: Mapping[str, Run], noise: float) -> Floats:
+def _crossings(reduction: Reduction, strokes: Mapping[Track, Run], noise: float) -> Floats:
     """Give the angles at which a stroke is gone by a share at which a load changes its law, while the load acts."""
     counted = [name for name in strokes if any(_laws(reduction.machine, name))]
 
@@ -70,7 +70,7 @@ def _at(curve: Curve, share: float) -> Floats:
     return roots(lambda turned, side: curve.at(turned, side) - share, looks([curve]))
 
 
-def _laws(machine: Machine, stroke: str) -> Iterator[tuple[float, str]]:
+def _laws(machine: Machine, stroke: Track) -> Iterator[tuple[float, str]]:
     """Give the shares within a stroke at which a load over it changes its law, and when it acts."""
     loads: tuple[Force | Moment, ...] = (*machine.forces, *machine.moments)
     for load in loads:
@@ -83,22 +83,34 @@ def _laws(machine: Machine, stroke: str) -> Iterator[tuple[float, str]]:
 def _reversals(reduction: Reduction, noise: float) -> Floats:
     """Give the angles at which a point or a link with a load against its motion turns back."""
     machine = reduction.machine
-    points = sorted({force.point for force in machine.forces if force.direction is None and force.size})
+    moving = [force for force in machine.forces if force.direction is None and force.size]
+    points = sorted({force.point for force in moving if force.line is None})
+    partings = [force for force in moving if force.resists and force.other is not None]
     links = sorted({moment.link for moment in machine.moments if moment.against and moment.size})
-    if not points and not links:
+    if not points and not links and not partings:
         return np.zeros(0)
 
     def sample(motion: Motion) -> tuple[Floats, Floats]:
         moved = [motion.points[point] for point in points]
         rows = [(one.v * one.a.conj()).real for one in moved]
         rows += [_turning(motion.links[link].omega, noise) for link in links]
+        rows += [_turning(_parting(motion, force), noise) for force in partings]
         sizes = [np.abs(one.v).max() * np.abs(one.a).max() for one in moved] + [1.0] * len(links)
+        sizes += [np.abs(row).max() or 1.0 for row in rows[len(sizes) :]]
         return np.array(rows), np.array(sizes)
 
     curves = smooth(reduction, sample, noise)
     found = [roots(curve.at, looks([curve])) for curve in curves]
     rests = [_rests(reduction, point, at, noise) for point, at in zip(points, found, strict=False)]
     return np.concatenate([*rests, *found[len(points) :]])
+
+
+def _parting(motion: Motion, force: Force) -> Floats:
+    """Give the speed at which the point of a force goes away from the other's, times their line's length."""
+    assert force.line is not None and force.other is not None  # asked before
+    start, end = (motion.points[point].r for point in force.line)
+    apart = motion.points[force.point].v - motion.points[force.other.point].v
+    return np.asarray(((end - start).conj() * apart).real)
 
 
 def _turning(omega: Floats, noise: float) -> Floats:

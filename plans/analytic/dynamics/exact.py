@@ -13,6 +13,7 @@ from plans.analytic.dynamics.curve import LEAST, Curve, broken, looks, smooth
 from plans.analytic.dynamics.reduction import Reduction
 from plans.analytic.dynamics.roots import Sided, roots
 from plans.model.dynamics import TURN
+from plans.model.machine import Track
 from plans.model.motion import Floats, Motion
 
 ROUNDINGS = 8.0  # a linear solution at rest leaves a few roundings of the largest term in each of its rows
@@ -82,7 +83,7 @@ class Exact:
         return np.unique(np.concatenate(([0.0], self.breaks, roots(slope, places))))
 
 
-def exact(reduction: Reduction, strokes: Mapping[str, Run]) -> Exact:
+def exact(reduction: Reduction, strokes: Mapping[Track, Run]) -> Exact:
     """Find moments and inertia over a turn of a machine whose loads change over `strokes`."""
     noise = _noise(reduction)
 

@@ -6,6 +6,8 @@ import re
 import unicodedata
 from decimal import Decimal
 
+from plans.linkage.reading import fields as g
+from plans.scene import fields as f
 from plans.scene import forms, units
 from plans.scene.faults import wrong
 from plans.scene.fields import NAME_LIMIT, not_empty, number, pair, positive, sample, whole
@@ -45,6 +47,16 @@ def share(value: object) -> Decimal:
     return result
 
 
+def line(value: object) -> Decimal | tuple[str, ...]:
+    """Read a direction: an angle in degrees, or the letters of two points.
+
+    >>> line("AB"), line("90 deg")
+    (('A', 'B'), Decimal('90'))
+    """
+    lettered = isinstance(value, str) and value[:1].isalpha()
+    return g.check_line(value) if lettered or isinstance(value, list) else units.angle(value)
+
+
 def loaded_link(value: object) -> int:
     """Read the number of a link that a load acts on."""
     if value == 0 and not isinstance(value, bool):
@@ -54,10 +66,10 @@ def loaded_link(value: object) -> int:
 
 # Of a diagram over the stroke; that its lists are as long as each other is seen to by the table.
 TWO, AS_MANY = Check(not_empty, least=2), Check(lambda entries: entries, least=2)
-TWO_ENDS = Check(check_ends, least=2, most=2)
 SYMBOL = one(
     check_symbol, lambda: forms.text(rf"^{forms.ANY_LETTER}[0-9A-Za-z_\u00aa-\uffff.'-]*$", NAME_LIMIT), "letters"
 )
+DIRECTION = one(line, lambda: {"anyOf": [f.ANGLE.form(), g.LINE.form()]}, "degrees, or two points")
 LOADED_LINK = one(loaded_link, lambda: forms.whole(1), "link")
 SHARE = one(share, lambda: {"type": "number", "minimum": 0, "exclusiveMaximum": 1}, "share")
 OVERRUN = either(list, pair(SHARE, "[start, end]"), SHARE)

@@ -6,7 +6,9 @@ from collections.abc import Iterable, Mapping
 from decimal import Decimal
 
 from plans.forces.reading import fields as h
-from plans.forces.reading.loads import LoadsTable, Vector
+from plans.forces.reading.ends import point_of
+from plans.forces.reading.load import Vector
+from plans.forces.reading.loads import LoadsTable
 from plans.linkage.reading import fields as g
 from plans.linkage.reading.capacity import check_capacity
 from plans.linkage.reading.form import LinkageForm
@@ -155,9 +157,11 @@ class ForceForm(TechniqueForm):
     sheet: ForceSheetTable = key(table(ForceSheetTable), ForceSheetTable(), meaning="What of forces is shown.")
 
     def borrowed(self) -> Iterable[str]:
-        """Give the points that springs are hung on."""
-        springs = self.loads.springs if self.loads else ()
-        return (end for spring in springs for end in spring.between if isinstance(end, str))
+        """Give the points that springs and forces between links are hung on, and those that forces act along."""
+        loads = self.loads or LoadsTable()
+        hung = [*(spring.between for spring in loads.springs), *(force.between or () for force in loads.forces)]
+        yield from (point_of(end) for ends in hung for end in ends)
+        yield from (name for force in loads.forces if isinstance(force.direction, tuple) for name in force.direction)
 
     def fit(self, scene: Scene) -> None:
         """See that a run with forces has room for its positions."""

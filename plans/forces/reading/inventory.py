@@ -11,12 +11,15 @@ from fractions import Fraction
 from math import radians
 
 from plans.forces.reading import references
+from plans.forces.reading.ends import Ends, holders, point_of
+from plans.forces.reading.force import ForceTable
 from plans.forces.reading.form import ForceForm, FrictionTable, GearTable, PairTable
-from plans.forces.reading.loads import ForceTable, LoadsTable, MomentTable, SpringTable, Vector, holders
+from plans.forces.reading.load import LoadTable, Vector
+from plans.forces.reading.loads import LoadsTable, MomentTable, SpringTable
 from plans.linkage.reading.guides import direction
 from plans.model.kinetostatics import pairs
-from plans.model.machine import GEAR, Body, Diagram, Force, Machine, Moment, Rubbing, Spring, Transmission
-from plans.model.mechanism import Mechanism
+from plans.model.machine import GEAR, Body, Diagram, End, Force, Machine, Moment, Rubbing, Spring, Track, Transmission
+from plans.model.mechanism import FRAME, Mechanism, Parting
 from plans.model.structure import decompose
 from plans.scene.faults import Path, SceneError
 from plans.scene.scene import Scene
@@ -51,7 +54,7 @@ def letters(loads: LoadsTable) -> list[str]:
     """Give the letters of all forces, moments and springs: the scene's own, or F_us, F_D, M_3, F_s made distinct."""
     against = [force for force in loads.forces if force.against is not None and force.useful]
     lone = against[0] if len(against) == 1 else None
-    named = [(force.name, USEFUL if force is lone else f"F_{force.point}") for force in loads.forces]
+    named = [(force.name, USEFUL if force is lone else f"F_{_places(force)}") for force in loads.forces]
     named += [(moment.name, f"M_{moment.on}") for moment in loads.moments]
     named += [(spring.name, SPRING) for spring in loads.springs]
     taken = {name for name, _ in named if name is not None}
@@ -60,6 +63,11 @@ def letters(loads: LoadsTable) -> list[str]:
         found.append(given or _distinct(name, taken))
         taken.add(found[-1])
     return found
+
+
+def _places(force: ForceTable) -> str:
+    """Give the letters of the point or the two points that a force acts on."""
+    return "".join(map(point_of, force.between)) if force.between is not None else force.point or ""
 
 
 def _distinct(name: str, taken: set[str]) -> str:
@@ -79,23 +87,60 @@ def gravity(given: Decimal | Vector | None) -> complex:
 
 
 def _force(name: str, force: ForceTable, mechanism: Mechanism) -> Force:
-    place, (size, course) = mechanism.links[force.on].points[force.point], _sized(force.value, force.direction)
+    size, course = _sized(force.value, force.direction)
     table = force.diagram
     diagram = Diagram(_floats(table.travel), _floats(table.force), _floats(table.back)) if table else None
-    when = force.phase, diagram, _overrun(force.rests), force.stroke or "", force.useful
-    return Force(name, force.on, force.point, place, size, course, *when)
+    (own, other), resists = _where(force, mechanism), force.between is not None and force.against is not None
+    line = _line(force, own, other)
+    track = _track(force)
+    if other is not None and line is not None and force.stroke is None and force.changes:
+        track = track._replace(point=own.point, parting=Parting(other.point, line))
+    when = force.phase, diagram, _overrun(force.rests), track, force.useful
+    return Force(name, own.link, own.point, own.at, size, course, *when, line, other, resists)
 
 
-def _sized(value: Decimal | Vector | None, angle: Decimal | None) -> tuple[float, complex | None]:
-    """Give the size of a force and its direction: that of its vector or its angle, or none where its motion tells."""
+def _where(force: ForceTable, mechanism: Mechanism) -> tuple[End, End | None]:
+    """Give where a force acts, and where it acts back: of one between two links the first end is one that moves."""
+    if force.between is not None:
+        own, other = _ends(force.between, mechanism)
+        return (other, own) if own.link == FRAME else (own, other)
+    assert force.on is not None  # the form has seen to it
+    assert force.point is not None
+    return End(force.on, force.point, mechanism.links[force.on].points[force.point]), None
+
+
+def _line(force: ForceTable, own: End, other: End | None) -> tuple[str, str] | None:
+    """Give the points whose line a force acts along: one between two links away from the other, or as it is told."""
+    if not isinstance(force.direction, tuple):
+        return None if other is None else (other.point, own.point)
+    first, second = force.direction
+    turned = force.between is not None and point_of(force.between[0]) != own.point
+    return (second, first) if turned else (first, second)
+
+
+def _ends(ends: Ends, mechanism: Mechanism) -> list[End]:
+    """Find the links and the places of two ends."""
+    points_of = {number: link.points for number, link in sorted(mechanism.links.items())}
+    links = [holders(end, points_of)[0] for end in ends]
+    names = map(point_of, ends)
+    return [End(link, name, points_of[link][name]) for link, name in zip(links, names, strict=True)]
+
+
+def _sized(value: Decimal | Vector | None, course: Decimal | tuple[str, ...] | None) -> tuple[float, complex | None]:
+    """Give the size of a force and its direction: that of its vector or its angle, or none where the motion tells."""
     if isinstance(value, tuple):
         force = complex(float(value[0]), float(value[1]))
         return abs(force), force / abs(force) if force else 1 + 0j
-    return 1.0 if value is None else float(value), None if angle is None else direction(angle)
+    return 1.0 if value is None else float(value), direction(course) if isinstance(course, Decimal) else None
 
 
 def _floats(values: Iterable[Decimal]) -> tuple[float, ...]:
     return tuple(map(float, values))
+
+
+def _track(load: LoadTable) -> Track:
+    """Give whose stroke a load counts; a force between two links without another counts their own."""
+    return Track(load.stroke or "", load.working)
 
 
 def _overrun(rests: Vector) -> tuple[float, float]:
@@ -103,16 +148,14 @@ def _overrun(rests: Vector) -> tuple[float, float]:
 
 
 def _moment(name: str, moment: MomentTable) -> Moment:
-    when = moment.phase, _overrun(moment.rests), moment.stroke or "", moment.useful
+    when = moment.phase, _overrun(moment.rests), _track(moment), moment.useful
     return Moment(name, moment.on, float(moment.value), moment.against is not None, *when)
 
 
 def _spring(name: str, spring: SpringTable, mechanism: Mechanism) -> Spring:
-    points_of = {number: link.points for number, link in sorted(mechanism.links.items())}
-    first, second = (holders(end, points_of)[0] for end in spring.between)
-    start, end = (end if isinstance(end, str) else end.point for end in spring.between)
-    places = points_of[first][start], points_of[second][end]
-    return Spring(name, (first, second), (start, end), places, float(spring.stiffness), float(spring.free))
+    first, second = _ends(spring.between, mechanism)
+    both = (first.link, second.link), (first.point, second.point), (first.at, second.at)
+    return Spring(name, *both, float(spring.stiffness), float(spring.free))
 
 
 def _transmission(balancing: str, gear: GearTable | None) -> Transmission:

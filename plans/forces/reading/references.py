@@ -6,8 +6,10 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from itertools import combinations
 
+from plans.forces.reading.ends import Ends, EndTable, holders, point_of
+from plans.forces.reading.force import ForceTable
 from plans.forces.reading.form import FORCES, MIDDLE, ForceForm, PairTable
-from plans.forces.reading.loads import EndTable, ForceTable, LoadsTable, MomentTable, SpringTable, holders
+from plans.forces.reading.loads import LoadsTable, MomentTable
 from plans.linkage.reading.positions import check_numbers
 from plans.linkage.reading.survey import Survey
 from plans.model.mechanism import FRAME, Slide
@@ -62,13 +64,11 @@ def _check_masses(survey: Survey, form: ForceForm) -> None:
 
 def _check_loads(survey: Survey, loads: LoadsTable) -> None:
     for path, load in _loads(loads):
-        known = survey.know_link((*path, "on"), load.on)
-        if known and isinstance(load, ForceTable):
-            survey.on_link((*path, "point"), load.on, load.point)
+        _check_place(survey, path, load)
         if load.stroke is not None and survey.know((*path, "stroke"), (load.stroke,)):
             _check_moves(survey, (*path, "stroke"), load.stroke)
     for index, spring in enumerate(loads.springs):
-        _check_spring(survey, ("loads", "springs", index), spring)
+        _check_ends(survey, ("loads", "springs", index), spring.between)
 
 
 def _loads(loads: LoadsTable) -> Iterator[tuple[Path, ForceTable | MomentTable]]:
@@ -76,15 +76,28 @@ def _loads(loads: LoadsTable) -> Iterator[tuple[Path, ForceTable | MomentTable]]
     yield from ((("loads", "moments", index), moment) for index, moment in enumerate(loads.moments))
 
 
+def _check_place(survey: Survey, path: Path, load: ForceTable | MomentTable) -> None:
+    """See that a load is on links and points that exist, and along a line of such points."""
+    known = load.on is None or survey.know_link((*path, "on"), load.on)
+    if isinstance(load, MomentTable):
+        return
+    if known and load.on is not None and load.point is not None:
+        survey.on_link((*path, "point"), load.on, load.point)
+    if load.between is not None:
+        _check_ends(survey, path, load.between)
+    if isinstance(load.direction, tuple):
+        survey.know((*path, "direction"), load.direction)
+
+
 def _check_moves(survey: Survey, path: Path, name: str) -> None:
     if survey.owners((name,))[:1] == [FRAME]:
         survey.report(path, "fixed_output", name=name)
 
 
-def _check_spring(survey: Survey, path: Path, spring: SpringTable) -> None:
+def _check_ends(survey: Survey, path: Path, ends: Ends) -> None:
     """See that each end is a point of one link, and that the links are two."""
-    links = [_end(survey, (*path, "between", k), end) for k, end in enumerate(spring.between)]
-    first, second = (end if isinstance(end, str) else end.point for end in spring.between)
+    links = [_end(survey, (*path, "between", k), end) for k, end in enumerate(ends)]
+    first, second = map(point_of, ends)
     if links[0] is not None and links[0] == links[1]:
         survey.report((*path, "between"), "one_link", link=links[0])
     elif None not in links and first == second:
@@ -92,7 +105,7 @@ def _check_spring(survey: Survey, path: Path, spring: SpringTable) -> None:
 
 
 def _end(survey: Survey, path: Path, end: str | EndTable) -> int | None:
-    """Give the link that an end of a spring is of, or nothing where it is at fault."""
+    """Give the link that an end is of, or nothing where it is at fault."""
     if isinstance(end, EndTable):
         moving = end.on != FRAME
         known = not moving or survey.know_link((*path, "on"), end.on)

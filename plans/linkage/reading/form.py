@@ -7,7 +7,8 @@ from decimal import Decimal
 
 from plans.linkage.reading import fields as g
 from plans.linkage.reading.capacity import LINK_POSITIONS_LIMIT, check_capacity
-from plans.model.mechanism import THROUGH
+from plans.model.mechanism import SLOWER, THROUGH
+from plans.model.working import PARTINGS, STROKES
 from plans.scene import fields as f
 from plans.scene.faults import Path, wrong
 from plans.scene.forms import Form
@@ -120,8 +121,7 @@ class DriveTable(Table):
         g.START,
         Decimal(0),
         meaning=(
-            'First crank angle from +x, or "extreme": the position from which the output\'s slower, working stroke '
-            "begins."
+            'First crank angle from +x, or "extreme": the position from which the output\'s working stroke begins.'
         ),
     )
     positions: int | tuple[Decimal, ...] = key(
@@ -157,21 +157,29 @@ class DriveTable(Table):
 
 
 class OutputTable(Table):
-    """The output link (выходное звено), by its number or by a point of it."""
+    """The output link (выходное звено), by its number or by a point of it, and which of its strokes works."""
 
     link: int | None = key(g.MOVING_LINK, None, meaning="The output link.")
     point: str | None = key(f.POINT, None, meaning="A point of the output link.")
+    working: str = key(
+        f.words(*(name for name in STROKES if name not in PARTINGS)),
+        SLOWER,
+        meaning=(
+            "Its working stroke (рабочий ход): by the time that it takes, by the way of its point or slider, or by the "
+            "turn of its link."
+        ),
+    )
 
     def check(self) -> None:
-        """See that the output is named once."""
-        if (self.link is None) == (self.point is None):
-            found = "none" if self.link is None else "both"
-            raise wrong("one_of_two", first="link", second="point", found=found)
+        """See that the output is named once, or its working stroke alone."""
+        both = self.link is not None and self.point is not None
+        if both or self.given.isdisjoint(self.keys):
+            raise wrong("one_of_two", first="link", second="point", found="both" if both else "none")
 
     @classmethod
     def rules(cls) -> Form:
-        """Say that the output is named once."""
-        return {"oneOf": [{"required": ["link"]}, {"required": ["point"]}]}
+        """Say that the output is named once, or its working stroke alone."""
+        return {"not": {"required": ["link", "point"]}, "anyOf": [{"required": [name]} for name in cls.keys]}
 
 
 class PlansTable(Table):

@@ -11,7 +11,7 @@ from plans.linkage.reading.joining import check_joining
 from plans.linkage.reading.positions import check_positions
 from plans.linkage.reading.shapes import Shaper, Spot, as_complex, line_name
 from plans.linkage.reading.survey import RATIO_LIMIT, Survey, natural, spread
-from plans.model.mechanism import FRAME, Drive, Link, Mechanism, Output, Slide, StructureError
+from plans.model.mechanism import FRAME, SLOWER, Drive, Link, Mechanism, Output, Slide, StructureError
 from plans.scene.faults import Path, SceneError, suggestion
 from plans.scene.scene import Meaning, Scene
 from plans.words.words import Message, message
@@ -59,7 +59,9 @@ def _build(survey: Survey) -> Mechanism | None:
         number: Link(number, {name: as_complex(s) for name, s in shape.items()}) for number, shape in shapes.items()
     }
     drive = Drive(form.drive.link, *ends, float(form.drive.speed), float(form.drive.acceleration))
-    return Mechanism(survey.scene.heading(), datum, links, slides, drive, sketch, output, form.mechanism.through)
+    working = form.output.working if form.output else SLOWER
+    through = form.mechanism.through
+    return Mechanism(survey.scene.heading(), datum, links, slides, drive, sketch, output, through, working)
 
 
 def _drive_ends(survey: Survey) -> tuple[str, str] | None:
@@ -157,13 +159,13 @@ def _by_place(survey: Survey, link: int, pair: frozenset[str]) -> bool:
 def _output(survey: Survey, slides: tuple[Slide, ...]) -> Output | None:
     """Give the output link: named, or that of the named point, of several the one that slides, else the last."""
     wanted = survey.form.output
-    if wanted is None:
+    if wanted is None or (wanted.link is None and wanted.point is None):
         return None
     if wanted.link is not None:
         if not survey.know_link(("output", "link"), wanted.link):
             return None
         sliding = [slide.point for slide in slides if slide.slider == wanted.link and slide.owner == FRAME]
-        return Output(wanted.link, sliding[0] if sliding else None)
+        return Output(wanted.link, sliding[0] if sliding else None, wanted.working)
     point = wanted.point or ""
     if not survey.know(("output", "point"), (point,)):
         return None
@@ -172,7 +174,7 @@ def _output(survey: Survey, slides: tuple[Slide, ...]) -> Output | None:
         survey.report(("output", "point"), "fixed_output", name=point)
         return None
     sliders = [slide.slider for slide in slides if slide.slider in owners and slide.owner == FRAME]
-    return Output(sliders[-1] if sliders else owners[-1], point)
+    return Output(sliders[-1] if sliders else owners[-1], point, wanted.working)
 
 
 def _wrong_mobility(scene: Scene, mechanism: Mechanism) -> StructureError:

@@ -1,0 +1,228 @@
+"""Wittenbauer's loop: energy over inertia, its two tangents, what they cut off, their angles (петля Виттенбауэра)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from drawings.figures.dynamics.curves import Dense
+from drawings.figures.dynamics.part import LEFT, OVER, UNDER, Letter, Part
+from drawings.figures.dynamics.strips import Strips
+from drawings.figures.graphs.axes import BEYOND, Axes
+from drawings.page.drafting import Drafting
+from drawings.page.scale import Scale
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import INK, Arc, Circle, Group, Line, Polyline, Stroke
+from drawings.symbols.dimension import Dimension
+from drawings.symbols.figure import Subject
+from drawings.symbols.symbols import pole
+from plans.model.dynamics import Cycle, Flywheel
+
+LOOP = "loop"
+PAPER = Scale(1.0, "l", "mm")  # of points whose axes have different scales: they are measured in mm
+DOT, TOUCH = 0.6, 1.1  # mm, radii of a point of the loop and of one that a tangent touches
+APART = 1.6  # sizes of a number from one numbered point to the next
+TAIL = 6.0  # sizes of a letter that a tangent goes beyond the axis of energy, towards the origin
+BREAK = 1.4  # mm, half the zigzag where it is broken off
+OFFS = (2.0, 3.6)  # sizes of a letter from the axis to the dimensions of o1l and o1k
+ARM = 4.0  # sizes of a letter, radius of the arcs of the angles
+CUTS, ANGLES = ("l", "k"), ("ψ_{min}", "ψ_{max}")
+
+
+@dataclass(frozen=True)
+class Loop:
+    """What the loop shows: the account of the turn, its dense curve, its strips, the flywheel if one is asked for."""
+
+    cycle: Cycle
+    dense: Dense
+    strips: Strips
+    flywheel: Flywheel | None
+
+    @property
+    def curve(self) -> tuple[np.ndarray, np.ndarray]:
+        """The loop densely: inertia above that of position 0, kg*m2, and surplus energy, J."""
+        energy = self.cycle.driving * self.dense.turned + self.dense.work
+        return self.dense.inertia - self.cycle.inertia[0], energy
+
+    @property
+    def across(self) -> tuple[float, float]:
+        """The least and the greatest inertia, zero among them, kg*m2."""
+        inertia, _ = self.curve
+        return min(float(inertia.min()), 0.0), max(float(inertia.max()), 0.0)
+
+    @property
+    def up(self) -> tuple[float, float]:
+        """The least and the greatest energy, zero and what the tangents cut off among them, J."""
+        _, energy = self.curve
+        cuts = self.flywheel.cuts if self.flywheel else ()
+        return min(float(energy.min()), 0.0, *cuts), max(float(energy.max()), 0.0, *cuts)
+
+    @property
+    def touches(self) -> tuple[int, ...]:
+        """The edges that the tangents touch, where they touch one."""
+        return tuple(k for one in self._touched for k in one)
+
+    @property
+    def _touched(self) -> Iterator[Sequence[int]]:
+        for touch in self.flywheel.touches if self.flywheel else ():
+            yield np.flatnonzero(np.isclose(self.strips.turned, touch.turned, rtol=0, atol=1e-9)).tolist()[:1]
+
+
+def draw(loop: Loop, axes: Axes, drafting: Drafting) -> Part:
+    """Draw the loop on its axes; both tangents are broken off on their way to the origin of the whole diagram."""
+    hand = drafting.hand
+    numbered = _numbered(loop, axes, hand)
+    lines = [*axes.lines(loop.across, loop.up, hand), *_curve(loop, axes, hand), *_points(loop, numbered, axes, hand)]
+    letters = [*_axis_letters(loop, axes, drafting), *_numbers(loop, numbered, axes, hand)]
+    if loop.flywheel is not None:
+        for k in (0, 1):
+            tangent = _Tangent(loop, loop.flywheel, axes, hand, k)
+            lines += tangent.lines
+            letters += tangent.letters
+    return Part(LOOP, tuple(lines), tuple(letters))
+
+
+def _curve(loop: Loop, axes: Axes, hand: Hand) -> Iterator[Stroke]:
+    yield Polyline(tuple(axes.on(float(x), float(y)) for x, y in zip(*loop.curve, strict=True)), True, hand.result)
+
+
+def _places(loop: Loop, axes: Axes) -> list[complex]:
+    """Give the places of all edges on paper, the last one without, which is the first again."""
+    pairs = zip(loop.cycle.varying[:-1].tolist(), loop.cycle.surplus[:-1].tolist(), strict=True)
+    return [axes.on(*pair) for pair in pairs]
+
+
+def _numbered(loop: Loop, axes: Axes, hand: Hand) -> tuple[int, ...]:
+    """Choose the points whose numbers have room: those that tangents touch first, then jumps."""
+    places, kept = _places(loop, axes), list[int]()
+    for k in (*loop.touches, *loop.strips.jumps, *range(len(places))):
+        if all(abs(places[k] - places[other]) >= APART * hand.number for other in kept):
+            kept.append(k)
+    return tuple(sorted(kept))
+
+
+def _points(loop: Loop, numbered: Sequence[int], axes: Axes, hand: Hand) -> Iterator[Stroke]:
+    """Draw the points of the edges about the loop's own origin; the numbered ones can be measured, in mm."""
+    subject = Subject(LOOP, PAPER.letter, None)
+    yield Group((pole(axes.zero),), "", subject.data("pole", "o1", 0j, PAPER), "o_{1}")
+    for k, place in enumerate(_places(loop, axes)):
+        dot = Circle(place, (TOUCH if k in loop.touches else DOT) * hand.symbol, INK)
+        name, value = (
+            loop.strips.names[k],
+            complex(loop.cycle.varying[k] / axes.across.mu, loop.cycle.surplus[k] / axes.up.mu),
+        )
+        data = subject._replace(position=k).data("point", name, value, PAPER)
+        yield Group((dot,), "", data, name) if k in numbered else dot
+
+
+def _axis_letters(loop: Loop, axes: Axes, drafting: Drafting) -> Iterator[Letter]:
+    size = drafting.hand.letter
+    right, top = axes.on(loop.across[1]) + BEYOND, axes.on(0.0, loop.up[1]) + BEYOND * 1j
+    yield Letter(right, f"ΔJ, {drafting.word('kg*m2')}", size, OVER)
+    yield Letter(top, f"ΔT, {drafting.word('J')}", size, 0.0)
+    yield Letter(axes.zero, "o_{1}", size, -3 * math.pi / 4)
+
+
+def _numbers(loop: Loop, numbered: Sequence[int], axes: Axes, hand: Hand) -> Iterator[Letter]:
+    """Number the points outward from the middle of the loop."""
+    places = _places(loop, axes)
+    heart = sum(places) / len(places)
+    for k in numbered:
+        away = places[k] - heart
+        yield Letter(places[k], loop.strips.names[k], hand.number, cmath.phase(away) if away else OVER, 1.4)
+
+
+@dataclass(frozen=True)
+class _Tangent:
+    """A tangent of the loop: that at psi_min, which touches from below, or that at psi_max from above."""
+
+    loop: Loop
+    wheel: Flywheel
+    axes: Axes
+    hand: Hand
+    which: int
+
+    @property
+    def cut(self) -> complex:
+        """Where it cuts the axis of energy, on paper."""
+        return self.axes.on(0.0, self.wheel.cuts[self.which])
+
+    @property
+    def slope(self) -> float:
+        """Tangent of its angle on paper."""
+        return self.wheel.slopes[self.which] * self.axes.across.mu / self.axes.up.mu
+
+    @property
+    def along(self) -> complex:
+        """Its direction on paper."""
+        return complex(1.0, self.slope) / abs(complex(1.0, self.slope))
+
+    @property
+    def end(self) -> complex:
+        """Its right end: beyond the loop, mm."""
+        length = self.loop.across[1] / self.axes.across.mu + BEYOND
+        return self.cut + length * complex(1.0, self.slope)
+
+    @property
+    def lines(self) -> Iterator[Stroke]:
+        """The tangent from its break on, measurable from the axis on; angle, dimension."""
+        hand, name = self.hand, ANGLES[self.which]
+        tail = self.cut - TAIL * hand.letter * self.along
+        yield _broken_off(tail, self.cut, self.along, hand)
+        data = Subject(LOOP, PAPER.letter, None).data("vector", _plain(name), self.end - self.cut, PAPER)
+        yield Group((Line(self.cut, self.end, hand.relative),), "", data, name)
+        yield from self._angle()
+        yield from self._segment()
+        yield Circle(self.cut, DOT * hand.symbol, INK)
+
+    def _angle(self) -> Iterator[Stroke]:
+        """Draw the angle to the axis of inertia at the right end."""
+        hand = self.hand
+        reach = ARM * hand.letter
+        yield Line(self.end, self.end + (reach + BREAK) * self.along, hand.relative)
+        yield Line(self.end, self.end + reach + BREAK, hand.drafted)
+        yield Arc(self.end, reach, 0.0, cmath.phase(self.along), hand.other)
+
+    @property
+    def dimension(self) -> Dimension | None:
+        """The segment from o1 to the cut, dimensioned beside the axis of energy; None where it is a point."""
+        off = -OFFS[self.which] * self.hand.letter + 0j
+        short = abs(self.cut - self.axes.zero) < 1.0
+        return None if short else Dimension(f"o_{{1}}{CUTS[self.which]}", self.axes.zero, self.cut, off)
+
+    def _segment(self) -> Iterator[Stroke]:
+        size = self.dimension
+        if size is None:
+            return
+        line, *rest = size.draw(self.hand)
+        cut = self.wheel.cuts[self.which]
+        data = Subject(LOOP, self.axes.up.letter, None).data("vector", _plain(size.letter), 1j * cut, self.axes.up)
+        yield Group((line,), "", data, size.letter)
+        yield from rest
+
+    @property
+    def letters(self) -> Iterator[Letter]:
+        """The angle, the cut and the segment, lettered."""
+        size, side = self.hand.letter, OVER if self.which else UNDER
+        yield Letter(self.end, ANGLES[self.which], size, side)
+        yield Letter(self.cut, CUTS[self.which], size, math.pi / 4 if self.which else -math.pi / 4)
+        if self.dimension is not None:
+            yield Letter(self.dimension.middle, self.dimension.letter, size, LEFT)
+
+
+def _broken_off(tail: complex, start: complex, along: complex, hand: Hand) -> Stroke:
+    """Draw a line to a place where it is broken off: a zigzag across it, and a little more of it."""
+    step, off = BREAK * along, BREAK * 1.4j * along
+    return Polyline(
+        (start, tail, tail - step / 2 + off, tail - 1.5 * step - off, tail - 2 * step, tail - 5 * step),
+        False,
+        hand.relative,
+    )
+
+
+def _plain(name: str) -> str:
+    return name.replace("_", "").replace("{", "").replace("}", "")

@@ -1,0 +1,135 @@
+"""The plate of the graphs: one under another over one angle, beside them the loop in line with them (диаграммы).
+
+Moments, works, surplus energy and speeds share the axis of angles; the loop stands beside the surplus energy in its
+scale, and under the inertia, turned by 90 degrees, in that one's.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+from drawings.figures.dynamics import equations, quantities
+from drawings.figures.dynamics.curves import Dense, dense
+from drawings.figures.dynamics.loop import Loop
+from drawings.figures.dynamics.part import wide
+from drawings.figures.dynamics.strips import Strips, strips
+from drawings.figures.graphs.axes import BEYOND
+from drawings.layout.picture import Margins, Picture
+from drawings.page.drafting import Drafting
+from drawings.page.scale import Scale
+from drawings.paper.hand import Hand
+from plans.model.dynamics import TURN, Account, Cycle, Task
+
+MOMENTS, WORKS, SURPLUS, SPEEDS = 0.30, 0.40, 0.76, 0.34  # heights of the rows, in lengths of the axis of angles
+WIDE = 0.86  # width of the loop, likewise
+LONG = 24.0  # sizes of a letter that the axis of angles has at least: its positions are numbered
+LEFT, MIDDLE, RIGHT = 10.0, 8.0, 5.4  # paper beside the graphs, between them and the loop, beside it, likewise
+TITLES = ("reduced moments", "works", "surplus energy", "speed over the turn", "loop")
+WHOLE, GRAPHS, ENERGY = "machine", "diagrams", "energy-mass"  # names of the plates
+
+
+class Row(NamedTuple):
+    """A row of a plate: what it shows, and its height in lengths of the axis of angles."""
+
+    name: str
+    high: float
+
+
+@dataclass(frozen=True)
+class Plate:
+    """What stands on one plate: graphs, the loop, or both of them in line."""
+
+    name: str
+    task: Task
+    account: Account
+    graphs: bool
+    loop: bool
+    drafting: Drafting
+
+    @property
+    def hand(self) -> Hand:
+        """The hand that draws."""
+        return self.drafting.hand
+
+    @property
+    def cycle(self) -> Cycle:
+        """The account of the steady turn."""
+        assert self.account.cycle is not None  # without one there is nothing to draw over the turn
+        return self.account.cycle
+
+    @cached_property
+    def dense(self) -> Dense:
+        """The turn followed densely."""
+        return dense(self.cycle)
+
+    @cached_property
+    def strips(self) -> Strips:
+        """The strips of the turn."""
+        return strips(self.cycle, self.task.divisions)
+
+    @cached_property
+    def shown(self) -> Loop:
+        """The loop."""
+        return Loop(self.cycle, self.dense, self.strips, self.account.flywheel)
+
+    @property
+    def rows(self) -> tuple[Row, ...]:
+        """The rows from the top."""
+        middle = Row(quantities.SURPLUS, SURPLUS)
+        if not self.graphs:
+            return Row(quantities.INERTIA, MOMENTS + WORKS), middle
+        first = Row(quantities.MOMENTS, MOMENTS), Row(quantities.WORKS, WORKS)
+        last = (Row(quantities.SPEEDS, SPEEDS),) if self.account.speeds else ()
+        return *first, middle if self.loop else Row(quantities.SURPLUS, WORKS), *last
+
+    @property
+    def over(self) -> float:
+        """Paper over the lines of a row, mm: the end of an axis, its title."""
+        return BEYOND + self.hand.title + 0.4 * self.hand.letter
+
+    @property
+    def under(self) -> float:
+        """Paper under the lines of a row, mm: numbers."""
+        return 2 * self.hand.number
+
+    @property
+    def below(self) -> float:
+        """Paper under the last row, mm: for the equations of the loop, where they do not stand beside a row."""
+        written = self.account.flywheel is not None and self.loop and not (self.graphs and self.account.speeds)
+        return equations.height(self.drafting) if written else 0.0
+
+    @property
+    def beside(self) -> tuple[float, float, float]:
+        """Paper on the left of the graphs, between them and the loop, on its right, mm."""
+        size = self.hand.letter
+        middle = (BEYOND + 2 * size if self.graphs else 0.0) + (MIDDLE * size if self.loop else 0.0)
+        return LEFT * size if self.graphs else 0.0, middle, RIGHT * size + BEYOND if self.loop else 0.0
+
+    @property
+    def wide(self) -> float:
+        """Width without the paper beside, in lengths of the axis of angles."""
+        return (1.0 if self.graphs else 0.0) + (WIDE if self.loop else 0.0)
+
+    @property
+    def high(self) -> float:
+        """Height without the paper between, likewise."""
+        return sum(row.high for row in self.rows)
+
+
+def measure(plate: Plate) -> Picture:
+    """Measure the room of a plate; its scale is that of the angle, to which all its sizes go."""
+    wide, high = TURN * plate.wide, TURN * plate.high
+    between = len(plate.rows) * (plate.over + plate.under)
+    margins = Margins(sum(plate.beside) / 2, plate.below, between)
+    least = max(LONG * plate.hand.letter, _longest(plate)) * max(plate.wide, plate.high)
+    return Picture(plate.name, wide, high, complex(wide, high) / 2, "φ", "rad", margins, 0.0, least)
+
+
+def _longest(plate: Plate) -> float:
+    """Give the length of the axis of angles beside whose end the captions of the graphs have room, mm."""
+    drafting = plate.drafting
+    scales = f"{drafting.scale(Scale(0.025, 'J', 'kg*m2'))};  {drafting.scale(Scale(0.025, 'φ', 'rad'))}"
+    longest = max(wide(drafting.word(title), scales, plate.hand) for title in TITLES)
+    return longest - BEYOND - 2 * plate.hand.letter

@@ -1,0 +1,78 @@
+"""The strips of a turn: what their edges are called, and which of them are numbered on paper (участки оборота)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from plans.model.dynamics import TURN, Cycle
+from plans.model.motion import Floats
+
+SAME = 1e-9  # of a strip: an edge so near a position is that position
+SEEN = 1e-3  # of the span of the moments: a smaller jump cannot be seen
+
+
+class Strips(NamedTuple):
+    """The edges of the strips, rad, their names, and the places of those at which a load jumps."""
+
+    turned: Floats
+    names: tuple[str, ...]
+    jumps: tuple[int, ...]
+
+    def spaced(self, length: float, apart: float) -> tuple[int, ...]:
+        """Choose the edges that can be numbered along an axis of some length mm, jumps and both ends first."""
+        last = len(self.turned) - 1
+        places = self.turned * (length / TURN)
+        kept: list[int] = []
+        for k in (0, last, *self.jumps, *range(last)):
+            if all(abs(places[k] - places[other]) >= apart for other in kept):
+                kept.append(k)
+        return tuple(sorted(kept))
+
+
+def strips(cycle: Cycle, divisions: int) -> Strips:
+    """Name the edges: positions by their numbers, an edge between two of them by the first one's with a prime."""
+    return Strips(cycle.turned, _names(cycle.turned * divisions / TURN), _jumps(cycle))
+
+
+def _names(places: Floats) -> tuple[str, ...]:
+    """Name places counted in divisions of the turn.
+
+    >>> _names(np.array([0.0, 1.0, 1.3, 1.7, 2.0]))
+    ('0', '1', "1'", "1''", '2')
+    """
+    names: list[str] = []
+    for place in places:
+        near = round(float(place))
+        if abs(place - near) <= SAME:
+            names.append(str(near))
+        else:
+            whole = str(int(place))
+            names.append(whole + "'" * (1 + sum(name.startswith(f"{whole}'") for name in names)))
+    return tuple(names)
+
+
+def _jumps(cycle: Cycle) -> tuple[int, ...]:
+    """Find the inner edges at which the two sides of the moment differ to the eye."""
+    apart = np.abs(cycle.moments[1:, 0] - cycle.moments[:-1, 1])
+    return tuple(int(k) + 1 for k in np.flatnonzero(apart > SEEN * np.ptp(cycle.moments)))
+
+
+def middles(turned: Floats) -> Floats:
+    """Give the middles of the strips, rad."""
+    return (turned[1:] + turned[:-1]) / 2
+
+
+def chosen(values: Sequence[float], apart: float) -> tuple[int, ...]:
+    """Choose the places of values that lie apart from one another.
+
+    >>> chosen([1.0, 1.2, 3.0, 2.9], 0.5)
+    (0, 2)
+    """
+    kept: list[int] = []
+    for k, value in enumerate(values):
+        if all(abs(value - values[other]) >= apart for other in kept):
+            kept.append(k)
+    return tuple(kept)

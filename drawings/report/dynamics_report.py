@@ -1,0 +1,140 @@
+"""The motion of a machine in the report: task, reduction, works, flywheel, motion, other fluctuations (отчёт)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
+from typing import TYPE_CHECKING
+
+from drawings.lettering.words import decimal
+from drawings.page.drafting import drafting_of
+from drawings.report import dynamics_tables as tables
+from drawings.report.chapters import Chapters
+from drawings.report.dynamics_notes import DynamicsNotes
+from drawings.report.gap_lines import gap_lines
+from drawings.report.markdown import chapter, header, row
+from plans.dynamics.loop import loop
+from plans.dynamics.methods import methods
+from plans.dynamics.rim import rim_of
+from plans.model.dynamics import Account, Cycle, Flywheel, Task
+from plans.study import Study
+from plans.words.words import Message, word
+
+if TYPE_CHECKING:
+    from drawings.paper.strokes import Leaf
+
+DIGITS = 10
+NOISE = 1e-9  # per cent: a smaller difference is rounding, whose digits differ from machine to machine
+
+
+def headline(study: Study) -> str:
+    """Say what flywheel the machine needs."""
+    notes = notes_of(study, digits=5)
+    return "; ".join(map(_plain, (*notes.works(), *notes.missing())))
+
+
+def remarks(study: Study) -> list[Message]:
+    """Say which positions have no reduction."""
+    return gap_lines(study.comparison("dynamics").construction.gaps)
+
+
+def faults(text: str, study: Study) -> Iterator[Message]:
+    """Find no fault: the numbers of the report are printed from the comparison that was judged."""
+    yield from ()
+
+
+def notes_of(study: Study, digits: int = 4) -> DynamicsNotes:
+    """Give the notes on what the construction finds, with the exact flywheel beside it."""
+    own, comparison = study["dynamics"], study.comparison("dynamics")
+    account, exact = comparison.construction, comparison.exact.flywheel
+    rim = rim_of(account.flywheel.inertia, own.task.rim) if account.flywheel is not None else None
+    true = exact.inertia if exact is not None else None
+    return DynamicsNotes(own.task, account, _at(account.cycle, own.task), drafting_of(study.scene), rim, true, digits)
+
+
+def _at(cycle: Cycle, task: Task) -> partial[Flywheel]:
+    """Give the flywheel of another fluctuation by the same loop."""
+    return partial(_flywheel, cycle, task)
+
+
+def _flywheel(cycle: Cycle, task: Task, delta: float) -> Flywheel:
+    return loop(cycle, task._replace(delta=delta)).flywheel
+
+
+def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
+    """Tell the motion of a machine."""
+    language, notes = study.scene.sheet.language, notes_of(study, DIGITS)
+    account: Account = study.comparison("dynamics").construction
+    return Chapters(
+        subject=_listed(chapter(language, "dynamics").lstrip(), [*notes.asked(), *_shafts(notes)]),
+        values=[*_reduction(account, notes), *_works(account, notes), *_wheel(study, notes), *_motion(notes)],
+        left_out=[word(language, "report.dynamics_left_out")],
+    )
+
+
+def _shafts(notes: DynamicsNotes) -> Iterator[str]:
+    """Tell each rotating mass beside the linkage, reduced to the crank."""
+    for one in notes.task.shafts:
+        numbers = {"inertia": one.inertia, "ratio": one.ratio, "reduced": one.reduced}
+        told = {name: notes.drafting.number(value, DIGITS) for name, value in numbers.items()}
+        yield word(notes.drafting.language, "report.shaft", name=one.name, **told)
+
+
+def _reduction(account: Account, notes: DynamicsNotes) -> Iterator[str]:
+    yield chapter(notes.drafting.language, "reduction")
+    yield from tables.reduction(account.reduced, notes.drafting)
+
+
+def _works(account: Account, notes: DynamicsNotes) -> Iterator[str]:
+    if account.cycle is not None:
+        yield from _listed(chapter(notes.drafting.language, "works"), notes.works())
+        yield ""
+        yield from tables.works(account.cycle, account.speeds, notes.drafting)
+
+
+def _wheel(study: Study, notes: DynamicsNotes) -> Iterator[str]:
+    """Tell the tangents, the flywheel by every method, and what other fluctuations ask for."""
+    wheel, language, drafting = notes.account.flywheel, notes.drafting.language, notes.drafting
+    if wheel is None:
+        return
+    exact = study.comparison("dynamics").exact.flywheel
+    yield from _listed(chapter(language, "flywheel"), [*notes.reasons(), *notes.other(), *notes.sizes()])
+    yield ""
+    yield from tables.tangents(wheel, exact, drafting)
+    yield ""
+    yield from _methods(notes, wheel, exact)
+    yield chapter(language, "other_fluctuations")
+    yield from tables.others(notes.task, notes.flywheel_at, notes.fluctuation, drafting)
+
+
+def _methods(notes: DynamicsNotes, wheel: Flywheel, exact: Flywheel | None) -> Iterator[str]:
+    """Tell J0 by Wittenbauer, Mertsalov, Gutyar and the book's formula, and how far each is off the first."""
+    language, drafting = notes.drafting.language, notes.drafting
+    assert notes.account.cycle is not None  # there is a flywheel
+    found = methods(notes.account.cycle, notes.task)
+    if found is None or not wheel.whole:
+        return
+    yield from header([word(language, f"table.{head}") for head in ("method", "whole", "off_loop")])
+    values = {"loop": wheel.whole, "mertsalov": found.mertsalov, "gutyar": found.gutyar, "book": found.book}
+    if exact is not None:
+        values["exact"] = exact.whole
+    for name, whole in values.items():
+        share = 100 * (whole / wheel.whole - 1)
+        off = "—" if abs(share) < NOISE else decimal(f"{share:.2e}", language)
+        yield row([word(language, f"report.method_{name}"), drafting.number(whole, DIGITS), off])
+    yield f"\n{word(language, 'report.energy', energy=drafting.number(wheel.energy, DIGITS))}"
+
+
+def _motion(notes: DynamicsNotes) -> list[str]:
+    return _listed(chapter(notes.drafting.language, "motion"), notes.achieved())
+
+
+def _listed(title: str, lines: Sequence[str] | Iterator[str]) -> list[str]:
+    """Write a chapter as a list; one without lines is left out."""
+    told = [f"- {_plain(line)}" for line in lines]
+    return [title, *told] if told else []
+
+
+def _plain(note: str) -> str:
+    """Write a note without the braces of its indices."""
+    return " ".join(note.replace("{", "").replace("}", "").replace("^2", "²").split())

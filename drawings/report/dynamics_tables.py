@@ -1,0 +1,83 @@
+"""The motion of a machine in tables of the report: reduction, works, tangents (таблицы динамики)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+
+import numpy as np
+
+from drawings.page.drafting import Drafting
+from drawings.report.markdown import header, row
+from plans.model.dynamics import Cycle, Flywheel, Reduced, Speeds, Task, Touch
+from plans.model.motion import Floats
+from plans.words.words import word
+
+DIGITS = 10
+OTHERS = (4.0, 2.0, 1.0, 0.5, 0.25)  # times the fluctuation that is asked for
+LARGEST = 1.0  # fluctuation: a machine that comes to rest once in a turn has 2
+
+
+def reduction(found: Reduced, drafting: Drafting) -> Iterator[str]:
+    """Tell moment, inertia and its slope at the positions of the scene."""
+    heads = ("φ, °", "M_red, N*m", "J_red, kg*m2", "dJ/dφ, kg*m2")
+    columns = [np.degrees(found.phi), found.moment, found.inertia, found.slope]
+    yield from _table([word(drafting.language, "table.position"), *_units(heads, drafting)], columns, drafting)
+
+
+def works(cycle: Cycle, speeds: Speeds | None, drafting: Drafting) -> Iterator[str]:
+    """Tell moments on both sides of each edge, works, energy, inertia, and the speed with the flywheel."""
+    heads = ["φ, °", "M-, N*m", "M+, N*m", "A_us, J", "ΔT, J", "J, kg*m2", "ΔJ, kg*m2"]
+    before = np.roll(cycle.moments[:, 1], 1)
+    sides = np.append(before, before[0]), np.append(cycle.moments[:, 0], cycle.moments[0, 0])
+    columns = [np.degrees(cycle.turned), *sides, -cycle.work, cycle.surplus, cycle.inertia, cycle.varying]
+    if speeds is not None:
+        heads.append("ω, rad/s")
+        columns.append(speeds.omega)
+    yield from _table([word(drafting.language, "table.edge"), *_units(heads, drafting)], columns, drafting)
+
+
+def tangents(wheel: Flywheel, exact: Flywheel | None, drafting: Drafting) -> Iterator[str]:
+    """Tell both tangents: angle, where they touch, what they cut off, as drawn and exactly."""
+    heads = ["", "ψ, °", "φ, °", "ΔJ, kg*m2", "ΔT, J", "o_1l, J", "o_1k, J"]
+    yield from header(_units(heads, drafting))
+    roads = [("report.as_drawn", wheel), *([("report.exactly", exact)] if exact is not None else [])]
+    for said, one in roads:
+        for k, letter in enumerate(("ψ_min", "ψ_max")):
+            cuts = ["—", "—"]
+            cuts[k] = drafting.number(one.cuts[k], DIGITS)
+            yield row(
+                [f"{letter}, {word(drafting.language, said)}", *_touch(one.slopes[k], one.touches[k], drafting), *cuts]
+            )
+
+
+def _touch(slope: float, touch: Touch, drafting: Drafting) -> list[str]:
+    numbers = (math.degrees(math.atan(slope)), math.degrees(touch.turned), touch.varying, touch.surplus)
+    return [drafting.number(one, DIGITS) for one in numbers]
+
+
+def others(
+    task: Task, at: Callable[[float], Flywheel], written: Callable[[float], str], drafting: Drafting
+) -> Iterator[str]:
+    """Tell what flywheel other fluctuations would ask for."""
+    yield from header(_units(["δ", "J_0, kg*m2", "J_fly, kg*m2"], drafting))
+    for times in OTHERS:
+        delta = times * (task.delta or 0.0)
+        if delta <= LARGEST:
+            found = at(delta)
+            yield row([written(delta), *(drafting.number(one, DIGITS) for one in (found.whole, found.inertia))])
+
+
+def _units(heads: Sequence[str], drafting: Drafting) -> list[str]:
+    """Write the units of the heads of columns in the language of the report."""
+    parts = (head.partition(", ") for head in heads)
+    return [
+        f"{name}, {drafting.word(unit)}" if unit not in ("", "°") else f"{name}{comma}{unit}"
+        for name, comma, unit in parts
+    ]
+
+
+def _table(heads: Sequence[str], columns: Sequence[Floats], drafting: Drafting) -> Iterator[str]:
+    yield from header(heads)
+    for k, cells in enumerate(zip(*columns, strict=True)):
+        yield row([str(k), *("—" if math.isnan(one) else drafting.number(float(one), DIGITS) for one in cells)])

@@ -1,0 +1,44 @@
+"""Lines of action of forces between two links: both points must lie on them, or the force would turn the whole (линии).
+
+A force and its opposite off one line are a couple that nothing gives.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from plans.forces.stroke import ROUNDING
+from plans.model.machine import Force, Machine
+from plans.model.motion import Complexes, Motion
+
+
+def off_their_lines(machine: Machine, motion: Motion) -> Iterator[tuple[int, Force]]:
+    """Give the forces between two links that are off the line they are told to act along, each with its number."""
+    places = [np.nanmax(np.abs(point.r), initial=0.0) for point in motion.points.values()]
+    for index, force in enumerate(machine.forces):
+        if told_line(force) and _off(force, motion) > ROUNDING * max(places):
+            yield index, force
+
+
+def told_line(force: Force) -> bool:
+    """Tell whether a force between two links acts along a line of other points than its own."""
+    if force.other is None or force.line is None:
+        return False
+    return {*force.line} != {force.point, force.other.point}
+
+
+def _off(force: Force, motion: Motion) -> float:
+    """Give how far m the line is from either point of a force, at the position where it is farthest."""
+    assert force.line is not None  # it is told
+    assert force.other is not None
+
+    def place(point: str) -> Complexes:
+        return motion.points[point].r
+
+    start, end = map(place, force.line)
+    way = (end - start).conj()
+    with np.errstate(invalid="ignore", divide="ignore"):  # a gap is NaN
+        across = [((place(point) - start) * way).imag / np.abs(way) for point in (force.point, force.other.point)]
+    return float(np.nanmax(np.abs(across), initial=0.0))

@@ -1,0 +1,138 @@
+"""Slips of a careless draughtsman (небрежность): changes of a laid-out sheet that its self-check must see."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from drawings.paper.strokes import Circle, Group, Leaf, Line, Stroke, Text, stated
+
+Change = Callable[[Stroke], Stroke | None]
+
+
+def changed(leaf: Leaf, change: Change) -> Leaf:
+    """Change every stroke of a sheet; one changed into None is left out."""
+    return replace(leaf, groups=tuple(group for g in leaf.groups if isinstance(group := _walked(g, change), Group)))
+
+
+def _walked(stroke: Stroke, change: Change) -> Stroke | None:
+    found = change(stroke)
+    if isinstance(found, Group):
+        kept = tuple(inner for s in found.strokes if (inner := _walked(s, change)) is not None)
+        return replace(found, strokes=kept) if kept else None
+    return found
+
+
+def marked(name: str, plan: str = "", kind: str = "") -> Callable[[Stroke], bool]:
+    """Tell of a stroke whether it is a mark of a name on a plan, of a kind or of any."""
+
+    def is_it(stroke: Stroke) -> bool:
+        data = stroke.data if isinstance(stroke, Group) else {}
+        own = data.get("name") == name and data.get("plan", "") == plan
+        return own and kind in ("", data.get("kind"))
+
+    return is_it
+
+
+def dropped(name: str, plan: str, kind: str = "") -> Change:
+    """Leave a mark out."""
+    is_it = marked(name, plan, kind)
+    return lambda stroke: None if is_it(stroke) else stroke
+
+
+def stretched(name: str, plan: str, by: complex = 1.01) -> Change:
+    """Draw a vector otherwise than it is, 1 % too long, and state it so: measuring alone cannot see it."""
+    is_it = marked(name, plan, "vector")
+
+    def change(stroke: Stroke) -> Stroke:
+        if isinstance(stroke, Group) and is_it(stroke):
+            line = stroke.strokes[0]
+            assert isinstance(line, Line)
+            x, y = (float(part) for part in stroke.data["value"].split())
+            longer = replace(line, end=line.start + by * (line.end - line.start))
+            return replace(stroke, strokes=(longer,), data={**stroke.data, "value": stated(by * complex(x, y))})
+        return stroke
+
+    return change
+
+
+def turned(name: str, plan: str) -> Change:
+    """Draw a vector the wrong way round, and state it so: measuring alone cannot see it."""
+
+    is_it = marked(name, plan)
+
+    def change(stroke: Stroke) -> Stroke:
+        if not isinstance(stroke, Group) or not is_it(stroke):
+            return stroke
+        line, *rest = stroke.strokes
+        assert isinstance(line, Line)
+        x, y = (float(part) for part in stroke.data["value"].split())
+        data = {**stroke.data, "value": stated(-complex(x, y))}
+        return replace(stroke, strokes=(replace(line, start=line.end, end=line.start), *rest), data=data)
+
+    return change
+
+
+def shifted(name: str, plan: str, by: complex) -> Change:
+    """Draw a mark some millimetres aside, and state it so."""
+
+    is_it = marked(name, plan)
+
+    def change(stroke: Stroke) -> Stroke:
+        if not isinstance(stroke, Group) or not is_it(stroke):
+            return stroke
+        first, *rest = stroke.strokes
+        scale = float(stroke.data["scale"])
+        x, y = (float(part) for part in stroke.data["value"].split())
+        data = {**stroke.data, "value": stated(complex(x, y) + by * scale)}
+        moved = (
+            replace(first, end=first.end + by)
+            if isinstance(first, Line)
+            else replace(first, centre=first.centre + by)
+            if isinstance(first, Circle)
+            else first
+        )
+        return replace(stroke, strokes=(moved, *rest), data=data)
+
+    return change
+
+
+def rewritten(old: str, new: str) -> Change:
+    """Write another text for one, known by its markup or as it is read."""
+    return lambda s: replace(s, content=new) if isinstance(s, Text) and old in (s.content, s.plain) else s
+
+
+def reworded(old: str, new: str) -> Change:
+    """Write a part of a text otherwise, of one that is read so."""
+    return lambda s: replace(s, content=s.content.replace(old, new)) if isinstance(s, Text) and s.plain == old else s
+
+
+def note(old: str, new: str) -> Change:
+    """Write a part of the notes otherwise."""
+
+    def change(stroke: Stroke) -> Stroke:
+        if not isinstance(stroke, Group) or stroke.name != "notes":
+            return stroke
+        told = (one for one in stroke.strokes if isinstance(one, Text) and isinstance(one.content, str))
+        return replace(stroke, strokes=tuple(replace(one, content=one.content.replace(old, new)) for one in told))
+
+    return change
+
+
+def without(name: str) -> Change:
+    """Leave a figure out."""
+    return lambda stroke: None if isinstance(stroke, Group) and stroke.name == name else stroke
+
+
+def row_dropped(name: str) -> Change:
+    """Leave the row of a table out, by its first cell."""
+
+    def change(stroke: Stroke) -> Stroke:
+        told = [one for one in stroke.strokes if isinstance(one, Text)] if isinstance(stroke, Group) else []
+        rows = {one.at.imag for one in told if one.content == name and one.anchor == "start"}
+        if not rows or not isinstance(stroke, Group):
+            return stroke
+        kept = tuple(one for one in stroke.strokes if not (isinstance(one, Text) and one.at.imag in rows))
+        return replace(stroke, strokes=kept)
+
+    return change

@@ -1,0 +1,45 @@
+"""The bench of chord integration: its orders, its rows and words. No test asks how long anything takes."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from geometry.meet import EPS
+from geometry.strips import middles
+from plans.bench import calculus
+from plans.bench.calculus import CONSTANT, COUNTS, DIAGRAMS, INSIDE, NOT_SO, ON_EDGES, SMOOTH, order, rows
+
+BY_NAME = {one.name: one for one in DIAGRAMS}
+
+
+@pytest.mark.parametrize(("name", "known"), [(SMOOTH, 2.0), (ON_EDGES, 2.0), (INSIDE, 1.0)])
+def test_chords_are_of_the_order_that_is_known_of_them(name: str, known: float) -> None:
+    errors = [BY_NAME[name].error(count) for count in COUNTS]
+    assert order(errors) == pytest.approx(known, abs=0.1)
+
+
+def test_a_constant_load_with_its_jumps_on_edges_is_exact() -> None:
+    """Beside the sum's roundings those of the edges, of a whole turn, in shares of the stroke's angle."""
+    for count in COUNTS:
+        assert BY_NAME[CONSTANT].error(count) <= (count + 16) * EPS
+
+
+@pytest.mark.parametrize("name", list(BY_NAME))
+def test_the_integral_in_closed_form_is_that_of_the_diagram(name: str) -> None:
+    """By a fine sum of rectangles, which shares nothing with the construction."""
+    diagram = BY_NAME[name]
+    edges = np.linspace(0, diagram.end, 100_001)
+    areas = np.cumsum(diagram.ordinate(middles(edges)) * np.diff(edges))
+    assert np.abs(diagram.whole(edges[1:]) - areas).max() <= 1e-4 * np.abs(areas).max()
+    assert diagram.whole(np.zeros(1)) == 0
+
+
+def test_a_row_stands_for_every_diagram_and_number_of_strips() -> None:
+    found, words = rows(1, 0.0, (12, 48))
+    assert [(row.technique, row.positions) for row in found] == [(name, n) for name in BY_NAME for n in (12, 48)]
+    assert all(row.times and row.error is not None for row in found)
+    assert {row.note for row in found if row.technique == INSIDE} == {NOT_SO}
+    assert words[0] == calculus.DEFINED
+    assert "order 2.0" in next(word for word in words if SMOOTH in word)
+    assert "exact" in next(word for word in words if CONSTANT in word)
