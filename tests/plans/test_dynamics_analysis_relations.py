@@ -18,7 +18,7 @@ from plans.analytic.dynamics.speeds import Stall, Swing, steady, with_flywheel, 
 from plans.analytic.dynamics.wave import wave
 from plans.analytic.power import balancing_moment
 from plans.model.dynamics import Cycle, Rim, Shaft, Task
-from plans.model.machine import ALWAYS, IDLE, Body, Force, Machine, Moment
+from plans.model.machine import ALWAYS, IDLE, Body, Force, Machine, Moment, Track
 from plans.model.motion import Floats
 from tests.parts import examples
 from tests.plans import linkages
@@ -139,7 +139,7 @@ def test_any_fluctuation(delta: float) -> None:
     assert swing.speeds(edges(planer())).delta == pytest.approx(delta, rel=1e-10)
 
 
-def test_constant_moment_integrates_exactly_on_strips() -> None:
+def test_work_against_a_constant_force_is_force_times_way() -> None:
     """A scotch yoke without masses, against a constant force: the work is -F times the way."""
     yoke = Steady(
         linkages.scotch_yoke(0.1, omega=1.0, epsilon=0.0), machine(Force("F", 3, "D", 0j, 500.0, None), bodies={})
@@ -210,6 +210,7 @@ def test_constant_inertia_needs_the_range_of_energy_alone() -> None:
     found = worked_with({1: Body(1, 3.0, 0.5, 0j)}, OUTWARD)
     its = flywheel(found, TASK)
     height = its.touches[1].surplus - its.touches[0].surplus
+    assert height > 0
     assert its.whole == pytest.approx(height / (SPEED**2 * DELTA), rel=1e-12)
 
 
@@ -233,7 +234,10 @@ def test_a_machine_that_would_stop_is_told_where() -> None:
     assert isinstance(stall, Stall)
     assert np.degrees(stall.turned) == pytest.approx(150.3837539, abs=5e-8)
     assert stall.mean > SPEED
-    assert isinstance(steady(planer(), planer().own, stall.mean * 1.01), Swing)
+    barely = steady(planer(), planer().own, stall.mean * 1.01)
+    assert isinstance(barely, Swing)
+    low, high = barely.extremes()[1]
+    assert low < 0.02 * high
     assert isinstance(steady(planer(), planer().own, stall.mean * 0.99), Stall)
 
 
@@ -254,7 +258,7 @@ def test_a_load_that_drives_is_braked() -> None:
 
 def test_a_moment_that_jumps_at_a_dead_centre() -> None:
     """A moment on the crank that acts on the idle stroke alone jumps right at both dead centres."""
-    found = worked(Moment("T", 1, -30.0, during=IDLE, stroke="B")).exact
+    found = worked(Moment("T", 1, -30.0, during=IDLE, stroke=Track("B"))).exact
     assert found.breaks == pytest.approx([0, pi], abs=1e-12)
     sides = [found.moment(np.array([pi]), side)[0] for side in (-1, 1)]
     assert sides == [pytest.approx(0, abs=1e-12), pytest.approx(-30, rel=1e-13)]

@@ -55,6 +55,13 @@ class Pieces:
         """Give the quantity at angles turned rad, (N,); at an edge by the piece beyond it, or before it if side < 0."""
         return self._sum(self.coefficients, turned, side)
 
+    @property
+    def slope(self) -> Pieces:
+        """Its derivative by the angle turned."""
+        wide = np.diff(self.edges)[:, None]
+        fitted = chebyshev.chebder(self.coefficients, axis=1) * 2.0 / wide
+        return Pieces(self.edges, fitted, self.coefficients, self.error, self.settled)
+
     def since(self, turned: Floats) -> Floats:
         """Give its integral from 0."""
         return self._sum(self.integrals, turned, 1)
