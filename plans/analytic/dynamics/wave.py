@@ -35,6 +35,11 @@ class Wave:
         """Give the quantity at angles turned rad, (N,); both sides are alike."""
         return self.mean + _sum(self.harmonics, turned)
 
+    @property
+    def slope(self) -> Wave:
+        """Its derivative by the angle turned."""
+        return Wave(0.0, 1j * np.arange(1, len(self.harmonics) + 1) * self.harmonics, self.error)
+
     def since(self, turned: Floats) -> Floats:
         """Give its integral from 0."""
         orders = np.arange(1, len(self.harmonics) + 1)
