@@ -151,7 +151,7 @@ class _Graph:
         return self.slack / self.mu + KNOWN * TURN / self.length + self.measured.quantum
 
     def _curve(self) -> Iterator[Wrong]:
-        """See that a point stands at each edge, on both sides of a jump, and that curves and lines go through theirs."""
+        """See that a point stands at each edge, on both sides of a jump, and that curves go through theirs."""
         turned, places = self.expected.cycle.turned, np.array(list(_vertices(self.group)))
         dots = np.array([one.centre for one in walk((self.group,)) if isinstance(one, Circle)])
         rows = [self.values, self.expected.before] if self.name == MOMENTS else [self.values]

@@ -6,8 +6,10 @@ each side of a jump counts on its own.
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.polynomial import chebyshev
@@ -61,6 +63,23 @@ class Pieces:
         wide = np.diff(self.edges)[:, None]
         fitted = chebyshev.chebder(self.coefficients, axis=1) * 2.0 / wide
         return Pieces(self.edges, fitted, self.coefficients, self.error, self.settled)
+
+    @cached_property
+    def one(self) -> Callable[[float], float]:
+        """The quantity at one angle turned rad, of any turn: for a solver that asks for one at a time (Clenshaw)."""
+        edges: list[float] = self.edges.tolist()
+        sums: list[list[float]] = self.coefficients[:, ::-1].tolist()
+
+        def value(turned: float) -> float:
+            turned %= edges[-1]
+            k = min(bisect_right(edges, turned) - 1, len(sums) - 1)
+            place = ((turned - edges[k]) - (edges[k + 1] - turned)) / (edges[k + 1] - edges[k])
+            later = after = 0.0
+            for coefficient in sums[k]:
+                after, later = later, coefficient + 2.0 * place * later - after
+            return later - place * after
+
+        return value
 
     def since(self, turned: Floats) -> Floats:
         """Give its integral from 0."""
