@@ -31,7 +31,9 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
     own, comparison = study["dynamics"], study.comparison("dynamics")
     loads = tuple(courses(own.statics.machine, own.statics.strokes))
     notes = notes_of(study)
-    machine = Machine(own.task, comparison.construction, comparison.exact, comparison.methods, loads, notes.rim, notes.all)
+    machine = Machine(
+        own.task, comparison.construction, comparison.exact, comparison.methods, loads, notes.rim, notes.all
+    )
     return sheets(study.scene, machine)
 
 
