@@ -35,6 +35,7 @@ SHARED = (
     "plans.model.mechanism",
     "plans.model.motion",
     "plans.model.order",
+    "plans.model.rates",
     "plans.model.machine",
     "plans.model.kinetostatics",
     "plans.model.losses",

@@ -12,11 +12,13 @@ from drawings.lettering.words import number, runs
 from drawings.report.chapters import Chapters
 from drawings.report.gap_lines import gap_line, gap_lines
 from drawings.report.markdown import chapter, header, row
+from drawings.report.stroke_lines import stroke_line
 from plans.checks.force_comparison import ForceComparison
 from plans.forces.statics import Statics
+from plans.forces.stroke import asks
 from plans.model.kinetostatics import FORCES, Kinetostatics
 from plans.model.losses import Friction
-from plans.model.machine import Machine
+from plans.model.machine import Force, Machine, Moment
 from plans.study import Study
 from plans.words.words import Message, message, word
 
@@ -60,6 +62,7 @@ def forces(comparison: ForceComparison, statics: Statics, language: str) -> Iter
     """Tell what acts, every reaction by construction, and what friction takes."""
     found = comparison.construction
     yield from _bodies(statics.machine, language)
+    yield from _strokes(statics, language)
     yield from _reactions(found, language)
     yield from (gap_line("report.force_gap", gap, language) for gap in found.gaps if gap.plan == FORCES)
     if statics.friction is not None:
@@ -83,6 +86,16 @@ def _bodies(machine: Machine, language: str) -> Iterator[str]:
     for spring in machine.springs:
         ends = {"start": spring.points[0], "end": spring.points[1]}
         yield say("report.spring", name=spring.name, **ends, stiffness=write(spring.stiffness))
+
+
+def _strokes(statics: Statics, language: str) -> Iterator[str]:
+    """Tell the strokes over which loads change, each with the loads that count it."""
+    every: tuple[Force | Moment, ...] = (*statics.machine.forces, *statics.machine.moments)
+    loads = [load for load in every if asks(load)]
+    for track, stroke in statics.strokes.items():
+        names = ", ".join(load.name for load in loads if load.stroke == track)
+        line = stroke_line(statics.study.mechanism, stroke.output, stroke.reach, stroke.angles, language)
+        yield word(language, "report.counted", names=names, line=line.removeprefix("- "))
 
 
 def _reactions(found: Kinetostatics, language: str) -> Iterator[str]:

@@ -15,6 +15,7 @@ from drawings.paper.limits import MANY
 from drawings.report.chapters import Chapters
 from drawings.report.gap_lines import gap_line, gap_lines, positions
 from drawings.report.markdown import chapter, header, heading, row
+from drawings.report.stroke_lines import stroke_line
 from plans.checks.compare import NOT_GRADED, MotionComparison, notches
 from plans.checks.comparison import Finding
 from plans.linkage.barrier import Barrier
@@ -117,11 +118,17 @@ def _travel(study: LinkageStudy, found: ExtremePositions) -> Iterator[str]:
     yield (
         say("report.stroke", stroke=stroke) if extremes.sliding else say("report.swing", stroke=stroke, degrees=degrees)
     )
+    if study.scene.has(("output", "working")):
+        yield stroke_line(study.mechanism, study.output, extremes.reach, extremes.angles, study.language)
     if len(found.rests) > 2:
         yield say("report.reversals", count=len(found.rests), angles=_angles(found.rests, 6, study.language))
     else:
         ratio = number(extremes.ratio, study.language, 10)
-        yield say("report.ratio", overlap=_degrees(extremes.overlap, 8, study.language), ratio=ratio)
+        yield say(
+            "report.ratio_faster" if extremes.faster else "report.ratio",
+            overlap=_degrees(extremes.overlap, 8, study.language),
+            ratio=ratio,
+        )
 
 
 def _pressure(study: LinkageStudy) -> Iterator[str]:

@@ -67,10 +67,8 @@ def _travel(study: LinkageStudy, language: str) -> str:
     found = study.travel
     assert found is not None  # asked only where there are extremes
     extremes = found.extremes
-    overlap = word(
-        language, "overlap", overlap=fixed(float(np.degrees(extremes.overlap)), language),
-        ratio=fixed(extremes.ratio, language, 3),
-    )  # fmt: skip
+    key, theta = "overlap faster" if extremes.faster else "overlap", float(np.degrees(extremes.overlap))
+    overlap = word(language, key, overlap=fixed(theta, language), ratio=fixed(extremes.ratio, language, 3))
     if len(found.rests) > 2:  # a stroke between two reversals of several has no time ratio
         overlap = word(language, "reversals", count=len(found.rests))
     if extremes.sliding:

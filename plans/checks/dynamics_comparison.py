@@ -166,8 +166,7 @@ class _Chords:
     def findings(self) -> Iterator[Finding]:
         """Compare all that is drawn over the turn."""
         ours, theirs = self.ours, self.theirs
-        if ours.breaks.size or self.turn.breaks.size:
-            yield self._breaks()
+        yield self._breaks()
         yield _finding(WORKS, "M_red", "N*m", (ours.means, theirs.means), self.mean)
         yield _finding(WORKS, "J_red", "kg*m2", (ours.inertia, theirs.inertia), self.mass)
         yield _finding(WORKS, "A", "J", (ours.work, theirs.work), self.work)
@@ -184,8 +183,8 @@ class _Chords:
         return np.asarray(self.work + self.work[-1] + 4 * EPS * _largest(self.ours.work))
 
     def _breaks(self) -> Finding:
-        """Compare where the moment jumps or bends, of each road the nearest of the other."""
-        ours, theirs = self.ours.breaks, self.turn.breaks
+        """Compare where the moment jumps or bends, of each road the nearest of the other; position 0 is always one."""
+        ours, theirs = (np.append(0.0, road.breaks) for road in (self.ours, self.turn))
         pairs = [(one, _nearest(one, theirs)) for one in ours] + [(_nearest(one, ours), one) for one in theirs]
         both = np.array(pairs, dtype=np.float64).reshape(-1, 2).T
         return _finding(WORKS, "φ", "rad", (both[0], both[1]), np.full(both.shape[1], SAME), 2 * np.pi)
@@ -257,9 +256,7 @@ class _Chords:
 
 
 def _nearest(one: float, places: Floats) -> float:
-    """Give the nearest of some angles of a turn, on the same side of its end; infinity where there are none."""
-    if not places.size:
-        return np.inf
+    """Give the nearest of some angles of a turn, on the same side of its end."""
     apart = np.angle(np.exp(1j * (places - one)))
     return float(one + apart[np.argmin(np.abs(apart))])
 

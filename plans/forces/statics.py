@@ -192,7 +192,7 @@ class Statics:
         """Give the forces over a whole turn from the first position on, in even steps; NaN where there are none."""
         study = self.study
         phi = study.turn.phi[0] + study.sense * 2 * np.pi * np.arange(steps + 1) / steps
-        drafts = Drafts(study, at_angles(phi))
+        drafts = Drafts(study, at_angles(phi).paced(study.pace))
         found, none = ForceDrafts(self, drafts).read()
         return without(found, none | drafts.lost)
 
@@ -233,7 +233,7 @@ class Statics:
 
         study, motion = self.study, self.study.motion(2)
         loads = self.loading(motion)
-        return friction(study.mechanism, study.groups, self.machine, motion, loads, self.forces)
+        return friction(study.mechanism, study.groups, self.machine, motion, loads, self.forces, study.turn.times)
 
     def _reason(self, position: int) -> str:
         """Say why a position that has velocities has no forces."""

@@ -35,6 +35,17 @@ class Stroke(NamedTuple):
     parting: Parting | None = None  # from what the point is away
 
     @property
+    def angles(self) -> tuple[float, float]:
+        """The crank's angles rad over the working and over the idle stroke."""
+        work = float(np.mod(self.sense * (self.end - self.begin), TURN))
+        return work, TURN - work
+
+    @property
+    def output(self) -> Output:
+        """What has the stroke."""
+        return Output(self.link, self.point or None, parting=self.parting)
+
+    @property
     def sliding(self) -> bool:
         """Whether the output slides, on the frame or away from another point."""
         return self.way is not None or self.parting is not None
