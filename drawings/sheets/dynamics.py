@@ -19,7 +19,8 @@ from drawings.page.page import Page, page_of
 from drawings.paper.strokes import Leaf
 from drawings.report.dynamics_report import notes_of
 from drawings.sheets.leaves import Caption, Draft, Exhibit, lay_out
-from plans.model.dynamics import Account, Task
+from plans.model.account import Account
+from plans.model.dynamics import Task
 from plans.model.flywheel_methods import Methods
 from plans.model.flywheel_rim import Wheel
 from plans.scene.scene import Scene

@@ -11,7 +11,8 @@ from drawings.layout.table import RuledTable, TableRow, table
 from drawings.layout.value_table import COLUMNS
 from drawings.lettering.words import fixed
 from drawings.page.drafting import Drafting
-from plans.model.dynamics import Account, Task
+from plans.model.account import Account
+from plans.model.dynamics import Task
 from plans.model.flywheel_methods import Methods
 
 RESULTS, POSITIONS = "results", "positions"

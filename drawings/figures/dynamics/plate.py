@@ -20,7 +20,8 @@ from drawings.layout.picture import Margins, Picture
 from drawings.page.drafting import Drafting
 from drawings.page.scale import Scale
 from drawings.paper.hand import Hand
-from plans.model.dynamics import TURN, Account, Cycle, Task
+from plans.model.account import Account
+from plans.model.dynamics import TURN, Cycle, Task
 
 MOMENTS, WORKS, SURPLUS, SPEEDS = 0.30, 0.40, 0.76, 0.34  # heights of the rows, in lengths of the axis of angles
 WIDE = 0.86  # width of the loop, likewise
