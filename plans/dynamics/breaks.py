@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from plans.dynamics.reduction import Reduction
-from plans.forces.stroke import Stroke, asks
+from plans.forces.stroke import ROUNDING, Stroke, asks
 from plans.linkage.assembly_limits import FAN, LOOKS, NODES, at_angles
 from plans.model.dynamics import TURN
 from plans.model.machine import ALWAYS, WORKING, Force, Moment
@@ -32,12 +32,17 @@ class Level(NamedTuple):
     height: Height
     stroke: Stroke | None = None
     during: str = ALWAYS
+    point: str = ""  # that must be at rest there, and not only go square to the way that it had before
 
-    def counts(self, phi: Floats) -> npt.NDArray[np.bool_]:
-        """Tell at which crank angles, rad, the load changes: not on the stroke on which it rests."""
-        if self.stroke is None or self.during == ALWAYS:
-            return np.ones(len(phi), dtype=bool)
-        return np.asarray(self.stroke.working(phi) == (self.during == WORKING))
+    def counts(self, motion: Motion) -> npt.NDArray[np.bool_]:
+        """Tell at which positions of a motion the load changes: not on the stroke on which it rests."""
+        found = np.ones(len(motion.phi), dtype=bool)
+        if self.stroke is not None and self.during != ALWAYS:
+            found &= self.stroke.working(motion.phi) == (self.during == WORKING)
+        if self.point:
+            fastest = max(float(np.nanmax(np.abs(one.v), initial=0.0)) for one in motion.points.values())
+            found &= np.abs(motion.points[self.point].v) <= ROUNDING * fastest
+        return found
 
 
 def breaks(reduction: Reduction) -> Floats:
@@ -101,7 +106,7 @@ def _moving(reduction: Reduction, point: str) -> Iterator[Level]:
     with np.errstate(invalid="ignore"):
         turns = np.flatnonzero((speed.conj() * np.roll(speed, -1)).real < 0)
     for way in {complex(np.round(speed[k] / np.abs(speed[k]), 6)) for k in turns}:
-        yield Level(_along(point, way))
+        yield Level(_along(point, way), point=point)
 
 
 def _along(point: str, way: complex) -> Height:
@@ -127,7 +132,7 @@ def _zeros(reduction: Reduction, level: Level) -> Floats:
     for _ in range(LOOKS if low.size else 0):
         low, high = _closer(reduction, level, low, high)
     found = np.asarray((low + high) / 2)
-    return found[level.counts(reduction.start + reduction.study.sense * found)]
+    return found[level.counts(_motion(reduction, found))]
 
 
 def _closer(reduction: Reduction, level: Level, low: Floats, high: Floats) -> tuple[Floats, Floats]:

@@ -22,7 +22,8 @@ from drawings.layout.table import RuledTable, Setting
 from drawings.page.drafting import Drafting
 from drawings.page.scale import Scale
 from drawings.paper.hand import Hand
-from plans.model.dynamics import TURN, Account, Cycle, Task
+from plans.model.account import Account
+from plans.model.dynamics import TURN, Cycle, Task
 
 MOMENTS, WORKS, SURPLUS, SPEEDS = 0.30, 0.40, 0.76, 0.36  # heights of the rows, in lengths of the axis of angles
 WIDE = 0.86  # width of the loop, likewise
@@ -30,7 +31,7 @@ LONG = 24.0  # sizes of a letter that the axis of angles has at least: its posit
 LEFT, MIDDLE, RIGHT = 10.0, 8.0, 5.4  # paper beside the graphs, between them and the loop, beside it, likewise
 GRAPHED, LOOPED = ("reduced moments", "works", "surplus energy"), ("reduced inertia", "loop")  # titles
 TITLE = 4.5  # sizes of a letter from the axis of the loop to its title at least: the axis has a letter itself
-GRAPHS, ENERGY = "diagrams", "energy-mass"  # names of the plates
+WHOLE, GRAPHS, ENERGY = "machine", "diagrams", "energy-mass"  # names of the plates
 
 
 class Row(NamedTuple):

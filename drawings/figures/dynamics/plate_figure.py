@@ -23,6 +23,7 @@ from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.trimming import trim
 
 DIGITS = 5
+TOLD = "told"  # the name of what is told under the loop
 CLEAR = 1.5  # mm around a caption
 
 
@@ -73,7 +74,7 @@ class _Drawing:
             corner -= 1j * equations.height(plate.drafting)
         if plate.told is not None:
             table, setting = plate.told
-            yield Part(f"{table.name}-table", tuple(table.draw(corner, setting, plate.drafting)), ())
+            yield Part(TOLD, tuple(table.draw(corner, setting, plate.drafting)), ())
 
     def _graphs(self) -> Iterator[Part]:
         """Draw the graphs over the angle."""
