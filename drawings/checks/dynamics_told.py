@@ -56,7 +56,7 @@ def equations(leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wr
 
 def positions(leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:
     """Read the table of the edges back: each row that must be there, each cell to its last digit."""
-    table = dynamics_table.positions(expected.task, expected.account, precise(drafting))
+    table = dynamics_table.positions(expected.task, expected.account, precise(drafting), leaf.metadata["positions"])
     yield from _table(leaf, table, dynamics_table.DIGITS)
 
 
