@@ -18,7 +18,7 @@ from plans.forces.statics import Statics
 from plans.forces.stroke import asks
 from plans.model.kinetostatics import FORCES, Kinetostatics
 from plans.model.losses import Friction
-from plans.model.machine import Force, Machine, Moment
+from plans.model.machine import BACKWARD, FORWARD, IDLE, WORKING, Machine
 from plans.study import Study
 from plans.words.words import Message, message, word
 
@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
 
 DIGITS = 10
+WAYS = {WORKING: FORWARD, IDLE: BACKWARD}  # what lets a load of a stroke act on its reversals too
 
 
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
@@ -42,8 +43,8 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
 
 
 def headline(study: Study) -> str:
-    """Say nothing more on the screen than the motion does."""
-    return ""
+    """Say of loads of one stroke alone that their output reverses within it."""
+    return "\n".join(_reversals(study["forces"], study.scene.sheet.language))
 
 
 def remarks(study: Study) -> list[Message]:
@@ -90,12 +91,22 @@ def _bodies(machine: Machine, language: str) -> Iterator[str]:
 
 def _strokes(statics: Statics, language: str) -> Iterator[str]:
     """Tell the strokes over which loads change, each with the loads that count it."""
-    every: tuple[Force | Moment, ...] = (*statics.machine.forces, *statics.machine.moments)
-    loads = [load for load in every if asks(load)]
+    loads = [load for load in statics.machine.loads if asks(load)]
     for track, stroke in statics.strokes.items():
         names = ", ".join(load.name for load in loads if load.stroke == track)
         line = stroke_line(statics.study.mechanism, stroke.output, stroke.reach, stroke.angles, language)
         yield word(language, "report.counted", names=names, line=line.removeprefix("- "))
+    yield from (f"- {line}" for line in _reversals(statics, language))
+
+
+def _reversals(statics: Statics, language: str) -> Iterator[str]:
+    for load, rests in statics.reversals():
+        parts = {"name": load.name, "during": load.during, "way": WAYS[load.during], "count": len(rests)}
+        yield word(language, "verdict.reverses", **parts, angles=", ".join(_angles(rests, language)))
+
+
+def _angles(angles: Sequence[float], language: str) -> Iterator[str]:
+    return (f"{number(float(np.degrees(angle)), language)}°" for angle in angles)
 
 
 def _reactions(found: Kinetostatics, language: str) -> Iterator[str]:

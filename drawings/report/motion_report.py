@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from drawings.lettering.words import decimal, number
+from drawings.lettering.words import decimal, number, span
 from drawings.paper.limits import MANY
 from drawings.report.chapters import Chapters
 from drawings.report.gap_lines import gap_line, gap_lines, positions
@@ -94,8 +94,7 @@ def _structure(study: LinkageStudy) -> Iterator[str]:
     yield say("report.formula", formula=formula(mechanism, study.groups), klass=mechanism_class(study.groups))
     for group, side in zip(study.groups, study.sweep.sides, strict=True):
         yield say("report.group", group=group.label, joints=group.kind, side=f"{side:+.0f}")
-    rates = {"omega": mechanism.drive.omega, "epsilon": mechanism.drive.epsilon}
-    told = {name: number(rate, study.language) for name, rate in rates.items()}
+    told = {name: span(np.ravel(rate), study.language) for name, rate in study.rates._asdict().items()}
     yield say("report.drive", link=mechanism.drive.link, **told)
 
 

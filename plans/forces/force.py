@@ -60,9 +60,9 @@ class ForcePlan:
     def _turning(self, body: Body) -> Iterator[Couple]:
         """Give a link its inertia couple, against its angular acceleration (M5.1)."""
         reading = self.accelerations.readings.get(body.link)
-        if reading is None or not body.inertia:
-            return
-        if body.link != self.mechanism.drive.link or np.any(reading.turning.step.size):  # not a crank that turns evenly
+        turning = None if reading is None else reading.turning.step.size  # of the crank: i epsilon, or a row of them
+        still = body.link == self.mechanism.drive.link and not np.any(turning)
+        if body.inertia and reading is not None and not still:
             name, why = f"M^Φ_{body.link}", because("inertia_moment")
             yield Couple(name, body.link, self.board.couple(name, *reading, -body.inertia, why), INERTIA)
 

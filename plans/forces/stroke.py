@@ -103,10 +103,9 @@ def strokes(
 ) -> dict[Track, Stroke]:
     """Find the strokes that loads ask for; `extremes` is that of either road."""
     found: dict[Track, Stroke] = {}
-    loads: tuple[Force | Moment, ...] = (*machine.forces, *machine.moments)
-    for load in loads:
+    for load in machine.loads:
         if asks(load) and load.stroke not in found:
-            shown = output if load.stroke == OUTPUT else _shown(mechanism, load)
+            shown = counted(mechanism, load, output)
             reached = extremes(shown) if shown else None
             if shown is None or reached is None or not (reached.sliding or reached.stroke < TURN):
                 raise NoStroke(load.name, _thing(load.stroke, output))
@@ -114,9 +113,11 @@ def strokes(
     return found
 
 
-def _shown(mechanism: Mechanism, load: Force | Moment) -> Output | None:
-    """Give the output whose stroke a load counts, where it is not that of the mechanism."""
+def counted(mechanism: Mechanism, load: Force | Moment, output: Output) -> Output | None:
+    """Give the output whose stroke a load counts; None where its point has none."""
     track = load.stroke
+    if track == OUTPUT:
+        return output
     if track.parting is not None:
         return Output(load.link, track.point, track.working, track.parting)
     shown = output_at(mechanism, track.point)

@@ -26,7 +26,7 @@ from plans.model.group import Group
 from plans.model.mechanism import Mechanism, Output, StructureError
 from plans.model.motion import Floats, Gap, Motion
 from plans.model.order import PLANS, numbers_of
-from plans.model.rates import Pace
+from plans.model.rates import Pace, Rates, rates_at, steady
 from plans.model.structure import decompose
 from plans.model.working import NoWorkingStroke
 from plans.scene.scene import Scene
@@ -102,6 +102,11 @@ class LinkageStudy:
     def sense(self) -> int:
         """Sense of rotation: +1 counter-clockwise, -1 clockwise."""
         return -1 if self.mechanism.drive.omega < 0 else 1
+
+    @property
+    def rates(self) -> Rates:
+        """The rates of the drive, steady or over the positions."""
+        return steady(self.mechanism.drive) if self.pace is None else rates_at(self.pace, self.turn.phi)
 
     @cached_property
     def assembly(self) -> Assembly:

@@ -31,6 +31,11 @@ class Rates(NamedTuple):
         """Give them so that they multiply rows (N, ...) with so many further axes."""
         return Rates(*(np.reshape(rate, (-1, *[1] * axes)) for rate in self)) if self.vary else self
 
+    def at(self, position: int) -> tuple[float, float]:
+        """Give omega and epsilon in one position."""
+        omega, epsilon = (np.ravel(rate)[position if self.vary else 0] for rate in self)
+        return float(omega), float(epsilon)
+
     @property
     def times(self) -> Floats | float:
         """The time between two even positions about each, in that about the first: what a mean over time weighs by."""

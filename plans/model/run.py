@@ -7,7 +7,6 @@ turned, rad from 0 at the position in which it starts. A moment that hinders the
 from __future__ import annotations
 
 import math
-from bisect import bisect_right
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias
@@ -49,12 +48,10 @@ class ReducedLink:
         >>> ReducedLink(abs, abs, breaks=(1.0, 2.0)).following(2.0) == 1.0 + TURN
         True
         """
-        if not self.breaks:
-            return None
-        whole = turned // TURN
-        k = bisect_right([whole * TURN + place for place in self.breaks], turned)
-        turn, k = (whole, k) if k < len(self.breaks) else (whole + 1, 0)
-        return turn * TURN + self.breaks[k]
+        first, past = turned // TURN, beyond(turned)
+        # Whole turns are rounded: the break that is looked for may be in the turn after next.
+        places = ((first + turn) * TURN + place for turn in range(3) for place in self.breaks)
+        return next((place for place in places if place > past), None)
 
 
 class RunTask(NamedTuple):

@@ -75,3 +75,16 @@ def test_the_way_of_a_stroke_in_words(text: str, named: tuple[str, ...]) -> None
     study = LinkageStudy(parse_scene(text))
     low, high = (0.5, 0.3) if "AB" in text and "CB" not in text else (2.5, 1.5)
     assert ways(study.mechanism, study.output, low, high) == named
+
+
+def test_a_load_that_rests_on_a_reversal_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    said = "its point reverses 4 times in a turn, at 19.96°, 151.1°, 204.8°, 259.3°. If it should act"
+    english = ('language = "ru"', 'language = "en"')
+    report, _ = written(tmp_path, "press", english, ('during = "working direction"\n', ""))
+    out = capsys.readouterr().out
+    assert said in out
+    assert said in report
+    assert 'write during = "working direction"' in out
+    report, _ = written(tmp_path, "press", english)
+    assert said not in capsys.readouterr().out + report
+    assert "F_us at G of link 7, wherever it goes as on the working stroke" in report

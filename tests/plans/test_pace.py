@@ -8,6 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from drawings.sheets.force_notes import notes as force_notes
+from drawings.sheets.notes import notes as motion_notes
 from geometry.replay import exact
 from plans.checks.compare import compare
 from plans.checks.force_comparison import ForceComparison, compare_forces
@@ -19,6 +21,7 @@ from plans.model.motion import Floats, Motion
 from plans.model.rates import Pace, Rates
 from plans.scene.scene import parse_scene, read_scene
 from tests.gallery import GALLERY, LINKAGES
+from tests.plans.force_cases import finding
 from tests.plans.test_carrying import COUPLING_ROD
 from tests.rows import over
 
@@ -113,9 +116,15 @@ def test_both_roads_agree_in_the_forces_at_uneven_rates_and_the_energy_balance_w
     assert not np.allclose(moment, steady.construction.balancing.moment, rtol=1e-3, equal_nan=True)
 
 
+def test_the_energy_balance_has_the_omega_of_each_position() -> None:
+    comparison = forces(GALLERY / "slider-crank.toml", "uneven")
+    energy = finding(comparison, "M_bal energy").analysis
+    assert energy == pytest.approx(comparison.construction.balancing.moment, rel=1e-7, abs=1e-7)
+
+
 def test_the_piston_has_the_rates_of_the_hand_formula() -> None:
     one = study(GALLERY / "slider-crank.toml")
-    motion, phi = one.paced(uneven(one)).motion(), one.turn.phi
+    comparison, phi = compare(one.paced(uneven(one))), one.turn.phi
     r, rod, off = 0.045, 0.160, 0.010
     root = np.sqrt(rod**2 - (r * np.cos(phi) - off) ** 2)
     inner = (r * np.cos(phi) - off) * r * np.sin(phi)
@@ -123,9 +132,10 @@ def test_the_piston_has_the_rates_of_the_hand_formula() -> None:
     turned = r**2 * np.cos(2 * phi) - off * r * np.cos(phi)
     second = -r * np.sin(phi) + turned / root - inner**2 / root**3
     omega, epsilon = uneven(one)(phi)
-    assert motion.points["B"].v.imag == pytest.approx(omega * first, rel=1e-12, abs=1e-10)
-    wanted = omega**2 * second + epsilon * first
-    assert motion.points["B"].a.imag == pytest.approx(wanted, rel=1e-11, abs=1e-7)
+    for motion in (comparison.construction, comparison.analysis):
+        assert motion.points["B"].v.imag == pytest.approx(omega * first, rel=1e-12, abs=1e-10)
+        wanted = omega**2 * second + epsilon * first
+        assert motion.points["B"].a.imag == pytest.approx(wanted, rel=1e-11, abs=1e-7)
 
 
 def test_plans_of_some_positions_have_their_rates(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -188,3 +198,13 @@ def test_what_no_rate_enters_is_kept() -> None:
     assert paced.assembly is one.assembly and paced.extreme_positions is one.extreme_positions
     assert one.turn.rates is None and paced.turn.rates is not None
     assert one.motion().points["D"].v.tolist() != paced.motion().points["D"].v.tolist()
+
+
+def test_the_sheets_say_the_rates_of_all_positions_and_of_the_one_that_they_show() -> None:
+    def pace(phi: Floats) -> Rates:
+        return Rates(np.linspace(-9, -11, len(phi)), np.linspace(2, -3, len(phi)))
+
+    one = study(GALLERY / "slider-crank.toml").paced(pace)
+    assert "ω_1 = −11 … −9 rad/s, ε_1 = −3 … 2 rad/s²" in motion_notes(one, compare(one), "en")
+    assert force_notes(Statics(one), 11, "en")[0] == "ω_1 = −11 rad/s, ε_1 = −3 rad/s²"
+    assert force_notes(Statics(one), 0, "ru")[0] == "ω_1 = −9 рад/с, ε_1 = 2 рад/с²"

@@ -31,8 +31,16 @@ class Curve(Protocol):
     def error(self) -> float:
         """Share of the largest by which it may be off."""
 
+    @property
+    def one(self) -> Callable[[float], float]:
+        """The quantity at one angle turned rad, of any turn: for a solver that asks for one at a time."""
+
     def at(self, turned: Floats, side: int = 1, /) -> Floats:
         """Give it at angles turned rad, (N,): at a jump as it is beyond, or before it if side < 0."""
+
+    @property
+    def slope(self) -> Curve:
+        """Its derivative by the angle turned."""
 
     def since(self, turned: Floats) -> Floats:
         """Give its integral from 0."""

@@ -6,7 +6,10 @@ that the ordinates are too few to show.
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -34,6 +37,24 @@ class Wave:
     def at(self, turned: Floats, _side: int = 1) -> Floats:
         """Give the quantity at angles turned rad, (N,); both sides are alike."""
         return self.mean + _sum(self.harmonics, turned)
+
+    @property
+    def slope(self) -> Wave:
+        """Its derivative by the angle turned."""
+        return Wave(0.0, 1j * np.arange(1, len(self.harmonics) + 1) * self.harmonics, self.error)
+
+    @cached_property
+    def one(self) -> Callable[[float], float]:
+        """The quantity at one angle turned rad: for a solver that asks for one at a time (Horner's rule in e^(i q))."""
+        mean, harmonics = self.mean, self.harmonics[::-1].tolist()
+
+        def value(turned: float) -> float:
+            step, total = complex(math.cos(turned), math.sin(turned)), 0j
+            for harmonic in harmonics:
+                total = (total + harmonic) * step
+            return mean + 2.0 * total.real
+
+        return value
 
     def since(self, turned: Floats) -> Floats:
         """Give its integral from 0."""
