@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -165,9 +165,10 @@ class _Graph:
             spots = [self.on(angle, float(row[k])) for row in rows]
             if not all(has(dots, spot, self.near) and has(places, spot, self.near) for spot in spots):
                 yield on("edge", self.name, name=self.names[k])
+        chains = [one.points for one in walk((self.group,)) if isinstance(one, Polyline)]
         for start, end in self.expected.lines.get(self.name, ()):
             ends = self.on(0.0, start), self.on(TURN, end)
-            if not all(has(places, spot, self.near) for spot in ends):
+            if not any(straight(chain, ends, self.near) for chain in chains):
                 yield on("line", self.name)
 
 
@@ -182,6 +183,14 @@ def vertices(group: Group) -> Iterator[complex]:
 def has(places: np.ndarray[tuple[int, ...], np.dtype[np.complex128]], spot: complex, near: float) -> bool:
     """Tell whether one of some places is near a spot."""
     return bool(places.size) and bool(np.abs(places - spot).min() <= near)
+
+
+def straight(chain: Sequence[complex], ends: tuple[complex, complex], near: float) -> bool:
+    """Tell whether a chain of lines goes straight from one end to another."""
+    start, end = ends
+    along = (end - start) / abs(end - start)
+    apart = [abs(chain[0] - start), abs(chain[-1] - end), *(abs(((p - start) / along).imag) for p in chain)]
+    return max(apart) <= near
 
 
 def edge_names(expected: Expected) -> tuple[str, ...]:
