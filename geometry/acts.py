@@ -39,9 +39,9 @@ class Acts:
         other._done, other._turned, other._row = self._done.copy(), self._turned.copy(), []
         return other
 
-    def follow(self, free: Vectors) -> list[Any]:
-        """Give all numbers for another free one."""
-        return self._followed(self._numbers.copy(), {self.free: free})
+    def follow(self, free: Vectors, given: Mapping[Place, Any] | None = None) -> list[Any]:
+        """Give all numbers for another free one; `given` are the numbers that change besides."""
+        return self._followed(self._numbers.copy(), {self.free: free, **(given or {})})
 
     def follow_on(self, numbers: list[Any], given: Mapping[Place, Any]) -> list[Any]:
         """Give all numbers over those of the row below; `given` are the numbers that change besides."""

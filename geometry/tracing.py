@@ -35,6 +35,8 @@ class Trace(NamedTuple):
 class Tracing:
     """The acts behind some marks, in drafting order; `free` is the given mark that takes another value each time.
 
+    A vector that was turned by a row of numbers is turned by another row each time: see `sizes`.
+
     >>> board = Board("positions")
     >>> a, e = board.given("A", 1j), board.given("φ", 1 + 0j)
     >>> tracing = Tracing([a, e, board.lay_off("B", a, e)], e)
@@ -48,6 +50,7 @@ class Tracing:
         self._origin = self.acts.fix(0j)
         self._fields = [self.acts.fix(field) for field in range(len(Meeting._fields))]
         self._traces: dict[Mark, Trace] = {}
+        self.sizes: dict[Mark, Place] = {}  # where the numbers are by which a vector is turned, if they change
         self._meetings: list[Place] = []
         self._trace(marks, {free: self.acts.free})
 
@@ -66,9 +69,9 @@ class Tracing:
         other._trace((mark for mark in marks if mark not in self._traces), given)
         return other
 
-    def follow(self, free: Vectors) -> list[Any]:
-        """Give the numbers of all acts with another value of the free mark."""
-        return self.acts.follow(free)
+    def follow(self, free: Vectors, sizes: Mapping[Mark, Vectors] | None = None) -> list[Any]:
+        """Give the numbers of all acts with another value of the free mark, and other sizes of the marks that vary."""
+        return self.acts.follow(free, {self.sizes[mark]: size for mark, size in (sizes or {}).items()})
 
     def follow_on(self, numbers: list[Any], given: Mapping[Mark, Any]) -> list[Any]:
         """Give the numbers of all acts over those of the record below, with other values of the free marks."""
@@ -108,7 +111,10 @@ class Tracing:
         rays = zip((made[origin] for origin, _ in mark.rays), (numbers[place] for place in trace.rays), strict=True)
         return mark._replace(
             value=type(mark.value)(*value) if isinstance(mark.value, Line | Arc) else value[0],
-            step=mark.step._replace(inputs=tuple(made[source] for source in mark.step.inputs)),
+            step=mark.step._replace(
+                inputs=tuple(made[source] for source in mark.step.inputs),
+                size=numbers[self.sizes[mark]] if mark in self.sizes else mark.step.size,
+            ),
             rays=tuple(rays),
             meeting=None if trace.meeting is None else numbers[trace.meeting],
         )
@@ -141,6 +147,12 @@ class Tracing:
         if self.acts.is_origin(self.place(start)):
             return self.place(end)
         return self.acts.do(np.subtract, self.place(end), self.place(start))
+
+    def size(self, mark: Mark) -> Place:
+        """Tell where the number is by which a vector is turned."""
+        if not np.ndim(mark.step.size):
+            return self.acts.fix(mark.step.size)
+        return self.sizes.setdefault(mark, self.acts.vary())
 
     def locus(self, mark: Mark) -> tuple[Place, Place]:
         """Tell where the point of a line or an arc is, and its direction or radius."""
@@ -204,7 +216,7 @@ def _tangent(tracing: Tracing, mark: Mark) -> Trace:
 
 def _turned(tracing: Tracing, mark: Mark) -> Trace:
     (vector,) = mark.step.inputs
-    return Trace((tracing.acts.turn(tracing.place(vector), tracing.acts.fix(mark.step.size)),))
+    return Trace((tracing.acts.turn(tracing.place(vector), tracing.size(mark)),))
 
 
 def _transferred(tracing: Tracing, mark: Mark) -> Trace:

@@ -52,6 +52,16 @@ def number(value: float, language: str = "en", digits: int = 4) -> str:
     return decimal(sign + text, language)
 
 
+def span(values: Iterable[float], language: str = "en") -> str:
+    """Write the least and the greatest of some numbers, once where they are written alike.
+
+    >>> span([11.0, -9.0, 10.0]), span([5.0, 5.00001])
+    ('−9 … 11', '5')
+    """
+    row = sorted(values)
+    return " … ".join(dict.fromkeys(number(end, language) for end in (row[0], row[-1])))
+
+
 def decimal(text: str, language: str) -> str:
     """Give a number's text the decimal mark of a language.
 

@@ -9,7 +9,8 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.page.drafting import Drafting
-from plans.model.dynamics import TURN, Account, Cycle, Flywheel, Task
+from plans.model.account import Account
+from plans.model.dynamics import TURN, Cycle, Flywheel, Task
 from plans.model.flywheel_rim import Wheel
 
 RPM = 30 / math.pi  # of a rad/s
@@ -73,7 +74,7 @@ class DynamicsNotes(NamedTuple):
             return
         numbers = {"own": wheel.own, "present": wheel.present, "bare": wheel.own + wheel.present, "whole": wheel.whole}
         told = {name: self._number(value) for name, value in numbers.items()}
-        key = "flywheel adds" if wheel.needed > 0 else "no flywheel"
+        key = "flywheel adds" if wheel.needed > 0 else "heavy enough"
         yield self.drafting.word(key, **told, inertia=self._number(wheel.inertia))
 
     def other(self) -> Iterator[str]:

@@ -12,11 +12,13 @@ from drawings.lettering.words import number, runs
 from drawings.report.chapters import Chapters
 from drawings.report.gap_lines import gap_line, gap_lines
 from drawings.report.markdown import chapter, header, row
+from drawings.report.stroke_lines import stroke_line
 from plans.checks.force_comparison import ForceComparison
 from plans.forces.statics import Statics
+from plans.forces.stroke import asks
 from plans.model.kinetostatics import FORCES, Kinetostatics
 from plans.model.losses import Friction
-from plans.model.machine import Machine
+from plans.model.machine import BACKWARD, FORWARD, IDLE, WORKING, Machine
 from plans.study import Study
 from plans.words.words import Message, message, word
 
@@ -24,6 +26,7 @@ if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
 
 DIGITS = 10
+WAYS = {WORKING: FORWARD, IDLE: BACKWARD}  # what lets a load of a stroke act on its reversals too
 
 
 def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
@@ -40,8 +43,8 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
 
 
 def headline(study: Study) -> str:
-    """Say nothing more on the screen than the motion does."""
-    return ""
+    """Say of loads of one stroke alone that their output reverses within it."""
+    return "\n".join(_reversals(study["forces"], study.scene.sheet.language))
 
 
 def remarks(study: Study) -> list[Message]:
@@ -60,6 +63,7 @@ def forces(comparison: ForceComparison, statics: Statics, language: str) -> Iter
     """Tell what acts, every reaction by construction, and what friction takes."""
     found = comparison.construction
     yield from _bodies(statics.machine, language)
+    yield from _strokes(statics, language)
     yield from _reactions(found, language)
     yield from (gap_line("report.force_gap", gap, language) for gap in found.gaps if gap.plan == FORCES)
     if statics.friction is not None:
@@ -83,6 +87,26 @@ def _bodies(machine: Machine, language: str) -> Iterator[str]:
     for spring in machine.springs:
         ends = {"start": spring.points[0], "end": spring.points[1]}
         yield say("report.spring", name=spring.name, **ends, stiffness=write(spring.stiffness))
+
+
+def _strokes(statics: Statics, language: str) -> Iterator[str]:
+    """Tell the strokes over which loads change, each with the loads that count it."""
+    loads = [load for load in statics.machine.loads if asks(load)]
+    for track, stroke in statics.strokes.items():
+        names = ", ".join(load.name for load in loads if load.stroke == track)
+        line = stroke_line(statics.study.mechanism, stroke.output, stroke.reach, stroke.angles, language)
+        yield word(language, "report.counted", names=names, line=line.removeprefix("- "))
+    yield from (f"- {line}" for line in _reversals(statics, language))
+
+
+def _reversals(statics: Statics, language: str) -> Iterator[str]:
+    for load, rests in statics.reversals():
+        parts = {"name": load.name, "during": load.during, "way": WAYS[load.during], "count": len(rests)}
+        yield word(language, "verdict.reverses", **parts, angles=", ".join(_angles(rests, language)))
+
+
+def _angles(angles: Sequence[float], language: str) -> Iterator[str]:
+    return (f"{number(float(np.degrees(angle)), language)}°" for angle in angles)
 
 
 def _reactions(found: Kinetostatics, language: str) -> Iterator[str]:

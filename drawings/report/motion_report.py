@@ -10,11 +10,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from drawings.lettering.words import decimal, number
+from drawings.lettering.words import decimal, number, span
 from drawings.paper.limits import MANY
 from drawings.report.chapters import Chapters
 from drawings.report.gap_lines import gap_line, gap_lines, positions
 from drawings.report.markdown import chapter, header, heading, row
+from drawings.report.stroke_lines import stroke_line
 from plans.checks.compare import NOT_GRADED, MotionComparison, notches
 from plans.checks.comparison import Finding
 from plans.linkage.barrier import Barrier
@@ -93,8 +94,7 @@ def _structure(study: LinkageStudy) -> Iterator[str]:
     yield say("report.formula", formula=formula(mechanism, study.groups), klass=mechanism_class(study.groups))
     for group, side in zip(study.groups, study.sweep.sides, strict=True):
         yield say("report.group", group=group.label, joints=group.kind, side=f"{side:+.0f}")
-    rates = {"omega": mechanism.drive.omega, "epsilon": mechanism.drive.epsilon}
-    told = {name: number(rate, study.language) for name, rate in rates.items()}
+    told = {name: span(np.ravel(rate), study.language) for name, rate in study.rates._asdict().items()}
     yield say("report.drive", link=mechanism.drive.link, **told)
 
 
@@ -117,11 +117,17 @@ def _travel(study: LinkageStudy, found: ExtremePositions) -> Iterator[str]:
     yield (
         say("report.stroke", stroke=stroke) if extremes.sliding else say("report.swing", stroke=stroke, degrees=degrees)
     )
+    if study.scene.has(("output", "working")):
+        yield stroke_line(study.mechanism, study.output, extremes.reach, extremes.angles, study.language)
     if len(found.rests) > 2:
         yield say("report.reversals", count=len(found.rests), angles=_angles(found.rests, 6, study.language))
     else:
         ratio = number(extremes.ratio, study.language, 10)
-        yield say("report.ratio", overlap=_degrees(extremes.overlap, 8, study.language), ratio=ratio)
+        yield say(
+            "report.ratio_faster" if extremes.faster else "report.ratio",
+            overlap=_degrees(extremes.overlap, 8, study.language),
+            ratio=ratio,
+        )
 
 
 def _pressure(study: LinkageStudy) -> Iterator[str]:

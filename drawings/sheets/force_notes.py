@@ -22,10 +22,8 @@ INDEX = ("friction index", "useful index")  # of powers
 
 def notes(statics: Statics, position: int, language: str) -> list[str]:
     """Write what the sheet says in words: what is given, what the lever carries, what friction takes."""
-    drive = statics.study.mechanism.drive
-    crank = word(
-        language, "crank", link=drive.link, omega=number(drive.omega, language), epsilon=number(drive.epsilon, language)
-    )
+    omega, epsilon = (number(rate, language) for rate in statics.study.rates.at(position))
+    crank = word(language, "crank", link=statics.study.mechanism.drive.link, omega=omega, epsilon=epsilon)
     given = [crank, *lengths(statics.study, language), *_masses(statics, language), *_loads(statics, language)]
     return [
         *given,

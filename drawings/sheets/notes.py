@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from drawings.lettering.words import fixed, number, runs, word
+from drawings.lettering.words import fixed, number, runs, span, word
 from plans.checks.compare import MotionComparison
 from plans.linkage.pressure import interval
 from plans.linkage.study import LinkageStudy
@@ -16,15 +16,15 @@ MOST_LENGTHS = 16  # of a mechanism with more the report and the scene tell them
 
 def notes(study: LinkageStudy, comparison: MotionComparison, language: str) -> list[str]:
     """Write what the sheet says in words: structure, drive, stroke, time ratio, pressure angles, gaps, agreement."""
-    mechanism, drive = study.mechanism, study.mechanism.drive
+    mechanism, drive, rates = study.mechanism, study.mechanism.drive, study.rates
     said = [
         word(
             language, "structure", n=mechanism.moving_links, p=mechanism.lower_pairs, w=mechanism.mobility,
             formula=formula(mechanism, study.groups).replace("->", "→"), klass=mechanism_class(study.groups),
         ),
         word(
-            language, "crank", link=drive.link, omega=number(drive.omega, language),
-            epsilon=number(drive.epsilon, language),
+            language, "crank", link=drive.link, omega=span(np.ravel(rates.omega), language),
+            epsilon=span(np.ravel(rates.epsilon), language),
         ),
     ]  # fmt: skip
     said += lengths(study, language)
@@ -67,10 +67,8 @@ def _travel(study: LinkageStudy, language: str) -> str:
     found = study.travel
     assert found is not None  # asked only where there are extremes
     extremes = found.extremes
-    overlap = word(
-        language, "overlap", overlap=fixed(float(np.degrees(extremes.overlap)), language),
-        ratio=fixed(extremes.ratio, language, 3),
-    )  # fmt: skip
+    key, theta = "overlap faster" if extremes.faster else "overlap", float(np.degrees(extremes.overlap))
+    overlap = word(language, key, overlap=fixed(theta, language), ratio=fixed(extremes.ratio, language, 3))
     if len(found.rests) > 2:  # a stroke between two reversals of several has no time ratio
         overlap = word(language, "reversals", count=len(found.rests))
     if extremes.sliding:

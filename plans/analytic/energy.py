@@ -54,7 +54,7 @@ class EnergyBalance(NamedTuple):
 
 def energy_balance(road: Analysis, machine: Machine, motion: Motion, loading: Loading) -> EnergyBalance:
     """Balance the drive by energy at all positions of either road's motion; its accelerations are not looked at."""
-    constraints, drive, poses = road.constraints, road.mechanism.drive, road.poses(motion)
+    constraints, rates, poses = road.constraints, road.rates(motion.phi), road.poses(motion)
     first = transfers(constraints, poses)
     inertia = reduced_inertia(constraints, machine, poses, first)
     loads = reduced_moment(road, motion, loading, first)
@@ -65,16 +65,16 @@ def energy_balance(road: Analysis, machine: Machine, motion: Motion, loading: Lo
         if not poor.size:
             break
         around = _around(constraints, poses[poor], first[poor], step)
-        energy, size = _energy(constraints, machine, drive.omega, around)
+        energy, size = _energy(constraints, machine, rates.part(poor).omega, around)
         found, doubt = _slope(energy, size, plain[poor] + magnified[poor] / step, step)
         better = doubt < allowed[poor]
         slope[poor[better]], allowed[poor[better]] = found[better], doubt[better]
         poor = poor[~(allowed[poor] <= ENOUGH * size)]
-    return EnergyBalance(slope + inertia * drive.epsilon - loads, allowed)
+    return EnergyBalance(slope + inertia * rates.epsilon - loads, allowed)
 
 
-def _energy(constraints: Constraints, machine: Machine, omega: float, around: Floats) -> tuple[Floats, Floats]:
-    """Give kinetic and potential energy J at the speed omega, (rings, 2, N), and the largest size of both together."""
+def _energy(constraints: Constraints, machine: Machine, omega: Floats | float, around: Floats) -> tuple[Floats, Floats]:
+    """Give kinetic and potential energy J at the speeds omega, (rings, 2, N), and the largest size of both together."""
     kinetic = omega**2 / 2.0 * reduced_inertia(constraints, machine, around, _rates(constraints, around))
     raised = potential(constraints, machine, around)
     return kinetic + raised, (kinetic + np.abs(raised)).max(axis=(0, 1))
@@ -146,7 +146,7 @@ def _rounding(
     road: Analysis, machine: Machine, motion: Motion, loading: Loading, first: Floats
 ) -> tuple[Floats, Floats]:
     """Bound the roundings, and those that a difference magnifies: places are known to kappa, rates to its square."""
-    size, drive, kappa = road.constraints.size, road.mechanism.drive, road.conditions(motion)
+    size, rates, kappa = road.constraints.size, road.rates(motion.phi), road.conditions(motion)
     peak = np.abs(first).max(axis=(1, 2))  # the largest rate, lengths in units of `size`
     far = 1.0 + np.abs(road.poses(motion)).max(axis=(1, 2))
     raised, inertia, borne = np.zeros(len(kappa)), np.zeros(len(kappa)), np.zeros(len(kappa))
@@ -159,5 +159,5 @@ def _rounding(
     for twist in loading.moments:
         borne += np.abs(twist.moment) * peak
     unit = ROUNDINGS * EPS * kappa
-    magnified = kappa * drive.omega**2 / 2.0 * inertia + raised
-    return unit * kappa * (abs(drive.epsilon) * inertia + borne), GROWTH * unit * magnified
+    magnified = kappa * rates.omega**2 / 2.0 * inertia + raised
+    return unit * kappa * (np.abs(rates.epsilon) * inertia + borne), GROWTH * unit * magnified

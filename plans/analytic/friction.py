@@ -53,6 +53,7 @@ def friction(
         for pair in rubs
     }
     useful, lost = _useful(road, motion, loading, first) + none, np.sum([*powers.values(), none], axis=0)
+    times = road.rates(motion.phi).times
     locks = {one.outer.key: _Lock(road, motion, statics, pairs, one) for one in _driven(pairs) if one.outer in rubs}
     jams = [jam for key, lock in locks.items() for jam in lock.jams(machine.friction[key], rates[key])]
     return Friction(
@@ -62,8 +63,8 @@ def friction(
         useful=useful,
         lost=lost,
         efficiency=useful / (useful + lost),
-        cycle=_cycle(motion.phi, useful, lost),
-        wear=_wear(powers),
+        cycle=_cycle(motion.phi, times * useful, times * lost),
+        wear=_wear({key: times * power for key, power in powers.items()}),
         locking={key: lock.ratio(machine.friction[key]) for key, lock in locks.items()},
         driving={key: lock.power(machine.friction[key], rates[key]) for key, lock in locks.items()},
         jams=tuple(sorted(jams, key=lambda jam: jam.position)),
@@ -72,7 +73,7 @@ def friction(
 
 def _rate(road: Analysis, motion: Motion, first: Floats, pair: Pair) -> Floats:
     """Give how fast the taker of a pair moves over the giver: rad/s, or of a slide m/s along its line, (N,)."""
-    constraints, rates = road.constraints, road.mechanism.drive.omega * first
+    constraints, rates = road.constraints, road.rates(motion.phi).against(2).omega * first
     spins = [rates[:, constraints.numbers.index(link), TURN] for link in (pair.taker, pair.giver)]
     if isinstance(pair.joint, str):
         return spins[0] - spins[1]
@@ -108,7 +109,7 @@ def _useful(road: Analysis, motion: Motion, loading: Loading, first: Floats) -> 
     """Give the power W that the useful loads take together, by their moment on the crank, (N,)."""
     forces = tuple(load for load in loading.forces if load.useful)
     moments = tuple(twist for twist in loading.moments if twist.useful)
-    given = road.mechanism.drive.omega * reduced_moment(road, motion, Loading(forces, moments), first)
+    given = road.rates(motion.phi).omega * reduced_moment(road, motion, Loading(forces, moments), first)
     return np.where(given < 0, -given, 0.0)
 
 

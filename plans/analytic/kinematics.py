@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from plans.analytic.assembly import Shape
+from plans.analytic.assembly import Assembly, Shape, home
 from plans.analytic.blocks import triangular
 from plans.analytic.closure import EPS, transfer
 from plans.analytic.constraints import TURN, Constraints, X, Y
@@ -15,6 +15,7 @@ from plans.analytic.positions import blocks, find, wrapped
 from plans.analytic.turn import March
 from plans.model.mechanism import FRAME, Mechanism, Output
 from plans.model.motion import Complexes, Extremes, Floats, Gap, LinkMotion, Motion, PointMotion
+from plans.model.rates import Pace, Rates, rates_at, steady
 
 DEGREES = np.radians(np.arange(360.0))  # the whole degrees of a turn
 
@@ -23,27 +24,46 @@ class Analysis:
     """The analytic road of one mechanism: its equations, and the way round the turn, marched once for all questions."""
 
     def __init__(
-        self, mechanism: Mechanism, tolerance: float = EPS, first: bool = True, looks: Floats = DEGREES
+        self,
+        mechanism: Mechanism,
+        tolerance: float = EPS,
+        first: bool = True,
+        looks: Floats = DEGREES,
+        pace: Pace | None = None,
     ) -> None:
         self.mechanism, self.constraints = mechanism, Constraints.of(mechanism)
         self.tolerance, self.first = tolerance, first  # whether the sketch shows the first position asked for
         self.looks = looks  # crank angles rad among which the one is sought that the sketch shows, if not the first
         self.shape = Shape(mechanism, self.constraints, triangular(self.constraints))
+        self.pace = pace  # the drive's rates at crank angles; None: those of the mechanism in all
         self._turn: March | None = None
+        self._homes: dict[float | None, Assembly | None] = {}  # by the first crank angle that the sketch may show
+
+    def rates(self, phi: Floats) -> Rates:
+        """Give the rates of the drive at crank angles rad."""
+        return rates_at(self.pace, phi) if self.pace else steady(self.mechanism.drive)
 
     def motion(self, phi: Floats, order: int = 2) -> Motion:
         """Solve all positions phi rad: order 0 positions, 1 and velocities, 2 and accelerations; from the datum, SI."""
         phi = np.asarray(phi, dtype=np.float64)
-        found = find(self.shape, phi, self.first, self.looks, self.tolerance)
+        found = find(self.shape, phi, self._home(phi) if phi.size else None, self.tolerance)
         self._turn = found.turn
-        rates = [np.full_like(found.poses, np.nan) for _ in range(order)]
+        slopes = [np.full_like(found.poses, np.nan) for _ in range(order)]
         moving = np.flatnonzero(found.regular)
         for block in blocks(len(moving)):
             here = moving[block]
-            for rate, values in zip(rates, transfer(self.constraints, found.poses[here], order), strict=True):
-                rate[here] = values
+            for slope, values in zip(slopes, transfer(self.constraints, found.poses[here], order), strict=True):
+                slope[here] = values
         gaps = tuple(missing for missing in found.gaps if order or missing.plan == "positions")
-        return _motion(self.mechanism, self.constraints, phi, wrapped(found.poses), rates, gaps)
+        rows = [wrapped(found.poses), *_rates(slopes, self.rates(phi))]
+        return _motion(self.mechanism, self.constraints, phi, rows, gaps)
+
+    def _home(self, phi: Floats) -> Assembly | None:
+        """Assemble the mechanism as the sketch shows it, at the first position if it can be, once for each such one."""
+        first = float(phi[0]) if self.first else None
+        if first not in self._homes:
+            self._homes[first] = home(self.shape, first, self.looks)
+        return self._homes[first]
 
     def extremes(self, output: Output) -> Extremes | None:
         """Find the output's extreme positions on the way round."""
@@ -84,21 +104,23 @@ def conditions(mechanism: Mechanism, motion: Motion) -> Floats:
     return Analysis(mechanism).conditions(motion)
 
 
+def _rates(slopes: list[Floats], drive: Rates) -> Iterator[Floats]:
+    """Turn the transfer functions of all poses (N, links, 3) into rates by those of the drive."""
+    omega, epsilon = drive.against(2)
+    if slopes:
+        yield omega * slopes[0]
+    if len(slopes) > 1:
+        yield omega**2 * slopes[1] + epsilon * slopes[0]
+
+
 def _motion(
     mechanism: Mechanism,
     constraints: Constraints,
     phi: Floats,
-    poses: Floats,
-    rates: list[Floats],
+    rows: list[Floats],
     gaps: tuple[Gap, ...],
 ) -> Motion:
-    """Read points and links off the poses; the drive's omega and epsilon turn transfer functions into rates."""
-    omega, epsilon = mechanism.drive.omega, mechanism.drive.epsilon
-    rows = [poses]
-    if rates:
-        rows.append(omega * rates[0])
-    if len(rates) > 1:
-        rows.append(omega**2 * rates[1] + epsilon * rates[0])
+    """Read points and links off the poses and their rates (N, links, 3)."""
     points: dict[str, PointMotion] = {}
     links: dict[int, LinkMotion] = {}
     for place, number in enumerate(constraints.numbers):

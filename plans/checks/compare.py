@@ -65,7 +65,7 @@ class MotionComparison(Comparison):
 def compare(study: LinkageStudy, order: int = 2) -> MotionComparison:
     """Compare construction and analysis over all positions of a study, up to an order of derivative."""
     drawn = study.motion(order)
-    road = Analysis(study.mechanism, first=study.form.drive.first is not None, looks=study.looks.phi)
+    road = road_of(study)
     solved = road.motion(study.turn.phi, order)
     kappa = road.conditions(solved)
     drafts = study.drafts()
@@ -74,6 +74,12 @@ def compare(study: LinkageStudy, order: int = 2) -> MotionComparison:
         findings += _points(study, drafts, k, drawn, solved, kappa)
         findings += _links(drafts, k, drawn, solved, kappa)
     return MotionComparison(drawn, solved, cap(study, findings), kappa, road)
+
+
+def road_of(study: LinkageStudy) -> Analysis:
+    """Take the analytic road of a study's mechanism, at the study's pace."""
+    first = study.form.drive.first is not None
+    return Analysis(study.mechanism, first=first, looks=study.looks.phi, pace=study.pace)
 
 
 def comparison_of(study: Study) -> MotionComparison:

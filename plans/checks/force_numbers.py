@@ -57,7 +57,10 @@ def _constructed(statics: Statics, below: MotionNumbers, rubs: bool) -> tuple[Ki
 
     study, motion = statics.study, below.motion
     loads = statics.loading(motion)
-    return statics.forces, friction(study.mechanism, study.groups, statics.machine, motion, loads, statics.forces)
+    times = study.turn.times
+    return statics.forces, friction(
+        study.mechanism, study.groups, statics.machine, motion, loads, statics.forces, times
+    )
 
 
 def _analysed(statics: Statics, below: MotionNumbers, rubs: bool) -> tuple[Kinetostatics, Friction | None]:

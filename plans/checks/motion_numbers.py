@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from plans.analytic.kinematics import Analysis
+from plans.checks.compare import road_of
 from plans.checks.plain_numbers import gap_numbers, pairs, plain
 from plans.linkage.study import EXTREMES, LinkageStudy
 from plans.model.motion import Extremes, Motion
@@ -92,7 +93,7 @@ def _constructed(study: LinkageStudy, order: int, told: bool) -> tuple[Motion, E
 
 def _analysed(study: LinkageStudy, order: int, told: bool) -> tuple[Motion, Extremes | None, Analysis]:
     """Solve by analysis alone: a start at an extreme is found by analysis too."""
-    road = Analysis(study.mechanism, first=study.form.drive.first is not None, looks=study.looks.phi)
+    road = road_of(study)
     extremes = road.extremes(study.output) if told or not road.first else None
     if extremes is None or road.first:  # of a start at an extreme that is none the turn says why
         return road.motion(study.turn.phi, order), extremes, road

@@ -8,6 +8,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from copy import copy
 
+import numpy as np
+
 from geometry.board import Board, Mark
 from plans.forces.cut import INERTIA, LOAD, REACTION, WEIGHT, Couple, Cut, Load, Support, indices
 from plans.linkage.plan import Plan
@@ -58,7 +60,8 @@ class ForcePlan:
     def _turning(self, body: Body) -> Iterator[Couple]:
         """Give a link its inertia couple, against its angular acceleration (M5.1)."""
         reading = self.accelerations.readings.get(body.link)
-        still = body.link == self.mechanism.drive.link and self.mechanism.drive.epsilon == 0
+        turning = None if reading is None else reading.turning.step.size  # of the crank: i epsilon, or a row of them
+        still = body.link == self.mechanism.drive.link and not np.any(turning)
         if body.inertia and reading is not None and not still:
             name, why = f"M^Φ_{body.link}", because("inertia_moment")
             yield Couple(name, body.link, self.board.couple(name, *reading, -body.inertia, why), INERTIA)

@@ -32,8 +32,12 @@ def friction(
     motion: Motion,
     loading: Loading,
     statics: Kinetostatics,
+    times: Floats | float = 1.0,
 ) -> Friction:
-    """Find what friction takes from a machine: `motion` and `statics` are of one road, at the same positions (M6)."""
+    """Find what friction takes from a machine: `motion` and `statics` are of one road, at the same positions (M6).
+
+    `times` are what the positions take of even ones over a turn, in one measure.
+    """
     # A hinge of several links has more pairs than those on which the groups hang, and whose reactions are told.
     pairs = {key: one for key, one in machine.friction.items() if key in statics.reactions}
     rates = {key: rubbing.rate(mechanism, motion, statics.reactions[key]) for key in pairs}
@@ -53,8 +57,8 @@ def friction(
         useful=useful,
         lost=lost,
         efficiency=np.asarray(useful / (useful + lost)),
-        cycle=_cycle(motion.phi, useful, lost),
-        wear=_wear(powers, lost),
+        cycle=_cycle(motion.phi, times * useful, times * lost),
+        wear=_wear({key: times * power for key, power in powers.items()}, times * lost),
         locking={key: drive.ratio(pairs[key]) for key, drive in driven.items()},
         driving={key: drive.power(pairs[key], rates[key]) for key, drive in driven.items()},
         jams=tuple(sorted(jams, key=lambda jam: jam.position)),
@@ -62,7 +66,7 @@ def friction(
 
 
 def whole(phi: Floats, known: npt.NDArray[np.bool_]) -> bool:
-    """Tell whether positions divide a full turn evenly and none is a gap: at a steady omega, equal times apart."""
+    """Tell whether positions divide a full turn evenly and none is a gap."""
     if len(phi) < 2 or not known.all():
         return False
     steps = np.diff(phi)

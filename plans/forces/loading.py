@@ -6,10 +6,11 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 from plans.forces.stroke import KAPPA, ROUNDING, Stroke, asks
 from plans.model.kinetostatics import Applied, Loading, Twist
-from plans.model.machine import ALWAYS, WORKING, End, Force, Machine, Moment, Spring, Track
+from plans.model.machine import ALWAYS, BACKWARD, FORWARD, WORKING, Force, Machine, Moment, Spring, Track
 from plans.model.mechanism import FRAME
 from plans.model.motion import Complexes, Floats, LinkMotion, Motion, PointMotion
 
@@ -49,7 +50,9 @@ def _direction(force: Force, motion: Motion) -> Any:
     apart, length = _apart(motion, force.line)
     with np.errstate(invalid="ignore"):  # a gap is NaN
         along = apart / length
-    return along if force.other is None or not force.resists else -_parting(motion, force, force.other, along) * along
+    if force.other is None or not force.resists:
+        return along
+    return -_parting(motion, force.point, force.other.point, force.line) * along
 
 
 def _moment(moment: Moment, motion: Motion, strokes: Mapping[Track, Stroke]) -> Floats:
@@ -63,15 +66,33 @@ def _size(load: Force | Moment, motion: Motion, strokes: Mapping[Track, Stroke])
     if not asks(load):
         return np.full(motion.phi.shape, load.size)
     stroke = strokes[load.stroke]
-    share, working = stroke.share(motion), stroke.working(motion.phi)
+    share, working = stroke.share(motion), _working(load, stroke, motion)
     size = np.full(share.shape, load.size)
     if isinstance(load, Force) and load.diagram is not None:
-        travel, there, back = load.diagram
+        travel, there, back, _ = load.diagram
         size *= np.where(working, np.interp(share, travel, there), np.interp(share, travel, back or there))
     acts = (share >= load.overrun[0]) & (share <= 1 - load.overrun[1])
     if load.during != ALWAYS:
-        acts &= working == (load.during == WORKING)
+        acts &= working == (load.during in (WORKING, FORWARD))
     return np.where(acts | np.isnan(share), size + 0 * share, 0.0)
+
+
+def _working(load: Force | Moment, stroke: Stroke, motion: Motion) -> npt.NDArray[np.bool_]:
+    """Tell the positions that a load counts as of the working stroke: by the crank, or by the way the output goes."""
+    if load.during not in (FORWARD, BACKWARD):
+        return stroke.working(motion.phi)
+    sense = 1.0 if stroke.reach[1] > stroke.reach[0] else -1.0
+    return np.asarray(sense * _going(stroke, motion) > 0)
+
+
+def _going(stroke: Stroke, motion: Motion) -> Floats:
+    """Give the sense in which the coordinate of a stroke changes; from a rest that in which it will."""
+    if stroke.parting is not None:
+        return _parting(motion, stroke.point, stroke.parting.other, stroke.parting.line)
+    if stroke.way is None:
+        return _sense(motion, stroke.link)
+    along, (_, v, a) = stroke.way.direction.conjugate(), motion.points[stroke.point]
+    return np.asarray(np.sign(_moving((along * v).real, (along * a).real, motion.points.values())))
 
 
 def _course(motion: Motion, point: str) -> Complexes:
@@ -89,16 +110,17 @@ def _sense(motion: Motion, link: int) -> Floats:
     return np.asarray(np.sign(_moving(omega, epsilon, motion.links.values())))
 
 
-def _parting(motion: Motion, force: Force, other: End, along: Complexes) -> Floats:
+def _parting(motion: Motion, point: str, other: str, line: tuple[str, str]) -> Floats:
     """Give the sense +1 or -1 in which a point goes along a line from another; from a rest that in which it will.
 
     The line turns with the points: d2s/dt2 = a along it + its turning times v across it, from the other point.
     """
-    assert force.line is not None  # of a force between two links
-    own, far, (start, end) = motion.points[force.point], motion.points[other.point], force.line
-    v, turning = along.conj() * (own.v - far.v), along.conj() * (motion.points[end].v - motion.points[start].v)
-    _, length = _apart(motion, force.line)
-    growth = (along.conj() * (own.a - far.a)).real + turning.imag / length * v.imag
+    own, far, start, end = (motion.points[name] for name in (point, other, *line))
+    apart, length = _apart(motion, line)
+    with np.errstate(invalid="ignore"):  # a gap is NaN
+        along = (apart / length).conj()
+    v, turning = along * (own.v - far.v), along * (end.v - start.v)
+    growth = (along * (own.a - far.a)).real + turning.imag / length * v.imag
     return np.asarray(np.sign(_moving(v.real, growth, motion.points.values())))
 
 

@@ -16,11 +16,11 @@ from plans.forces.lines import off_their_lines, told_line
 from plans.forces.loading import loading
 from plans.forces.reading.form import ForceForm
 from plans.forces.reading.inventory import machine_of
-from plans.forces.stroke import NoStroke, Stroke, strokes
+from plans.forces.stroke import NoStroke, OtherStroke, Stroke, counted, strokes
 from plans.linkage.assembly_limits import at_angles
 from plans.linkage.carrying import Drawing
 from plans.linkage.drafts import Drafts
-from plans.linkage.extreme import extremes
+from plans.linkage.extreme import ExtremePositions, extremes
 from plans.linkage.gaps import near_edge
 from plans.linkage.obstruction import obstruction
 from plans.linkage.plan_template import PlanTemplate
@@ -36,7 +36,7 @@ from plans.model.kinetostatics import (
     pairs,
     without_forces,
 )
-from plans.model.machine import Machine, Track
+from plans.model.machine import IDLE, WORKING, Force, Machine, Moment, Track
 from plans.model.mechanism import Output, StructureError
 from plans.model.motion import CHANGE_POINT, DEAD_CENTRE, Extremes, Floats, Gap, Motion
 from plans.model.order import VELOCITIES
@@ -150,7 +150,7 @@ class Statics:
             if study.barriers:
                 why = message("stroke.barred", load=error.load, thing=error.thing, why=obstruction(study.sweep))
             raise self._refused(why) from None
-        except NoWorkingStroke as error:
+        except (NoWorkingStroke, OtherStroke) as error:
             raise self._refused(error.args[0]) from None
 
     def _refused(self, why: Message) -> StructureError:
@@ -160,8 +160,19 @@ class Statics:
 
     def _extremes(self, output: Output) -> Extremes | None:
         """Find the extreme positions of an output by construction."""
-        found = self.study.extreme_positions if output == self.study.output else extremes(self.study.sweep, output)
+        found = self._reached(output)
         return None if found is None else found.extremes
+
+    def _reached(self, output: Output) -> ExtremePositions | None:
+        return self.study.extreme_positions if output == self.study.output else extremes(self.study.sweep, output)
+
+    def reversals(self) -> Iterator[tuple[Force | Moment, tuple[float, ...]]]:
+        """Give the loads of one stroke alone whose output reverses within a stroke, and all its rests, rad."""
+        for load in self.machine.loads:
+            shown = counted(self.study.mechanism, load, self.study.output) if load.during in (WORKING, IDLE) else None
+            found = self._reached(shown) if shown else None
+            if found is not None and len(found.rests) > 2:
+                yield load, found.rests
 
     def loading(self, motion: Motion) -> Loading:
         """Give the loads at the positions of a motion."""
@@ -192,7 +203,7 @@ class Statics:
         """Give the forces over a whole turn from the first position on, in even steps; NaN where there are none."""
         study = self.study
         phi = study.turn.phi[0] + study.sense * 2 * np.pi * np.arange(steps + 1) / steps
-        drafts = Drafts(study, at_angles(phi))
+        drafts = Drafts(study, at_angles(phi).paced(study.pace))
         found, none = ForceDrafts(self, drafts).read()
         return without(found, none | drafts.lost)
 
@@ -233,7 +244,7 @@ class Statics:
 
         study, motion = self.study, self.study.motion(2)
         loads = self.loading(motion)
-        return friction(study.mechanism, study.groups, self.machine, motion, loads, self.forces)
+        return friction(study.mechanism, study.groups, self.machine, motion, loads, self.forces, study.turn.times)
 
     def _reason(self, position: int) -> str:
         """Say why a position that has velocities has no forces."""

@@ -19,6 +19,7 @@ TURN = 2 * np.pi
 # Up to kappa = 600 positions are graded, and the two roads agree in what a velocity is or where one is zero to
 # 8 eps kappa2 of the largest, of an angle to that share of a turn (plans.checks.compare): less is zero, or the same.
 KAPPA = 600.0
+FIT = 0.01  # share of a stroke that a diagram's lengths may differ by: as exactly as strokes are read off drawings
 ROUNDING = 8 * 2.0**-52 * KAPPA**2
 
 
@@ -33,6 +34,17 @@ class Stroke(NamedTuple):
     point: str = ""  # that slides
     way: Way | None = None  # the line of the frame that it slides along; None: the link swings, or parts
     parting: Parting | None = None  # from what the point is away
+
+    @property
+    def angles(self) -> tuple[float, float]:
+        """The crank's angles rad over the working and over the idle stroke."""
+        work = float(np.mod(self.sense * (self.end - self.begin), TURN))
+        return work, TURN - work
+
+    @property
+    def output(self) -> Output:
+        """What has the stroke."""
+        return Output(self.link, self.point or None, parting=self.parting)
 
     @property
     def sliding(self) -> bool:
@@ -81,6 +93,10 @@ def _apart(parting: Parting, point: str, motion: Motion) -> Floats:
     return np.asarray(away)
 
 
+class OtherStroke(StructureError):  # noqa: N818  (the exception tree's own word)
+    """A diagram over lengths of another stroke than that of what it counts."""
+
+
 def asks(load: Force | Moment) -> bool:
     """Tell whether a load changes over a stroke."""
     changes = load.during != ALWAYS or load.overrun != (0.0, 0.0)
@@ -92,20 +108,37 @@ def strokes(
 ) -> dict[Track, Stroke]:
     """Find the strokes that loads ask for; `extremes` is that of either road."""
     found: dict[Track, Stroke] = {}
-    loads: tuple[Force | Moment, ...] = (*machine.forces, *machine.moments)
-    for load in loads:
+    for load in machine.loads:
         if asks(load) and load.stroke not in found:
-            shown = output if load.stroke == OUTPUT else _shown(mechanism, load)
+            shown = counted(mechanism, load, output)
             reached = extremes(shown) if shown else None
             if shown is None or reached is None or not (reached.sliding or reached.stroke < TURN):
                 raise NoStroke(load.name, _thing(load.stroke, output))
             found[load.stroke] = _stroke(mechanism, shown, reached)
+        if asks(load):
+            _check_length(load, found[load.stroke], _thing(load.stroke, output))
     return found
 
 
-def _shown(mechanism: Mechanism, load: Force | Moment) -> Output | None:
-    """Give the output whose stroke a load counts, where it is not that of the mechanism."""
+def _check_length(load: Force | Moment, stroke: Stroke, thing: Message) -> None:
+    """See that a diagram over lengths is as long as the stroke."""
+    length = load.diagram.length if isinstance(load, Force) and load.diagram else 0.0
+    if not length:
+        return
+    if not stroke.sliding:
+        raise OtherStroke(message("stroke.swings", load=load.name, thing=thing))
+    whole = abs(stroke.reach[1] - stroke.reach[0])
+    if abs(whole - length) > FIT * whole:
+        told, reached, off = (f"{1000 * size:.5g}" for size in (length, whole, abs(whole - length)))
+        key = "stroke.longer" if length > whole else "stroke.shorter"
+        raise OtherStroke(message(key, load=load.name, thing=thing, length=told, stroke=reached, off=off))
+
+
+def counted(mechanism: Mechanism, load: Force | Moment, output: Output) -> Output | None:
+    """Give the output whose stroke a load counts; None where its point has none."""
     track = load.stroke
+    if track == OUTPUT:
+        return output
     if track.parting is not None:
         return Output(load.link, track.point, track.working, track.parting)
     shown = output_at(mechanism, track.point)

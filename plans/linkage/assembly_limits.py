@@ -21,7 +21,7 @@ from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.groups.kinds import KINDS
 from plans.linkage.margin import margins, meeting, of_arcs
 from plans.linkage.plan import Plan
-from plans.linkage.plan_template import PlanTemplate
+from plans.linkage.plan_template import UNIT, PlanTemplate
 from plans.linkage.position import positions
 from plans.linkage.velocity import velocities
 from plans.model.group import Group
@@ -55,7 +55,7 @@ class Sweep:
     ) -> None:
         self.mechanism, self.groups, self.sides = mechanism, groups, sides
         self.home, self.passed = home, passed  # crank angle, rad, of the sketch; change points that are carried through
-        self._patterns: dict[int, PlanTemplate] = {}
+        self._patterns: dict[tuple[int, bool], PlanTemplate] = {}
 
     def over(self, mechanism: Mechanism) -> Sweep:
         """Give the sweep of the same mechanism driven in another way."""
@@ -91,18 +91,22 @@ class Sweep:
         here = Passed(barrier.group, barrier.middle)
         return barrier.kind == CHANGE_POINT and any(_alike(here, other) for other in self.passed)
 
-    def pattern(self, order: int) -> PlanTemplate | Drawing:
-        """Give the pattern of the plans up to an order: 0 positions, 1 velocities, 2 accelerations."""
+    def pattern(self, order: int, varied: bool = False) -> PlanTemplate | Drawing:
+        """Give the pattern of the plans up to an order: 0 positions, 1 velocities, 2 accelerations.
+
+        `varied`: of positions each of which has rates of its own.
+        """
         if self.passed:
             return Drawing(self.positions, self.groups, order)
-        if order not in self._patterns:
+        if (order, varied) not in self._patterns:
+            rates = UNIT if varied else None
             plans = [self.plan(np.zeros(1))]
             if order > 0:
-                plans.append(velocities(plans[0], self.groups))
+                plans.append(velocities(plans[0], self.groups, rates))
             if order > 1:
-                plans.append(accelerations(plans[1], self.groups))
-            self._patterns[order] = PlanTemplate(plans)
-        return self._patterns[order]
+                plans.append(accelerations(plans[1], self.groups, rates))
+            self._patterns[order, varied] = PlanTemplate(plans)
+        return self._patterns[order, varied]
 
     def plan(self, phi: Floats) -> Plan:
         """Draw the plan of positions at some crank angles."""

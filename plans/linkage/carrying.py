@@ -56,7 +56,7 @@ class Drawing:
         """Draw the plans at some crank positions."""
         plans = [self._positions(turn)]
         for draw in (velocities, accelerations)[: self.order]:
-            plans.append(draw(plans[-1], self.groups))
+            plans.append(draw(plans[-1], self.groups, turn.rates))
         return plans
 
     def clear(self, plans: Sequence[Plan]) -> bool:

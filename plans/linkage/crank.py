@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import numpy as np
+
 from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.groups import lead
 from plans.linkage.groups.vectors import Turning, Vector
 from plans.linkage.plan import Image, Plan, Reading
 from plans.model.mechanism import Mechanism
+from plans.model.rates import Rates
 from plans.words.words import because
 
 
@@ -26,12 +29,11 @@ def positions(mechanism: Mechanism, turn: CrankPositions) -> Plan:
     return plan
 
 
-def velocities(plan: Plan) -> None:
+def velocities(plan: Plan, rates: Rates) -> None:
     """Lay off from the pole the velocity of the crank's end, square to the crank."""
     drive = plan.mechanism.drive
     base, arm = plan.positions.images[drive.link], plan.carry(plan.arm(drive.link))
-    omega = 1j * drive.omega
-    part = plan.board.turn(f"v_{drive.end}", arm, omega, because("crank_velocity"))
+    part = plan.board.turn(f"v_{drive.end}", arm, 1j * rates.omega, because("crank_velocity"))
     tip = plan.board.lay_off(plan.letter(drive.end), plan.pole, part, because("crank_end_velocity"))
     end = plan.name(drive.end, tip)
     relative = plan.board.join(f"{plan.pole.name}{end.name}", plan.pole, end)
@@ -39,14 +41,14 @@ def velocities(plan: Plan) -> None:
     plan.readings[drive.link] = Reading(arm, relative)
 
 
-def accelerations(plan: Plan) -> None:
+def accelerations(plan: Plan, rates: Rates) -> None:
     """Lay off from the pole the normal and the tangential acceleration of the crank's end."""
     drive = plan.mechanism.drive
     base = plan.positions.images[drive.link]
     normal = lead.normal(plan, drive.link, plan.pole, (drive.pivot, drive.end))
     arm = lead.arm(plan, drive.link)
-    why = because("crank_tangential") if drive.epsilon else because("even")
-    part = plan.board.turn(f"a^t_{drive.end}", arm, 1j * drive.epsilon, why)
+    why = because("crank_tangential") if np.any(rates.epsilon) else because("even")
+    part = plan.board.turn(f"a^t_{drive.end}", arm, 1j * rates.epsilon, why)
     tip = plan.board.lay_off(plan.letter(drive.end), normal, part, because("crank_end_acceleration"))
     end = plan.name(drive.end, tip)
     whole = plan.board.join(f"{plan.pole.name}{end.name}", plan.pole, end)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 
@@ -12,6 +12,7 @@ import numpy.typing as npt
 
 from plans.linkage.angles import heading
 from plans.model.motion import Complexes, Floats
+from plans.model.rates import Pace, Rates, rates_at
 from plans.scene.units import within
 
 _INT64 = 2**62  # numerators of whole turns stay exact below this
@@ -23,6 +24,7 @@ class CrankPositions:
 
     phi: Floats
     directions: Complexes
+    rates: Rates | None = None  # of the crank in each of them; None: those of its drive in all
 
     def __len__(self) -> int:
         return len(self.phi)
@@ -34,9 +36,19 @@ class CrankPositions:
 
     def part(self, chosen: slice | Sequence[int]) -> CrankPositions:
         """Give some of the positions, in the order asked for."""
-        part = CrankPositions(self.phi[chosen], self.directions[chosen])
+        rates = None if self.rates is None else self.rates.part(chosen)
+        part = CrankPositions(self.phi[chosen], self.directions[chosen], rates)
         part.__dict__["headings"] = self.headings[chosen]  # reduced once for the whole turn
         return part
+
+    @property
+    def times(self) -> Floats | float:
+        """The time that each of even positions takes, in that of the first."""
+        return 1.0 if self.rates is None else self.rates.times
+
+    def paced(self, pace: Pace | None) -> CrankPositions:
+        """Give the same positions, passed at another pace; None: at that of the drive."""
+        return self if pace is None else replace(self, rates=rates_at(pace, self.phi))
 
 
 def even(start: Fraction, count: int, sense: int) -> CrankPositions:

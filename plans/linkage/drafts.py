@@ -60,7 +60,7 @@ class Drafts:
         """Work out the numbers of the plans up to an order by their pattern."""
         for asked in ORDERS[: order + 1]:
             self.study.made.setdefault(asked.plan)
-        pattern = self.study.sweep.pattern(order)
+        pattern = self.study.sweep.pattern(order, varied=self.turn.rates is not None)
         self._record = pattern, pattern.follow(self.turn)
         return self._record
 
@@ -89,7 +89,7 @@ class Drafts:
         for asked in ORDERS[len(self._plans) : order + 1]:
             self.study.made.setdefault(asked.plan)
             draw = velocities if asked is VELOCITIES else accelerations
-            self._plans.append(draw(self._plans[-1], self.study.groups))
+            self._plans.append(draw(self._plans[-1], self.study.groups, self.turn.rates))
         return self._plans[order]
 
     @property

@@ -14,6 +14,9 @@ from plans.linkage.angles import heading
 from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.plan import Plan
 from plans.model.motion import LinkMotion, Motion, PointMotion
+from plans.model.rates import Rates
+
+UNIT = Rates(np.ones(1), np.ones(1))  # by which a pattern is drawn whose rates vary
 
 
 class PlanTemplate:
@@ -57,7 +60,10 @@ class PlanTemplate:
     @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, and is named outside
     def follow(self, turn: CrankPositions) -> list[Any]:
         """Work out all numbers of the plans at other crank positions."""
-        return self.tracing.follow(turn.directions)
+        if turn.rates is None:
+            return self.tracing.follow(turn.directions)
+        rates = zip(self.tracing.sizes, turn.rates, strict=False)  # a pattern of velocities has no epsilon
+        return self.tracing.follow(turn.directions, {mark: mark.step.size * rate for mark, rate in rates})
 
     def clear(self, numbers: list[Any]) -> bool:
         """Tell whether no meeting of the plans is near a miss or a dead centre."""

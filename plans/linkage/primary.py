@@ -10,14 +10,15 @@ from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.groups.vectors import Vector
 from plans.linkage.plan import Plan
 from plans.model.mechanism import CRANK, Mechanism
+from plans.model.rates import Rates
 
 
 class Primary(NamedTuple):
     """The constructions of one kind of primary link, on which the first group hangs."""
 
     positions: Callable[[Mechanism, CrankPositions], Plan]  # starts the plan
-    velocities: Callable[[Plan], None]
-    accelerations: Callable[[Plan], None]
+    velocities: Callable[[Plan, Rates], None]
+    accelerations: Callable[[Plan, Rates], None]
     vectors: Callable[[Mechanism], Iterable[Vector]]  # that its plans must have, beside those of its points
 
 

@@ -26,6 +26,7 @@ from plans.model.group import Group
 from plans.model.mechanism import Mechanism, Output, StructureError
 from plans.model.motion import Floats, Gap, Motion
 from plans.model.order import PLANS, numbers_of
+from plans.model.rates import Pace, Rates, rates_at, steady
 from plans.model.structure import decompose
 from plans.model.working import NoWorkingStroke
 from plans.scene.scene import Scene
@@ -54,11 +55,18 @@ class NoExtreme(ConstructionError):  # noqa: N818  (the exception tree's own wor
 class LinkageStudy:
     """A scene with its mechanism, groups, assembly, turn and plans; nothing is made before it is asked for."""
 
-    def __init__(self, scene: Scene, plans: Collection[str] = ALL) -> None:
-        self.scene = scene
+    def __init__(self, scene: Scene, plans: Collection[str] = ALL, pace: Pace | None = None) -> None:
+        self.scene, self.pace = scene, pace  # None: the drive turns as the scene says
         self.plans = plans  # what is asked for, by its name
         self.form = scene.of(LinkageForm)
         self.made: dict[str, None] = {}  # what was made, in order: the sheet's account of what it left out
+
+    def paced(self, pace: Pace) -> LinkageStudy:
+        """Study the same positions passed at another pace; what no rate enters is not made again."""
+        other = LinkageStudy(self.scene, self.plans, pace)
+        kept = ("mechanism", "groups", "assembly", "sweep", "extreme_positions")
+        vars(other).update({name: vars(self)[name] for name in kept if name in vars(self)})
+        return other
 
     def construct(self, plans: Collection[str]) -> None:
         """Make the plans that are asked for, at all positions of the scene."""
@@ -94,6 +102,11 @@ class LinkageStudy:
     def sense(self) -> int:
         """Sense of rotation: +1 counter-clockwise, -1 clockwise."""
         return -1 if self.mechanism.drive.omega < 0 else 1
+
+    @property
+    def rates(self) -> Rates:
+        """The rates of the drive, steady or over the positions."""
+        return steady(self.mechanism.drive) if self.pace is None else rates_at(self.pace, self.turn.phi)
 
     @cached_property
     def assembly(self) -> Assembly:
@@ -156,7 +169,10 @@ class LinkageStudy:
 
     @cached_property
     def turn(self) -> CrankPositions:
-        """All crank positions of the scene."""
+        """All crank positions of the scene, and the rates that the crank has in them."""
+        return self._turn().paced(self.pace)
+
+    def _turn(self) -> CrankPositions:
         drive = self.form.drive
         if isinstance(drive.positions, tuple):
             return listed([Fraction(angle) for angle in drive.positions])
@@ -278,4 +294,4 @@ def _fill(whole: Motion, part: Motion, at: slice) -> None:
 
 def study_of(study: Study) -> LinkageStudy:
     """Make the linkage's study of a scene (row of the table of techniques)."""
-    return LinkageStudy(study.scene, study.plans)
+    return LinkageStudy(study.scene, study.plans, study.pace)

@@ -12,6 +12,8 @@ from typing import NamedTuple
 from plans.model.mechanism import SLOWER, Parting
 
 ALWAYS, WORKING, IDLE = "always", "working stroke", "idle stroke"
+# Wherever the output goes as on its working stroke, or back, also on a reversal within a stroke.
+FORWARD, BACKWARD = "working direction", "idle direction"
 MOMENT, COUPLING, FORCE, GEAR = "moment", "coupling", "force", "gear"
 
 
@@ -44,6 +46,7 @@ class Diagram(NamedTuple):
     travel: tuple[float, ...]
     sizes: tuple[float, ...]
     back: tuple[float, ...] = ()
+    length: float = 0.0  # m, of the stroke that the shares were told of as lengths; 0: as shares
 
 
 class End(NamedTuple):
@@ -128,3 +131,8 @@ class Machine:
     springs: tuple[Spring, ...]
     transmission: Transmission
     friction: Mapping[str, Rubbing]
+
+    @property
+    def loads(self) -> tuple[Force | Moment, ...]:
+        """The forces, then the moments, that may change over a stroke."""
+        return (*self.forces, *self.moments)

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import cmath
+import math
+from dataclasses import replace
 
 from plans.model.mechanism import FASTER, FRAME, SLOWER, Mechanism, Output, StructureError, Way
 from plans.words.words import message
@@ -15,6 +17,7 @@ PARTINGS = {"apart": 1, "together": -1}
 STROKES = (SLOWER, FASTER, *WAYS, *TURNS, *PARTINGS)
 # A stroke goes another way than is asked for where so small a share of it goes that way: square to it but for rounding.
 SQUARE = 1e-7
+LEANING = math.sin(math.radians(90 / 8))  # of a stroke: what goes less of it that way is not told to lean
 
 
 class NoWorkingStroke(StructureError):  # noqa: N818  (the exception tree's own word)
@@ -39,6 +42,18 @@ def works(mechanism: Mechanism, output: Output, begin: float, end: float) -> boo
     if not abs(gone) > SQUARE * whole:
         raise NoWorkingStroke(output)
     return gone > 0
+
+
+def ways(mechanism: Mechanism, output: Output, begin: float, end: float) -> tuple[str, ...]:
+    """Name the way of a stroke from a coordinate to another, by the names of working strokes, the plainest first.
+
+    Of a slide that leans both its ways are named, unless it goes but an eighth of a right angle or less in one of them.
+    """
+    found = []
+    for name in (*TURNS, *PARTINGS, *WAYS):
+        gone, whole = _progress(mechanism, replace(output, working=name), begin, end)
+        found += [name] if gone > LEANING * whole else []
+    return tuple(found)
 
 
 def frame_way(mechanism: Mechanism, link: int) -> tuple[str, Way] | None:

@@ -112,3 +112,17 @@ def test_given_lines_are_followed_too() -> None:
     tracing = Tracing(board, board.given("φ", 1j))
     _, made = tracing.boards(tracing.follow(1j))
     assert made[guide].value == Line(0j, 1 + 0j)
+
+
+def test_a_vector_turned_by_a_row_is_turned_by_another_row_each_time() -> None:
+    board = Board("positions")
+    phi = board.given("φ", np.array([1j]))
+    turned = board.turn("v", phi, np.array([2j]))
+    end = board.lay_off("A", board.given("O", 0j), turned)
+    tracing = Tracing(board, phi)
+    assert list(tracing.sizes) == [turned]
+    numbers = tracing.follow(np.array([1j, 1 + 0j]), {turned: np.array([3.0 + 0j, 1j])})
+    assert numbers[tracing.place(end)].tolist() == [3j, 1j]
+    _, made = tracing.boards(numbers)
+    assert np.asarray(made[turned].step.size).tolist() == [3, 1j]
+    assert np.asarray(made[end].point).tolist() == [3j, 1j]

@@ -215,3 +215,53 @@ def test_the_pumping_jack_lifts_on_its_faster_stroke() -> None:
     down = found(text.replace('working = "up"', 'working = "slower"'), "construction")
     assert down.phi == up.phi[::-1]
     assert compared(text).agrees
+
+
+PRESS = (Path(__file__).parents[1] / "cases/loads/press.toml").read_text("utf-8")
+
+
+@pytest.mark.parametrize("by", ROADS)
+@pytest.mark.parametrize(("during", "sense"), [("working direction", -1), ("idle direction", 1)])
+def test_a_load_may_act_wherever_its_point_goes_that_way(during: str, sense: int, by: str) -> None:
+    """The slider of the press reverses four times in a turn; it works downwards."""
+    card = 'diagram = { travel = [0, 0.8, 0.85, 1], force = [0, 0, "40 кН", "70 кН"] }'
+    text = PRESS.replace(card, "value = 1000").replace('"working direction"', f'"{during}"')
+    told = loaded(text.replace("positions = 12", "positions = 72"), by)
+    speed = told.motion.points["G"].v.imag
+    moves = abs(speed) > 1e-9  # at rest it is about to move
+    assert np.sign(speed[moves]).tolist().count(sense) > 5
+    expected = np.where(np.sign(speed) == sense, -1000j * np.sign(speed), 0)
+    assert told.force()[moves] == pytest.approx(expected[moves], abs=1e-9)
+    arc = loaded(
+        text.replace(during, during.replace("direction", "stroke")).replace("positions = 12", "positions = 72"), by
+    )
+    assert (abs(arc.force() - told.force())[moves] > 500).any()  # within a stroke it goes back
+
+
+@pytest.mark.parametrize("by", ROADS)
+def test_a_diagram_of_the_working_direction_is_read_on_a_reversal_too(by: str) -> None:
+    """Let the press work upwards: on its way down, between the two bottoms, it goes up for a while."""
+    card = "travel = [0, 1], force = [10000, 20000]"
+    text = PRESS.replace('travel = [0, 0.8, 0.85, 1], force = [0, 0, "40 кН", "70 кН"]', card)
+    told = loaded(text.replace("positions = 12", "positions = 72") + '[output]\nworking = "up"\n', by)
+    ((_, stroke),) = told.strokes.items()
+    idle, speed = ~stroke.working(told.motion.phi), told.motion.points["G"].v.imag
+    pressed = np.interp(stroke.share(told.motion), (0, 1), (10e3, 20e3))
+    again = idle & (speed > 1e-9)
+    assert again.any()
+    assert told.force()[again] == pytest.approx(-1j * pressed[again], abs=1e-6)
+
+
+def test_a_moment_and_a_force_between_links_know_the_direction_too() -> None:
+    rocked = '[[loads.moments]]\non = 3\nvalue = 12\nduring = "idle direction"\nstroke = "B"\n'
+    told = loaded(ROCKER + rocked)
+    omega = told.motion.links[3].omega
+    assert omega is not None
+    way = -np.sign(np.diff(told.strokes[Track("B")].reach)[0])
+    assert told.loading.moments[0].moment[1:] == pytest.approx(np.where(np.sign(omega[1:]) == way, 12, 0))
+    once = PUMP.replace("direction", 'during = "working direction"\nworking = "together"\ndirection')
+    assert abs(loaded(once).force()) == pytest.approx([3000] * 6 + [0] * 6, abs=1e-9)
+
+
+def test_both_roads_agree_on_the_press() -> None:
+    assert compared(PRESS).agrees

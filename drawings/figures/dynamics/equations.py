@@ -1,4 +1,4 @@
-"""What the loop gives, worked out beside it: angles, segments, origin off the paper, flywheel (расчёт по петле)."""
+"""What the loop gives, worked out beside it: angles, segments, the origin off the paper, flywheel (расчёт по петле)."""
 
 from __future__ import annotations
 
@@ -67,8 +67,8 @@ def _origin(wheel: Flywheel, axes: Axes, drafting: Drafting) -> Iterator[str]:
 def _wheel(wheel: Flywheel, drafting: Drafting) -> str:
     """Write the inertia of the flywheel, or that none is needed."""
     number, unit = drafting.number, drafting.word("kg*m2")
-    there = number(wheel.own + wheel.present, DIGITS)
+    whole, there = number(wheel.whole, DIGITS), number(wheel.own + wheel.present, DIGITS)
     if wheel.needed <= 0:
-        return drafting.word("no flywheel", there=there, whole=number(wheel.whole, DIGITS))
-    whole, inertia = number(wheel.whole, DIGITS), number(wheel.inertia, DIGITS)
-    return f"{drafting.letter('J_{fly}')} = J_0 − J_0^* = {whole} − {there} = {inertia} {unit}"
+        return drafting.word("needs no flywheel", there=there, whole=whole)
+    letter = drafting.letter("J_{fly}")
+    return f"{letter} = J_0 − J_0^* = {whole} − {there} = {number(wheel.inertia, DIGITS)} {unit}"

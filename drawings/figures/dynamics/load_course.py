@@ -71,7 +71,9 @@ def _corners(load: Force | Moment, length: float, idle: bool) -> Iterator[comple
 
 def _opposing(load: Force | Moment) -> bool:
     """Tell whether a load turns over with the motion."""
-    return load.against if isinstance(load, Moment) else load.direction is None
+    if isinstance(load, Moment):
+        return load.against
+    return load.resists or (load.direction is None and load.line is None)
 
 
 def _size(load: Force | Moment, share: float, idle: bool) -> float:

@@ -66,9 +66,10 @@ def turnings(pairs: Pairs) -> tuple[Turning, ...]:
     ink.draw([*pairs.bars(), *pairs.stands(), *(block for _, block in pairs.blocks)], THICK)
     ink.draw(circle for circles in pairs.hinges.values() for circle in circles)
     arrows = [_best(f"ω_{drive.link}", bones.study.sense, pairs, ink)]
-    if drive.epsilon:
+    _, epsilon = bones.study.rates.at(bones.shown)
+    if epsilon:
         ink.draw(arrows[0].field, THICK)
-        arrows.append(_best(f"ε_{drive.link}", int(math.copysign(1, drive.epsilon)), pairs, ink))
+        arrows.append(_best(f"ε_{drive.link}", int(math.copysign(1, epsilon)), pairs, ink))
     return tuple(arrows)
 
 

@@ -7,7 +7,7 @@ against whose motion a load acts.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
@@ -16,7 +16,7 @@ from plans.analytic.dynamics.curve import Curve, looks, smooth
 from plans.analytic.dynamics.reduction import Reduction
 from plans.analytic.dynamics.roots import roots
 from plans.model.dynamics import TURN
-from plans.model.machine import ALWAYS, WORKING, Force, Machine, Moment, Track
+from plans.model.machine import ALWAYS, IDLE, WORKING, Force, Machine, Moment, Track
 from plans.model.motion import Floats, Motion
 
 
@@ -50,34 +50,57 @@ def breaks(reduction: Reduction, strokes: Mapping[Track, Run], noise: float) -> 
 
 
 def _crossings(reduction: Reduction, strokes: Mapping[Track, Run], noise: float) -> Floats:
-    """Give the angles at which a stroke is gone by a share at which a load changes its law, while the load acts."""
-    counted = [name for name in strokes if any(_laws(reduction.machine, name))]
+    """Give the angles at which a load over a stroke changes its law: at shares of it, and where it turns back."""
+    counted = [track for track in strokes if any(_laws(reduction.machine, track))]
 
     def sample(motion: Motion) -> tuple[Floats, Floats]:
-        return np.array([strokes[name].share(motion) for name in counted]), np.ones(len(counted))
+        return np.array([strokes[track].share(motion) for track in counted]), np.ones(len(counted))
 
     curves = smooth(reduction, sample, noise) if counted else []
     found = [np.zeros(0)]
-    for name, curve in zip(counted, curves, strict=True):
-        for share, during in sorted(set(_laws(reduction.machine, name))):
-            at = _at(curve, share)
-            works = strokes[name].working(reduction.start + reduction.sense * at)
-            found.append(at[(during == ALWAYS) | (works == (during == WORKING))])
+    for track, curve in zip(counted, curves, strict=True):
+        for law in sorted(set(_laws(reduction.machine, track))):
+            found += [at[_acts(reduction, strokes[track], law, at)] for at in _changes(curve, law)]
     return np.concatenate(found)
 
 
-def _at(curve: Curve, share: float) -> Floats:
-    return roots(lambda turned, side: curve.at(turned, side) - share, looks([curve]))
+class Law(NamedTuple):
+    """A share of a stroke at which a load over it changes, and when that load acts."""
+
+    share: float
+    during: str
+
+    @property
+    def directed(self) -> bool:
+        """Whether the load acts by the way in which its stroke goes, on reversals within it too."""
+        return self.during not in (ALWAYS, WORKING, IDLE)
 
 
-def _laws(machine: Machine, stroke: Track) -> Iterator[tuple[float, str]]:
-    """Give the shares within a stroke at which a load over it changes its law, and when it acts."""
+def _changes(curve: Curve, law: Law) -> Iterator[Floats]:
+    """Give where a stroke is gone by a share and, of a load by its direction, where it turns back."""
+    if 0.0 < law.share < 1.0:
+        yield roots(lambda turned, side: curve.at(turned, side) - law.share, looks([curve]))
+    if law.directed:
+        yield roots(curve.slope.at, looks([curve]))
+
+
+def _acts(reduction: Reduction, run: Run, law: Law, turned: Floats) -> Flags:
+    """Tell at which angles turned a load may act: not on the stroke on which it rests."""
+    if law.directed or law.during == ALWAYS:
+        return np.ones(len(turned), dtype=bool)
+    working = run.working(reduction.start + reduction.sense * turned)
+    return np.asarray(working == (law.during == WORKING))
+
+
+def _laws(machine: Machine, track: Track) -> Iterator[Law]:
+    """Give what changes over a stroke."""
     loads: tuple[Force | Moment, ...] = (*machine.forces, *machine.moments)
     for load in loads:
-        if load.stroke == stroke:
+        if load.stroke == track:
             places = load.diagram.travel if isinstance(load, Force) and load.diagram is not None else ()
             first, last = load.overrun
-            yield from ((share, load.during) for share in (*places, first, 1.0 - last) if 0.0 < share < 1.0)
+            laws = [Law(share, load.during) for share in (*places, first, 1.0 - last)]
+            yield from (law for law in laws if law.directed or 0.0 < law.share < 1.0)
 
 
 def _reversals(reduction: Reduction, noise: float) -> Floats:

@@ -38,6 +38,10 @@ class Curve(Protocol):
     def at(self, turned: Floats, side: int = 1, /) -> Floats:
         """Give it at angles turned rad, (N,): at a jump as it is beyond, or before it if side < 0."""
 
+    @property
+    def slope(self) -> Curve:
+        """Its derivative by the angle turned."""
+
     def since(self, turned: Floats) -> Floats:
         """Give its integral from 0."""
 

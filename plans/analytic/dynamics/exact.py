@@ -17,7 +17,7 @@ from plans.model.machine import Track
 from plans.model.motion import Floats, Motion
 
 ROUNDINGS = 8.0  # a linear solution at rest leaves a few roundings of the largest term in each of its rows
-MOST = 1e-9  # share: where rounding is magnified to more, nothing is told to be settled
+MOST = 1e-6  # share: more than this is allowed no number that the two roads are compared by
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,7 @@ class Exact:
     @property
     def settled(self) -> bool:
         """Whether that is rounding."""
-        return self.error <= self.noise <= MOST
+        return self.error <= self.noise
 
     def moment(self, turned: Floats, side: int = 1) -> Floats:
         """Give the moment of loads and weights, N*m; at a jump as it is beyond, or before it if side < 0."""
@@ -102,6 +102,10 @@ def exact(reduction: Reduction, strokes: Mapping[Track, Run]) -> Exact:
 
 
 def _noise(reduction: Reduction) -> float:
-    """Give the share to which rates are known: their condition magnifies a rounding once for every order."""
+    """Give the share to which rates are known: their condition magnifies a rounding once for every order.
+
+    At a change point it is of no account, for the linkage is carried through.
+    """
     kappa = reduction.road.conditions(reduction.even(LEAST))
-    return float(ROUNDINGS * EPS * np.max(kappa, where=np.isfinite(kappa), initial=1.0) ** 2)
+    largest = float(np.max(kappa, where=np.isfinite(kappa), initial=1.0))
+    return min(ROUNDINGS * EPS * largest**2, MOST)

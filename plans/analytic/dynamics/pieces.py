@@ -14,14 +14,13 @@ from functools import cached_property
 import numpy as np
 from numpy.polynomial import chebyshev
 
-from plans.analytic.closure import EPS, Flags
+from plans.analytic.closure import EPS
 from plans.model.motion import Floats
 
 NODES = 32
 TAIL = NODES // 4  # coefficients that must have died away
 LOOKS = 24  # places on a piece, among which every zero of its polynomial that matters shows
 ROUNDINGS = 4.0  # of the largest: what fitting leaves
-NARROW = np.pi / 32.0  # a piece so narrow is smooth to rounding, or rounding is all that is left of it
 NARROWEST = 2.0 * np.pi / 2.0**20  # rad: what does not settle on such a piece settles on none
 MOST = 2048  # pieces
 
@@ -58,6 +57,13 @@ class Pieces:
         """Give the quantity at angles turned rad, (N,); at an edge by the piece beyond it, or before it if side < 0."""
         return self._sum(self.coefficients, turned, side)
 
+    @property
+    def slope(self) -> Pieces:
+        """Its derivative by the angle turned."""
+        wide = np.diff(self.edges)[:, None]
+        fitted = chebyshev.chebder(self.coefficients, axis=1) * 2.0 / wide
+        return Pieces(self.edges, fitted, self.coefficients, self.error, self.settled)
+
     @cached_property
     def one(self) -> Callable[[float], float]:
         """The quantity at one angle turned rad, of any turn: for a solver that asks for one at a time (Clenshaw)."""
@@ -91,18 +97,22 @@ class Pieces:
 def pieces(sample: Sample, knots: Floats, noise: float) -> list[Pieces]:
     """Fit quantities on the pieces between knots, rad, the first 0 and the last a turn; `noise`: share of rounding."""
     low, high = knots[:-1], knots[1:]
+    before = np.full(len(low), np.inf)
     kept: list[tuple[Floats, Floats, Floats]] = []
     largest, error, settled = np.zeros((1, 1)), 0.0, True
     while low.size:
         fitted, size = _fit(sample, low, high)
-        largest = np.maximum(largest, size)
+        largest = np.fmax(largest, size)  # NaN at gaps
         tails = _share(np.abs(fitted[:, :, -TAIL:]).max(axis=2), largest).max(axis=0)
-        done = (tails <= ROUNDINGS * EPS) | ((high - low <= NARROW) & (tails <= noise))
-        lost = ~done & ((high - low <= NARROWEST) | ~np.isfinite(tails) | (2 * low.size > MOST))
+        tails = np.where(np.isfinite(tails), tails, np.inf)
+        rounding = (tails <= noise) & (tails >= before / 2.0)  # of a smooth quantity halving leaves far less than half
+        done = rounding | (tails <= ROUNDINGS * EPS)
+        lost = ~done & ((high - low <= NARROWEST) | np.isinf(tails) | (2 * low.size > MOST))
         settled &= not lost.any()
         error = max(error, float(np.max(tails[done | lost], initial=0.0)))
         kept.append((low[done | lost], high[done | lost], fitted[:, done | lost]))
-        low, high = _halves(low, high, ~(done | lost))
+        more = ~(done | lost)
+        low, high, before = *_halves(low[more], high[more]), np.tile(tails[more], 2)
     return _joined(kept, error, settled)
 
 
@@ -118,9 +128,8 @@ def _share(part: Floats, whole: Floats) -> Floats:
     return np.asarray(part / np.where(whole == 0.0, 1.0, whole))
 
 
-def _halves(low: Floats, high: Floats, which: Flags) -> tuple[Floats, Floats]:
-    """Halve some pieces."""
-    low, high = low[which], high[which]
+def _halves(low: Floats, high: Floats) -> tuple[Floats, Floats]:
+    """Halve pieces."""
     middle = (low + high) / 2.0
     return np.concatenate((low, middle)), np.concatenate((middle, high))
 

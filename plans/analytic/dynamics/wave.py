@@ -38,6 +38,11 @@ class Wave:
         """Give the quantity at angles turned rad, (N,); both sides are alike."""
         return self.mean + _sum(self.harmonics, turned)
 
+    @property
+    def slope(self) -> Wave:
+        """Its derivative by the angle turned."""
+        return Wave(0.0, 1j * np.arange(1, len(self.harmonics) + 1) * self.harmonics, self.error)
+
     @cached_property
     def one(self) -> Callable[[float], float]:
         """The quantity at one angle turned rad: for a solver that asks for one at a time (Horner's rule in e^(i q))."""

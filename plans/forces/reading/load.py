@@ -6,7 +6,7 @@ from decimal import Decimal
 from typing import Any
 
 from plans.forces.reading import fields as h
-from plans.model.machine import ALWAYS, IDLE, WORKING
+from plans.model.machine import ALWAYS, BACKWARD, FORWARD, IDLE, WORKING
 from plans.model.mechanism import SLOWER
 from plans.model.working import STROKES
 from plans.scene import fields as f
@@ -14,14 +14,15 @@ from plans.scene.faults import wrong
 from plans.scene.forms import Form
 from plans.scene.tables import Missing, Table, key
 
-DURING = (ALWAYS, WORKING, IDLE)
+PARTS = (WORKING, IDLE, FORWARD, BACKWARD)
+DURING = (ALWAYS, *PARTS)
 Vector = tuple[Decimal, Decimal]
 NO_OVERRUN = (Decimal(0), Decimal(0))
 ON_LINK = Missing("number of a moving link", "on = 2")
 POINT_OF_LINK = Missing("point of the link", 'point = "B"')
 
 # What editors are told of keys that fit each other or do not.
-PART: Form = {"required": ["during"], "properties": {"during": {"enum": [WORKING, IDLE]}}}
+PART: Form = {"required": ["during"], "properties": {"during": {"enum": list(PARTS)}}}
 
 
 def symbol() -> Any:
@@ -42,7 +43,11 @@ class LoadTable(Table):
     during: str | None = key(
         f.words(*DURING),
         None,
-        meaning="When it acts; default: always, but a diagram against the motion without back on the working stroke.",
+        meaning=(
+            "When it acts; default: always, but a diagram against the motion without back on the working stroke. A "
+            "stroke is the crank's turn from one extreme position to the other; a direction is wherever the point goes "
+            "that way, also on a reversal within a stroke."
+        ),
     )
     overrun: Decimal | Vector = key(
         h.OVERRUN,

@@ -1,0 +1,164 @@
+"""The figure of a plate: its graphs, loop and equations drawn, titled, and joined by transfer lines (чертёж)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import product
+
+from drawings.figures.dynamics import equations, quantities, rays, strip_graph
+from drawings.figures.dynamics import loop as loop_figure
+from drawings.figures.dynamics.part import Part, caption
+from drawings.figures.dynamics.plate import TITLE, Plate
+from drawings.figures.dynamics.plate_frame import PlateFrame
+from drawings.figures.dynamics.strip_graph import StripGraph
+from drawings.figures.graphs.axes import Axes
+from drawings.layout.labels import Labels
+from drawings.layout.picture import Spot
+from drawings.lettering.extent import bounds
+from drawings.page.scale import Scale
+from drawings.paper.formats import Field
+from drawings.paper.strokes import Group, Line, Polyline, Stroke
+from drawings.symbols.dashes import fit_dashes
+from drawings.symbols.trimming import trim
+
+DIGITS = 5
+TOLD = "told"  # the name of what is told under the loop
+CLEAR = 1.5  # mm around a caption
+
+
+@dataclass(frozen=True)
+class PlateFigure:
+    """A plate placed on paper: its parts, and what joins them."""
+
+    parts: tuple[Part, ...]
+    joining: Group
+
+    @property
+    def lines(self) -> tuple[Stroke, ...]:
+        """All that is drawn before any letter is placed."""
+        return self.joining, *(line for part in self.parts for line in part.lines)
+
+    def letter(self, labels: Labels) -> tuple[Group, ...]:
+        """Give all its parts, lettered."""
+        return self.joining, *(part.group(labels) for part in self.parts)
+
+
+def draw(plate: Plate, spot: Spot) -> PlateFigure:
+    """Draw a plate in its spot."""
+    return _Drawing(plate, PlateFrame(plate, spot)).figure
+
+
+@dataclass(frozen=True)
+class _Drawing:
+    """A plate at its scale, to be drawn."""
+
+    plate: Plate
+    frame: PlateFrame
+
+    @property
+    def figure(self) -> PlateFigure:
+        parts = [*self._graphs(), *self._energy()]
+        masks = [_mask(part.lines[0]) for part in parts if part.name != rays.NAME]
+        joining = fit_dashes(trim(self._joining(), masks))
+        return PlateFigure((*parts, *self._told()), Group(tuple(joining), f"{self.plate.name}-transfer"))
+
+    def _told(self) -> Iterator[Part]:
+        """Write under the loop what it gives, and the table under that."""
+        plate, wheel = self.plate, self.plate.account.flywheel
+        left = self.frame.loop_axes.zero.real - loop_figure.TAIL * plate.hand.letter if plate.loop else 0.0
+        corner = complex(left, self.frame.fields[quantities.SURPLUS].bottom - 2 * plate.under)
+        if plate.loop and wheel is not None:
+            lines = equations.write(wheel, self.frame.loop_axes, corner, plate.drafting)
+            yield Part(equations.NAME, (lines,), ())
+            corner -= 1j * equations.height(plate.drafting)
+        if plate.told is not None:
+            table, setting = plate.told
+            yield Part(TOLD, tuple(table.draw(corner, setting, plate.drafting)), ())
+
+    def _graphs(self) -> Iterator[Part]:
+        """Draw the graphs over the angle."""
+        if not self.plate.graphs:
+            return
+        frame, (moments, works, distance) = self.frame, self.frame.integration
+        axes = frame.axes(frame.moments, moments)
+        yield self._graph(frame.moments, axes, "reduced moments")
+        yield rays.draw(self.plate.cycle, axes, distance, self.plate.hand)
+        yield self._graph(frame.works, frame.axes(frame.works, works), "works", self._pole(distance))
+        yield self._graph(frame.surplus, frame.surplus_axes, "surplus energy")
+        if frame.speeds is not None:
+            yield self._graph(frame.speeds, frame.speed_axes(frame.speeds), "speed over the turn", self._mean())
+
+    def _pole(self, distance: float) -> str:
+        """Write the pole distance, mm."""
+        return f"H = {self.plate.drafting.number(distance)} {self.plate.drafting.word('mm')}"
+
+    def _mean(self) -> str:
+        """Write the mean speed, from which the speeds are drawn."""
+        drafting = self.plate.drafting
+        return f"ω_m = {drafting.number(self.plate.task.speed, DIGITS)} {drafting.word('rad/s')}"
+
+    def _graph(self, graph: StripGraph, axes: Axes, title: str, more: str = "") -> Part:
+        """Draw a graph with its title over it."""
+        plate, drafting = self.plate, self.plate.drafting
+        part = strip_graph.draw(graph, plate.strips, axes, drafting)
+        scales = ";  ".join((drafting.scale(axes.up), more or drafting.scale(axes.across)))
+        head = caption(drafting.word(title), scales, self._over(graph.name), plate.hand)
+        return part._replace(lines=(head, *part.lines))
+
+    def _energy(self) -> Iterator[Part]:
+        """Draw the loop, and the inertia over it."""
+        if not self.plate.loop:
+            return
+        plate, drafting = self.plate, self.plate.drafting
+        turned = strip_graph.draw(self.frame.inertia, plate.strips, self.frame.inertia_axes, drafting)
+        yield self._headed(
+            turned, plate.rows[0].name, "reduced inertia", (self.frame.inertia_scale, self.frame.inertia_axes.across)
+        )
+        loop = loop_figure.draw(plate.shown, self.frame.loop_axes, drafting)
+        yield self._headed(loop, quantities.SURPLUS, "loop", (self.frame.energy_scale, self.frame.inertia_scale))
+
+    def _headed(self, part: Part, row: str, title: str, scales: Sequence[Scale]) -> Part:
+        """Write the title of what stands beside the graphs, level with that of a row."""
+        drafting, over = self.plate.drafting, self._over(row)
+        left = self.frame.loop_axes.zero.real + TITLE * self.plate.hand.letter
+        field = over._replace(left=left, right=self.frame.spot.box.right)
+        head = caption(drafting.word(title), ";  ".join(map(drafting.scale, scales)), field, self.plate.hand)
+        return part._replace(lines=(head, *part.lines))
+
+    def _over(self, row: str) -> Field:
+        """Give the field of a row with the paper over it."""
+        field = self.frame.fields[row]
+        return field._replace(top=field.top + self.plate.over)
+
+    def _joining(self) -> Iterator[Stroke]:
+        """Draw the strip edges of jumps through the graphs, and the transfer of points into the loop."""
+        if self.plate.graphs:
+            yield from self._jumps()
+        if self.plate.loop:
+            for k in self.plate.shown.touches:
+                yield from self._transfer(k)
+
+    def _jumps(self) -> Iterator[Stroke]:
+        """Draw the edges at which a load jumps through the graphs of works and energy."""
+        frame = self.frame
+        pairs = (frame.works, frame.axes(frame.works, frame.integration[1])), (frame.surplus, frame.surplus_axes)
+        for k, (graph, axes) in product(self.plate.strips.jumps, pairs):
+            across, (low, high) = float(self.plate.strips.turned[k]), graph.span
+            yield Line(axes.on(across, low), axes.on(across, high), self.plate.hand.axis)
+
+    def _transfer(self, k: int) -> Iterator[Stroke]:
+        """Carry an edge's inertia and energy into the loop."""
+        cycle, frame, style = self.plate.cycle, self.frame, self.plate.hand.drafted
+        turned, inertia, energy = float(cycle.turned[k]), float(cycle.varying[k]), float(cycle.surplus[k])
+        spot = frame.loop_axes.on(inertia, energy)
+        yield Line(frame.inertia_axes.on(turned, inertia), spot, style)
+        if self.plate.graphs:
+            yield Line(frame.surplus_axes.on(turned, energy), spot, style)
+
+
+def _mask(head: Stroke) -> Polyline:
+    """Give the box around a caption: no line that joins graphs runs through it."""
+    left, bottom, right, top = bounds(head)
+    low, high = complex(left, bottom) - CLEAR * (1 + 1j), complex(right, top) + CLEAR * (1 + 1j)
+    return Polyline((low, complex(high.real, low.imag), high, complex(low.real, high.imag)), True)

@@ -1,0 +1,56 @@
+"""The rates of a drive: its angular velocity and acceleration, steady or of each position (закон вращения)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from plans.model.mechanism import Drive
+from plans.model.motion import Floats
+
+
+class Rates(NamedTuple):
+    """Angular velocity rad/s and acceleration rad/s2 of the drive: numbers, or rows (N,) over the positions."""
+
+    omega: Floats | float
+    epsilon: Floats | float
+
+    @property
+    def vary(self) -> bool:
+        """Whether they are told of each position by itself."""
+        return np.ndim(self.omega) > 0
+
+    def part(self, chosen: slice | Sequence[int] | npt.NDArray[np.int_]) -> Rates:
+        """Give those of some of the positions, in the order asked for."""
+        return Rates(*(np.asarray(rate)[chosen] for rate in self)) if self.vary else self
+
+    def against(self, axes: int) -> Rates:
+        """Give them so that they multiply rows (N, ...) with so many further axes."""
+        return Rates(*(np.reshape(rate, (-1, *[1] * axes)) for rate in self)) if self.vary else self
+
+    def at(self, position: int) -> tuple[float, float]:
+        """Give omega and epsilon in one position."""
+        omega, epsilon = (np.ravel(rate)[position if self.vary else 0] for rate in self)
+        return float(omega), float(epsilon)
+
+    @property
+    def times(self) -> Floats | float:
+        """The time between two even positions about each, in that about the first: what a mean over time weighs by."""
+        return np.ravel(self.omega)[0] / self.omega if self.vary else 1.0
+
+
+# The rates at crank angles rad (N,), any number of turns on. They keep the sense of rotation of the drive.
+Pace: TypeAlias = Callable[[Floats], Rates]
+
+
+def rates_at(pace: Pace, phi: Floats) -> Rates:
+    """Give the rates at crank angles rad (N,) as rows (N,)."""
+    return Rates(*(np.broadcast_to(np.asarray(rate, dtype=np.float64), phi.shape) for rate in pace(phi)))
+
+
+def steady(drive: Drive) -> Rates:
+    """Give the rates of a drive that has those of its scene in every position."""
+    return Rates(drive.omega, drive.epsilon)

@@ -1,0 +1,210 @@
+"""A linkage whose crank has in each position an angular velocity and acceleration of its own, by both roads."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from drawings.sheets.force_notes import notes as force_notes
+from drawings.sheets.notes import notes as motion_notes
+from geometry.replay import exact
+from plans.checks.compare import compare
+from plans.checks.force_comparison import ForceComparison, compare_forces
+from plans.forces.statics import Statics
+from plans.linkage import study as studies
+from plans.linkage.study import LinkageStudy
+from plans.model.kinetostatics import Kinetostatics
+from plans.model.motion import Floats, Motion
+from plans.model.rates import Pace, Rates
+from plans.scene.scene import parse_scene, read_scene
+from tests.gallery import GALLERY, LINKAGES
+from tests.plans.force_cases import finding
+from tests.plans.test_carrying import COUPLING_ROD
+from tests.rows import over
+
+FORCES = [path for path in LINKAGES if '"forces"' in path.read_text(encoding="utf-8")]
+ROUNDING = 1e-12  # of the largest: an acceleration that cancels is known to no more
+
+
+def study(path: Path, plans: tuple[str, ...] = studies.ALL) -> LinkageStudy:
+    return LinkageStudy(read_scene(path), plans)
+
+
+def constant(one: LinkageStudy) -> Pace:
+    """Give the rates of a study's drive as rows."""
+    drive = one.mechanism.drive
+    return lambda phi: Rates(np.full(len(phi), drive.omega), np.full(len(phi), drive.epsilon))
+
+
+def uneven(one: LinkageStudy) -> Pace:
+    """Give rates as of a machine with a light flywheel: omega = w (1 + 0.1 sin phi), epsilon = omega domega/dphi."""
+    speed = one.mechanism.drive.omega
+
+    def pace(phi: Floats) -> Rates:
+        omega = speed * (1 + 0.1 * np.sin(phi))
+        return Rates(omega, omega * speed * 0.1 * np.cos(phi))
+
+    return pace
+
+
+@cache
+def forces(path: Path, how: str) -> ForceComparison:
+    one = study(path)
+    paces = {"scene": None, "constant": constant(one), "uneven": uneven(one)}
+    pace = paces[how]
+    statics = Statics(one if pace is None else one.paced(pace))
+    return compare_forces(statics, compare(statics.study))
+
+
+def assert_same_motion(one: Motion, other: Motion) -> None:
+    for ours, theirs in zip(one.rows(), other.rows(), strict=True):
+        assert np.array_equal(ours, theirs, equal_nan=True)
+
+
+def assert_same_forces(one: Kinetostatics, other: Kinetostatics) -> None:
+    assert np.array_equal(one.balancing.moment, other.balancing.moment, equal_nan=True)
+    for key, reaction in one.reactions.items():
+        assert np.array_equal(reaction.force, other.reactions[key].force, equal_nan=True), key
+
+
+@over("path", LINKAGES)
+def test_at_the_same_rates_told_of_each_position_all_is_the_same_to_the_last_bit(path: Path) -> None:
+    one = study(path)
+    steady, told = compare(one), compare(one.paced(constant(one)))
+    assert_same_motion(steady.construction, told.construction)
+    assert_same_motion(steady.analysis, told.analysis)
+
+
+@over("path", FORCES)
+def test_at_the_same_rates_told_of_each_position_all_forces_are_the_same_to_the_last_bit(path: Path) -> None:
+    steady, told = forces(path, "scene"), forces(path, "constant")
+    assert_same_forces(steady.construction, told.construction)
+    assert_same_forces(steady.analysis, told.analysis)
+
+
+@over("path", LINKAGES)
+def test_velocities_and_accelerations_are_the_transfer_functions_times_the_rates(path: Path) -> None:
+    one = study(path)
+    pace, unit = uneven(one), one.paced(lambda phi: Rates(1.0, 0.0)).motion()
+    omega, epsilon = pace(one.turn.phi)
+    comparison = compare(one.paced(pace))
+    for motion in (comparison.construction, comparison.analysis):
+        for ours, slopes in [
+            *((motion.points[point], unit.points[point]) for point in unit.points),
+            *((motion.links[link], unit.links[link]) for link in unit.links),
+        ]:
+            wanted = omega * slopes[1], omega**2 * slopes[2] + epsilon * slopes[1]
+            sizes = np.abs(omega * slopes[1]), np.abs(omega**2 * slopes[2]) + np.abs(epsilon * slopes[1])
+            for row, value, size in zip(ours[1:], wanted, sizes, strict=True):
+                assert np.nanmax(np.abs(row - value)) <= ROUNDING * (np.nanmax(size) + omega.max() ** 2 * 1e-3)
+
+
+@over("path", LINKAGES)
+def test_both_roads_agree_at_uneven_rates(path: Path) -> None:
+    one = study(path)
+    assert compare(one.paced(uneven(one))).agrees
+
+
+@over("path", FORCES)
+def test_both_roads_agree_in_the_forces_at_uneven_rates_and_the_energy_balance_with_them(path: Path) -> None:
+    uneven_, steady = forces(path, "uneven"), forces(path, "scene")
+    assert uneven_.agrees
+    moment = uneven_.construction.balancing.moment
+    assert not np.allclose(moment, steady.construction.balancing.moment, rtol=1e-3, equal_nan=True)
+
+
+def test_the_energy_balance_has_the_omega_of_each_position() -> None:
+    comparison = forces(GALLERY / "slider-crank.toml", "uneven")
+    energy = finding(comparison, "M_bal energy").analysis
+    assert energy == pytest.approx(comparison.construction.balancing.moment, rel=1e-7, abs=1e-7)
+
+
+def test_the_piston_has_the_rates_of_the_hand_formula() -> None:
+    one = study(GALLERY / "slider-crank.toml")
+    comparison, phi = compare(one.paced(uneven(one))), one.turn.phi
+    r, rod, off = 0.045, 0.160, 0.010
+    root = np.sqrt(rod**2 - (r * np.cos(phi) - off) ** 2)
+    inner = (r * np.cos(phi) - off) * r * np.sin(phi)
+    first = r * np.cos(phi) + inner / root  # dy/dphi
+    turned = r**2 * np.cos(2 * phi) - off * r * np.cos(phi)
+    second = -r * np.sin(phi) + turned / root - inner**2 / root**3
+    omega, epsilon = uneven(one)(phi)
+    for motion in (comparison.construction, comparison.analysis):
+        assert motion.points["B"].v.imag == pytest.approx(omega * first, rel=1e-12, abs=1e-10)
+        wanted = omega**2 * second + epsilon * first
+        assert motion.points["B"].a.imag == pytest.approx(wanted, rel=1e-11, abs=1e-7)
+
+
+def test_plans_of_some_positions_have_their_rates(monkeypatch: pytest.MonkeyPatch) -> None:
+    one = study(GALLERY / "shaper-loaded.toml")
+    paced = one.paced(uneven(one))
+    whole = paced.motion().points["D"]
+    picked = paced.drafts([3, 9])
+    assert np.array_equal(picked.positions.point("D").point, whole.r[[3, 9]])
+    assert np.array_equal(picked.accelerations.point("D").point, whole.a[[3, 9]])  # drawn over the positions
+    monkeypatch.setattr(studies, "BLOCK", 5)
+    again = LinkageStudy(one.scene, pace=uneven(one)).motion()
+    assert np.array_equal(again.points["D"].a, whole.a)
+
+
+def test_the_record_of_uneven_rates_is_replayed_in_fifty_digits() -> None:
+    one = study(GALLERY / "shaper-loaded.toml")
+    plan = one.paced(uneven(one)).drafts().plan(2)
+    mark = plan.point("D")
+    for k in (0, 4, 11):
+        assert complex(exact([mark], k)[mark]) == pytest.approx(complex(mark.point[k]), rel=1e-12)
+
+
+def test_the_forces_between_the_positions_are_at_the_same_pace() -> None:
+    one = study(GALLERY / "slider-crank.toml")
+    statics = Statics(one.paced(uneven(one)))
+    around, there = statics.around(len(one.turn)), statics.forces
+    assert around.balancing.moment[:-1] == pytest.approx(there.balancing.moment, rel=1e-9, abs=1e-9)
+
+
+def test_the_efficiency_of_a_turn_is_of_works_and_not_of_powers() -> None:
+    """Where the crank is slow a power lasts longer."""
+    one = study(GALLERY / "shaper-loaded.toml")
+    both = forces(GALLERY / "shaper-loaded.toml", "uneven").friction
+    assert both is not None
+    omega, _ = uneven(one)(one.turn.phi)
+    for told in both:
+        used, lost = (float((power / omega).sum()) for power in (told.useful, told.lost))
+        assert told.cycle == pytest.approx(used / (used + lost), rel=1e-12)
+        assert told.cycle != pytest.approx(told.useful.sum() / (told.useful + told.lost).sum(), rel=1e-4)
+        shares = {key: float((power / omega).sum()) / lost for key, power in told.powers.items()}
+        assert told.wear == pytest.approx(shares, rel=1e-12)
+
+
+def test_a_linkage_carried_through_its_change_points_has_the_rates_of_each_position() -> None:
+    text = COUPLING_ROD.format(through='through = "parallel"', speed=2, start=10)
+    one = LinkageStudy(parse_scene(text))
+    paced = one.paced(uneven(one))
+    motion, (omega, epsilon) = paced.motion(), paced.turn.rates or (0, 0)
+    assert compare_forces(Statics(paced), compare(paced)).agrees
+    # Coupling rod and cranks stay parallel: the other crank has the rates of this one.
+    assert motion.links[3].omega == pytest.approx(omega, rel=1e-12)
+    # Ten degrees from a change point an acceleration feels each rounding by the square of kappa, some thirty times.
+    assert motion.links[3].epsilon == pytest.approx(epsilon, rel=1e-12, abs=1e-11)
+
+
+def test_what_no_rate_enters_is_kept() -> None:
+    one = study(GALLERY / "shaper.toml")
+    _ = one.assembly, one.extreme_positions
+    paced = one.paced(uneven(one))
+    assert paced.assembly is one.assembly and paced.extreme_positions is one.extreme_positions
+    assert one.turn.rates is None and paced.turn.rates is not None
+    assert one.motion().points["D"].v.tolist() != paced.motion().points["D"].v.tolist()
+
+
+def test_the_sheets_say_the_rates_of_all_positions_and_of_the_one_that_they_show() -> None:
+    def pace(phi: Floats) -> Rates:
+        return Rates(np.linspace(-9, -11, len(phi)), np.linspace(2, -3, len(phi)))
+
+    one = study(GALLERY / "slider-crank.toml").paced(pace)
+    assert "ω_1 = −11 … −9 rad/s, ε_1 = −3 … 2 rad/s²" in motion_notes(one, compare(one), "en")
+    assert force_notes(Statics(one), 11, "en")[0] == "ω_1 = −11 rad/s, ε_1 = −3 rad/s²"
+    assert force_notes(Statics(one), 0, "ru")[0] == "ω_1 = −9 рад/с, ε_1 = 2 рад/с²"
