@@ -164,6 +164,22 @@ def test_a_steady_turn_repeats_itself_and_uses_all_that_it_is_given(link: Reduce
 def test_the_measures_of_a_steady_turn() -> None:
     found = SteadyTurn(10.0, (9.0, 11.0), TURN / 10.5, 0.0, Works())
     assert (found.mean, found.delta, found.average) == (10.0, 0.2, pytest.approx(10.5))
+    assert [found._replace(closing=change).repeats for change in (-0.03, -0.01, 0.0, 0.01, 0.03)] == [
+        False,
+        *[True] * 3,
+        False,
+    ]
+
+
+def test_a_constant_moment_that_is_too_great_never_settles() -> None:
+    found = run(slider_crank(40.0, force=2000.0), Motor(Constant(60.0)), RunTask(12.0, 3)).steady
+    assert found is not None
+    assert not found.repeats
+    gained = 60.0 * TURN - 360.0
+    inertia = 40.0 + 0.01 + 3 * 0.04**2 + 4 * (0.1 * 0.25 / 0.4) ** 2 + 0.06 / 16
+    assert (found.start + found.closing) ** 2 - found.start**2 == pytest.approx(2 * gained / inertia, rel=1e-3)
+    just = run(slider_crank(40.0, force=2000.0), Motor(Constant(57.29577950371868)), RunTask(12.0, 3)).steady
+    assert just is not None and just.repeats
 
 
 def test_the_solver_is_chosen_by_how_stiff_the_motor_is() -> None:
