@@ -6,23 +6,24 @@ scale, and under the inertia, turned by 90 degrees, in that one's.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
 
 from drawings.figures.dynamics import equations, quantities
 from drawings.figures.dynamics.curves import Dense, dense
-from drawings.figures.dynamics.loop import Loop
+from drawings.figures.dynamics.loop import TAIL, Loop
 from drawings.figures.dynamics.part import wide
 from drawings.figures.dynamics.strips import Strips, strips
 from drawings.figures.graphs.axes import BEYOND
 from drawings.layout.picture import Margins, Picture
+from drawings.layout.table import RuledTable, Setting
 from drawings.page.drafting import Drafting
 from drawings.page.scale import Scale
 from drawings.paper.hand import Hand
 from plans.model.dynamics import TURN, Account, Cycle, Task
 
-MOMENTS, WORKS, SURPLUS, SPEEDS = 0.30, 0.40, 0.76, 0.34  # heights of the rows, in lengths of the axis of angles
+MOMENTS, WORKS, SURPLUS, SPEEDS = 0.30, 0.40, 0.76, 0.36  # heights of the rows, in lengths of the axis of angles
 WIDE = 0.86  # width of the loop, likewise
 LONG = 24.0  # sizes of a letter that the axis of angles has at least: its positions are numbered
 LEFT, MIDDLE, RIGHT = 10.0, 8.0, 5.4  # paper beside the graphs, between them and the loop, beside it, likewise
@@ -37,6 +38,18 @@ class Row(NamedTuple):
     high: float
 
 
+class Told(NamedTuple):
+    """A table that stands under the loop, and how it is set."""
+
+    table: RuledTable
+    setting: Setting
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """Width and height, mm."""
+        return self.table.size(self.setting)
+
+
 @dataclass(frozen=True)
 class Plate:
     """What stands on one plate: graphs, the loop, or both of them in line."""
@@ -47,6 +60,7 @@ class Plate:
     graphs: bool
     loop: bool
     drafting: Drafting
+    told: Told | None = None  # under the loop
 
     @property
     def hand(self) -> Hand:
@@ -96,9 +110,14 @@ class Plate:
 
     @property
     def below(self) -> float:
-        """Paper under the last row, mm: for the equations of the loop, where they do not stand beside a row."""
-        written = self.account.flywheel is not None and self.loop and not (self.graphs and self.account.speeds)
-        return equations.height(self.drafting) if written else 0.0
+        """Paper under the last row, mm: for what is told under the loop, where it does not stand beside a row."""
+        return 0.0 if self.graphs and self.account.speeds else self.telling
+
+    @property
+    def telling(self) -> float:
+        """The height of what is told under the loop, mm: its equations, the results."""
+        written = equations.height(self.drafting) if self.loop and self.account.flywheel else 0.0
+        return written + (self.told.size[1] + self.under if self.told else 0.0)
 
     @property
     def beside(self) -> tuple[float, float, float]:
@@ -116,6 +135,16 @@ class Plate:
     def high(self) -> float:
         """Height without the paper between, likewise."""
         return sum(row.high for row in self.rows)
+
+
+def told(table: RuledTable, shown: Plate, extent: float) -> Told | None:
+    """Set a table to stand under the loop of a plate drawn so large, mm; None where it is too wide or too high."""
+    length = extent / max(shown.wide, shown.high)
+    ways = [Told(table, setting) for setting in table.settings()]
+    tail = TAIL * shown.hand.letter
+    width, height = WIDE * length + shown.beside[2] + tail, shown.over + SPEEDS * length + 2 * shown.under
+    fitting = (way for way in ways if way.size[0] <= width and replace(shown, told=way).telling <= height)
+    return min(fitting, key=lambda way: way.size[1], default=None)
 
 
 def measure(plate: Plate) -> Picture:
