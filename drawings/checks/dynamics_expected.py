@@ -8,7 +8,8 @@ from functools import cached_property
 
 import numpy as np
 
-from plans.model.dynamics import ANALYSIS, Account, Cycle, Flywheel, Speeds, Task
+from plans.model.account import Account
+from plans.model.dynamics import ANALYSIS, Cycle, Flywheel, Speeds, Task
 from plans.model.motion import Floats
 
 MOMENTS, WORKS, SURPLUS, INERTIA, SPEEDS = "moments", "works", "surplus", "inertia", "speeds"

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from plans.analytic.assembly import Shape
+from plans.analytic.assembly import Assembly, Shape, home
 from plans.analytic.blocks import triangular
 from plans.analytic.closure import EPS, transfer
 from plans.analytic.constraints import TURN, Constraints, X, Y
@@ -37,6 +37,7 @@ class Analysis:
         self.shape = Shape(mechanism, self.constraints, triangular(self.constraints))
         self.pace = pace  # the drive's rates at crank angles; None: those of the mechanism in all
         self._turn: March | None = None
+        self._homes: dict[float | None, Assembly | None] = {}  # by the first crank angle that the sketch may show
 
     def rates(self, phi: Floats) -> Rates:
         """Give the rates of the drive at crank angles rad."""
@@ -45,7 +46,7 @@ class Analysis:
     def motion(self, phi: Floats, order: int = 2) -> Motion:
         """Solve all positions phi rad: order 0 positions, 1 and velocities, 2 and accelerations; from the datum, SI."""
         phi = np.asarray(phi, dtype=np.float64)
-        found = find(self.shape, phi, self.first, self.looks, self.tolerance)
+        found = find(self.shape, phi, self._home(phi) if phi.size else None, self.tolerance)
         self._turn = found.turn
         slopes = [np.full_like(found.poses, np.nan) for _ in range(order)]
         moving = np.flatnonzero(found.regular)
@@ -56,6 +57,13 @@ class Analysis:
         gaps = tuple(missing for missing in found.gaps if order or missing.plan == "positions")
         rows = [wrapped(found.poses), *_rates(slopes, self.rates(phi))]
         return _motion(self.mechanism, self.constraints, phi, rows, gaps)
+
+    def _home(self, phi: Floats) -> Assembly | None:
+        """Assemble the mechanism as the sketch shows it, at the first position if it can be, once for each such one."""
+        first = float(phi[0]) if self.first else None
+        if first not in self._homes:
+            self._homes[first] = home(self.shape, first, self.looks)
+        return self._homes[first]
 
     def extremes(self, output: Output) -> Extremes | None:
         """Find the output's extreme positions on the way round."""

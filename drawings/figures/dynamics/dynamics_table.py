@@ -12,7 +12,8 @@ from drawings.layout.table import RuledTable, TableRow, table
 from drawings.layout.value_table import COLUMNS
 from drawings.lettering.words import fixed
 from drawings.page.drafting import Drafting
-from plans.model.dynamics import Account, Cycle, Reduced, Speeds, Task
+from plans.model.account import Account
+from plans.model.dynamics import Cycle, Reduced, Speeds, Task
 from plans.model.flywheel_methods import Methods
 
 RESULTS, POSITIONS = "results", "positions"
@@ -21,19 +22,22 @@ QUANTITIES = (
     ("ΔJ", "kg*m2"), ("ω", "rad/s"), ("ε", "rad/s2"),
 )  # fmt: skip
 REDUCED = (("φ", "°"), ("M_{red}", "N*m"), ("J_{red}", "kg*m2"), ("dJ/dφ", "kg*m2"))
+MOST = 36  # positions that are told
 DIGITS = 5
 TOLD = (36, 12, 8)  # positions that the table of values tells at most, as the paper takes them
 NOTHING = "—"
 
 
-def positions(task: Task, cycle: Cycle, speeds: Speeds | None, most: int, drafting: Drafting) -> RuledTable:
+def positions(task: Task, account: Account, drafting: Drafting, most: int = MOST) -> RuledTable:
     """Tell the values at so many positions at most and at jumps, at these the moment before and behind.
 
     ε is that in the middle of the strip that begins there.
     """
+    cycle = account.cycle
+    assert cycle is not None  # else nothing is told of a turn
     named = strips(cycle, task.divisions)
     chosen = named.told(math.ceil(task.divisions / most))
-    lines = [row for k in chosen for row in _edge(named, cycle, speeds, k, drafting)]
+    lines = [row for k in chosen for row in _edge(named, cycle, account.speeds, k, drafting)]
     heads = tuple(f"{drafting.letter(letter)}, {drafting.word(unit)}" for letter, unit in QUANTITIES)
     return table(lines, "i", heads, drafting.hand.text)._replace(name=POSITIONS)
 

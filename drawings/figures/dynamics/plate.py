@@ -6,6 +6,7 @@ scale, and under the inertia, turned by 90 degrees, in that one's.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
@@ -21,13 +22,15 @@ from drawings.layout.table import RuledTable, Setting
 from drawings.page.drafting import Drafting
 from drawings.page.scale import Scale
 from drawings.paper.hand import Hand
-from plans.model.dynamics import TURN, Account, Cycle, Task
+from plans.model.account import Account
+from plans.model.dynamics import TURN, Cycle, Task
 
 MOMENTS, WORKS, SURPLUS, SPEEDS = 0.30, 0.40, 0.76, 0.36  # heights of the rows, in lengths of the axis of angles
 WIDE = 0.86  # width of the loop, likewise
 LONG = 24.0  # sizes of a letter that the axis of angles has at least: its positions are numbered
 LEFT, MIDDLE, RIGHT = 10.0, 8.0, 5.4  # paper beside the graphs, between them and the loop, beside it, likewise
-TITLES = ("reduced moments", "works", "surplus energy", "speed over the turn", "loop")
+GRAPHED, LOOPED = ("reduced moments", "works", "surplus energy"), ("reduced inertia", "loop")  # titles
+TITLE = 4.5  # sizes of a letter from the axis of the loop to its title at least: the axis has a letter itself
 WHOLE, GRAPHS, ENERGY = "machine", "diagrams", "energy-mass"  # names of the plates
 
 
@@ -153,12 +156,22 @@ def measure(plate: Plate) -> Picture:
     between = len(plate.rows) * (plate.over + plate.under)
     margins = Margins(sum(plate.beside) / 2, plate.below, between)
     least = max(LONG * plate.hand.letter, _longest(plate)) * max(plate.wide, plate.high)
-    return Picture(plate.name, wide, high, complex(wide, high) / 2, "φ", "rad", margins, 0.0, least)
+    return Picture(plate.name, wide, high, complex(wide, high) / 2, "φ", "rad", margins, _heading(plate), least)
 
 
 def _longest(plate: Plate) -> float:
     """Give the length of the axis of angles beside whose end the captions of the graphs have room, mm."""
+    return _captions(plate, GRAPHED) - BEYOND - 2 * plate.hand.letter
+
+
+def _heading(plate: Plate) -> float:
+    """Give the width that the captions of a loop that stands alone need, mm; beside graphs they have more."""
+    before = plate.beside[1] + TITLE * plate.hand.letter
+    return 0.0 if plate.graphs else before + _captions(plate, LOOPED)
+
+
+def _captions(plate: Plate, titles: Iterable[str]) -> float:
+    """Give the length of the longest caption, mm."""
     drafting = plate.drafting
-    scales = f"{drafting.scale(Scale(0.025, 'J', 'kg*m2'))};  {drafting.scale(Scale(0.025, 'φ', 'rad'))}"
-    longest = max(wide(drafting.word(title), scales, plate.hand) for title in TITLES)
-    return longest - BEYOND - 2 * plate.hand.letter
+    scales = f"{drafting.scale(Scale(0.0025, 'J', 'kg*m2'))};  {drafting.scale(Scale(0.025, 'φ', 'rad'))}"
+    return max(wide(drafting.word(title), scales, plate.hand) for title in titles)

@@ -9,7 +9,7 @@ from itertools import product
 from drawings.figures.dynamics import equations, quantities, rays, strip_graph
 from drawings.figures.dynamics import loop as loop_figure
 from drawings.figures.dynamics.part import Part, caption
-from drawings.figures.dynamics.plate import Plate
+from drawings.figures.dynamics.plate import TITLE, Plate
 from drawings.figures.dynamics.plate_frame import PlateFrame
 from drawings.figures.dynamics.strip_graph import StripGraph
 from drawings.figures.graphs.axes import Axes
@@ -23,7 +23,7 @@ from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.trimming import trim
 
 DIGITS = 5
-TITLE = 4.5  # sizes of a letter from the axis of the loop to its title at least: the axis has a letter itself
+TOLD = "told"  # the name of what is told under the loop
 CLEAR = 1.5  # mm around a caption
 
 
@@ -74,7 +74,7 @@ class _Drawing:
             corner -= 1j * equations.height(plate.drafting)
         if plate.told is not None:
             table, setting = plate.told
-            yield Part(f"{table.name}-table", tuple(table.draw(corner, setting, plate.drafting)), ())
+            yield Part(TOLD, tuple(table.draw(corner, setting, plate.drafting)), ())
 
     def _graphs(self) -> Iterator[Part]:
         """Draw the graphs over the angle."""

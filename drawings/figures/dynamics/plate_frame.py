@@ -80,8 +80,8 @@ class PlateFrame:
     @cached_property
     def speeds(self) -> StripGraph | None:
         """The graph of the speeds."""
-        found = self.plate.account.speeds
-        return quantities.speeds(self.plate.cycle, self.plate.dense, found) if found else None
+        plate, found = self.plate, self.plate.account.speeds
+        return quantities.speeds(plate.cycle, plate.dense, found, plate.account.before) if found else None
 
     @cached_property
     def surplus(self) -> StripGraph:
