@@ -55,15 +55,10 @@ def equations(leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wr
 
 
 def positions(leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:
-    """Read the table of the edges back: each row that must be there, each cell to its last digit.
-
-    A sheet tells all positions, or every so many: of its ways the one that is nearest to what it shows.
-    """
-    cycle, speeds, digits = expected.cycle, expected.account.speeds, precise(drafting)
-    seen = {row[0] for row in _rows(_parts(leaf, dynamics_table.POSITIONS))}
-    ways = [dynamics_table.positions(expected.task, cycle, speeds, most, digits) for most in dynamics_table.TOLD]
-    nearest = min(ways, key=lambda way: len({Text(0j, line.name).plain for line in way.lines} ^ seen))
-    yield from _table(leaf, nearest, dynamics_table.DIGITS, True)
+    """Read the table of the edges back: each row that must be there, each cell to its last digit."""
+    told = leaf.metadata["positions"]
+    table = dynamics_table.positions(expected.task, expected.account, precise(drafting), told)
+    yield from _table(leaf, table, dynamics_table.DIGITS, True)
 
 
 def reduction(leaf: Leaf, reduced: Reduced, drafting: Drafting) -> Iterator[Wrong]:

@@ -7,9 +7,11 @@ from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from typing import Any, NamedTuple
 
-from drawings.figures.dynamics import dynamics_table, flywheel_sketch, load_diagram, plate, plate_figure
+from drawings.figures.dynamics import dynamics_table, flywheel_sketch, load_diagram, plate, plate_figure, quantities
+from drawings.figures.dynamics.bare_speeds import bare_speeds
 from drawings.figures.dynamics.load_course import LoadCourse, courses
 from drawings.figures.dynamics.plate import Plate
+from drawings.figures.graphs import curve_graph
 from drawings.layout.contents import Panel
 from drawings.layout.grid import GAP
 from drawings.layout.picture import SMALLER
@@ -20,13 +22,14 @@ from drawings.page.page import Page, page_of
 from drawings.paper.strokes import Leaf
 from drawings.report.dynamics_report import notes_of
 from drawings.sheets.leaves import Caption, Draft, Exhibit, count, lay_out
-from drawings.sheets.linkage_admission import of_linkage
-from plans.model.dynamics import Account, Task
+from plans.model.account import Account
+from plans.model.dynamics import Task
 from plans.model.flywheel_methods import Methods
 from plans.model.flywheel_rim import Wheel
 from plans.scene.scene import Scene
 from plans.study import Study
 
+TOLD = (dynamics_table.MOST, 12, 8)  # positions that the table of values tells at most, as the paper takes them
 LARGEST = 2.0  # times the least size at which it is legible: a load is not drawn larger than the graphs
 VALUES, FOUND = "values", "found"  # what stands in one column
 
@@ -40,12 +43,7 @@ class Machine(NamedTuple):
     methods: Methods | None = None
     loads: tuple[LoadCourse, ...] = ()
     rim: Wheel | None = None
-    said: tuple[str, ...] = ()
-
-
-def admit(scene: Scene) -> None:
-    """See that the points of the linkage can be lettered (row of the table of sheets)."""
-    of_linkage(scene)
+    notes: tuple[str, ...] = ()
 
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
@@ -98,14 +96,14 @@ class _DynamicsSheet:
         """List the ways: in line, with all else in one column if it has room there, wherever the paper takes that."""
         whole = self.machine.own.cycle is not None and self._least is not None
         if whole:
-            yield from (Way(True, most, VALUES, VALUES) for most in dynamics_table.TOLD)
-            yield Way(True, dynamics_table.TOLD[0], "", "")
+            yield from (Way(True, most, VALUES, VALUES) for most in TOLD)
+            yield Way(True, TOLD[0], "", "")
         else:
-            yield from (Way(False, most) for most in dynamics_table.TOLD)
+            yield from (Way(False, most) for most in TOLD)
 
     def _drafted(self, way: Way) -> Draft:
         title, shows = self.drafting.word("dynamics sheet title"), tuple(self._shows(way))
-        return Draft("dynamics", title, shows, (), self.machine.said, _facts)
+        return Draft("dynamics", title, shows, (), self.machine.notes, partial(_facts, way.most))
 
     def _shows(self, way: Way) -> Iterator[Exhibit | Caption]:
         """Show graphs and loop in line, all else in one column beside them; or apart, each with a column beside it."""
@@ -117,6 +115,7 @@ class _DynamicsSheet:
         if self.machine.own.cycle is not None and not (way.whole and self._whole.told):
             yield self._caption(self._results(), way.found)
         yield from self._wheel(way.found)
+        yield from self._bare(way.found)
 
     def _plates(self, way: Way) -> Iterator[Exhibit]:
         """Give the plates: none of a machine whose crank cannot turn fully."""
@@ -155,11 +154,20 @@ class _DynamicsSheet:
             yield Exhibit(Panel(room, together=together), draw)
 
     def _wheel(self, together: str) -> Iterator[Exhibit]:
-        """Show the flywheel, if there is one whose sizes are known and can be made."""
+        """Show the flywheel, if there is one whose sizes are known."""
         rim = self.machine.rim
         if rim is not None and rim.fits:
             room = flywheel_sketch.measure(rim, self.drafting)
             draw = partial(flywheel_sketch.draw, rim, room, drafting=self.drafting)
+            yield Exhibit(Panel(room, together=together), draw)
+
+    def _bare(self, together: str) -> Iterator[Exhibit]:
+        """Show the speeds without the flywheel, where they swing too far to stand among the others."""
+        machine = self.machine
+        curve = bare_speeds(machine.task, machine.own, self.drafting)
+        if curve is not None:
+            room = curve_graph.measure(curve, quantities.BEFORE, self.drafting)
+            draw = partial(curve_graph.draw, curve, room, drafting=self.drafting)
             yield Exhibit(Panel(room, together=together), draw)
 
     def _values(self, most: int) -> RuledTable:
@@ -167,7 +175,7 @@ class _DynamicsSheet:
         own = self.machine.own
         if own.cycle is None:
             return dynamics_table.reduction(own.reduced, self.drafting)
-        return dynamics_table.positions(self.machine.task, own.cycle, own.speeds, most, self.drafting)
+        return dynamics_table.positions(self.machine.task, own, self.drafting, most)
 
     def _results(self) -> RuledTable:
         """Tell what both roads found."""
@@ -187,6 +195,6 @@ class _DynamicsSheet:
         return Exhibit(Panel(room), partial(plate_figure.draw, shown))
 
 
-def _facts(names: Collection[str]) -> dict[str, Any]:
-    """Say in the data of a sheet which figures it shows."""
-    return {"figures": list(names)}
+def _facts(most: int, names: Collection[str]) -> dict[str, Any]:
+    """Say in the data of a sheet which figures it shows, and how many positions its table tells at most."""
+    return {"figures": list(names), "positions": most}

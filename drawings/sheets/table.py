@@ -34,7 +34,7 @@ SHEETS: Final[Mapping[str, Sheet]] = {
         faults="drawings.checks.verify_forces:faults",
     ),
     "dynamics": Sheet(
-        admit="drawings.sheets.dynamics:admit",
+        admit="drawings.sheets.linkage_admission:of_linkage",
         leaves="drawings.sheets.dynamics:leaves",
         faults="drawings.checks.verify_dynamics:faults",
     ),

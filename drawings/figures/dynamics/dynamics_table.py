@@ -24,7 +24,6 @@ QUANTITIES = (
 REDUCED = (("φ", "°"), ("M_{red}", "N*m"), ("J_{red}", "kg*m2"), ("dJ/dφ", "kg*m2"))
 MOST = 36  # positions that are told
 DIGITS = 5
-TOLD = (36, 12, 8)  # positions that the table of values tells at most, as the paper takes them
 NOTHING = "—"
 
 
