@@ -52,14 +52,21 @@ class Positions:
         return {missing.position for missing in self.gaps}
 
 
-def find(shape: Shape, phi: Floats, first: bool, looks: Floats, tolerance: float = EPS) -> Positions:
+def find(
+    shape: Shape, phi: Floats, first: bool, looks: Floats, tolerance: float = EPS, whole: March | None = None
+) -> Positions:
     """Find the poses at crank angles phi rad, (N,), starting at the first of them if the links can be joined there.
 
     Where the sketch does not show the `first` one, or it cannot be assembled, the march starts where the mechanism fits
     the sketch best among the crank angles `looks`, rad. The way round the turn is always marched to rounding level;
-    `tolerance` is for the positions asked for.
+    `tolerance` is for the positions asked for. A `whole` turn that meets nothing singular is not marched again.
     """
     found = Positions(phi, np.full((len(phi), len(shape.constraints.numbers), 3), np.nan), np.zeros(len(phi), bool))
+    if whole is not None:
+        crank = whole.angles[0] + (phi - whole.angles[0]) % FULL
+        _along(found, shape, whole, crank, np.ones(len(phi), dtype=bool), tolerance)
+        _tell_lost(found, shape, whole)
+        return found
     start = home(shape, float(phi[0]) if first else None, looks) if phi.size else None
     if start is None:
         for k in range(len(phi)):
