@@ -65,6 +65,13 @@ class Study:
         return self._numbers[technique, by]
 
     @property
+    def pace(self) -> Any:
+        """The rates of the drive in each position, by the technique that the scene asks for them; None: its own."""
+        rows = (TECHNIQUES[name] for name in self.scene.techniques)
+        paces = (named(row.pace)(self) for row in rows if row.pace)
+        return next((pace for pace in paces if pace is not None), None)
+
+    @property
     def made(self) -> frozenset[str]:
         """The plans that were made so far."""
         return frozenset(plan for study in self._made.values() for plan in study.made)

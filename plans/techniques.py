@@ -25,6 +25,7 @@ class Technique(NamedTuple):
     plans: tuple[str, ...]  # what it makes, in order: the names that --only and --trace know
     sheets: Mapping[str, tuple[str, ...]]  # what a scene may ask for, each with the plans that it needs
     needs: tuple[str, ...] = ()  # techniques that it rests on
+    pace: str = ""  # of the memo to the rates that it gives the drive in each position, or nothing
     borrows: tuple[str, ...] = ()  # techniques whose tables it reads, though it makes none of their plans
 
 
@@ -62,7 +63,7 @@ TECHNIQUES: Final[Mapping[str, Technique]] = {
     "dynamics": Technique(
         form="plans.dynamics.form:DynamicsForm",
         tables=("dynamics",),
-        shares={},
+        shares={"drive": ("speed_from",)},
         meaning="plans.dynamics.reading:survey_of",
         notes="plans.dynamics.reading:notes_of",
         study="plans.dynamics.study:study_of",
@@ -72,6 +73,7 @@ TECHNIQUES: Final[Mapping[str, Technique]] = {
         plans=DYNAMICS,
         sheets={"dynamics": ("positions", "velocities", *DYNAMICS)},
         needs=("linkage",),
+        pace="plans.checks.pace:pace_of",
         borrows=("forces",),
     ),
     "rotor": Technique(

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
-from plans.model.dynamics import Account, Cycle, Flywheel, Task
+from plans.model.account import Account
+from plans.model.dynamics import ANALYSIS, Cycle, Flywheel, Speeds, Task
 from plans.model.motion import Floats
 
 MOMENTS, WORKS, SURPLUS, INERTIA, SPEEDS = "moments", "works", "surplus", "inertia", "speeds"
@@ -20,41 +21,59 @@ KNOWN = 1e-7
 class Expected:
     """The motion of a machine by analysis on the strips of the construction.
 
-    `energy` J at position 0 is what a machine without a flywheel is said to have: its mean speed must come out of it.
+    `energies` J at position 0 are what the construction says of a machine without a flywheel, after the flywheel was
+    found not to be needed and before it was asked: its mean speed must come out of them.
     """
 
     task: Task
-    account: Account
-    energy: float | None = None
+    found: Account
+    energies: tuple[float | None, float | None] = (None, None)
+
+    @cached_property
+    def account(self) -> Account:
+        """All of it, with the motion over the strips."""
+        return replace(self.found, speeds=self._after, before=self._without(self.energies[1]))
 
     @property
     def cycle(self) -> Cycle:
         """The account of the turn."""
-        assert self.account.cycle is not None  # else no sheet is drawn
-        return self.account.cycle
+        assert self.found.cycle is not None  # else no sheet is drawn
+        return self.found.cycle
 
     @property
     def wheel(self) -> Flywheel | None:
         """The flywheel that the corners of the loop ask for."""
-        return self.account.flywheel
+        return self.found.flywheel
 
-    @cached_property
-    def omega(self) -> Floats | None:
-        """The speed at the edges with the flywheel, rad/s; None where no fluctuation is asked for, or it would stop."""
+    @property
+    def _after(self) -> Speeds | None:
         wheel = self.wheel
         if wheel is None:
             return None
-        inertia, energy = wheel.whole, wheel.energy
-        if wheel.needed <= 0:
-            if self.energy is None:
-                return None
-            inertia, energy = wheel.own + wheel.present, self.energy
-        return np.asarray(np.sqrt(2 * (energy + self.cycle.surplus) / (inertia + self.cycle.varying)))
+        return self._speeds(wheel.whole, wheel.energy) if wheel.needed > 0 else self._without(self.energies[0])
+
+    def _without(self, energy: float | None) -> Speeds | None:
+        """Give the motion without a flywheel; None where the machine would stop."""
+        bare = float(self.cycle.inertia[0]) + self.task.present
+        return None if energy is None else self._speeds(bare, energy)
+
+    def _speeds(self, inertia: float, energy: float) -> Speeds:
+        """Give the motion of a machine with an inertia and an energy at position 0, its slope by chords."""
+        turned = self.cycle.turned
+        omega = np.sqrt(2 * (energy + self.cycle.surplus) / (inertia + self.cycle.varying))
+        epsilon = (omega[1:] + omega[:-1]) / 2 * np.diff(omega) / np.diff(turned)
+        extremes = float(omega.min()), float(omega.max())
+        return Speeds(ANALYSIS, turned, omega, epsilon, extremes, inertia, energy)
+
+    @property
+    def omega(self) -> Floats | None:
+        """The speed at the edges, rad/s; None where no fluctuation is asked for, or the machine would stop."""
+        return None if self.account.speeds is None else self.account.speeds.omega
 
     @property
     def mean(self) -> float:
         """The mean of the least and the greatest speed, rad/s."""
-        return 0.0 if self.omega is None else float(self.omega.min() + self.omega.max()) / 2
+        return 0.0 if self.account.speeds is None else self.account.speeds.mean
 
     @property
     def graphs(self) -> Mapping[str, Floats]:
@@ -78,12 +97,3 @@ class Expected:
     def before(self) -> Floats:
         """The moments before each edge, N*m."""
         return np.append(-self.cycle.moments[0, 0], -self.cycle.moments[:, 1])
-
-    @property
-    def jumps(self) -> frozenset[int]:
-        """The edges at which the moment jumps for the eye."""
-        apart = np.abs(self.before - self.graphs[MOMENTS])
-        return frozenset(np.flatnonzero(apart > SEEN * np.ptp(self.cycle.moments)).tolist())
-
-
-SEEN = 1e-3  # of the span of the moments: a smaller jump cannot be seen

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -19,6 +19,7 @@ from plans.model.dynamics import TURN
 from plans.model.motion import Floats
 from plans.words.words import message
 
+NONE = float("nan")
 POLE = "pole"  # the part with the pole and the rays
 _SCALE = re.compile(r"(μ|K)_?\{?(\w+)\}? = (\d+(?:[.,]\d+)?) ")
 _DISTANCE = re.compile(r"H = (\d+(?:[.,]\d+)?)")
@@ -38,7 +39,11 @@ def written(group: Group) -> dict[str, float]:
 
 def graphs(measured: Measured, leaf: Leaf, expected: Expected, due: Iterable[str], language: str) -> Iterator[Wrong]:
     """Hold every graph that a sheet must show."""
-    found = [_Graph(name, one, measured, expected) for name in due if (one := part(leaf, name)) is not None]
+    parts = {name: one for name in due if (one := part(leaf, name)) is not None}
+    angle = next(
+        (scales["φ"] for name, one in parts.items() if name != INERTIA and "φ" in (scales := written(one))), NONE
+    )
+    found = [_Graph(name, one, measured, expected, angle) for name, one in parts.items()]
     yield from (message("wrong.missing", name=name) for name in due if part(leaf, name) is None)
     shared = frozenset(k for one in found if one.name != INERTIA for k in one.told)
     for graph in found:
@@ -56,6 +61,7 @@ class _Graph:
     group: Group
     measured: Measured
     expected: Expected
+    angle: float  # scale of the angle that the graphs under one another share, rad/mm
 
     @property
     def values(self) -> Floats:
@@ -95,7 +101,7 @@ class _Graph:
     @property
     def length(self) -> float:
         """The scale of the angle as it is written, rad/mm."""
-        return written(self.group).get("φ", np.nan)
+        return written(self.group).get("φ", NONE) if self.name == INERTIA else self.angle
 
     def faults(self, shared: frozenset[int], language: str) -> Iterator[Wrong]:
         yield from self._ordinates(shared)
@@ -111,7 +117,7 @@ class _Graph:
             if not 0 <= k <= last or not abs(one.value - self.rise * self.values[k]) <= self.slack:
                 yield on("differs_at", self.name, name=one.name, position=k)
         seen = {text.plain for text in texts((self.group,))}
-        due = shared | self.expected.jumps | {k for k, name in enumerate(self.names) if name in seen}
+        due = shared | {k for k, name in enumerate(self.names) if name in seen}
         for k in sorted(due - self.told):
             if 0 <= k <= last and abs(self.values[k]) > SHORT * self.mu:
                 yield on("missing_at", self.name, name=self.names[k], position=k)
@@ -132,7 +138,7 @@ class _Graph:
     def zero(self) -> complex:
         """The beginning of the axis of angles on paper, by its first ordinate."""
         k, one = next(iter(self.marks.items()))
-        return one.start - self.along * self.expected.cycle.turned[k] / self.length
+        return complex(one.start - self.along * self.expected.cycle.turned[k] / self.length)
 
     def on(self, angle: float, value: float) -> complex:
         """Give the place on paper of a value, mm."""
@@ -151,29 +157,40 @@ class _Graph:
         return self.slack / self.mu + KNOWN * TURN / self.length + self.measured.quantum
 
     def _curve(self) -> Iterator[Wrong]:
-        """See that a point stands at each edge, on both sides of a jump, and that curves go through theirs."""
-        turned, places = self.expected.cycle.turned, np.array(list(_vertices(self.group)))
+        """See that a point stands at each edge, at a jump two, and that curves and lines go through theirs."""
+        turned, places = self.expected.cycle.turned, np.array(list(vertices(self.group)))
         dots = np.array([one.centre for one in walk((self.group,)) if isinstance(one, Circle)])
         rows = [self.values, self.expected.before] if self.name == MOMENTS else [self.values]
         for k, angle in enumerate(turned):
             spots = [self.on(angle, float(row[k])) for row in rows]
-            if not all(_has(dots, spot, self.near) and _has(places, spot, self.near) for spot in spots):
+            if not all(has(dots, spot, self.near) and has(places, spot, self.near) for spot in spots):
                 yield on("edge", self.name, name=self.names[k])
+        chains = [one.points for one in walk((self.group,)) if isinstance(one, Polyline)]
         for start, end in self.expected.lines.get(self.name, ()):
             ends = self.on(0.0, start), self.on(TURN, end)
-            if not all(_has(places, spot, self.near) for spot in ends):
+            if not any(straight(chain, ends, self.near) for chain in chains):
                 yield on("line", self.name)
 
 
 SHORT = 0.1  # mm: an ordinate that is shorter may be a point
 
 
-def _vertices(group: Group) -> Iterator[complex]:
+def vertices(group: Group) -> Iterator[complex]:
+    """Give the corners of all chains of lines of a part."""
     return (point for one in walk((group,)) if isinstance(one, Polyline) for point in one.points)
 
 
-def _has(places: np.ndarray[tuple[int, ...], np.dtype[np.complex128]], spot: complex, near: float) -> bool:
+def has(places: np.ndarray[tuple[int, ...], np.dtype[np.complex128]], spot: complex, near: float) -> bool:
+    """Tell whether one of some places is near a spot."""
     return bool(places.size) and bool(np.abs(places - spot).min() <= near)
+
+
+def straight(chain: Sequence[complex], ends: tuple[complex, complex], near: float) -> bool:
+    """Tell whether a chain of lines goes straight from one end to another."""
+    start, end = ends
+    along = (end - start) / abs(end - start)
+    apart = [abs(chain[0] - start), abs(chain[-1] - end), *(abs(((p - start) / along).imag) for p in chain)]
+    return max(apart) <= near
 
 
 def edge_names(expected: Expected) -> tuple[str, ...]:
@@ -197,12 +214,15 @@ def _pole(leaf: Leaf, moments: _Graph, works: _Graph) -> Iterator[Wrong]:
     if not abs(float(told[1].replace(",", ".")) - distance) <= WRITTEN * distance:
         yield message("wrong.scale", text=told[0])
     pole = moments.zero - distance
-    if not _has(np.array([one.centre for one in walk((group,)) if isinstance(one, Circle)]), pole, moments.near):
+    if not has(np.array([one.centre for one in walk((group,)) if isinstance(one, Circle)]), pole, moments.near):
         yield on("differs_on", MOMENTS, name="P")
     means = np.array([moments.on(0.0, -float(mean)) for mean in moments.expected.cycle.means])
     rays = [one.end for one in walk((group,)) if isinstance(one, Line) and abs(one.start - pole) <= moments.near]
+    rays = [end for end in rays if abs(end.real - pole.real) > moments.near]  # the rest dimensions the distance
     true = np.append(means, moments.zero)
-    yield from (on("ray", MOMENTS) for end in rays if not _has(true, end, moments.near))
+    yield from (on("ray", MOMENTS) for end in rays if not has(true, end, moments.near))
+    if not any(has(np.array(rays), spot, moments.near) for spot in means if abs(spot - moments.zero) > SHORT):
+        yield message("wrong.missing", name="P")
 
 
 WRITTEN = 1e-3  # of a number: it is written with four digits

@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from drawings.checks.dynamics_expected import KNOWN, Expected
-from drawings.checks.dynamics_graphs import _has, _vertices, edge_names, part, written
+from drawings.checks.dynamics_graphs import edge_names, has, part, vertices, written
 from drawings.checks.wrong import Wrong, on
 from drawings.lettering.words import number
 from drawings.measure.measure import Measured
@@ -99,10 +99,10 @@ class _Loop:
     def _curve(self) -> Iterator[Wrong]:
         """See that a point stands at each edge, and that the curve goes through it."""
         dots = np.array([one.centre for one in walk((self.group,)) if isinstance(one, Circle)])
-        curve, names = np.array(list(_vertices(self.group))), edge_names(self.expected)
+        curve, names = np.array(list(vertices(self.group))), edge_names(self.expected)
         for k, place in enumerate(self.places[:-1]):
             spot = self.origin + place
-            if not (_has(dots, spot, self.near) and _has(curve, spot, self.near)):
+            if not (has(dots, spot, self.near) and has(curve, spot, self.near)):
                 yield on("edge", LOOP, name=names[k])
 
     def _tangents(self, wheel: Flywheel) -> Iterator[Wrong]:

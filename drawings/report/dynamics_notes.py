@@ -9,7 +9,8 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.page.drafting import Drafting
-from plans.model.dynamics import TURN, Account, Cycle, Flywheel, Task
+from plans.model.account import Account
+from plans.model.dynamics import TURN, Cycle, Flywheel, Task
 from plans.model.flywheel_rim import Wheel
 
 RPM = 30 / math.pi  # of a rad/s

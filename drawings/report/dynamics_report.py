@@ -16,7 +16,8 @@ from drawings.report.markdown import chapter, header, row
 from plans.dynamics.loop import loop
 from plans.dynamics.methods import methods
 from plans.dynamics.rim import rim_of
-from plans.model.dynamics import Account, Cycle, Flywheel, Task
+from plans.model.account import Account
+from plans.model.dynamics import Cycle, Flywheel, Task
 from plans.study import Study
 from plans.words.words import Message, word
 

@@ -3,47 +3,39 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from typing import Any, NamedTuple
 
-from drawings.figures.dynamics import dynamics_table, flywheel_sketch, load_diagram, plate, plate_figure
+from drawings.figures.dynamics import dynamics_table, flywheel_sketch, load_diagram, plate, plate_figure, quantities
+from drawings.figures.dynamics.bare_speeds import bare_speeds
 from drawings.figures.dynamics.load_course import LoadCourse, courses
 from drawings.figures.dynamics.plate import Plate
+from drawings.figures.graphs import curve_graph
 from drawings.layout.contents import Panel
-from drawings.layout.footing import PAD
+from drawings.layout.grid import GAP
+from drawings.layout.picture import SMALLER
 from drawings.layout.table import RuledTable
 from drawings.layout.trials import room_of
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.page.page import Page, page_of
 from drawings.paper.strokes import Leaf
 from drawings.report.dynamics_report import notes_of
-from drawings.sheets.leaves import Caption, Draft, Exhibit, lay_out
-from plans.model.dynamics import Account, Task
+from drawings.sheets.leaves import Caption, Draft, Exhibit, count, lay_out
+from plans.model.account import Account
+from plans.model.dynamics import Task
 from plans.model.flywheel_methods import Methods
 from plans.model.flywheel_rim import Wheel
 from plans.scene.scene import Scene
 from plans.study import Study
 
-
-def leaves(study: Study) -> tuple[Leaf, ...]:
-    """Lay out the sheets of the motion of a scene's machine (row of the table of sheets)."""
-    own, comparison = study["dynamics"], study.comparison("dynamics")
-    loads = tuple(courses(own.statics.machine, own.statics.strokes))
-    notes = notes_of(study)
-    machine = Machine(
-        own.task, comparison.construction, comparison.exact, comparison.methods, loads, notes.rim, notes.all
-    )
-    return sheets(study.scene, machine)
-
-
-def sheets(scene: Scene, machine: Machine) -> tuple[Leaf, ...]:
-    """Lay out the sheets of a machine whose motion is found."""
-    return lay_out(scene, [_DynamicsSheet(scene, machine).draft])
+TOLD = (dynamics_table.MOST, 12, 8)  # positions that the table of values tells at most, as the paper takes them
+LARGEST = 2.0  # times the least size at which it is legible: a load is not drawn larger than the graphs
+VALUES, FOUND = "values", "found"  # what stands in one column
 
 
 class Machine(NamedTuple):
-    """What is asked of a machine's motion, what the roads found of it, its loads, the flywheel's rim, what is said."""
+    """What is asked of a machine's motion, and what was found of it: by construction, exactly, by other methods."""
 
     task: Task
     own: Account
@@ -52,6 +44,31 @@ class Machine(NamedTuple):
     loads: tuple[LoadCourse, ...] = ()
     rim: Wheel | None = None
     notes: tuple[str, ...] = ()
+
+
+def leaves(study: Study) -> tuple[Leaf, ...]:
+    """Lay out the sheets of the motion of a scene's machine (row of the table of sheets)."""
+    found, statics, said = study.comparison("dynamics"), study["forces"], notes_of(study)
+    loads = tuple(courses(statics.machine, statics.strokes))
+    own = Machine(said.task, found.construction, found.exact, found.methods, loads, said.rim, said.all)
+    return sheets(study.scene, own)
+
+
+def sheets(scene: Scene, machine: Machine) -> tuple[Leaf, ...]:
+    """Lay out the sheets of a machine whose motion is found."""
+    return lay_out(scene, [_DynamicsSheet(scene, machine).draft])
+
+
+class Way(NamedTuple):
+    """A way to show it: graphs and loop in line or apart, how many positions the table tells at most, the columns.
+
+    `values` and `found` name the columns of loads and values, and of what was found; without a name each stands alone.
+    """
+
+    whole: bool
+    most: int
+    values: str = VALUES
+    found: str = FOUND
 
 
 @dataclass(frozen=True)
@@ -71,59 +88,113 @@ class _DynamicsSheet:
 
     @property
     def draft(self) -> Draft:
-        title = self.drafting.word("dynamics sheet title")
-        return Draft("dynamics", title, tuple(self._shows()), (), self.machine.notes, _facts)
+        """The draft that takes the fewest sheets; of several the one whose graphs and loop stand in line."""
+        drafts = [self._drafted(way) for way in self._ways()]
+        return min(drafts, key=partial(count, self.scene))
 
-    def _shows(self) -> Iterator[Exhibit | Caption]:
-        """Show graphs and loop in line where the paper takes them so, or else apart."""
-        whole = self._plate(plate.WHOLE, graphs=True, loop=True)
-        if self._takes(whole):
-            yield self._exhibit(whole)
-            yield self._positions()
+    def _ways(self) -> Iterator[Way]:
+        """List the ways: in line, with all else in one column if it has room there, wherever the paper takes that."""
+        whole = self.machine.own.cycle is not None and self._least is not None
+        if whole:
+            yield from (Way(True, most, VALUES, VALUES) for most in TOLD)
+            yield Way(True, TOLD[0], "", "")
+        else:
+            yield from (Way(False, most) for most in TOLD)
+
+    def _drafted(self, way: Way) -> Draft:
+        title, shows = self.drafting.word("dynamics sheet title"), tuple(self._shows(way))
+        return Draft("dynamics", title, shows, (), self.machine.notes, partial(_facts, way.most))
+
+    def _shows(self, way: Way) -> Iterator[Exhibit | Caption]:
+        """Show graphs and loop in line, all else in one column beside them; or apart, each with a column beside it."""
+        plates = tuple(self._plates(way))
+        yield from plates[:1]
+        yield from self._loads(way.values)
+        yield self._caption(self._values(way.most), way.values)
+        yield from plates[1:]
+        if self.machine.own.cycle is not None and not (way.whole and self._whole.told):
+            yield self._caption(self._results(), way.found)
+        yield from self._wheel(way.found)
+        yield from self._bare(way.found)
+
+    def _plates(self, way: Way) -> Iterator[Exhibit]:
+        """Give the plates: none of a machine whose crank cannot turn fully."""
+        if self.machine.own.cycle is None:
+            return
+        if way.whole:
+            yield self._exhibit(self._whole, self._least)
         else:
             yield self._exhibit(self._plate(plate.GRAPHS, graphs=True))
-            yield self._positions()
             yield self._exhibit(self._plate(plate.ENERGY, loop=True))
-        yield self._results()
-        yield from self._beside()
 
-    def _beside(self) -> Iterator[Exhibit]:
-        """Show the loads over their strokes, and the flywheel where a rim of its diameter can be made."""
-        for load in self.machine.loads:
-            room = load_diagram.measure(load, self.drafting)
-            yield Exhibit(Panel(room), partial(load_diagram.draw, load, room, drafting=self.drafting))
+    @cached_property
+    def _whole(self) -> Plate:
+        """Graphs and loop in line, the results under the loop if they have room there."""
+        bare = self._plate(plate.WHOLE, graphs=True, loop=True)
+        largest = self._largest(bare)
+        return bare if largest is None else replace(bare, told=plate.told(self._results(), bare, largest))
+
+    @cached_property
+    def _least(self) -> float | None:
+        """The size mm of graphs and loop in line as large as they stand beside the title block; None: not legible."""
+        return self._largest(self._whole)
+
+    def _largest(self, shown: Plate) -> float | None:
+        room, picture = room_of(self.page), plate.measure(shown)
+        width = room.width - self.page.block.width - GAP
+        extents = [rung.extent for rung in picture.ladder(width, room.height, self.page.standard).rungs]
+        return extents[0] if extents and extents[0] >= picture.least else None
+
+    def _loads(self, together: str) -> Iterator[Exhibit]:
+        """Show each load that changes over a stroke."""
+        for course in self.machine.loads:
+            room = load_diagram.measure(course, self.drafting)
+            room = room._replace(most=LARGEST * room.least)
+            draw = partial(load_diagram.draw, course, room, drafting=self.drafting)
+            yield Exhibit(Panel(room, together=together), draw)
+
+    def _wheel(self, together: str) -> Iterator[Exhibit]:
+        """Show the flywheel, if there is one whose sizes are known."""
         rim = self.machine.rim
         if rim is not None and rim.fits:
             room = flywheel_sketch.measure(rim, self.drafting)
-            yield Exhibit(Panel(room), partial(flywheel_sketch.draw, rim, room, drafting=self.drafting))
+            draw = partial(flywheel_sketch.draw, rim, room, drafting=self.drafting)
+            yield Exhibit(Panel(room, together=together), draw)
 
-    def _positions(self) -> Caption:
-        """Tell the values at the edges of the strips."""
-        table = dynamics_table.positions(self.machine.task, self.machine.own, self.drafting)
-        return self._caption(table)
+    def _bare(self, together: str) -> Iterator[Exhibit]:
+        """Show the speeds without the flywheel, where they swing too far to stand among the others."""
+        machine = self.machine
+        curve = bare_speeds(machine.task, machine.own, self.drafting)
+        if curve is not None:
+            room = curve_graph.measure(curve, quantities.BEFORE, self.drafting)
+            draw = partial(curve_graph.draw, curve, room, drafting=self.drafting)
+            yield Exhibit(Panel(room, together=together), draw)
 
-    def _results(self) -> Caption:
+    def _values(self, most: int) -> RuledTable:
+        """Tell the values at the edges of the strips, or of the reduction alone at the positions."""
+        own = self.machine.own
+        if own.cycle is None:
+            return dynamics_table.reduction(own.reduced, self.drafting)
+        return dynamics_table.positions(self.machine.task, own, self.drafting, most)
+
+    def _results(self) -> RuledTable:
         """Tell what both roads found."""
         machine = self.machine
-        return self._caption(dynamics_table.results(machine.own, machine.exact, machine.methods, self.drafting))
+        return dynamics_table.results(machine.own, machine.exact, machine.methods, self.drafting)
 
-    def _caption(self, table: RuledTable) -> Caption:
-        return Caption(Panel(table.block(table.name)), partial(table.write, drafting=self.drafting))
+    def _caption(self, table: RuledTable, together: str) -> Caption:
+        panel = Panel(table.block(table.name), together=together)
+        return Caption(panel, partial(table.write, drafting=self.drafting))
 
     def _plate(self, name: str, graphs: bool = False, loop: bool = False) -> Plate:
         return Plate(name, self.machine.task, self.machine.own, graphs, loop, self.drafting)
 
-    def _exhibit(self, shown: Plate) -> Exhibit:
-        return Exhibit(Panel(plate.measure(shown)), partial(plate_figure.draw, shown))
-
-    def _takes(self, shown: Plate) -> bool:
-        """Tell whether the paper has room for a plate beside or over the title block, large enough to be read."""
-        room, block, picture = room_of(self.page), self.page.block, plate.measure(shown)
-        rooms = (room.width - block.width - PAD, room.height), (room.width, room.height - block.height - PAD)
-        ladders = (picture.ladder(*size, self.page.standard) for size in rooms)
-        return any(rung.extent >= picture.least for ladder in ladders for rung in ladder.rungs)
+    def _exhibit(self, shown: Plate, least: float | None = None) -> Exhibit:
+        room = plate.measure(shown)
+        room = room if least is None else room._replace(least=least * SMALLER)
+        return Exhibit(Panel(room), partial(plate_figure.draw, shown))
 
 
-def _facts(names: Collection[str]) -> dict[str, Any]:
-    """Say in the data of a sheet which figures it shows."""
-    return {"figures": list(names)}
+def _facts(most: int, names: Collection[str]) -> dict[str, Any]:
+    """Say in the data of a sheet which figures it shows, and how many positions its table tells at most."""
+    return {"figures": list(names), "positions": most}

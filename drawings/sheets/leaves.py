@@ -60,6 +60,12 @@ def lay_out(scene: Scene, drafts: Sequence[Draft]) -> tuple[Leaf, ...]:
     return tuple(one.leaf(sheet, k + 1, len(composed)) for k, (one, sheet) in enumerate(composed))
 
 
+def count(scene: Scene, draft: Draft) -> int:
+    """Count the sheets that a draft takes, before any is drawn."""
+    own = _Leaves(scene, draft)
+    return len(compose(own.contents, own.page))
+
+
 @dataclass(frozen=True)
 class _Leaves:
     """A draft on the pages of its scene."""

@@ -33,6 +33,11 @@ SHEETS: Final[Mapping[str, Sheet]] = {
         leaves="drawings.sheets.forces:leaves",
         faults="drawings.checks.verify_forces:faults",
     ),
+    "dynamics": Sheet(
+        admit="drawings.sheets.linkage_admission:of_linkage",
+        leaves="drawings.sheets.dynamics:leaves",
+        faults="drawings.checks.verify_dynamics:faults",
+    ),
     "rotor": Sheet(
         admit="drawings.sheets.rotor:admit",
         leaves="drawings.sheets.rotor:leaves",

@@ -19,6 +19,7 @@ from geometry.strips import Departure, departure
 from plans.analytic.dynamics.cycle import exact_cycle, sampled_cycle
 from plans.analytic.dynamics.exact import Exact, exact
 from plans.analytic.dynamics.flywheel import book_slopes, flywheel, flywheel_of_points
+from plans.analytic.dynamics.link import reduced_link
 from plans.analytic.dynamics.methods import methods
 from plans.analytic.dynamics.reduction import Reduction as Reducing
 from plans.analytic.dynamics.reduction import reduced
@@ -30,11 +31,13 @@ from plans.dynamics.breaks import SAME
 from plans.dynamics.study import FLYWHEEL, REDUCTION, SPEEDS, WORKS, DynamicsStudy
 from plans.forces.loading import loading
 from plans.forces.stroke import Stroke
-from plans.model.dynamics import Account, Cycle, Flywheel, Speeds
+from plans.model.account import Account
+from plans.model.dynamics import Cycle, Flywheel, Speeds
 from plans.model.flywheel_methods import Methods
 from plans.model.kinetostatics import Loading
 from plans.model.machine import Track
 from plans.model.motion import Floats, Motion
+from plans.model.run import Run
 
 if TYPE_CHECKING:
     from plans.study import Study
@@ -113,7 +116,17 @@ def _exact(
     after = with_flywheel(turn, task, found) if found else None
     speeds = [_told(one, cycle.turned) for one in (after, before)]
     true = replace(theirs, cycle=exact_cycle(turn, cycle.turned), flywheel=found, speeds=speeds[0], before=speeds[1])
+    if study.motor is not None:
+        true = replace(true, run=_run(study, turn))
     return true, after, before
+
+
+def _run(study: DynamicsStudy, turn: Exact) -> Run:
+    """Find the run of the machine with the flywheel that was constructed."""
+    from plans.analytic.dynamics.run import run  # noqa: PLC0415  (only a scene with a motor pays for the solver)
+
+    assert study.motor is not None  # asked before
+    return run(reduced_link(turn, study.constant), study.motor, study.run_task)
 
 
 def _told(found: Swing | Stall | None, turned: Floats) -> Speeds | None:

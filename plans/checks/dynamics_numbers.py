@@ -9,7 +9,8 @@ import numpy as np
 
 from plans.checks.plain_numbers import gap_numbers, plain
 from plans.dynamics.study import FLYWHEEL, REDUCTION, SPEEDS, WORKS
-from plans.model.dynamics import CONSTRUCTION, Account, Cycle, Flywheel, Reduced, Speeds
+from plans.model.account import Account
+from plans.model.dynamics import CONSTRUCTION, Cycle, Flywheel, Reduced, Speeds
 
 if TYPE_CHECKING:
     from plans.study import Study

@@ -11,6 +11,8 @@ from plans.scene.readers import many
 from plans.scene.scene import TechniqueForm
 from plans.scene.tables import Missing, Table, key, table
 
+DRIVE, DYNAMICS = "drive", "dynamics"  # where the speed of the crank comes from
+
 
 class ShaftTable(Table):
     """A rotating mass beside the linkage: moment of inertia kg*m2, and its turns for one turn of the crank."""
@@ -57,6 +59,16 @@ class DynamicsTable(Table):
     flywheel: FlywheelTable = key(table(FlywheelTable), FlywheelTable(), meaning="What is known of the flywheel.")
 
 
+class SpeedTable(Table):
+    """Of the drive where its speed comes from: the scene's own, or the motion of the machine."""
+
+    speed_from: str = key(
+        f.words(DRIVE, DYNAMICS),
+        DRIVE,
+        meaning="Whether plans and forces are at the speed of the drive or at the machine's true one in each position.",
+    )
+
+
 class DynamicsForm(TechniqueForm):
     """What a scene says of the motion of the machine."""
 
@@ -65,3 +77,4 @@ class DynamicsForm(TechniqueForm):
         meaning="Motion of the machine under its loads (динамика машины): fluctuation, motor, shafts, flywheel.",
         missing=Missing("table", '[dynamics] with fluctuation = "1/80"', {}),
     )
+    drive: SpeedTable = key(table(SpeedTable), SpeedTable(), meaning="Where the speed of the crank comes from.")

@@ -8,18 +8,25 @@ from typing import TYPE_CHECKING
 
 from geometry.errors import ConstructionError
 from plans.dynamics.cycle import Turn, Works
+from plans.dynamics.form import DRIVE, DynamicsForm, DynamicsTable
+from plans.dynamics.link import reduced_link
 from plans.dynamics.loop import Loop, loop
 from plans.dynamics.methods import methods
+from plans.dynamics.motor import motor_of, run_task
 from plans.dynamics.reading import task_of
 from plans.dynamics.reduction import Reduction
 from plans.dynamics.rim import rim_of
+from plans.dynamics.run import run
 from plans.dynamics.speeds import SpeedCurve, natural, speed_curve
 from plans.forces.statics import Statics
 from plans.linkage.obstruction import obstruction
 from plans.linkage.study import LinkageStudy
-from plans.model.dynamics import CONSTRUCTION, Account, Cycle, Flywheel, Reduced, Speeds, Task
+from plans.model.account import Account
+from plans.model.dynamics import CONSTRUCTION, Cycle, Flywheel, Reduced, Speeds, Task
 from plans.model.flywheel_methods import Methods
 from plans.model.flywheel_rim import Wheel
+from plans.model.motor import Motor
+from plans.model.run import Run, RunTask
 from plans.words.words import message, placed
 
 if TYPE_CHECKING:
@@ -41,7 +48,7 @@ class DynamicsStudy:
 
     def construct(self, plans: Collection[str]) -> None:
         """Make what is asked for."""
-        asked = {REDUCTION: "reduced", WORKS: "works", FLYWHEEL: "loop", SPEEDS: "curve"}
+        asked = {REDUCTION: "reduced", WORKS: "works", FLYWHEEL: "loop", SPEEDS: "curve", RUN: "run"}
         for plan, name in asked.items():
             if plan in plans and (plan == REDUCTION or self.steady or self.task.delta is not None):
                 getattr(self, name)
@@ -72,7 +79,7 @@ class DynamicsStudy:
         """All that is found by construction; the reduction alone where the crank cannot turn fully."""
         if not self.steady and self.task.delta is None:
             return Account(CONSTRUCTION, self.reduced)
-        return Account(CONSTRUCTION, self.reduced, self.cycle, self.flywheel, self.speeds, self.before)
+        return Account(CONSTRUCTION, self.reduced, self.cycle, self.flywheel, self.speeds, self.before, self.run)
 
     @cached_property
     def turn(self) -> Turn:
@@ -141,6 +148,33 @@ class DynamicsStudy:
         energy = natural(self.cycle, self.bare, self.task.speed) if self.bare > 0 else None
         return None if energy is None else speed_curve(self.cycle, self.bare, energy)
 
+    @cached_property
+    def motor(self) -> Motor | None:
+        """The motor; None where the scene gives no law of its moment."""
+        return motor_of(self._form.motor)
+
+    @cached_property
+    def run(self) -> Run | None:
+        """The run from rest by the table; None without a motor."""
+        if self.motor is None:
+            return None
+        self.made.setdefault(RUN)
+        return run(reduced_link(self.works, self.constant), self.motor, self.run_task)
+
+    @property
+    def constant(self) -> float:
+        """The constant inertia kg*m2 beside the linkage: shafts, and the flywheel where one is found."""
+        return self.task.present + (self.flywheel.inertia if self.flywheel else 0.0)
+
+    @property
+    def run_task(self) -> RunTask:
+        """What is asked of the run."""
+        return run_task(self._form.run, self.task.speed)
+
+    @property
+    def _form(self) -> DynamicsTable:
+        return self.linkage.scene.of(DynamicsForm).dynamics
+
     @property
     def speeds(self) -> Speeds | None:
         """The achieved motion."""
@@ -153,5 +187,8 @@ class DynamicsStudy:
 
 
 def study_of(study: Study) -> DynamicsStudy:
-    """Make the study of a scene's motion (row of the table of techniques)."""
-    return DynamicsStudy(study["linkage"], study["forces"])
+    """Make the study of a scene's motion (row of the table of techniques); the pace of the drive does not enter it."""
+    if study.scene.of(DynamicsForm).drive.speed_from == DRIVE:
+        return DynamicsStudy(study["linkage"], study["forces"])
+    linkage = LinkageStudy(study.scene, study.plans)
+    return DynamicsStudy(linkage, Statics(linkage))

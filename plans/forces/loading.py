@@ -69,7 +69,7 @@ def _size(load: Force | Moment, motion: Motion, strokes: Mapping[Track, Stroke])
     share, working = stroke.share(motion), _working(load, stroke, motion)
     size = np.full(share.shape, load.size)
     if isinstance(load, Force) and load.diagram is not None:
-        travel, there, back = load.diagram
+        travel, there, back, _ = load.diagram
         size *= np.where(working, np.interp(share, travel, there), np.interp(share, travel, back or there))
     acts = (share >= load.overrun[0]) & (share <= 1 - load.overrun[1])
     if load.during != ALWAYS:

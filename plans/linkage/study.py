@@ -294,4 +294,4 @@ def _fill(whole: Motion, part: Motion, at: slice) -> None:
 
 def study_of(study: Study) -> LinkageStudy:
     """Make the linkage's study of a scene (row of the table of techniques)."""
-    return LinkageStudy(study.scene, study.plans)
+    return LinkageStudy(study.scene, study.plans, study.pace)

@@ -180,25 +180,3 @@ class Speeds:
     def delta(self) -> float:
         """The coefficient of fluctuation that is achieved (6.13)."""
         return (self.extremes[1] - self.extremes[0]) / self.mean
-
-
-@dataclass(frozen=True)
-class Account:
-    """All that one road finds of a machine's motion; None: not asked for, or told elsewhere why there is none."""
-
-    by: str
-    reduced: Reduced
-    cycle: Cycle | None = None
-    flywheel: Flywheel | None = None
-    speeds: Speeds | None = None
-    before: Speeds | None = None
-
-    @property
-    def unanswered(self) -> tuple[Gap, ...]:
-        """The gaps of the reduction."""
-        return self.reduced.gaps
-
-    @property
-    def gaps(self) -> tuple[Gap, ...]:
-        """The gaps of the reduction."""
-        return self.reduced.gaps

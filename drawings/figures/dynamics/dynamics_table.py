@@ -2,58 +2,68 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from drawings.figures.dynamics.strips import strips
+from drawings.figures.dynamics.strips import Strips, strips
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.layout.value_table import COLUMNS
 from drawings.lettering.words import fixed
 from drawings.page.drafting import Drafting
-from plans.model.dynamics import Account, Task
+from plans.model.account import Account
+from plans.model.dynamics import Cycle, Reduced, Speeds, Task
 from plans.model.flywheel_methods import Methods
 
 RESULTS, POSITIONS = "results", "positions"
 QUANTITIES = (
-    ("φ", "°"), ("M_{us}", "N*m"), ("A_{us}", "J"), ("ΔT", "J"), ("ΔJ", "kg*m2"), ("ω", "rad/s"), ("ε", "rad/s2"),
+    ("φ", "°"), ("M_{us}", "N*m"), ("A_{us}", "J"), ("ΔT", "J"),
+    ("ΔJ", "kg*m2"), ("ω", "rad/s"), ("ε", "rad/s2"),
 )  # fmt: skip
-MOST = 36  # rows of positions: of more strips every so many are told
+REDUCED = (("φ", "°"), ("M_{red}", "N*m"), ("J_{red}", "kg*m2"), ("dJ/dφ", "kg*m2"))
+MOST = 36  # positions that are told
 DIGITS = 5
 NOTHING = "—"
 
 
-def positions(task: Task, account: Account, drafting: Drafting) -> RuledTable:
-    """Tell the values at the edges; at a jump the moment before it and behind it, ε from an edge to the next one."""
-    lines = [row for k in told(account, task) for row in _edge(task, account, k, drafting)]
+def positions(task: Task, account: Account, drafting: Drafting, most: int = MOST) -> RuledTable:
+    """Tell the values at so many positions at most and at jumps, at these the moment before and behind.
+
+    ε is that in the middle of the strip that begins there.
+    """
+    cycle = account.cycle
+    assert cycle is not None  # else nothing is told of a turn
+    named = strips(cycle, task.divisions)
+    chosen = named.told(math.ceil(task.divisions / most))
+    lines = [row for k in chosen for row in _edge(named, cycle, account.speeds, k, drafting)]
     heads = tuple(f"{drafting.letter(letter)}, {drafting.word(unit)}" for letter, unit in QUANTITIES)
     return table(lines, "i", heads, drafting.hand.text)._replace(name=POSITIONS)
 
 
-def told(account: Account, task: Task) -> tuple[int, ...]:
-    """Choose the edges that are told: all, or of many every so many with those at which a load jumps."""
-    cycle = account.cycle
-    assert cycle is not None  # else nothing is told of it
-    last = len(cycle.turned) - 1
-    every = -(-last // MOST)
-    return tuple(sorted({*range(0, last, every), last, *strips(cycle, task.divisions).jumps}))
+def reduction(reduced: Reduced, drafting: Drafting) -> RuledTable:
+    """Tell the reduced moment and inertia at the positions, where there is no steady turn."""
+    heads = tuple(f"{drafting.letter(letter)}, {drafting.word(unit)}" for letter, unit in REDUCED)
+    rows = zip(np.degrees(reduced.phi), reduced.moment, reduced.inertia, reduced.slope, strict=True)
+    lines = [TableRow(str(k), tuple(_cell(value, drafting) for value in row)) for k, row in enumerate(rows)]
+    return table(lines, "i", heads, drafting.hand.text)._replace(name=POSITIONS)
 
 
-def _edge(task: Task, account: Account, k: int, drafting: Drafting) -> Iterator[TableRow]:
-    cycle, speeds = account.cycle, account.speeds
-    assert cycle is not None
-    named, last = strips(cycle, task.divisions), len(cycle.turned) - 1
-    name, jumps = named.names[k], k in named.jumps
-    own = [float(np.degrees(cycle.turned[k])), -cycle.moments[min(k, last - 1), 0 if k < last else 1]]
+def _edge(named: Strips, cycle: Cycle, speeds: Speeds | None, k: int, drafting: Drafting) -> Iterator[TableRow]:
+    """Give the row of an edge, two of one at which a load jumps."""
+    name, jumps, last = named.names[k], k in named.jumps, k == len(cycle.means)
+    moment = cycle.moments[-1, 1] if last else cycle.moments[k, 0]
+    own = [float(np.degrees(cycle.turned[k])), -moment]
     own += [-cycle.work[k], cycle.surplus[k], cycle.varying[k]]
-    own += [speeds.omega[k] if speeds else None, speeds.epsilon[k] if speeds and k < last else None]
+    own += [np.nan, np.nan] if speeds is None else [speeds.omega[k], np.nan if last else speeds.epsilon[k]]
     if jumps:
-        yield TableRow(f"{name}−0", tuple(_cell(v, drafting) for v in (own[0], -cycle.moments[k - 1, 1], *[None] * 5)))
+        before = [own[0], -cycle.moments[k - 1, 1], *[np.nan] * (len(own) - 2)]
+        yield TableRow(f"{name}−0", tuple(_cell(value, drafting) for value in before))
     yield TableRow(f"{name}+0" if jumps else name, tuple(_cell(value, drafting) for value in own))
 
 
-def _cell(value: float | None, drafting: Drafting) -> str:
-    return NOTHING if value is None or not np.isfinite(value) else drafting.number(float(value) + 0.0, DIGITS)
+def _cell(value: float, drafting: Drafting) -> str:
+    return NOTHING if not np.isfinite(value) else drafting.number(float(value) + 0.0, DIGITS)
 
 
 def results(own: Account, exact: Account, methods: Methods | None, drafting: Drafting) -> RuledTable:

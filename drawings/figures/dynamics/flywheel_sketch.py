@@ -26,7 +26,7 @@ from plans.model.flywheel_rim import Wheel
 
 NAME = "flywheel_sketch"
 MARGINS = Margins(2.0, 2.4, 3.4)  # paper around it for letters, in their sizes
-LETTERS = 16.0  # it is drawn at least so many letters large
+LETTERS, MOST = 16.0, 32.0  # it is drawn at least so many letters large, and at most
 BORE, HUB = 0.12, 0.24  # of the mean diameter: shaft, hub
 WEB = 0.35  # of the rim's breadth: the web
 WITHIN = 0.7  # of the rim's inner diameter: the hub at most
@@ -108,11 +108,12 @@ class SketchFigure:
 def measure(rim: Wheel, drafting: Drafting) -> Picture:
     """Measure the room that the sketch needs: both views, the dimensions beside them."""
     hand = drafting.hand
-    title = max(text_width(Text(0j, drafting.word("flywheel"), hand.title)), text_width(Text(0j, _said(rim, drafting))))
+    title = max(text_width(Text(0j, drafting.word("flywheel"), hand.title)), text_width(Text(0j, said(rim, drafting))))
     side, below, above = (share * hand.letter for share in MARGINS)
     far = OFF * hand.symbol
     margins = Margins(side + 2 * far, below + AXIS * hand.symbol, above + far + 2 * hand.title + 2 * hand.text)
-    return picture(NAME, Outlines(rim).corners, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
+    least = LETTERS * hand.letter
+    return picture(NAME, Outlines(rim).corners, (SYMBOL, UNIT), margins, title, least)._replace(most=MOST * hand.letter)
 
 
 def draw(rim: Wheel, room: Picture, spot: Spot, drafting: Drafting) -> SketchFigure:
@@ -120,12 +121,12 @@ def draw(rim: Wheel, room: Picture, spot: Spot, drafting: Drafting) -> SketchFig
     place, hand, wheel = room.place(*spot), drafting.hand, Outlines(rim)
     title = heading(spot.box, drafting.word("flywheel"), drafting.scale(spot.scale), hand)
     under = complex(spot.box.centre.real, spot.box.top - 1.6 * hand.title - 2.6 * hand.text)
-    said = Text(under, _said(rim, drafting), hand.text, "middle", True)
+    told = Text(under, said(rim, drafting), hand.text, "middle", True)
     sizes = tuple(_sizes(wheel, place, drafting))
     marks = (
         _marked(one, letter, value, spot.scale, hand) for one, (letter, value) in zip(sizes, true(rim), strict=True)
     )
-    lines = (title, said, *_cut(wheel, place, hand), *_side(wheel, place, hand), *_axes(wheel, place, hand), *marks)
+    lines = (title, told, *_cut(wheel, place, hand), *_side(wheel, place, hand), *_axes(wheel, place, hand), *marks)
     return SketchFigure(lines, sizes, hand)
 
 
@@ -134,7 +135,8 @@ def true(rim: Wheel) -> tuple[tuple[str, complex], ...]:
     return ("D", 1j * rim.diameter), ("t", 1j * rim.thickness), ("b", complex(rim.breadth))
 
 
-def _said(rim: Wheel, drafting: Drafting) -> str:
+def said(rim: Wheel, drafting: Drafting) -> str:
+    """Say the mass of the rim and its moment of inertia on its own shaft."""
     mass, inertia = drafting.number(rim.mass, DIGITS), drafting.number(rim.inertia, DIGITS)
     return drafting.word("rim mass", mass=mass, inertia=inertia)
 

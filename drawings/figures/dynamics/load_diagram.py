@@ -29,7 +29,7 @@ from drawings.symbols.symbols import TICK, arrowhead
 NAME = "load_diagram"
 RATIO = 1.6  # it is drawn so many times as long as it is high
 MARGINS = Margins(3.2, 1.6, 1.0)  # paper around it for letters, in their sizes
-LETTERS = 12.0  # it is drawn at least so many letters long
+LETTERS, MOST = 12.0, 20.0  # it is drawn at least so many letters long, and at most
 LEVELS = (9.0, 17.0)  # mm under the diagram: the overruns, the whole stroke
 DOT = 0.7  # mm, radius of a corner
 FEW = 12  # corners that are lettered a, b, c; more are numbered
@@ -86,7 +86,18 @@ def measure(course: LoadCourse, drafting: Drafting) -> Picture:
     margins = Margins(side + BEYOND / 2, under, above + BEYOND + 2 * hand.title + hand.text)
     high, title = course.length / RATIO, text_width(Text(0j, _title(course, drafting), hand.title))
     middle = complex(course.length, high) / 2
-    return Picture(name_of(course), course.length, high, middle, symbol, unit, margins, title, LETTERS * hand.letter)
+    return Picture(
+        name_of(course),
+        course.length,
+        high,
+        middle,
+        symbol,
+        unit,
+        margins,
+        title,
+        LETTERS * hand.letter,
+        MOST * hand.letter,
+    )
 
 
 def draw(course: LoadCourse, room: Picture, spot: Spot, drafting: Drafting) -> LoadFigure:

@@ -6,27 +6,31 @@ scale, and under the inertia, turned by 90 degrees, in that one's.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
 
 from drawings.figures.dynamics import equations, quantities
 from drawings.figures.dynamics.curves import Dense, dense
-from drawings.figures.dynamics.loop import Loop
+from drawings.figures.dynamics.loop import TAIL, Loop
 from drawings.figures.dynamics.part import wide
 from drawings.figures.dynamics.strips import Strips, strips
 from drawings.figures.graphs.axes import BEYOND
 from drawings.layout.picture import Margins, Picture
+from drawings.layout.table import RuledTable, Setting
 from drawings.page.drafting import Drafting
 from drawings.page.scale import Scale
 from drawings.paper.hand import Hand
-from plans.model.dynamics import TURN, Account, Cycle, Task
+from plans.model.account import Account
+from plans.model.dynamics import TURN, Cycle, Task
 
-MOMENTS, WORKS, SURPLUS, SPEEDS = 0.30, 0.40, 0.76, 0.34  # heights of the rows, in lengths of the axis of angles
+MOMENTS, WORKS, SURPLUS, SPEEDS = 0.30, 0.40, 0.76, 0.36  # heights of the rows, in lengths of the axis of angles
 WIDE = 0.86  # width of the loop, likewise
 LONG = 24.0  # sizes of a letter that the axis of angles has at least: its positions are numbered
 LEFT, MIDDLE, RIGHT = 10.0, 8.0, 5.4  # paper beside the graphs, between them and the loop, beside it, likewise
-TITLES = ("reduced moments", "works", "surplus energy", "speed over the turn", "loop")
+GRAPHED, LOOPED = ("reduced moments", "works", "surplus energy"), ("reduced inertia", "loop")  # titles
+TITLE = 4.5  # sizes of a letter from the axis of the loop to its title at least: the axis has a letter itself
 WHOLE, GRAPHS, ENERGY = "machine", "diagrams", "energy-mass"  # names of the plates
 
 
@@ -35,6 +39,18 @@ class Row(NamedTuple):
 
     name: str
     high: float
+
+
+class Told(NamedTuple):
+    """A table that stands under the loop, and how it is set."""
+
+    table: RuledTable
+    setting: Setting
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """Width and height, mm."""
+        return self.table.size(self.setting)
 
 
 @dataclass(frozen=True)
@@ -47,6 +63,7 @@ class Plate:
     graphs: bool
     loop: bool
     drafting: Drafting
+    told: Told | None = None  # under the loop
 
     @property
     def hand(self) -> Hand:
@@ -96,9 +113,14 @@ class Plate:
 
     @property
     def below(self) -> float:
-        """Paper under the last row, mm: for the equations of the loop, where they do not stand beside a row."""
-        written = self.account.flywheel is not None and self.loop and not (self.graphs and self.account.speeds)
-        return equations.height(self.drafting) if written else 0.0
+        """Paper under the last row, mm: for what is told under the loop, where it does not stand beside a row."""
+        return 0.0 if self.graphs and self.account.speeds else self.telling
+
+    @property
+    def telling(self) -> float:
+        """The height of what is told under the loop, mm: its equations, the results."""
+        written = equations.height(self.drafting) if self.loop and self.account.flywheel else 0.0
+        return written + (self.told.size[1] + self.under if self.told else 0.0)
 
     @property
     def beside(self) -> tuple[float, float, float]:
@@ -118,18 +140,38 @@ class Plate:
         return sum(row.high for row in self.rows)
 
 
+def told(table: RuledTable, shown: Plate, extent: float) -> Told | None:
+    """Set a table to stand under the loop of a plate drawn so large, mm; None where it is too wide or too high."""
+    length = extent / max(shown.wide, shown.high)
+    ways = [Told(table, setting) for setting in table.settings()]
+    tail = TAIL * shown.hand.letter
+    width, height = WIDE * length + shown.beside[2] + tail, shown.over + SPEEDS * length + 2 * shown.under
+    fitting = (way for way in ways if way.size[0] <= width and replace(shown, told=way).telling <= height)
+    return min(fitting, key=lambda way: way.size[1], default=None)
+
+
 def measure(plate: Plate) -> Picture:
     """Measure the room of a plate; its scale is that of the angle, to which all its sizes go."""
     wide, high = TURN * plate.wide, TURN * plate.high
     between = len(plate.rows) * (plate.over + plate.under)
     margins = Margins(sum(plate.beside) / 2, plate.below, between)
     least = max(LONG * plate.hand.letter, _longest(plate)) * max(plate.wide, plate.high)
-    return Picture(plate.name, wide, high, complex(wide, high) / 2, "φ", "rad", margins, 0.0, least)
+    return Picture(plate.name, wide, high, complex(wide, high) / 2, "φ", "rad", margins, _heading(plate), least)
 
 
 def _longest(plate: Plate) -> float:
     """Give the length of the axis of angles beside whose end the captions of the graphs have room, mm."""
+    return _captions(plate, GRAPHED) - BEYOND - 2 * plate.hand.letter
+
+
+def _heading(plate: Plate) -> float:
+    """Give the width that the captions of a loop that stands alone need, mm; beside graphs they have more."""
+    before = plate.beside[1] + TITLE * plate.hand.letter
+    return 0.0 if plate.graphs else before + _captions(plate, LOOPED)
+
+
+def _captions(plate: Plate, titles: Iterable[str]) -> float:
+    """Give the length of the longest caption, mm."""
     drafting = plate.drafting
-    scales = f"{drafting.scale(Scale(0.025, 'J', 'kg*m2'))};  {drafting.scale(Scale(0.025, 'φ', 'rad'))}"
-    longest = max(wide(drafting.word(title), scales, plate.hand) for title in TITLES)
-    return longest - BEYOND - 2 * plate.hand.letter
+    scales = f"{drafting.scale(Scale(0.0025, 'J', 'kg*m2'))};  {drafting.scale(Scale(0.025, 'φ', 'rad'))}"
+    return max(wide(drafting.word(title), scales, plate.hand) for title in titles)

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import product
 
 from drawings.figures.dynamics import equations, quantities, rays, strip_graph
 from drawings.figures.dynamics import loop as loop_figure
 from drawings.figures.dynamics.part import Part, caption
-from drawings.figures.dynamics.plate import Plate
+from drawings.figures.dynamics.plate import TITLE, Plate
 from drawings.figures.dynamics.plate_frame import PlateFrame
 from drawings.figures.dynamics.strip_graph import StripGraph
 from drawings.figures.graphs.axes import Axes
@@ -22,6 +23,7 @@ from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.trimming import trim
 
 DIGITS = 5
+TOLD = "told"  # the name of what is told under the loop
 CLEAR = 1.5  # mm around a caption
 
 
@@ -59,15 +61,20 @@ class _Drawing:
         parts = [*self._graphs(), *self._energy()]
         masks = [_mask(part.lines[0]) for part in parts if part.name != rays.NAME]
         joining = fit_dashes(trim(self._joining(), masks))
-        return PlateFigure((*parts, *self._equations()), Group(tuple(joining), "transfer"))
+        return PlateFigure((*parts, *self._told()), Group(tuple(joining), f"{self.plate.name}-transfer"))
 
-    def _equations(self) -> Iterator[Part]:
-        """Write under the loop what it gives."""
-        wheel = self.plate.account.flywheel
-        if self.plate.loop and wheel is not None:
-            left = self.frame.loop_axes.zero.real - loop_figure.TAIL * self.plate.hand.letter
-            corner = complex(left, self.frame.fields[quantities.SURPLUS].bottom - 2 * self.plate.under)
-            yield Part(equations.NAME, (equations.write(wheel, self.frame.loop_axes, corner, self.plate.drafting),), ())
+    def _told(self) -> Iterator[Part]:
+        """Write under the loop what it gives, and the table under that."""
+        plate, wheel = self.plate, self.plate.account.flywheel
+        left = self.frame.loop_axes.zero.real - loop_figure.TAIL * plate.hand.letter if plate.loop else 0.0
+        corner = complex(left, self.frame.fields[quantities.SURPLUS].bottom - 2 * plate.under)
+        if plate.loop and wheel is not None:
+            lines = equations.write(wheel, self.frame.loop_axes, corner, plate.drafting)
+            yield Part(equations.NAME, (lines,), ())
+            corner -= 1j * equations.height(plate.drafting)
+        if plate.told is not None:
+            table, setting = plate.told
+            yield Part(TOLD, tuple(table.draw(corner, setting, plate.drafting)), ())
 
     def _graphs(self) -> Iterator[Part]:
         """Draw the graphs over the angle."""
@@ -114,7 +121,7 @@ class _Drawing:
     def _headed(self, part: Part, row: str, title: str, scales: Sequence[Scale]) -> Part:
         """Write the title of what stands beside the graphs, level with that of a row."""
         drafting, over = self.plate.drafting, self._over(row)
-        left = self.frame.loop_axes.zero.real - 2 * loop_figure.TAIL / 3 * self.plate.hand.letter
+        left = self.frame.loop_axes.zero.real + TITLE * self.plate.hand.letter
         field = over._replace(left=left, right=self.frame.spot.box.right)
         head = caption(drafting.word(title), ";  ".join(map(drafting.scale, scales)), field, self.plate.hand)
         return part._replace(lines=(head, *part.lines))
@@ -133,12 +140,12 @@ class _Drawing:
                 yield from self._transfer(k)
 
     def _jumps(self) -> Iterator[Stroke]:
-        """Draw the edges at which a load jumps through the graphs of moments, works and energy."""
-        top, low = self.frame.fields[quantities.MOMENTS].top, self.frame.surplus_axes
-        bottom = low.on(0.0, self.frame.surplus.span[0]).imag
-        for k in self.plate.strips.jumps:
-            across = low.on(self.plate.strips.turned[k]).real
-            yield Line(complex(across, top), complex(across, bottom), self.plate.hand.axis)
+        """Draw the edges at which a load jumps through the graphs of works and energy."""
+        frame = self.frame
+        pairs = (frame.works, frame.axes(frame.works, frame.integration[1])), (frame.surplus, frame.surplus_axes)
+        for k, (graph, axes) in product(self.plate.strips.jumps, pairs):
+            across, (low, high) = float(self.plate.strips.turned[k]), graph.span
+            yield Line(axes.on(across, low), axes.on(across, high), self.plate.hand.axis)
 
     def _transfer(self, k: int) -> Iterator[Stroke]:
         """Carry an edge's inertia and energy into the loop."""

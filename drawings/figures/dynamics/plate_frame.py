@@ -49,12 +49,19 @@ class PlateFrame:
         """The heights of the rows, mm: what one leaves at its scale goes to the loop first, then to the others."""
         rooms = {row.name: row.high * self.length for row in self.plate.rows}
         found = {name: self._filled(name, room) for name, room in rooms.items()}
+        if quantities.SPEEDS in found:
+            found[quantities.SPEEDS] = max(found[quantities.SPEEDS], self._beside)
         for name in FIRST:
             if name in found:
                 spare = sum(rooms.values()) - sum(found.values())
-                found[name] = self._filled(name, found[name] + spare)
+                found[name] = max(found[name], self._filled(name, found[name] + spare))
         spare = sum(rooms.values()) - sum(found.values())
         return {name: high + spare / len(found) for name, high in found.items()}
+
+    @property
+    def _beside(self) -> float:
+        """The height of the row of speeds beside which there is room for what is told under the loop, mm."""
+        return self.plate.telling - self.plate.over - 2 * self.plate.under if self.plate.loop else 0.0
 
     def _filled(self, name: str, room: float) -> float:
         """Give how much of a room the values of a row fill at a standard scale, mm."""
@@ -73,8 +80,8 @@ class PlateFrame:
     @cached_property
     def speeds(self) -> StripGraph | None:
         """The graph of the speeds."""
-        found = self.plate.account.speeds
-        return quantities.speeds(self.plate.cycle, self.plate.dense, found) if found else None
+        plate, found = self.plate, self.plate.account.speeds
+        return quantities.speeds(plate.cycle, plate.dense, found, plate.account.before) if found else None
 
     @cached_property
     def surplus(self) -> StripGraph:

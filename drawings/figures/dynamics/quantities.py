@@ -10,6 +10,7 @@ from drawings.figures.dynamics.strip_graph import StripGraph, Trace
 from plans.model.dynamics import TURN, Cycle, Speeds
 from plans.model.motion import Floats
 
+MOST = 4.0  # times as far as with the flywheel: what swings more has a graph of its own
 MOMENTS, WORKS, SURPLUS, INERTIA, SPEEDS, BEFORE = "moments", "works", "surplus", "inertia", "speeds", "before"
 
 
@@ -56,16 +57,22 @@ def inertia(cycle: Cycle, dense: Dense) -> StripGraph:
 
 
 def speeds(cycle: Cycle, dense: Dense, speeds: Speeds, before: Speeds | None = None) -> StripGraph:
-    """The speed with the flywheel from its mean on, the extremes, and that of the machine without it."""
+    """The speed with the flywheel from its mean on, the extremes; that without it dashed, if it swings little more."""
     low, high = speeds.extremes
-    traces = [Trace(dense.turned, _omega(cycle, dense, speeds))]
+    traces = [Trace(dense.turned, omega(cycle, dense, speeds))]
     traces += [_level(high, "drafted", "ω_{max}"), _level(low, "drafted", "ω_{min}", UNDER)]
-    if before is not None:
-        traces.append(Trace(dense.turned, _omega(cycle, dense, before), "path", "ω_0", 0.15))
+    if before is not None and beside(speeds, before):
+        traces.append(Trace(dense.turned, omega(cycle, dense, before), "path", "ω_0", 0.15))
     return StripGraph(SPEEDS, "ω", "rad/s", speeds.omega, speeds.omega, tuple(traces), speeds.mean)
 
 
-def _omega(cycle: Cycle, dense: Dense, speeds: Speeds) -> Floats:
+def beside(speeds: Speeds, before: Speeds) -> bool:
+    """Tell whether the speeds without the flywheel are drawn among those with it: they are others, and not too far."""
+    apart = before.extremes[1] - before.extremes[0]
+    return before.inertia != speeds.inertia and apart <= MOST * (speeds.extremes[1] - speeds.extremes[0])
+
+
+def omega(cycle: Cycle, dense: Dense, speeds: Speeds) -> Floats:
     """Give the speed densely, rad/s: by the energy and the inertia of the whole machine."""
     energy = speeds.energy + cycle.driving * dense.turned + dense.work
     whole = speeds.inertia + dense.inertia - cycle.inertia[0]

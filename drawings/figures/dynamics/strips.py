@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -21,12 +22,22 @@ class Strips(NamedTuple):
     names: tuple[str, ...]
     jumps: tuple[int, ...]
 
-    def spaced(self, length: float, apart: float) -> tuple[int, ...]:
-        """Choose the edges that can be numbered along an axis of some length mm, jumps and both ends first."""
+    @property
+    def steps(self) -> Floats:
+        """The numbers of the edges as positions, NaN between two of them."""
+        return np.array([float(name) if name.isdigit() else np.nan for name in self.names])
+
+    def told(self, every: int) -> tuple[int, ...]:
+        """Choose both ends, the jumps, and every so many positions."""
         last = len(self.turned) - 1
+        return tuple(sorted({0, last, *self.jumps, *np.flatnonzero(self.steps % every == 0).tolist()}))
+
+    def spaced(self, length: float, apart: float) -> tuple[int, ...]:
+        """Choose the edges that can be numbered along an axis of some length mm, both ends and jumps first."""
         places = self.turned * (length / TURN)
+        every = math.ceil(apart / (length / np.nanmax(self.steps)))
         kept: list[int] = []
-        for k in (0, last, *self.jumps, *range(last)):
+        for k in (0, len(places) - 1, *self.jumps, *self.told(every)):
             if all(abs(places[k] - places[other]) >= apart for other in kept):
                 kept.append(k)
         return tuple(sorted(kept))

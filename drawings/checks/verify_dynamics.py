@@ -1,0 +1,65 @@
+"""The self-check of a written sheet of dynamics: graphs, loop, loads, flywheel, tables, notes (проверка листа)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+import numpy as np
+
+from drawings.checks.dynamics_expected import INERTIA, KNOWN, MOMENTS, SPEEDS, SURPLUS, WORKS, Expected
+from drawings.checks.dynamics_graphs import graphs
+from drawings.checks.dynamics_loop import loop
+from drawings.checks.dynamics_sizes import flywheel, loads
+from drawings.checks.dynamics_told import equations, notes, positions, results
+from drawings.checks.wrong import Wrong
+from drawings.figures.dynamics import flywheel_sketch
+from drawings.figures.dynamics.load_diagram import NAME as LOAD
+from drawings.figures.dynamics.plate import ENERGY, GRAPHS, WHOLE
+from drawings.measure.measure import Measured
+from drawings.page.drafting import drafting_of
+from drawings.paper.strokes import Leaf
+from plans.checks.dynamics_comparison import DynamicsComparison
+from plans.model.dynamics import Speeds, Task
+from plans.study import Study
+from plans.words.words import message
+
+OVER_TURN, LOOP = (MOMENTS, WORKS, SURPLUS), (INERTIA,)
+PLATES: Mapping[str, tuple[str, ...]] = {WHOLE: (*OVER_TURN, *LOOP), GRAPHS: OVER_TURN, ENERGY: LOOP}
+
+
+def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
+    """Hold all that one sheet of a machine's motion shows against the analysis (row of the table of sheets)."""
+    own, comparison, drafting = study["dynamics"], study.comparison("dynamics"), drafting_of(study.scene)
+    expected, shown = expected_of(own.task, comparison), leaf.metadata["figures"]
+    yield from settled(expected)
+    for plate in PLATES.keys() & set(shown):
+        due = [*PLATES[plate], *([SPEEDS] if expected.omega is not None and plate != ENERGY else [])]
+        yield from graphs(measured, leaf, expected, due, drafting.language)
+        if plate != GRAPHS:
+            yield from loop(measured, leaf, expected, drafting.language)
+            yield from equations(leaf, expected, drafting)
+    strokes = own.statics.over(comparison.motion.road.extremes)
+    yield from loads([name for name in shown if name.startswith(LOAD)], measured, leaf, own.statics.machine, strokes)
+    if flywheel_sketch.NAME in shown:
+        yield from flywheel(measured, leaf, expected, drafting)
+    yield from positions(leaf, expected, drafting)
+    yield from results(leaf, expected, comparison, drafting)
+    yield from notes(leaf, expected, comparison, drafting)
+
+
+def expected_of(task: Task, comparison: DynamicsComparison) -> Expected:
+    """Give what the analysis says."""
+    account = comparison.construction
+    return Expected(task, comparison.analysis, (_energy(account.speeds), _energy(account.before)))
+
+
+def _energy(speeds: Speeds | None) -> float | None:
+    return None if speeds is None else speeds.energy
+
+
+def settled(expected: Expected) -> Iterator[Wrong]:
+    """See that a motion without a flywheel has the mean speed that is asked for: its energy is the construction's."""
+    account, wheel, speed = expected.account, expected.wheel, expected.task.speed
+    own = (account.speeds if wheel is not None and wheel.needed <= 0 else None, account.before)
+    if not all(one is None or np.abs(one.mean - speed) <= KNOWN * speed for one in own):
+        yield message("wrong.differs", name="ω_m")
