@@ -14,6 +14,7 @@ from drawings.page.drafting import Drafting
 from plans.model.account import Account
 from plans.model.dynamics import Cycle, Reduced, Speeds, Task
 from plans.model.flywheel_methods import Methods
+from plans.model.motion import Floats
 
 RESULTS, POSITIONS = "results", "positions"
 QUANTITIES = (
@@ -23,6 +24,7 @@ QUANTITIES = (
 REDUCED = (("φ", "°"), ("M_{red}", "N*m"), ("J_{red}", "kg*m2"), ("dJ/dφ", "kg*m2"))
 MOST = 36  # positions that are told
 DIGITS = 5
+NOISE = 1e-12  # of the largest of its column: less is rounding
 NOTHING = "—"
 
 
@@ -35,7 +37,8 @@ def positions(task: Task, account: Account, drafting: Drafting, most: int = MOST
     assert cycle is not None  # else nothing is told of a turn
     named = strips(cycle, task.divisions)
     chosen = named.told(named.every(task.divisions / most))
-    lines = [row for k in chosen for row in _edge(named, cycle, account.speeds, k, drafting)]
+    columns, before = _columns(cycle, account.speeds), _settled(-np.append(np.nan, cycle.moments[:, 1]))
+    lines = [row for k in chosen for row in _edge(named, columns, float(before[k]), k, drafting)]
     heads = tuple(f"{drafting.letter(letter)}, {drafting.word(unit)}" for letter, unit in QUANTITIES)
     return table(lines, "i", heads, drafting.hand.text)._replace(name=POSITIONS)
 
@@ -48,16 +51,27 @@ def reduction(reduced: Reduced, drafting: Drafting) -> RuledTable:
     return table(lines, "i", heads, drafting.hand.text)._replace(name=POSITIONS)
 
 
-def _edge(named: Strips, cycle: Cycle, speeds: Speeds | None, k: int, drafting: Drafting) -> Iterator[TableRow]:
+def _columns(cycle: Cycle, speeds: Speeds | None) -> tuple[Floats, ...]:
+    """Give the quantities at the edges, the moment behind each; NaN where there are none."""
+    after = np.append(cycle.moments[:, 0], cycle.moments[-1, 1])
+    none = np.full_like(after, np.nan)
+    moving = (none, none) if speeds is None else (speeds.omega, np.append(speeds.epsilon, np.nan))
+    columns = (np.degrees(cycle.turned), -after, -cycle.work, cycle.surplus, cycle.varying, *moving)
+    return tuple(map(_settled, columns))
+
+
+def _settled(column: Floats) -> Floats:
+    """Give what is but rounding as zero."""
+    return np.where(np.abs(column) <= NOISE * np.nanmax(np.abs(column), initial=0.0), 0.0, column)
+
+
+def _edge(named: Strips, columns: Sequence[Floats], before: float, k: int, drafting: Drafting) -> Iterator[TableRow]:
     """Give the row of an edge, two of one at which a load jumps."""
-    name, jumps, last = named.names[k], k in named.jumps, k == len(cycle.means)
-    moment = cycle.moments[-1, 1] if last else cycle.moments[k, 0]
-    own = [float(np.degrees(cycle.turned[k])), -moment]
-    own += [-cycle.work[k], cycle.surplus[k], cycle.varying[k]]
-    own += [np.nan, np.nan] if speeds is None else [speeds.omega[k], np.nan if last else speeds.epsilon[k]]
+    name, jumps = named.names[k], k in named.jumps
+    own = [float(column[k]) for column in columns]
     if jumps:
-        before = [own[0], -cycle.moments[k - 1, 1], *[np.nan] * (len(own) - 2)]
-        yield TableRow(f"{name}−0", tuple(_cell(value, drafting) for value in before))
+        first = [own[0], before, *[np.nan] * (len(own) - 2)]
+        yield TableRow(f"{name}−0", tuple(_cell(value, drafting) for value in first))
     yield TableRow(f"{name}+0" if jumps else name, tuple(_cell(value, drafting) for value in own))
 
 
