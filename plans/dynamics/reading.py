@@ -7,11 +7,9 @@ from decimal import Decimal
 from typing import NamedTuple
 
 from plans.dynamics.form import DynamicsForm, DynamicsTable
-from plans.dynamics.motor import motor_of, run_task
+from plans.dynamics.motor import motor_of
 from plans.linkage.reading.form import LinkageForm
 from plans.model.dynamics import Rim, Shaft, Task
-from plans.model.motor import Motor
-from plans.model.run import RunTask
 from plans.scene.faults import Fault
 from plans.scene.scene import Meaning, Scene
 
@@ -28,13 +26,6 @@ def task_of(scene: Scene) -> Task:
     speed = scene.of(LinkageForm).drive.speed if form.speed is None else form.speed
     delta = None if form.fluctuation is None else float(form.fluctuation)
     return Task(abs(float(speed)), delta, form.divisions, tuple(_shafts(form)), _rim(form))
-
-
-def run_of(scene: Scene) -> tuple[Motor, RunTask] | None:
-    """Make the motor and the task of its run; None where the scene gives no law of a motor's moment."""
-    form = scene.of(DynamicsForm).dynamics
-    motor = motor_of(form.motor)
-    return (motor, run_task(form.run, task_of(scene).speed)) if motor else None
 
 
 def _shafts(form: DynamicsTable) -> Iterator[Shaft]:

@@ -83,8 +83,9 @@ def test_two_equal_extremes() -> None:
 
 def test_crank_that_cannot_turn_fully() -> None:
     asked = text().replace("AB = 0.4", "AB = 0.09")
+    machine = Study(parse_scene(asked.replace(PLANING, "")))["dynamics"]
     with pytest.raises(NoCycle, match="the crank does not turn fully"):
-        Study(parse_scene(asked.replace(PLANING, "")))["dynamics"].works
+        machine.construct(("works",))
 
 
 def test_reduction_alone_of_a_crank_that_cannot_turn_fully() -> None:

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import math
-
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from plans.dynamics.form import DynamicsForm
-from plans.dynamics.reading import notes_of, run_of
+from plans.dynamics.motor import motor_of, run_task
+from plans.dynamics.reading import notes_of
 from plans.linkage.reading.linkage import mechanism_of
 from plans.model.motor import Constant, Kloss, Law, Linear, Motor, Tabled
 from plans.scene.faults import SceneError
@@ -86,15 +85,16 @@ def scene_text(motor: str, run: str = "") -> str:
 )
 def test_a_scene_gives_one_of_four_laws(motor: str, law: Law) -> None:
     scene = parse_scene(scene_text(motor, '[dynamics.run]\nstep = "5 ms"\nturns = 3\nbrake = 7\nresistance = "start"'))
-    assert scene.of(DynamicsForm).dynamics.motor.law == law
-    found = run_of(scene)
-    assert found is not None
-    assert found[0] == Motor(law)
-    assert found[1] == (pytest.approx(4 * math.pi), 3, 7.0, True, 0.005)
+    form = scene.of(DynamicsForm).dynamics
+    assert form.motor is not None
+    assert form.motor.law == law
+    assert motor_of(form.motor) == Motor(law)
+    assert run_task(form.run, 12.0) == (12.0, 3, 7.0, True, 0.005)
 
 
 def test_a_motor_without_a_law_has_no_run() -> None:
-    assert run_of(parse_scene(scene_text("rotor = 0.1"))) is None
+    assert motor_of(parse_scene(scene_text("rotor = 0.1")).of(DynamicsForm).dynamics.motor) is None
+    assert motor_of(None) is None
 
 
 @pytest.mark.parametrize(

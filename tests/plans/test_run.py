@@ -164,6 +164,22 @@ def test_a_steady_turn_repeats_itself_and_uses_all_that_it_is_given(link: Reduce
 def test_the_measures_of_a_steady_turn() -> None:
     found = SteadyTurn(10.0, (9.0, 11.0), TURN / 10.5, 0.0, Works())
     assert (found.mean, found.delta, found.average) == (10.0, 0.2, pytest.approx(10.5))
+    assert [found._replace(closing=change).repeats for change in (-0.03, -0.01, 0.0, 0.01, 0.03)] == [
+        False,
+        *[True] * 3,
+        False,
+    ]
+
+
+def test_a_constant_moment_that_is_too_great_never_settles() -> None:
+    found = run(slider_crank(40.0, force=2000.0), Motor(Constant(60.0)), RunTask(12.0, 3)).steady
+    assert found is not None
+    assert not found.repeats
+    gained = 60.0 * TURN - 360.0
+    inertia = 40.0 + 0.01 + 3 * 0.04**2 + 4 * (0.1 * 0.25 / 0.4) ** 2 + 0.06 / 16
+    assert (found.start + found.closing) ** 2 - found.start**2 == pytest.approx(2 * gained / inertia, rel=1e-3)
+    just = run(slider_crank(40.0, force=2000.0), Motor(Constant(57.29577950371868)), RunTask(12.0, 3)).steady
+    assert just is not None and just.repeats
 
 
 def test_the_solver_is_chosen_by_how_stiff_the_motor_is() -> None:
@@ -244,3 +260,23 @@ def test_breaks_follow_each_other_in_every_turn() -> None:
         passed.append(edge)
         place = edge
     assert passed == [k // 2 * TURN + (2.0 if k % 2 else 0.0) for k in range(2000)]
+
+
+def test_the_turn_that_repeats_itself_is_found_behind_a_heavy_flywheel_too() -> None:
+    """By itself the motion would take hundreds of turns to it: a change loses three hundredths in a turn."""
+    found = run(slider_crank(300.0, force=2000.0), Motor(Linear(600.0, 20.0)), RunTask(12.0, 1)).steady
+    assert found is not None
+    assert abs(found.closing) <= 1e-10 * found.start
+    assert found.works.gained == pytest.approx(0.0, abs=1e-7)
+    assert found.mean == pytest.approx(20.0 * (1 - 57.29577951 / 600), rel=1e-4)
+
+
+def test_a_load_above_the_starting_moment_is_borne_only_if_it_comes_later() -> None:
+    link, motor = steady(2.0, resistance=40.0), Motor(Kloss(60.0, 0.2, 100.0))
+    from_start = run(link, motor, RunTask(12.0, 3, loaded=True))
+    assert from_start.failure is not None and from_start.failure.reason == TOO_WEAK
+    later = run(link, motor, RunTask(12.0, 40))
+    over = 60.0 / 40.0
+    slip = 0.2 / (over + math.sqrt(over**2 - 1))
+    assert later.steady is not None
+    assert later.steady.mean == pytest.approx(100.0 * (1 - slip), rel=1e-9)

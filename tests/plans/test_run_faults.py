@@ -1,4 +1,4 @@
-"""Wrong formulas of the run of a machine, each of which must be seen by the tests that are named beside it."""
+"""Wrong formulas of motors and of the run of a machine, each seen by the tests that are named beside it."""
 
 from __future__ import annotations
 
