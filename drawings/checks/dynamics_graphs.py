@@ -11,6 +11,7 @@ import numpy as np
 
 from drawings.checks.dynamics_expected import INERTIA, KNOWN, MOMENTS, WORKS, Expected
 from drawings.checks.wrong import Wrong, on
+from drawings.figures.dynamics.strips import MARKED
 from drawings.lettering.words import number
 from drawings.measure.measure import Measured, MeasuredVector
 from drawings.paper.strokes import Circle, Group, Leaf, Line, Polyline
@@ -51,6 +52,22 @@ def graphs(measured: Measured, leaf: Leaf, expected: Expected, due: Iterable[str
     names = {graph.name: graph for graph in found}
     if MOMENTS in names and WORKS in names:
         yield from _pole(leaf, names[MOMENTS], names[WORKS])
+
+
+def bare(measured: Measured, expected: Expected, plan: str, numbered: int) -> Iterator[Wrong]:
+    """Hold the speeds without the flywheel, where they have a graph of their own: each position that is numbered."""
+    before, divisions = expected.account.before, expected.task.divisions
+    if before is None:
+        yield message("wrong.stranger", name=plan)
+        return
+    seen = {one.position: one for one in measured.vectors if one.plan == plan}
+    places = np.searchsorted(expected.cycle.turned, TURN * np.arange(divisions) / divisions - KNOWN)
+    for k, omega in enumerate(before.omega[places].tolist() if divisions <= numbered else ()):
+        one = seen.get(k)
+        if one is None:
+            yield on("missing_at", plan, name=str(k), position=k)
+        elif not abs(one.value - 1j * omega) <= 2 * measured.quantum * one.scale + KNOWN * omega:
+            yield on("differs_at", plan, name=str(k), position=k)
 
 
 @dataclass(frozen=True)
@@ -157,13 +174,14 @@ class _Graph:
         return self.slack / self.mu + KNOWN * TURN / self.length + self.measured.quantum
 
     def _curve(self) -> Iterator[Wrong]:
-        """See that a point stands at each edge, at a jump two, and that curves and lines go through theirs."""
+        """See that a point stands at each marked edge, at a jump two, and that curves and lines go through theirs."""
         turned, places = self.expected.cycle.turned, np.array(list(vertices(self.group)))
         dots = np.array([one.centre for one in walk((self.group,)) if isinstance(one, Circle)])
         rows = [self.values, self.expected.before] if self.name == MOMENTS else [self.values]
         for k, angle in enumerate(turned):
             spots = [self.on(angle, float(row[k])) for row in rows]
-            if not all(has(dots, spot, self.near) and has(places, spot, self.near) for spot in spots):
+            marked = len(turned) <= MARKED + 1 or k in self.told
+            if not all((has(dots, spot, self.near) or not marked) and has(places, spot, self.near) for spot in spots):
                 yield on("edge", self.name, name=self.names[k])
         chains = [one.points for one in walk((self.group,)) if isinstance(one, Polyline)]
         for start, end in self.expected.lines.get(self.name, ()):

@@ -22,7 +22,7 @@ from drawings.report.dynamics_notes import PER_CENT, DynamicsNotes
 from plans.analytic.dynamics.flywheel import flywheel_of_points
 from plans.analytic.dynamics.rim import wheel
 from plans.checks.dynamics_comparison import DynamicsComparison
-from plans.model.dynamics import Flywheel
+from plans.model.dynamics import Flywheel, Reduced
 from plans.words.words import message
 
 LOOP = "loop"
@@ -56,8 +56,14 @@ def equations(leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wr
 
 def positions(leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:
     """Read the table of the edges back: each row that must be there, each cell to its last digit."""
-    table = dynamics_table.positions(expected.task, expected.account, precise(drafting))
+    told = leaf.metadata["positions"]
+    table = dynamics_table.positions(expected.task, expected.account, precise(drafting), told)
     yield from _table(leaf, table, dynamics_table.DIGITS, True)
+
+
+def reduction(leaf: Leaf, reduced: Reduced, drafting: Drafting) -> Iterator[Wrong]:
+    """Read the table of the reduction back, of a machine whose crank cannot turn fully."""
+    yield from _table(leaf, dynamics_table.reduction(reduced, precise(drafting)), dynamics_table.DIGITS, True)
 
 
 def results(leaf: Leaf, expected: Expected, comparison: DynamicsComparison, drafting: Drafting) -> Iterator[Wrong]:
@@ -71,7 +77,7 @@ def _table(leaf: Leaf, table: RuledTable, digits: int, uniform: bool) -> Iterato
 
     A column of one quantity is `uniform`: rounding is counted in shares of its largest.
     """
-    parts = [one for one in groups(leaf.groups) if one.name.startswith(f"{table.name}-")]
+    parts = _parts(leaf, table.name)
     if not parts:
         yield from [message("wrong.missing", name=table.name)] if leaf.metadata["of"] == 1 else []
         return
@@ -90,6 +96,10 @@ def _table(leaf: Leaf, table: RuledTable, digits: int, uniform: bool) -> Iterato
         if len(row) != len(true):
             wrong = [name]
         yield from (message("wrong.row_cell", text=text, name=name) for text in wrong)
+
+
+def _parts(leaf: Leaf, name: str) -> list[Group]:
+    return [one for one in groups(leaf.groups) if one.name.removeprefix(f"{name}-").isdigit()]
 
 
 def _rows(parts: Sequence[Group]) -> list[list[str]]:

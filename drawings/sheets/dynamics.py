@@ -7,7 +7,15 @@ from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from typing import Any, NamedTuple
 
-from drawings.figures.dynamics import dynamics_table, flywheel_sketch, load_diagram, plate, plate_figure, quantities
+from drawings.figures.dynamics import (
+    dynamics_table,
+    flywheel_sketch,
+    load_diagram,
+    plate,
+    plate_figure,
+    quantities,
+    tachogram,
+)
 from drawings.figures.dynamics.bare_speeds import bare_speeds
 from drawings.figures.dynamics.load_course import LoadCourse, courses
 from drawings.figures.dynamics.plate import Plate
@@ -116,6 +124,7 @@ class _DynamicsSheet:
             yield self._caption(self._results(), way.found)
         yield from self._wheel(way.found)
         yield from self._bare(way.found)
+        yield from self._run(way.found)
 
     def _plates(self, way: Way) -> Iterator[Exhibit]:
         """Give the plates: none of a machine whose crank cannot turn fully."""
@@ -168,6 +177,14 @@ class _DynamicsSheet:
         if curve is not None:
             room = curve_graph.measure(curve, quantities.BEFORE, self.drafting)
             draw = partial(curve_graph.draw, curve, room, drafting=self.drafting)
+            yield Exhibit(Panel(room, together=together), draw)
+
+    def _run(self, together: str) -> Iterator[Exhibit]:
+        """Show the run from rest to rest, where there is a motor."""
+        run = self.machine.own.run
+        if run is not None and len(run.t) > 1:
+            room = tachogram.measure(run, self.drafting)
+            draw = partial(tachogram.draw, run, room, drafting=self.drafting)
             yield Exhibit(Panel(room, together=together), draw)
 
     def _values(self, most: int) -> RuledTable:

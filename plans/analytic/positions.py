@@ -76,6 +76,15 @@ def find(shape: Shape, phi: Floats, start: Assembly | None, tolerance: float = E
     return found
 
 
+def along(shape: Shape, phi: Floats, turn: March, tolerance: float = EPS) -> Positions:
+    """Find the poses at crank angles phi rad, (N,), on a whole turn that was marched and meets nothing singular."""
+    found = Positions(phi, np.full((len(phi), len(shape.constraints.numbers), 3), np.nan), np.zeros(len(phi), bool))
+    crank = turn.angles[0] + (phi - turn.angles[0]) % FULL
+    _along(found, shape, turn, crank, np.ones(len(phi), dtype=bool), tolerance)
+    _tell_lost(found, shape, turn)
+    return found
+
+
 def blocks(count: int) -> Iterator[slice]:
     """Cut `count` positions into blocks."""
     return (slice(begin, begin + BLOCK) for begin in range(0, count, BLOCK))

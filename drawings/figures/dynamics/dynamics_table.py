@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 
 import numpy as np
@@ -35,7 +34,7 @@ def positions(task: Task, account: Account, drafting: Drafting, most: int = MOST
     cycle = account.cycle
     assert cycle is not None  # else nothing is told of a turn
     named = strips(cycle, task.divisions)
-    chosen = named.told(math.ceil(task.divisions / most))
+    chosen = named.told(named.every(task.divisions / most))
     lines = [row for k in chosen for row in _edge(named, cycle, account.speeds, k, drafting)]
     heads = tuple(f"{drafting.letter(letter)}, {drafting.word(unit)}" for letter, unit in QUANTITIES)
     return table(lines, "i", heads, drafting.hand.text)._replace(name=POSITIONS)

@@ -99,7 +99,7 @@ def _places(loop: Loop, axes: Axes) -> list[complex]:
 def _numbered(loop: Loop, axes: Axes, hand: Hand) -> tuple[int, ...]:
     """Choose the points whose numbers have room: those that tangents touch first, then jumps."""
     places, kept = _places(loop, axes), list[int]()
-    for k in (*loop.touches, *loop.strips.jumps, *range(len(places))):
+    for k in (*loop.touches, *loop.strips.jumps, *loop.strips.candidates[:-1]):
         if all(abs(places[k] - places[other]) >= APART * hand.number for other in kept):
             kept.append(k)
     return tuple(sorted(kept))
@@ -109,7 +109,9 @@ def _points(loop: Loop, numbered: Sequence[int], axes: Axes, hand: Hand) -> Iter
     """Draw the points of the edges about the loop's own origin; the numbered ones can be measured, in mm."""
     subject = Subject(LOOP, PAPER.letter, None)
     yield Group((pole(axes.zero),), "", subject.data("pole", "o1", 0j, PAPER), "o_{1}")
-    for k, place in enumerate(_places(loop, axes)):
+    places = _places(loop, axes)
+    for k in (k for k in loop.strips.marked(numbered) if k < len(places)):
+        place = places[k]
         dot = Circle(place, (TOUCH if k in loop.touches else DOT) * hand.symbol, INK)
         name, value = (
             loop.strips.names[k],

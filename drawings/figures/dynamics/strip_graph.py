@@ -80,7 +80,8 @@ def draw(graph: StripGraph, strips: Strips, axes: Axes, drafting: Drafting) -> P
 def _edges(graph: StripGraph, strips: Strips, numbered: tuple[int, ...], axes: Axes, hand: Hand) -> Iterator[Stroke]:
     """Draw tick, ordinate and points of each edge."""
     tick = TICK * axes.rise
-    for k, angle in enumerate(strips.turned):
+    for k in strips.marked(numbered):
+        angle = float(strips.turned[k])
         foot, value, other = axes.on(angle), graph.values[k] - graph.base, graph.before[k] - graph.base
         yield Line(foot - tick, foot + tick, hand.drafted)
         if k in numbered:

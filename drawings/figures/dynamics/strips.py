@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -12,6 +12,8 @@ from plans.model.dynamics import TURN, Cycle
 from plans.model.motion import Floats
 
 SAME = 1e-9  # of a strip: an edge so near a position is that position
+MARKED = 72  # strips: of more only the numbered edges have a point and a tick
+NUMBERED = 36  # positions that are numbered at most where not all edges are marked
 SEEN = 1e-3  # of the span of the moments: a smaller jump cannot be seen
 
 
@@ -32,10 +34,29 @@ class Strips(NamedTuple):
         last = len(self.turned) - 1
         return tuple(sorted({0, last, *self.jumps, *np.flatnonzero(self.steps % every == 0).tolist()}))
 
+    def every(self, least: float) -> int:
+        """Choose how many positions apart numbers stand: a divisor of the turn, if there is one not much above."""
+        first, whole = max(math.ceil(least), 1), round(float(np.nanmax(self.steps)))
+        return next((step for step in range(first, 2 * first) if whole % step == 0), first)
+
+    @property
+    def crowded(self) -> bool:
+        """Whether there are so many edges that only the numbered ones are marked."""
+        return len(self.turned) > MARKED + 1
+
+    @property
+    def candidates(self) -> tuple[int, ...]:
+        """The edges that may be numbered."""
+        return self.told(self.every(float(np.nanmax(self.steps)) / NUMBERED) if self.crowded else 1)
+
+    def marked(self, numbered: Collection[int]) -> Collection[int]:
+        """Give the edges that have a point, if some are numbered."""
+        return numbered if self.crowded else range(len(self.turned))
+
     def spaced(self, length: float, apart: float) -> tuple[int, ...]:
         """Choose the edges that can be numbered along an axis of some length mm, both ends and jumps first."""
         places = self.turned * (length / TURN)
-        every = math.ceil(apart / (length / np.nanmax(self.steps)))
+        every = self.every(apart / length * float(np.nanmax(self.steps)))
         kept: list[int] = []
         for k in (0, len(places) - 1, *self.jumps, *self.told(every)):
             if all(abs(places[k] - places[other]) >= apart for other in kept):

@@ -110,7 +110,7 @@ class ForceTable(PressedTable):
         for name in ("on", "point"):
             self._check_alone(name, "between")
         if self.between is None and self.given.isdisjoint(("on", "point")):
-            raise wrong("no_place")
+            raise wrong("acts_nowhere")
         lacking = [name for name in ("on", "point") if name not in self.given]
         if self.between is None and lacking:
             raise wrong("missing", at=(lacking[0],))
