@@ -114,7 +114,7 @@ def test_a_motor_without_a_law_has_no_run() -> None:
         ("speeds = [0, 20]\nmoments = [0, -2]", ["not_positive"]),
         ("speeds = [0, 20, 30]\nmoments = [3, 2, 4]", ["moments_fall"]),
         ("speeds = [0, 20]\nmoments = [3, 2]\nratio = 12", ["speeds_end"]),
-        ("moment = 0\nratio = 0\nspeeds = 4", ["not_positive", "ratio", "wrong_type"]),
+        ("moment = 0\nratio = 0\nspeeds = 4", ["not_positive", "shaft_ratio", "wrong_type"]),
         ('rotor = 1\n[dynamics.run]\nbrake = "5 N*m"', ["no_law"]),
         ("moment = 3\n[dynamics.run]\nturns = 101\nbrake = 0", ["too_many_turns", "not_positive"]),
         ('moment = 3\n[dynamics.run]\nresistance = "never"\nstep = -1', ["choice", "not_positive"]),

@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 
 from plans.model.dynamics import TURN
 from plans.model.motion import Floats
@@ -27,6 +28,7 @@ TOLERANCES = {EXPLICIT: 1e-12, IMPLICIT: 1e-10, COMMON: 1e-10}
 STIFF = 50.0  # times over in a turn
 ANGLE, SPEED, STOP = "angle", "speed", "stop"  # what a leg ends with
 SIZE = 6  # of the state
+CLOSE = 4  # rows to the longest step
 SPEED_AXIS: Floats = np.eye(1, SIZE, 1)[0]
 EPS = 2.0**-52
 
@@ -164,11 +166,19 @@ class Solver:
         reason = next(name for name, times in zip(watched, found.t_events, strict=True) if name and len(times))
         near = self._solved(equation, State(found.t[-2], equation.counted(found.y[:, -2], -1)), found.t[-1])
         end = _refined(equation, float(near.t[-1]), near.y[:, -1], reason, ends)
-        rows = np.array([found.t, found.y[0], equation.base + found.y[1], np.zeros_like(found.t)]).T
+        at = self._kept(found.t)
+        rows = np.array([found.t[at], found.y[0, at], equation.base + found.y[1, at], np.zeros(len(at))]).T
         rows[-1, :3] = end.t, *end.values[:2]
         rows[:, 3] = [equation.epsilon(*place) for place in rows[:, 1:3].tolist()]
         turning = np.array([equation.place(state)[1] for state in found.y_events[0]])
         return Leg(rows, turning, end, reason, found.nfev + near.nfev, int(found.njev + near.njev))
+
+    def _kept(self, t: Floats) -> npt.NDArray[np.intp]:
+        """Choose the steps that become rows, the first and the last among them: no more than a drawing needs."""
+        if math.isinf(self.longest):
+            return np.arange(len(t))
+        part = np.floor((t - t[0]) / self.longest * CLOSE)
+        return np.flatnonzero(np.diff(part, prepend=-1.0, append=-1.0)[:-1] + (t == t[-1]))
 
     def _solved(self, equation: Equation, start: State, end: float = math.inf, **more: Any) -> Any:
         from scipy.integrate import solve_ivp  # noqa: PLC0415  (only a run needs it)
