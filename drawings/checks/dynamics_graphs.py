@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -52,6 +52,22 @@ def graphs(measured: Measured, leaf: Leaf, expected: Expected, due: Iterable[str
     names = {graph.name: graph for graph in found}
     if MOMENTS in names and WORKS in names:
         yield from _pole(leaf, names[MOMENTS], names[WORKS])
+
+
+def bare(measured: Measured, expected: Expected, plan: str, numbered: int) -> Iterator[Wrong]:
+    """Hold the speeds without the flywheel, where they have a graph of their own: each position that is numbered."""
+    before, divisions = expected.account.before, expected.task.divisions
+    if before is None:
+        yield message("wrong.stranger", name=plan)
+        return
+    seen = {one.position: one for one in measured.vectors if one.plan == plan}
+    places = np.searchsorted(expected.cycle.turned, TURN * np.arange(divisions) / divisions - KNOWN)
+    for k, omega in enumerate(before.omega[places].tolist() if divisions <= numbered else ()):
+        one = seen.get(k)
+        if one is None:
+            yield on("missing_at", plan, name=str(k), position=k)
+        elif not abs(one.value - 1j * omega) <= 2 * measured.quantum * one.scale + KNOWN * omega:
+            yield on("differs_at", plan, name=str(k), position=k)
 
 
 @dataclass(frozen=True)
@@ -167,9 +183,10 @@ class _Graph:
             marked = len(turned) <= MARKED + 1 or k in self.told
             if not all((has(dots, spot, self.near) or not marked) and has(places, spot, self.near) for spot in spots):
                 yield on("edge", self.name, name=self.names[k])
+        chains = [one.points for one in walk((self.group,)) if isinstance(one, Polyline)]
         for start, end in self.expected.lines.get(self.name, ()):
             ends = self.on(0.0, start), self.on(TURN, end)
-            if not all(has(places, spot, self.near) for spot in ends):
+            if not any(straight(chain, ends, self.near) for chain in chains):
                 yield on("line", self.name)
 
 
@@ -184,6 +201,14 @@ def vertices(group: Group) -> Iterator[complex]:
 def has(places: np.ndarray[tuple[int, ...], np.dtype[np.complex128]], spot: complex, near: float) -> bool:
     """Tell whether one of some places is near a spot."""
     return bool(places.size) and bool(np.abs(places - spot).min() <= near)
+
+
+def straight(chain: Sequence[complex], ends: tuple[complex, complex], near: float) -> bool:
+    """Tell whether a chain of lines goes straight from one end to another."""
+    start, end = ends
+    along = (end - start) / abs(end - start)
+    apart = [abs(chain[0] - start), abs(chain[-1] - end), *(abs(((p - start) / along).imag) for p in chain)]
+    return max(apart) <= near
 
 
 def edge_names(expected: Expected) -> tuple[str, ...]:

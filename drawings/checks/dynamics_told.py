@@ -22,7 +22,7 @@ from drawings.report.dynamics_notes import PER_CENT, DynamicsNotes
 from plans.analytic.dynamics.flywheel import flywheel_of_points
 from plans.analytic.dynamics.rim import wheel
 from plans.checks.dynamics_comparison import DynamicsComparison
-from plans.model.dynamics import Flywheel
+from plans.model.dynamics import Flywheel, Reduced
 from plans.words.words import message
 
 LOOP = "loop"
@@ -56,36 +56,50 @@ def equations(leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wr
 
 def positions(leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:
     """Read the table of the edges back: each row that must be there, each cell to its last digit."""
-    table = dynamics_table.positions(expected.task, expected.account, precise(drafting), leaf.metadata["positions"])
-    yield from _table(leaf, table, dynamics_table.DIGITS)
+    told = leaf.metadata["positions"]
+    table = dynamics_table.positions(expected.task, expected.account, precise(drafting), told)
+    yield from _table(leaf, table, dynamics_table.DIGITS, True)
+
+
+def reduction(leaf: Leaf, reduced: Reduced, drafting: Drafting) -> Iterator[Wrong]:
+    """Read the table of the reduction back, of a machine whose crank cannot turn fully."""
+    yield from _table(leaf, dynamics_table.reduction(reduced, precise(drafting)), dynamics_table.DIGITS, True)
 
 
 def results(leaf: Leaf, expected: Expected, comparison: DynamicsComparison, drafting: Drafting) -> Iterator[Wrong]:
     """Read the table of results back."""
     table = dynamics_table.results(expected.account, comparison.exact, comparison.methods, precise(drafting))
-    yield from _table(leaf, table, dynamics_table.DIGITS + 1)
+    yield from _table(leaf, table, dynamics_table.DIGITS + 1, False)
 
 
-def _table(leaf: Leaf, table: RuledTable, digits: int) -> Iterator[Wrong]:
-    """Hold the rows of a table that stands on a sheet; a set of one sheet bears all of its tables."""
-    parts = [one for one in groups(leaf.groups) if one.name.startswith(f"{table.name}-")]
+def _table(leaf: Leaf, table: RuledTable, digits: int, uniform: bool) -> Iterator[Wrong]:
+    """Hold the rows of a table that stands on a sheet; a set of one sheet bears all of its tables.
+
+    A column of one quantity is `uniform`: rounding is counted in shares of its largest.
+    """
+    parts = _parts(leaf, table.name)
     if not parts:
         yield from [message("wrong.missing", name=table.name)] if leaf.metadata["of"] == 1 else []
         return
     seen, heads = _rows(parts), [Text(0j, one).plain for one in (table.first, *table.heads)]
     due = {Text(0j, line.name).plain: [Text(0j, cell).plain for cell in line.cells] for line in table.lines}
-    most = _largest(list(due.values()))
+    most = _largest(list(due.values()))  # of a column of one quantity
     yield from (message("wrong.told", text=" ".join(row)) for row in seen if row[0] not in due and row != heads)
     found = {row[0]: row[1:] for row in seen if row[0] in due}
     for name, cells in due.items():
         if name not in found:
             yield message("wrong.row_missing", name=name)
             continue
-        row, true = found[name], [pair for pair in zip(cells, most, strict=True) if pair[0]]
+        sizes = most if uniform else [abs(reading.value(cell) or 0.0) for cell in cells]
+        row, true = found[name], [pair for pair in zip(cells, sizes, strict=True) if pair[0]]
         wrong = [text for text, (one, size) in zip(row, true, strict=False) if not _cell(text, one, size, digits)]
         if len(row) != len(true):
             wrong = [name]
         yield from (message("wrong.row_cell", text=text, name=name) for text in wrong)
+
+
+def _parts(leaf: Leaf, name: str) -> list[Group]:
+    return [one for one in groups(leaf.groups) if one.name.removeprefix(f"{name}-").isdigit()]
 
 
 def _rows(parts: Sequence[Group]) -> list[list[str]]:
@@ -104,7 +118,7 @@ def _cell(text: str, true: str, most: float, digits: int) -> bool:
     value = reading.value(true)
     if value is None or text == true:
         return text == true
-    return any(reading.reads(text, value, KNOWN * most, count) for count in (digits, 0 if "." in text else digits))
+    return reading.reads(text, value, KNOWN * most, digits)
 
 
 def notes(leaf: Leaf, expected: Expected, comparison: DynamicsComparison, drafting: Drafting) -> Iterator[Wrong]:

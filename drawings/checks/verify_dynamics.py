@@ -7,14 +7,16 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 
 from drawings.checks.dynamics_expected import INERTIA, KNOWN, MOMENTS, SPEEDS, SURPLUS, WORKS, Expected
-from drawings.checks.dynamics_graphs import graphs
+from drawings.checks.dynamics_graphs import bare, graphs
 from drawings.checks.dynamics_loop import loop
 from drawings.checks.dynamics_sizes import flywheel, loads
-from drawings.checks.dynamics_told import equations, notes, positions, results
+from drawings.checks.dynamics_told import equations, notes, positions, reduction, results
 from drawings.checks.wrong import Wrong
 from drawings.figures.dynamics import flywheel_sketch
+from drawings.figures.dynamics.bare_speeds import NUMBERED
 from drawings.figures.dynamics.load_diagram import NAME as LOAD
 from drawings.figures.dynamics.plate import ENERGY, GRAPHS, WHOLE
+from drawings.figures.dynamics.quantities import BEFORE
 from drawings.measure.measure import Measured
 from drawings.page.drafting import drafting_of
 from drawings.paper.strokes import Leaf
@@ -31,6 +33,11 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     """Hold all that one sheet of a machine's motion shows against the analysis (row of the table of sheets)."""
     own, comparison, drafting = study["dynamics"], study.comparison("dynamics"), drafting_of(study.scene)
     expected, shown = expected_of(own.task, comparison), leaf.metadata["figures"]
+    strokes = own.statics.over(comparison.motion.road.extremes)
+    yield from loads([name for name in shown if name.startswith(LOAD)], measured, leaf, own.statics.machine, strokes)
+    if comparison.analysis.cycle is None:
+        yield from reduction(leaf, comparison.analysis.reduced, drafting)
+        return
     yield from settled(expected)
     for plate in PLATES.keys() & set(shown):
         due = [*PLATES[plate], *([SPEEDS] if expected.omega is not None and plate != ENERGY else [])]
@@ -38,8 +45,8 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
         if plate != GRAPHS:
             yield from loop(measured, leaf, expected, drafting.language)
             yield from equations(leaf, expected, drafting)
-    strokes = own.statics.over(comparison.motion.road.extremes)
-    yield from loads([name for name in shown if name.startswith(LOAD)], measured, leaf, own.statics.machine, strokes)
+    if BEFORE in shown:
+        yield from bare(measured, expected, BEFORE, NUMBERED)
     if flywheel_sketch.NAME in shown:
         yield from flywheel(measured, leaf, expected, drafting)
     yield from positions(leaf, expected, drafting)

@@ -6,13 +6,13 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from plans.analytic.assembly import Shape
+from plans.analytic.assembly import Assembly, Shape, home
 from plans.analytic.blocks import triangular
 from plans.analytic.closure import EPS, transfer
 from plans.analytic.constraints import TURN, Constraints, X, Y
 from plans.analytic.extremes import extremes
-from plans.analytic.positions import blocks, find, wrapped
-from plans.analytic.turn import March
+from plans.analytic.positions import Positions, along, blocks, find, wrapped
+from plans.analytic.turn import March, whole_turn
 from plans.model.mechanism import FRAME, Mechanism, Output
 from plans.model.motion import Complexes, Extremes, Floats, Gap, LinkMotion, Motion, PointMotion
 from plans.model.rates import Pace, Rates, rates_at, steady
@@ -37,6 +37,8 @@ class Analysis:
         self.shape = Shape(mechanism, self.constraints, triangular(self.constraints))
         self.pace = pace  # the drive's rates at crank angles; None: those of the mechanism in all
         self._turn: March | None = None
+        self._whole: March | None = None
+        self._homes: dict[float | None, Assembly | None] = {}  # by the first crank angle that the sketch may show
 
     def rates(self, phi: Floats) -> Rates:
         """Give the rates of the drive at crank angles rad."""
@@ -45,8 +47,21 @@ class Analysis:
     def motion(self, phi: Floats, order: int = 2) -> Motion:
         """Solve all positions phi rad: order 0 positions, 1 and velocities, 2 and accelerations; from the datum, SI."""
         phi = np.asarray(phi, dtype=np.float64)
-        found = find(self.shape, phi, self.first, self.looks, self.tolerance)
+        found = find(self.shape, phi, self._home(phi) if phi.size else None, self.tolerance)
         self._turn = found.turn
+        return self._moved(found, order)
+
+    def around(self, phi: Floats, order: int = 2) -> Motion:
+        """Solve positions as `motion` does; where the crank turns fully and freely, by a turn marched once for all."""
+        if self._whole is None and self._turn is not None:
+            self._whole = whole_turn(self.shape, self._turn)
+        if self._whole is None or self._whole.passed:
+            return self.motion(phi, order)
+        phi = np.asarray(phi, dtype=np.float64)
+        return self._moved(along(self.shape, phi, self._whole, self.tolerance), order)
+
+    def _moved(self, found: Positions, order: int) -> Motion:
+        """Differentiate poses by the crank angle, and read the motion off them."""
         slopes = [np.full_like(found.poses, np.nan) for _ in range(order)]
         moving = np.flatnonzero(found.regular)
         for block in blocks(len(moving)):
@@ -54,8 +69,15 @@ class Analysis:
             for slope, values in zip(slopes, transfer(self.constraints, found.poses[here], order), strict=True):
                 slope[here] = values
         gaps = tuple(missing for missing in found.gaps if order or missing.plan == "positions")
-        rows = [wrapped(found.poses), *_rates(slopes, self.rates(phi))]
-        return _motion(self.mechanism, self.constraints, phi, rows, gaps)
+        rows = [wrapped(found.poses), *_rates(slopes, self.rates(found.phi))]
+        return _motion(self.mechanism, self.constraints, found.phi, rows, gaps)
+
+    def _home(self, phi: Floats) -> Assembly | None:
+        """Assemble the mechanism as the sketch shows it, at the first position if it can be, once for each such one."""
+        first = float(phi[0]) if self.first else None
+        if first not in self._homes:
+            self._homes[first] = home(self.shape, first, self.looks)
+        return self._homes[first]
 
     def extremes(self, output: Output) -> Extremes | None:
         """Find the output's extreme positions on the way round."""

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from plans.analytic.assembly import Shape, assemblies, home, signs_of
+from plans.analytic.assembly import Assembly, Shape, assemblies, signs_of
 from plans.analytic.blocks import Block
 from plans.analytic.closure import EPS, SQRT_EPS, Flags, close, close_singular, closed
 from plans.analytic.constraints import TURN, Indices
@@ -52,15 +52,12 @@ class Positions:
         return {missing.position for missing in self.gaps}
 
 
-def find(shape: Shape, phi: Floats, first: bool, looks: Floats, tolerance: float = EPS) -> Positions:
-    """Find the poses at crank angles phi rad, (N,), starting at the first of them if the links can be joined there.
+def find(shape: Shape, phi: Floats, start: Assembly | None, tolerance: float = EPS) -> Positions:
+    """Find the poses at crank angles phi rad, (N,), by a march from where the mechanism is assembled to its sketch.
 
-    Where the sketch does not show the `first` one, or it cannot be assembled, the march starts where the mechanism fits
-    the sketch best among the crank angles `looks`, rad. The way round the turn is always marched to rounding level;
-    `tolerance` is for the positions asked for.
+    The way round the turn is always marched to rounding level; `tolerance` is for the positions asked for.
     """
     found = Positions(phi, np.full((len(phi), len(shape.constraints.numbers), 3), np.nan), np.zeros(len(phi), bool))
-    start = home(shape, float(phi[0]) if first else None, looks) if phi.size else None
     if start is None:
         for k in range(len(phi)):
             found.miss(k, "positions", OUT_OF_REACH, None)
@@ -76,6 +73,15 @@ def find(shape: Shape, phi: Floats, first: bool, looks: Floats, tolerance: float
     _along(found, shape, turn, crank, passed, tolerance)
     _tell_lost(found, shape, turn)
     found.gaps.sort(key=lambda missing: missing.position)
+    return found
+
+
+def along(shape: Shape, phi: Floats, turn: March, tolerance: float = EPS) -> Positions:
+    """Find the poses at crank angles phi rad, (N,), on a whole turn that was marched and meets nothing singular."""
+    found = Positions(phi, np.full((len(phi), len(shape.constraints.numbers), 3), np.nan), np.zeros(len(phi), bool))
+    crank = turn.angles[0] + (phi - turn.angles[0]) % FULL
+    _along(found, shape, turn, crank, np.ones(len(phi), dtype=bool), tolerance)
+    _tell_lost(found, shape, turn)
     return found
 
 

@@ -48,7 +48,7 @@ class TrueLoads:
             return mp.mpc(0)
         size = mp.mpf(force.size)
         if force.diagram is not None:
-            travel, there, back = force.diagram
+            travel, there, back, _ = force.diagram
             stroke = self.strokes[force.stroke]
             table = there if stroke.working(self.phi[column]) else back or there
             size *= _between(self._share(mp, true, stroke), travel, table)

@@ -206,7 +206,7 @@ class _Chords:
         """See that the exact turn is exact."""
         error = np.array([self.turn.error])
         allowed = np.array([self.turn.noise if self.turn.settled else 0.0])
-        return Finding(WORKS, "exact", "", error, 0 * error, error, allowed, 1.0)
+        return Finding(WORKS, "M_red, J_red exact", "", error, 0 * error, error, allowed, 1.0)
 
     def _flywheel(self, ours: Flywheel, theirs: Flywheel) -> Iterator[Finding]:
         steep, mass = ours.slopes[1], 2 * float(self.mass.max())

@@ -14,10 +14,11 @@ import numpy as np
 import numpy.typing as npt
 
 from plans.dynamics.reduction import Reduction
+from plans.forces.loading import working_of
 from plans.forces.stroke import ROUNDING, Stroke, asks
 from plans.linkage.assembly_limits import FAN, LOOKS, NODES, at_angles
 from plans.model.dynamics import TURN
-from plans.model.machine import ALWAYS, WORKING, Force, Moment
+from plans.model.machine import ALWAYS, BACKWARD, FORWARD, WORKING, Force, Moment
 from plans.model.motion import Floats, Motion
 
 # Two breaks are one if they are nearer than an extreme is known by its notch or a root: half the digits of an angle.
@@ -27,18 +28,18 @@ Height = Callable[[Motion], Floats]
 
 
 class Level(NamedTuple):
-    """What changes its sign at a break, and of a load that acts on one stroke alone that stroke."""
+    """What changes its sign at a break, and the load over a stroke that changes there, if it acts there."""
 
     height: Height
+    load: Force | Moment | None = None
     stroke: Stroke | None = None
-    during: str = ALWAYS
     point: str = ""  # that must be at rest there, and not only go square to the way that it had before
 
     def counts(self, motion: Motion) -> npt.NDArray[np.bool_]:
         """Tell at which positions of a motion the load changes: not on the stroke on which it rests."""
         found = np.ones(len(motion.phi), dtype=bool)
-        if self.stroke is not None and self.during != ALWAYS:
-            found &= self.stroke.working(motion.phi) == (self.during == WORKING)
+        if self.load is not None and self.stroke is not None and self.load.during != ALWAYS:
+            found &= working_of(self.load, self.stroke, motion) == (self.load.during in (WORKING, FORWARD))
         if self.point:
             fastest = max(float(np.nanmax(np.abs(one.v), initial=0.0)) for one in motion.points.values())
             found &= np.abs(motion.points[self.point].v) <= ROUNDING * fastest
@@ -64,7 +65,9 @@ def _levels(reduction: Reduction) -> Iterator[Level]:
     for load in loads:
         if asks(load):
             stroke = strokes[load.stroke]
-            yield from (Level(_passing(stroke, share), stroke, load.during) for share in _shares(load))
+            yield from (Level(_passing(stroke, share), load, stroke) for share in _shares(load))
+            if load.during in (FORWARD, BACKWARD):
+                yield Level(_going(load, stroke))
         if isinstance(load, Moment) and load.against:
             yield Level(_turning(load.link))
         if isinstance(load, Force) and load.resists and load.other is not None:
@@ -78,6 +81,10 @@ def _shares(load: Force | Moment) -> list[float]:
     begin, end = load.overrun
     places = {begin, 1.0 - end, *(load.diagram.travel if isinstance(load, Force) and load.diagram else ())}
     return sorted(place for place in places if 0.0 < place < 1.0)
+
+
+def _going(load: Force | Moment, stroke: Stroke) -> Height:
+    return lambda motion: np.where(working_of(load, stroke, motion), 1.0, -1.0)
 
 
 def _passing(stroke: Stroke, share: float) -> Height:
@@ -118,7 +125,7 @@ def _nodes(reduction: Reduction) -> Motion:
 
 
 def _motion(reduction: Reduction, turned: Floats) -> Motion:
-    return reduction.sweep.motion(at_angles(reduction.start + reduction.study.sense * turned), 1)
+    return reduction.sweep.motion(at_angles(reduction.start + reduction.study.sense * turned), 2)
 
 
 def _zeros(reduction: Reduction, level: Level) -> Floats:

@@ -60,7 +60,7 @@ def ratio(value: object) -> Decimal:
     """Read how many turns a shaft makes for one of the crank; negative where it turns against it."""
     found = units.quantity(value, units.NUMBER)
     if found == 0 or abs(found) > RATIO_LIMIT:
-        raise wrong("ratio", most=f"{RATIO_LIMIT:f}")
+        raise wrong("shaft_ratio", most=f"{RATIO_LIMIT:f}")
     return found
 
 

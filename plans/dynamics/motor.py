@@ -149,7 +149,9 @@ class RunTable(Table):
         meaning="Turns of steady motion that are shown.",
     )
     resistance: str = key(
-        f.words(SETTLED, START), SETTLED, meaning="When the loads begin to act: at full speed, or from the start."
+        f.words(SETTLED, START),
+        SETTLED,
+        meaning="When loads and weights begin to act: at full speed, or from the start.",
     )
     brake: Decimal | None = key(MOMENT, None, meaning="Moment at the crank that stops the machine; without it, no end.")
 

@@ -55,6 +55,7 @@ class Reducing:
         return _hung(self.plan)
 
     @cached_property
+    @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, and is named outside
     def momenta(self) -> Lever | None:
         """The lever with the momenta of all masses."""
         return _hung(_with_momenta(self.plan))

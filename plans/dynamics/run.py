@@ -39,6 +39,8 @@ TABLE = "table"
 # table is then off by about an eighth of such a change while it dies away, and does not swing, as it would from 1 on.
 PART = 0.25
 
+STRIPS = 360  # of a turn, for the mean resistance: fine enough not to be told from the exact one
+
 
 def run(link: ReducedLink, motor: Motor, task: RunTask) -> Run:
     """Make the table of a machine's run from rest."""
@@ -57,7 +59,7 @@ def step_of(link: ReducedLink, motor: Motor, task: RunTask) -> float:
 def mean_resistance(link: ReducedLink) -> float:
     """Give the mean moment N*m over a turn with which the resistance hinders the motion, by ordinates at middles."""
     acting = Acting(link, None, loaded=True)
-    edges = [k * TURN / PLACES for k in range(PLACES + 1)]
+    edges = [k * TURN / STRIPS for k in range(STRIPS + 1)]
     return sum(acting.works(Row(0.0, low, 0.0, 0.0), high).useful for low, high in pairwise(edges)) / TURN
 
 

@@ -130,14 +130,16 @@ def by_energy(acting: Acting, row: Row, step: float, ends: Ends) -> Part:
 
 
 def _carried(acting: Acting, row: Row, step: float, end: float, kept: float) -> tuple[Row, str, Works]:
-    """Give the next row and the works to it; where the energy is used up before, the row in which it is."""
-    dt = min(step, _time(row, end - row.turned))
-    path = row.omega * dt + row.epsilon * dt**2 / 2
-    turned = end if dt < step else row.turned + max(path, 0.0)
+    """Give the next row and the works to it; where the machine stops before, the row in which it does."""
+    limits = {"": step, **_within(row, Ends(end, 0))}
+    reason = min(limits, key=lambda name: limits[name])
+    dt = limits[reason]
+    turned = end if reason == ANGLE else row.turned + row.omega * dt + row.epsilon * dt**2 / 2
     work = acting.works(row, turned)
-    if path <= 0 or kept + work.gained <= 0:
-        share = min(kept / -work.gained, 1.0) if work.gained < 0 else 0.0
-        stop = row.turned + share * (turned - row.turned)
-        return acting.row(row.t + share * dt, stop, 0.0), STOP, acting.works(row, stop)
-    omega = math.sqrt(2 * (kept + work.gained) / acting.link.inertia(turned))
-    return acting.row(row.t + dt, turned, omega), ANGLE if dt < step else "", work
+    if reason != STOP and kept + work.gained <= 0:
+        reason, path = STOP, kept / -work.gained * (turned - row.turned)
+        turned, dt = row.turned + path, 2 * path / row.omega  # it slows down evenly
+        work = acting.works(row, turned)
+    left = 0.0 if reason == STOP else kept + work.gained
+    omega = math.sqrt(2 * left / acting.link.inertia(turned))
+    return acting.row(row.t + dt, turned, omega), reason, work

@@ -66,10 +66,10 @@ def _size(load: Force | Moment, motion: Motion, strokes: Mapping[Track, Stroke])
     if not asks(load):
         return np.full(motion.phi.shape, load.size)
     stroke = strokes[load.stroke]
-    share, working = stroke.share(motion), _working(load, stroke, motion)
+    share, working = stroke.share(motion), working_of(load, stroke, motion)
     size = np.full(share.shape, load.size)
     if isinstance(load, Force) and load.diagram is not None:
-        travel, there, back = load.diagram
+        travel, there, back, _ = load.diagram
         size *= np.where(working, np.interp(share, travel, there), np.interp(share, travel, back or there))
     acts = (share >= load.overrun[0]) & (share <= 1 - load.overrun[1])
     if load.during != ALWAYS:
@@ -77,7 +77,7 @@ def _size(load: Force | Moment, motion: Motion, strokes: Mapping[Track, Stroke])
     return np.where(acts | np.isnan(share), size + 0 * share, 0.0)
 
 
-def _working(load: Force | Moment, stroke: Stroke, motion: Motion) -> npt.NDArray[np.bool_]:
+def working_of(load: Force | Moment, stroke: Stroke, motion: Motion) -> npt.NDArray[np.bool_]:
     """Tell the positions that a load counts as of the working stroke: by the crank, or by the way the output goes."""
     if load.during not in (FORWARD, BACKWARD):
         return stroke.working(motion.phi)

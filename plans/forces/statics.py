@@ -16,7 +16,7 @@ from plans.forces.lines import off_their_lines, told_line
 from plans.forces.loading import loading
 from plans.forces.reading.form import ForceForm
 from plans.forces.reading.inventory import machine_of
-from plans.forces.stroke import NoStroke, Stroke, counted, strokes
+from plans.forces.stroke import NoStroke, OtherStroke, Stroke, counted, strokes
 from plans.linkage.assembly_limits import at_angles
 from plans.linkage.carrying import Drawing
 from plans.linkage.drafts import Drafts
@@ -150,7 +150,7 @@ class Statics:
             if study.barriers:
                 why = message("stroke.barred", load=error.load, thing=error.thing, why=obstruction(study.sweep))
             raise self._refused(why) from None
-        except NoWorkingStroke as error:
+        except (NoWorkingStroke, OtherStroke) as error:
             raise self._refused(error.args[0]) from None
 
     def _refused(self, why: Message) -> StructureError:

@@ -19,6 +19,7 @@ TURN = 2 * np.pi
 # Up to kappa = 600 positions are graded, and the two roads agree in what a velocity is or where one is zero to
 # 8 eps kappa2 of the largest, of an angle to that share of a turn (plans.checks.compare): less is zero, or the same.
 KAPPA = 600.0
+FIT = 0.01  # share of a stroke that a diagram's lengths may differ by: as exactly as strokes are read off drawings
 ROUNDING = 8 * 2.0**-52 * KAPPA**2
 
 
@@ -92,6 +93,10 @@ def _apart(parting: Parting, point: str, motion: Motion) -> Floats:
     return np.asarray(away)
 
 
+class OtherStroke(StructureError):  # noqa: N818  (the exception tree's own word)
+    """A diagram over lengths of another stroke than that of what it counts."""
+
+
 def asks(load: Force | Moment) -> bool:
     """Tell whether a load changes over a stroke."""
     changes = load.during != ALWAYS or load.overrun != (0.0, 0.0)
@@ -110,7 +115,23 @@ def strokes(
             if shown is None or reached is None or not (reached.sliding or reached.stroke < TURN):
                 raise NoStroke(load.name, _thing(load.stroke, output))
             found[load.stroke] = _stroke(mechanism, shown, reached)
+        if asks(load):
+            _check_length(load, found[load.stroke], _thing(load.stroke, output))
     return found
+
+
+def _check_length(load: Force | Moment, stroke: Stroke, thing: Message) -> None:
+    """See that a diagram over lengths is as long as the stroke."""
+    length = load.diagram.length if isinstance(load, Force) and load.diagram else 0.0
+    if not length:
+        return
+    if not stroke.sliding:
+        raise OtherStroke(message("stroke.swings", load=load.name, thing=thing))
+    whole = abs(stroke.reach[1] - stroke.reach[0])
+    if abs(whole - length) > FIT * whole:
+        told, reached, off = (f"{1000 * size:.5g}" for size in (length, whole, abs(whole - length)))
+        key = "stroke.longer" if length > whole else "stroke.shorter"
+        raise OtherStroke(message(key, load=load.name, thing=thing, length=told, stroke=reached, off=off))
 
 
 def counted(mechanism: Mechanism, load: Force | Moment, output: Output) -> Output | None:

@@ -46,6 +46,7 @@ class Diagram(NamedTuple):
     travel: tuple[float, ...]
     sizes: tuple[float, ...]
     back: tuple[float, ...] = ()
+    length: float = 0.0  # m, of the stroke that the shares were told of as lengths; 0: as shares
 
 
 class End(NamedTuple):

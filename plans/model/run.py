@@ -21,6 +21,7 @@ RUN_UP, STEADY, RUN_DOWN = "run_up", "steady", "run_down"
 # Why a run ends before its time.
 TOO_WEAK, STALLED, UNSETTLED, TOO_MANY_ROWS = "too_weak", "stalled", "unsettled", "too_many_rows"
 SETTLED = 0.99  # of the speed that it tends to and never reaches: there a run-up has come to its end
+LEFT = 0.01  # of the range of speeds in a turn: less is not seen on a tachogram
 TURNS_MOST = 500  # of one stage: a run-up that takes more has not settled
 
 
@@ -118,6 +119,11 @@ class SteadyTurn(NamedTuple):
     period: float  # s
     closing: float
     works: Works
+
+    @property
+    def repeats(self) -> bool:
+        """Whether it repeats itself: what is left of the change is lost in the range of its speeds."""
+        return abs(self.closing) <= LEFT * (self.extremes[1] - self.extremes[0])
 
     @property
     def mean(self) -> float:

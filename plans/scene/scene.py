@@ -31,6 +31,11 @@ class TechniqueForm(Table):
         """Give the names that its tables use of the tables of others."""
         return ()
 
+    @property
+    def counts_stroke(self) -> bool:
+        """Whether something depends on which stroke of the output is the working one."""
+        return False
+
 
 F = TypeVar("F", bound=TechniqueForm)
 

@@ -1,4 +1,4 @@
-"""What holds of any machine's steady turn by analysis: energy, relations, orders, and cases that are no error."""
+"""What holds of any machine's steady turn by analysis: energy, relations and orders."""
 
 from __future__ import annotations
 
@@ -11,18 +11,17 @@ import pytest
 from hypothesis import given
 
 from plans.analytic.dynamics.cycle import exact_cycle, sampled_cycle
-from plans.analytic.dynamics.exact import Exact, exact
+from plans.analytic.dynamics.exact import Exact
 from plans.analytic.dynamics.flywheel import flywheel, flywheel_of_points
-from plans.analytic.dynamics.rim import wheel
-from plans.analytic.dynamics.speeds import Stall, Swing, steady, with_flywheel, without_flywheel
+from plans.analytic.dynamics.speeds import Stall, Swing, with_flywheel
 from plans.analytic.dynamics.wave import wave
 from plans.analytic.power import balancing_moment
-from plans.model.dynamics import Cycle, Rim, Shaft, Task
-from plans.model.machine import ALWAYS, IDLE, Body, Force, Machine, Moment, Track
+from plans.model.dynamics import Task
+from plans.model.machine import Force, Machine, Moment
 from plans.model.motion import Floats
 from tests.parts import examples
 from tests.plans import linkages
-from tests.plans.steady_machines import DELTA, OUTWARD, SPEED, Steady, edges, machine, steadies, worked
+from tests.plans.steady_machines import DELTA, SPEED, Steady, edges, machine, steadies, worked
 
 TASK = Task(SPEED, DELTA, 24)
 ALL_DELTAS = (1.0, *(1 / n for n in (5, 20, 80, 500)))
@@ -173,148 +172,3 @@ def test_thirty_six_positions_are_enough_of_a_smooth_load() -> None:
     assert abs(coarse.mean - one.exact.load.since(np.array([2 * pi]))[0] / (2 * pi)) <= 1e-14 * told.gross.max()
     every = np.linspace(0, 2 * pi, 101)
     assert coarse.at(every) == pytest.approx(one.exact.moment(every), abs=1e-13 * told.gross.max())
-
-
-def test_no_load_at_all_leaves_the_varying_inertia_to_even_out() -> None:
-    found = worked(Force("F", 3, "B", 0j, 0.0, 1 + 0j)).exact
-    assert found.settled
-    assert found.driving == 0
-    assert np.abs(found.surplus(np.linspace(0, 6, 9))).max() == 0
-    its = flywheel(found, TASK)
-    low, high = its.touches
-    assert low.varying - high.varying == pytest.approx(
-        max(found.varying(np.linspace(0, 2 * pi, 20001))) - min(found.varying(np.linspace(0, 2 * pi, 20001))), rel=1e-6
-    )
-    swing = with_flywheel(found, TASK, its)
-    assert isinstance(swing, Swing)
-    assert swing.speeds(edges(found)).delta == pytest.approx(DELTA, rel=1e-10)
-
-
-def test_constant_inertia_and_no_load_ask_for_nothing() -> None:
-    wheels = {1: Body(1, 3.0, 0.5, 0j)}
-    found = worked_with(wheels, Force("F", 3, "B", 0j, 0.0, 1 + 0j))
-    its = flywheel(found, TASK)
-    assert (its.whole, its.needed, its.inertia) == (pytest.approx(0, abs=1e-15), pytest.approx(-0.5), 0)
-    swing = with_flywheel(found, TASK, its)
-    assert isinstance(swing, Swing)
-    assert swing.speeds(edges(found)).omega == pytest.approx(SPEED, rel=1e-14)
-
-
-def worked_with(bodies, *loads: Force | Moment) -> Exact:
-    one = worked(*loads)
-    return one._replace(machine=replace(one.machine, bodies=bodies)).exact
-
-
-def test_constant_inertia_needs_the_range_of_energy_alone() -> None:
-    """J0 = (T_max - T_min)/(omega^2 delta): the textbooks' first formula, and Mertsalov's without an error."""
-    found = worked_with({1: Body(1, 3.0, 0.5, 0j)}, OUTWARD)
-    its = flywheel(found, TASK)
-    height = its.touches[1].surplus - its.touches[0].surplus
-    assert height > 0
-    assert its.whole == pytest.approx(height / (SPEED**2 * DELTA), rel=1e-12)
-
-
-def test_a_heavy_machine_needs_no_flywheel() -> None:
-    """Its rotor is flywheel enough: the motion is that without one, and steadier than was asked."""
-    task = TASK._replace(shafts=(Shaft("rotor", 0.5, 10.0),))
-    its = flywheel(planer(), task)
-    assert its.present == 50
-    assert its.needed < 0 == its.inertia
-    assert wheel(its.inertia, Rim(1.0, 0.5)) is None
-    swing = with_flywheel(planer(), task, its)
-    assert isinstance(swing, Swing)
-    assert swing.inertia == pytest.approx(planer().own + 50, rel=1e-15)
-    assert swing.speeds(edges(planer())).mean == pytest.approx(SPEED, rel=1e-13)
-    assert swing.speeds(edges(planer())).delta < DELTA
-
-
-def test_a_machine_that_would_stop_is_told_where() -> None:
-    """Without a flywheel the cut uses up all there is, at its end."""
-    stall = without_flywheel(planer(), TASK)
-    assert isinstance(stall, Stall)
-    assert np.degrees(stall.turned) == pytest.approx(150.3837539, abs=5e-8)
-    assert stall.mean > SPEED
-    barely = steady(planer(), planer().own, stall.mean * 1.01)
-    assert isinstance(barely, Swing)
-    low, high = barely.extremes()[1]
-    assert low < 0.02 * high
-    assert isinstance(steady(planer(), planer().own, stall.mean * 0.99), Stall)
-
-
-def test_a_machine_without_any_inertia_has_no_motion() -> None:
-    stall = without_flywheel(worked_with({}, OUTWARD), TASK)
-    assert isinstance(stall, Stall)
-    assert np.isnan(stall.mean)
-
-
-def test_a_load_that_drives_is_braked() -> None:
-    """An engine: the load gives work, and the moment that keeps the motion steady is negative."""
-    found = worked(OUTWARD._replace(size=-2000.0)).exact
-    assert found.driving == pytest.approx(-360 / (2 * pi), rel=1e-12)
-    swing = with_flywheel(found, TASK, flywheel(found, TASK))
-    assert isinstance(swing, Swing)
-    assert swing.speeds(edges(found)).delta == pytest.approx(DELTA, rel=1e-10)
-
-
-def test_a_moment_that_jumps_at_a_dead_centre() -> None:
-    """A moment on the crank that acts on the idle stroke alone jumps right at both dead centres."""
-    found = worked(Moment("T", 1, -30.0, during=IDLE, stroke=Track("B"))).exact
-    assert found.breaks == pytest.approx([0, pi], abs=1e-12)
-    sides = [found.moment(np.array([pi]), side)[0] for side in (-1, 1)]
-    assert sides == [pytest.approx(0, abs=1e-12), pytest.approx(-30, rel=1e-13)]
-    assert found.work(np.array([2 * pi]))[0] == pytest.approx(-30 * pi, rel=1e-13)
-    cycle = exact_cycle(found, edges(found))
-    assert (cycle.moments[0, 0], cycle.moments[-1, 1]) == (pytest.approx(0, abs=1e-12), pytest.approx(-30, rel=1e-13))
-
-
-def test_a_load_over_one_stroke_breaks_on_it_alone() -> None:
-    """On the idle stroke, on which it rests, a load over the working stroke has no overruns."""
-    assert len(planer().breaks) == 4
-    always = worked(OUTWARD._replace(during=ALWAYS)).exact
-    assert len(always.breaks) == 6
-
-
-def test_extremes_equal_at_two_places() -> None:
-    """A scotch yoke stands alike in both halves of its turn: the first of two equal touches counts."""
-    yoke = Steady(
-        linkages.scotch_yoke(0.1, omega=1.0, epsilon=0.0),
-        machine(Force("F", 3, "D", 0j, 500.0, None), bodies={3: Body(3, 2.0, 0.0, 0j)}),
-    )
-    found = yoke.exact
-    low, high = flywheel(found, TASK).touches
-    assert max(low.turned, high.turned) < pi
-    told = flywheel_of_points(Cycle("hand", *hand((0.0, 2.0, -1.0, 2.0, 0.0))), TASK).touches
-    assert told[1].turned == pytest.approx(pi / 2)
-
-
-def hand(surplus: tuple[float, ...]) -> tuple[Floats, ...]:
-    """Give the account of a turn in four strips at whose edges the energy has these values, J; the inertia is 1."""
-    turned = np.linspace(0, 2 * pi, 5)
-    means = np.diff(surplus) / (pi / 2)
-    return turned, np.zeros(0), np.stack((means, means), axis=1), means, np.array(surplus), np.ones(5)
-
-
-def test_hand_made_account_by_its_corners() -> None:
-    """Range 3 J at 4 pi rad/s: J0 = 3/(omega^2 delta)."""
-    its = flywheel_of_points(Cycle("hand", *hand((0.0, 2.0, -1.0, 1.0, 0.0))), TASK)
-    assert its.whole == pytest.approx(3 / (SPEED**2 * DELTA), rel=1e-12)
-    assert [one.surplus for one in its.touches] == [-1, 2]
-
-
-def test_what_does_not_settle_is_told() -> None:
-    """A crank that cannot turn fully has no numbers, and a jump that is nobody's break is not taken for smooth."""
-    short = Steady(linkages.slider_crank(0.1, 0.099), machine(Force("F", 3, "B", 0j, 10.0, 1 + 0j)))
-    assert not short.exact.settled
-    one = worked(Moment("T", 1, -30.0))
-    reduction = one.reduction
-    plain = reduction.loads
-    reduction.loads = lambda motion: replaced(plain(motion), motion.phi)
-    found = exact(reduction, {})
-    assert not found.settled
-    assert found.error > 1e-9
-
-
-def replaced(loading, phi: Floats):
-    """Let the moment act in a third of the turn only, which no stroke tells."""
-    (twist,) = loading.moments
-    return loading._replace(moments=(twist._replace(moment=np.where(np.mod(phi, 2 * pi) < 2.0, twist.moment, 0.0)),))

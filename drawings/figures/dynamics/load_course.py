@@ -79,5 +79,5 @@ def _opposing(load: Force | Moment) -> bool:
 def _size(load: Force | Moment, share: float, idle: bool) -> float:
     if isinstance(load, Moment) or load.diagram is None:
         return load.size
-    travel, there, back = load.diagram
+    travel, there, back, _ = load.diagram
     return load.size * float(np.interp(share, travel, back or there if idle else there))

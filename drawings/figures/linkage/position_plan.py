@@ -12,7 +12,8 @@ from drawings.figures.linkage.guides import axes, grounds
 from drawings.figures.linkage.numbering import numbers, same
 from drawings.figures.linkage.outlines import outlines, reach_of
 from drawings.figures.linkage.pairs import Pairs
-from drawings.figures.linkage.rotation import turnings
+from drawings.figures.linkage.phases import Phase, phases
+from drawings.figures.linkage.rotation import Turning, turnings
 from drawings.figures.linkage.skeleton import Poses, Skeletons
 from drawings.figures.linkage.stroke_dimension import stroke
 from drawings.figures.linkage.trajectories import trajectories
@@ -107,6 +108,7 @@ def layers(pairs: Pairs, language: str) -> list[Group]:
         Group((*stands, *pairs.marks()), "pairs"),
         Group(tuple(stroke(bones, place, hand, language, ink)), "stroke"),
         Group(tuple(part for turning in turnings(pairs) for part in turning.strokes(pairs)), "rotation"),
+        Group(tuple(part for phase in phases(pairs, language) for part in phase.strokes(pairs)), "phases"),
     ]
     return [group for group in groups if group.strokes]
 
@@ -213,10 +215,15 @@ def letters(pairs: Pairs, labels: Labels) -> Group:
     for name in bones.masses:
         if name in pairs.centres:
             strokes.append(labels.beside(pairs.centres[name], with_index(name), hand.letter, 2.5, math.pi / 4))
-    for turning in turnings(pairs):
-        middle, away = turning.middle
-        strokes.append(labels.beside(middle, turning.letter, hand.letter, 1.5, away))
-    return Group((*strokes, *numbers(pairs, labels)))
+    strokes += [_on_arc(turning, labels, hand) for turning in turnings(pairs)]
+    strokes += numbers(pairs, labels)
+    return Group((*strokes, *(_on_arc(phase, labels, hand) for phase in phases(pairs, bones.study.language))))
+
+
+def _on_arc(arc: Turning | Phase, labels: Labels, hand: Hand) -> Stroke:
+    """Letter an arc about the crank's pivot in its middle, outside."""
+    middle, away = arc.middle
+    return labels.beside(middle, arc.letter, hand.letter, 1.5, away)
 
 
 def _free(pairs: Pairs, name: str) -> float:

@@ -16,7 +16,7 @@ from plans.analytic.dynamics.curve import Curve, looks, smooth
 from plans.analytic.dynamics.reduction import Reduction
 from plans.analytic.dynamics.roots import roots
 from plans.model.dynamics import TURN
-from plans.model.machine import ALWAYS, IDLE, WORKING, Force, Machine, Moment, Track
+from plans.model.machine import ALWAYS, BACKWARD, FORWARD, WORKING, Force, Machine, Track
 from plans.model.motion import Floats, Motion
 
 
@@ -60,7 +60,7 @@ def _crossings(reduction: Reduction, strokes: Mapping[Track, Run], noise: float)
     found = [np.zeros(0)]
     for track, curve in zip(counted, curves, strict=True):
         for law in sorted(set(_laws(reduction.machine, track))):
-            found += [at[_acts(reduction, strokes[track], law, at)] for at in _changes(curve, law)]
+            found += _changes(reduction, strokes[track], curve, law)
     return np.concatenate(found)
 
 
@@ -73,29 +73,31 @@ class Law(NamedTuple):
     @property
     def directed(self) -> bool:
         """Whether the load acts by the way in which its stroke goes, on reversals within it too."""
-        return self.during not in (ALWAYS, WORKING, IDLE)
+        return self.during in (FORWARD, BACKWARD)
 
 
-def _changes(curve: Curve, law: Law) -> Iterator[Floats]:
-    """Give where a stroke is gone by a share and, of a load by its direction, where it turns back."""
+def _changes(reduction: Reduction, run: Run, curve: Curve, law: Law) -> Iterator[Floats]:
+    """Give where a stroke is gone by a share while the load acts and, of a load by its way, where it turns back."""
     if 0.0 < law.share < 1.0:
-        yield roots(lambda turned, side: curve.at(turned, side) - law.share, looks([curve]))
+        at = roots(lambda turned, side: curve.at(turned, side) - law.share, looks([curve]))
+        yield at[_acts(reduction, run, curve, law, at)]
     if law.directed:
         yield roots(curve.slope.at, looks([curve]))
 
 
-def _acts(reduction: Reduction, run: Run, law: Law, turned: Floats) -> Flags:
-    """Tell at which angles turned a load may act: not on the stroke on which it rests."""
-    if law.directed or law.during == ALWAYS:
+def _acts(reduction: Reduction, run: Run, curve: Curve, law: Law, turned: Floats) -> Flags:
+    """Tell at which angles turned a load may act: not on the stroke, or the way, on which it rests."""
+    if law.during == ALWAYS:
         return np.ones(len(turned), dtype=bool)
+    if law.directed:
+        return np.asarray((curve.slope.at(turned) > 0.0) == (law.during == FORWARD))
     working = run.working(reduction.start + reduction.sense * turned)
     return np.asarray(working == (law.during == WORKING))
 
 
 def _laws(machine: Machine, track: Track) -> Iterator[Law]:
     """Give what changes over a stroke."""
-    loads: tuple[Force | Moment, ...] = (*machine.forces, *machine.moments)
-    for load in loads:
+    for load in machine.loads:
         if load.stroke == track:
             places = load.diagram.travel if isinstance(load, Force) and load.diagram is not None else ()
             first, last = load.overrun

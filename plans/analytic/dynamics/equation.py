@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 
 from plans.model.dynamics import TURN
 from plans.model.motion import Floats
@@ -19,13 +20,15 @@ from plans.model.motor import Motor
 from plans.model.run import ReducedLink, Works, before, beyond
 
 EXPLICIT, IMPLICIT = "DOP853", "LSODA"
+COMMON = "RK45"  # what is taken without a choice: never chosen, but measured against
 # Shares of rounding that a step is allowed: the multistep method cannot be asked for the last digits.
-TOLERANCES = {EXPLICIT: 1e-12, IMPLICIT: 1e-10}
-# The explicit method needs about 5 evaluations for every time over that a change of speed dies away, e-fold; the
-# implicit one some 700 for a turn between two breaks, however steep the motor is.
-STIFF = 140.0  # times over in a turn
+TOLERANCES = {EXPLICIT: 1e-12, IMPLICIT: 1e-10, COMMON: 1e-10}
+# For every time over that a change of speed dies away in a turn, e-fold, the explicit method needs some 40 evaluations,
+# to more figures; the implicit one 1000 to 2700 in all for a turn between two breaks, however steep the motor is.
+STIFF = 50.0  # times over in a turn
 ANGLE, SPEED, STOP = "angle", "speed", "stop"  # what a leg ends with
 SIZE = 6  # of the state
+CLOSE = 4  # rows to the longest step
 SPEED_AXIS: Floats = np.eye(1, SIZE, 1)[0]
 EPS = 2.0**-52
 
@@ -142,14 +145,16 @@ class Solver:
         return TOLERANCES[self.name]
 
     def leg(self, equation: Equation, start: State, ends: Ends) -> Leg:
-        """Follow a motion to its end, stopping and starting anew at every break of the resistance."""
+        """Follow a motion to its end, starting anew at every break; one that never comes to a speed is left earlier."""
         parts, state, going = [], start, True
         while going:
             edge = equation.link.following(state.turned) if equation.loaded else None
             stop = ends.angle if edge is None else min(edge, ends.angle)
             parts.append(self._piece(equation.between(state.turned, edge), state, Ends(stop, ends.speed)))
             state = parts[-1].end
-            going = parts[-1].reason == ANGLE and stop < ends.angle and not crawls(parts, equation.link.breaks)
+            going = parts[-1].reason == ANGLE and stop < ends.angle
+            if ends.speed is not None and crawls(parts, equation.link.breaks):
+                break
         return _joined(parts)
 
     def _piece(self, equation: Equation, start: State, ends: Ends) -> Leg:
@@ -161,11 +166,19 @@ class Solver:
         reason = next(name for name, times in zip(watched, found.t_events, strict=True) if name and len(times))
         near = self._solved(equation, State(found.t[-2], equation.counted(found.y[:, -2], -1)), found.t[-1])
         end = _refined(equation, float(near.t[-1]), near.y[:, -1], reason, ends)
-        rows = np.array([found.t, found.y[0], equation.base + found.y[1], np.zeros_like(found.t)]).T
+        at = self._kept(found.t)
+        rows = np.array([found.t[at], found.y[0, at], equation.base + found.y[1, at], np.zeros(len(at))]).T
         rows[-1, :3] = end.t, *end.values[:2]
         rows[:, 3] = [equation.epsilon(*place) for place in rows[:, 1:3].tolist()]
         turning = np.array([equation.place(state)[1] for state in found.y_events[0]])
         return Leg(rows, turning, end, reason, found.nfev + near.nfev, int(found.njev + near.njev))
+
+    def _kept(self, t: Floats) -> npt.NDArray[np.intp]:
+        """Choose the steps that become rows, the first and the last among them: no more than a drawing needs."""
+        if math.isinf(self.longest):
+            return np.arange(len(t))
+        part = np.floor((t - t[0]) / self.longest * CLOSE)
+        return np.flatnonzero(np.diff(part, prepend=-1.0, append=-1.0)[:-1] + (t == t[-1]))
 
     def _solved(self, equation: Equation, start: State, end: float = math.inf, **more: Any) -> Any:
         from scipy.integrate import solve_ivp  # noqa: PLC0415  (only a run needs it)

@@ -60,7 +60,7 @@ class Reduction:
     def motion(self, turned: Floats) -> Motion:
         """Solve the motion at angles turned, (N,); position 0 goes before them, for the sketch may show it alone."""
         phi = self.start + self.sense * np.asarray(turned, dtype=np.float64)
-        whole = self.road.motion(np.concatenate(([self.start], phi)))
+        whole = self.road.around(np.concatenate(([self.start], phi)))
         gaps = tuple(replace(gap, position=gap.position - 1) for gap in whole.gaps if gap.position)
         return replace(whole.made(phi, lambda row: row[1:]), gaps=gaps)
 

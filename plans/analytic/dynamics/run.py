@@ -152,9 +152,12 @@ class _Course:
         return True
 
     def _settled(self, equation: Equation, start: State, last: Leg) -> SteadyTurn:
-        """Find the turn that repeats itself, by Aitken's rule on the speeds with which turns begin."""
+        """Find the turn that repeats itself, by Aitken's rule on the speeds with which turns begin.
+
+        A constant moment has no such turn, or any one is: then it is the last that was followed.
+        """
         best = _turn(start, last)
-        for _ in range(TRIALS):
+        for _ in range(TRIALS if self.motor.steepness > 0 else 0):
             if abs(best.closing) <= REPEATED * best.start:
                 break
             speeds = [best.start, best.start + best.closing]
@@ -163,7 +166,8 @@ class _Course:
                 break
             begun = _turn(_at(speeds[1]), leg)
             keeps = begun.closing / best.closing
-            leg = self._trial(equation, speeds[1] + begun.closing / (1 - keeps)) if keeps < 1 - REPEATED else None
+            settled = speeds[1] + begun.closing / (1 - keeps) if keeps < 1 - REPEATED else 0.0
+            leg = self._trial(equation, settled) if settled > 0 else None
             if leg is None:
                 return begun
             best = _turn(_at(float(leg.rows[0, 2])), leg)

@@ -9,13 +9,14 @@ from decimal import Decimal
 from plans.linkage.reading import fields as g
 from plans.scene import fields as f
 from plans.scene import forms, units
-from plans.scene.faults import wrong
+from plans.scene.faults import Wrong, wrong
 from plans.scene.fields import NAME_LIMIT, not_empty, number, pair, positive, sample, whole
 from plans.scene.readers import Check, either, one
 from plans.scene.units import type_name
 
 # What a force sheet letters itself: reactions, weights, inertia forces, moments of sliding pairs, what the drive gives.
 TAKEN = re.compile(r"[RPF]_?\d+,?\d+|[GΦ]_?\d+|M_?\d\d+|[MP]_?bal")
+PER_CENT = re.compile(r"^\s*([+-]?[0-9]+(?:\.[0-9]+)?)\s*%\s*$")
 SYMBOL_SIGNS = re.compile(r"[^\W\d_][\w.′'-]*")
 
 
@@ -57,6 +58,44 @@ def line(value: object) -> Decimal | tuple[str, ...]:
     return g.check_line(value) if lettered or isinstance(value, list) else units.angle(value)
 
 
+class Metres(Decimal):
+    """A place that the scene gives as a length, m."""
+
+
+class Newtons(Decimal):
+    """A size that the scene gives in units of force, N."""
+
+
+class Pascals(Decimal):
+    """A size that the scene gives in units of pressure, Pa."""
+
+
+def place(value: object) -> Decimal:
+    """Read a place of the stroke: a share of it, per cent, or a length.
+
+    >>> place("15 %"), place("30 mm")
+    (Decimal('0.15'), Metres('0.030'))
+    """
+    if not isinstance(value, str):
+        return units.quantity(value, units.NUMBER)
+    found = PER_CENT.fullmatch(value)
+    if found:
+        return units.quantity(Decimal(found[1]), units.NUMBER).scaleb(-2)
+    return Metres(units.quantity(value, units.LENGTH))
+
+
+def back(value: object) -> Decimal:
+    """Read a size on the stroke back: a bare number, or a force or a pressure with its unit."""
+    if not isinstance(value, str):
+        return units.quantity(value, units.FORCE)
+    try:
+        return Pascals(units.quantity(value, units.PRESSURE))
+    except Wrong as wrong_pressure:
+        if wrong_pressure.kind != "wrong_unit":
+            raise
+        return Newtons(units.quantity(value, units.FORCE))
+
+
 def loaded_link(value: object) -> int:
     """Read the number of a link that a load acts on."""
     if value == 0 and not isinstance(value, bool):
@@ -71,9 +110,13 @@ SYMBOL = one(
 )
 DIRECTION = one(line, lambda: {"anyOf": [f.ANGLE.form(), g.LINE.form()]}, "degrees, or two points")
 LOADED_LINK = one(loaded_link, lambda: forms.whole(1), "link")
+_PART = {"type": "number", "minimum": 0, "maximum": 1}
+_LENGTH = {"type": "string", "pattern": forms.text_with_unit(units.LENGTH)}
 SHARE = one(share, lambda: {"type": "number", "minimum": 0, "exclusiveMaximum": 1}, "share")
 OVERRUN = either(list, pair(SHARE, "[start, end]"), SHARE)
-TRAVEL = one(units.quantity, lambda: {"type": "number", "minimum": 0, "maximum": 1}, "share", kind=units.NUMBER)
+TRAVEL = one(place, lambda: {"anyOf": [_PART, forms.text(PER_CENT.pattern), _LENGTH]}, "share or m")
+PRESSURE = number(units.PRESSURE)
+BACK = one(back, lambda: {"anyOf": [forms.quantity(units.PRESSURE), forms.quantity(units.FORCE)]}, "N or Pa")
 FORCE, MOMENT, GRAVITY = number(units.FORCE), number(units.MOMENT), number(units.ACCELERATION)
 STIFFNESS = positive(units.STIFFNESS)
 FREE_LENGTH = one(

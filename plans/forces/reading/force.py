@@ -5,26 +5,27 @@ from __future__ import annotations
 from decimal import Decimal
 
 from plans.forces.reading import fields as h
-from plans.forces.reading.diagram import DiagramTable
 from plans.forces.reading.ends import ENDS, Ends
-from plans.forces.reading.load import ON_LINK, PART, POINT_OF_LINK, LoadTable, Vector, only_with_stroke
+from plans.forces.reading.load import ON_LINK, PART, POINT_OF_LINK, Vector, only_with_stroke
+from plans.forces.reading.pressed import PressedTable, with_piston
 from plans.linkage.reading import fields as g
 from plans.model.machine import ALWAYS, WORKING
 from plans.scene import fields as f
 from plans.scene.faults import wrong
 from plans.scene.forms import Form
 from plans.scene.readers import either
-from plans.scene.tables import key, table
+from plans.scene.tables import key
 from plans.words.words import message
 
 # What editors are told of keys that fit each other or do not.
 _LIST = {"required": ["value"], "properties": {"value": {"type": "array"}}}
 _ASIDE: list[Form] = [{"required": ["against"]}, {"required": ["direction"]}]
 _ON: list[Form] = [{"required": ["on"]}, {"required": ["point"]}]
+_SIZES = ("value", "diagram", "pressure")
 _BACK = {"diagram": {"required": ["back"]}}
 
 
-class ForceTable(LoadTable):
+class ForceTable(PressedTable):
     """A force on a point of a link: a vector N; or a size or a diagram of sizes, against the motion or at an angle."""
 
     on: int | None = key(h.LOADED_LINK, None, meaning="The link.", missing=ON_LINK)
@@ -52,9 +53,6 @@ class ForceTable(LoadTable):
         None,
         meaning='The direction of the force: its angle from +x, or "AB", from point A to point B, turning with them.',
     )
-    diagram: DiagramTable | None = key(
-        table(DiagramTable), None, meaning="The size of the force over the stroke, instead of value."
-    )
 
     @property
     def phase(self) -> str:
@@ -75,9 +73,11 @@ class ForceTable(LoadTable):
     def check(self) -> None:
         """See that the force has one place and one form."""
         self._check_place()
-        if (self.value is None) == (self.diagram is None):
-            found = "none" if self.value is None else "both"
-            raise wrong("one_of_two", first="value", second="diagram", found=found)
+        self._check_alone("value", "pressure")
+        self._check_alone("pressure", "diagram")
+        self._check_alone("value", "diagram")
+        if self.given.isdisjoint(_SIZES):
+            raise wrong("one_of_two", first="value", second="diagram", found="none")
         if self.between is None:
             self._check_alone("against", "direction")
         elif isinstance(self.direction, Decimal):
@@ -92,7 +92,8 @@ class ForceTable(LoadTable):
         """Say which form a force has one of, and that only one which changes over a stroke names one."""
         sized = {"if": _LIST, "then": {"not": {"anyOf": _ASIDE}}, "else": {"oneOf": _ASIDE}}
         return {
-            "oneOf": [{"required": ["value"]}, {"required": ["diagram"]}],
+            "oneOf": [{"required": [name]} for name in _SIZES],
+            "allOf": [with_piston()],
             "if": {"required": ["between"]},
             "then": {"not": {"anyOf": [*_ON, _LIST]}, "properties": {"direction": g.LINE.form()}},
             "else": {"required": ["on", "point"], **sized},
@@ -109,7 +110,7 @@ class ForceTable(LoadTable):
         for name in ("on", "point"):
             self._check_alone(name, "between")
         if self.between is None and self.given.isdisjoint(("on", "point")):
-            raise wrong("no_place")
+            raise wrong("acts_nowhere")
         lacking = [name for name in ("on", "point") if name not in self.given]
         if self.between is None and lacking:
             raise wrong("missing", at=(lacking[0],))
@@ -119,11 +120,16 @@ class ForceTable(LoadTable):
         aside = self.against is not None or self.direction is not None or self.between is not None
         if not aside and not vector:
             wanted, advice = "a vector [Fx, Fy] in N", message("advice.vector")
-            if self.diagram is not None:
+            if self.value is None:
                 wanted, advice = "a direction of the force", message("advice.direction")
-            raise wrong("force_value", wanted=wanted, advice=advice, at=("diagram" if self.diagram else "value",))
+            raise wrong("force_value", wanted=wanted, advice=advice, at=(self._sized,))
         if vector and aside:
             raise wrong("force_value", wanted=self._wanted, advice=message("advice.size"), at=("value",))
+
+    @property
+    def _sized(self) -> str:
+        """The key that gives the force its size."""
+        return next(name for name in _SIZES if name in self.given)
 
     @property
     def _wanted(self) -> str:

@@ -5,12 +5,12 @@ Only what asks for forces pays for it.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from decimal import Decimal
 from fractions import Fraction
 from math import radians
 
 from plans.forces.reading import references
+from plans.forces.reading.diagram import DiagramTable
 from plans.forces.reading.ends import Ends, holders, point_of
 from plans.forces.reading.force import ForceTable
 from plans.forces.reading.form import ForceForm, FrictionTable, GearTable, PairTable
@@ -87,9 +87,9 @@ def gravity(given: Decimal | Vector | None) -> complex:
 
 
 def _force(name: str, force: ForceTable, mechanism: Mechanism) -> Force:
-    size, course = _sized(force.value, force.direction)
-    table = force.diagram
-    diagram = Diagram(_floats(table.travel), _floats(table.force), _floats(table.back)) if table else None
+    given = force.value if force.pressure is None else Decimal(force.forced(force.pressure))
+    size, course = _sized(given, force.direction)
+    diagram = _diagram(force, force.diagram) if force.diagram else None
     (own, other), resists = _where(force, mechanism), force.between is not None and force.against is not None
     line = _line(force, own, other)
     track = _track(force)
@@ -97,6 +97,12 @@ def _force(name: str, force: ForceTable, mechanism: Mechanism) -> Force:
         track = track._replace(point=own.point, parting=Parting(other.point, line))
     when = force.phase, diagram, _overrun(force.rests), track, force.useful
     return Force(name, own.link, own.point, own.at, size, course, *when, line, other, resists)
+
+
+def _diagram(force: ForceTable, table: DiagramTable) -> Diagram:
+    """Give a diagram of forces, those of pressures on the piston."""
+    there, back = (tuple(map(force.forced, sizes)) for sizes in (table.there, table.back))
+    return Diagram(tuple(map(float, table.shares)), there, back, float(table.length or 0))
 
 
 def _where(force: ForceTable, mechanism: Mechanism) -> tuple[End, End | None]:
@@ -132,10 +138,6 @@ def _sized(value: Decimal | Vector | None, course: Decimal | tuple[str, ...] | N
         force = complex(float(value[0]), float(value[1]))
         return abs(force), force / abs(force) if force else 1 + 0j
     return 1.0 if value is None else float(value), direction(course) if isinstance(course, Decimal) else None
-
-
-def _floats(values: Iterable[Decimal]) -> tuple[float, ...]:
-    return tuple(map(float, values))
 
 
 def _track(load: LoadTable) -> Track:

@@ -17,13 +17,14 @@ from plans.scene.scene import Scene
 
 # Gravity of the Earth, m/s2, and how many times it a machine stands at most: the Sun's is 28 times.
 EARTH, MOST_EARTHS = Decimal("9.81"), 30
+HIGH, LOW = Decimal("1e8"), Decimal(1000)  # Pa: presses have up to 70 MPa, and a fan gives a few kilopascals
 ROUGH = 1  # rubber on a dry road; a larger coefficient of friction is mostly a lost decimal point
 
 
 def notes_of(scene: Scene) -> Iterator[Fault]:
     """Give the notes on masses, loads and friction."""
     form = scene.of(ForceForm)
-    for notes in (_masses, _gravity, _friction, _diagrams):
+    for notes in (_masses, _gravity, _friction, _diagrams, _pistons):
         yield from notes(scene, form)
 
 
@@ -107,9 +108,29 @@ def _diagrams(scene: Scene, form: ForceForm) -> Iterator[Fault]:
         table, path = force.diagram, ("loads", "forces", index, "diagram", "back")
         for share, there, back in _ends(table) if table and table.back else ():
             if there != back:
-                yield scene.fault(path, "open_diagram", travel=f"{share:f}", jump=f"{abs(there - back):f}")
+                name, unit = ("pressure", "Pa") if table and table.pressure else ("force", "N")
+                told = {"travel": f"{share:f}", "jump": f"{abs(there - back):f}", "name": name, "unit": unit}
+                yield scene.fault(path, "open_diagram", **told)
+
+
+def _pistons(scene: Scene, form: ForceForm) -> Iterator[Fault]:
+    """Find pressures of another unit, and pistons that are wider than the mechanism's longest link."""
+    forces = form.loads.forces if form.loads else ()
+    pressed = {("loads", "forces", index): force for index, force in enumerate(forces) if force.pressed}
+    mechanism = _mechanism(scene) if pressed else None
+    longest = max(map(_length, mechanism.links.values())) if mechanism else 0.0
+    for path, force in pressed.items():
+        where = (*path, "pressure") if force.pressure is not None else (*path, "diagram", "pressure")
+        sizes = force.diagram.there + force.diagram.back if force.diagram else (force.pressure or Decimal(0),)
+        most = max(map(abs, sizes))
+        if most > HIGH:
+            yield scene.fault(where, "high_pressure", size=f"{most / 1_000_000:.4g}")
+        elif 0 < most < LOW:
+            yield scene.fault(where, "low_pressure", size=f"{most:.4g}")
+        if force.bore is not None and float(force.bore) > longest > 0:
+            yield scene.fault((*path, "bore"), "wide_bore", longest=f"{longest:.4g}")
 
 
 def _ends(table: DiagramTable) -> Iterator[tuple[Decimal, Decimal, Decimal]]:
     """Give the two ends of a diagram: share of the stroke, force, and force on the idle stroke."""
-    yield from ((table.travel[end], table.force[end], table.back[end]) for end in (0, -1))
+    yield from ((table.shares[end], table.there[end], table.back[end]) for end in (0, -1))

@@ -1,0 +1,81 @@
+"""The arcs of the crank's angles over the working and the idle stroke on the plan of positions."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from pathlib import Path
+
+import pytest
+
+from drawings.figures.linkage.pairs import Pairs
+from drawings.figures.linkage.phases import phases
+from drawings.figures.linkage.position_plan import layers
+from drawings.figures.linkage.skeleton import skeletons
+from drawings.layout.picture import Margins, picture
+from drawings.page.page import Field
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import Arc, Fill, Group
+from plans.linkage.study import LinkageStudy
+from plans.scene.scene import parse_scene
+from tests.plans.test_loading import AGAINST, ON_D, SHAPER
+
+JACK = (Path(__file__).parents[1] / "cases/loads/pumping-jack.toml").read_text("utf-8")
+CUT = ON_D + f'value = 1500\nduring = "working stroke"\n{AGAINST}'
+ROOM, ANYWHERE = Field(40, 40, 400, 400), Margins(0.0, 0.0, 0.0)
+
+
+def pairs_of(text: str, hand: Hand | None = None) -> Pairs:
+    study = LinkageStudy(parse_scene(text))
+    bones = skeletons(study, study.motion(), 2)
+    measured = picture("positions", bones.points, ("l", "m"), ANYWHERE, 0.0)
+    place = measured.place(ROOM, measured.ladder(ROOM.width, ROOM.height).rungs[0].scale)
+    return Pairs(bones, place, hand or Hand(0.7, 0.35, 0.25))
+
+
+def arcs(pairs: Pairs) -> list[Group]:
+    return [group for group in layers(pairs, "ru") if group.name == "phases"]
+
+
+@pytest.mark.parametrize(
+    ("text", "work"),
+    [
+        (SHAPER + '[output]\nworking = "slower"\n', 180 + 2 * math.degrees(math.asin(0.12 / 0.35))),
+        (SHAPER + '[output]\nworking = "faster"\n', 180 - 2 * math.degrees(math.asin(0.12 / 0.35))),
+        (SHAPER.replace("speed = 10", "speed = -10") + CUT, -180 - 2 * math.degrees(math.asin(0.12 / 0.35))),
+        (JACK, 163.8029),
+    ],
+    ids=["asked", "faster", "a load, clockwise", "jack"],
+)
+def test_the_arcs_span_the_angles_of_the_strokes_from_extreme_to_extreme(text: str, work: float) -> None:
+    pairs = pairs_of(text)
+    working, idle = phases(pairs, "ru")
+    assert (working.letter, idle.letter) == ("φ_{р}", "φ_{х}")
+    assert math.degrees(working.sweep) == pytest.approx(work, abs=1e-4)
+    assert working.sweep + idle.sweep == pytest.approx(math.copysign(2 * math.pi, work))
+    travel = pairs.bones.study.travel
+    assert travel is not None
+    for phase, begin, end in ((working, *travel.directions), (idle, *travel.directions[::-1])):
+        assert cmath.rect(1.0, phase.start) == pytest.approx(begin)
+        assert cmath.rect(1.0, phase.start + phase.sweep) == pytest.approx(end)
+    (group,) = arcs(pairs)
+    tips = [stroke.points[0] for stroke in group.strokes if isinstance(stroke, Fill)]
+    pivot, radius = pairs.bones.pivot(pairs.place), working.radius
+    ends = [pivot + radius * complex(ray) for ray in travel.directions[::-1]]
+    assert tips == pytest.approx(ends)
+    assert [stroke.radius for stroke in group.strokes if isinstance(stroke, Arc)] == [radius] * 2
+
+
+def test_a_small_crank_has_them_outside_its_numbers() -> None:
+    large, small = (
+        phases(pairs_of(JACK, hand), "en")[0] for hand in (Hand(0.7, 0.35, 0.25), Hand(0.7, 0.35, 0.25, symbol=4))
+    )
+    assert large.radius < large.crank
+    assert small.radius > small.crank + 9
+
+
+@pytest.mark.parametrize("text", [SHAPER, SHAPER + ON_D + "value = [1, 0]\n", SHAPER + CUT + 'stroke = "B"\n'])
+def test_there_are_none_where_nothing_depends_on_the_working_stroke_of_the_output(text: str) -> None:
+    pairs = pairs_of(text)
+    assert phases(pairs, "en") == ()
+    assert arcs(pairs) == []

@@ -1,0 +1,129 @@
+"""A machine's motion in odd and extreme cases (catalogue I): what needs no flywheel, what stops, what cannot turn."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from plans.analytic.dynamics.speeds import Stall, Swing
+from plans.checks.dynamics_comparison import DynamicsComparison
+from plans.checks.pace import NoPace
+from plans.dynamics.study import NoCycle
+from plans.scene.scene import parse_scene
+from plans.study import Study
+from tests.plans.dynamics_scenes import PLANING, study, text
+
+ASKED = 'fluctuation = "1/25"'
+
+
+def compared(loads: str = PLANING, drive: str = "positions = 24", asked: str = ASKED) -> DynamicsComparison:
+    found = study(loads, drive, asked).comparison("dynamics")
+    assert found.agrees, found.apart
+    return found
+
+
+def test_no_load_at_all() -> None:
+    """I1: nothing to even out but the links' own inertia; the drive gives nothing, and nothing is divided by it."""
+    found = compared(loads="")
+    assert found.construction.cycle.driving == 0
+    assert found.construction.cycle.surplus == pytest.approx(np.zeros(25), abs=0)
+    varying = np.ptp(found.construction.cycle.inertia)
+    assert found.construction.flywheel.whole == pytest.approx(varying * (1 - 0.02) ** 2 / 0.08, rel=2e-2)
+
+
+@pytest.mark.parametrize("delta", [0.2, 0.04, 0.0125, 0.002])
+def test_flywheel_keeps_the_fluctuation_that_was_asked(delta: float) -> None:
+    """From 1/5 to 1/500: put back into the exact motion the exact flywheel gives the asked fluctuation."""
+    found = compared(asked=f"fluctuation = {delta}")
+    assert found.exact.speeds.delta == pytest.approx(delta, rel=1e-9)
+
+
+def test_machine_heavy_enough() -> None:
+    """I8: a motor's rotor behind a gear holds more than a flywheel would: none is needed, and delta is better."""
+    found = compared(asked=f"{ASKED}\nmotor = {{ rotor = 0.5, ratio = 14 }}")
+    assert found.construction.flywheel.needed < 0
+    assert found.construction.flywheel.inertia == 0
+    assert found.exact.speeds.delta < 0.04
+    assert found.construction.speeds.mean == pytest.approx(120 * np.pi / 30, rel=1e-12)
+
+
+def test_shafts_are_reduced_by_the_square_of_their_ratios() -> None:
+    """(6.4), M4.3: 0.05*14^2 of the rotor and 0.4 of a gear on the crank's own shaft."""
+    shafts = 'motor = { rotor = 0.05, ratio = 14 }\nshafts = [{ inertia = 0.4 }, { inertia = 0.1, ratio = -2 }]'
+    assert compared(asked=f"{ASKED}\n{shafts}").construction.flywheel.present == pytest.approx(0.05 * 196 + 0.4 + 0.4)
+
+
+def test_machine_that_would_stop_without_a_flywheel() -> None:
+    """I12: the links alone have too little energy for a cut of 2000 N."""
+    found = compared()
+    assert isinstance(found.before, Stall)
+    assert found.construction.before is None
+    assert isinstance(found.after, Swing)
+
+
+def test_machine_that_drives() -> None:
+    """I4: a force along the motion gives more than it takes: the moment that keeps the motion steady is a brake's."""
+    pushed = PLANING.replace("value = 2000", "value = -2000")
+    assert compared(pushed).construction.cycle.driving < 0
+
+
+def test_load_that_jumps_at_a_dead_centre() -> None:
+    """Without an overrun the cut sets in where the slider rests: the moment bends there and does not jump."""
+    found = compared(PLANING.replace("overrun = 0.05\n", ""))
+    moments = found.construction.cycle.moments
+    assert np.abs(moments[1:, 0] - moments[:-1, 1]).max() < 1e-4 * np.abs(moments).max()
+    assert found.exact.cycle.work[-1] == pytest.approx(-2000 * 0.2, rel=1e-12)
+
+
+def test_two_equal_extremes() -> None:
+    """I5: a load on both strokes alike has two equal summits; one of them is touched, and both roads cut the same."""
+    both = compared(PLANING.replace('during = "working stroke"\n', ""))
+    assert both.exact.cycle.work[-1] == pytest.approx(-2 * 2000 * 0.9 * 0.2, rel=1e-12)
+
+
+def test_crank_that_cannot_turn_fully() -> None:
+    asked = text().replace("AB = 0.4", "AB = 0.09")
+    machine = Study(parse_scene(asked.replace(PLANING, "")))["dynamics"]
+    with pytest.raises(NoCycle, match="the crank does not turn fully"):
+        machine.construct(("works",))
+
+
+def test_reduction_alone_of_a_crank_that_cannot_turn_fully() -> None:
+    """Theme 7: where no fluctuation is asked for, the reduction is told wherever the mechanism can be assembled."""
+    asked = text(asked="").replace("AB = 0.4", "AB = 0.09").replace(PLANING, "")
+    found = Study(parse_scene(asked)).comparison("dynamics")
+    assert found.agrees
+    assert found.construction.cycle is None
+    assert np.isnan(found.construction.reduced.inertia).any()
+    assert np.isfinite(found.construction.reduced.inertia).any()
+
+
+def test_plans_at_the_machines_true_speed() -> None:
+    """speed_from: omega and epsilon of each position are those of the exact steady motion, and forces follow them."""
+    scene = parse_scene(text(drive='positions = 24\nspeed_from = "dynamics"').replace('["dynamics"]', '["forces"]'))
+    paced = Study(scene)
+    omega, epsilon = (paced["linkage"].motion(2).links[1][order] for order in (1, 2))
+    after = paced["dynamics"].linkage.turn.phi
+    exact = compare_at(after)
+    assert omega == pytest.approx(exact.omega(after), rel=1e-12)
+    assert epsilon == pytest.approx(exact.epsilon(after), rel=1e-9)
+    assert paced.comparison("forces").agrees
+
+
+def compare_at(turned: np.ndarray) -> Swing:
+    found = compared().after
+    assert isinstance(found, Swing)
+    return found
+
+
+def test_true_speed_of_a_machine_that_stops() -> None:
+    drive = 'positions = 24\nspeed_from = "dynamics"'
+    scene = parse_scene(text(drive=drive, asked="").replace('["dynamics"]', '["kinematics"]'))
+    with pytest.raises(NoPace, match="does not come to a steady motion"):
+        Study(scene)["linkage"]
+
+
+def test_account_of_energy_closes() -> None:
+    """Over a steady turn drive and loads give nothing together, to rounding of the work of the turn."""
+    cycle = compared().exact.cycle
+    assert abs(cycle.surplus[-1]) <= 1e-12 * abs(cycle.work[-1])
