@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
 import numpy as np
 
@@ -14,6 +15,7 @@ from drawings.page.drafting import Drafting
 from plans.model.account import Account
 from plans.model.dynamics import Cycle, Reduced, Speeds, Task
 from plans.model.flywheel_methods import Methods
+from plans.model.motion import Floats
 
 RESULTS, POSITIONS = "results", "positions"
 QUANTITIES = (
@@ -23,6 +25,7 @@ QUANTITIES = (
 REDUCED = (("φ", "°"), ("M_{red}", "N*m"), ("J_{red}", "kg*m2"), ("dJ/dφ", "kg*m2"))
 MOST = 36  # positions that are told
 DIGITS = 5
+NOISE = 1e-9  # of the largest of a column: digits of what is less differ from machine to machine
 NOTHING = "—"
 
 
@@ -35,7 +38,8 @@ def positions(task: Task, account: Account, drafting: Drafting, most: int = MOST
     assert cycle is not None  # else nothing is told of a turn
     named = strips(cycle, task.divisions)
     chosen = named.told(named.every(task.divisions / most))
-    lines = [row for k in chosen for row in _edge(named, cycle, account.speeds, k, drafting)]
+    columns = _columns(cycle, account.speeds)
+    lines = [row for k in chosen for row in _edge(named, columns, k, drafting)]
     heads = tuple(f"{drafting.letter(letter)}, {drafting.word(unit)}" for letter, unit in QUANTITIES)
     return table(lines, "i", heads, drafting.hand.text)._replace(name=POSITIONS)
 
@@ -43,20 +47,38 @@ def positions(task: Task, account: Account, drafting: Drafting, most: int = MOST
 def reduction(reduced: Reduced, drafting: Drafting) -> RuledTable:
     """Tell the reduced moment and inertia at the positions, where there is no steady turn."""
     heads = tuple(f"{drafting.letter(letter)}, {drafting.word(unit)}" for letter, unit in REDUCED)
-    rows = zip(np.degrees(reduced.phi), reduced.moment, reduced.inertia, reduced.slope, strict=True)
+    rows = zip(np.degrees(reduced.phi), *map(_told, (reduced.moment, reduced.inertia, reduced.slope)), strict=True)
     lines = [TableRow(str(k), tuple(_cell(value, drafting) for value in row)) for k, row in enumerate(rows)]
     return table(lines, "i", heads, drafting.hand.text)._replace(name=POSITIONS)
 
 
-def _edge(named: Strips, cycle: Cycle, speeds: Speeds | None, k: int, drafting: Drafting) -> Iterator[TableRow]:
+class _Columns(NamedTuple):
+    """What the table tells at the edges, in its order, and the moment before each."""
+
+    rows: Floats  # (7, n + 1)
+    before: Floats  # (n + 1,)
+
+
+def _columns(cycle: Cycle, speeds: Speeds | None) -> _Columns:
+    nothing = np.full(len(cycle.turned), np.nan)
+    after, before = np.append(cycle.moments[:, 0], cycle.moments[-1, 1]), np.append(np.nan, cycle.moments[:, 1])
+    motion = [nothing, nothing] if speeds is None else [speeds.omega, np.append(speeds.epsilon, np.nan)]
+    rows = [np.degrees(cycle.turned), -after, -cycle.work, cycle.surplus, cycle.varying, *motion]
+    return _Columns(np.array([_told(row) for row in rows]), _told(-before))
+
+
+def _told(column: Floats) -> Floats:
+    """Give a column as it is told: what is nothing but for rounding is 0."""
+    largest = np.nanmax(np.abs(column), initial=0.0)
+    return np.where(np.abs(column) <= NOISE * largest, 0.0, column)
+
+
+def _edge(named: Strips, columns: _Columns, k: int, drafting: Drafting) -> Iterator[TableRow]:
     """Give the row of an edge, two of one at which a load jumps."""
-    name, jumps, last = named.names[k], k in named.jumps, k == len(cycle.means)
-    moment = cycle.moments[-1, 1] if last else cycle.moments[k, 0]
-    own = [float(np.degrees(cycle.turned[k])), -moment]
-    own += [-cycle.work[k], cycle.surplus[k], cycle.varying[k]]
-    own += [np.nan, np.nan] if speeds is None else [speeds.omega[k], np.nan if last else speeds.epsilon[k]]
+    name, jumps = named.names[k], k in named.jumps
+    own = columns.rows[:, k].tolist()
     if jumps:
-        before = [own[0], -cycle.moments[k - 1, 1], *[np.nan] * (len(own) - 2)]
+        before = [own[0], float(columns.before[k]), *[np.nan] * (len(own) - 2)]
         yield TableRow(f"{name}−0", tuple(_cell(value, drafting) for value in before))
     yield TableRow(f"{name}+0" if jumps else name, tuple(_cell(value, drafting) for value in own))
 
