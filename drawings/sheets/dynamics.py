@@ -29,7 +29,7 @@ from drawings.page.drafting import Drafting, drafting_of
 from drawings.page.page import Page, page_of
 from drawings.paper.strokes import Leaf
 from drawings.report.dynamics_report import notes_of
-from drawings.sheets.leaves import Caption, Draft, Exhibit, count, lay_out
+from drawings.sheets.leaves import Caption, Draft, Exhibit, cost, lay_out
 from plans.model.account import Account
 from plans.model.dynamics import Task
 from plans.model.flywheel_methods import Methods
@@ -70,13 +70,13 @@ def sheets(scene: Scene, machine: Machine) -> tuple[Leaf, ...]:
 class Way(NamedTuple):
     """A way to show it: graphs and loop in line or apart, how many positions the table tells at most, the columns.
 
-    `values` and `found` name the columns of loads and values, and of what was found; without a name each stands alone.
+    `found` and `further` name the columns of the results, and of flywheel and motion; without a name each stands alone.
     """
 
     whole: bool
     most: int
-    values: str = VALUES
-    found: str = FOUND
+    found: str
+    further: str
 
 
 @dataclass(frozen=True)
@@ -96,18 +96,20 @@ class _DynamicsSheet:
 
     @property
     def draft(self) -> Draft:
-        """The draft that takes the fewest sheets; of several the one whose graphs and loop stand in line."""
-        drafts = [self._drafted(way) for way in self._ways()]
-        return min(drafts, key=partial(count, self.scene))
+        """The draft whose figures can be read and that takes the fewest sheets; of several the fullest."""
+        return min(map(self._weighed, self._ways()), key=lambda pair: pair[0])[1]
+
+    def _weighed(self, way: Way) -> tuple[tuple[int, int, bool], Draft]:
+        """Weigh a way: figures that cannot be read, sheets; on several sheets what stands alone is larger."""
+        draft = self._drafted(way)
+        small, number = cost(self.scene, draft)
+        return (small, number, number > 1 and bool(way.further)), draft
 
     def _ways(self) -> Iterator[Way]:
         """List the ways: in line, with all else in one column if it has room there, wherever the paper takes that."""
         whole = self.machine.own.cycle is not None and self._least is not None
-        if whole:
-            yield from (Way(True, most, VALUES, VALUES) for most in TOLD)
-            yield Way(True, TOLD[0], "", "")
-        else:
-            yield from (Way(False, most) for most in TOLD)
+        found = VALUES if whole else FOUND
+        return (Way(whole, most, found, further) for further in (found, "") for most in TOLD)
 
     def _drafted(self, way: Way) -> Draft:
         title, shows = self.drafting.word("dynamics sheet title"), tuple(self._shows(way))
@@ -117,14 +119,14 @@ class _DynamicsSheet:
         """Show graphs and loop in line, all else in one column beside them; or apart, each with a column beside it."""
         plates = tuple(self._plates(way))
         yield from plates[:1]
-        yield from self._loads(way.values)
-        yield self._caption(self._values(way.most), way.values)
+        yield from self._loads()
+        yield self._caption(self._values(way.most), VALUES)
         yield from plates[1:]
         if self.machine.own.cycle is not None and not (way.whole and self._whole.told):
             yield self._caption(self._results(), way.found)
-        yield from self._wheel(way.found)
-        yield from self._bare(way.found)
-        yield from self._run(way.found)
+        yield from self._wheel(way.further)
+        yield from self._bare(way.further)
+        yield from self._run(way.further)
 
     def _plates(self, way: Way) -> Iterator[Exhibit]:
         """Give the plates: none of a machine whose crank cannot turn fully."""
@@ -154,13 +156,13 @@ class _DynamicsSheet:
         extents = [rung.extent for rung in picture.ladder(width, room.height, self.page.standard).rungs]
         return extents[0] if extents and extents[0] >= picture.least else None
 
-    def _loads(self, together: str) -> Iterator[Exhibit]:
+    def _loads(self) -> Iterator[Exhibit]:
         """Show each load that changes over a stroke."""
         for course in self.machine.loads:
             room = load_diagram.measure(course, self.drafting)
             room = room._replace(most=LARGEST * room.least)
             draw = partial(load_diagram.draw, course, room, drafting=self.drafting)
-            yield Exhibit(Panel(room, together=together), draw)
+            yield Exhibit(Panel(room, together=VALUES), draw)
 
     def _wheel(self, together: str) -> Iterator[Exhibit]:
         """Show the flywheel, if there is one whose sizes are known."""
@@ -176,6 +178,7 @@ class _DynamicsSheet:
         curve = bare_speeds(machine.task, machine.own, self.drafting)
         if curve is not None:
             room = curve_graph.measure(curve, quantities.BEFORE, self.drafting)
+            room = room._replace(most=LARGEST * room.least)
             draw = partial(curve_graph.draw, curve, room, drafting=self.drafting)
             yield Exhibit(Panel(room, together=together), draw)
 

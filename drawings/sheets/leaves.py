@@ -12,7 +12,7 @@ from drawings.layout.contents import Composition, Contents, Panel
 from drawings.layout.figure import Figure
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
-from drawings.layout.picture import Spot
+from drawings.layout.picture import SMALLER, Picture, Spot
 from drawings.layout.table import RuledTable
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.page.page import Field, Page, page_of
@@ -60,10 +60,14 @@ def lay_out(scene: Scene, drafts: Sequence[Draft]) -> tuple[Leaf, ...]:
     return tuple(one.leaf(sheet, k + 1, len(composed)) for k, (one, sheet) in enumerate(composed))
 
 
-def count(scene: Scene, draft: Draft) -> int:
-    """Count the sheets that a draft takes, before any is drawn."""
+def cost(scene: Scene, draft: Draft) -> tuple[int, int]:
+    """Count the figures of a draft that are too small for their letters, and its sheets, before any is drawn."""
     own = _Leaves(scene, draft)
-    return len(compose(own.contents, own.page))
+    composed = compose(own.contents, own.page)
+    spots = {name: spot for one in composed for name, spot in one.spots.items()}
+    pictures = (panel.item for panel in own.contents.panels if isinstance(panel.item, Picture))
+    small = [one for one in pictures if 0 < one.extent(spots[one.name].scale) < one.least * SMALLER]
+    return len(small), len(composed)
 
 
 @dataclass(frozen=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
 import numpy as np
 
@@ -24,7 +25,7 @@ QUANTITIES = (
 REDUCED = (("φ", "°"), ("M_{red}", "N*m"), ("J_{red}", "kg*m2"), ("dJ/dφ", "kg*m2"))
 MOST = 36  # positions that are told
 DIGITS = 5
-NOISE = 1e-12  # of the largest of its column: less is rounding
+NOISE = 1e-9  # of the largest of a column: digits of what is less differ from machine to machine
 NOTHING = "—"
 
 
@@ -37,8 +38,8 @@ def positions(task: Task, account: Account, drafting: Drafting, most: int = MOST
     assert cycle is not None  # else nothing is told of a turn
     named = strips(cycle, task.divisions)
     chosen = named.told(named.every(task.divisions / most))
-    columns, before = _columns(cycle, account.speeds), _settled(-np.append(np.nan, cycle.moments[:, 1]))
-    lines = [row for k in chosen for row in _edge(named, columns, float(before[k]), k, drafting)]
+    columns = _columns(cycle, account.speeds)
+    lines = [row for k in chosen for row in _edge(named, columns, k, drafting)]
     heads = tuple(f"{drafting.letter(letter)}, {drafting.word(unit)}" for letter, unit in QUANTITIES)
     return table(lines, "i", heads, drafting.hand.text)._replace(name=POSITIONS)
 
@@ -46,32 +47,39 @@ def positions(task: Task, account: Account, drafting: Drafting, most: int = MOST
 def reduction(reduced: Reduced, drafting: Drafting) -> RuledTable:
     """Tell the reduced moment and inertia at the positions, where there is no steady turn."""
     heads = tuple(f"{drafting.letter(letter)}, {drafting.word(unit)}" for letter, unit in REDUCED)
-    rows = zip(np.degrees(reduced.phi), reduced.moment, reduced.inertia, reduced.slope, strict=True)
+    rows = zip(np.degrees(reduced.phi), *map(_told, (reduced.moment, reduced.inertia, reduced.slope)), strict=True)
     lines = [TableRow(str(k), tuple(_cell(value, drafting) for value in row)) for k, row in enumerate(rows)]
     return table(lines, "i", heads, drafting.hand.text)._replace(name=POSITIONS)
 
 
-def _columns(cycle: Cycle, speeds: Speeds | None) -> tuple[Floats, ...]:
-    """Give the quantities at the edges, the moment behind each; NaN where there are none."""
-    after = np.append(cycle.moments[:, 0], cycle.moments[-1, 1])
-    none = np.full_like(after, np.nan)
-    moving = (none, none) if speeds is None else (speeds.omega, np.append(speeds.epsilon, np.nan))
-    columns = (np.degrees(cycle.turned), -after, -cycle.work, cycle.surplus, cycle.varying, *moving)
-    return tuple(map(_settled, columns))
+class _Columns(NamedTuple):
+    """What the table tells at the edges, in its order, and the moment before each."""
+
+    rows: Floats  # (7, n + 1)
+    before: Floats  # (n + 1,)
 
 
-def _settled(column: Floats) -> Floats:
-    """Give what is but rounding as zero."""
-    return np.where(np.abs(column) <= NOISE * np.nanmax(np.abs(column), initial=0.0), 0.0, column)
+def _columns(cycle: Cycle, speeds: Speeds | None) -> _Columns:
+    nothing = np.full(len(cycle.turned), np.nan)
+    after, before = np.append(cycle.moments[:, 0], cycle.moments[-1, 1]), np.append(np.nan, cycle.moments[:, 1])
+    motion = [nothing, nothing] if speeds is None else [speeds.omega, np.append(speeds.epsilon, np.nan)]
+    rows = [np.degrees(cycle.turned), -after, -cycle.work, cycle.surplus, cycle.varying, *motion]
+    return _Columns(np.array([_told(row) for row in rows]), _told(-before))
 
 
-def _edge(named: Strips, columns: Sequence[Floats], before: float, k: int, drafting: Drafting) -> Iterator[TableRow]:
+def _told(column: Floats) -> Floats:
+    """Give a column as it is told: what is nothing but for rounding is 0."""
+    largest = np.nanmax(np.abs(column), initial=0.0)
+    return np.where(np.abs(column) <= NOISE * largest, 0.0, column)
+
+
+def _edge(named: Strips, columns: _Columns, k: int, drafting: Drafting) -> Iterator[TableRow]:
     """Give the row of an edge, two of one at which a load jumps."""
     name, jumps = named.names[k], k in named.jumps
-    own = [float(column[k]) for column in columns]
+    own = columns.rows[:, k].tolist()
     if jumps:
-        first = [own[0], before, *[np.nan] * (len(own) - 2)]
-        yield TableRow(f"{name}−0", tuple(_cell(value, drafting) for value in first))
+        before = [own[0], float(columns.before[k]), *[np.nan] * (len(own) - 2)]
+        yield TableRow(f"{name}−0", tuple(_cell(value, drafting) for value in before))
     yield TableRow(f"{name}+0" if jumps else name, tuple(_cell(value, drafting) for value in own))
 
 

@@ -59,7 +59,8 @@ def draw(run: Run, room: Picture, spot: Spot, drafting: Drafting) -> TachogramFi
     """Draw it in its spot: the speed over time, the ends of its stages measurable, the mean of the steady motion."""
     hand, most = drafting.hand, float(run.omega.max())
     up = fitting(most, room.high / spot.scale.mu, "ω", "rad/s", drafting.standard)
-    axes = Axes(room.place(*spot).on(0j), spot.scale, up)
+    under = room.high / spot.scale.mu - most / up.mu  # what the scale leaves over lies below, not above
+    axes = Axes(room.place(*spot).on(0j) + 1j * under, spot.scale, up)
     scales = f"{drafting.scale(spot.scale)};  {drafting.scale(up)}"
     lines = (
         heading(spot.box, drafting.word("tachogram"), scales, hand),
