@@ -49,7 +49,7 @@ def test_machine_heavy_enough() -> None:
 
 def test_shafts_are_reduced_by_the_square_of_their_ratios() -> None:
     """(6.4), M4.3: 0.05*14^2 of the rotor and 0.4 of a gear on the crank's own shaft."""
-    shafts = 'motor = { rotor = 0.05, ratio = 14 }\nshafts = [{ inertia = 0.4 }, { inertia = 0.1, ratio = -2 }]'
+    shafts = "motor = { rotor = 0.05, ratio = 14 }\nshafts = [{ inertia = 0.4 }, { inertia = 0.1, ratio = -2 }]"
     assert compared(asked=f"{ASKED}\n{shafts}").construction.flywheel.present == pytest.approx(0.05 * 196 + 0.4 + 0.4)
 
 
