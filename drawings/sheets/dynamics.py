@@ -18,7 +18,7 @@ from drawings.figures.dynamics import (
 )
 from drawings.figures.dynamics.bare_speeds import bare_speeds
 from drawings.figures.dynamics.load_course import LoadCourse, courses
-from drawings.figures.dynamics.plate import Plate
+from drawings.figures.dynamics.plate import Content
 from drawings.figures.graphs import curve_graph
 from drawings.layout.contents import Panel
 from drawings.layout.grid import GAP
@@ -139,19 +139,23 @@ class _DynamicsSheet:
             yield self._exhibit(self._plate(plate.ENERGY, loop=True))
 
     @cached_property
-    def _whole(self) -> Plate:
+    def _whole(self) -> Content:
         """Graphs and loop in line, the results under the loop if they have room there."""
         bare = self._plate(plate.WHOLE, graphs=True, loop=True)
         largest = self._largest(bare)
-        return bare if largest is None else replace(bare, told=plate.told(self._results(), bare, largest))
+        return (
+            bare
+            if largest is None
+            else replace(bare, told=plate.told(self._results(), plate.plate_of(bare, self.drafting), largest))
+        )
 
     @cached_property
     def _least(self) -> float | None:
         """The size mm of graphs and loop in line as large as they stand beside the title block; None: not legible."""
         return self._largest(self._whole)
 
-    def _largest(self, shown: Plate) -> float | None:
-        room, picture = room_of(self.page), plate.measure(shown)
+    def _largest(self, shown: Content) -> float | None:
+        room, picture = room_of(self.page), plate_figure.measure(shown, self.drafting)
         width = room.width - self.page.block.width - GAP
         extents = [rung.extent for rung in picture.ladder(width, room.height, self.page.standard).rungs]
         return extents[0] if extents and extents[0] >= picture.least else None
@@ -206,13 +210,13 @@ class _DynamicsSheet:
         panel = Panel(table.block(table.name), together=together)
         return Caption(panel, partial(table.write, drafting=self.drafting))
 
-    def _plate(self, name: str, graphs: bool = False, loop: bool = False) -> Plate:
-        return Plate(name, self.machine.task, self.machine.own, graphs, loop, self.drafting)
+    def _plate(self, name: str, graphs: bool = False, loop: bool = False) -> Content:
+        return Content(name, self.machine.task, self.machine.own, graphs, loop)
 
-    def _exhibit(self, shown: Plate, least: float | None = None) -> Exhibit:
-        room = plate.measure(shown)
+    def _exhibit(self, shown: Content, least: float | None = None) -> Exhibit:
+        room = plate_figure.measure(shown, self.drafting)
         room = room if least is None else room._replace(least=least * SMALLER)
-        return Exhibit(Panel(room), partial(plate_figure.draw, shown))
+        return Exhibit(Panel(room), partial(plate_figure.draw, shown, drafting=self.drafting))
 
 
 def _facts(most: int, names: Collection[str]) -> dict[str, Any]:

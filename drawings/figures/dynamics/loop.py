@@ -72,7 +72,7 @@ class Loop:
             yield np.flatnonzero(np.isclose(self.strips.turned, touch.turned, rtol=0, atol=1e-9)).tolist()[:1]
 
 
-def draw(loop: Loop, axes: Axes, drafting: Drafting) -> Part:
+def loop_part(loop: Loop, axes: Axes, drafting: Drafting) -> Part:
     """Draw the loop on its axes; both tangents are broken off on their way to the origin of the whole diagram."""
     hand = drafting.hand
     numbered = _numbered(loop, axes, hand)

@@ -9,13 +9,14 @@ from itertools import product
 from drawings.figures.dynamics import equations, quantities, rays, strip_graph
 from drawings.figures.dynamics import loop as loop_figure
 from drawings.figures.dynamics.part import Part, caption
-from drawings.figures.dynamics.plate import TITLE, Plate
+from drawings.figures.dynamics.plate import TITLE, Content, Plate, plate_of, room_of_plate
 from drawings.figures.dynamics.plate_frame import PlateFrame
 from drawings.figures.dynamics.strip_graph import StripGraph
 from drawings.figures.graphs.axes import Axes
 from drawings.layout.labels import Labels
-from drawings.layout.picture import Spot
+from drawings.layout.picture import Picture, Spot
 from drawings.lettering.extent import bounds
+from drawings.page.drafting import Drafting
 from drawings.page.scale import Scale
 from drawings.paper.formats import Field
 from drawings.paper.strokes import Group, Line, Polyline, Stroke
@@ -44,8 +45,14 @@ class PlateFigure:
         return self.joining, *(part.group(labels) for part in self.parts)
 
 
-def draw(plate: Plate, spot: Spot) -> PlateFigure:
+def measure(shown: Content, drafting: Drafting) -> Picture:
+    """Measure the room of a plate."""
+    return room_of_plate(plate_of(shown, drafting))
+
+
+def draw(shown: Content, spot: Spot, drafting: Drafting) -> PlateFigure:
     """Draw a plate in its spot."""
+    plate = plate_of(shown, drafting)
     return _Drawing(plate, PlateFrame(plate, spot)).figure
 
 
@@ -83,7 +90,7 @@ class _Drawing:
         frame, (moments, works, distance) = self.frame, self.frame.integration
         axes = frame.axes(frame.moments, moments)
         yield self._graph(frame.moments, axes, "reduced moments")
-        yield rays.draw(self.plate.cycle, axes, distance, self.plate.hand)
+        yield rays.pole_part(self.plate.cycle, axes, distance, self.plate.hand)
         yield self._graph(frame.works, frame.axes(frame.works, works), "works", self._pole(distance))
         yield self._graph(frame.surplus, frame.surplus_axes, "surplus energy")
         if frame.speeds is not None:
@@ -101,7 +108,7 @@ class _Drawing:
     def _graph(self, graph: StripGraph, axes: Axes, title: str, more: str = "") -> Part:
         """Draw a graph with its title over it."""
         plate, drafting = self.plate, self.plate.drafting
-        part = strip_graph.draw(graph, plate.strips, axes, drafting)
+        part = strip_graph.graph_part(graph, plate.strips, axes, drafting)
         scales = ";  ".join((drafting.scale(axes.up), more or drafting.scale(axes.across)))
         head = caption(drafting.word(title), scales, self._over(graph.name), plate.hand)
         return part._replace(lines=(head, *part.lines))
@@ -111,11 +118,11 @@ class _Drawing:
         if not self.plate.loop:
             return
         plate, drafting = self.plate, self.plate.drafting
-        turned = strip_graph.draw(self.frame.inertia, plate.strips, self.frame.inertia_axes, drafting)
+        turned = strip_graph.graph_part(self.frame.inertia, plate.strips, self.frame.inertia_axes, drafting)
         yield self._headed(
             turned, plate.rows[0].name, "reduced inertia", (self.frame.inertia_scale, self.frame.inertia_axes.across)
         )
-        loop = loop_figure.draw(plate.shown, self.frame.loop_axes, drafting)
+        loop = loop_figure.loop_part(plate.shown, self.frame.loop_axes, drafting)
         yield self._headed(loop, quantities.SURPLUS, "loop", (self.frame.energy_scale, self.frame.inertia_scale))
 
     def _headed(self, part: Part, row: str, title: str, scales: Sequence[Scale]) -> Part:

@@ -19,7 +19,7 @@ APART = 1.0  # sizes of a letter between the ends of two rays that are drawn
 OFF = 2.2  # sizes of a letter from the axis to the dimension of the pole distance
 
 
-def draw(cycle: Cycle, axes: Axes, distance: float, hand: Hand) -> Part:
+def pole_part(cycle: Cycle, axes: Axes, distance: float, hand: Hand) -> Part:
     """Draw the pole at its distance, mm, and rays to the mean ordinates that lie apart, each carried to the axis."""
     at = axes.zero - distance
     size = Dimension("H", at, axes.zero, _off(cycle) * OFF * hand.letter)

@@ -64,7 +64,7 @@ class StripGraph(NamedTuple):
         return min(float(ys.min()), 0.0), max(float(ys.max()), 0.0)
 
 
-def draw(graph: StripGraph, strips: Strips, axes: Axes, drafting: Drafting) -> Part:
+def graph_part(graph: StripGraph, strips: Strips, axes: Axes, drafting: Drafting) -> Part:
     """Draw a graph on its axes, each ordinate that is numbered measurable."""
     hand = drafting.hand
     length = abs(axes.on(TURN) - axes.on(0.0))
