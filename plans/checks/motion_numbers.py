@@ -69,6 +69,7 @@ def _extremes(extremes: Extremes) -> dict[str, Any]:
         "stroke": extremes.stroke,
         "overlap": extremes.overlap,
         "ratio": extremes.ratio,
+        "faster": extremes.faster,
     }
 
 
