@@ -4,24 +4,26 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 from drawings.checks.dynamics_expected import KNOWN, Expected
-from drawings.checks.dynamics_graphs import part, written
+from drawings.checks.dynamics_graphs import has, part, vertices, written
 from drawings.checks.precise import precise, tells
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.dynamics import flywheel_sketch, load_diagram
 from drawings.measure.measure import Measured, MeasuredVector
 from drawings.page.drafting import Drafting
-from drawings.paper.strokes import Leaf
+from drawings.paper.strokes import Group, Leaf
 from drawings.paper.walk import texts
 from plans.analytic.dynamics.rim import wheel
 from plans.forces.stroke import Stroke
 from plans.model.machine import ALWAYS, IDLE, WORKING, Force, Machine, Moment, Track
 from plans.words.words import message
 
-STROKES = ("H", "β")  # letters of the whole stroke
+BENT = 2e-3  # of two slopes: a bend that is less need not be told
 OVERRUNS = ("overrun_1", "overrun_2")
 
 
@@ -32,60 +34,95 @@ def loads(
     every: tuple[Force | Moment, ...] = (*machine.forces, *machine.moments)
     known = {f"{load_diagram.NAME}-{one.name}": one for one in every}
     for name in names:
-        own = [one for one in measured.vectors if one.plan == name]
-        yield from _load(name, own, measured.quantum, known[name], strokes[known[name].stroke])
-        group = part(leaf, name)
-        scales = written(group) if group is not None else {}
-        for one in own:
-            if not math.isclose(scales.get(one.quantity, math.nan), one.scale, rel_tol=1e-9):
-                yield message("wrong.scale", text=f"μ_{one.quantity}")
-                break
+        own, group = [one for one in measured.vectors if one.plan == name], part(leaf, name)
+        if group is not None:
+            shown = _Load(name, group, {one.name: one for one in own}, measured.quantum, known[name])
+            yield from shown.faults(strokes[known[name].stroke])
 
 
-def _load(
-    plan: str, seen: Sequence[MeasuredVector], quantum: float, load: Force | Moment, stroke: Stroke
-) -> Iterator[Wrong]:
-    """Hold the ordinates by their places: at each corner of the law one, and none anywhere else."""
-    whole = next((one for one in seen if one.name in STROKES), None)
-    length = abs(stroke.reach[1] - stroke.reach[0])
-    length = length if stroke.sliding else math.degrees(length)
-    if whole is None:
-        yield on("missing_on", plan, name=STROKES[not stroke.sliding])
-        return
-    near = 3 * quantum * whole.scale + KNOWN * length
-    yield from (() if abs(whole.value - length) <= near else (on("differs_on", plan, name=whole.name),))
-    for name, share in zip(OVERRUNS, load.overrun, strict=True):
-        found = next((one.value for one in seen if one.name == name), 0j)
-        if not abs(found - share * length) <= near:
-            yield on("differs_on", plan, name=f"{share:g}{whole.name}")
-    due = {(way * length, size) for way, size in _corners(load)}
-    most = max((abs(size) for _, size in due), default=0.0)
-    for one in seen:
-        if one.name in (whole.name, *OVERRUNS):
-            continue
-        way = (one.start - whole.start).real * whole.scale
-        fits = {pair for pair in due if abs(pair[0] - way) <= near and _same(one, pair[1], quantum, most)}
-        yield from () if fits else (on("differs_on", plan, name=one.name),)
-        due -= fits
-    yield from (on("corner", plan, way=f"{way:.4g}", size=f"{size:.4g}") for way, size in sorted(due))
+@dataclass(frozen=True)
+class _Load:
+    """A load diagram on a sheet, with the load of the machine."""
+
+    plan: str
+    group: Group
+    seen: Mapping[str, MeasuredVector]
+    quantum: float
+    load: Force | Moment
+
+    def faults(self, stroke: Stroke) -> Iterator[Wrong]:
+        """Hold the stroke first: all places are counted from its beginning."""
+        length = abs(stroke.reach[1] - stroke.reach[0])
+        length, name = (length, "H") if stroke.sliding else (math.degrees(length), "β")
+        whole = self.seen.get(name)
+        if whole is None:
+            yield on("missing_on", self.plan, name=name)
+            return
+        near = 3 * self.quantum * whole.scale + KNOWN * length
+        if not abs(whole.value - length) <= near:
+            yield on("differs_on", self.plan, name=name)
+        for mark, share in zip(OVERRUNS, self.load.overrun, strict=True):
+            found = self.seen[mark].value if mark in self.seen else 0j
+            if not abs(found - share * length) <= near:
+                yield on("differs_on", self.plan, name=f"{share:g}{name}")
+        yield from self._scales()
+        yield from self._corners(whole, length, near)
+
+    def _scales(self) -> Iterator[Wrong]:
+        scales = written(self.group)
+        stated = {one.quantity: one.scale for one in self.seen.values()}
+        for letter, mu in stated.items():
+            if not math.isclose(scales.get(letter, math.nan), mu, rel_tol=1e-9):
+                yield message("wrong.scale", text=f"μ_{letter}")
+
+    def _corners(self, whole: MeasuredVector, length: float, near: float) -> Iterator[Wrong]:
+        """Hold the ordinates: each at a corner, of few corners each has one, and a line goes through all."""
+        due = list(_corners(self.load))
+        most = max((abs(one.size) for one in due), default=0.0)
+        marks = [one for name, one in self.seen.items() if name not in (whole.name, *OVERRUNS)]
+        told = set[_Corner]()
+        for one in marks:
+            way = (one.start - whole.start).real * whole.scale
+            fits = {c for c in due if abs(c.share * length - way) <= near and self._same(one, c.size, most)}
+            yield from () if fits else (on("differs_on", self.plan, name=one.name),)
+            told |= fits
+        few, chain = sum(one.bent for one in due) <= load_diagram.FEW, np.array(list(vertices(self.group)))
+        for corner in due:
+            base = marks[0].start.imag if marks else whole.start.imag
+            mu = marks[0].scale if marks else 1.0
+            spot = complex(whole.start.real + corner.share * length / whole.scale, base + corner.size / mu)
+            due_mark = few and corner.bent and corner not in told
+            if due_mark or not has(chain, spot, 2 * near / whole.scale + KNOWN * most / mu):
+                yield on("corner", self.plan, way=f"{corner.share:.4g}", size=f"{corner.size:.4g}")
+
+    def _same(self, one: MeasuredVector, size: float, most: float) -> bool:
+        return abs(one.value - 1j * size) <= 2 * self.quantum * one.scale + KNOWN * most
 
 
-def _same(one: MeasuredVector, size: float, quantum: float, most: float) -> bool:
-    return abs(one.value - 1j * size) <= 2 * quantum * one.scale + KNOWN * most
+class _Corner(NamedTuple):
+    """A corner of a load: share of the stroke, size; whether the load bends there, or begins or ends."""
+
+    share: float
+    size: float
+    bent: bool
 
 
-def _corners(load: Force | Moment) -> Iterator[tuple[float, float]]:
-    """Give share of the stroke and size of every corner of a load that is not zero, by its law alone."""
+def _corners(load: Force | Moment) -> Iterator[_Corner]:
+    """Give every corner of a load that is not zero, by its law alone."""
     law = load.diagram if isinstance(load, Force) else None
     begin, end = load.overrun[0], 1 - load.overrun[1]
-    shares = {begin, end, *(share for share in (law.travel if law else ()) if begin < share < end)}
+    shares = np.array(sorted({begin, end, *(share for share in (law.travel if law else ()) if begin < share < end)}))
     turns = load.against if isinstance(load, Moment) else load.resists or (load.direction is None and load.line is None)
     for during, sense in ((WORKING, 1.0), (IDLE, -1.0 if turns else 1.0)):
-        if load.during in (ALWAYS, during):
-            sizes = (law.back or law.sizes if during == IDLE else law.sizes) if law else ()
-            for share in shares:
-                size = sense * load.size * (float(np.interp(share, law.travel, sizes)) if law else 1.0)
-                yield from ((share, size),) if size else ()
+        if load.during not in (ALWAYS, during):
+            continue
+        sizes = (law.back or law.sizes if during == IDLE else law.sizes) if law else ()
+        found = sense * load.size * (np.interp(shares, law.travel, sizes) if law else np.ones(len(shares)))
+        slopes = np.diff(found) / np.diff(shares)
+        bends = np.abs(np.diff(slopes)) > BENT * (np.abs(slopes[1:]) + np.abs(slopes[:-1]))
+        bent = [True, *bends.tolist(), True]
+        rows = zip(shares.tolist(), found.tolist(), bent, strict=True)
+        yield from (_Corner(*row) for row in rows if row[1])
 
 
 def flywheel(measured: Measured, leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:

@@ -124,7 +124,7 @@ class _Leaves:
         for table, corner, setting in composed.tables:
             yield from table.draw(corner, setting, self.drafting)
         if composed.notes is not None:
-            yield write(self.draft.notes, composed.notes, page.hand.text)
+            yield write(self.draft.notes, composed.notes, page.hand.text, page.field.right)
         for one in self.draft.shows:
             if isinstance(one, Caption) and one.panel.item.name in composed.blocks:
                 yield one.write(composed.blocks[one.panel.item.name])

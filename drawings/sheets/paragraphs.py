@@ -8,9 +8,10 @@ from collections.abc import Sequence
 from drawings.layout.footing import Notes
 from drawings.lettering.lettering import text_width
 from drawings.page.page import Field
-from drawings.paper.strokes import Group, Stroke, Text
+from drawings.paper.strokes import LEAN, Group, Stroke, Text
 
 TOGETHER = re.compile(r" (=|…|−|[+]) ")
+CLEAR = 0.5  # mm from a line of notes to the frame
 STEP = 1.8  # sizes of the letters from line to line: GOST 2.304-81 asks for 1.7 at least
 
 
@@ -19,9 +20,10 @@ def measure(paragraphs: Sequence[str], size: float) -> Notes:
     return Notes(tuple(text_width(Text(0j, _marked(note), size)) for note in paragraphs), STEP * size)
 
 
-def write(paragraphs: Sequence[str], field: Field, size: float) -> Group:
-    """Write notes from the top of their field downwards, a long one broken between its parts."""
-    lines = [line for note in paragraphs for line in _broken(_marked(note), field.width, size)]
+def write(paragraphs: Sequence[str], field: Field, size: float, edge: float) -> Group:
+    """Write notes from the top of their field downwards, a long one broken between its parts, clear of an edge, mm."""
+    width = min(field.width, edge - CLEAR - LEAN * size - field.left)  # the last letter leans beyond its width
+    lines = [line for note in paragraphs for line in _broken(_marked(note), width, size)]
     step = min(STEP * size, field.height / max(len(lines), 1))
     strokes: list[Stroke] = [
         Text(complex(field.left, field.top - size - k * step), line, size, "start", True)

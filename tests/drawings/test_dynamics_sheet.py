@@ -156,7 +156,7 @@ FAULTS: dict[str, tuple[Change, str]] = {
     "a wrong angle beside the loop": (scaled("ψ_{max}", "2,325"), "ψmax = 2,325°"),
     "a wrong J0 beside the loop": (in_part("loop-equations", scaled("−x_O·μ_J", "36,94")), "36,94"),
     "the equations left out": (without("loop-equations"), "J_0 is missing"),
-    "a corner of the load left out": (dropped("b", "load_diagram-F_us"), "the corner of load diagram of F_us at 0.19"),
+    "a corner of the load left out": (dropped("b", "load_diagram-F_us"), "the corner of load diagram of F_us at 0.95"),
     "a load too great": (stretched("a", "load_diagram-F_us"), "a on load diagram of F_us (against"),
     "a stroke too long": (stretched("H", "load_diagram-F_us"), "H on load diagram of F_us (against"),
     "an overrun left out": (dropped("overrun_2", "load_diagram-F_us"), "0.05H on load diagram of F_us"),

@@ -13,6 +13,8 @@ from plans.model.machine import ALWAYS, IDLE, WORKING, Force, Machine, Moment, T
 
 Branch: TypeAlias = tuple[complex, ...]  # corners: way m or degrees + load N or N*m * i, in the order of the motion
 
+STRAIGHT = 1e-3  # of the products whose difference is the bend: less than what a table of a diagram rounds away
+
 
 class LoadCourse(NamedTuple):
     """A load over its stroke: how long that is, m or degrees, and the load on the working and on the idle stroke.
@@ -37,8 +39,20 @@ class LoadCourse(NamedTuple):
 
     @property
     def corners(self) -> tuple[complex, ...]:
-        """The corners at which the load is not zero, each once: on the way out, then on the way back."""
-        return tuple(dict.fromkeys(corner for corner in (*self.out, *self.back) if corner.imag))
+        """The ends of branches and their bends where the load is not zero, each once: out, then back."""
+        return tuple(dict.fromkeys(corner for corner in (*_bends(self.out), *_bends(self.back)) if corner.imag))
+
+
+def _bends(branch: Branch) -> Iterator[complex]:
+    """Give both ends of a branch, and the corners at which it does not go straight on."""
+    for k, corner in enumerate(branch):
+        if k in (0, len(branch) - 1):
+            yield corner
+            continue
+        before, after = corner - branch[k - 1], branch[k + 1] - corner
+        across, along = (before.conjugate() * after).imag, abs(before.real * after.imag) + abs(before.imag * after.real)
+        if abs(across) > STRAIGHT * along or (before.conjugate() * after).real < 0:
+            yield corner
 
 
 def courses(machine: Machine, strokes: Mapping[Track, Stroke]) -> Iterator[LoadCourse]:

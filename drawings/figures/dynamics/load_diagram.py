@@ -33,6 +33,7 @@ LETTERS, MOST = 12.0, 20.0  # it is drawn at least so many letters long, and at 
 LEVELS = (9.0, 17.0)  # mm under the diagram: the overruns, the whole stroke
 DOT = 0.7  # mm, radius of a corner
 FEW = 12  # corners that are lettered a, b, c; more are numbered
+APART = 2.6  # sizes of a number from one numbered corner to the next
 ABOVE = 1.2  # mm from a dimension line to its letters
 DIGITS = 4
 SLIDING, SWINGING = ("S", "m", "H"), ("ψ", "°", "β")  # letters of the way and of the whole stroke, unit of the way
@@ -51,11 +52,18 @@ def name_of(course: LoadCourse) -> str:
     return f"{NAME}-{course.name}"
 
 
-def marks(course: LoadCourse) -> tuple[LoadMark, ...]:
-    """Letter the corners that are no zero."""
+def marks(course: LoadCourse, axes: Axes, hand: Hand) -> tuple[LoadMark, ...]:
+    """Letter the corners that are no zero; of many, number those that have room for it."""
     corners = course.corners
-    names = ascii_lowercase if len(corners) <= FEW else [str(k + 1) for k in range(len(corners))]
-    return tuple(map(LoadMark, names, corners))
+    if len(corners) <= FEW:
+        return tuple(map(LoadMark, ascii_lowercase, corners))
+    kept = dict[complex, complex]()
+    for corner in (corners[0], corners[-1], *corners):
+        place = axes.on(corner.real, corner.imag)
+        if all(abs(place - other) >= APART * hand.number for other in kept):
+            kept[place] = corner
+    chosen = sorted(kept.values(), key=corners.index)
+    return tuple(LoadMark(str(k + 1), corner) for k, corner in enumerate(chosen))
 
 
 @dataclass(frozen=True)
@@ -109,9 +117,10 @@ def draw(course: LoadCourse, room: Picture, spot: Spot, drafting: Drafting) -> L
     lines += axes.lines((0.0, course.length), (low, high), hand)
     sizes = tuple(_sizes(course, axes, drafting))
     lines += [_sized(course, one, value, spot.scale, hand) for one, value in zip(sizes, spans(course), strict=True)]
-    lines += [stroke for one in marks(course) for stroke in _ordinate(one, course, axes, hand)]
+    shown = marks(course, axes, hand)
+    lines += [stroke for one in shown for stroke in _ordinate(one, course, axes, hand)]
     lines += [stroke for branch in _branches(course) for stroke in _branch(branch, axes, hand)]
-    corners = tuple((one.letter, axes.on(one.at.real, one.at.imag), _side(one.at)) for one in marks(course))
+    corners = tuple((one.letter, axes.on(one.at.real, one.at.imag), _side(one.at)) for one in shown)
     return LoadFigure(room.name, tuple(lines), corners, _ends(course, axes, scale, drafting), sizes, hand)
 
 
