@@ -1,43 +1,52 @@
-"""A session at the bench on a machine's motion: chords, points and positions against the exact turn (испытание)."""
+"""A session at the bench on a machine's motion: flywheel, graphical integration, run (испытание динамики машины)."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
 from drawings.bench.session import BUDGET, Order
-from plans.bench import dynamics
-from plans.bench import run as runs
-from plans.bench.calculus import COUNTS
+from plans.analytic.dynamics.exact import Exact
+from plans.bench import calculus, dynamics, run
 from plans.bench.computer import machine
 from plans.bench.result import Bench, Row
+from plans.checks.compare import compare
+from plans.checks.dynamics_comparison import exact_turn
 from plans.dynamics.link import reduced_link
+from plans.dynamics.study import DynamicsStudy
+from plans.model.order import VELOCITIES
 from plans.scene.scene import Scene
 from plans.study import Study
 
-QUICK = 3  # rounds: of no more than these the finest strips are left out
-NO_CYCLE = "the crank cannot turn fully: there is no cycle to be judged"
+STRIPS = (12, 24, 96, 384, 1024, 4096)
+QUICK_STRIPS = (12, 24, 96, 384)
+ROUNDS = 5  # at most: a turn of thousands of strips takes the better part of a second
 
 
 def session(scene: Scene, order: Order, tell: Callable[[str], None]) -> Bench:
     """Run a session on the motion of a scene's machine."""
     there, study = machine(), Study(scene)
-    own, comparison = study["dynamics"], study.comparison("dynamics")
-    if comparison.turn is None:
-        return Bench(scene.heading(), there, (), (), (NO_CYCLE,), order.accepted)
-    tell("strips of a turn")
-    counts = COUNTS[:-2] if order.rounds <= QUICK else COUNTS
-    truth = dynamics.Truth(own.task, comparison.turn)
-    found, words = dynamics.rows(own.reduction, truth, order.rounds, BUDGET, counts)
+    found: DynamicsStudy = study["dynamics"]
+    rounds, counts = min(order.rounds, ROUNDS), STRIPS if order.startup else QUICK_STRIPS
+    tell("graphical integration")
+    rows, words = calculus.rows(rounds, BUDGET, counts)
+    tell("the flywheel")
+    motion = compare(found.linkage, VELOCITIES.number)
+
+    def exact() -> Exact:
+        return exact_turn(found, motion)
+
+    truth = dynamics.Truth(found.task, exact())
+    more, told = dynamics.rows(found.reduction, truth, exact, rounds, BUDGET, counts)
     tell("the run")
-    found += _run(study)
+    last, said = _run(found)
     tell("")
-    return Bench(scene.heading(), there, tuple(found), (), tuple(words), order.accepted)
+    every = (*rows, *more, *last)
+    return Bench(scene.heading(), there, every, (), (*words, *told, *said), order.accepted)
 
 
-def _run(study: Study) -> list[Row]:
-    """Judge the table of the run at several steps; nothing of a machine without a motor that starts."""
-    own = study["dynamics"]
-    if own.run is None or own.run.failure is not None:
-        return []
-    link = reduced_link(own.works, own.constant)
-    return runs.rows(runs.step_errors(link, own.motor, own.run_task))
+def _run(study: DynamicsStudy) -> tuple[list[Row], list[str]]:
+    """Give the rows of the table of a run by its step, of a scene with a motor that starts."""
+    if study.motor is None or study.run is None or study.run.failure is not None:
+        return [], []
+    link = reduced_link(study.works, study.constant)
+    return run.rows(run.step_errors(link, study.motor, study.run_task)), [run.DEFINED]

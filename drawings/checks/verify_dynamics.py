@@ -15,7 +15,7 @@ from drawings.checks.wrong import Wrong
 from drawings.figures.dynamics import flywheel_sketch
 from drawings.figures.dynamics.bare_speeds import NUMBERED
 from drawings.figures.dynamics.load_diagram import NAME as LOAD
-from drawings.figures.dynamics.plate import ENERGY, GRAPHS, WHOLE
+from drawings.figures.dynamics.plate import ENERGY, GRAPHS, LOWER, UPPER, WHOLE
 from drawings.figures.dynamics.quantities import BEFORE
 from drawings.measure.measure import Measured
 from drawings.page.drafting import drafting_of
@@ -26,7 +26,13 @@ from plans.study import Study
 from plans.words.words import message
 
 OVER_TURN, LOOP = (MOMENTS, WORKS, SURPLUS), (INERTIA,)
-PLATES: Mapping[str, tuple[str, ...]] = {WHOLE: (*OVER_TURN, *LOOP), GRAPHS: OVER_TURN, ENERGY: LOOP}
+PLATES: Mapping[str, tuple[str, ...]] = {
+    WHOLE: (*OVER_TURN, *LOOP),
+    GRAPHS: OVER_TURN,
+    ENERGY: LOOP,
+    UPPER: (MOMENTS, WORKS),
+    LOWER: (SURPLUS,),
+}
 
 
 def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
@@ -40,9 +46,9 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
         return
     yield from settled(expected)
     for plate in PLATES.keys() & set(shown):
-        due = [*PLATES[plate], *([SPEEDS] if expected.omega is not None and plate != ENERGY else [])]
+        due = [*PLATES[plate], *([SPEEDS] if expected.omega is not None and plate in (WHOLE, GRAPHS, LOWER) else [])]
         yield from graphs(measured, leaf, expected, due, drafting.language)
-        if plate != GRAPHS:
+        if plate in (WHOLE, ENERGY):
             yield from loop(measured, leaf, expected, drafting.language)
             yield from equations(leaf, expected, drafting)
     if BEFORE in shown:

@@ -77,6 +77,14 @@ class Way(NamedTuple):
     most: int
     found: str
     further: str
+    apart: bool = False  # whether the graphs stand on two plates
+
+    @property
+    def plates(self) -> tuple[tuple[str, tuple[str, ...]], ...]:
+        """The plates of the graphs, each with what it shows."""
+        if self.apart:
+            return (plate.UPPER, plate.OVER_TURN[:2]), (plate.LOWER, plate.OVER_TURN[2:])
+        return ((plate.GRAPHS, plate.OVER_TURN),)
 
 
 @dataclass(frozen=True)
@@ -105,11 +113,12 @@ class _DynamicsSheet:
         small, number = cost(self.scene, draft)
         return (small, number, number > 1 and bool(way.further)), draft
 
-    def _ways(self) -> Iterator[Way]:
+    def _ways(self) -> tuple[Way, ...]:
         """List the ways: in line, with all else in one column if it has room there, wherever the paper takes that."""
         whole = self.machine.own.cycle is not None and self._least is not None
         found = VALUES if whole else FOUND
-        return (Way(whole, most, found, further) for further in (found, "") for most in TOLD)
+        ways = (Way(whole, most, found, further) for further in (found, "") for most in TOLD)
+        return (*ways, *(() if whole else (Way(False, TOLD[-1], found, "", True),)))
 
     def _drafted(self, way: Way) -> Draft:
         title, shows = self.drafting.word("dynamics sheet title"), tuple(self._shows(way))
@@ -134,14 +143,14 @@ class _DynamicsSheet:
             return
         if way.whole:
             yield self._exhibit(self._whole, self._least)
-        else:
-            yield self._exhibit(self._plate(plate.GRAPHS, graphs=True))
-            yield self._exhibit(self._plate(plate.ENERGY, loop=True))
+            return
+        yield from (self._exhibit(self._plate(name, graphs)) for name, graphs in way.plates)
+        yield self._exhibit(self._plate(plate.ENERGY, (), loop=True))
 
     @cached_property
     def _whole(self) -> Content:
         """Graphs and loop in line, the results under the loop if they have room there."""
-        bare = self._plate(plate.WHOLE, graphs=True, loop=True)
+        bare = self._plate(plate.WHOLE, plate.OVER_TURN, loop=True)
         largest = self._largest(bare)
         return (
             bare
@@ -210,7 +219,7 @@ class _DynamicsSheet:
         panel = Panel(table.block(table.name), together=together)
         return Caption(panel, partial(table.write, drafting=self.drafting))
 
-    def _plate(self, name: str, graphs: bool = False, loop: bool = False) -> Content:
+    def _plate(self, name: str, graphs: tuple[str, ...], loop: bool = False) -> Content:
         return Content(name, self.machine.task, self.machine.own, graphs, loop)
 
     def _exhibit(self, shown: Content, least: float | None = None) -> Exhibit:

@@ -23,6 +23,7 @@ from plans.dynamics.reduction import Reduction
 from plans.model.dynamics import TURN, Cycle, Flywheel, Task
 
 CHORDS, POINTS, MEAN = "construction: chords", "analysis: extremes at edges", "analysis: mean of positions"
+EXACT = "analysis: exact turn"
 FEW = (12, 24, 36)  # positions whose mean gives the driving moment: of a smooth load to rounding
 DRIVING, WHOLE = "M_dr", "J_0"
 DEFINED = (
@@ -77,9 +78,14 @@ def by_points(truth: Truth, count: int) -> tuple[Cycle, Flywheel | None]:
 
 
 def rows(
-    reduction: Reduction, truth: Truth, rounds: int, budget: float, counts: Sequence[int] = COUNTS
+    reduction: Reduction,
+    truth: Truth,
+    exact: Callable[[], Exact],
+    rounds: int,
+    budget: float,
+    counts: Sequence[int] = COUNTS,
 ) -> tuple[list[Row], list[str]]:
-    """Time and judge both at several numbers of strips; give the rows, and what is said of them."""
+    """Time and judge both at several numbers of strips, and time the exact turn; give the rows, and what is said."""
     task = truth.task
     ways: Mapping[str, Callable[[int], tuple[Cycle, Flywheel | None]]] = {
         CHORDS: lambda count: by_chords(reduction, task, count),
@@ -87,11 +93,13 @@ def rows(
     }
     pairs = [(name, count) for name in ways for count in counts if not (name == POINTS and truth.wheel is None)]
     judged = [truth.errors(*ways[name](count)) for name, count in pairs]
-    times = interleaved([_run(ways[name], count) for name, count in pairs], rounds, budget)
+    timed = [*(_run(ways[name], count) for name, count in pairs), exact]
+    *times, whole = interleaved(timed, rounds, budget)
     made = [
         Row(name, count, count, errors, times=taken)
         for (name, count), errors, taken in zip(pairs, judged, times, strict=True)
     ]
+    made.append(Row(EXACT, None, 0, Errors({DRIVING: truth.found.error}, DRIVING), times=whole))
     made += [Row(MEAN, count, count, truth.mean(count), note=_rough(truth)) for count in FEW]
     return made, [DEFINED, *_words(pairs, judged, truth)]
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from decimal import Decimal
-from functools import partial
 
 from plans.scene import fields as f
 from plans.scene import forms, units
@@ -70,7 +69,7 @@ FLUCTUATION = one(
     'share, or "1/80"',
 )
 DIVISIONS = one(divisions, lambda: forms.whole(DIVISIONS_LEAST) | {"maximum": DIVISIONS_MOST}, "number")
-RATIO = one(ratio, partial(forms.quantity, units.NUMBER), "number")
+RATIO = one(ratio, lambda: forms.quantity(units.NUMBER) | {"not": {"const": 0}}, "number")
 INERTIA = f.positive(units.INERTIA)
 MATERIAL = f.positive(DENSITY)
 SHARE = f.positive(units.NUMBER)

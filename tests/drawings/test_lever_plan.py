@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import cmath
+from dataclasses import replace
 from math import radians
 
 import pytest
@@ -39,7 +40,7 @@ def test_every_image_is_a_velocity_turned_clockwise_by_a_quarter(name: str) -> N
         expected = case.expected(k) if name != "shaper at 60" else None
         if expected is not None:
             assert list(lever_marks(marks, expected, wanted, 1e-9)) == []
-            turned = tuple(one._replace(value=-one.value) for one in marks.points)  # turned the other way
+            turned = tuple(replace(one, value=-one.value) for one in marks.points)  # turned the other way
             other = Measured(marks.vectors, turned, marks.metadata, marks.quantum)
             assert list(lever_marks(other, expected, wanted, 1e-9)) != []
 

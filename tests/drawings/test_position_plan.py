@@ -38,7 +38,16 @@ shapely = pytest.importorskip("shapely")
 
 NAMES = sorted({path.stem for path in LINKAGES} | mechanisms.ALL.keys())
 # The outputs of these turn, or run to infinity: there is no stroke.
-SWINGING = {"crank-rocker", "jaw-crusher", "leg", "offset stone", "oscillating-cylinder", "tangent", "walking-leg"}
+SWINGING = {
+    "crank-rocker",
+    "jaw-crusher",
+    "leg",
+    "offset stone",
+    "oscillating-cylinder",
+    "squeezer",
+    "tangent",
+    "walking-leg",
+}
 A1, A4 = Hand(0.7, 0.35, 0.25), Hand(0.5, 0.25, 0.18, letter=3.5, number=2.5, symbol=0.6)
 ROOM = Field(40, 40, 400, 400)
 HAIR = 1e-6  # mm: rounding of places on paper

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from plans.bench.calculus import order
-from plans.bench.dynamics import CHORDS, DRIVING, MEAN, POINTS, WHOLE, Truth, by_chords, rows
+from plans.bench.dynamics import CHORDS, DRIVING, EXACT, MEAN, POINTS, WHOLE, Truth, by_chords, rows
 from plans.study import Study
 from tests.plans.dynamics_scenes import PLANING, PUSHED, study
 
@@ -48,7 +48,8 @@ def test_of_a_smooth_load_a_few_positions_give_the_driving_moment() -> None:
 
 def test_rows_and_words_of_a_session() -> None:
     made = study()
-    found, words = rows(made["dynamics"].reduction, truth_of(made), 1, 0.0, (12, 24, 48))
-    assert [row.technique for row in found] == [CHORDS] * 3 + [POINTS] * 3 + [MEAN] * 3
-    assert all(row.times is not None for row in found[:6])
+    truth = truth_of(made)
+    found, words = rows(made["dynamics"].reduction, truth, lambda: truth.found, 1, 0.0, (12, 24, 48))
+    assert [row.technique for row in found] == [CHORDS] * 3 + [POINTS] * 3 + [EXACT] + [MEAN] * 3
+    assert all(row.times is not None for row in found[:7])
     assert any(word.startswith(f"  {CHORDS}: order") for word in words)

@@ -9,6 +9,7 @@ from plans.analytic.dynamics.speeds import Stall, Swing
 from plans.checks.dynamics_comparison import DynamicsComparison
 from plans.checks.pace import NoPace
 from plans.dynamics.study import NoCycle
+from plans.scene.notes import notes_of
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.plans.dynamics_scenes import PLANING, study, text
@@ -127,3 +128,10 @@ def test_account_of_energy_closes() -> None:
     """Over a steady turn drive and loads give nothing together, to rounding of the work of the turn."""
     cycle = compared().exact.cycle
     assert abs(cycle.surplus[-1]) <= 1e-12 * abs(cycle.work[-1])
+
+
+def test_large_fluctuation_is_noted() -> None:
+    """I2: a third is taken, by the exact formula, and told to be large."""
+    notes = [note.worded("en") for note in notes_of(parse_scene(text(asked='fluctuation = "1/3"')))]
+    assert len(notes) == 1
+    assert "is a large fluctuation" in notes[0]

@@ -28,10 +28,12 @@ from plans.model.dynamics import TURN, Cycle, Task
 MOMENTS, WORKS, SURPLUS, SPEEDS = 0.30, 0.40, 0.76, 0.36  # heights of the rows, in lengths of the axis of angles
 WIDE = 0.86  # width of the loop, likewise
 LONG = 24.0  # sizes of a letter that the axis of angles has at least: its positions are numbered
-LEFT, MIDDLE, RIGHT = 10.0, 8.0, 5.4  # paper beside the graphs, between them and the loop, beside it, likewise
+LEFT, MIDDLE, RIGHT = 8.8, 8.0, 5.4  # paper beside the graphs, between them and the loop, beside it, likewise
 GRAPHED, LOOPED = ("reduced moments", "works", "surplus energy"), ("reduced inertia", "loop")  # titles
 TITLE = 4.5  # sizes of a letter from the axis of the loop to its title at least: the axis has a letter itself
 WHOLE, GRAPHS, ENERGY = "machine", "diagrams", "energy-mass"  # names of the plates
+UPPER, LOWER = "moments-works", "energy-speeds"  # of graphs that no paper has room for one under another
+OVER_TURN = (quantities.MOMENTS, quantities.WORKS, quantities.SURPLUS, quantities.SPEEDS)
 
 
 class Row(NamedTuple):
@@ -60,7 +62,7 @@ class Content:
     name: str
     task: Task
     account: Account
-    graphs: bool
+    graphs: tuple[str, ...]  # by their quantities, from the top
     loop: bool
     told: Told | None = None
 
@@ -100,12 +102,12 @@ class Plate(Content):
     @property
     def rows(self) -> tuple[Row, ...]:
         """The rows from the top."""
-        middle = Row(quantities.SURPLUS, SURPLUS)
         if not self.graphs:
-            return Row(quantities.INERTIA, MOMENTS + WORKS), middle
-        first = Row(quantities.MOMENTS, MOMENTS), Row(quantities.WORKS, WORKS)
-        last = (Row(quantities.SPEEDS, SPEEDS),) if self.account.speeds else ()
-        return *first, middle if self.loop else Row(quantities.SURPLUS, WORKS), *last
+            return Row(quantities.INERTIA, MOMENTS + WORKS), Row(quantities.SURPLUS, SURPLUS)
+        heights = dict(zip(OVER_TURN, (MOMENTS, WORKS, SURPLUS if self.loop else WORKS, SPEEDS), strict=True))
+        return tuple(
+            Row(name, heights[name]) for name in self.graphs if name != quantities.SPEEDS or self.account.speeds
+        )
 
     @property
     def over(self) -> float:
@@ -120,7 +122,7 @@ class Plate(Content):
     @property
     def below(self) -> float:
         """Paper under the last row, mm: for what is told under the loop, where it does not stand beside a row."""
-        return 0.0 if self.graphs and self.account.speeds else self.telling
+        return 0.0 if quantities.SPEEDS in self.graphs and self.account.speeds else self.telling
 
     @property
     def telling(self) -> float:

@@ -74,10 +74,12 @@ class _Drawing:
     def _told(self) -> Iterator[Part]:
         """Write under the loop what it gives, and the table under that."""
         plate, wheel = self.plate, self.plate.account.flywheel
-        left = self.frame.loop_axes.zero.real - loop_figure.TAIL * plate.hand.letter if plate.loop else 0.0
+        if not plate.loop:
+            return
+        left = self.frame.loop_axes.zero.real - loop_figure.TAIL * plate.hand.letter
         low = self.frame.fields[quantities.SURPLUS].bottom - 2 * plate.under
-        corner = complex(left, min(low, self._tail(wheel)) if wheel is not None and plate.loop else low)
-        if plate.loop and wheel is not None:
+        corner = complex(left, low if wheel is None else min(low, self._tail(wheel)))
+        if wheel is not None:
             lines = equations.write(wheel, self.frame.loop_axes, corner, plate.drafting)
             yield Part(equations.NAME, (lines,), ())
             corner -= 1j * equations.height(plate.drafting)
@@ -94,16 +96,21 @@ class _Drawing:
 
     def _graphs(self) -> Iterator[Part]:
         """Draw the graphs over the angle."""
-        if not self.plate.graphs:
-            return
+        frame, shown = self.frame, [row.name for row in self.plate.rows] if self.plate.graphs else []
+        if quantities.MOMENTS in shown:
+            yield from self._works()
+        if quantities.SURPLUS in shown:
+            yield self._graph(frame.surplus, frame.surplus_axes, "surplus energy")
+        if frame.speeds is not None and quantities.SPEEDS in shown:
+            yield self._graph(frame.speeds, frame.speed_axes(frame.speeds), "speed over the turn", self._mean())
+
+    def _works(self) -> Iterator[Part]:
+        """Draw the moments, the pole with its rays, and the works under them."""
         frame, (moments, works, distance) = self.frame, self.frame.integration
         axes = frame.axes(frame.moments, moments)
         yield self._graph(frame.moments, axes, "reduced moments")
         yield rays.pole_part(self.plate.cycle, axes, distance, self.plate.hand)
         yield self._graph(frame.works, frame.axes(frame.works, works), "works", self._pole(distance))
-        yield self._graph(frame.surplus, frame.surplus_axes, "surplus energy")
-        if frame.speeds is not None:
-            yield self._graph(frame.speeds, frame.speed_axes(frame.speeds), "speed over the turn", self._mean())
 
     def _pole(self, distance: float) -> str:
         """Write the pole distance, mm."""
@@ -157,9 +164,12 @@ class _Drawing:
 
     def _jumps(self) -> Iterator[Stroke]:
         """Draw the edges at which a load jumps through the graphs of works and energy."""
-        frame = self.frame
-        pairs = (frame.works, frame.axes(frame.works, frame.integration[1])), (frame.surplus, frame.surplus_axes)
-        for k, (graph, axes) in product(self.plate.strips.jumps, pairs):
+        frame, lines = self.frame, list[tuple[StripGraph, Axes]]()
+        if quantities.WORKS in frame.fields:
+            lines.append((frame.works, frame.axes(frame.works, frame.integration[1])))
+        if quantities.SURPLUS in frame.fields:
+            lines.append((frame.surplus, frame.surplus_axes))
+        for k, (graph, axes) in product(self.plate.strips.jumps, lines):
             across, (low, high) = float(self.plate.strips.turned[k]), graph.span
             yield Line(axes.on(across, low), axes.on(across, high), self.plate.hand.axis)
 

@@ -15,7 +15,7 @@ from drawings.page.scale import Scale, fitting
 from drawings.paper.formats import Field
 from plans.model.dynamics import TURN
 
-POLE = (3.5, 9.0)  # least and greatest pole distance, in sizes of a letter
+POLE = (3.2, 8.2)  # least and greatest pole distance, in sizes of a letter
 LARGER = 1 + 1e-9  # times an extent that fits: no two standard scales lie so near
 COARSER = 4  # scales tried beyond the largest: they differ by ten times
 FIRST = (quantities.SURPLUS, quantities.WORKS, quantities.MOMENTS, quantities.SPEEDS)  # what is enlarged first
