@@ -22,6 +22,7 @@ from drawings.paper.formats import Field
 from drawings.paper.strokes import Group, Line, Polyline, Stroke
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.trimming import trim
+from plans.model.dynamics import Flywheel
 
 DIGITS = 5
 TOLD = "told"  # the name of what is told under the loop
@@ -76,7 +77,8 @@ class _Drawing:
         if not plate.loop:
             return
         left = self.frame.loop_axes.zero.real - loop_figure.TAIL * plate.hand.letter
-        corner = complex(left, self.frame.fields[quantities.SURPLUS].bottom - 2 * plate.under)
+        low = self.frame.fields[quantities.SURPLUS].bottom - 2 * plate.under
+        corner = complex(left, min(low, self._tail(wheel)) if wheel is not None else low)
         if wheel is not None:
             lines = equations.write(wheel, self.frame.loop_axes, corner, plate.drafting)
             yield Part(equations.NAME, (lines,), ())
@@ -84,6 +86,13 @@ class _Drawing:
         if plate.told is not None:
             table, setting = plate.told
             yield Part(TOLD, tuple(table.draw(corner, setting, plate.drafting)), ())
+
+    def _tail(self, wheel: Flywheel) -> float:
+        """Give the height under which the break of the lower tangent leaves room, mm."""
+        axes, letter = self.frame.loop_axes, self.plate.hand.letter
+        along = complex(1.0, wheel.slopes[0] * axes.across.mu / axes.up.mu)
+        end = axes.on(0.0, wheel.cuts[0]) - loop_figure.TAIL * letter * along / abs(along)
+        return end.imag - 2 * loop_figure.BREAK
 
     def _graphs(self) -> Iterator[Part]:
         """Draw the graphs over the angle."""
