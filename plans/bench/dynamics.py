@@ -33,7 +33,7 @@ DEFINED = (
 class Judged(NamedTuple):
     """The flywheel of some strips: their number, and how far J_0 is off, in shares of it."""
 
-    count: int
+    strips: int
     error: float
 
 
@@ -55,7 +55,7 @@ def order(found: Sequence[Judged]) -> float:
     2.0
     """
     first, last = found[0], found[-1]
-    return math.log(first.error / last.error) / math.log(last.count / first.count)
+    return math.log(first.error / last.error) / math.log(last.strips / first.strips)
 
 
 def rows(
@@ -73,7 +73,7 @@ def rows(
 
 
 def _row(name: str, one: Judged, taken: Times) -> Row:
-    return Row(name, one.count, one.count, Errors({WHOLE: one.error}, WHOLE), times=taken)
+    return Row(name, one.strips, one.strips, Errors({WHOLE: one.error}, WHOLE), times=taken)
 
 
 def _drawn(study: DynamicsStudy, count: int) -> Callable[[], float]:
