@@ -78,7 +78,7 @@ class _Drawing:
             return
         left = self.frame.loop_axes.zero.real - loop_figure.TAIL * plate.hand.letter
         low = self.frame.fields[quantities.SURPLUS].bottom - 2 * plate.under
-        corner = complex(left, low if wheel is None else min(low, self._tail(wheel)))
+        corner = complex(left, min(low, self._tail(wheel)) if wheel is not None else low)
         if wheel is not None:
             lines = equations.write(wheel, self.frame.loop_axes, corner, plate.drafting)
             yield Part(equations.NAME, (lines,), ())
