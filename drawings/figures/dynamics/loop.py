@@ -27,6 +27,7 @@ PAPER = Scale(1.0, "l", "mm")  # of points whose axes have different scales: the
 DOT, TOUCH = 0.6, 1.1  # mm, radii of a point of the loop and of one that a tangent touches
 APART = 1.6  # sizes of a number from one numbered point to the next
 TAIL = 6.0  # sizes of a letter that a tangent goes beyond the axis of energy, towards the origin
+DROP = 1.6  # sizes of a letter that it goes below what it cuts off at most
 BREAK = 1.4  # mm, half the zigzag where it is broken off
 OFFS = (2.0, 3.6)  # sizes of a letter from the axis to the dimensions of o1l and o1k
 ARM = 4.0  # sizes of a letter, radius of the arcs of the angles
@@ -165,18 +166,36 @@ class _Tangent:
 
     @property
     def end(self) -> complex:
-        """Its right end: beyond the loop, mm."""
+        """Its right end: beyond the loop, but not beyond the row that the loop stands in."""
         length = self.loop.across[1] / self.axes.across.mu + BEYOND
-        return self.cut + length * complex(1.0, self.slope)
+        above = (self.loop.up[1] - self.wheel.cuts[self.which]) / self.axes.up.mu + BEYOND
+        return self.cut + min(length, above / self.slope) * complex(1.0, self.slope)
+
+    @property
+    def start(self) -> complex:
+        """Where the loop begins on it, from the left."""
+        return self.cut + self.loop.across[0] / self.axes.across.mu * complex(1.0, self.slope)
+
+    @property
+    def right(self) -> bool:
+        """Whether the more of it lies on the right of the axis of energy: the longer piece is measured."""
+        return abs(self.end - self.cut) >= abs(self.start - self.cut)
+
+    @property
+    def tail(self) -> complex:
+        """Its left end, where it is broken off: some way beyond axis and loop, little below."""
+        size = self.hand.letter
+        return self.start - min(TAIL * size, DROP * size / self.slope) * complex(1.0, self.slope)
 
     @property
     def lines(self) -> Iterator[Stroke]:
         """The tangent from its break on, measurable from the axis on; angle, dimension."""
         hand, name = self.hand, ANGLES[self.which]
-        tail = self.cut - TAIL * hand.letter * self.along
-        yield _broken_off(tail, self.cut, self.along, hand)
-        data = Subject(LOOP, PAPER.letter, None).data("vector", _plain(name), self.end - self.cut, PAPER)
-        yield Group((Line(self.cut, self.end, hand.relative),), "", data, name)
+        far, near = (self.end, self.start) if self.right else (self.start, self.end)
+        yield _broken_off(self.tail, self.start, self.along, hand)
+        data = Subject(LOOP, PAPER.letter, None).data("vector", _plain(name), far - self.cut, PAPER)
+        yield Group((Line(self.cut, far, hand.relative),), "", data, name)
+        yield Line(self.cut, near, hand.relative)
         yield from self._angle()
         yield from self._segment()
         yield Circle(self.cut, DOT * hand.symbol, INK)
@@ -192,7 +211,7 @@ class _Tangent:
     @property
     def dimension(self) -> Dimension | None:
         """The segment from o1 to the cut, dimensioned beside the axis of energy; None where it is a point."""
-        off = -OFFS[self.which] * self.hand.letter + 0j
+        off = self.loop.across[0] / self.axes.across.mu - OFFS[self.which] * self.hand.letter + 0j
         short = abs(self.cut - self.axes.zero) < 1.0
         return None if short else Dimension(f"o_{{1}}{CUTS[self.which]}", self.axes.zero, self.cut, off)
 
@@ -210,7 +229,7 @@ class _Tangent:
     def letters(self) -> Iterator[Letter]:
         """The angle, the cut and the segment, lettered."""
         size, side = self.hand.letter, OVER if self.which else UNDER
-        yield Letter(self.end, ANGLES[self.which], size, side)
+        yield Letter(self.end if self.right else self.cut, ANGLES[self.which], size, side)
         yield Letter(self.cut, CUTS[self.which], size, math.pi / 4 if self.which else -math.pi / 4)
         if self.dimension is not None:
             yield Letter(self.dimension.middle, self.dimension.letter, size, LEFT)

@@ -75,7 +75,7 @@ class _Drawing:
         plate, wheel = self.plate, self.plate.account.flywheel
         if not plate.loop:
             return
-        left = self.frame.loop_axes.zero.real - loop_figure.TAIL * plate.hand.letter
+        left = self.frame.loop_left - loop_figure.TAIL * plate.hand.letter
         corner = complex(left, self.frame.fields[quantities.SURPLUS].bottom - 2 * plate.under)
         if wheel is not None:
             lines = equations.write(wheel, self.frame.loop_axes, corner, plate.drafting)
@@ -135,7 +135,7 @@ class _Drawing:
     def _headed(self, part: Part, row: str, title: str, scales: Sequence[Scale]) -> Part:
         """Write the title of what stands beside the graphs, level with that of a row."""
         drafting, over = self.plate.drafting, self._over(row)
-        left = self.frame.loop_axes.zero.real + TITLE * self.plate.hand.letter
+        left = self.frame.loop_left + TITLE * self.plate.hand.letter
         field = over._replace(left=left, right=self.frame.spot.box.right)
         head = caption(drafting.word(title), ";  ".join(map(drafting.scale, scales)), field, self.plate.hand)
         return part._replace(lines=(head, *part.lines))
