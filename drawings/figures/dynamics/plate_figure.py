@@ -12,6 +12,7 @@ from drawings.figures.dynamics.part import Part, caption
 from drawings.figures.dynamics.plate import TITLE, Content, Plate, plate_of, room_of_plate
 from drawings.figures.dynamics.plate_frame import PlateFrame
 from drawings.figures.dynamics.strip_graph import StripGraph
+from drawings.figures.dynamics.tangent import TAIL
 from drawings.figures.graphs.axes import Axes
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Picture, Spot
@@ -75,7 +76,7 @@ class _Drawing:
         plate, wheel = self.plate, self.plate.account.flywheel
         if not plate.loop:
             return
-        left = self.frame.loop_left - loop_figure.TAIL * plate.hand.letter
+        left = self.frame.loop_left - TAIL * plate.hand.letter
         corner = complex(left, self.frame.fields[quantities.SURPLUS].bottom - 2 * plate.under)
         if wheel is not None:
             lines = equations.write(wheel, self.frame.loop_axes, corner, plate.drafting)
