@@ -9,5 +9,6 @@ from typing import Final
 SESSIONS: Final[Mapping[str, str]] = {
     "linkage": "drawings.bench.session:session",
     "forces": "drawings.bench.session:session",
+    "dynamics": "drawings.bench.dynamics_session:session",
     "rotor": "drawings.bench.rotor_session:session",
 }

@@ -14,6 +14,7 @@ from drawings.report.gap_lines import gap_line, gap_lines
 from drawings.report.markdown import chapter, header, row
 from drawings.report.stroke_lines import stroke_line
 from plans.checks.force_comparison import ForceComparison
+from plans.forces.reversals import reversals
 from plans.forces.statics import Statics
 from plans.forces.stroke import asks
 from plans.model.kinetostatics import FORCES, Kinetostatics
@@ -100,7 +101,7 @@ def _strokes(statics: Statics, language: str) -> Iterator[str]:
 
 
 def _reversals(statics: Statics, language: str) -> Iterator[str]:
-    for load, rests in statics.reversals():
+    for load, rests in reversals(statics):
         parts = {"name": load.name, "during": load.during, "way": WAYS[load.during], "count": len(rests)}
         yield word(language, "verdict.reverses", **parts, angles=", ".join(_angles(rests, language)))
 

@@ -78,10 +78,7 @@ def comparison_of(study: Study) -> DynamicsComparison:
 
 def compare_dynamics(study: DynamicsStudy, motion: MotionComparison) -> DynamicsComparison:
     """Compare the motion of a machine whose positions are compared."""
-    strokes = study.statics.over(motion.road.extremes)
-    road = Reducing(
-        motion.road, study.statics.machine, partial(_loads, study, strokes), float(study.linkage.turn.phi[0])
-    )
+    road, strokes = _road(study, motion)
     theirs = Account("analysis", reduced(road, study.linkage.turn.phi))
     both = _Reduced(study, motion, theirs)
     ours = study.account
@@ -93,6 +90,17 @@ def compare_dynamics(study: DynamicsStudy, motion: MotionComparison) -> Dynamics
     chords = _Chords(study, ours.cycle, sampled, turn)
     found = (*both.findings(), *chords.findings())
     return DynamicsComparison(ours, sampled, found, motion, true, turn, after, before, methods(turn, study.task))
+
+
+def exact_turn(study: DynamicsStudy, motion: MotionComparison) -> Exact:
+    """Find the turn of a machine without any error but rounding, by the road that its positions were compared by."""
+    return exact(*_road(study, motion))
+
+
+def _road(study: DynamicsStudy, motion: MotionComparison) -> tuple[Reducing, dict[Track, Stroke]]:
+    strokes = study.statics.over(motion.road.extremes)
+    loads, start = partial(_loads, study, strokes), float(study.linkage.turn.phi[0])
+    return Reducing(motion.road, study.statics.machine, loads, start), strokes
 
 
 def _loads(study: DynamicsStudy, strokes: Mapping[Track, Stroke], motion: Motion) -> Loading:

@@ -70,6 +70,7 @@ def _extremes(extremes: Extremes) -> dict[str, Any]:
         "stroke": extremes.stroke,
         "overlap": extremes.overlap,
         "ratio": extremes.ratio,
+        "faster": extremes.faster,
     }
 
 

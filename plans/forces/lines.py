@@ -5,13 +5,15 @@ A force and its opposite off one line are a couple that nothing gives.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
 from plans.forces.stroke import ROUNDING
 from plans.model.machine import Force, Machine
 from plans.model.motion import Complexes, Motion
+from plans.scene.faults import SceneError
+from plans.scene.scene import Scene
 
 
 def off_their_lines(machine: Machine, motion: Motion) -> Iterator[tuple[int, Force]]:
@@ -20,6 +22,16 @@ def off_their_lines(machine: Machine, motion: Motion) -> Iterator[tuple[int, For
     for index, force in enumerate(machine.forces):
         if told_line(force) and _off(force, motion) > ROUNDING * max(places):
             yield index, force
+
+
+def check_lines(scene: Scene, machine: Machine, motion: Callable[[int], Motion]) -> None:
+    """See that forces between two links act along lines that their points lie on; `motion` makes that of an order."""
+    if not any(map(told_line, machine.forces)):
+        return
+    off = list(off_their_lines(machine, motion(0)))
+    if off:
+        paths = [(("loads", "forces", index, "direction"), "".join(force.line or ())) for index, force in off]
+        raise SceneError(scene.fault(path, "off_line", line=line) for path, line in paths)
 
 
 def told_line(force: Force) -> bool:

@@ -12,11 +12,11 @@ import numpy.typing as npt
 
 from plans.forces.force_drawing import ForceDrawing
 from plans.forces.force_template import ForcePattern, ForcePlans
-from plans.forces.lines import off_their_lines, told_line
+from plans.forces.lines import check_lines
 from plans.forces.loading import loading
 from plans.forces.reading.form import ForceForm
 from plans.forces.reading.inventory import machine_of
-from plans.forces.stroke import NoStroke, OtherStroke, Stroke, counted, strokes
+from plans.forces.stroke import NoStroke, OtherStroke, Stroke, strokes
 from plans.linkage.assembly_limits import at_angles
 from plans.linkage.carrying import Drawing
 from plans.linkage.drafts import Drafts
@@ -36,7 +36,7 @@ from plans.model.kinetostatics import (
     pairs,
     without_forces,
 )
-from plans.model.machine import IDLE, WORKING, Force, Machine, Moment, Track
+from plans.model.machine import Machine, Track
 from plans.model.mechanism import Output, StructureError
 from plans.model.motion import CHANGE_POINT, DEAD_CENTRE, Extremes, Floats, Gap, Motion
 from plans.model.order import VELOCITIES
@@ -118,17 +118,8 @@ class Statics:
         borne = any(body.mass or body.inertia for body in machine.bodies.values())
         if not (borne or machine.forces or machine.moments or machine.springs):
             raise SceneError([scene.fault(("sheets",), "nothing_acts")])
-        self._check_lines(machine)
+        check_lines(scene, machine, self.study.motion)
         return machine
-
-    def _check_lines(self, machine: Machine) -> None:
-        """See that forces between two links act along lines that their points lie on."""
-        if not any(map(told_line, machine.forces)):
-            return
-        scene, off = self.study.scene, off_their_lines(machine, self.study.motion(0))
-        faults = [(("loads", "forces", index, "direction"), "off_line", force.line) for index, force in off]
-        if faults:
-            raise SceneError(scene.fault(path, kind, line="".join(line or ())) for path, kind, line in faults)
 
     @cached_property
     def pairs(self) -> tuple[Pair, ...]:
@@ -160,19 +151,12 @@ class Statics:
 
     def _extremes(self, output: Output) -> Extremes | None:
         """Find the extreme positions of an output by construction."""
-        found = self._reached(output)
+        found = self.reached(output)
         return None if found is None else found.extremes
 
-    def _reached(self, output: Output) -> ExtremePositions | None:
+    def reached(self, output: Output) -> ExtremePositions | None:
+        """Find the extreme positions of an output by construction, with all its rests."""
         return self.study.extreme_positions if output == self.study.output else extremes(self.study.sweep, output)
-
-    def reversals(self) -> Iterator[tuple[Force | Moment, tuple[float, ...]]]:
-        """Give the loads of one stroke alone whose output reverses within a stroke, and all its rests, rad."""
-        for load in self.machine.loads:
-            shown = counted(self.study.mechanism, load, self.study.output) if load.during in (WORKING, IDLE) else None
-            found = self._reached(shown) if shown else None
-            if found is not None and len(found.rests) > 2:
-                yield load, found.rests
 
     def loading(self, motion: Motion) -> Loading:
         """Give the loads at the positions of a motion."""

@@ -17,6 +17,7 @@ from plans.model.mechanism import Output, Parting, StructureError
 from plans.model.motion import Extremes
 from plans.scene.faults import SceneError, dotted
 from plans.scene.scene import parse_scene
+from plans.study import Study
 from tests.plans.force_cases import ROADS, compared
 from tests.plans.test_load_lines import PUMP
 from tests.plans.test_loading import AGAINST, AT_60, AT_90, ENGINE, ON_B, ON_D, ROCKER, SHAPER, loaded
@@ -265,3 +266,31 @@ def test_a_moment_and_a_force_between_links_know_the_direction_too() -> None:
 
 def test_both_roads_agree_on_the_press() -> None:
     assert compared(PRESS).agrees
+
+
+@pytest.mark.parametrize("by", ROADS)
+@pytest.mark.parametrize(
+    "force",
+    [
+        '[[loads.forces]]\nbetween = ["O", { on = 5, point = "D" }]\n',
+        '[[loads.forces]]\non = 4\npoint = "D"\ndirection = "BD"\n',
+        ON_D + 'bore = "50 mm"\ndirection = 0\n',
+    ],
+)
+def test_every_force_may_count_another_stroke_than_its_own_or_the_outputs(force: str, by: str) -> None:
+    sizes = "pressure" if "bore" in force else "force"
+    card = f"diagram = {{ travel = [0, 1], {sizes} = [0, 1000], back = [0, 1000] }}\n"
+    told = loaded(SHAPER + force + card + 'stroke = "B"\nworking = "clockwise"\n', by)
+    ((track, stroke),) = told.strokes.items()
+    assert track == Track("B", "clockwise")
+    angle = told.motion.links[3].angle
+    area = math.pi * 0.05**2 / 4 if "bore" in force else 1.0
+    share = (stroke.reach[0] - angle) / (stroke.reach[0] - stroke.reach[1])
+    assert stroke.reach[0] > stroke.reach[1]  # of the rocker that turns clockwise
+    assert abs(told.force()) == pytest.approx(1000 * area * share, abs=1e-9)
+
+
+def test_numbers_tell_whether_the_working_stroke_is_the_faster() -> None:
+    for working, faster in (("slower", False), ("faster", True)):
+        study = Study(parse_scene(SHAPER + f'[output]\nworking = "{working}"\n'))
+        assert study.numbers("linkage", "construction").plain()["extremes"]["faster"] is faster
