@@ -11,12 +11,14 @@ from drawings.checks.dynamics_graphs import bare, graphs
 from drawings.checks.dynamics_loop import loop
 from drawings.checks.dynamics_sizes import flywheel, loads
 from drawings.checks.dynamics_told import equations, notes, positions, reduction, results
+from drawings.checks.verify_tachogram import tachogram
 from drawings.checks.wrong import Wrong
 from drawings.figures.dynamics import flywheel_sketch
 from drawings.figures.dynamics.bare_speeds import NUMBERED
 from drawings.figures.dynamics.load_diagram import NAME as LOAD
 from drawings.figures.dynamics.plate import ENERGY, GRAPHS, LOWER, UPPER, WHOLE
 from drawings.figures.dynamics.quantities import BEFORE
+from drawings.figures.dynamics.tachogram import NAME as TACHOGRAM
 from drawings.measure.measure import Measured
 from drawings.page.drafting import drafting_of
 from drawings.paper.strokes import Leaf
@@ -51,6 +53,8 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
         if plate in (WHOLE, ENERGY):
             yield from loop(measured, leaf, expected, drafting.language)
             yield from equations(leaf, expected, drafting)
+    if TACHOGRAM in shown:
+        yield from tachogram(measured, leaf, comparison.construction.run)
     if BEFORE in shown:
         yield from bare(measured, expected, BEFORE, NUMBERED)
     if flywheel_sketch.NAME in shown:

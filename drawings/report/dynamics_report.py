@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from drawings.lettering.words import decimal
 from drawings.page.drafting import drafting_of
 from drawings.report import dynamics_tables as tables
+from drawings.report import run_tables
 from drawings.report.chapters import Chapters
 from drawings.report.dynamics_notes import DynamicsNotes
 from drawings.report.gap_lines import gap_lines
@@ -35,8 +36,10 @@ def headline(study: Study) -> str:
 
 
 def remarks(study: Study) -> list[Message]:
-    """Say which positions have no reduction."""
-    return gap_lines(study.comparison("dynamics").construction.gaps)
+    """Say which positions have no reduction, and where a run ends before its time."""
+    account = study.comparison("dynamics").construction
+    ends = [account.run.failure.message] if account.run is not None and account.run.failure is not None else []
+    return [*gap_lines(account.reduced.gaps), *ends]
 
 
 def faults(text: str, study: Study) -> Iterator[Message]:
@@ -68,7 +71,13 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     account: Account = study.comparison("dynamics").construction
     return Chapters(
         subject=_listed(chapter(language, "dynamics").lstrip(), [*notes.asked(), *_shafts(notes)]),
-        values=[*_reduction(account, notes), *_works(account, notes), *_wheel(study, notes), *_motion(notes)],
+        values=[
+            *_reduction(account, notes),
+            *_works(account, notes),
+            *_wheel(study, notes),
+            *_motion(notes),
+            *_run(study, notes),
+        ],
         left_out=[word(language, "report.dynamics_left_out")],
     )
 
@@ -128,6 +137,17 @@ def _methods(notes: DynamicsNotes, wheel: Flywheel, exact: Flywheel | None) -> I
 
 def _motion(notes: DynamicsNotes) -> list[str]:
     return _listed(chapter(notes.drafting.language, "motion"), notes.achieved())
+
+
+def _run(study: Study, notes: DynamicsNotes) -> Iterator[str]:
+    """Tell the run from rest by the table and by the solver, of a machine with a motor."""
+    comparison, language = study.comparison("dynamics"), notes.drafting.language
+    pairs = {"report.by_table": comparison.construction.run, "report.by_solver": comparison.exact.run}
+    runs = {name: run for name, run in pairs.items() if run is not None}
+    if runs:
+        yield from _listed(chapter(language, "run"), run_tables.told(runs, notes.drafting))
+        yield ""
+        yield from run_tables.stages(runs, notes.drafting)
 
 
 def _listed(title: str, lines: Sequence[str] | Iterator[str]) -> list[str]:

@@ -15,6 +15,7 @@ from drawings.checks.verify_dynamics import faults
 from drawings.lettering.lettering import lettered
 from drawings.paper.strokes import Circle, Group, Leaf, Line, Polyline, Stroke, Text
 from drawings.pens.svg import svg
+from drawings.report.dynamics_report import chapters
 from drawings.sheets.dynamics import leaves
 from plans.study import Study
 from plans.words.words import said
@@ -198,6 +199,30 @@ def test_the_speeds_without_the_flywheel_are_held(tmp_path: Path) -> None:
     for change in (dropped("7", "before"), stretched("7", "before")):
         with pytest.raises(SelfCheckFailed, match="7 on"):
             verify(written(changed(leaf, change), tmp_path), changed(leaf, change), see)
+
+
+MOTOR = (
+    "shafts = [{ inertia = 0.4, ratio = 2.5 }]\n"
+    "motor = { rotor = 0.02, ratio = 8, breakdown = 40, slip = 0.2, synchronous = 105 }\nrun = { brake = 100 }\n"
+)
+
+
+def test_the_tachogram_is_held_and_the_report_tells_the_run_by_both_roads(tmp_path: Path) -> None:
+    study, found = sheet("A1", "ru", ASKED + MOTOR)
+    (leaf,) = [one for one in found if "tachogram" in one.metadata["figures"]]
+    see = partial(faults, study=study)
+    verify(written(leaf, tmp_path), leaf, see)
+    aside = in_part("tachogram", traced(0, 0.3j))
+    for change, wrong in (
+        (dropped("t_1", "tachogram"), "t_1"),
+        (stretched("t_2", "tachogram"), "t_2"),
+        (aside, "curve"),
+    ):
+        with pytest.raises(SelfCheckFailed, match=wrong):
+            verify(written(changed(leaf, change), tmp_path), changed(leaf, change), see)
+    told = "\n".join(chapters(study, {"dynamics": found}).values)
+    assert "DOP853" in told or "Radau" in told or "LSODA" in told
+    assert told.count("по таблице |") == told.count("решателем |") == 3
 
 
 def test_numbers_are_held_to_their_last_digit() -> None:
