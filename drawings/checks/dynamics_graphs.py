@@ -225,8 +225,10 @@ def edge_names(expected: Expected) -> tuple[str, ...]:
 def _pole(leaf: Leaf, moments: _Graph, works: _Graph) -> Iterator[Wrong]:
     """Hold the pole distance against the scales, the pole and each ray against it."""
     group, told = part(leaf, POLE), _DISTANCE.search(" ".join(text.plain for text in texts((works.group,))))
-    if group is None or told is None or not moments.marks or not works.marks:
+    if group is None or told is None:
         yield message("wrong.missing", name="H")
+        return
+    if not moments.marks or not works.marks:  # nothing acts; an ordinate that is missing is told of by itself
         return
     distance = works.mu / (moments.mu * moments.length)
     if not abs(float(told[1].replace(",", ".")) - distance) <= WRITTEN * distance:

@@ -8,6 +8,7 @@ from functools import cache
 
 import pytest
 
+from drawings.checks.labelled import unlettered
 from drawings.checks.verify_dynamics import faults
 from drawings.figures.dynamics.strips import MARKED
 from drawings.lettering.lettering import lettered
@@ -178,3 +179,21 @@ def test_rounding_is_not_told_in_digits() -> None:
     (leaf,) = exact("A1")
     cells = [one.plain for group in groups(leaf.groups) if group.name == "positions-1" for one in texts((group,))]
     assert len(cells) > 100 and max(map(len, cells)) <= 10
+
+
+ODD = [
+    ('speed = "1500 rpm"\npositions = 24', "A1"),  # steep tangents
+    ('speed = "120 rpm"\npositions = 24\nstart = 70', "A1"),  # the inertia falls: the loop stands left of its axis
+    ('speed = "-120 rpm"\npositions = 24', "A3"),
+]
+
+
+@pytest.mark.parametrize("odd", some(ODD, 2))
+def test_tangents_stay_among_their_figures(odd: tuple[str, str]) -> None:
+    drive, paper = odd
+    scene = text(asked='fluctuation = "1/25"').replace('speed = "120 rpm"\npositions = 24', drive)
+    own = Study(parse_scene(f'{scene}[sheet]\nformat = "{paper}"\n'))
+    for leaf in leaves(own):
+        assert collisions(lettered(leaf)) == []
+        assert list(unlettered(leaf)) == []
+        assert [str(one) for one in faults(measured(leaf), leaf, own)] == []

@@ -100,8 +100,9 @@ def _values(account: Account) -> Iterator[tuple[str, str, float]]:
     """Give what is compared: letter, unit, value."""
     cycle, wheel, speeds = account.cycle, account.flywheel, account.speeds
     if cycle is not None:
-        yield "M_{dr}", "N*m", cycle.driving
-        yield "A_{us}(2π)", "J", -float(cycle.work[-1])
+        lost = np.abs(cycle.work[-1]) <= NOISE * np.abs(cycle.work).max()  # all that a turn of weights leaves over
+        yield "M_{dr}", "N*m", 0.0 if lost else cycle.driving
+        yield "A_{us}(2π)", "J", 0.0 if lost else -float(cycle.work[-1])
     if wheel is not None:
         yield from (("o_1k·μ_T", "J", wheel.cuts[1]), ("o_1l·μ_T", "J", wheel.cuts[0]))
         yield from (("J_0", "kg*m2", wheel.whole), ("T_0", "J", wheel.energy))

@@ -10,27 +10,19 @@ from dataclasses import dataclass
 import numpy as np
 
 from drawings.figures.dynamics.curves import Dense
-from drawings.figures.dynamics.part import LEFT, OVER, UNDER, Letter, Part
+from drawings.figures.dynamics.part import OVER, Letter, Part
 from drawings.figures.dynamics.strips import Strips
+from drawings.figures.dynamics.tangent import DOT, LOOP, PAPER, Tangent
 from drawings.figures.graphs.axes import BEYOND, Axes
 from drawings.page.drafting import Drafting
-from drawings.page.scale import Scale
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import INK, Arc, Circle, Group, Line, Polyline, Stroke
-from drawings.symbols.dimension import Dimension
+from drawings.paper.strokes import INK, Circle, Group, Polyline, Stroke
 from drawings.symbols.figure import Subject
 from drawings.symbols.symbols import pole
 from plans.model.dynamics import Cycle, Flywheel
 
-LOOP = "loop"
-PAPER = Scale(1.0, "l", "mm")  # of points whose axes have different scales: they are measured in mm
-DOT, TOUCH = 0.6, 1.1  # mm, radii of a point of the loop and of one that a tangent touches
 APART = 1.6  # sizes of a number from one numbered point to the next
-TAIL = 6.0  # sizes of a letter that a tangent goes beyond the axis of energy, towards the origin
-BREAK = 1.4  # mm, half the zigzag where it is broken off
-OFFS = (2.0, 3.6)  # sizes of a letter from the axis to the dimensions of o1l and o1k
-ARM = 4.0  # sizes of a letter, radius of the arcs of the angles
-CUTS, ANGLES = ("l", "k"), ("ψ_{min}", "ψ_{max}")
+TOUCH = 1.1  # mm, radius of a point that a tangent touches
 
 
 @dataclass(frozen=True)
@@ -80,7 +72,7 @@ def loop_part(loop: Loop, axes: Axes, drafting: Drafting) -> Part:
     letters = [*_axis_letters(loop, axes, drafting), *_numbers(loop, numbered, axes, hand)]
     if loop.flywheel is not None:
         for k in (0, 1):
-            tangent = _Tangent(loop, loop.flywheel, axes, hand, k)
+            tangent = Tangent(loop.across, loop.up[1], loop.flywheel, axes, hand, k)
             lines += tangent.lines
             letters += tangent.letters
     return Part(LOOP, tuple(lines), tuple(letters))
@@ -136,95 +128,3 @@ def _numbers(loop: Loop, numbered: Sequence[int], axes: Axes, hand: Hand) -> Ite
     for k in numbered:
         away = places[k] - heart
         yield Letter(places[k], loop.strips.names[k], hand.number, cmath.phase(away) if away else OVER, 1.4)
-
-
-@dataclass(frozen=True)
-class _Tangent:
-    """A tangent of the loop: that at psi_min, which touches from below, or that at psi_max from above."""
-
-    loop: Loop
-    wheel: Flywheel
-    axes: Axes
-    hand: Hand
-    which: int
-
-    @property
-    def cut(self) -> complex:
-        """Where it cuts the axis of energy, on paper."""
-        return self.axes.on(0.0, self.wheel.cuts[self.which])
-
-    @property
-    def slope(self) -> float:
-        """Tangent of its angle on paper."""
-        return self.wheel.slopes[self.which] * self.axes.across.mu / self.axes.up.mu
-
-    @property
-    def along(self) -> complex:
-        """Its direction on paper."""
-        return complex(1.0, self.slope) / abs(complex(1.0, self.slope))
-
-    @property
-    def end(self) -> complex:
-        """Its right end: beyond the loop, mm."""
-        length = self.loop.across[1] / self.axes.across.mu + BEYOND
-        return self.cut + length * complex(1.0, self.slope)
-
-    @property
-    def lines(self) -> Iterator[Stroke]:
-        """The tangent from its break on, measurable from the axis on; angle, dimension."""
-        hand, name = self.hand, ANGLES[self.which]
-        tail = self.cut - TAIL * hand.letter * self.along
-        yield _broken_off(tail, self.cut, self.along, hand)
-        data = Subject(LOOP, PAPER.letter, None).data("vector", _plain(name), self.end - self.cut, PAPER)
-        yield Group((Line(self.cut, self.end, hand.relative),), "", data, name)
-        yield from self._angle()
-        yield from self._segment()
-        yield Circle(self.cut, DOT * hand.symbol, INK)
-
-    def _angle(self) -> Iterator[Stroke]:
-        """Draw the angle to the axis of inertia at the right end."""
-        hand = self.hand
-        reach = ARM * hand.letter
-        yield Line(self.end, self.end + (reach + BREAK) * self.along, hand.relative)
-        yield Line(self.end, self.end + reach + BREAK, hand.drafted)
-        yield Arc(self.end, reach, 0.0, cmath.phase(self.along), hand.other)
-
-    @property
-    def dimension(self) -> Dimension | None:
-        """The segment from o1 to the cut, dimensioned beside the axis of energy; None where it is a point."""
-        off = -OFFS[self.which] * self.hand.letter + 0j
-        short = abs(self.cut - self.axes.zero) < 1.0
-        return None if short else Dimension(f"o_{{1}}{CUTS[self.which]}", self.axes.zero, self.cut, off)
-
-    def _segment(self) -> Iterator[Stroke]:
-        size = self.dimension
-        if size is None:
-            return
-        line, *rest = size.draw(self.hand)
-        cut = self.wheel.cuts[self.which]
-        data = Subject(LOOP, self.axes.up.letter, None).data("vector", _plain(size.letter), 1j * cut, self.axes.up)
-        yield Group((line,), "", data, size.letter)
-        yield from rest
-
-    @property
-    def letters(self) -> Iterator[Letter]:
-        """The angle, the cut and the segment, lettered."""
-        size, side = self.hand.letter, OVER if self.which else UNDER
-        yield Letter(self.end, ANGLES[self.which], size, side)
-        yield Letter(self.cut, CUTS[self.which], size, math.pi / 4 if self.which else -math.pi / 4)
-        if self.dimension is not None:
-            yield Letter(self.dimension.middle, self.dimension.letter, size, LEFT)
-
-
-def _broken_off(tail: complex, start: complex, along: complex, hand: Hand) -> Stroke:
-    """Draw a line to a place where it is broken off: a zigzag across it, and a little more of it."""
-    step, off = BREAK * along, BREAK * 1.4j * along
-    return Polyline(
-        (start, tail, tail - step / 2 + off, tail - 1.5 * step - off, tail - 2 * step, tail - 5 * step),
-        False,
-        hand.relative,
-    )
-
-
-def _plain(name: str) -> str:
-    return name.replace("_", "").replace("{", "").replace("}", "")

@@ -12,6 +12,7 @@ from drawings.figures.dynamics.part import Part, caption
 from drawings.figures.dynamics.plate import TITLE, Content, Plate, plate_of, room_of_plate
 from drawings.figures.dynamics.plate_frame import PlateFrame
 from drawings.figures.dynamics.strip_graph import StripGraph
+from drawings.figures.dynamics.tangent import TAIL
 from drawings.figures.graphs.axes import Axes
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Picture, Spot
@@ -22,7 +23,6 @@ from drawings.paper.formats import Field
 from drawings.paper.strokes import Group, Line, Polyline, Stroke
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.trimming import trim
-from plans.model.dynamics import Flywheel
 
 DIGITS = 5
 TOLD = "told"  # the name of what is told under the loop
@@ -76,9 +76,8 @@ class _Drawing:
         plate, wheel = self.plate, self.plate.account.flywheel
         if not plate.loop:
             return
-        left = self.frame.loop_axes.zero.real - loop_figure.TAIL * plate.hand.letter
-        low = self.frame.fields[quantities.SURPLUS].bottom - 2 * plate.under
-        corner = complex(left, min(low, self._tail(wheel)) if wheel is not None else low)
+        left = self.frame.loop_left - TAIL * plate.hand.letter
+        corner = complex(left, self.frame.fields[quantities.SURPLUS].bottom - 2 * plate.under)
         if wheel is not None:
             lines = equations.write(wheel, self.frame.loop_axes, corner, plate.drafting)
             yield Part(equations.NAME, (lines,), ())
@@ -86,13 +85,6 @@ class _Drawing:
         if plate.told is not None:
             table, setting = plate.told
             yield Part(TOLD, tuple(table.draw(corner, setting, plate.drafting)), ())
-
-    def _tail(self, wheel: Flywheel) -> float:
-        """Give the height under which the break of the lower tangent leaves room, mm."""
-        axes, letter = self.frame.loop_axes, self.plate.hand.letter
-        along = complex(1.0, wheel.slopes[0] * axes.across.mu / axes.up.mu)
-        end = axes.on(0.0, wheel.cuts[0]) - loop_figure.TAIL * letter * along / abs(along)
-        return end.imag - 2 * loop_figure.BREAK
 
     def _graphs(self) -> Iterator[Part]:
         """Draw the graphs over the angle."""
@@ -144,7 +136,7 @@ class _Drawing:
     def _headed(self, part: Part, row: str, title: str, scales: Sequence[Scale]) -> Part:
         """Write the title of what stands beside the graphs, level with that of a row."""
         drafting, over = self.plate.drafting, self._over(row)
-        left = self.frame.loop_axes.zero.real + TITLE * self.plate.hand.letter
+        left = self.frame.loop_left + TITLE * self.plate.hand.letter
         field = over._replace(left=left, right=self.frame.spot.box.right)
         head = caption(drafting.word(title), ";  ".join(map(drafting.scale, scales)), field, self.plate.hand)
         return part._replace(lines=(head, *part.lines))

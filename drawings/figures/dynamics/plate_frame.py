@@ -158,6 +158,11 @@ class PlateFrame:
         left = start - plate.shown.across[0] / self.inertia_scale.mu
         return Axes(complex(left, field.bottom + spare / 2 - low / up.mu), self.inertia_scale, up)
 
+    @property
+    def loop_left(self) -> float:
+        """Where the loop, or its axis of energy, begins from the left, mm."""
+        return self.loop_axes.on(self.plate.shown.across[0]).real
+
     @cached_property
     def surplus_axes(self) -> Axes:
         """The axes of the surplus energy: level with the loop's."""
