@@ -213,13 +213,10 @@ def test_the_tachogram_is_held_and_the_report_tells_the_run_by_both_roads(tmp_pa
     see = partial(faults, study=study)
     verify(written(leaf, tmp_path), leaf, see)
     aside = in_part("tachogram", traced(0, 0.3j))
-    for change, wrong in (
-        (dropped("t_1", "tachogram"), "t_1"),
-        (stretched("t_2", "tachogram"), "t_2"),
-        (aside, "curve"),
-    ):
-        with pytest.raises(SelfCheckFailed, match=wrong):
-            verify(written(changed(leaf, change), tmp_path), changed(leaf, change), see)
+    for change in (dropped("t_1", "tachogram"), stretched("t_1", "tachogram"), aside):
+        spoilt = changed(leaf, change)
+        with pytest.raises(SelfCheckFailed, match="t_1 on tachogram"):
+            verify(written(spoilt, tmp_path), spoilt, see)
     told = "\n".join(chapters(study, {"dynamics": found}).values)
     assert "DOP853" in told or "Radau" in told or "LSODA" in told
     assert told.count("по таблице |") == told.count("решателем |") == 3

@@ -1,0 +1,77 @@
+"""The report of a machine's motion: tables, methods beside each other, other fluctuations, in both languages."""
+
+from __future__ import annotations
+
+import pytest
+
+from drawings.report.dynamics_report import chapters, headline, remarks
+from drawings.report.idle import of_dynamics
+from plans.dynamics.loop import loop
+from plans.dynamics.methods import methods
+from plans.scene.scene import parse_scene
+from plans.study import Study
+from tests.plans.dynamics_scenes import study, text
+
+
+def told(made: Study) -> str:
+    found = chapters(made, {})
+    return "\n".join([*found.subject, *found.values, *found.left_out])
+
+
+def scene(asked: str = 'fluctuation = "1/25"', language: str = "en") -> Study:
+    return study(asked=asked, drive=f'positions = 12\n[sheet]\nlanguage = "{language}"\n')
+
+
+def test_the_reduction_and_the_exact_flywheel_are_those_of_the_book() -> None:
+    """M4.2, M4.9: J(60 deg) = 0.1289878783, J' = 0.07465262898; J0 = 36.73754573, Mertsalov's 36.75686191."""
+    lines = told(scene())
+    assert "| 2 | 60 | −195.3817189 | 0.1289878783 | 0.07465262898 |" in lines
+    assert "| exact, by analysis | 36.73754573 |" in lines
+
+
+def test_every_fluctuation_has_the_flywheel_of_its_own_tangents() -> None:
+    made = scene()
+    own = made["dynamics"]
+    for parts in (6.25, 12.5, 25, 50, 100):
+        wheel = loop(own.cycle, own.task._replace(delta=1 / parts)).flywheel
+        assert f"| 1/{parts:g} | {wheel.whole:.10g} | {wheel.inertia:.10g} |" in told(made)
+
+
+def test_other_methods_from_the_points_of_the_loop() -> None:
+    """M4.10: Gutyar's is the loop's own J0; Mertsalov's and the book's by the order of delta and its square."""
+    own = scene()["dynamics"]
+    found, whole = methods(own.cycle, own.task), own.flywheel.whole
+    assert found is not None
+    assert found.gutyar == pytest.approx(whole, rel=1e-12)
+    assert 0 < abs(found.mertsalov / whole - 1) < 0.04
+    assert 0 < abs(found.book / whole - 1) < 0.04**2
+
+
+@pytest.mark.parametrize(
+    ("asked", "said"),
+    [
+        ('fluctuation = "1/5"\nshafts = [{ inertia = 40 }]', "heavy enough without a flywheel"),
+        ('fluctuation = "1/25"', "the machine would stop"),
+        ('fluctuation = "1/40"\nflywheel.diameter = "0.2 m"', "No rim of D = 200"),
+        ('fluctuation = "1/25"\nshafts = [{ inertia = 0.4, ratio = 2.5, name = "gear" }]', "gear: 0.4 kg·m²"),
+    ],
+)
+def test_what_is_special_is_said_in_words(asked: str, said: str) -> None:
+    assert said in told(scene(asked))
+
+
+def test_without_a_fluctuation_there_is_no_flywheel() -> None:
+    lines = told(scene("divisions = 24"))
+    assert "Flywheel" not in lines and "M_dr" in lines
+    assert headline(scene("divisions = 24")).endswith("N·m")
+
+
+def test_the_russian_report_has_no_english_words() -> None:
+    lines = told(scene(language="ru"))
+    assert not {"the", "flywheel", "works", "loads", "at", "of"} & set(lines.lower().replace("|", " ").split())
+
+
+def test_a_scene_that_draws_no_such_sheet_is_told_so() -> None:
+    other = parse_scene(text().replace('sheets = ["dynamics"]', 'sheets = ["positions"]'))
+    assert of_dynamics(other) == ["- Motion of the machine under its loads: the sheets do not need it."]
+    assert remarks(scene()) == []
