@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from drawings.bench.session import BUDGET, Order
 from plans.analytic.dynamics.exact import Exact
-from plans.bench import calculus, dynamics, run
+from plans.bench import calculus, dynamics, run, sampled_turn
 from plans.bench.computer import machine
 from plans.bench.result import Bench, Row
 from plans.checks.compare import compare
@@ -20,6 +20,7 @@ from plans.study import Study
 STRIPS = (12, 24, 96, 384, 1024, 4096)
 QUICK_STRIPS = (12, 24, 96, 384)
 ROUNDS = 5  # at most: a turn of thousands of strips takes the better part of a second
+NO_FLYWHEEL = "no fluctuation is asked for: no flywheel is judged"
 
 
 def session(scene: Scene, order: Order, tell: Callable[[str], None]) -> Bench:
@@ -35,13 +36,21 @@ def session(scene: Scene, order: Order, tell: Callable[[str], None]) -> Bench:
     def exact() -> Exact:
         return exact_turn(found, motion)
 
-    truth = dynamics.Truth(found.task, exact())
-    more, told = dynamics.rows(found.reduction, truth, exact, rounds, BUDGET, counts)
+    more, told = _flywheel(found, exact, rounds, counts)
+    few, meant = sampled_turn.rows(exact(), found.task, rounds, BUDGET, counts)
     tell("the run")
     last, said = _run(found)
     tell("")
-    every = (*rows, *more, *last)
-    return Bench(scene.heading(), there, every, (), (*words, *told, *said), order.accepted)
+    every = (*rows, *more, *few, *last)
+    return Bench(scene.heading(), there, every, (), (*words, *told, *meant, *said), order.accepted)
+
+
+def _flywheel(
+    study: DynamicsStudy, exact: Callable[[], Exact], rounds: int, counts: tuple[int, ...]
+) -> tuple[list[Row], list[str]]:
+    if study.task.delta is None:
+        return [], [NO_FLYWHEEL]
+    return dynamics.rows(study, exact, rounds, BUDGET, counts)
 
 
 def _run(study: DynamicsStudy) -> tuple[list[Row], list[str]]:

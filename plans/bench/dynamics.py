@@ -1,125 +1,85 @@
-"""The flywheel by chords against the exact one: error over the number of strips, and what it costs (испытание).
+"""The flywheel of a scene's machine timed and judged: chords over strips, and the exact turn over ordinates (маховик).
 
-The truth is the analysis's exact turn: moments and inertia to rounding, extremes by roots.
+The truth is the exact turn's flywheel: spectral between jumps, its extremes by roots. The analysis from so many even
+ordinates alone shows what a smooth load allows.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+import math
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
-import numpy as np
-
-from plans.analytic.dynamics.cycle import exact_cycle
+from plans.analytic.dynamics.cycle import sampled_cycle
 from plans.analytic.dynamics.exact import Exact
 from plans.analytic.dynamics.flywheel import flywheel, flywheel_of_points
-from plans.bench.calculus import COUNTS, order
-from plans.bench.clock import interleaved
+from plans.bench.clock import Times, interleaved
 from plans.bench.error import Errors
 from plans.bench.result import Row
 from plans.dynamics.cycle import Turn
 from plans.dynamics.loop import loop
-from plans.dynamics.reduction import Reduction
-from plans.model.dynamics import TURN, Cycle, Flywheel, Task
+from plans.dynamics.study import DynamicsStudy
+from plans.model.dynamics import Task
 
-CHORDS, POINTS, MEAN = "construction: chords", "analysis: extremes at edges", "analysis: mean of positions"
-EXACT = "analysis: exact turn"
-FEW = (12, 24, 36)  # positions whose mean gives the driving moment: of a smooth load to rounding
-DRIVING, WHOLE = "M_dr", "J_0"
+COUNTS = (12, 24, 96, 384, 1024, 4096)  # of strips
+CHORDS, SAMPLED, EXACT = "construction: chords, loop", "analysis: the same strips", "analysis: exact turn"
+WHOLE = "J_0"
 DEFINED = (
-    "error of a turn: the driving moment in shares of the largest moment, and J_0, where a fluctuation is asked for, "
-    "in shares of itself; the largest of both"
+    "error of the flywheel: the difference of J_0 from that of the exact turn, in shares of it; positions are the "
+    "strips of a turn, beside which an edge stands on every jump"
 )
-KNOWN = 1e-12  # a smaller error is rounding, and has no order
-ROUGH = "jumps keep it from falling fast"
 
 
-class Truth(NamedTuple):
-    """The exact turn, and what is asked of it."""
+class Judged(NamedTuple):
+    """The flywheel of some strips: their number, and how far J_0 is off, in shares of it."""
 
-    task: Task
-    found: Exact
-
-    @property
-    def wheel(self) -> Flywheel | None:
-        """The exact flywheel."""
-        return flywheel(self.found, self.task) if self.task.delta else None
-
-    def errors(self, cycle: Cycle, wheel: Flywheel | None) -> Errors:
-        """Judge a turn and the flywheel that came of it."""
-        kinds = {DRIVING: abs(cycle.driving - self.found.driving) / self.most}
-        true = self.wheel
-        if wheel is not None and true is not None and true.whole:
-            kinds[WHOLE] = abs(wheel.whole / true.whole - 1)
-        return Errors(kinds, max(kinds, key=lambda kind: kinds[kind]))
-
-    @property
-    def most(self) -> float:
-        """The largest moment of the loads, N*m; 1 where there are none."""
-        return float(np.abs(self.found.moment(self.found.load.looks)).max(initial=0.0)) or 1.0
-
-    def mean(self, count: int) -> Errors:
-        """Judge the driving moment as the mean of so many ordinates."""
-        turned = np.asarray(np.arange(count) * (TURN / count), dtype=np.float64)
-        found = -float(np.mean(self.found.moment(turned) + self.found.moment(turned, -1))) / 2
-        return Errors({DRIVING: abs(found - self.found.driving) / self.most}, DRIVING)
+    strips: int
+    error: float
 
 
-def by_chords(reduction: Reduction, task: Task, count: int) -> tuple[Cycle, Flywheel | None]:
-    """Draw the works in so many strips, and the loop from them."""
-    cycle = Turn(reduction, count).works.cycle
-    return cycle, loop(cycle, task).flywheel if task.delta else None
+def chords(study: DynamicsStudy, count: int) -> float:
+    """Draw works and loop over so many strips; give J_0, kg*m2."""
+    return loop(Turn(study.reduction, count).works.cycle, study.task).flywheel.whole
 
 
-def by_points(truth: Truth, count: int) -> tuple[Cycle, Flywheel | None]:
-    """Look for the extremes at the edges of even strips alone, at true energies."""
-    cycle = exact_cycle(truth.found, np.linspace(0.0, TURN, count + 1))
-    return cycle, flywheel_of_points(cycle, truth.task) if truth.task.delta else None
+def judged(study: DynamicsStudy, exact: Exact, counts: Sequence[int] = COUNTS) -> list[Judged]:
+    """Judge the flywheel by chords against the exact turn's."""
+    true = flywheel(exact, study.task).whole
+    return [Judged(count, abs(chords(study, count) / true - 1)) for count in counts]
+
+
+def order(found: Sequence[Judged]) -> float:
+    """Give the order of the method: by which power of the strips the error falls from the first to the last.
+
+    >>> order([Judged(12, 0.04), Judged(24, 0.01)])
+    2.0
+    """
+    first, last = found[0], found[-1]
+    return math.log(first.error / last.error) / math.log(last.strips / first.strips)
 
 
 def rows(
-    reduction: Reduction,
-    truth: Truth,
-    exact: Callable[[], Exact],
-    rounds: int,
-    budget: float,
-    counts: Sequence[int] = COUNTS,
+    study: DynamicsStudy, exact: Callable[[], Exact], rounds: int, budget: float, counts: Sequence[int] = COUNTS
 ) -> tuple[list[Row], list[str]]:
-    """Time and judge both at several numbers of strips, and time the exact turn; give the rows, and what is said."""
-    task = truth.task
-    ways: Mapping[str, Callable[[int], tuple[Cycle, Flywheel | None]]] = {
-        CHORDS: lambda count: by_chords(reduction, task, count),
-        POINTS: lambda count: by_points(truth, count),
-    }
-    pairs = [(name, count) for name in ways for count in counts if not (name == POINTS and truth.wheel is None)]
-    judged = [truth.errors(*ways[name](count)) for name, count in pairs]
-    timed = [*(_run(ways[name], count) for name, count in pairs), exact]
-    *times, whole = interleaved(timed, rounds, budget)
-    made = [
-        Row(name, count, count, errors, times=taken)
-        for (name, count), errors, taken in zip(pairs, judged, times, strict=True)
-    ]
-    made.append(Row(EXACT, None, 0, Errors({DRIVING: truth.found.error}, DRIVING), times=whole))
-    made += [Row(MEAN, count, count, truth.mean(count), note=_rough(truth)) for count in FEW]
-    return made, [DEFINED, *_words(pairs, judged, truth)]
+    """Time and judge the flywheel by both roads; give the rows, and the order in words."""
+    turn, task = exact(), study.task
+    found = judged(study, turn, counts)
+    runs = [*(_drawn(study, count) for count in counts), *(_sampled(study, turn, task, count) for count in counts)]
+    times = interleaved([*runs, lambda: flywheel(exact(), task)], rounds, budget)
+    pairs = zip([*found, *found], times, strict=False)
+    made = [_row(CHORDS if k < len(counts) else SAMPLED, one, taken) for k, (one, taken) in enumerate(pairs)]
+    made.append(Row(EXACT, None, 0, Errors({WHOLE: turn.error}, WHOLE), times=times[-1]))
+    return made, [DEFINED, f"  {CHORDS}: order {order(found):.2f} from {counts[0]} to {counts[-1]} strips"]
 
 
-def _run(way: Callable[[int], object], count: int) -> Callable[[], object]:
-    return lambda: way(count)
+def _row(name: str, one: Judged, taken: Times) -> Row:
+    return Row(name, one.strips, one.strips, Errors({WHOLE: one.error}, WHOLE), times=taken)
 
 
-def _rough(truth: Truth) -> str:
-    return ROUGH if truth.found.breaks.size else ""
+def _drawn(study: DynamicsStudy, count: int) -> Callable[[], float]:
+    return lambda: chords(study, count)
 
 
-def _words(pairs: Sequence[tuple[str, int]], judged: Sequence[Errors], truth: Truth) -> Iterator[str]:
-    """Say the orders of the error, and how far the truth is known."""
-    yield f"truth of a turn: moments and inertia to {max(truth.found.error, truth.found.noise):.1e} of their largest"
-    for name in dict.fromkeys(name for name, _ in pairs):
-        own = [(n, e.largest or 0.0) for (one, n), e in zip(pairs, judged, strict=True) if one == name]
-        seen = [(n, error) for n, error in own if error > KNOWN]
-        if len(seen) > 1:
-            told = order([error for _, error in seen], [n for n, _ in seen])
-            yield f"  {name}: order {told:.2f} from {seen[0][0]} to {seen[-1][0]} strips"
-        else:
-            yield f"  {name}: exact, at most {max(error for _, error in own):.1e} from rounding"
+def _sampled(study: DynamicsStudy, turn: Exact, task: Task, count: int) -> Callable[[], float]:
+    edges = Turn(study.reduction, count).edges
+    return lambda: flywheel_of_points(sampled_cycle(turn, edges), task).whole

@@ -147,7 +147,7 @@ class Draft:
         for table, corner, setting in composed.tables:
             self.strokes += table.draw(corner, setting, self.drafting)
         if composed.notes is not None:
-            self.strokes.append(write(NOTES, composed.notes, hand.text))
+            self.strokes.append(write(NOTES, composed.notes, hand.text, page.field.right))
         for name, field in composed.blocks.items():
             self.strokes.append(self.passage(name).write(field, hand))
         figures: list[Figure] = []

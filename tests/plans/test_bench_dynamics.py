@@ -1,55 +1,32 @@
-"""The bench of a machine's motion: the orders that the methods promise, against the exact turn."""
+"""The bench of a machine's motion: the order of the chords, and the flywheel of the same strips by both roads."""
 
 from __future__ import annotations
 
-import numpy as np
 import pytest
 
-from plans.bench.calculus import order
-from plans.bench.dynamics import CHORDS, DRIVING, EXACT, MEAN, POINTS, WHOLE, Truth, by_chords, rows
-from plans.study import Study
-from tests.plans.dynamics_scenes import PLANING, PUSHED, study
+from plans.bench import dynamics
+from plans.checks.compare import compare
+from plans.checks.dynamics_comparison import exact_turn
+from tests.plans.dynamics_scenes import study
 
-COUNTS = (48, 96, 192, 384)
-
-
-def truth_of(made: Study) -> Truth:
-    return Truth(made["dynamics"].task, made.comparison("dynamics").turn)
+COUNTS = (24, 96, 384)
 
 
-def test_chords_find_the_flywheel_to_the_second_order() -> None:
-    """Strips with an edge on every jump keep the order."""
-    made = study(PLANING)
-    truth, reduction = truth_of(made), made["dynamics"].reduction
-    errors = [truth.errors(*by_chords(reduction, truth.task, count)).kinds[WHOLE] for count in COUNTS]
-    assert order(errors, COUNTS) == pytest.approx(2.0, abs=0.1)
+def test_the_flywheel_by_chords_is_of_order_two() -> None:
+    """Performance goal 10: 2.0 +- 0.1 where every jump has an edge."""
+    machine = study()["dynamics"]
+    turn = exact_turn(machine, compare(machine.linkage, 1))
+    assert dynamics.order(dynamics.judged(machine, turn, COUNTS)) == pytest.approx(2.0, abs=0.1)
 
 
-def test_chords_find_the_works_of_a_smooth_load_to_the_second_order() -> None:
-    made = study(PUSHED)
-    truth, errors = truth_of(made), []
-    for count in COUNTS:
-        cycle, _ = by_chords(made["dynamics"].reduction, truth.task, count)
-        errors.append(float(np.abs(cycle.work - truth.found.work(cycle.turned)).max()))
-    assert order(errors, COUNTS) == pytest.approx(2.0, abs=0.1)
-
-
-def test_the_planing_machine_s_flywheel_is_that_of_the_book() -> None:
-    """M4.9: J0 = 36.73754573 kg*m2."""
-    wheel = truth_of(study()).wheel
-    assert wheel is not None and wheel.whole == pytest.approx(36.73754573, rel=1e-9)
-
-
-def test_of_a_smooth_load_a_few_positions_give_the_driving_moment() -> None:
-    truth = truth_of(study(PUSHED))
-    assert truth.mean(36).kinds[DRIVING] <= 1e-14
-    assert truth_of(study(PLANING)).mean(36).kinds[DRIVING] > 1e-3
-
-
-def test_rows_and_words_of_a_session() -> None:
-    made = study()
-    truth = truth_of(made)
-    found, words = rows(made["dynamics"].reduction, truth, lambda: truth.found, 1, 0.0, (12, 24, 48))
-    assert [row.technique for row in found] == [CHORDS] * 3 + [POINTS] * 3 + [EXACT] + [MEAN] * 3
-    assert all(row.times is not None for row in found[:7])
-    assert any(word.startswith(f"  {CHORDS}: order") for word in words)
+def test_its_rows_tell_each_way_at_each_number_of_strips() -> None:
+    machine = study()["dynamics"]
+    motion = compare(machine.linkage, 1)
+    rows, words = dynamics.rows(machine, lambda: exact_turn(machine, motion), 1, 0.1, COUNTS[:2])
+    told = [(row.technique, row.positions) for row in rows]
+    assert told == [
+        *((way, count) for way in (dynamics.CHORDS, dynamics.SAMPLED) for count in COUNTS[:2]),
+        (dynamics.EXACT, None),
+    ]
+    assert rows[-1].error < 1e-12
+    assert any("order 2" in word or "order 1.9" in word for word in words)

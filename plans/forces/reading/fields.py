@@ -74,7 +74,7 @@ def place(value: object) -> Decimal:
     """Read a place of the stroke: a share of it, per cent, or a length.
 
     >>> place("15 %"), place("30 mm")
-    (Decimal('0.15'), Metres('0.030'))
+    (Decimal('0.15'), Decimal('0.030'))
     """
     if not isinstance(value, str):
         return units.quantity(value, units.NUMBER)

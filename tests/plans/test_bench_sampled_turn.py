@@ -1,0 +1,34 @@
+"""A turn known at some positions alone: what a smooth load allows and a jump does not."""
+
+from __future__ import annotations
+
+import pytest
+
+from plans.bench.sampled_turn import MEAN, POINTS, by_points, mean_error, rows
+from plans.study import Study
+from tests.plans.dynamics_scenes import PLANING, PUSHED, study
+
+
+def exact(made: Study):
+    return made.comparison("dynamics").turn
+
+
+def test_of_a_smooth_load_36_positions_give_the_driving_moment_to_rounding() -> None:
+    assert mean_error(exact(study(PUSHED)), 36) <= 1e-14
+    assert mean_error(exact(study(PLANING)), 36) > 1e-3
+
+
+def test_extremes_at_edges_come_to_the_book_s_flywheel_from_below() -> None:
+    """M4.9: J0 = 36.73754573 kg*m2; what is looked for among fewer places is never too far."""
+    made = study()
+    task, found = made["dynamics"].task, exact(made)
+    coarse, fine = (by_points(found, task, count) for count in (24, 3072))
+    assert coarse < fine < 36.73754573
+    assert fine == pytest.approx(36.73754573, rel=1e-3)
+
+
+def test_rows_of_both() -> None:
+    made = study()
+    found, _ = rows(exact(made), made["dynamics"].task, 1, 0.0, (12, 24))
+    assert [row.technique for row in found] == [MEAN] * 3 + [POINTS] * 2
+    assert all(row.note for row in found[:3]) and all(row.times is not None for row in found[3:])
