@@ -48,9 +48,15 @@ class DynamicsNotes(NamedTuple):
 
     def works(self) -> Iterator[str]:
         """Say what the loads take in a turn, and by what moment the drive gives it."""
-        if self.account.cycle is not None:
-            taken = self._number(-float(self.account.cycle.work[-1]))
-            yield self.drafting.word("work of turn", work=taken, moment=self._number(self.account.cycle.driving))
+        cycle = self.account.cycle
+        if cycle is None:
+            return
+        if not cycle.net:
+            yield self.drafting.word("no work of turn")
+        else:
+            key = "work of turn" if cycle.net < 0 else "work given"
+            numbers = (self._number(abs(value)) for value in (cycle.net, cycle.driving))
+            yield self.drafting.word(key, **dict(zip(("work", "moment"), numbers, strict=True)))
 
     def reasons(self) -> Iterator[str]:
         """Say why the flywheel is as big as it is: where the excess work is taken, what divides it, what is there."""

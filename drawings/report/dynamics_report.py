@@ -12,7 +12,6 @@ from drawings.report import dynamics_tables as tables
 from drawings.report import run_tables
 from drawings.report.chapters import Chapters
 from drawings.report.dynamics_notes import DynamicsNotes
-from drawings.report.gap_lines import gap_lines
 from drawings.report.markdown import chapter, header, row
 from plans.dynamics.loop import loop
 from plans.dynamics.methods import methods
@@ -36,10 +35,9 @@ def headline(study: Study) -> str:
 
 
 def remarks(study: Study) -> list[Message]:
-    """Say which positions have no reduction, and where a run ends before its time."""
-    account = study.comparison("dynamics").construction
-    ends = [account.run.failure.message] if account.run is not None and account.run.failure is not None else []
-    return [*gap_lines(account.reduced.gaps), *ends]
+    """Say where a run ends before its time; positions without a reduction are told with the positions."""
+    found = study.comparison("dynamics").construction.run
+    return [found.failure.message] if found is not None and found.failure is not None else []
 
 
 def faults(text: str, study: Study) -> Iterator[Message]:

@@ -27,7 +27,7 @@ class DynamicsNumbers:
     @property
     def flawed(self) -> bool:
         """Whether something has no numbers."""
-        return bool(self.account.unanswered)
+        return bool(self.account.gaps)
 
     def plain(self) -> dict[str, Any]:
         """Give the numbers as plain data."""

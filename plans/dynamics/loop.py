@@ -13,6 +13,7 @@ from plans.model.motion import Floats
 from plans.words.words import because
 
 LOOP = "loop"
+SAME = 1e-12  # of the height of the loop: points whose heights differ by less are on one line
 LEAST, GREATEST = "ψ_min", "ψ_max"
 
 
@@ -75,7 +76,7 @@ def loop(cycle: Cycle, task: Task) -> Loop:
 
 def _support(beyond: Floats) -> int:
     """Give the point that a ruler touches first; of several on one line, the first of the turn."""
-    return int(np.argmax(beyond))
+    return int(np.argmax(beyond >= beyond.max() - SAME * np.ptp(beyond)))
 
 
 def _tangent(

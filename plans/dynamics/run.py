@@ -30,6 +30,7 @@ from plans.model.run import (
     Stage,
     SteadyTurn,
     Works,
+    bears,
     goal_of,
     stiffness_of,
 )
@@ -119,8 +120,11 @@ class _Table:
             if parts[-1].reason != ANGLE:
                 break
         self._append(STEADY, acting, parts)
+        resisting = mean_resistance(self.link)
+        if parts[-1].reason == ANGLE and not bears(self.motor, resisting):
+            return self._fails(STEADY, TOO_WEAK, resisting)
         self.steady = _turn(parts[-1]) if parts[-1].reason == ANGLE else None
-        return self.steady is not None or self._ended(STEADY, parts[-1], mean_resistance(self.link))
+        return self.steady is not None or self._ended(STEADY, parts[-1], resisting)
 
     def _runs_down(self, brake: float) -> None:
         acting = Acting(self.link, None, brake=brake)

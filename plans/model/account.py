@@ -23,8 +23,8 @@ class Account:
 
     @property
     def unanswered(self) -> tuple[Gap, ...]:
-        """The gaps of the reduction."""
-        return self.reduced.gaps
+        """No gaps of its own: those of the reduction are the positions', which are compared with them."""
+        return ()
 
     @property
     def gaps(self) -> tuple[Gap, ...]:

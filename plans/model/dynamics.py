@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from plans.model.kinetostatics import NOTHING
 from plans.model.motion import Floats, Gap
 
 CONSTRUCTION, ANALYSIS = "construction", "analysis"
@@ -97,9 +98,15 @@ class Cycle:
         return self.gaps
 
     @property
+    def net(self) -> float:
+        """Work of loads and weights over the turn, J: none where it is but the rounding of what comes and goes."""
+        gross, whole = float(np.abs(self.means) @ np.diff(self.turned)), float(self.work[-1])
+        return whole if abs(whole) > NOTHING * gross else 0.0
+
+    @property
     def driving(self) -> float:
         """The constant moment N*m of the drive that keeps the motion steady (движущий момент)."""
-        return -float(self.work[-1]) / TURN
+        return -self.net / TURN + 0.0
 
     @property
     def surplus(self) -> Floats:

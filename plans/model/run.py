@@ -238,6 +238,12 @@ def goal_of(motor: Motor, task: RunTask, resisting: float) -> float | None:
     return SETTLED * found if found is not None and found > 0 else None
 
 
+def bears(motor: Motor, resisting: float) -> bool:
+    """Tell whether a motor has a speed at which it bears a mean resistance N*m; one of constant moment has any."""
+    found = motor.speed(resisting)
+    return motor.steepness == 0 or (found is not None and found > 0)
+
+
 def stiffness_of(link: ReducedLink, motor: Motor, speed: float) -> float:
     """Give how many times over, e-fold, the steepest law lets a change of speed die away in a turn at a speed."""
     least = min(link.inertia(k * TURN / PLACES) for k in range(PLACES))

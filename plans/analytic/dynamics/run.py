@@ -44,6 +44,7 @@ from plans.model.run import (
     RunTask,
     Stage,
     SteadyTurn,
+    bears,
     goal_of,
     stiffness_of,
 )
@@ -148,6 +149,8 @@ class _Course:
                 self._append(STEADY, since, legs)
                 return self._fails(STEADY, STALLED, self.mean)
         self._append(STEADY, since, legs)
+        if not bears(self.motor, self.mean):
+            return self._fails(STEADY, TOO_WEAK, self.mean)
         self.steady = self._settled(equation, since if len(legs) == 1 else legs[-2].end, legs[-1])
         return True
 
