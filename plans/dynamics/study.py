@@ -139,14 +139,15 @@ class DynamicsStudy:
         if wheel.needed <= 0:
             return self.unaided
         self.made.setdefault(SPEEDS)
-        return speed_curve(self.cycle, wheel.whole, wheel.energy)
+        return speed_curve(self.cycle, self.works.edge.slope, wheel.whole, wheel.energy)
 
     @cached_property
     def unaided(self) -> SpeedCurve | None:
         """The motion without a flywheel; None where the machine would stop."""
         self.made.setdefault(SPEEDS)
-        energy = natural(self.cycle, self.bare, self.task.speed) if self.bare > 0 else None
-        return None if energy is None else speed_curve(self.cycle, self.bare, energy)
+        lightest = self.bare + float(self.cycle.varying.min())
+        energy = natural(self.cycle, self.bare, self.task.speed) if lightest > 0 else None
+        return None if energy is None else speed_curve(self.cycle, self.works.edge.slope, self.bare, energy)
 
     @cached_property
     def motor(self) -> Motor | None:

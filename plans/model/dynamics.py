@@ -165,7 +165,7 @@ class Flywheel:
 
 @dataclass(frozen=True)
 class Speeds:
-    """The crank's motion over a steady turn (закон движения): rad/s at the edges, rad/s2 at the middles of strips.
+    """The crank's motion over a steady turn (закон движения): rad/s at the edges, rad/s2 on either side of them.
 
     `inertia` kg*m2 and `energy` J are those of the whole machine at position 0.
     """
@@ -173,7 +173,7 @@ class Speeds:
     by: str
     turned: Floats  # (n + 1,) rad
     omega: Floats  # (n + 1,) rad/s
-    epsilon: Floats  # (n,) rad/s2: at the middle of each strip
+    epsilon: Floats  # (n, 2) rad/s2: at the beginning and at the end of each strip; sides of an edge differ at a jump
     extremes: tuple[float, float]  # rad/s: least and greatest
     inertia: float
     energy: float

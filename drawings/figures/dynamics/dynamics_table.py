@@ -56,15 +56,20 @@ class _Columns(NamedTuple):
     """What the table tells at the edges, in its order, and the moment before each."""
 
     rows: Floats  # (7, n + 1)
-    before: Floats  # (n + 1,)
+    before: Floats  # (7, n + 1): the moment and the acceleration alone
 
 
 def _columns(cycle: Cycle, speeds: Speeds | None) -> _Columns:
     nothing = np.full(len(cycle.turned), np.nan)
     after, before = np.append(cycle.moments[:, 0], cycle.moments[-1, 1]), np.append(np.nan, cycle.moments[:, 1])
-    motion = [nothing, nothing] if speeds is None else [speeds.omega, np.append(speeds.epsilon, np.nan)]
-    rows = [np.degrees(cycle.turned), -after, -cycle.work, cycle.surplus, cycle.varying, *motion]
-    return _Columns(np.array([_told(row) for row in rows]), _told(-before))
+    motion, last = [nothing, nothing], nothing
+    if speeds is not None:
+        motion = [speeds.omega, np.append(speeds.epsilon[:, 0], speeds.epsilon[-1, 1])]
+        last = np.append(np.nan, speeds.epsilon[:, 1])
+    angles = np.degrees(cycle.turned)
+    rows = [angles, -after, -cycle.work, cycle.surplus, cycle.varying, *motion]
+    sides = [angles, -before, nothing, nothing, nothing, nothing, last]
+    return _Columns(*(np.array([_told(row) for row in one]) for one in (rows, sides)))
 
 
 def _told(column: Floats) -> Floats:
@@ -78,7 +83,7 @@ def _edge(named: Strips, columns: _Columns, k: int, drafting: Drafting) -> Itera
     name, jumps = named.names[k], k in named.jumps
     own = columns.rows[:, k].tolist()
     if jumps:
-        before = [own[0], float(columns.before[k]), *[np.nan] * (len(own) - 2)]
+        before = columns.before[:, k].tolist()
         yield TableRow(f"{name}−0", tuple(_cell(value, drafting) for value in before))
     yield TableRow(f"{name}+0" if jumps else name, tuple(_cell(value, drafting) for value in own))
 

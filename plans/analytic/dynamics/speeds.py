@@ -53,8 +53,8 @@ class Swing(NamedTuple):
 
     def speeds(self, turned: Floats) -> Speeds:
         """Tell it on strips with edges `turned`, (n + 1,) rad."""
-        middles = np.asarray((turned[:-1] + turned[1:]) / 2.0)
-        omega, epsilon = self.omega(turned), self.epsilon(middles)
+        sides = self.epsilon(turned[:-1], 1), self.epsilon(turned[1:], -1)
+        omega, epsilon = self.omega(turned), np.stack(sides, axis=1)
         return Speeds(ANALYSIS, turned, omega, epsilon, self.extremes()[1], self.inertia, self.energy)
 
 
