@@ -14,7 +14,7 @@ from plans.model.motion import Floats
 SAME = 1e-9  # of a strip: an edge so near a position is that position
 MARKED = 72  # strips: of more only the numbered edges have a point and a tick
 NUMBERED = 36  # positions that are numbered at most where not all edges are marked
-SEEN = 1e-3  # of the span of the moments: a smaller jump cannot be seen
+SEEN = 1e-3  # of the largest moment: a smaller jump cannot be seen
 
 
 class Strips(NamedTuple):
@@ -89,7 +89,7 @@ def _names(places: Floats) -> tuple[str, ...]:
 def _jumps(cycle: Cycle) -> tuple[int, ...]:
     """Find the inner edges at which the two sides of the moment differ to the eye."""
     apart = np.abs(cycle.moments[1:, 0] - cycle.moments[:-1, 1])
-    return tuple(int(k) + 1 for k in np.flatnonzero(apart > SEEN * np.ptp(cycle.moments)))
+    return tuple(int(k) + 1 for k in np.flatnonzero(apart > SEEN * np.abs(cycle.moments).max()))
 
 
 def middles(turned: Floats) -> Floats:
