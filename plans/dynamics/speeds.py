@@ -8,7 +8,7 @@ import numpy as np
 
 from geometry.board import Board
 from geometry.calculus import Derivative, derivative_by_tangents
-from plans.model.dynamics import CONSTRUCTION, Cycle, Speeds
+from plans.model.dynamics import CONSTRUCTION, Cycle, Speeds, settled
 from plans.model.motion import Floats
 from plans.words.calculus import REASONS
 
@@ -43,9 +43,8 @@ def speed_curve(cycle: Cycle, slope: Floats, inertia: float, energy: float) -> S
     x, y, steep = (row.ravel() for row in (places, both, tangents))
     derivative = derivative_by_tangents(Board(SPEEDS), "ω", x, y, steep, why=REASONS)
     extremes = float(omega.min()), float(omega.max())
-    speeds = Speeds(
-        CONSTRUCTION, cycle.turned, omega, both * derivative.values.reshape(-1, 2), extremes, inertia, energy
-    )
+    growth = settled(both * derivative.values.reshape(-1, 2), extremes[1] ** 2)
+    speeds = Speeds(CONSTRUCTION, cycle.turned, omega, growth, extremes, inertia, energy)
     return SpeedCurve(speeds, derivative)
 
 

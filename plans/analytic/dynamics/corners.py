@@ -6,7 +6,7 @@ import numpy as np
 
 from plans.analytic.closure import EPS
 from plans.analytic.dynamics.speeds import ROUNDINGS, ROUNDS
-from plans.model.dynamics import ANALYSIS, Cycle, Flywheel, Speeds, Task
+from plans.model.dynamics import ANALYSIS, Cycle, Flywheel, Speeds, Task, settled
 from plans.model.motion import Floats
 
 
@@ -63,4 +63,5 @@ def _speeds(cycle: Cycle, slope: Floats, inertia: float, energy: float) -> Speed
         for k, side in enumerate((slice(None, -1), slice(1, None)))
     ]
     extremes = float(omega.min()), float(omega.max())
-    return Speeds(ANALYSIS, cycle.turned, omega, np.stack(sides, axis=1), extremes, inertia, energy)
+    growth = settled(np.stack(sides, axis=1), extremes[1] ** 2)
+    return Speeds(ANALYSIS, cycle.turned, omega, growth, extremes, inertia, energy)
