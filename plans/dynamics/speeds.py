@@ -51,7 +51,7 @@ def speed_curve(cycle: Cycle, slope: Floats, inertia: float, energy: float) -> S
 def omegas(cycle: Cycle, inertia: float, energy: float) -> Floats:
     """Give the angular velocity at the edges of the strips, rad/s (6.12); NaN where the machine has no energy left."""
     ratio = 2 * (energy + cycle.surplus) / (inertia + cycle.varying)
-    with np.errstate(invalid="ignore"):
+    with np.errstate(invalid="ignore", divide="ignore"):
         return np.asarray(np.sqrt(ratio))
 
 
