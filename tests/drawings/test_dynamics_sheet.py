@@ -113,7 +113,7 @@ def test_what_is_but_rounding_is_not_held_to_its_digits(scene: str, tmp_path: Pa
 
 def test_links_of_constant_inertia_are_said_to_change_nothing() -> None:
     study = Study(parse_scene(without_masses(text(asked=ASKED + SHAFTS))))
-    (leaf,) = leaves(study)
+    leaf = leaves(study)[0]
     assert "the links have the same reduced inertia at both" in leaf.description
     assert "of the links =" not in leaf.description
 
@@ -260,6 +260,13 @@ def test_the_tachogram_is_held_and_the_report_tells_the_run_by_both_roads(tmp_pa
         spoilt = changed(leaf, change)
         with pytest.raises(SelfCheckFailed, match="t_1 on tachogram"):
             verify(written(spoilt, tmp_path), spoilt, see)
+    for name in ("t_1", "t_2", "t_3", "ω_{уст}", "δ"):
+        spoilt = changed(leaf, in_part("tachogram-numbers", scaled(name)))
+        with pytest.raises(SelfCheckFailed, match=" = 9"):
+            verify(written(spoilt, tmp_path), spoilt, see)
+    spoilt = changed(leaf, without("tachogram-numbers"))
+    with pytest.raises(SelfCheckFailed, match="t_1 is missing"):
+        verify(written(spoilt, tmp_path), spoilt, see)
     told = "\n".join(chapters(study, {"dynamics": found}).values)
     assert "DOP853" in told or "Radau" in told or "LSODA" in told
     assert told.count("по таблице |") == told.count("решателем |") == 3
