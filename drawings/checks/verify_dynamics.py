@@ -50,7 +50,7 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
             yield from loop(measured, leaf, expected, drafting.language)
             yield from equations(leaf, expected, drafting)
     if TACHOGRAM in shown:
-        yield from tachogram(measured, leaf, comparison.construction.run)
+        yield from tachogram(measured, leaf, comparison.construction.run, drafting)
     if BEFORE in shown:
         yield from bare(measured, expected, BEFORE, NUMBERED)
     if flywheel_sketch.NAME in shown:

@@ -4,19 +4,23 @@ from __future__ import annotations
 
 import math
 import re
+from dataclasses import replace
 from functools import cache
 
 import pytest
 
 from drawings.checks.labelled import unlettered
 from drawings.checks.verify_dynamics import faults
-from drawings.figures.dynamics.strips import MARKED
+from drawings.figures.dynamics.curves import dense
+from drawings.figures.dynamics.loop import Loop
+from drawings.figures.dynamics.strips import MARKED, strips
 from drawings.lettering.lettering import lettered
 from drawings.measure.measure import Measured, MeasuredVector, check, measure
 from drawings.paper.strokes import Circle, Group, Leaf, Text
 from drawings.paper.walk import groups, texts, walk
 from drawings.pens.svg import svg
 from drawings.sheets.dynamics import Machine, leaves, sheets
+from plans.model.dynamics import TURN
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.drawings.collisions import collisions
@@ -74,6 +78,17 @@ def test_published_angles_are_measured_back(paper: str) -> None:
 
 def texts_of(leaf: Leaf, name: str) -> list[str]:
     return [one.plain for group in groups(leaf.groups) if group.name == name for one in texts((group,))]
+
+
+def test_a_tangent_that_touches_the_end_of_the_turn_touches_its_beginning() -> None:
+    """Both are one point of the loop: rounding alone decides which of them is touched first."""
+    own = study()["dynamics"]
+    wheel = own.account.flywheel
+    ends = tuple(one._replace(turned=TURN) for one in wheel.touches)
+    shown = Loop(own.cycle, dense(own.cycle), strips(own.cycle, 24), replace(wheel, touches=ends))
+    assert shown.touches == (0, 0)
+    found = replace(own.account, flywheel=shown.flywheel)
+    assert sheets(study().scene, Machine(own.task, found, found))
 
 
 def test_graphs_stand_over_one_angle() -> None:

@@ -17,6 +17,7 @@ from drawings.paper.strokes import Circle, Group, Leaf, Line, Polyline, Stroke, 
 from drawings.pens.svg import svg
 from drawings.report.dynamics_report import chapters
 from drawings.sheets.dynamics import leaves
+from plans.scene.scene import parse_scene
 from plans.study import Study
 from plans.words.words import said
 from tests.drawings.slips import (
@@ -32,6 +33,7 @@ from tests.drawings.slips import (
     without,
 )
 from tests.plans.dynamics_scenes import study as machine
+from tests.plans.dynamics_scenes import text
 
 ASKED = 'fluctuation = "1/25"\nflywheel.diameter = "1.2 m"\n'
 SHAFTS = 'shafts = [{ inertia = 0.4, ratio = 2.5, name = "gear" }]\n'
@@ -73,6 +75,47 @@ def test_a_sheet_is_measured_back(size: str, language: str, asked: str, tmp_path
         plans |= {one.plan for one in measured.marks}
     assert {"moments", "works", "surplus", "inertia", "loop", "load_diagram-F_us"} <= plans
     assert ("flywheel_sketch" in plans) == ('"1.2 m"' in asked)
+
+
+def without_masses(scene: str) -> str:
+    before, after = scene.split("[masses]", 1)
+    return before + after[after.index("[[loads") :]
+
+
+SPRUNG = """
+[[loads.forces]]
+on = 3
+point = "B"
+direction = 180
+bore = 0.1
+behind = "0.1 MPa"
+diagram = { travel = ["0 %", "20 %", "100 %"], pressure = ["0.6 MPa", "0.1 MPa", "0.1 MPa"] }
+"""
+
+
+@pytest.mark.parametrize(
+    "scene",
+    [
+        text(asked=ASKED, drive='start = "extreme"\npositions = 12'),
+        without_masses(text(asked=ASKED + SHAFTS)),  # the inertia is constant: the links add rounding alone
+        without_masses(text(asked=ASKED + SHAFTS, drive='start = "extreme"\npositions = 12')),
+        text(SPRUNG, 'start = "extreme"\npositions = 12', ASKED),  # the loop is touched in both dead points
+        text("", "positions = 12", ASKED),  # masses alone
+        text("", "positions = [60]", ""),
+        text("[loads]\ngravity = 9.81\n", "positions = 12", ASKED),  # weights alone
+    ],
+)
+def test_what_is_but_rounding_is_not_held_to_its_digits(scene: str, tmp_path: Path) -> None:
+    study = Study(parse_scene(scene))
+    for leaf in leaves(study):
+        verify(written(leaf, tmp_path), leaf, partial(faults, study=study))
+
+
+def test_links_of_constant_inertia_are_said_to_change_nothing() -> None:
+    study = Study(parse_scene(without_masses(text(asked=ASKED + SHAFTS))))
+    leaf = leaves(study)[0]
+    assert "the links have the same reduced inertia at both" in leaf.description
+    assert "of the links =" not in leaf.description
 
 
 def test_the_sheet_alone_says_why_the_flywheel_is_so_big(planer) -> None:
@@ -217,6 +260,13 @@ def test_the_tachogram_is_held_and_the_report_tells_the_run_by_both_roads(tmp_pa
         spoilt = changed(leaf, change)
         with pytest.raises(SelfCheckFailed, match="t_1 on tachogram"):
             verify(written(spoilt, tmp_path), spoilt, see)
+    for name in ("t_1", "t_2", "t_3", "ω_{уст}", "δ"):
+        spoilt = changed(leaf, in_part("tachogram-numbers", scaled(name)))
+        with pytest.raises(SelfCheckFailed, match=" = 9"):
+            verify(written(spoilt, tmp_path), spoilt, see)
+    spoilt = changed(leaf, without("tachogram-numbers"))
+    with pytest.raises(SelfCheckFailed, match="t_1 is missing"):
+        verify(written(spoilt, tmp_path), spoilt, see)
     told = "\n".join(chapters(study, {"dynamics": found}).values)
     assert "DOP853" in told or "Radau" in told or "LSODA" in told
     assert told.count("по таблице |") == told.count("решателем |") == 3
