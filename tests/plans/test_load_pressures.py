@@ -79,6 +79,15 @@ def test_lengths_of_another_stroke_are_refused_with_the_difference(last: str, sa
     )
 
 
+def test_a_diagram_of_another_stroke_is_told_at_its_place() -> None:
+    scene = (
+        ENGINE + ON_B + "value = 1\ndirection = 0\n" + PUSHED + 'diagram = { travel = [0, "9 m"], force = [0, 1] }\n'
+    )
+    line = 1 + scene.splitlines().index(next(line for line in scene.splitlines() if line.startswith("diagram")))
+    with pytest.raises(StructureError, match=rf":{line}:13: loads\.forces\[1\]\.diagram\.travel: the diagram of"):
+        compared(scene)
+
+
 def test_lengths_of_what_swings_are_refused() -> None:
     card = 'direction = 0\ndiagram = { travel = [0, "230 mm"], force = [0, 100] }\n'
     with pytest.raises(StructureError, match=r"is told over lengths, but link 3 swings\. Fix: write shares"):
