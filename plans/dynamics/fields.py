@@ -13,6 +13,7 @@ from plans.scene.units import WORKING
 
 FRACTION = re.compile(r"\s*1\s*/\s*([0-9]+(?:\.[0-9]+)?)\s*")
 PLAIN = re.compile(r"\s*[+-]?[0-9]+(?:[.,][0-9]+)?(?:[eE][+-]?[0-9]+)?\s*")
+WRITTEN = r"^\s*1\s*/\s*(?!0+(?:\.0+)?\s*$)[0-9]+(?:\.[0-9]+)?\s*$"  # for editors
 DIVISIONS_LEAST, DIVISIONS_MOST = 12, 4096
 RATIO_LIMIT = Decimal("1e4")
 DENSITY = units.Kind(
@@ -74,7 +75,9 @@ def ratio(value: object) -> Decimal:
 
 FLUCTUATION = one(
     fluctuation,
-    lambda: {"anyOf": [{"type": "number", "exclusiveMinimum": 0, "maximum": 1}, {"type": "string", "pattern": "/"}]},
+    lambda: {
+        "anyOf": [{"type": "number", "exclusiveMinimum": 0, "maximum": 1}, {"type": "string", "pattern": WRITTEN}]
+    },
     'share, or "1/80"',
 )
 DIVISIONS = one(divisions, lambda: forms.whole(DIVISIONS_LEAST) | {"maximum": DIVISIONS_MOST}, "number")
