@@ -37,7 +37,15 @@ class DynamicsNotes(NamedTuple):
     @property
     def all(self) -> tuple[str, ...]:
         """What is asked, what the loads take, why the flywheel is so big, what else it could be, what it achieves."""
-        return *self.asked(), *self.works(), *self.reasons(), *self.other(), *self.achieved(), *self.sizes()
+        return (
+            *self.asked(),
+            *self.works(),
+            *self.stopping(),
+            *self.reasons(),
+            *self.other(),
+            *self.achieved(),
+            *self.sizes(),
+        )
 
     def asked(self) -> Iterator[str]:
         """Say what is asked of the motion."""
@@ -58,6 +66,20 @@ class DynamicsNotes(NamedTuple):
             key = "work of turn" if cycle.net < 0 else "work given"
             numbers = (self._number(abs(value)) for value in (cycle.net, cycle.driving))
             yield self.drafting.word(key, **dict(zip(("work", "moment"), numbers, strict=True)))
+
+    def stopping(self) -> Iterator[str]:
+        """Say that the machine would stop without a flywheel where none is asked for."""
+        if self.stops:
+            yield self.drafting.word("stops without flywheel")
+
+    @property
+    def stops(self) -> bool:
+        """Whether a machine that no flywheel is asked for would stop under a constant moment of the drive."""
+        cycle, before = self.account.cycle, self.account.before
+        if cycle is None or self.task.delta is not None or self.account.run is not None:
+            return False
+        massive = cycle.inertia[0] + self.task.present > 0  # else nothing is said of its energy
+        return massive and (before is None or not all(map(math.isfinite, before.extremes)))
 
     def reasons(self) -> Iterator[str]:
         """Say why the flywheel is as big as it is: where the excess work is taken, what divides it, what is there."""

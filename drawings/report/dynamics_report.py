@@ -19,7 +19,7 @@ from plans.dynamics.rim import rim_of
 from plans.model.account import Account
 from plans.model.dynamics import Cycle, Flywheel, Task
 from plans.study import Study
-from plans.words.words import Message, word
+from plans.words.words import Message, message, word
 
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
@@ -35,9 +35,11 @@ def headline(study: Study) -> str:
 
 
 def remarks(study: Study) -> list[Message]:
-    """Say where a run ends before its time; positions without a reduction are told with the positions."""
+    """Say that the machine would stop, or where a run ends before its time; gaps are told with the positions."""
     found = study.comparison("dynamics").construction.run
-    return [found.failure.message] if found is not None and found.failure is not None else []
+    if found is not None and found.failure is not None:
+        return [found.failure.message]
+    return [message("dynamics.stops")] if notes_of(study).stops else []
 
 
 def faults(text: str, study: Study) -> Iterator[Message]:
@@ -95,7 +97,7 @@ def _reduction(account: Account, notes: DynamicsNotes) -> Iterator[str]:
 
 def _works(account: Account, notes: DynamicsNotes) -> Iterator[str]:
     if account.cycle is not None:
-        yield from _listed(chapter(notes.drafting.language, "works"), notes.works())
+        yield from _listed(chapter(notes.drafting.language, "works"), [*notes.works(), *notes.stopping()])
         yield ""
         yield from tables.works(account.cycle, account.speeds, notes.drafting)
 

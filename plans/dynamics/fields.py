@@ -12,6 +12,8 @@ from plans.scene.readers import one
 from plans.scene.units import WORKING
 
 FRACTION = re.compile(r"\s*1\s*/\s*([0-9]+(?:\.[0-9]+)?)\s*")
+PLAIN = re.compile(r"\s*[+-]?[0-9]+(?:[.,][0-9]+)?(?:[eE][+-]?[0-9]+)?\s*")
+WRITTEN = r"^\s*1\s*/\s*(?!0+(?:\.0+)?\s*$)[0-9]+(?:\.[0-9]+)?\s*$"  # for editors
 DIVISIONS_LEAST, DIVISIONS_MOST = 12, 4096
 RATIO_LIMIT = Decimal("1e4")
 DENSITY = units.Kind(
@@ -37,14 +39,22 @@ def fluctuation(value: object) -> Decimal:
     >>> fluctuation("1/80"), fluctuation(Decimal("0.04"))
     (Decimal('0.0125'), Decimal('0.04'))
     """
-    told = FRACTION.fullmatch(value) if isinstance(value, str) else None
-    given = WORKING.divide(Decimal(1), Decimal(told[1])) if told and Decimal(told[1]) else value
-    found = units.quantity(given, units.NUMBER)
+    found = units.quantity(_unbroken(value) if isinstance(value, str) else value, units.NUMBER)
     if found == 0:
         raise wrong("no_fluctuation")
     if not 0 < found <= 1:
         raise wrong("fluctuation")
     return found
+
+
+def _unbroken(text: str) -> Decimal | str:
+    """Give "1/80" as a number; a decimal comma and a number in quotes have advice of their own."""
+    told = FRACTION.fullmatch(text)
+    if told and Decimal(told[1]):
+        return WORKING.divide(Decimal(1), Decimal(told[1]))
+    if told or not PLAIN.fullmatch(text):
+        raise wrong("fluctuation_written")
+    return text
 
 
 def divisions(value: object) -> int:
@@ -65,7 +75,9 @@ def ratio(value: object) -> Decimal:
 
 FLUCTUATION = one(
     fluctuation,
-    lambda: {"anyOf": [{"type": "number", "exclusiveMinimum": 0, "maximum": 1}, {"type": "string", "pattern": "/"}]},
+    lambda: {
+        "anyOf": [{"type": "number", "exclusiveMinimum": 0, "maximum": 1}, {"type": "string", "pattern": WRITTEN}]
+    },
     'share, or "1/80"',
 )
 DIVISIONS = one(divisions, lambda: forms.whole(DIVISIONS_LEAST) | {"maximum": DIVISIONS_MOST}, "number")

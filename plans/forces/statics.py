@@ -41,7 +41,7 @@ from plans.model.mechanism import Output, StructureError
 from plans.model.motion import CHANGE_POINT, DEAD_CENTRE, Extremes, Floats, Gap, Motion
 from plans.model.order import VELOCITIES
 from plans.model.working import NoWorkingStroke
-from plans.scene.faults import SceneError
+from plans.scene.faults import SceneError, dotted
 from plans.words.words import Message, message, placed
 
 if TYPE_CHECKING:
@@ -141,13 +141,17 @@ class Statics:
             if study.barriers:
                 why = message("stroke.barred", load=error.load, thing=error.thing, why=obstruction(study.sweep))
             raise self._refused(why) from None
-        except (NoWorkingStroke, OtherStroke) as error:
+        except OtherStroke as error:
+            index = self.machine.forces.index(error.load)
+            raise self._refused(error.args[0], "forces", index, "diagram", "travel") from None
+        except NoWorkingStroke as error:
             raise self._refused(error.args[0]) from None
 
-    def _refused(self, why: Message) -> StructureError:
-        """Say what is wrong with the loads of the scene."""
-        line, column = self.study.scene.place(("loads",))
-        return StructureError(placed(f"{self.study.scene.file}:{line}:{column}: loads", why))
+    def _refused(self, why: Message, *at: str | int) -> StructureError:
+        """Say what is wrong with the loads of the scene, or with a part of them."""
+        scene, path = self.study.scene, ("loads", *at)
+        line, column = scene.place(path)
+        return StructureError(placed(f"{scene.file}:{line}:{column}: {dotted(path)}", why))
 
     def _extremes(self, output: Output) -> Extremes | None:
         """Find the extreme positions of an output by construction."""

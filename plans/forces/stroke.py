@@ -94,7 +94,11 @@ def _apart(parting: Parting, point: str, motion: Motion) -> Floats:
 
 
 class OtherStroke(StructureError):  # noqa: N818  (the exception tree's own word)
-    """A diagram over lengths of another stroke than that of what it counts."""
+    """A diagram over lengths of another stroke than that of what it counts; `load` is the force that it is of."""
+
+    def __init__(self, load: Force, key: str, **details: object) -> None:
+        super().__init__(message(f"stroke.{key}", load=load.name, **details))
+        self.load = load
 
 
 def asks(load: Force | Moment) -> bool:
@@ -122,16 +126,16 @@ def strokes(
 
 def _check_length(load: Force | Moment, stroke: Stroke, thing: Message) -> None:
     """See that a diagram over lengths is as long as the stroke."""
-    length = load.diagram.length if isinstance(load, Force) and load.diagram else 0.0
-    if not length:
+    if not isinstance(load, Force) or load.diagram is None or not load.diagram.length:
         return
     if not stroke.sliding:
-        raise OtherStroke(message("stroke.swings", load=load.name, thing=thing))
-    whole = abs(stroke.reach[1] - stroke.reach[0])
+        raise OtherStroke(load, "swings", thing=thing)
+    length, whole = load.diagram.length, abs(stroke.reach[1] - stroke.reach[0])
     if abs(whole - length) > FIT * whole:
         told, reached, off = (f"{1000 * size:.5g}" for size in (length, whole, abs(whole - length)))
-        key = "stroke.longer" if length > whole else "stroke.shorter"
-        raise OtherStroke(message(key, load=load.name, thing=thing, length=told, stroke=reached, off=off))
+        raise OtherStroke(
+            load, "longer" if length > whole else "shorter", thing=thing, length=told, stroke=reached, off=off
+        )
 
 
 def counted(mechanism: Mechanism, load: Force | Moment, output: Output) -> Output | None:

@@ -5,6 +5,7 @@ A field knows how its value is read, and what editors and people are told of it;
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Mapping
 from functools import partial
 from typing import Any, Final, NamedTuple, TypeAlias
@@ -76,6 +77,7 @@ def many(entry: Field, *checks: Check, first: Check | None = None) -> Field:
             refused.append(Refusal(path, "not_a_list", {}, value))
             return REFUSED
         entries = tuple(entry.read(part, (*path, place), refused) for place, part in enumerate(value))
+        refused[before:] = _gathered(refused[before:], len(path) + 1)
         return REFUSED if len(refused) > before else _all(checks, entries, path, refused)
 
     def form() -> Form:
@@ -116,6 +118,25 @@ def either(kind: type, then: Field, otherwise: Field) -> Field:
         f"{otherwise.shown}, or {then.shown}",
         otherwise.tables + then.tables,
     )
+
+
+def _gathered(refused: Refusals, depth: int) -> Refusals:
+    """Tell one wrong unit of the entries of a list once, at the first of them."""
+    units = Counter(one.details["unit"] for one in refused if _of_unit(one, depth))
+    found: Refusals = []
+    told: set[object] = set()
+    for one in refused:
+        unit = one.details["unit"] if _of_unit(one, depth) else None
+        if unit is None or units[unit] == 1:
+            found.append(one)
+        elif unit not in told:
+            told.add(unit)
+            found.append(one._replace(kind="wrong_units", details={**one.details, "others": units[unit] - 1}))
+    return found
+
+
+def _of_unit(refusal: Refusal, depth: int) -> bool:
+    return refusal.kind == "wrong_unit" and len(refusal.path) == depth
 
 
 def _within(entry: Field) -> tuple[tuple[Path, type[Any]], ...]:

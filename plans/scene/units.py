@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from decimal import Context, Decimal, InvalidOperation
+from difflib import get_close_matches
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -27,6 +28,7 @@ PRESSURE_LIMIT = Decimal(45)  # degrees: beyond it the teeth of a gear press the
 
 # An ASCII number with digits on both sides of the point, then whatever stands for a unit.
 QUANTITY = re.compile(r"\s*([+-]?[0-9]+(?:\.[0-9]+)?(?:[eE][+-]?[0-9]+)?)\s*([^\W\d_].*|°.*)?", re.DOTALL)
+ALIKE = 0.8  # of the letters of a unit: bars is bar, but kN*m is not kN
 DECIMAL_COMMA = re.compile(r"\s*([+-]?[0-9]+),([0-9]+)\b")
 
 
@@ -215,7 +217,7 @@ def _written(text: str, kind: Kind) -> Decimal:
     if not unit:
         raise wrong("text_number", kind=kind.name, units=kind.allowed, number=match[1])
     if unit not in kind.units:
-        raise wrong("wrong_unit", kind=kind.name, units=kind.allowed, unit=unit, example=_example(kind))
+        raise wrong("wrong_unit", kind=kind.name, units=kind.allowed, unit=unit, example=_example(kind, match[1], unit))
     return WORKING.multiply(number, kind.units[unit]) if kind.units[unit] != 1 else number
 
 
@@ -225,7 +227,11 @@ def _ranged(number: Decimal, kind: Kind) -> Decimal:
     return number
 
 
-def _example(kind: Kind) -> str:
+def _example(kind: Kind, number: str = "1", unit: str = "") -> str:
+    """Give an example: the number as written with the unit that is nearly what is written, or one of the SI unit."""
+    meant = get_close_matches(unit, kind.units, 1, ALIKE)
+    if meant:
+        return f'"{number} {meant[0]}"'
     return f'"1 {kind.si}"' if kind.si else "a bare number"
 
 

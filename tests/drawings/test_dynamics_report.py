@@ -66,6 +66,16 @@ def test_without_a_fluctuation_there_is_no_flywheel() -> None:
     assert headline(scene("divisions = 24")).endswith("N·m")
 
 
+def test_a_machine_that_would_stop_is_told_so_where_no_flywheel_is_asked_for() -> None:
+    """I12: the links alone have too little energy for the cut; a heavy shaft, or a flywheel, has enough."""
+    made = scene("divisions = 24")
+    assert "the machine would stop within the turn" in told(made)
+    assert ["would stop within the turn" in str(line) for line in remarks(made)] == [True]
+    for enough in ("shafts = [{ inertia = 40 }]", 'fluctuation = "1/25"'):
+        assert remarks(scene(enough)) == []
+        assert "would stop within the turn" not in told(scene(enough))
+
+
 def test_the_russian_report_has_no_english_words() -> None:
     lines = told(scene(language="ru"))
     assert not {"the", "flywheel", "works", "loads", "at", "of"} & set(lines.lower().replace("|", " ").split())

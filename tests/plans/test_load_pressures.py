@@ -79,6 +79,15 @@ def test_lengths_of_another_stroke_are_refused_with_the_difference(last: str, sa
     )
 
 
+def test_a_diagram_of_another_stroke_is_told_at_its_place() -> None:
+    scene = (
+        ENGINE + ON_B + "value = 1\ndirection = 0\n" + PUSHED + 'diagram = { travel = [0, "9 m"], force = [0, 1] }\n'
+    )
+    line = 1 + scene.splitlines().index(next(line for line in scene.splitlines() if line.startswith("diagram")))
+    with pytest.raises(StructureError, match=rf":{line}:13: loads\.forces\[1\]\.diagram\.travel: the diagram of"):
+        compared(scene)
+
+
 def test_lengths_of_what_swings_are_refused() -> None:
     card = 'direction = 0\ndiagram = { travel = [0, "230 mm"], force = [0, 100] }\n'
     with pytest.raises(StructureError, match=r"is told over lengths, but link 3 swings\. Fix: write shares"):
@@ -152,6 +161,17 @@ def test_the_work_of_a_compressor_over_its_cycle(road: str) -> None:
             "sizes in the unit of force",
         ),
         (CARD.replace("0.5", "50"), "loads.forces[0].diagram.travel[1]", 'or write "15 %" or "15 mm"'),
+        (CARD.replace("0.1 MPa", "1 bars"), "loads.forces[0].diagram.pressure[0]", "bars, here and 1 more times"),
+        (CARD.replace("0.1 MPa", "1 bars"), "loads.forces[0].diagram.pressure[0]", 'write it as "1 bar"'),
+        (CARD.replace("0.6 MPa", "6 bars"), "loads.forces[0].diagram.pressure[1]", 'bars. Fix: write it as "6 bar"'),
+        (
+            CARD.replace(" }", ', back = ["1 bar", "6 bars", "2 bars"] }'),
+            "loads.forces[0].diagram.back[1]",
+            "of force or pressure (N, kN, Pa, kPa, MPa, bar), but found bars, here and 1 more times in the list. "
+            'Fix: write it as "6 bar"',
+        ),
+        (CARD.replace("1]", '"105 %"]'), "loads.forces[0].diagram.travel[2]", "from 0 % to 100 %, but found 105 %"),
+        (CARD.replace("1]", '"-5 %"]'), "loads.forces[0].diagram.travel[2]", "from 0 % to 100 %, but found -5 %"),
         (CARD.replace("0.5", '"50 %%"'), "loads.forces[0].diagram.travel[1]", "length"),
         (CARD.replace("0.5", '"50 mm"'), "loads.forces[0].diagram.travel[2]", "write all places as lengths"),
         (CARD.replace("1]", '"90 %"]'), "loads.forces[0].diagram.travel", "it covers 0 to 0.9"),

@@ -17,6 +17,7 @@ from plans.scene.units import type_name
 # What a force sheet letters itself: reactions, weights, inertia forces, moments of sliding pairs, what the drive gives.
 TAKEN = re.compile(r"[RPF]_?\d+,?\d+|[GΦ]_?\d+|M_?\d\d+|[MP]_?bal")
 PER_CENT = re.compile(r"^\s*([+-]?[0-9]+(?:\.[0-9]+)?)\s*%\s*$")
+FORCE_OR_PRESSURE = units.Kind("force or pressure", "N", {**units.FORCE.units, **units.PRESSURE.units})
 SYMBOL_SIGNS = re.compile(r"[^\W\d_][\w.′'-]*")
 
 
@@ -80,7 +81,10 @@ def place(value: object) -> Decimal:
         return units.quantity(value, units.NUMBER)
     found = PER_CENT.fullmatch(value)
     if found:
-        return units.quantity(Decimal(found[1]), units.NUMBER).scaleb(-2)
+        per_cent = units.quantity(Decimal(found[1]), units.NUMBER)
+        if not 0 <= per_cent <= 100:
+            raise wrong("travel_per_cent", found=f"{per_cent:f} %")
+        return per_cent.scaleb(-2)
     return Metres(units.quantity(value, units.LENGTH))
 
 
@@ -88,6 +92,7 @@ def back(value: object) -> Decimal:
     """Read a size on the stroke back: a bare number, or a force or a pressure with its unit."""
     if not isinstance(value, str):
         return units.quantity(value, units.FORCE)
+    units.quantity(value, FORCE_OR_PRESSURE)
     try:
         return Pascals(units.quantity(value, units.PRESSURE))
     except Wrong as wrong_pressure:
