@@ -39,7 +39,7 @@ class Loop:
     def curve(self) -> tuple[np.ndarray, np.ndarray]:
         """The loop densely: inertia above that of position 0, kg*m2, and surplus energy, J."""
         energy = self.cycle.driving * self.dense.turned + self.dense.work
-        return self.dense.inertia - self.cycle.inertia[0], energy
+        return self.dense.varying, energy
 
     @property
     def across(self) -> tuple[float, float]:
