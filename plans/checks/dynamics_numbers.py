@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from plans.checks.plain_numbers import gap_numbers, plain
-from plans.dynamics.study import FLYWHEEL, REDUCTION, SPEEDS, WORKS
+from plans.dynamics.study import FLYWHEEL, REDUCTION, RUN, SPEEDS, WORKS
 from plans.model.account import Account
 from plans.model.dynamics import CONSTRUCTION, Cycle, Flywheel, Reduced, Speeds
+from plans.model.run import Failure, Run, Stage, SteadyTurn
 
 if TYPE_CHECKING:
     from plans.study import Study
@@ -40,6 +41,8 @@ class DynamicsNumbers:
             data[FLYWHEEL] = _flywheel(account.flywheel)
         if SPEEDS in self.plans:
             data[SPEEDS] = {"after": _speeds(account.speeds), "before": _speeds(account.before)}
+        if RUN in self.plans and account.run is not None:
+            data[RUN] = _run(account.run)
         return {"scene": self.title, "by": account.by, "dynamics": data}
 
 
@@ -97,3 +100,44 @@ def _speeds(found: Speeds | None) -> dict[str, Any] | None:
         "extremes": list(found.extremes),
         "delta": found.delta,
     }
+
+
+def _run(found: Run) -> dict[str, Any]:
+    return {
+        "stages": [_stage(found, stage) for stage in found.stages],
+        "steady": None if found.steady is None else _steady(found.steady),
+        "method": found.method._asdict(),
+        "failure": None if found.failure is None else _failure(found.failure),
+        "t": plain(found.t),
+        "turned": plain(found.turned),
+        "omega": plain(found.omega),
+        "epsilon": plain(found.epsilon),
+    }
+
+
+def _stage(run: Run, stage: Stage) -> dict[str, Any]:
+    return {
+        "name": stage.name,
+        "t": [float(run.t[stage.first]), float(run.t[stage.last])],
+        "works": stage.works._asdict(),
+        "energies": list(stage.energies),
+        "closing": stage.closing,
+    }
+
+
+def _steady(turn: SteadyTurn) -> dict[str, Any]:
+    return {
+        "start": turn.start,
+        "extremes": list(turn.extremes),
+        "mean": turn.mean,
+        "delta": turn.delta,
+        "period": turn.period,
+        "closing": turn.closing,
+        "repeats": turn.repeats,
+        "works": turn.works._asdict(),
+        "efficiency": turn.works.efficiency,
+    }
+
+
+def _failure(why: Failure) -> dict[str, Any]:
+    return {**why._asdict(), "advice": str(why.message)}

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import json
+
 import numpy as np
 import pytest
 
 from plans.analytic.dynamics.speeds import Stall, Swing
 from plans.checks.dynamics_comparison import DynamicsComparison
+from plans.checks.dynamics_numbers import numbers
 from plans.checks.pace import NoPace
 from plans.dynamics.study import NoCycle, NoInertia
 from plans.scene.notes import notes_of
@@ -60,6 +63,25 @@ def test_machine_that_would_stop_without_a_flywheel() -> None:
     assert isinstance(found.before, Stall)
     assert found.construction.before is None
     assert isinstance(found.after, Swing)
+
+
+@pytest.mark.parametrize("by", ["construction", "analysis"])
+def test_the_run_is_told_as_plain_numbers(by: str) -> None:
+    """Works and energies of each stage close; the rows end at rest, where the brake has stopped the machine."""
+    motor = f"{ASKED}\nmotor = {{ starting = 300, synchronous = 14 }}\nrun = {{ turns = 1, brake = 300 }}"
+    found = numbers(Study(parse_scene(text(asked=motor)), ["run"]), by)
+    (told,) = json.loads(json.dumps(found.plain(), allow_nan=False))["dynamics"].items()
+    run = told[1]
+    assert (told[0], run["failure"]) == ("run", None)
+    assert [stage["name"] for stage in run["stages"]] == ["run_up", "steady", "run_down"]
+    for stage in run["stages"]:
+        works, (first, last) = stage["works"], stage["energies"]
+        gained = works["driving"] - works["useful"] - works["braking"] + works["weights"]
+        assert last - first - gained == pytest.approx(stage["closing"], abs=1e-9 * max(first, last))
+    assert run["stages"][-1]["t"][1] == run["t"][-1] > run["t"][0] == 0
+    assert len(run["t"]) == len(run["turned"]) == len(run["omega"]) == len(run["epsilon"])
+    assert run["omega"][-1] == pytest.approx(0, abs=1e-9)
+    assert run["steady"]["extremes"][0] < run["steady"]["mean"] < run["steady"]["extremes"][1]
 
 
 def test_machine_that_drives() -> None:
