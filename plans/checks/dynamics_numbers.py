@@ -96,7 +96,7 @@ def _speeds(found: Speeds | None) -> dict[str, Any] | None:
     return {
         "turned": plain(found.turned),
         "omega": plain(found.omega),
-        "epsilon": plain(found.epsilon),
+        "epsilon": [plain(row) for row in found.epsilon],
         "extremes": list(found.extremes),
         "delta": found.delta,
     }
@@ -111,7 +111,7 @@ def _run(found: Run) -> dict[str, Any]:
         "t": plain(found.t),
         "turned": plain(found.turned),
         "omega": plain(found.omega),
-        "epsilon": plain(found.epsilon),
+        "epsilon": [plain(row) for row in found.epsilon],
     }
 
 
