@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from drawings.checks.dynamics_expected import INERTIA, MOMENTS, SPEEDS, SURPLUS, WORKS, Expected
-from drawings.checks.dynamics_graphs import bare, graphs
+from drawings.checks.dynamics_graphs import graphs
 from drawings.checks.dynamics_loop import loop
 from drawings.checks.dynamics_sizes import flywheel, loads
 from drawings.checks.dynamics_told import equations, notes, positions, reduction, results
+from drawings.checks.verify_bare_speeds import bare
 from drawings.checks.verify_tachogram import tachogram
 from drawings.checks.wrong import Wrong
 from drawings.figures.dynamics import flywheel_sketch
@@ -52,7 +53,7 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     if TACHOGRAM in shown:
         yield from tachogram(measured, leaf, comparison.construction.run, drafting)
     if BEFORE in shown:
-        yield from bare(measured, expected, BEFORE, NUMBERED)
+        yield from bare(measured, leaf, expected, BEFORE, NUMBERED)
     if flywheel_sketch.NAME in shown:
         yield from flywheel(measured, leaf, expected, drafting)
     yield from positions(leaf, expected, drafting)

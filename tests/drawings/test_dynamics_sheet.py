@@ -14,6 +14,7 @@ from drawings.checks.verify import SelfCheckFailed, verify
 from drawings.checks.verify_dynamics import faults
 from drawings.lettering.lettering import lettered
 from drawings.paper.strokes import Circle, Group, Leaf, Line, Polyline, Stroke, Text
+from drawings.paper.walk import groups, texts
 from drawings.pens.svg import svg
 from drawings.report.dynamics_report import chapters
 from drawings.sheets.dynamics import leaves
@@ -238,10 +239,16 @@ def test_the_speeds_without_the_flywheel_are_held(tmp_path: Path) -> None:
     study, found = sheet("A1", "en", ASKED + SHAFTS)
     (leaf,) = [one for one in found if "before" in one.metadata["figures"]]
     see = partial(faults, study=study)
-    assert len([one for one in verify(written(leaf, tmp_path), leaf, see).vectors if one.plan == "before"]) == 24
-    for change in (dropped("7", "before"), stretched("7", "before")):
-        with pytest.raises(SelfCheckFailed, match="7 on"):
-            verify(written(changed(leaf, change), tmp_path), changed(leaf, change), see)
+    found = [one for one in verify(written(leaf, tmp_path), leaf, see).vectors if one.plan == "before"]
+    (group,) = [one for one in groups(leaf.groups) if one.name == "before"]
+    numbers = [int(one.plain) for one in texts((group,)) if one.plain.isdigit()]
+    assert sorted(numbers) == list(range(0, 25, 2))  # as far apart as on the other graphs; the end of the turn is 24
+    assert sorted(one.position for one in found) == list(range(0, 24, 2))
+    aside = in_part("before", moved(Circle, 7, 0.1j))
+    changes = {"8 on": (dropped("8", "before"), stretched("8", "before")), "7 on": (aside,)}
+    for wrong, spoilt in ((wrong, changed(leaf, one)) for wrong, several in changes.items() for one in several):
+        with pytest.raises(SelfCheckFailed, match=wrong):
+            verify(written(spoilt, tmp_path), spoilt, see)
 
 
 MOTOR = (

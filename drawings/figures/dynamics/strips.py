@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Collection, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
+from drawings.figures.graphs.axes import every
 from plans.model.dynamics import TURN, Cycle
 from plans.model.edge_names import edge_names
 from plans.model.motion import Floats
@@ -36,8 +36,7 @@ class Strips(NamedTuple):
 
     def every(self, least: float) -> int:
         """Choose how many positions apart numbers stand: a divisor of the turn, if there is one not much above."""
-        first, whole = max(math.ceil(least), 1), round(float(np.nanmax(self.steps)))
-        return next((step for step in range(first, 2 * first) if whole % step == 0), first)
+        return every(least, round(float(np.nanmax(self.steps))))
 
     @property
     def crowded(self) -> bool:
