@@ -157,3 +157,12 @@ def test_large_fluctuation_is_noted() -> None:
     notes = [note.worded("en") for note in notes_of(parse_scene(text(asked='fluctuation = "1/3"')))]
     assert len(notes) == 1
     assert "is a large fluctuation" in notes[0]
+
+
+@pytest.mark.parametrize(
+    ("speed", "told"), [("8 rpm", True), ("30 rpm", False), ("120 rad/s", True), ("-90 rpm", False)]
+)
+def test_a_speed_far_from_that_of_the_drive_is_noted(speed: str, told: bool) -> None:
+    """The drive is at 120 rpm: another mean speed may be asked for, but hardly a tenth of it."""
+    notes = [note.worded("en") for note in notes_of(parse_scene(text(asked=f'{ASKED}\nspeed = "{speed}"')))]
+    assert ["beside the 12.566 rad/s of the drive" in note for note in notes] == [True] * told
