@@ -74,11 +74,14 @@ def notes_of(scene: Scene) -> Iterator[Fault]:
     form = scene.of(DynamicsForm).dynamics
     if form.fluctuation is not None and form.fluctuation > LARGE:
         yield scene.fault(("dynamics", "fluctuation"), "large_fluctuation", found=f"{float(form.fluctuation):g}")
-    motor, speed = motor_of(form.motor), task_of(scene).speed
+    motor, speed, drive = motor_of(form.motor), task_of(scene).speed, abs(float(scene.of(LinkageForm).drive.speed))
+    if drive and speed and not 1 / OTHER <= speed / drive <= OTHER:
+        yield scene.fault(("dynamics", "speed"), "other_speed", found=f"{speed:.5g}", drive=f"{drive:.5g}")
     free = motor.speed(0.0) if motor else None
     if free is not None and not speed <= free <= FASTEST * speed:
         yield scene.fault(("dynamics", "motor"), "free_speed", found=f"{free:.5g}", wanted=f"{speed:.5g}")
 
 
+OTHER = 9.0  # times the speed of the drive, or as many times less: rpm written for rad/s is 9.55 times
 FASTEST = 2.0  # times its speed under load: no motor runs faster without it, and a ratio left out is mostly more
 LARGE = Decimal("0.2")  # machines that beat, crush and punch: tables of permitted fluctuation end at 1/5

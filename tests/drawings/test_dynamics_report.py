@@ -10,7 +10,7 @@ from plans.dynamics.loop import loop
 from plans.dynamics.methods import methods
 from plans.scene.scene import parse_scene
 from plans.study import Study
-from tests.plans.dynamics_scenes import study, text
+from tests.plans.dynamics_scenes import PLANING, study, text
 
 
 def told(made: Study) -> str:
@@ -64,6 +64,13 @@ def test_without_a_fluctuation_there_is_no_flywheel() -> None:
     lines = told(scene("divisions = 24"))
     assert "Flywheel" not in lines and "M_dr" in lines
     assert headline(scene("divisions = 24")).endswith("N·m")
+
+
+def test_of_loads_that_drive_it_is_asked_whether_their_direction_is_right() -> None:
+    drives = study(PLANING.replace('against = "motion"', "direction = 180"))
+    assert drives["dynamics"].cycle.net > 0
+    assert "has the wrong direction" in headline(drives)
+    assert "wrong direction" not in headline(scene())
 
 
 def test_a_machine_that_would_stop_is_told_so_where_no_flywheel_is_asked_for() -> None:

@@ -200,6 +200,10 @@ def test_a_wrong_use_is_told_with_what_to_write(written: str, where: str, said: 
         ('pressure = 0\nbore = "80 mm"\n', []),
         ('pressure = "1 MPa"\nbore = 80\n', ["wide_bore"]),
         (CARD.replace(" }", ', back = ["0.1 MPa", 0, 0] }'), ["open_diagram"]),
+        (CARD + "behind = 0.1\n", ["uneven_pressures"]),
+        (CARD + 'behind = "100 Pa"\n', []),
+        (CARD.replace(" }", ', back = ["0.1 MPa", 0.1, "0.1 MPa"] }'), ["uneven_pressures"]),
+        ('pressure = "0.6 MPa"\nbehind = 0.1\nbore = "80 mm"\n', ["uneven_pressures"]),
     ],
 )
 def test_likely_slips_are_noted(written: str, notes: list[str]) -> None:

@@ -8,6 +8,7 @@ from itertools import combinations
 
 from geometry.errors import DraftError
 from plans.forces.reading.diagram import DiagramTable
+from plans.forces.reading.force import ForceTable
 from plans.forces.reading.form import FORCES, ForceForm, MassTable
 from plans.linkage.reading.linkage import mechanism_of
 from plans.model.mechanism import Link, Mechanism
@@ -18,6 +19,7 @@ from plans.scene.scene import Scene
 # Gravity of the Earth, m/s2, and how many times it a machine stands at most: the Sun's is 28 times.
 EARTH, MOST_EARTHS = Decimal("9.81"), 30
 HIGH, LOW = Decimal("1e8"), Decimal(1000)  # Pa: presses have up to 70 MPa, and a fan gives a few kilopascals
+UNEVEN = 10_000  # times the least pressure of a load: compressors raise it a hundredfold, MPa for Pa is a million
 ROUGH = 1  # rubber on a dry road; a larger coefficient of friction is mostly a lost decimal point
 
 
@@ -127,8 +129,21 @@ def _pistons(scene: Scene, form: ForceForm) -> Iterator[Fault]:
             yield scene.fault(where, "high_pressure", size=f"{most / 1_000_000:.4g}")
         elif 0 < most < LOW:
             yield scene.fault(where, "low_pressure", size=f"{most:.4g}")
+        else:
+            yield from _uneven(scene, path, force)
         if force.bore is not None and float(force.bore) > longest > 0:
             yield scene.fault((*path, "bore"), "wide_bore", longest=f"{longest:.4g}")
+
+
+def _uneven(scene: Scene, path: Path, force: ForceTable) -> Iterator[Fault]:
+    """Find pressures of one load of which one is given in another unit than the others."""
+    given = {(*path, "behind"): force.behind, (*path, "pressure"): force.pressure or Decimal(0)}
+    for name in ("pressure", "back") if force.diagram else ():
+        given |= {(*path, "diagram", name, k): size for k, size in enumerate(getattr(force.diagram, name))}
+    sizes = {where: abs(size) for where, size in given.items() if size}
+    least, most = min(sizes, key=sizes.__getitem__, default=None), max(sizes.values(), default=Decimal(0))
+    if least is not None and most >= UNEVEN * sizes[least]:
+        yield scene.fault(least, "uneven_pressures", size=f"{float(sizes[least]):.6g}", most=f"{float(most):.6g}")
 
 
 def _ends(table: DiagramTable) -> Iterator[tuple[Decimal, Decimal, Decimal]]:
