@@ -111,7 +111,7 @@ def _run(found: Run) -> dict[str, Any]:
         "t": plain(found.t),
         "turned": plain(found.turned),
         "omega": plain(found.omega),
-        "epsilon": [plain(row) for row in found.epsilon],
+        "epsilon": plain(found.epsilon),
     }
 
 
