@@ -23,7 +23,7 @@ from plans.words.words import message
 NONE = float("nan")
 POLE = "pole"  # the part with the pole and the rays
 _SCALE = re.compile(r"(μ|K)_?\{?(\w+)\}? = (\d+(?:[.,]\d+)?) ")
-_DISTANCE = re.compile(r"H = (\d+(?:[.,]\d+)?)")
+_DISTANCE = re.compile(r"Hp = (\d+(?:[.,]\d+)?)")
 
 
 def part(leaf: Leaf, name: str) -> Group | None:
@@ -210,7 +210,7 @@ def _pole(leaf: Leaf, moments: _Graph, works: _Graph) -> Iterator[Wrong]:
     """Hold the pole distance against the scales, the pole and each ray against it."""
     group, told = part(leaf, POLE), _DISTANCE.search(" ".join(text.plain for text in texts((works.group,))))
     if group is None or told is None:
-        yield message("wrong.missing", name="H")
+        yield message("wrong.missing", name="H_p")
         return
     if not moments.marks or not works.marks:  # nothing acts; an ordinate that is missing is told of by itself
         return

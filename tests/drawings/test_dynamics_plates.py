@@ -141,15 +141,15 @@ def test_ordinates_are_the_works_and_moments_of_the_load() -> None:
 
 @pytest.mark.parametrize("paper", ["A1", "A3"])
 def test_the_pole_distance_joins_both_scales(paper: str) -> None:
-    """The scale of works is mu_M times mu_phi times H (M2.3)."""
+    """The scale of works is mu_M times mu_phi times H_p (M2.3)."""
     leaf = next(leaf for leaf in exact(paper) if texts_of(leaf, "moments"))
     told = {
         letter: float(value)
         for name in ("moments", "works")
         for one in texts_of(leaf, name)
-        for letter, value in re.findall(r"(μ.|H) = ([\d.]+)", one)
+        for letter, value in re.findall(r"(μ.|Hp) = ([\d.]+)", one)
     }
-    assert told["μA"] == pytest.approx(told["μM"] * told["μφ"] * told["H"], rel=1e-3)
+    assert told["μA"] == pytest.approx(told["μM"] * told["μφ"] * told["Hp"], rel=1e-3)
 
 
 CASES = [("A1", "en", 1), ("A1", "ru", 1), ("A2", "ru", 2), ("A3", "en", 2), ("A3", "ru", 2)]

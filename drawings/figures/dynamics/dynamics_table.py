@@ -95,38 +95,51 @@ def _cell(value: float, drafting: Drafting) -> str:
 def results(own: Account, exact: Account, methods: Methods | None, drafting: Drafting) -> RuledTable:
     """Tell what both roads found, with the difference; then the inertia by other methods."""
     pairs = zip(_values(own), _values(exact), strict=True)
-    lines = [_compared(name, unit, one, two, drafting) for (name, unit, one), (_, _, two) in pairs]
+    lines = [_compared(one, two, drafting) for one, two in pairs]
     lines += _others(exact, methods, drafting)
     heads = tuple(drafting.word(head) for head in COLUMNS)
     return table(lines, drafting.word("quantity"), heads, drafting.hand.text)._replace(name=RESULTS)
 
 
-def _values(account: Account) -> Iterator[tuple[str, str, float]]:
-    """Give what is compared: letter, unit, value."""
+class _Value(NamedTuple):
+    """What is compared: letter, unit, value, and of what its difference is told; without that, of itself."""
+
+    letter: str
+    unit: str
+    value: float
+    whole: float | None = None
+
+
+def _values(account: Account) -> Iterator[_Value]:
+    """Give what is compared; segments are parts of one length, however small one of them is."""
     cycle, wheel, speeds = account.cycle, account.flywheel, account.speeds
     if cycle is not None:
         lost = np.abs(cycle.work[-1]) <= NOISE * np.abs(cycle.work).max()  # all that a turn of weights leaves over
-        yield "M_{dr}", "N*m", 0.0 if lost else cycle.driving
-        yield "A_{us}(2π)", "J", 0.0 if lost else -float(cycle.work[-1])
+        yield _Value("M_{dr}", "N*m", 0.0 if lost else cycle.driving)
+        yield _Value("A_{us}(2π)", "J", 0.0 if lost else -float(cycle.work[-1]))
     if wheel is not None:
-        yield from (("o_1k·μ_T", "J", wheel.cuts[1]), ("o_1l·μ_T", "J", wheel.cuts[0]))
-        yield from (("J_0", "kg*m2", wheel.whole), ("T_0", "J", wheel.energy))
-        yield from (("J_0^*", "kg*m2", wheel.own + wheel.present), ("J_{fly}", "kg*m2", wheel.inertia))
+        both = sum(map(abs, wheel.cuts))
+        yield from (_Value("o_1k·μ_T", "J", wheel.cuts[1], both), _Value("o_1l·μ_T", "J", wheel.cuts[0], both))
+        yield from (_Value("J_0", "kg*m2", wheel.whole), _Value("T_0", "J", wheel.energy))
+        yield from (_Value("J_0^*", "kg*m2", wheel.own + wheel.present), _Value("J_{fly}", "kg*m2", wheel.inertia))
     if speeds is not None:
-        yield from (("ω_{max}", "rad/s", speeds.extremes[1]), ("ω_{min}", "rad/s", speeds.extremes[0]))
-        yield "δ", "", speeds.delta
+        yield from (
+            _Value("ω_{max}", "rad/s", speeds.extremes[1]),
+            _Value("ω_{min}", "rad/s", speeds.extremes[0]),
+            _Value("δ", "", speeds.delta),
+        )
 
 
-def _compared(name: str, unit: str, own: float, exact: float, drafting: Drafting) -> TableRow:
-    named = drafting.letter(name) + (f", {drafting.word(unit)}" if unit else "")
-    return TableRow(
-        named, (drafting.number(own, DIGITS + 1), drafting.number(exact, DIGITS + 1), _share(own, exact, drafting))
-    )
+def _compared(own: _Value, exact: _Value, drafting: Drafting) -> TableRow:
+    named = drafting.letter(own.letter) + (f", {drafting.word(own.unit)}" if own.unit else "")
+    numbers = (drafting.number(one.value, DIGITS + 1) for one in (own, exact))
+    return TableRow(named, (*numbers, _share(own.value, exact.value, exact.whole, drafting)))
 
 
-def _share(own: float, exact: float, drafting: Drafting) -> str:
-    """Write a difference in per cent of the exact value."""
-    return fixed(100 * (own - exact) / abs(exact), drafting.language, 3) if exact else NOTHING
+def _share(own: float, exact: float, whole: float | None, drafting: Drafting) -> str:
+    """Write a difference in per cent of the exact value, or of what it is a part of."""
+    size = abs(exact) if whole is None else whole
+    return fixed(100 * (own - exact) / size, drafting.language, 3) if size else NOTHING
 
 
 def _others(exact: Account, methods: Methods | None, drafting: Drafting) -> Sequence[TableRow]:
@@ -136,6 +149,7 @@ def _others(exact: Account, methods: Methods | None, drafting: Drafting) -> Sequ
     named = {"by Mertsalov": methods.mertsalov, "by Gutyar": methods.gutyar, "without δ²": methods.book}
     whole = exact.flywheel.whole
     cells = (
-        (key, ("", drafting.number(value, DIGITS + 1), _share(value, whole, drafting))) for key, value in named.items()
+        (key, ("", drafting.number(value, DIGITS + 1), _share(value, whole, None, drafting)))
+        for key, value in named.items()
     )
     return tuple(TableRow(f"J_0 {drafting.word(key)}", row) for key, row in cells)

@@ -106,7 +106,7 @@ class _Drawing:
 
     def _pole(self, distance: float) -> str:
         """Write the pole distance, mm."""
-        return f"H = {self.plate.drafting.number(distance)} {self.plate.drafting.word('mm')}"
+        return f"{rays.DISTANCE} = {self.plate.drafting.number(distance)} {self.plate.drafting.word('mm')}"
 
     def _mean(self) -> str:
         """Write the mean speed, from which the speeds are drawn."""

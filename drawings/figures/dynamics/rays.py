@@ -14,7 +14,7 @@ from drawings.symbols.symbols import pole
 from plans.model.dynamics import Cycle
 
 NAME = "pole"
-POLE = "P"
+POLE, DISTANCE = "P", "H_p"  # H alone is a stroke
 APART = 1.0  # sizes of a letter between the ends of two rays that are drawn
 OFF = 2.2  # sizes of a letter from the axis to the dimension of the pole distance
 
@@ -22,10 +22,10 @@ OFF = 2.2  # sizes of a letter from the axis to the dimension of the pole distan
 def pole_part(cycle: Cycle, axes: Axes, distance: float, hand: Hand) -> Part:
     """Draw the pole at its distance, mm, and rays to the mean ordinates that lie apart, each carried to the axis."""
     at = axes.zero - distance
-    size = Dimension("H", at, axes.zero, _off(cycle) * OFF * hand.letter)
+    size = Dimension(DISTANCE, at, axes.zero, _off(cycle) * OFF * hand.letter)
     rays = (line for k in rays_of(cycle, axes, hand) for line in _ray(cycle, k, at, axes, hand))
     base = Line(at, axes.zero, hand.drafted)
-    letters = (Letter(at, POLE, hand.letter, LEFT), Letter(size.middle, "H", hand.letter, UNDER))
+    letters = (Letter(at, POLE, hand.letter, LEFT), Letter(size.middle, DISTANCE, hand.letter, UNDER))
     return Part(NAME, (base, *rays, *size.draw(hand), pole(at)), letters)
 
 
