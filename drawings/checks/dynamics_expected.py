@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
-from functools import cached_property
+from dataclasses import dataclass
 
 import numpy as np
 
 from plans.model.account import Account
-from plans.model.dynamics import ANALYSIS, Cycle, Flywheel, Speeds, Task
+from plans.model.dynamics import Cycle, Flywheel, Task
 from plans.model.motion import Floats
 
 MOMENTS, WORKS, SURPLUS, INERTIA, SPEEDS = "moments", "works", "surplus", "inertia", "speeds"
@@ -19,20 +18,15 @@ KNOWN = 1e-7
 
 @dataclass(frozen=True)
 class Expected:
-    """The motion of a machine by analysis on the strips of the construction.
-
-    `energies` J at position 0 are what the construction says of a machine without a flywheel, after the flywheel was
-    found not to be needed and before it was asked: its mean speed must come out of them.
-    """
+    """The motion of a machine by analysis on the strips of the construction."""
 
     task: Task
     found: Account
-    energies: tuple[float | None, float | None] = (None, None)
 
-    @cached_property
+    @property
     def account(self) -> Account:
-        """All of it, with the motion over the strips."""
-        return replace(self.found, speeds=self._after, before=self._without(self.energies[1]))
+        """All of it."""
+        return self.found
 
     @property
     def cycle(self) -> Cycle:
@@ -44,26 +38,6 @@ class Expected:
     def wheel(self) -> Flywheel | None:
         """The flywheel that the corners of the loop ask for."""
         return self.found.flywheel
-
-    @property
-    def _after(self) -> Speeds | None:
-        wheel = self.wheel
-        if wheel is None:
-            return None
-        return self._speeds(wheel.whole, wheel.energy) if wheel.needed > 0 else self._without(self.energies[0])
-
-    def _without(self, energy: float | None) -> Speeds | None:
-        """Give the motion without a flywheel; None where the machine would stop."""
-        bare = float(self.cycle.inertia[0]) + self.task.present
-        return None if energy is None else self._speeds(bare, energy)
-
-    def _speeds(self, inertia: float, energy: float) -> Speeds:
-        """Give the motion of a machine with an inertia and an energy at position 0, its slope by chords."""
-        turned = self.cycle.turned
-        omega = np.sqrt(2 * (energy + self.cycle.surplus) / (inertia + self.cycle.varying))
-        epsilon = (omega[1:] + omega[:-1]) / 2 * np.diff(omega) / np.diff(turned)
-        extremes = float(omega.min()), float(omega.max())
-        return Speeds(ANALYSIS, turned, omega, epsilon, extremes, inertia, energy)
 
     @property
     def omega(self) -> Floats | None:

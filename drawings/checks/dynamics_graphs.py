@@ -54,22 +54,6 @@ def graphs(measured: Measured, leaf: Leaf, expected: Expected, due: Iterable[str
         yield from _pole(leaf, names[MOMENTS], names[WORKS])
 
 
-def bare(measured: Measured, expected: Expected, plan: str, numbered: int) -> Iterator[Wrong]:
-    """Hold the speeds without the flywheel, where they have a graph of their own: each position that is numbered."""
-    before, divisions = expected.account.before, expected.task.divisions
-    if before is None:
-        yield message("wrong.stranger", name=plan)
-        return
-    seen = {one.position: one for one in measured.vectors if one.plan == plan}
-    places = np.searchsorted(expected.cycle.turned, TURN * np.arange(divisions) / divisions - KNOWN)
-    for k, omega in enumerate(before.omega[places].tolist() if divisions <= numbered else ()):
-        one = seen.get(k)
-        if one is None:
-            yield on("missing_at", plan, name=str(k), position=k)
-        elif not abs(one.value - 1j * omega) <= 2 * measured.quantum * one.scale + KNOWN * omega:
-            yield on("differs_at", plan, name=str(k), position=k)
-
-
 @dataclass(frozen=True)
 class _Graph:
     """A graph on a sheet, with what it must show."""

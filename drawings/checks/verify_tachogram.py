@@ -7,21 +7,27 @@ from collections.abc import Iterator
 import numpy as np
 
 from drawings.checks.dynamics_graphs import NONE, part, vertices, written
+from drawings.checks.precise import precise, tells
 from drawings.checks.wrong import Wrong, on
-from drawings.figures.dynamics.tachogram import CLOSE, LEAST, NAME
+from drawings.figures.dynamics.tachogram import CLOSE, LEAST, NAME, NUMBERS, told
 from drawings.measure.measure import Measured
-from drawings.paper.strokes import Leaf
+from drawings.page.drafting import Drafting
+from drawings.paper.strokes import Group, Leaf, Text
+from drawings.paper.walk import groups, texts
 from plans.model.motion import Complexes
 from plans.model.run import Run
 from plans.words.words import message
 
+DIGITS = 4  # of the numbers that are written
 
-def tachogram(measured: Measured, leaf: Leaf, run: Run | None) -> Iterator[Wrong]:
+
+def tachogram(measured: Measured, leaf: Leaf, run: Run | None, drafting: Drafting) -> Iterator[Wrong]:
     """Hold the ends of all stages by their instants and speeds, and every row of the run by the curve."""
     group = part(leaf, NAME)
     if run is None or group is None:
         yield message("wrong.missing", name=NAME)
         return
+    yield from _numbers(group, run, drafting)
     scales, curve = written(group), np.array(list(vertices(group)))
     across, up = scales.get("t", NONE), scales.get("ω", NONE)
     if not (np.isfinite(across) and np.isfinite(up) and curve.size):
@@ -32,6 +38,17 @@ def tachogram(measured: Measured, leaf: Leaf, run: Run | None) -> Iterator[Wrong
     off = [np.abs(curve - place).min() > near for place in places]
     yield from [on("curve", NAME)] if any(off) else []
     yield from _ends(measured, run, places, up)
+
+
+def _numbers(group: Group, run: Run, drafting: Drafting) -> Iterator[Wrong]:
+    """Hold the instants and the steady speed that are written, each number to its last digit."""
+    seen = [text.plain for one in groups((group,)) if one.name == NUMBERS for text in texts((one,))]
+    due = [Text(0j, line).plain for line in told(run, precise(drafting))]
+    if len(seen) < len(due):
+        yield message("wrong.missing", name="t_1")
+    for text, true in zip(seen, due, strict=False):
+        if not tells(text, true, (DIGITS,)):
+            yield message("wrong.told", text=text)
 
 
 def _ends(measured: Measured, run: Run, places: Complexes, up: float) -> Iterator[Wrong]:

@@ -44,7 +44,7 @@ def tangents(wheel: Flywheel, exact: Flywheel | None, drafting: Drafting) -> Ite
     yield from header(_units(heads, drafting))
     roads = [("report.as_drawn", wheel), *([("report.exactly", exact)] if exact is not None else [])]
     numbers = np.array([_tangent(one, k) for _, one in roads for k in range(2)])
-    rows = np.column_stack([settled(column) for column in numbers.T])
+    rows = np.column_stack([without_rounding(column) for column in numbers.T])
     for (said, k), cells in zip(((said, k) for said, _ in roads for k in range(2)), rows, strict=True):
         name = f"{('ψ_min', 'ψ_max')[k]}, {word(drafting.language, said)}"
         yield row([name, *("—" if math.isnan(one) else drafting.number(float(one), DIGITS) for one in cells)])
@@ -79,7 +79,7 @@ def _units(heads: Sequence[str], drafting: Drafting) -> list[str]:
     ]
 
 
-def settled(column: Floats) -> Floats:
+def without_rounding(column: Floats) -> Floats:
     """Give a column as it is told: what is nothing but for rounding is 0."""
     largest = np.nanmax(np.abs(column), initial=0.0)
     return np.where(np.abs(column) <= NOISE * largest, 0.0, column)
@@ -87,5 +87,5 @@ def settled(column: Floats) -> Floats:
 
 def _table(heads: Sequence[str], columns: Sequence[Floats], drafting: Drafting) -> Iterator[str]:
     yield from header(heads)
-    for k, cells in enumerate(zip(*map(settled, columns), strict=True)):
+    for k, cells in enumerate(zip(*map(without_rounding, columns), strict=True)):
         yield row([str(k), *("—" if math.isnan(one) else drafting.number(float(one), DIGITS) for one in cells)])

@@ -96,7 +96,7 @@ def _speeds(found: Speeds | None) -> dict[str, Any] | None:
     return {
         "turned": plain(found.turned),
         "omega": plain(found.omega),
-        "epsilon": plain(found.epsilon),
+        "epsilon": [plain(row) for row in found.epsilon],
         "extremes": list(found.extremes),
         "delta": found.delta,
     }

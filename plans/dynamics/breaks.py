@@ -6,7 +6,7 @@ of positions, or the velocity plan, drawn for crank angles between its neighbour
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -19,7 +19,7 @@ from plans.forces.stroke import ROUNDING, Stroke, asks
 from plans.linkage.assembly_limits import FAN, LOOKS, NODES, at_angles
 from plans.model.dynamics import TURN
 from plans.model.machine import ALWAYS, BACKWARD, FORWARD, WORKING, Force, Moment
-from plans.model.motion import Floats, Motion
+from plans.model.motion import Floats, LinkMotion, Motion, PointMotion
 
 # Two breaks are one if they are nearer than an extreme is known by its notch or a root: half the digits of an angle.
 SAME = 1e-7
@@ -92,7 +92,7 @@ def _passing(stroke: Stroke, share: float) -> Height:
 
 
 def _turning(link: int) -> Height:
-    return lambda motion: motion.links[link].omega
+    return lambda motion: _moving_only(motion.links[link].omega, motion.links.values())
 
 
 def _parting(force: Force) -> Height:
@@ -102,9 +102,16 @@ def _parting(force: Force) -> Height:
 
     def height(motion: Motion) -> Floats:
         along = motion.points[end].r - motion.points[start].r
-        return np.asarray((along.conj() * (motion.points[own].v - motion.points[far].v)).real)
+        parting = np.asarray((along.conj() * (motion.points[own].v - motion.points[far].v)).real)
+        return _moving_only(parting / np.abs(along), motion.points.values())
 
     return height
+
+
+def _moving_only(speed: Floats, motions: Collection[PointMotion | LinkMotion]) -> Floats:
+    """Give no speed at all where it is but rounding over the whole turn: what does not move does not reverse."""
+    fastest = max(float(np.nanmax(np.abs(one[1]), initial=0.0)) for one in motions)
+    return speed if np.nanmax(np.abs(speed), initial=0.0) > ROUNDING * fastest else np.zeros_like(speed)
 
 
 def _moving(reduction: Reduction, point: str) -> Iterator[Level]:

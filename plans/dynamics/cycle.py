@@ -12,7 +12,8 @@ from geometry.calculus import Integral, integral
 from geometry.strips import middles, strips
 from plans.dynamics.breaks import breaks
 from plans.dynamics.reduction import Reducing, Reduction
-from plans.model.dynamics import CONSTRUCTION, TURN, Cycle
+from plans.forces.stroke import ROUNDING
+from plans.model.dynamics import CONSTRUCTION, TURN, Cycle, settled
 from plans.model.motion import Floats
 from plans.words.calculus import REASONS
 from plans.words.words import because
@@ -21,6 +22,8 @@ WORKS = "works"
 # Both sides of a jump are read off plans beside it, at this part of a strip and at twice it, and carried on to the
 # edge: what that leaves out is the square of the part, far below the width of any line, and rounding grows by three.
 BESIDE = 2.0**-20
+# rad: what a stroke takes for its end, four times over; a position nearer to an edge may count as of the other stroke.
+APART = 4 * ROUNDING * TURN
 
 
 @dataclass(frozen=True)
@@ -59,7 +62,7 @@ class Turn:
     def works(self) -> Works:
         """Draw the curve of work from the moments at the middles of all strips."""
         middle, edge = self.reduction.at(middles(self.edges)), self.reduction.at(self.edges)
-        means = middle.moment
+        means = settled(middle.moment, middle.size)
         board = Board(WORKS)
         curve = integral(board, "A", self.edges, means, why=REASONS)
         whole = board.join("A_us", curve.points[0], curve.points[-1], because("work_of_loads"))
@@ -72,7 +75,7 @@ class Turn:
     def _sides(self) -> Floats:
         """The moments at the beginning and at the end of each strip, from inside it."""
         low, high = self.edges[:-1], self.edges[1:]
-        near = BESIDE * (high - low)
-        read = self.reduction.at(np.concatenate([low + near, low + 2 * near, high - near, high - 2 * near])).moment
-        first, second, last, before = read.reshape(4, -1)
-        return np.stack([2 * first - second, 2 * last - before], axis=1)
+        near = np.minimum(np.maximum(BESIDE * (high - low), APART), (high - low) / 4)
+        read = self.reduction.at(np.concatenate([low + near, low + 2 * near, high - near, high - 2 * near]))
+        first, second, last, before = read.moment.reshape(4, -1)
+        return settled(np.stack([2 * first - second, 2 * last - before], axis=1), read.size)

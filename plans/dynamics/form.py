@@ -7,6 +7,8 @@ from decimal import Decimal
 from plans.dynamics import fields as d
 from plans.dynamics.motor import MotorTable, RunTable
 from plans.scene import fields as f
+from plans.scene.faults import wrong
+from plans.scene.forms import Form
 from plans.scene.readers import many
 from plans.scene.scene import TechniqueForm
 from plans.scene.tables import Missing, Table, key, table
@@ -43,6 +45,9 @@ class DynamicsTable(Table):
         None,
         meaning='Coefficient of fluctuation of speed δ (неравномерность хода), 0.0125 or "1/80"; asks for a flywheel.',
     )
+    reduction: bool = key(
+        f.FLAG, False, meaning="The reduction alone, at the positions of the scene: no steady turn, no flywheel."
+    )
     speed: Decimal | None = key(
         f.ANGULAR_SPEED, None, meaning="Mean angular speed of the crank; default: that of the drive."
     )
@@ -57,6 +62,16 @@ class DynamicsTable(Table):
         many(table(ShaftTable), first=f.FEW), (), meaning="Gears and other rotating masses beside the linkage."
     )
     flywheel: FlywheelTable = key(table(FlywheelTable), FlywheelTable(), meaning="What is known of the flywheel.")
+
+    def check(self) -> None:
+        """See that a flywheel is not asked of the reduction alone."""
+        if self.reduction and self.fluctuation is not None:
+            raise wrong("one_of_two", first="reduction", second="fluctuation", found="both", at=("reduction",))
+
+    @classmethod
+    def rules(cls) -> Form:
+        """Say that a flywheel is not asked of the reduction alone."""
+        return {"not": {"required": ["reduction", "fluctuation"], "properties": {"reduction": {"const": True}}}}
 
 
 class SpeedTable(Table):

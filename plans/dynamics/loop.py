@@ -9,6 +9,7 @@ import numpy as np
 
 from geometry.board import Board, Mark
 from plans.model.dynamics import CONSTRUCTION, Cycle, Flywheel, Task, Touch
+from plans.model.edge_names import edge_names
 from plans.model.motion import Floats
 from plans.words.words import because
 
@@ -55,10 +56,10 @@ def loop(cycle: Cycle, task: Task) -> Loop:
     start = board.given("o_1", 0j, because("loop_origin"))
     axis = board.given("T", 1j, because("energy_axis"))
     axis = board.parallel("T", start, axis, because("energy_axis"))
-    varying, surplus = cycle.varying, cycle.surplus
+    varying, surplus, names = cycle.varying, cycle.surplus, edge_names(cycle.turned, task.divisions)
     points = tuple(
-        board.given(str(k), complex(x, y), because("loop_point"))
-        for k, (x, y) in enumerate(zip(varying.tolist(), surplus.tolist(), strict=True))
+        board.given(name, complex(x, y), because("loop_point"))
+        for name, x, y in zip(names, varying.tolist(), surplus.tolist(), strict=True)
     )
     least = _tangent(board, points, axis, (LEAST, "l"), low, _support(low * varying - surplus))
     greatest = _tangent(board, points, axis, (GREATEST, "k"), high, _support(surplus - high * varying))

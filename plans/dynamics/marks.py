@@ -13,6 +13,7 @@ from plans.dynamics.reduction import Reducing
 from plans.dynamics.speeds import SPEEDS
 from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.linkage import marks as motion
+from plans.model.edge_names import edge_names
 from plans.words.words import Message, message
 
 if TYPE_CHECKING:
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
 
 MOMENT, INERTIA, DRIVE = "M_red", "J_red", "A_dr"
 SEGMENTS = {"o1k": 1, "o1l": 0}
-POINT = re.compile(r"A_(?P<edge>\d+)")
+POINT = re.compile(r"A_(?P<edge>\d+'*)")
 UNITS = {**motion.UNITS, "forces": "N", "lever": "m", WORKS: "J", LOOP: "J", SPEEDS: "rad/s"}
 EXAMPLES = (MOMENT, INERTIA, "o1k")
 
@@ -33,7 +34,9 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
         return _reduced(dynamics, position, name)
     targets = _diagram(dynamics, name)
     if targets is None:
-        return NoMark((MOMENT, INERTIA, DRIVE, *SEGMENTS, "J_0"), None, EXAMPLES)
+        loop = (*SEGMENTS, "J_0") if dynamics.task.delta is not None else ()
+        examples = EXAMPLES if loop else EXAMPLES[:-1]
+        return NoMark((MOMENT, INERTIA, DRIVE, *loop), None, examples)
     return Explanation(message("explain.name", mark=name), tuple(behind(*targets)), UNITS, _notes(dynamics, name))
 
 
@@ -52,7 +55,7 @@ def _diagram(dynamics: DynamicsStudy, name: str) -> tuple[Mark, ...] | None:
     """Find a mark of the works or of the loop."""
     point = POINT.fullmatch(name)
     if point:
-        return (_work(dynamics, int(point["edge"])),)
+        return (_work(dynamics, point["edge"]),)
     if name == DRIVE:
         return (dynamics.works.drive,)
     loop = dynamics.loop if name in (*SEGMENTS, "J_0") else None
@@ -61,11 +64,12 @@ def _diagram(dynamics: DynamicsStudy, name: str) -> tuple[Mark, ...] | None:
     return (loop.tangents[SEGMENTS[name]].cut,) if name in SEGMENTS else (loop.origin,)
 
 
-def _work(dynamics: DynamicsStudy, edge: int) -> Mark:
-    points = dynamics.works.curve.points
-    if edge >= len(points):
-        raise UnknownMark(message("mark.strip", edge=edge, last=len(points) - 1))
-    return points[edge]
+def _work(dynamics: DynamicsStudy, edge: str) -> Mark:
+    """Give the point of the curve of work over an edge, by the name that it has on the sheet."""
+    names = edge_names(dynamics.cycle.turned, dynamics.task.divisions)
+    if edge not in names:
+        raise UnknownMark(message("mark.strip", edge=edge, names=", ".join(names)))
+    return dynamics.works.curve.points[names.index(edge)]
 
 
 def _notes(dynamics: DynamicsStudy, name: str) -> tuple[Message, ...]:

@@ -95,6 +95,12 @@ class Reducing:
         """The derivative of the reduced inertia by the angle turned, kg*m2."""
         return -2 * self._total(self.hindering)
 
+    @property
+    def size(self) -> float:
+        """The largest sum of the moments of loads and weights, each taken positive, N*m."""
+        sizes = sum((np.abs(np.asarray(mark.point)) for mark in self.acting), np.zeros(len(self.turn)))
+        return float(np.nanmax(sizes, initial=0.0))
+
     def _total(self, moments: Iterable[Mark]) -> Floats:
         return sum((np.asarray(mark.point).real for mark in moments), np.zeros(len(self.turn)))
 

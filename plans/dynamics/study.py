@@ -6,6 +6,8 @@ from collections.abc import Collection
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from geometry.errors import ConstructionError
 from plans.dynamics.cycle import Turn, Works
 from plans.dynamics.form import DRIVE, DynamicsForm, DynamicsTable
@@ -22,7 +24,7 @@ from plans.forces.statics import Statics
 from plans.linkage.obstruction import obstruction
 from plans.linkage.study import LinkageStudy
 from plans.model.account import Account
-from plans.model.dynamics import CONSTRUCTION, Cycle, Flywheel, Reduced, Speeds, Task
+from plans.model.dynamics import CONSTRUCTION, ROUNDED, Cycle, Flywheel, Reduced, Speeds, Task
 from plans.model.flywheel_methods import Methods
 from plans.model.flywheel_rim import Wheel
 from plans.model.motor import Motor
@@ -37,6 +39,10 @@ REDUCTION, WORKS, FLYWHEEL, SPEEDS, RUN = "reduction", "works", "flywheel", "spe
 
 class NoCycle(ConstructionError):  # noqa: N818  (the exception tree's own word)
     """A steady motion was asked of a machine whose crank cannot turn fully."""
+
+
+class NoInertia(ConstructionError):  # noqa: N818  (the exception tree's own word)
+    """A run was asked of a machine that has no inertia in some position."""
 
 
 class DynamicsStudy:
@@ -71,8 +77,8 @@ class DynamicsStudy:
 
     @property
     def steady(self) -> bool:
-        """Whether the crank can turn fully, and its motion be steady."""
-        return not self.linkage.barriers and self.linkage.assembly.phi is not None
+        """Whether a steady turn is asked for, and the crank can turn fully."""
+        return not self._form.reduction and not self.linkage.barriers and self.linkage.assembly.phi is not None
 
     @property
     def account(self) -> Account:
@@ -139,14 +145,15 @@ class DynamicsStudy:
         if wheel.needed <= 0:
             return self.unaided
         self.made.setdefault(SPEEDS)
-        return speed_curve(self.cycle, wheel.whole, wheel.energy)
+        return speed_curve(self.cycle, self.works.edge.slope, wheel.whole, wheel.energy)
 
     @cached_property
     def unaided(self) -> SpeedCurve | None:
         """The motion without a flywheel; None where the machine would stop."""
         self.made.setdefault(SPEEDS)
-        energy = natural(self.cycle, self.bare, self.task.speed) if self.bare > 0 else None
-        return None if energy is None else speed_curve(self.cycle, self.bare, energy)
+        lightest = self.bare + float(self.cycle.varying.min())
+        energy = natural(self.cycle, self.bare, self.task.speed) if lightest > 0 else None
+        return None if energy is None else speed_curve(self.cycle, self.works.edge.slope, self.bare, energy)
 
     @cached_property
     def motor(self) -> Motor | None:
@@ -159,7 +166,16 @@ class DynamicsStudy:
         if self.motor is None:
             return None
         self.made.setdefault(RUN)
+        self._check_inertia()
         return run(reduced_link(self.works, self.constant), self.motor, self.run_task)
+
+    def _check_inertia(self) -> None:
+        """See that something has inertia in every position: else the motor has nothing to speed up there."""
+        masses = self.cycle.inertia + self.constant
+        if masses.min() <= ROUNDED * masses.max():
+            scene, angle = self.linkage.scene, f"{np.degrees(self.cycle.turned[int(masses.argmin())]):.4g}"
+            line, column = scene.place(("dynamics", "motor"))
+            raise NoInertia(placed(f"{scene.file}:{line}:{column}", message("dynamics.no_inertia", angle=angle)))
 
     @property
     def constant(self) -> float:

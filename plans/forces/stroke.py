@@ -96,8 +96,8 @@ def _apart(parting: Parting, point: str, motion: Motion) -> Floats:
 class OtherStroke(StructureError):  # noqa: N818  (the exception tree's own word)
     """A diagram over lengths of another stroke than that of what it counts; `load` is the force that it is of."""
 
-    def __init__(self, load: Force, key: str, **details: object) -> None:
-        super().__init__(message(f"stroke.{key}", load=load.name, **details))
+    def __init__(self, load: Force, why: Message) -> None:
+        super().__init__(why)
         self.load = load
 
 
@@ -129,13 +129,13 @@ def _check_length(load: Force | Moment, stroke: Stroke, thing: Message) -> None:
     if not isinstance(load, Force) or load.diagram is None or not load.diagram.length:
         return
     if not stroke.sliding:
-        raise OtherStroke(load, "swings", thing=thing)
+        raise OtherStroke(load, message("stroke.swings", load=load.name, thing=thing))
     length, whole = load.diagram.length, abs(stroke.reach[1] - stroke.reach[0])
     if abs(whole - length) > FIT * whole:
         told, reached, off = (f"{1000 * size:.5g}" for size in (length, whole, abs(whole - length)))
-        raise OtherStroke(
-            load, "longer" if length > whole else "shorter", thing=thing, length=told, stroke=reached, off=off
-        )
+        parts = {"load": load.name, "thing": thing, "length": told, "stroke": reached, "off": off}
+        longer = length > whole
+        raise OtherStroke(load, message("stroke.longer", **parts) if longer else message("stroke.shorter", **parts))
 
 
 def counted(mechanism: Mechanism, load: Force | Moment, output: Output) -> Output | None:

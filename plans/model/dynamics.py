@@ -12,11 +12,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from plans.model.kinetostatics import NOTHING
 from plans.model.motion import Floats, Gap
 
 CONSTRUCTION, ANALYSIS = "construction", "analysis"
 TURN = 2 * np.pi
+ROUNDED = 1e-12  # of what is subtracted: less is its rounding over the strips of a turn, magnified by a sharp notch
 
 
 class Shaft(NamedTuple):
@@ -100,8 +100,12 @@ class Cycle:
     @property
     def net(self) -> float:
         """Work of loads and weights over the turn, J: none where it is but the rounding of what comes and goes."""
-        gross, whole = float(np.abs(self.means) @ np.diff(self.turned)), float(self.work[-1])
-        return whole if abs(whole) > NOTHING * gross else 0.0
+        return float(settled(self.work[-1:], self.gross)[0])
+
+    @property
+    def gross(self) -> float:
+        """Work of loads and weights, J, what they take and what they give alike."""
+        return float(np.abs(self.means) @ np.diff(self.turned))
 
     @property
     def driving(self) -> float:
@@ -111,12 +115,17 @@ class Cycle:
     @property
     def surplus(self) -> Floats:
         """Change of the kinetic energy since position 0, J (избыточная работа): of the drive and of the loads."""
-        return np.asarray(self.driving * self.turned + self.work)
+        return settled(self.driving * self.turned + self.work, self.gross)
 
     @property
     def varying(self) -> Floats:
         """The part of the reduced inertia that changes, kg*m2: that above its value at position 0."""
-        return np.asarray(self.inertia - self.inertia[0])
+        return settled(self.inertia - self.inertia[0], float(np.abs(self.inertia).max()))
+
+
+def settled(values: Floats, of: float) -> Floats:
+    """Give values of which those are zero that are but the rounding of what they are the difference of."""
+    return np.where(np.abs(values) > ROUNDED * of, values, 0.0)
 
 
 class Touch(NamedTuple):
@@ -165,7 +174,7 @@ class Flywheel:
 
 @dataclass(frozen=True)
 class Speeds:
-    """The crank's motion over a steady turn (закон движения): rad/s at the edges, rad/s2 at the middles of strips.
+    """The crank's motion over a steady turn (закон движения): rad/s at the edges, rad/s2 on either side of them.
 
     `inertia` kg*m2 and `energy` J are those of the whole machine at position 0.
     """
@@ -173,7 +182,7 @@ class Speeds:
     by: str
     turned: Floats  # (n + 1,) rad
     omega: Floats  # (n + 1,) rad/s
-    epsilon: Floats  # (n,) rad/s2: at the middle of each strip
+    epsilon: Floats  # (n, 2) rad/s2: at the beginning and at the end of each strip; sides of an edge differ at a jump
     extremes: tuple[float, float]  # rad/s: least and greatest
     inertia: float
     energy: float

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from plans.scene.demand import reading
 from plans.scene.faults import Fault, Path
 from plans.scene.scene import Scene
-from plans.techniques import TECHNIQUES, named, technique_of
+from plans.techniques import TECHNIQUES, Technique, named, technique_of
 
 
 def notes_of(scene: Scene, asked: Iterable[str] = ()) -> list[Fault]:
@@ -25,9 +25,15 @@ def _mark(scene: Scene) -> Iterator[Fault]:
 
 def _unused(scene: Scene, asked: Iterable[str]) -> Iterator[Fault]:
     """Find what only techniques need of which no sheet is wanted."""
-    used = reading([*map(technique_of, scene.sheets), *asked])
+    paced = (name for name, row in TECHNIQUES.items() if row.pace and any(map(scene.has, _shared(row))))
+    used = reading([*map(technique_of, scene.sheets), *asked, *paced])
     for technique in (TECHNIQUES[name] for name in scene.techniques if name not in used):
         wanted = ", ".join(f'"{sheet}"' for sheet in (*scene.sheets, next(iter(technique.sheets))))
         keys: list[Path] = [(name,) for name in technique.tables]
-        keys += [(table, name) for table, names in technique.shares.items() for name in names]
+        keys += _shared(technique)
         yield from (scene.fault(path, "unused", wanted=wanted) for path in keys if scene.has(path))
+
+
+def _shared(technique: Technique) -> list[Path]:
+    """Give its keys of tables that are the scene's or another technique's."""
+    return [(table, name) for table, names in technique.shares.items() for name in names]

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from decimal import Context, Decimal, InvalidOperation
-from difflib import get_close_matches
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -229,6 +228,8 @@ def _ranged(number: Decimal, kind: Kind) -> Decimal:
 
 def _example(kind: Kind, number: str = "1", unit: str = "") -> str:
     """Give an example: the number as written with the unit that is nearly what is written, or one of the SI unit."""
+    from difflib import get_close_matches  # noqa: PLC0415  (only a wrong unit needs it)
+
     meant = get_close_matches(unit, kind.units, 1, ALIKE)
     if meant:
         return f'"{number} {meant[0]}"'

@@ -4,19 +4,27 @@ from __future__ import annotations
 
 import math
 import re
+from dataclasses import replace
 from functools import cache
 
 import pytest
 
 from drawings.checks.labelled import unlettered
 from drawings.checks.verify_dynamics import faults
-from drawings.figures.dynamics.strips import MARKED
+from drawings.figures.dynamics.curves import dense
+from drawings.figures.dynamics.loop import Loop
+from drawings.figures.dynamics.strips import MARKED, strips
+from drawings.figures.dynamics.tangent import Tangent
+from drawings.figures.graphs.axes import BEYOND, Axes
 from drawings.lettering.lettering import lettered
 from drawings.measure.measure import Measured, MeasuredVector, check, measure
-from drawings.paper.strokes import Circle, Group, Leaf, Text
+from drawings.page.drafting import drafting_of
+from drawings.page.scale import Scale
+from drawings.paper.strokes import Circle, Group, Leaf, Line, Text
 from drawings.paper.walk import groups, texts, walk
 from drawings.pens.svg import svg
 from drawings.sheets.dynamics import Machine, leaves, sheets
+from plans.model.dynamics import TURN
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.drawings.collisions import collisions
@@ -74,6 +82,31 @@ def test_published_angles_are_measured_back(paper: str) -> None:
 
 def texts_of(leaf: Leaf, name: str) -> list[str]:
     return [one.plain for group in groups(leaf.groups) if group.name == name for one in texts((group,))]
+
+
+def test_a_tangent_that_touches_the_end_of_the_turn_touches_its_beginning() -> None:
+    """Both are one point of the loop: rounding alone decides which of them is touched first."""
+    own = study()["dynamics"]
+    wheel = own.account.flywheel
+    ends = tuple(one._replace(turned=TURN) for one in wheel.touches)
+    shown = Loop(own.cycle, dense(own.cycle), strips(own.cycle, 24), replace(wheel, touches=ends))
+    assert shown.touches == (0, 0)
+    found = replace(own.account, flywheel=shown.flywheel)
+    assert sheets(study().scene, Machine(own.task, found, found))
+
+
+@pytest.mark.parametrize("steep", [0.1, 0.4, 2.0, 20.0])
+def test_a_tangent_with_its_angle_ends_below_the_title_of_its_loop(steep: float) -> None:
+    own = study()["dynamics"]
+    wheel = own.account.flywheel
+    inertia = Scale(steep / wheel.slopes[1], "J", "kg*m2")
+    shown = Tangent(
+        (0.0, 60 * inertia.mu), 30.0, wheel, Axes(0j, inertia, Scale(1.0, "T", "J")), drafting_of(study().scene).hand, 1
+    )
+    assert shown.slope == pytest.approx(steep)
+    ends = [one.end for one in shown.lines if isinstance(one, Line)]
+    assert max(end.imag for end in ends) <= 30 + BEYOND + 1e-9
+    assert shown.end.imag >= 30 - 1e-9 or shown.end.real >= 60
 
 
 def test_graphs_stand_over_one_angle() -> None:

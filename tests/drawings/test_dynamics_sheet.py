@@ -14,9 +14,11 @@ from drawings.checks.verify import SelfCheckFailed, verify
 from drawings.checks.verify_dynamics import faults
 from drawings.lettering.lettering import lettered
 from drawings.paper.strokes import Circle, Group, Leaf, Line, Polyline, Stroke, Text
+from drawings.paper.walk import groups, texts
 from drawings.pens.svg import svg
 from drawings.report.dynamics_report import chapters
 from drawings.sheets.dynamics import leaves
+from plans.scene.scene import parse_scene
 from plans.study import Study
 from plans.words.words import said
 from tests.drawings.slips import (
@@ -32,6 +34,7 @@ from tests.drawings.slips import (
     without,
 )
 from tests.plans.dynamics_scenes import study as machine
+from tests.plans.dynamics_scenes import text
 
 ASKED = 'fluctuation = "1/25"\nflywheel.diameter = "1.2 m"\n'
 SHAFTS = 'shafts = [{ inertia = 0.4, ratio = 2.5, name = "gear" }]\n'
@@ -73,6 +76,47 @@ def test_a_sheet_is_measured_back(size: str, language: str, asked: str, tmp_path
         plans |= {one.plan for one in measured.marks}
     assert {"moments", "works", "surplus", "inertia", "loop", "load_diagram-F_us"} <= plans
     assert ("flywheel_sketch" in plans) == ('"1.2 m"' in asked)
+
+
+def without_masses(scene: str) -> str:
+    before, after = scene.split("[masses]", 1)
+    return before + after[after.index("[[loads") :]
+
+
+SPRUNG = """
+[[loads.forces]]
+on = 3
+point = "B"
+direction = 180
+bore = 0.1
+behind = "0.1 MPa"
+diagram = { travel = ["0 %", "20 %", "100 %"], pressure = ["0.6 MPa", "0.1 MPa", "0.1 MPa"] }
+"""
+
+
+@pytest.mark.parametrize(
+    "scene",
+    [
+        text(asked=ASKED, drive='start = "extreme"\npositions = 12'),
+        without_masses(text(asked=ASKED + SHAFTS)),  # the inertia is constant: the links add rounding alone
+        without_masses(text(asked=ASKED + SHAFTS, drive='start = "extreme"\npositions = 12')),
+        text(SPRUNG, 'start = "extreme"\npositions = 12', ASKED),  # the loop is touched in both dead points
+        text("", "positions = 12", ASKED),  # masses alone
+        text("", "positions = [60]", ""),
+        text("[loads]\ngravity = 9.81\n", "positions = 12", ASKED),  # weights alone
+    ],
+)
+def test_what_is_but_rounding_is_not_held_to_its_digits(scene: str, tmp_path: Path) -> None:
+    study = Study(parse_scene(scene))
+    for leaf in leaves(study):
+        verify(written(leaf, tmp_path), leaf, partial(faults, study=study))
+
+
+def test_links_of_constant_inertia_are_said_to_change_nothing() -> None:
+    study = Study(parse_scene(without_masses(text(asked=ASKED + SHAFTS))))
+    leaf = leaves(study)[0]
+    assert "the links have the same reduced inertia at both" in leaf.description
+    assert "of the links =" not in leaf.description
 
 
 def test_the_sheet_alone_says_why_the_flywheel_is_so_big(planer) -> None:
@@ -195,10 +239,16 @@ def test_the_speeds_without_the_flywheel_are_held(tmp_path: Path) -> None:
     study, found = sheet("A1", "en", ASKED + SHAFTS)
     (leaf,) = [one for one in found if "before" in one.metadata["figures"]]
     see = partial(faults, study=study)
-    assert len([one for one in verify(written(leaf, tmp_path), leaf, see).vectors if one.plan == "before"]) == 24
-    for change in (dropped("7", "before"), stretched("7", "before")):
-        with pytest.raises(SelfCheckFailed, match="7 on"):
-            verify(written(changed(leaf, change), tmp_path), changed(leaf, change), see)
+    found = [one for one in verify(written(leaf, tmp_path), leaf, see).vectors if one.plan == "before"]
+    (group,) = [one for one in groups(leaf.groups) if one.name == "before"]
+    numbers = [int(one.plain) for one in texts((group,)) if one.plain.isdigit()]
+    assert sorted(numbers) == list(range(0, 25, 2))  # as far apart as on the other graphs; the end of the turn is 24
+    assert sorted(one.position for one in found) == list(range(0, 24, 2))
+    aside = in_part("before", moved(Circle, 7, 0.1j))
+    changes = {"8 on": (dropped("8", "before"), stretched("8", "before")), "7 on": (aside,)}
+    for wrong, spoilt in ((wrong, changed(leaf, one)) for wrong, several in changes.items() for one in several):
+        with pytest.raises(SelfCheckFailed, match=wrong):
+            verify(written(spoilt, tmp_path), spoilt, see)
 
 
 MOTOR = (
@@ -217,6 +267,13 @@ def test_the_tachogram_is_held_and_the_report_tells_the_run_by_both_roads(tmp_pa
         spoilt = changed(leaf, change)
         with pytest.raises(SelfCheckFailed, match="t_1 on tachogram"):
             verify(written(spoilt, tmp_path), spoilt, see)
+    for name in ("t_1", "t_2", "t_3", "ω_{уст}", "δ"):
+        spoilt = changed(leaf, in_part("tachogram-numbers", scaled(name)))
+        with pytest.raises(SelfCheckFailed, match=" = 9"):
+            verify(written(spoilt, tmp_path), spoilt, see)
+    spoilt = changed(leaf, without("tachogram-numbers"))
+    with pytest.raises(SelfCheckFailed, match="t_1 is missing"):
+        verify(written(spoilt, tmp_path), spoilt, see)
     told = "\n".join(chapters(study, {"dynamics": found}).values)
     assert "DOP853" in told or "Radau" in told or "LSODA" in told
     assert told.count("по таблице |") == told.count("решателем |") == 3

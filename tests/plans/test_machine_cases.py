@@ -11,7 +11,7 @@ from plans.analytic.dynamics.speeds import Stall, Swing
 from plans.checks.dynamics_comparison import DynamicsComparison
 from plans.checks.dynamics_numbers import numbers
 from plans.checks.pace import NoPace
-from plans.dynamics.study import NoCycle
+from plans.dynamics.study import NoCycle, NoInertia
 from plans.scene.notes import notes_of
 from plans.scene.scene import parse_scene
 from plans.study import Study
@@ -166,3 +166,58 @@ def test_a_speed_far_from_that_of_the_drive_is_noted(speed: str, told: bool) -> 
     """The drive is at 120 rpm: another mean speed may be asked for, but hardly a tenth of it."""
     notes = [note.worded("en") for note in notes_of(parse_scene(text(asked=f'{ASKED}\nspeed = "{speed}"')))]
     assert ["beside the 12.566 rad/s of the drive" in note for note in notes] == [True] * told
+
+
+def test_machine_that_runs_without_a_flywheel() -> None:
+    """A lighter cut: both roads find the motion of the machine as it is, and the same."""
+    light = compared(PLANING.replace("value = 2000", "value = 20"))
+    assert light.construction.before is not None
+    assert light.construction.before.mean == pytest.approx(120 * np.pi / 30, rel=1e-12)
+    assert light.analysis.before.extremes == pytest.approx(light.construction.before.extremes, rel=1e-12)
+
+
+@pytest.mark.parametrize("divisions", [720, 2000])
+def test_sides_of_a_jump_on_thousands_of_strips(divisions: int) -> None:
+    """A moment against the crank that acts on the working stroke alone jumps at both dead centres, to its full size."""
+    moment = '[[loads.moments]]\non = 1\nvalue = 40\nagainst = "motion"\nduring = "working stroke"\n'
+    cycle = compared(moment, asked=f"{ASKED}\ndivisions = {divisions}").construction.cycle
+    assert set(np.round(cycle.moments.ravel(), 9).tolist()) == {-40.0, 0.0}
+
+
+def test_constant_moment_on_the_crank_takes_nothing_from_the_drive_unevenly() -> None:
+    """Nothing is left of the surplus but rounding, which is told as nothing; the links alone ask for a flywheel."""
+    found = compared('[[loads.moments]]\non = 1\nvalue = 50\nagainst = "motion"\n')
+    assert found.construction.cycle.driving == pytest.approx(50, rel=1e-14)
+    assert found.construction.cycle.surplus.tolist() == [0.0] * 25
+    for ours, theirs in zip(found.construction.flywheel.touches, found.analysis.flywheel.touches, strict=True):
+        assert ours == pytest.approx(theirs, rel=1e-12)
+
+
+def test_motor_that_cannot_bear_the_loads() -> None:
+    """I12: 28 N*m at the crank run the machine up, but do not bear 57 N*m: no steady turn is told."""
+    motor = "motor = { rotor = 0.05, ratio = 14, starting = 2, synchronous = 200 }"
+    found = compared(asked=f"{ASKED}\n{motor}")
+    for run in (found.construction.run, found.exact.run):
+        assert run.failure.reason == "too_weak"
+        assert run.steady is None
+
+
+def test_machine_without_any_inertia_in_a_position() -> None:
+    """A slider alone stands still at its dead centres: no motor runs that up."""
+    alone = text(asked="motor = { starting = 20, synchronous = 200 }").split("[masses]")
+    bare = alone[0] + "[masses]\n3 = { mass = 8 }\n" + alone[1][alone[1].index("[[loads") :]
+    with pytest.raises(NoInertia, match="0 degrees after position 0"):
+        Study(parse_scene(bare))["dynamics"].construct(("run",))
+
+
+def test_reduction_that_is_asked_for_alone() -> None:
+    """Theme 7: the masses reduced at one angle, and no steady turn."""
+    found = compared(drive="positions = [60]", asked="reduction = true")
+    assert found.construction.cycle is None
+    assert f"{found.construction.reduced.inertia[0]:.10f}" == "0.1289878783"
+
+
+def test_pace_of_the_crank_makes_its_tables_used() -> None:
+    """With speed_from the plans are at the machine's speed: no note says that masses or loads are not needed."""
+    scene = parse_scene(text(drive='positions = 24\nspeed_from = "dynamics"').replace('["dynamics"]', '["kinematics"]'))
+    assert not [note for note in notes_of(scene) if note.kind == "unused"]

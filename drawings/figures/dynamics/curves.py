@@ -14,25 +14,25 @@ STEPS = 360  # of a turn at least: a degree, of which no curve on paper shows th
 
 
 class Dense(NamedTuple):
-    """A turn followed densely: angles rad from 0 on, moment N*m, work J, reduced inertia kg*m2; jumps are upright."""
+    """A turn followed densely: angles rad from 0 on, moment N*m, work J, varying inertia kg*m2; jumps are upright."""
 
     turned: Floats
     moment: Floats
     work: Floats
-    inertia: Floats
+    varying: Floats
 
 
 def dense(cycle: Cycle) -> Dense:
     """Join the points of a cycle smoothly, each strip on its own: loads may jump or bend at its edges."""
     shares = np.linspace(0.0, 1.0, 1 + math.ceil(STEPS / len(cycle.means)))
-    slopes = _slopes(cycle.turned, cycle.inertia)
+    slopes = _slopes(cycle.turned, cycle.varying)
     ends = np.column_stack([slopes[:-1], slopes[1:]])
     turned = cycle.turned[:-1, None] + shares * np.diff(cycle.turned)[:, None]
     rows = (
         turned,
         _parabolas(cycle.moments, cycle.means, shares),
         _cubics(cycle.turned, cycle.work, cycle.moments, shares),
-        _cubics(cycle.turned, cycle.inertia, ends, shares),
+        _cubics(cycle.turned, cycle.varying, ends, shares),
     )
     return Dense(*(row.ravel() for row in rows))
 

@@ -12,7 +12,7 @@ from drawings.layout.table import RuledTable, TableRow, table
 from drawings.layout.value_table import COLUMNS
 from drawings.lettering.words import fixed
 from drawings.page.drafting import Drafting
-from drawings.report.dynamics_tables import NOISE, settled
+from drawings.report.dynamics_tables import NOISE, without_rounding
 from plans.model.account import Account
 from plans.model.dynamics import Cycle, Reduced, Speeds, Task
 from plans.model.flywheel_methods import Methods
@@ -47,7 +47,9 @@ def positions(task: Task, account: Account, drafting: Drafting, most: int = MOST
 def reduction(reduced: Reduced, drafting: Drafting) -> RuledTable:
     """Tell the reduced moment and inertia at the positions, where there is no steady turn."""
     heads = tuple(f"{drafting.letter(letter)}, {drafting.word(unit)}" for letter, unit in REDUCED)
-    rows = zip(np.degrees(reduced.phi), *map(settled, (reduced.moment, reduced.inertia, reduced.slope)), strict=True)
+    rows = zip(
+        np.degrees(reduced.phi), *map(without_rounding, (reduced.moment, reduced.inertia, reduced.slope)), strict=True
+    )
     lines = [TableRow(str(k), tuple(_cell(value, drafting) for value in row)) for k, row in enumerate(rows)]
     return table(lines, "i", heads, drafting.hand.text)._replace(name=POSITIONS)
 
@@ -56,15 +58,20 @@ class _Columns(NamedTuple):
     """What the table tells at the edges, in its order, and the moment before each."""
 
     rows: Floats  # (7, n + 1)
-    before: Floats  # (n + 1,)
+    before: Floats  # (7, n + 1): the moment and the acceleration alone
 
 
 def _columns(cycle: Cycle, speeds: Speeds | None) -> _Columns:
     nothing = np.full(len(cycle.turned), np.nan)
     after, before = np.append(cycle.moments[:, 0], cycle.moments[-1, 1]), np.append(np.nan, cycle.moments[:, 1])
-    motion = [nothing, nothing] if speeds is None else [speeds.omega, np.append(speeds.epsilon, np.nan)]
-    rows = [np.degrees(cycle.turned), -after, -cycle.work, cycle.surplus, cycle.varying, *motion]
-    return _Columns(np.array([settled(row) for row in rows]), settled(-before))
+    motion, last = [nothing, nothing], nothing
+    if speeds is not None:
+        motion = [speeds.omega, np.append(speeds.epsilon[:, 0], speeds.epsilon[-1, 1])]
+        last = np.append(np.nan, speeds.epsilon[:, 1])
+    angles = np.degrees(cycle.turned)
+    rows = [angles, -after, -cycle.work, cycle.surplus, cycle.varying, *motion]
+    sides = [angles, -before, nothing, nothing, nothing, nothing, last]
+    return _Columns(*(np.array([without_rounding(row) for row in one]) for one in (rows, sides)))
 
 
 def _edge(named: Strips, columns: _Columns, k: int, drafting: Drafting) -> Iterator[TableRow]:
@@ -72,7 +79,7 @@ def _edge(named: Strips, columns: _Columns, k: int, drafting: Drafting) -> Itera
     name, jumps = named.names[k], k in named.jumps
     own = columns.rows[:, k].tolist()
     if jumps:
-        before = [own[0], float(columns.before[k]), *[np.nan] * (len(own) - 2)]
+        before = columns.before[:, k].tolist()
         yield TableRow(f"{name}−0", tuple(_cell(value, drafting) for value in before))
     yield TableRow(f"{name}+0" if jumps else name, tuple(_cell(value, drafting) for value in own))
 

@@ -19,9 +19,10 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Circle, Group, Polyline, Stroke
 from drawings.symbols.figure import Subject
 from drawings.symbols.symbols import pole
-from plans.model.dynamics import Cycle, Flywheel
+from plans.model.dynamics import TURN, Cycle, Flywheel
 
 APART = 1.6  # sizes of a number from one numbered point to the next
+SAME = 1e-9  # rad: angles that differ by less are one edge
 TOUCH = 1.1  # mm, radius of a point that a tangent touches
 
 
@@ -38,7 +39,7 @@ class Loop:
     def curve(self) -> tuple[np.ndarray, np.ndarray]:
         """The loop densely: inertia above that of position 0, kg*m2, and surplus energy, J."""
         energy = self.cycle.driving * self.dense.turned + self.dense.work
-        return self.dense.inertia - self.cycle.inertia[0], energy
+        return self.dense.varying, energy
 
     @property
     def across(self) -> tuple[float, float]:
@@ -61,7 +62,9 @@ class Loop:
     @property
     def _touched(self) -> Iterator[Sequence[int]]:
         for touch in self.flywheel.touches if self.flywheel else ():
-            yield np.flatnonzero(np.isclose(self.strips.turned, touch.turned, rtol=0, atol=1e-9)).tolist()[:1]
+            # The last edge is the first again: rounding alone decides which of the two is touched.
+            at = touch.turned if touch.turned < TURN - SAME else 0.0
+            yield np.flatnonzero(np.isclose(self.strips.turned, at, rtol=0, atol=SAME)).tolist()[:1]
 
 
 def loop_part(loop: Loop, axes: Axes, drafting: Drafting) -> Part:

@@ -53,7 +53,7 @@ def surplus(cycle: Cycle, dense: Dense) -> StripGraph:
 def inertia(cycle: Cycle, dense: Dense) -> StripGraph:
     """The part of the reduced inertia that changes."""
     own = cycle.varying
-    return StripGraph(INERTIA, "ΔJ", "kg*m2", own, own, (Trace(dense.turned, dense.inertia - cycle.inertia[0]),))
+    return StripGraph(INERTIA, "ΔJ", "kg*m2", own, own, (Trace(dense.turned, dense.varying),))
 
 
 def speeds(cycle: Cycle, dense: Dense, speeds: Speeds, before: Speeds | None = None) -> StripGraph:
@@ -75,7 +75,7 @@ def beside(speeds: Speeds, before: Speeds) -> bool:
 def omega(cycle: Cycle, dense: Dense, speeds: Speeds) -> Floats:
     """Give the speed densely, rad/s: by the energy and the inertia of the whole machine."""
     energy = speeds.energy + cycle.driving * dense.turned + dense.work
-    whole = speeds.inertia + dense.inertia - cycle.inertia[0]
+    whole = speeds.inertia + dense.varying
     return np.asarray(np.sqrt(2 * np.maximum(energy, 0.0) / whole))
 
 

@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Collection, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
+from drawings.figures.graphs.axes import every
 from plans.model.dynamics import TURN, Cycle
+from plans.model.edge_names import edge_names
 from plans.model.motion import Floats
 
-SAME = 1e-9  # of a strip: an edge so near a position is that position
 MARKED = 72  # strips: of more only the numbered edges have a point and a tick
 NUMBERED = 36  # positions that are numbered at most where not all edges are marked
-SEEN = 1e-3  # of the span of the moments: a smaller jump cannot be seen
+SEEN = 1e-3  # of the largest moment: a smaller jump cannot be seen
 
 
 class Strips(NamedTuple):
@@ -36,8 +36,7 @@ class Strips(NamedTuple):
 
     def every(self, least: float) -> int:
         """Choose how many positions apart numbers stand: a divisor of the turn, if there is one not much above."""
-        first, whole = max(math.ceil(least), 1), round(float(np.nanmax(self.steps)))
-        return next((step for step in range(first, 2 * first) if whole % step == 0), first)
+        return every(least, round(float(np.nanmax(self.steps))))
 
     @property
     def crowded(self) -> bool:
@@ -66,30 +65,13 @@ class Strips(NamedTuple):
 
 def strips(cycle: Cycle, divisions: int) -> Strips:
     """Name the edges: positions by their numbers, an edge between two of them by the first one's with a prime."""
-    return Strips(cycle.turned, _names(cycle.turned * divisions / TURN), _jumps(cycle))
-
-
-def _names(places: Floats) -> tuple[str, ...]:
-    """Name places counted in divisions of the turn.
-
-    >>> _names(np.array([0.0, 1.0, 1.3, 1.7, 2.0]))
-    ('0', '1', "1'", "1''", '2')
-    """
-    names: list[str] = []
-    for place in places:
-        near = round(float(place))
-        if abs(place - near) <= SAME:
-            names.append(str(near))
-        else:
-            whole = str(int(place))
-            names.append(whole + "'" * (1 + sum(name.startswith(f"{whole}'") for name in names)))
-    return tuple(names)
+    return Strips(cycle.turned, edge_names(cycle.turned, divisions), _jumps(cycle))
 
 
 def _jumps(cycle: Cycle) -> tuple[int, ...]:
     """Find the inner edges at which the two sides of the moment differ to the eye."""
     apart = np.abs(cycle.moments[1:, 0] - cycle.moments[:-1, 1])
-    return tuple(int(k) + 1 for k in np.flatnonzero(apart > SEEN * np.ptp(cycle.moments)))
+    return tuple(int(k) + 1 for k in np.flatnonzero(apart > SEEN * np.abs(cycle.moments).max()))
 
 
 def middles(turned: Floats) -> Floats:

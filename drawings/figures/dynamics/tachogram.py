@@ -27,6 +27,9 @@ MARGINS = Margins(4.0, 2.0, 2.4)  # paper around it for letters, in their sizes
 LETTERS = 20.0  # it is drawn at least so many letters long
 CLOSE = 0.1  # mm: rows that lie nearer are one point of the curve
 LEAST = 0.05  # mm: a shorter ordinate is a point
+NUMBERS = f"{NAME}-numbers"  # the name of what is told under its heading
+STEADY = "ω_{st}"  # the mean speed of the steady motion that is reached: not the one that is asked for
+APART = 1.6  # sizes of a text from one line to the next
 
 
 class TachogramFigure:
@@ -49,10 +52,12 @@ def measure(run: Run, drafting: Drafting) -> Picture:
     """Measure the room of a tachogram: its scale is that of time."""
     hand, long = drafting.hand, float(run.t[-1])
     side, below, above = (size * hand.letter for size in MARGINS)
-    margins = Margins(side + BEYOND / 2, below, above + BEYOND + 2 * hand.title + hand.text)
+    lines = told(run, drafting)
+    over = above + BEYOND + 2 * hand.title + (1 + APART * len(lines)) * hand.text
     title = text_width(Text(0j, drafting.word("tachogram"), hand.title))
-    high = long / RATIO
-    return Picture(NAME, long, high, complex(long, high) / 2, "t", "s", margins, title, LETTERS * hand.letter)
+    wide = max(title, *(text_width(Text(0j, line, hand.text)) for line in lines))
+    high, margins = long / RATIO, Margins(side + BEYOND / 2, below, over)
+    return Picture(NAME, long, high, complex(long, high) / 2, "t", "s", margins, wide, LETTERS * hand.letter)
 
 
 def draw(run: Run, room: Picture, spot: Spot, drafting: Drafting) -> TachogramFigure:
@@ -64,6 +69,7 @@ def draw(run: Run, room: Picture, spot: Spot, drafting: Drafting) -> TachogramFi
     scales = f"{drafting.scale(spot.scale)};  {drafting.scale(up)}"
     lines = (
         heading(spot.box, drafting.word("tachogram"), scales, hand),
+        _written(run, spot, drafting),
         *axes.lines((0.0, float(run.t[-1])), (0.0, most), hand),
         Polyline(tuple(_curve(run, axes)), False, hand.result),
         *(stroke for k, row in enumerate(ends(run)) for stroke in _end(run, k, row, axes, hand)),
@@ -75,6 +81,27 @@ def draw(run: Run, room: Picture, spot: Spot, drafting: Drafting) -> TachogramFi
 def ends(run: Run) -> tuple[int, ...]:
     """Give the rows in which the stages end."""
     return tuple(stage.last for stage in run.stages)
+
+
+def told(run: Run, drafting: Drafting) -> tuple[str, ...]:
+    """Tell the instants at which the stages end, s, and the steady speed that is reached, rad/s."""
+    times = (f"t_{k + 1} = {drafting.number(float(run.t[row]))}" for k, row in enumerate(ends(run)))
+    instants = f"{';  '.join(times)} {drafting.word('s')}"
+    if run.steady is None:
+        return (instants,)
+    numbers = {"mean": drafting.number(run.steady.mean), "delta": drafting.number(run.steady.delta)}
+    return instants, drafting.word("steady speed", **numbers)
+
+
+def _written(run: Run, spot: Spot, drafting: Drafting) -> Group:
+    """Write under the heading what the tachogram tells."""
+    hand, box = drafting.hand, spot.box
+    at = complex(box.centre.real, box.top - 1.6 * hand.title - hand.text)
+    texts = (
+        Text(at - 1j * APART * k * hand.text, line, hand.text, "middle", True)
+        for k, line in enumerate(told(run, drafting), 1)
+    )
+    return Group((Group(tuple(texts)),), NUMBERS)
 
 
 def _curve(run: Run, axes: Axes) -> Iterator[complex]:
@@ -109,7 +136,7 @@ def _letters(run: Run, axes: Axes, most: float, drafting: Drafting) -> Iterator[
     yield Letter(axes.on(0.0, most) + BEYOND * 1j, f"ω, {drafting.word('rad/s')}", size, 0.0)
     yield Letter(axes.on(float(run.t[-1])) + BEYOND, f"t, {drafting.word('s')}", size, OVER)
     if run.steady is not None:
-        yield Letter(axes.on(float(run.t[-1]), run.steady.mean), "ω_m", size, 0.0)
+        yield Letter(axes.on(float(run.t[-1]), run.steady.mean), drafting.letter(STEADY), size, 0.0)
     for k, stage in enumerate(run.stages):
         yield Letter(axes.on(float(run.t[stage.last])), f"t_{k + 1}", size, UNDER, TICK + 0.6)
         middle = float(np.mean(run.t[[stage.first, stage.last]]))

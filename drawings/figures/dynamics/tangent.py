@@ -55,10 +55,15 @@ class Tangent:
 
     @property
     def end(self) -> complex:
-        """Its right end: beyond the loop, but not beyond the row that the loop stands in."""
+        """Its right end: beyond the loop, but its angle not beyond the row that the loop stands in."""
         length = self.across[1] / self.axes.across.mu + BEYOND
-        above = (self.top - self.wheel.cuts[self.which]) / self.axes.up.mu + BEYOND
+        above = (self.top - self.wheel.cuts[self.which]) / self.axes.up.mu + BEYOND - self.arm * self.along.imag
         return self.cut + min(length, above / self.slope) * complex(1.0, self.slope)
+
+    @property
+    def arm(self) -> float:
+        """How far it is drawn beyond its right end, mm: for the arc of its angle, no farther than the axis goes."""
+        return min(ARM * self.hand.letter + BREAK, BEYOND / self.along.imag)
 
     @property
     def start(self) -> complex:
@@ -92,10 +97,9 @@ class Tangent:
     def _angle(self) -> Iterator[Stroke]:
         """Draw the angle to the axis of inertia at the right end."""
         hand = self.hand
-        reach = ARM * hand.letter
-        yield Line(self.end, self.end + (reach + BREAK) * self.along, hand.relative)
-        yield Line(self.end, self.end + reach + BREAK, hand.drafted)
-        yield Arc(self.end, reach, 0.0, cmath.phase(self.along), hand.other)
+        yield Line(self.end, self.end + self.arm * self.along, hand.relative)
+        yield Line(self.end, self.end + self.arm, hand.drafted)
+        yield Arc(self.end, self.arm - BREAK, 0.0, cmath.phase(self.along), hand.other)
 
     @property
     def dimension(self) -> Dimension | None:

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from drawings.figures.graphs.axes import BEYOND, Axes
+from drawings.figures.graphs.axes import BEYOND, Axes, every
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot
 from drawings.lettering.lettering import text_width
@@ -30,6 +30,7 @@ LETTERS = 18.0  # a graph is drawn at least so many of its letters long: its pos
 DOT = 0.7  # mm, radius of a point of the curve
 BELOW = -math.pi / 2  # a number stands on the side of its axis away from the ordinate
 LEAST = 0.05  # mm: a shorter ordinate is a point
+APART = 2.4  # sizes of a number from one number to the next, where they stand apart
 
 
 class GraphCurve(NamedTuple):
@@ -45,6 +46,7 @@ class GraphCurve(NamedTuple):
     stations: Floats  # of the positions
     ordinates: Floats
     title: str = ""
+    divisions: int = 0  # of the whole turn, where its end has a number and numbers stand apart
 
     @property
     def span(self) -> tuple[float, float]:
@@ -138,8 +140,14 @@ def draw(curve: GraphCurve, room: Picture, spot: Spot, drafting: Drafting) -> Gr
     ends = (frame.on(0.0, high) + 1j * BEYOND, last + BEYOND)
     axes = ((f"{curve.letter}, {drafting.word(curve.unit)}", ends[0], 0.0), ("φ", ends[1], math.pi / 2))
     if curve.closed:
-        stations.append(("0", last, BELOW))
+        stations.append((str(curve.divisions), last, BELOW))  # of no divisions: position 0 again
     return GraphFigure(curve, room.name, lines, tuple(stations), axes, hand)
+
+
+def _numbered(curve: GraphCurve, frame: Axes, hand: Hand) -> int:
+    """Choose how many positions apart numbers and ordinates stand."""
+    length = abs(frame.on(curve.length) - frame.zero)
+    return every(APART * hand.number * curve.divisions / length, curve.divisions) if curve.divisions else 1
 
 
 def _axes(curve: GraphCurve, frame: Axes, hand: Hand) -> Iterator[Stroke]:
@@ -152,20 +160,24 @@ def _axes(curve: GraphCurve, frame: Axes, hand: Hand) -> Iterator[Stroke]:
 def _ordinates(
     curve: GraphCurve, plan: str, frame: Axes, hand: Hand
 ) -> tuple[list[Stroke], list[tuple[str, complex, float]]]:
-    """Draw tick, ordinate and point of each position that is no gap; each ordinate can be measured."""
+    """Draw tick, ordinate and point of each position that is no gap; each ordinate can be measured.
+
+    Where numbers have no room, a position between two of them has its tick and its point alone.
+    """
     strokes: list[Stroke] = []
     stations: list[tuple[str, complex, float]] = []
-    quantity = frame.up.letter
+    quantity, step = frame.up.letter, _numbered(curve, frame, hand)
     for k, (angle, value) in enumerate(zip(curve.stations, curve.ordinates, strict=True)):
         if angle > curve.length:  # a gap beyond the last position that is held
             continue
         foot = frame.on(float(angle))
-        stations.append((str(k), foot, -BELOW if value < 0 else BELOW))
+        if k % step == 0:
+            stations.append((str(k), foot, -BELOW if value < 0 else BELOW))
         strokes.append(Line(foot - 1j * TICK, foot + 1j * TICK, hand.drafted))
         if math.isnan(value):
             continue
         tip = frame.on(float(angle), float(value))
-        if abs(tip - foot) > LEAST:
+        if k % step == 0 and abs(tip - foot) > LEAST:
             data = Subject(plan, quantity, k).data("vector", str(k), 1j * float(value), frame.up)
             strokes.append(Group((Line(foot, tip, hand.drafted),), "", data, str(k)))
         strokes.append(Circle(tip, DOT * hand.symbol, INK))

@@ -12,7 +12,7 @@ from plans.analytic.dynamics.breaks import Run, breaks
 from plans.analytic.dynamics.curve import LEAST, Curve, broken, looks, smooth
 from plans.analytic.dynamics.reduction import Reduction
 from plans.analytic.dynamics.roots import Sided, roots
-from plans.model.dynamics import TURN
+from plans.model.dynamics import TURN, settled
 from plans.model.machine import Track
 from plans.model.motion import Floats, Motion
 
@@ -32,6 +32,7 @@ class Exact:
     mass: Curve
     growth: Curve
     noise: float
+    size: float = 0.0  # N*m: the largest sum of the moments of loads and weights, each taken positive
 
     @property
     def error(self) -> float:
@@ -45,11 +46,11 @@ class Exact:
 
     def moment(self, turned: Floats, side: int = 1) -> Floats:
         """Give the moment of loads and weights, N*m; at a jump as it is beyond, or before it if side < 0."""
-        return self.load.at(turned, side)
+        return settled(self.load.at(turned, side), self.size)
 
     def work(self, turned: Floats) -> Floats:
         """Give their work since position 0, J."""
-        return self.load.since(turned)
+        return settled(self.load.since(turned), self.size * TURN)
 
     @property
     def driving(self) -> float:
@@ -85,7 +86,7 @@ class Exact:
 
 def exact(reduction: Reduction, strokes: Mapping[Track, Run]) -> Exact:
     """Find moments and inertia over a turn of a machine whose loads change over `strokes`."""
-    noise = _noise(reduction)
+    noise, sizes = _noise(reduction), list[float]()
 
     def masses(motion: Motion) -> tuple[Floats, Floats]:
         found = reduction.ordinates(motion)
@@ -93,12 +94,13 @@ def exact(reduction: Reduction, strokes: Mapping[Track, Run]) -> Exact:
 
     def loads(motion: Motion) -> tuple[Floats, Floats]:
         found = reduction.ordinates(motion)
+        sizes.append(float(found.gross.max()))
         return found.moment[None], found.gross.max()[None]
 
     at = breaks(reduction, strokes, noise)
     mass, growth = smooth(reduction, masses, noise)
     (load,) = broken(reduction, loads, at, noise) if at.size else smooth(reduction, loads, noise)
-    return Exact(at, load, mass, growth, noise)
+    return Exact(at, load, mass, growth, noise, max(sizes))
 
 
 def _noise(reduction: Reduction) -> float:

@@ -8,7 +8,7 @@ import numpy as np
 
 from plans.analytic.closure import EPS
 from plans.analytic.dynamics.exact import Exact
-from plans.model.dynamics import ANALYSIS, Flywheel, Speeds, Task
+from plans.model.dynamics import ANALYSIS, Flywheel, Speeds, Task, settled
 from plans.model.motion import Floats
 
 ROUNDS = 64  # halvings alone make all digits of an energy
@@ -53,9 +53,10 @@ class Swing(NamedTuple):
 
     def speeds(self, turned: Floats) -> Speeds:
         """Tell it on strips with edges `turned`, (n + 1,) rad."""
-        middles = np.asarray((turned[:-1] + turned[1:]) / 2.0)
-        omega, epsilon = self.omega(turned), self.epsilon(middles)
-        return Speeds(ANALYSIS, turned, omega, epsilon, self.extremes()[1], self.inertia, self.energy)
+        sides = self.epsilon(turned[:-1], 1), self.epsilon(turned[1:], -1)
+        omega, extremes = self.omega(turned), self.extremes()[1]
+        epsilon = settled(np.stack(sides, axis=1), extremes[1] ** 2)
+        return Speeds(ANALYSIS, turned, omega, epsilon, extremes, self.inertia, self.energy)
 
 
 def with_flywheel(found: Exact, task: Task, wheel: Flywheel) -> Swing | Stall:

@@ -1,0 +1,29 @@
+"""Wrong formulas of rotors, of a machine's motion by either road, and of its run, each seen by the tests named beside.
+
+Each table stands in tests/cases.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.plans.seeded import everyday, faults, verdicts
+
+CASES = Path(__file__).parents[1] / "cases"
+NAMES = ("rotor_faults", "machine_faults", "dynamics_analysis_faults", "run_faults")
+TABLES = {name: faults(CASES / f"{name}.toml") for name in NAMES}
+
+
+@pytest.mark.parametrize("fault", [row for table in TABLES.values() for row in everyday(table)])
+def test_a_fault_is_seen_by_the_tests_named_beside_it(fault):
+    told = verdicts(fault, fault.nodes)
+    named = {node.partition("[")[0] for node, verdict in told.items() if verdict == "red"}
+    assert named == set(fault.nodes), told
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_fault_still_finds_the_text_that_it_replaces(name):
+    for fault in TABLES[name]:
+        assert fault.text
