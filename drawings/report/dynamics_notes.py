@@ -111,8 +111,8 @@ class DynamicsNotes(NamedTuple):
 
     def other(self) -> Iterator[str]:
         """Say what flywheel twice and half the fluctuation would ask for, and what the strips leave out."""
-        wheel = self.account.flywheel
-        if wheel is None or not self.task.delta or wheel.needed <= 0:
+        wheel, cycle = self.account.flywheel, self.account.cycle
+        if wheel is None or cycle is None or not self.task.delta or wheel.needed <= 0:
             return
         deltas = [times * self.task.delta for times in OTHERS]
         more, less = (self._number(self.flywheel_at(delta).inertia) for delta in deltas)
@@ -120,7 +120,7 @@ class DynamicsNotes(NamedTuple):
         yield self.drafting.word("other fluctuation", twice=twice, more=more, half=half, less=less)
         if self.exact:
             off = self.drafting.number(100 * self._less(wheel.inertia, self.exact) / self.exact, PER_CENT)
-            said = {"count": self.task.divisions, "exact": self._number(self.exact), "off": off}
+            said = {"count": len(cycle.means), "exact": self._number(self.exact), "off": off}
             yield self.drafting.word("error of strips", **said)
 
     def achieved(self) -> Iterator[str]:

@@ -12,6 +12,7 @@ from drawings.report import dynamics_tables as tables
 from drawings.report import run_tables
 from drawings.report.chapters import Chapters
 from drawings.report.dynamics_notes import DynamicsNotes
+from drawings.report.force_report import counted_strokes
 from drawings.report.markdown import chapter, header, row
 from plans.dynamics.loop import loop
 from plans.dynamics.methods import methods
@@ -70,7 +71,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     language, notes = study.scene.sheet.language, notes_of(study, DIGITS)
     account: Account = study.comparison("dynamics").construction
     return Chapters(
-        subject=_listed(chapter(language, "dynamics").lstrip(), [*notes.asked(), *_shafts(notes)]),
+        subject=[*_listed(chapter(language, "dynamics").lstrip(), [*notes.asked(), *_shafts(notes)]), *_ways(study)],
         values=[
             *_reduction(account, notes),
             *_works(account, notes),
@@ -80,6 +81,15 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
         ],
         left_out=[word(language, "report.dynamics_left_out")],
     )
+
+
+def _ways(study: Study) -> Iterator[str]:
+    """Tell how the crank turns, and the strokes that loads count where no chapter of forces does."""
+    statics, language = study["forces"], study.scene.sheet.language
+    way = "clockwise" if statics.study.mechanism.drive.omega < 0 else "counter-clockwise"
+    yield word(language, "report.crank_turns", way=message(f"way.{way}"))
+    if "forces" not in study.techniques:
+        yield from counted_strokes(statics, language)
 
 
 def _shafts(notes: DynamicsNotes) -> Iterator[str]:

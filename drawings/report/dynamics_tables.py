@@ -9,12 +9,13 @@ import numpy as np
 
 from drawings.page.drafting import Drafting
 from drawings.report.markdown import header, row
-from plans.model.dynamics import Cycle, Flywheel, Reduced, Speeds, Task, Touch
+from plans.model.dynamics import Cycle, Flywheel, Reduced, Speeds, Task
 from plans.model.motion import Floats
 from plans.words.words import word
 
 DIGITS = 10
 OTHERS = (4.0, 2.0, 1.0, 0.5, 0.25)  # times the fluctuation that is asked for
+NOISE = 1e-9  # of the largest of a column: digits of what is less differ from machine to machine
 LARGEST = 1.0  # fluctuation: a machine that comes to rest once in a turn has 2
 
 
@@ -38,22 +39,23 @@ def works(cycle: Cycle, speeds: Speeds | None, drafting: Drafting) -> Iterator[s
 
 
 def tangents(wheel: Flywheel, exact: Flywheel | None, drafting: Drafting) -> Iterator[str]:
-    """Tell both tangents: angle, where they touch, what they cut off, as drawn and exactly."""
-    heads = ["", "ψ, °", "φ, °", "ΔJ, kg*m2", "ΔT, J", "o_1l, J", "o_1k, J"]
+    """Tell both tangents: slope, where they touch, what they cut off, as drawn and exactly."""
+    heads = ["", "tan ψ, J/(kg*m2)", "φ, °", "ΔJ, kg*m2", "ΔT, J", "o_1l, J", "o_1k, J"]
     yield from header(_units(heads, drafting))
     roads = [("report.as_drawn", wheel), *([("report.exactly", exact)] if exact is not None else [])]
-    for said, one in roads:
-        for k, letter in enumerate(("ψ_min", "ψ_max")):
-            cuts = ["—", "—"]
-            cuts[k] = drafting.number(one.cuts[k], DIGITS)
-            yield row(
-                [f"{letter}, {word(drafting.language, said)}", *_touch(one.slopes[k], one.touches[k], drafting), *cuts]
-            )
+    numbers = np.array([_tangent(one, k) for _, one in roads for k in range(2)])
+    rows = np.column_stack([without_rounding(column) for column in numbers.T])
+    for (said, k), cells in zip(((said, k) for said, _ in roads for k in range(2)), rows, strict=True):
+        name = f"{('ψ_min', 'ψ_max')[k]}, {word(drafting.language, said)}"
+        yield row([name, *("—" if math.isnan(one) else drafting.number(float(one), DIGITS) for one in cells)])
+    yield f"\n{word(drafting.language, 'report.slopes')}"
 
 
-def _touch(slope: float, touch: Touch, drafting: Drafting) -> list[str]:
-    numbers = (math.degrees(math.atan(slope)), math.degrees(touch.turned), touch.varying, touch.surplus)
-    return [drafting.number(one, DIGITS) for one in numbers]
+def _tangent(wheel: Flywheel, k: int) -> list[float]:
+    """Give the numbers of a tangent; NaN for what the other one cuts off."""
+    touch, cuts = wheel.touches[k], [math.nan, math.nan]
+    cuts[k] = wheel.cuts[k]
+    return [wheel.slopes[k], math.degrees(touch.turned), touch.varying, touch.surplus, *cuts]
 
 
 def others(
@@ -77,7 +79,13 @@ def _units(heads: Sequence[str], drafting: Drafting) -> list[str]:
     ]
 
 
+def without_rounding(column: Floats) -> Floats:
+    """Give a column as it is told: what is nothing but for rounding is 0."""
+    largest = np.nanmax(np.abs(column), initial=0.0)
+    return np.where(np.abs(column) <= NOISE * largest, 0.0, column)
+
+
 def _table(heads: Sequence[str], columns: Sequence[Floats], drafting: Drafting) -> Iterator[str]:
     yield from header(heads)
-    for k, cells in enumerate(zip(*columns, strict=True)):
+    for k, cells in enumerate(zip(*map(without_rounding, columns), strict=True)):
         yield row([str(k), *("—" if math.isnan(one) else drafting.number(float(one), DIGITS) for one in cells)])

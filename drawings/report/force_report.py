@@ -64,7 +64,7 @@ def forces(comparison: ForceComparison, statics: Statics, language: str) -> Iter
     """Tell what acts, every reaction by construction, and what friction takes."""
     found = comparison.construction
     yield from _bodies(statics.machine, language)
-    yield from _strokes(statics, language)
+    yield from counted_strokes(statics, language)
     yield from _reactions(found, language)
     yield from (gap_line("report.force_gap", gap, language) for gap in found.gaps if gap.plan == FORCES)
     if statics.friction is not None:
@@ -90,7 +90,7 @@ def _bodies(machine: Machine, language: str) -> Iterator[str]:
         yield say("report.spring", name=spring.name, **ends, stiffness=write(spring.stiffness))
 
 
-def _strokes(statics: Statics, language: str) -> Iterator[str]:
+def counted_strokes(statics: Statics, language: str) -> Iterator[str]:
     """Tell the strokes over which loads change, each with the loads that count it."""
     loads = [load for load in statics.machine.loads if asks(load)]
     for track, stroke in statics.strokes.items():

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 from drawings.report.dynamics_report import chapters, headline, remarks
@@ -64,6 +66,39 @@ def test_without_a_fluctuation_there_is_no_flywheel() -> None:
     lines = told(scene("divisions = 24"))
     assert "Flywheel" not in lines and "M_dr" in lines
     assert headline(scene("divisions = 24")).endswith("N·m")
+
+
+def test_the_strips_are_those_that_there_are() -> None:
+    """The cut sets in and ends at 0.05 of the stroke, between two of the 24 edges: there are edges there too."""
+    made = scene()
+    count = len(made["dynamics"].cycle.turned) - 1
+    assert count > 24
+    assert f"By {count} strips" in told(made)
+
+
+def test_tangents_are_told_by_half_the_square_of_the_speed() -> None:
+    """Mean 12.566 rad/s and 1/25 are 12.315 to 12.818 rad/s; the angle on paper depends on the scales."""
+    lines = told(scene())
+    for name, speed in (("ψ_min", 4 * math.pi * 0.98), ("ψ_max", 4 * math.pi * 1.02)):
+        assert f"| {name}, as drawn | {speed**2 / 2:.10g} |" in lines
+    assert "| tan ψ, J/(kg·m²) |" in lines and "89.9" not in lines
+
+
+def test_rounding_is_told_as_nothing() -> None:
+    """Weights have no moment where the crank is upright, and no work over a turn, whatever the last digit."""
+    lines = told(study("[loads]\ngravity = 9.81\n", "positions = 12")).splitlines()
+    cells = [cell.strip() for line in lines if line.startswith("|") for cell in line.split("|")]
+    assert "0" in cells
+    assert [cell for cell in cells if cell.lstrip("−").startswith("0.0000000000")] == []
+
+
+@pytest.mark.parametrize(("speed", "way"), [("120 rpm", "counter-clockwise"), ("-120 rpm", "clockwise")])
+def test_rotation_and_working_stroke_are_told_without_forces(speed: str, way: str) -> None:
+    lines = told(Study(parse_scene(text().replace("120 rpm", speed))))
+    assert f"- Crank: turns {way}\n" in lines
+    assert "Working stroke: to the " in lines and "the crank turns 180.0000° over it" in lines
+    both = Study(parse_scene(text().replace('["dynamics"]', '["dynamics", "forces"]')))
+    assert "Working stroke" not in told(both)
 
 
 def test_of_loads_that_drive_it_is_asked_whether_their_direction_is_right() -> None:

@@ -161,13 +161,17 @@ def test_the_work_of_a_compressor_over_its_cycle(road: str) -> None:
             "sizes in the unit of force",
         ),
         (CARD.replace("0.5", "50"), "loads.forces[0].diagram.travel[1]", 'or write "15 %" or "15 mm"'),
-        (CARD.replace("0.1 MPa", "1 bars"), "loads.forces[0].diagram.pressure[0]", "bars, here and 1 more times"),
+        (
+            CARD.replace("0.1 MPa", "1 bars"),
+            "loads.forces[0].diagram.pressure[0]",
+            "bars, here and elsewhere in the list (1 more)",
+        ),
         (CARD.replace("0.1 MPa", "1 bars"), "loads.forces[0].diagram.pressure[0]", 'write it as "1 bar"'),
         (CARD.replace("0.6 MPa", "6 bars"), "loads.forces[0].diagram.pressure[1]", 'bars. Fix: write it as "6 bar"'),
         (
             CARD.replace(" }", ', back = ["1 bar", "6 bars", "2 bars"] }'),
             "loads.forces[0].diagram.back[1]",
-            "of force or pressure (N, kN, Pa, kPa, MPa, bar), but found bars, here and 1 more times in the list. "
+            "of force or pressure (N, kN, Pa, kPa, MPa, bar), but found bars, here and elsewhere in the list (1 more). "
             'Fix: write it as "6 bar"',
         ),
         (CARD.replace("1]", '"105 %"]'), "loads.forces[0].diagram.travel[2]", "from 0 % to 100 %, but found 105 %"),

@@ -12,6 +12,7 @@ from drawings.layout.table import RuledTable, TableRow, table
 from drawings.layout.value_table import COLUMNS
 from drawings.lettering.words import fixed
 from drawings.page.drafting import Drafting
+from drawings.report.dynamics_tables import NOISE, without_rounding
 from plans.model.account import Account
 from plans.model.dynamics import Cycle, Reduced, Speeds, Task
 from plans.model.flywheel_methods import Methods
@@ -25,7 +26,6 @@ QUANTITIES = (
 REDUCED = (("φ", "°"), ("M_{red}", "N*m"), ("J_{red}", "kg*m2"), ("dJ/dφ", "kg*m2"))
 MOST = 36  # positions that are told
 DIGITS = 5
-NOISE = 1e-9  # of the largest of a column: digits of what is less differ from machine to machine
 NOTHING = "—"
 
 
@@ -47,7 +47,9 @@ def positions(task: Task, account: Account, drafting: Drafting, most: int = MOST
 def reduction(reduced: Reduced, drafting: Drafting) -> RuledTable:
     """Tell the reduced moment and inertia at the positions, where there is no steady turn."""
     heads = tuple(f"{drafting.letter(letter)}, {drafting.word(unit)}" for letter, unit in REDUCED)
-    rows = zip(np.degrees(reduced.phi), *map(_told, (reduced.moment, reduced.inertia, reduced.slope)), strict=True)
+    rows = zip(
+        np.degrees(reduced.phi), *map(without_rounding, (reduced.moment, reduced.inertia, reduced.slope)), strict=True
+    )
     lines = [TableRow(str(k), tuple(_cell(value, drafting) for value in row)) for k, row in enumerate(rows)]
     return table(lines, "i", heads, drafting.hand.text)._replace(name=POSITIONS)
 
@@ -69,13 +71,7 @@ def _columns(cycle: Cycle, speeds: Speeds | None) -> _Columns:
     angles = np.degrees(cycle.turned)
     rows = [angles, -after, -cycle.work, cycle.surplus, cycle.varying, *motion]
     sides = [angles, -before, nothing, nothing, nothing, nothing, last]
-    return _Columns(*(np.array([_told(row) for row in one]) for one in (rows, sides)))
-
-
-def _told(column: Floats) -> Floats:
-    """Give a column as it is told: what is nothing but for rounding is 0."""
-    largest = np.nanmax(np.abs(column), initial=0.0)
-    return np.where(np.abs(column) <= NOISE * largest, 0.0, column)
+    return _Columns(*(np.array([without_rounding(row) for row in one]) for one in (rows, sides)))
 
 
 def _edge(named: Strips, columns: _Columns, k: int, drafting: Drafting) -> Iterator[TableRow]:
