@@ -159,15 +159,6 @@ def test_large_fluctuation_is_noted() -> None:
     assert "is a large fluctuation" in notes[0]
 
 
-@pytest.mark.parametrize(
-    ("speed", "told"), [("8 rpm", True), ("30 rpm", False), ("120 rad/s", True), ("-90 rpm", False)]
-)
-def test_a_speed_far_from_that_of_the_drive_is_noted(speed: str, told: bool) -> None:
-    """The drive is at 120 rpm: another mean speed may be asked for, but hardly a tenth of it."""
-    notes = [note.worded("en") for note in notes_of(parse_scene(text(asked=f'{ASKED}\nspeed = "{speed}"')))]
-    assert ["beside the 12.566 rad/s of the drive" in note for note in notes] == [True] * told
-
-
 def test_machine_that_runs_without_a_flywheel() -> None:
     """A lighter cut: both roads find the motion of the machine as it is, and the same."""
     light = compared(PLANING.replace("value = 2000", "value = 20"))
