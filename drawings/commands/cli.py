@@ -21,7 +21,7 @@ BUG, SCENE, STOPPED = 1, 3, 130
 TRACED = "tell on stderr what was made, imported and left out, and how long each stage took"
 EPILOG = """\
 exit codes: 0 written and verified; 1 a bug of plandraft; 2 wrong command line; 3 the scene is wrong;
-4 drawn, but with gaps or marks too near a dead centre; 5 a self-check failed, sheet withheld;
+4 drawn, but with gaps, marks too near a dead centre, or a machine that stops; 5 a self-check failed, sheet withheld;
 7 cannot read or write; 8 a named limit was exceeded.
 
 a scene is one TOML file: what is studied, a linkage or a rotor, and what is asked of it.

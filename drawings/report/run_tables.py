@@ -46,7 +46,7 @@ def told(runs: Mapping[str, Run], drafting: Drafting) -> Iterator[str]:
             yield f"{by}: {run.failure.message.worded(drafting.language)}"
         if run.steady is not None:
             turn, write = run.steady, partial(drafting.number, digits=DIGITS)
-            share = turn.works.efficiency
+            share = turn.works.efficiency if turn.repeats else None  # else the flywheel gives or takes a part
             useful = "—" if share is None else write(share)
             numbers = {"mean": write(turn.mean), "delta": write(turn.delta), "period": write(turn.period)}
             yield say("report.steady_turn", by=by, **numbers, efficiency=useful)
