@@ -48,8 +48,7 @@ class DynamicsNumbers:
 
 def numbers(study: Study, by: str) -> DynamicsNumbers:
     """Give a machine's motion by a road (row of the table of techniques)."""
-    comparison = study.comparison("dynamics")
-    account = comparison.construction if by == CONSTRUCTION else comparison.exact
+    account = study["dynamics"].account if by == CONSTRUCTION else study.comparison("dynamics").exact
     return DynamicsNumbers(study.scene.heading(), account, study.plans)
 
 

@@ -20,6 +20,7 @@ from plans.model.kinetostatics import Kinetostatics
 from plans.model.motion import Floats, Motion
 from plans.model.rates import Pace, Rates
 from plans.scene.scene import parse_scene, read_scene
+from tests import parts
 from tests.gallery import GALLERY, LINKAGES
 from tests.plans.force_cases import finding
 from tests.plans.test_carrying import COUPLING_ROD
@@ -70,7 +71,8 @@ def assert_same_forces(one: Kinetostatics, other: Kinetostatics) -> None:
         assert np.array_equal(reaction.force, other.reactions[key].force, equal_nan=True), key
 
 
-@over("path", LINKAGES)
+@pytest.mark.part
+@over("path", LINKAGES if parts.whole else LINKAGES[::4])
 def test_at_the_same_rates_told_of_each_position_all_is_the_same_to_the_last_bit(path: Path) -> None:
     one = study(path)
     steady, told = compare(one), compare(one.paced(constant(one)))
@@ -78,14 +80,16 @@ def test_at_the_same_rates_told_of_each_position_all_is_the_same_to_the_last_bit
     assert_same_motion(steady.analysis, told.analysis)
 
 
-@over("path", FORCES)
+@pytest.mark.part
+@over("path", FORCES if parts.whole else FORCES[::3])
 def test_at_the_same_rates_told_of_each_position_all_forces_are_the_same_to_the_last_bit(path: Path) -> None:
     steady, told = forces(path, "scene"), forces(path, "constant")
     assert_same_forces(steady.construction, told.construction)
     assert_same_forces(steady.analysis, told.analysis)
 
 
-@over("path", LINKAGES)
+@pytest.mark.part
+@over("path", LINKAGES if parts.whole else LINKAGES[::4])
 def test_velocities_and_accelerations_are_the_transfer_functions_times_the_rates(path: Path) -> None:
     one = study(path)
     pace, unit = uneven(one), one.paced(lambda phi: Rates(1.0, 0.0)).motion()
@@ -102,13 +106,15 @@ def test_velocities_and_accelerations_are_the_transfer_functions_times_the_rates
                 assert np.nanmax(np.abs(row - value)) <= ROUNDING * (np.nanmax(size) + omega.max() ** 2 * 1e-3)
 
 
-@over("path", LINKAGES)
+@pytest.mark.part
+@over("path", LINKAGES if parts.whole else LINKAGES[::4])
 def test_both_roads_agree_at_uneven_rates(path: Path) -> None:
     one = study(path)
     assert compare(one.paced(uneven(one))).agrees
 
 
-@over("path", FORCES)
+@pytest.mark.part
+@over("path", FORCES if parts.whole else FORCES[::3])
 def test_both_roads_agree_in_the_forces_at_uneven_rates_and_the_energy_balance_with_them(path: Path) -> None:
     uneven_, steady = forces(path, "uneven"), forces(path, "scene")
     assert uneven_.agrees

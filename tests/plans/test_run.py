@@ -191,6 +191,7 @@ def test_the_solver_is_chosen_by_how_stiff_the_motor_is() -> None:
     assert names == [EXPLICIT, EXPLICIT, IMPLICIT, IMPLICIT]
 
 
+@pytest.mark.rest
 def test_of_a_stiff_motor_the_chosen_solver_takes_a_tenth_of_what_the_common_one_takes() -> None:
     link = slider_crank(0.2, force=100.0, share=0.2)
     ours, common = costs(link, STIFF, 155.5, 3)
