@@ -7,4 +7,12 @@ from pathlib import Path
 
 GALLERY = Path(__file__).parents[1] / "drawings" / "gallery"
 SCENES = sorted(GALLERY.glob("*.toml"))
-LINKAGES = [path for path in SCENES if "mechanism" in tomllib.loads(path.read_text(encoding="utf-8"))]
+SHEETS = {"kinematics", "positions", "forces"}  # that show plans of a linkage
+
+
+def _shows_a_linkage(path: Path) -> bool:
+    data = tomllib.loads(path.read_text(encoding="utf-8"))
+    return "mechanism" in data and not SHEETS.isdisjoint(data.get("sheets", SHEETS))
+
+
+LINKAGES = [path for path in SCENES if _shows_a_linkage(path)]

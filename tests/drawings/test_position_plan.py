@@ -30,6 +30,7 @@ from plans.checks.compare import Comparison, compare
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.scene.scene import parse_scene, read_scene
+from tests import parts
 from tests.drawings import mechanisms
 from tests.gallery import LINKAGES
 from tests.rows import over
@@ -163,7 +164,8 @@ def test_links_end_at_the_circles_of_their_hinges(name: str, hand: Hand) -> None
         assert inside.max() < 1e-3 * circle.radius, (letter, thick(found)[inside.argmax()])
 
 
-@over("name", NAMES)
+@pytest.mark.part
+@over("name", NAMES if parts.whole else NAMES[::3])
 def test_no_thin_line_runs_inside_a_hinge(name: str) -> None:
     found = drawn(name)
     lines = found.strokes("paths", "all-positions", "extremes", "guides", "notches")

@@ -50,7 +50,7 @@ def by_gauss(one: Steady, found: Exact) -> tuple[float, Floats]:
 
 
 @given(steadies())
-@examples(4, 200)
+@examples(2, 200)
 def test_flywheel_put_back_keeps_the_fluctuation(one: Steady) -> None:
     """The exact motion with the flywheel found has the delta asked for, and the mean speed, to 1e-9."""
     found = one.exact
@@ -69,7 +69,7 @@ def test_flywheel_put_back_keeps_the_fluctuation(one: Steady) -> None:
 
 
 @given(steadies())
-@examples(3, 60)
+@examples(2, 60)
 def test_account_closes_and_another_rule_gives_the_same_work(one: Steady) -> None:
     found = one.exact
     assert abs(found.surplus(np.array([2 * pi]))[0]) <= 1e-12 * measure(found)
@@ -78,7 +78,7 @@ def test_account_closes_and_another_rule_gives_the_same_work(one: Steady) -> Non
 
 
 @given(steadies())
-@examples(3, 60)
+@examples(2, 60)
 def test_slope_and_weights_are_those_of_the_balance_of_power(one: Steady) -> None:
     """At unit speed without acceleration the drive has M = J'/2 - M_red: by inertia forces, which know no J."""
     reduction = one.reduction
@@ -90,7 +90,7 @@ def test_slope_and_weights_are_those_of_the_balance_of_power(one: Steady) -> Non
 
 
 @given(steadies())
-@examples(3, 60)
+@examples(2, 60)
 def test_beginning_elsewhere_changes_no_flywheel(one: Steady) -> None:
     its, other = (flywheel(each.exact, TASK) for each in (one, one._replace(start=one.start + 1.0)))
     assert other.needed + other.own == pytest.approx(other.whole, rel=1e-12)

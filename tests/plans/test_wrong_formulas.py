@@ -16,7 +16,7 @@ NAMES = ("rotor_faults", "machine_faults", "dynamics_analysis_faults", "run_faul
 TABLES = {name: faults(CASES / f"{name}.toml") for name in NAMES}
 
 
-@pytest.mark.parametrize("fault", [row for table in TABLES.values() for row in everyday(table)])
+@pytest.mark.parametrize("fault", everyday([fault for table in TABLES.values() for fault in table]))
 def test_a_fault_is_seen_by_the_tests_named_beside_it(fault):
     told = verdicts(fault, fault.nodes)
     named = {node.partition("[")[0] for node, verdict in told.items() if verdict == "red"}
