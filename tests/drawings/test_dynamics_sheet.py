@@ -239,7 +239,7 @@ FAULTS: dict[str, tuple[Change, str]] = {
 }
 
 
-@pytest.mark.parametrize("name", some(FAULTS, 4))
+@pytest.mark.parametrize("name", some(FAULTS, 8))
 def test_a_planted_fault_is_seen(planer, name: str, tmp_path: Path) -> None:
     study, leaf = planer
     change, wrong = FAULTS[name]
