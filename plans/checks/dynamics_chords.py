@@ -62,7 +62,7 @@ class Chords:
         self.study, self.ours, self.theirs, self.turn = study, cycle, theirs.cycle, turn
         self.wheels, self.account = (study.flywheel, theirs.flywheel), theirs
         works = study.works
-        self.size = _gross(works.middle.acting)
+        self.size, self.bent = _gross(works.middle.acting), works.bent.ravel()
         self.mean = works.middle.off(works.middle.acting) + turn.noise * self.size
         self.mass = works.edge.off(works.edge.moved) + turn.noise * _gross(works.edge.moved)
         areas = np.cumsum(np.diff(cycle.turned) * self.mean)
@@ -74,7 +74,7 @@ class Chords:
         yield self._breaks()
         yield _finding(WORKS, "M_red", "N*m", (ours.means, theirs.means), self.mean)
         sides = ours.moments.ravel(), theirs.moments.ravel()
-        yield _finding(WORKS, "M_red±", "N*m", sides, np.repeat(self.mean, 2) + BESIDE * self.size)
+        yield _finding(WORKS, "M_red±", "N*m", sides, np.repeat(self.mean, 2) + BESIDE * self.size + self.bent)
         yield _finding(WORKS, "J_red", "kg*m2", (ours.inertia, theirs.inertia), self.mass)
         yield _finding(WORKS, "A", "J", (ours.work, theirs.work), self.work)
         yield _finding(WORKS, "ΔT", "J", (ours.surplus, theirs.surplus), self._surplus, _largest(ours.work))
@@ -179,7 +179,8 @@ class Chords:
         """Give how far rounding can have moved the acceleration at each edge, rad/s2."""
         slope, bend = self.study.works.edge.slope, 2 * self.study.works.edge.off(self.study.works.edge.hindering)
         bend = bend + self.turn.noise * _largest(slope)
-        moved = float(self.mean.max()) + BESIDE * self.size + told.omega * off * np.abs(slope) + told.omega**2 * bend
+        beside = BESIDE * self.size + float(self.bent.max())
+        moved = float(self.mean.max()) + beside + told.omega * off * np.abs(slope) + told.omega**2 * bend
         largest = np.maximum(np.abs(told.epsilon).max(), 0.0)
         return np.asarray((moved + largest * self.mass) / masses)
 

@@ -19,8 +19,8 @@ from plans.words.calculus import REASONS
 from plans.words.words import because
 
 WORKS = "works"
-# Both sides of a jump are read off plans beside it, at this part of a strip and at twice it, and carried on to the
-# edge: what that leaves out is the square of the part, far below the width of any line, and rounding grows by three.
+# Both sides of a jump are read off plans beside it, at this part of a strip, at twice and thrice it, and carried on to
+# the edge: what that leaves out is the cube of the part, far below the width of any line, and rounding grows by seven.
 BESIDE = 2.0**-20
 # rad: what a stroke takes for its end, four times over; a position nearer to an edge may count as of the other stroke.
 APART = 4 * ROUNDING * TURN
@@ -35,6 +35,7 @@ class Works:
     cycle: Cycle
     middle: Reducing  # the levers at the middles of the strips
     edge: Reducing  # and at their edges
+    bent: Floats  # (n, 2) N*m: by how much those at the edges may be off, as they were carried on
 
     @property
     def board(self) -> Board:
@@ -68,14 +69,22 @@ class Turn:
         whole = board.join("A_us", curve.points[0], curve.points[-1], because("work_of_loads"))
         drive = board.turn("A_dr", board.given("φ", complex(TURN), because("whole_turn")), 1.0, because("steady"))
         drive = board.lay_off("A_dr", drive, board.turn("-A_us", whole, -1.0, because("steady")), because("steady"))
-        cycle = Cycle(CONSTRUCTION, self.edges, self.breaks, self._sides, means, curve.values, edge.inertia)
-        return Works(curve, drive, cycle, middle, edge)
+        sides, bent = self._sides
+        cycle = Cycle(CONSTRUCTION, self.edges, self.breaks, sides, means, curve.values, edge.inertia)
+        return Works(curve, drive, cycle, middle, edge, bent)
 
     @property
-    def _sides(self) -> Floats:
-        """The moments at the beginning and at the end of each strip, from inside it."""
+    def _sides(self) -> tuple[Floats, Floats]:
+        """The moments at the beginning and at the end of each strip, (n, 2), from inside it, and how they bend there.
+
+        They are carried on by a parabola, which leaves out less than its own second difference; a break that is placed
+        otherwise shifts them along it.
+        """
         low, high = self.edges[:-1], self.edges[1:]
-        near = np.minimum(np.maximum(BESIDE * (high - low), APART), (high - low) / 4)
-        read = self.reduction.at(np.concatenate([low + near, low + 2 * near, high - near, high - 2 * near]))
-        first, second, last, before = read.moment.reshape(4, -1)
-        return settled(np.stack([2 * first - second, 2 * last - before], axis=1), read.size)
+        near = np.minimum(np.maximum(BESIDE * (high - low), APART), (high - low) / 6)
+        places = [edge + k * sense * near for edge, sense in ((low, 1), (high, -1)) for k in (1, 2, 3)]
+        read = self.reduction.at(np.concatenate(places))
+        first, second, third = np.moveaxis(read.moment.reshape(2, 3, -1), 1, 0)
+        carried = 3 * (first - second) + third
+        lag = 2 * ROUNDING * TURN / near  # by which the two roads may put one break apart
+        return settled(carried.T, read.size), (np.abs(first - 2 * second + third) + lag * np.abs(first - second)).T
