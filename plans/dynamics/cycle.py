@@ -31,7 +31,7 @@ class Works:
     """The curve of work by chords, the straight line of the drive's work, and what the strips are made of."""
 
     curve: Integral
-    drive: Mark  # from the beginning to the end of the curve, turned over: the work that the drive must give
+    drive: Mark  # the straight line of the work that the drive must give
     cycle: Cycle
     middle: Reducing  # the levers at the middles of the strips
     edge: Reducing  # and at their edges
@@ -66,12 +66,9 @@ class Turn:
         means = settled(middle.moment, middle.size)
         board = Board(WORKS)
         curve = integral(board, "A", self.edges, means, why=REASONS)
-        whole = board.join("A_us", curve.points[0], curve.points[-1], because("work_of_loads"))
-        drive = board.turn("A_dr", board.given("φ", complex(TURN), because("whole_turn")), 1.0, because("steady"))
-        drive = board.lay_off("A_dr", drive, board.turn("-A_us", whole, -1.0, because("steady")), because("steady"))
         sides, bent = self._sides
         cycle = Cycle(CONSTRUCTION, self.edges, self.breaks, sides, means, curve.values, edge.inertia)
-        return Works(curve, drive, cycle, middle, edge, bent)
+        return Works(curve, _drive(board, curve), cycle, middle, edge, bent)
 
     @property
     def _sides(self) -> tuple[Floats, Floats]:
@@ -88,3 +85,12 @@ class Turn:
         carried = 3 * (first - second) + third
         lag = 2 * ROUNDING * TURN / near  # by which the two roads may put one break apart
         return settled(carried.T, read.size), (np.abs(first - 2 * second + third) + lag * np.abs(first - second)).T
+
+
+def _drive(board: Board, curve: Integral) -> Mark:
+    """Draw the work of a constant moment, which over the turn gives what the loads take: a straight line (M4.7)."""
+    begin, end = curve.points[0], curve.points[-1]
+    foot = board.lay_off("2π", begin, board.given("φ", complex(TURN), because("whole_turn")), because("whole_turn"))
+    taken = board.join("A_us", foot, end, because("work_of_loads"))
+    given = board.turn("-A_us", taken, -1.0, because("steady"))
+    return board.join("A_dr", begin, board.lay_off("A_dr(2π)", foot, given, because("steady")), because("drive_line"))

@@ -54,6 +54,16 @@ def test_moments_on_either_side_of_a_jump() -> None:
     assert cycle.moments[k, 0] == pytest.approx(-2000 * rate, rel=1e-8)
 
 
+def test_work_of_the_drive_is_a_straight_line() -> None:
+    """M4.7: from (0, 0) to (2 pi, 360 J), the work that the cut takes; its slope is the driving moment."""
+    dynamics = study(asked="divisions = 480")["dynamics"]
+    begin, end = (complex(mark.point) for mark in dynamics.works.drive.step.inputs)
+    assert begin == 0
+    assert end.real == pytest.approx(2 * np.pi, rel=1e-15)
+    assert end.imag == pytest.approx(360, abs=0.01)  # 24 chords are 1 J off, these a four-hundredth of it
+    assert end.imag / end.real == pytest.approx(dynamics.cycle.driving, rel=1e-12)
+
+
 def error_of(divisions: int, asked: str = 'fluctuation = "1/25"') -> float:
     wheel = study(asked=f"{asked}\ndivisions = {divisions}")["dynamics"].flywheel
     return abs(wheel.whole / EXACT_J0 - 1)
