@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from drawings.figures.dynamics.curves import Dense
-from drawings.figures.dynamics.part import OVER, UNDER
+from drawings.figures.dynamics.part import RIGHT, OVER, UNDER
 from drawings.figures.dynamics.strip_graph import StripGraph, Trace
 from plans.model.dynamics import TURN, Cycle, Speeds
 from plans.model.motion import Floats
@@ -23,7 +23,7 @@ def moments(cycle: Cycle, dense: Dense) -> StripGraph:
         Trace(
             dense.turned, -dense.moment, "result", "M_{us}", most / (len(dense.moment) - 1), _away(-dense.moment[most])
         ),
-        _level(cycle.driving, "relative", "M_{dr}"),
+        _level(cycle.driving, "relative", "M_{dr}", RIGHT, 1.0),
     )
     return StripGraph(MOMENTS, "M_{red}", "N*m", after, before, traces)
 
@@ -79,9 +79,9 @@ def omega(cycle: Cycle, dense: Dense, speeds: Speeds) -> Floats:
     return np.asarray(np.sqrt(2 * np.maximum(energy, 0.0) / whole))
 
 
-def _level(value: float, style: str, letter: str, side: float = OVER) -> Trace:
+def _level(value: float, style: str, letter: str, side: float = OVER, at: float = 0.5) -> Trace:
     """Draw a constant over the whole turn."""
-    return Trace(np.array([0.0, 0.9 * TURN, TURN]), np.full(3, value), style, letter, 0.5, side)
+    return Trace(np.array([0.0, 0.9 * TURN, TURN]), np.full(3, value), style, letter, at, side)
 
 
 def _away(value: float) -> float:
