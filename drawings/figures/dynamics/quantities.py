@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from drawings.figures.dynamics.curves import Dense
-from drawings.figures.dynamics.part import RIGHT, OVER, UNDER
+from drawings.figures.dynamics.part import OVER, RIGHT, UNDER
 from drawings.figures.dynamics.strip_graph import StripGraph, Trace
 from plans.model.dynamics import TURN, Cycle, Speeds
 from plans.model.motion import Floats

@@ -1,0 +1,1 @@
+"""Cams by closed forms and roots, apart from the constructions (кулачковые механизмы, аналитически)."""

@@ -1,0 +1,128 @@
+"""The laws of motion by their closed forms (законы движения толкателя в замкнутом виде, M2.2 of every handbook)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Final
+
+import numpy as np
+
+from plans.model.cam import Cam, Law, Phase
+from plans.model.cam_motion import Travel
+from plans.model.motion import Floats
+
+PI = np.pi
+Closed = Callable[[Law, Floats, int, bool], Floats]  # law, shares, order of the derivative, before a joint or after
+
+
+def _velocity(_: Law, k: Floats, order: int, before: bool) -> Floats:
+    return (k, np.ones_like(k), np.zeros_like(k))[order]
+
+
+def _acceleration(law: Law, k: Floats, order: int, before: bool) -> Floats:
+    q, left = law.first, 1 - k
+    early = k <= law.first if before else k < law.first
+    one = (k**2 / q, 2 * k / q, np.full_like(k, 2 / q))[order]
+    r = 1 - q
+    other = (1 - left**2 / r, 2 * left / r, np.full_like(k, -2 / r))[order]
+    return np.where(early, one, other)
+
+
+def _cosine(_: Law, k: Floats, order: int, before: bool) -> Floats:
+    x = PI * k
+    return np.asarray(((1 - np.cos(x)) / 2, PI / 2 * np.sin(x), PI**2 / 2 * np.cos(x))[order])
+
+
+def _sine(_: Law, k: Floats, order: int, before: bool) -> Floats:
+    x = 2 * PI * k
+    return np.asarray((k - np.sin(x) / (2 * PI), 1 - np.cos(x), 2 * PI * np.sin(x))[order])
+
+
+def _p345(_: Law, k: Floats, order: int, before: bool) -> Floats:
+    return (k**3 * (10 - 15 * k + 6 * k**2), 30 * k**2 * (1 - k) ** 2, 60 * k * (1 - k) * (1 - 2 * k))[order]
+
+
+def _p4567(_: Law, k: Floats, order: int, before: bool) -> Floats:
+    s = k**4 * (35 - 84 * k + 70 * k**2 - 20 * k**3)
+    return (s, 140 * k**3 * (1 - k) ** 3, 420 * k**2 * (1 - k) ** 2 * (1 - 2 * k))[order]
+
+
+def _half(first: Callable[[Floats, int], Floats]) -> Closed:
+    """Give a law of which the second half is the first one turned about the middle."""
+
+    def whole(_: Law, k: Floats, order: int, before: bool) -> Floats:
+        early = first(np.minimum(k, 1 - k), order)
+        late = (1 - early, early, -early)[order]
+        return np.asarray(np.where(k <= 0.5, early, late))
+
+    return whole
+
+
+def _trapezoid(k: Floats, order: int) -> Floats:
+    a, q = 16 / 3, 1 / 8
+    ramp = (a * k**3 / (6 * q), a * k**2 / (2 * q), a * k / q)
+    x = k - q
+    flat = (a * q**2 / 6 + a * q * x / 2 + a * x**2 / 2, a * q / 2 + a * x, np.full_like(k, a))
+    y = 0.5 - k
+    last = (0.5 - 2 * y + a * y**3 / (6 * q), 2 - a * y**2 / (2 * q), a * y / q)
+    return np.select([k < q, k < 3 * q], [ramp[order], flat[order]], last[order])
+
+
+def _modified_trapezoid(k: Floats, order: int) -> Floats:
+    big = 8 * PI / (2 + PI)
+    c, q = big / (4 * PI), 1 / 8
+    ramp = (c * (k - np.sin(4 * PI * k) / (4 * PI)), c * (1 - np.cos(4 * PI * k)), big * np.sin(4 * PI * k))
+    sq, x = c * (q - 1 / (4 * PI)), k - q
+    flat = (sq + c * x + big * x**2 / 2, c + big * x, np.full_like(k, big))
+    y = k - 3 * q
+    s = sq + c / 4 + big / 32 + (c + big / 4) * y + c / (4 * PI) * (1 - np.cos(4 * PI * y))
+    last = (s, c + big / 4 + c * np.sin(4 * PI * y), big * np.cos(4 * PI * y))
+    return np.select([k < q, k < 3 * q], [ramp[order], flat[order]], last[order])
+
+
+def _modified_sine(k: Floats, order: int) -> Floats:
+    big = 4 * PI**2 / (4 + PI)
+    c, q = big / (4 * PI), 1 / 8
+    ramp = (c * (k - np.sin(4 * PI * k) / (4 * PI)), c * (1 - np.cos(4 * PI * k)), big * np.sin(4 * PI * k))
+    x = PI / 3 + 4 * PI * k / 3
+    sq = c * (q - 1 / (4 * PI))
+    rest = (
+        sq + c * (k - q) - 9 * big / (16 * PI**2) * (np.sin(x) - 1),
+        c - 3 * c * np.cos(x),
+        big * np.sin(x),
+    )
+    return np.where(k < q, ramp[order], rest[order])
+
+
+LAWS: Final[Mapping[str, Closed]] = {
+    "constant velocity": _velocity,
+    "constant acceleration": _acceleration,
+    "cosine": _cosine,
+    "sine": _sine,
+    "3-4-5": _p345,
+    "4-5-6-7": _p4567,
+    "trapezoid": _half(_trapezoid),
+    "modified trapezoid": _half(_modified_trapezoid),
+    "modified sine": _half(_modified_sine),
+}
+
+
+def travel(cam: Cam, turned: Floats, before: bool = False) -> Travel:
+    """Give S, S', S'' at turns of the cam, (N,); where two laws meet those of the later one, or of the one before."""
+    phi = np.asarray(turned, dtype=float)
+    found = np.zeros((3, len(phi)))
+    for phase in cam.phases:
+        here = (phase.start < phi) & (phi <= phase.end) if before else (phase.start <= phi) & (phi < phase.end)
+        here |= (phi == phase.end) & (phase is cam.phases[-1])
+        found[:, here] = _within(phase, phi[here], before)
+    return Travel(*found)
+
+
+def _within(phase: Phase, phi: Floats, before: bool) -> Floats:
+    """Give S, S', S'' within a phase, (3, N): those of a return fall from the lift by 1 - s."""
+    if phase.law is None:
+        return np.array([np.full_like(phi, phase.level), 0 * phi, 0 * phi])
+    k, closed = (phi - phase.start) / phase.angle, LAWS[phase.law.name]
+    found = [closed(phase.law, k, order, before) for order in range(3)]
+    rows = [phase.level + phase.change * found[0]]
+    return np.array([*rows, *(phase.change * found[order] / phase.angle**order for order in (1, 2))])

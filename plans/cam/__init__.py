@@ -1,0 +1,1 @@
+"""Cams by construction: laws, main sizes by tangents, profile by inversion (кулачковые механизмы)."""

@@ -1,0 +1,166 @@
+"""The cam as it is asked for: phases, laws, follower, limits, given sizes, loads (кулачковый механизм, задание).
+
+Values alone, SI and radians. The cam's turn φ is counted from the beginning of its first phase, from 0, in the sense of
+its rotation; of a cam that translates φ is its travel, m, and "angle" stands for a length. What the follower travels is
+S: m, or rad of one that rocks.
+
+The frame of every drawing: O, the cam's centre, is the origin, x to the right, y up; the rise is upwards. `sense` is +1
+of a cam that turns counter-clockwise, -1 of one that turns clockwise; a cam that translates goes to the left with +1.
+The axis of a follower that translates stands at x = sense*e. A rocker lies level at mid-swing, pointing away from its
+pivot to the right if it rises counter-clockwise, to the left if clockwise.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import NamedTuple
+
+TURN = 2 * math.pi
+RISE, DWELL, RETURN = "rise", "dwell", "return"
+TRANSLATING, ROCKING = "translating", "rocking"
+POINTED, ROLLER, FLAT = "pointed", "roller", "flat"
+FORCE, GROOVE = "force", "groove"
+LAWS = (
+    "constant velocity",
+    "constant acceleration",
+    "cosine",
+    "sine",
+    "3-4-5",
+    "4-5-6-7",
+    "trapezoid",
+    "modified trapezoid",
+    "modified sine",
+)
+TABLE, SHAPE = "table", "shape"  # laws that the user gives: by S over φ, by the shape of the acceleration
+LINES, CUBICS = "lines", "cubics"  # what joins the points of a table
+
+
+class Law(NamedTuple):
+    """A law of motion over one phase (закон движения): its name, and what it needs beside that.
+
+    `first` is the share of the phase that accelerates under constant acceleration; `points` are shares of the phase,
+    rising from 0 to 1, with the share of the lift of a table (from 0 to 1), or with the acceleration in any scale of a
+    shape (two points at one share are a jump). `through` says what joins a table's points; a `tolerance` above 0, in
+    shares of the lift, lets a table be smoothed by so much at most.
+    """
+
+    name: str
+    first: float = 0.5
+    points: tuple[tuple[float, float], ...] = ()
+    through: str = CUBICS
+    tolerance: float = 0.0
+
+
+class Phase(NamedTuple):
+    """A phase of the cam (фаза): its kind, angle, start and the follower's level there, its change of S, its law."""
+
+    kind: str
+    angle: float  # rad
+    start: float  # rad
+    level: float  # S at its start
+    change: float  # of S: above 0 on a rise, below 0 on a return, 0 on a dwell
+    law: Law | None = None  # None of a dwell
+
+    @property
+    def end(self) -> float:
+        """Where it ends, rad."""
+        return self.start + self.angle
+
+
+class Follower(NamedTuple):
+    """The follower (толкатель): how it moves, what touches the cam, its sizes m.
+
+    `sense` of one that rocks is +1 where it turns on the rise as the cam does, -1 against it. `length` is from its
+    pivot to its tip or its roller's centre. `face` is how far a flat one that rocks stands before its pivot.
+    """
+
+    motion: str
+    end: str
+    length: float | None = None
+    sense: int = 1
+    face: float = 0.0
+
+
+class Limits(NamedTuple):
+    """What the sizes must keep to: the pressure angle on rise and return, rad above 0, the least curvature radius m."""
+
+    rise: float | None = None
+    back: float | None = None
+    curvature: float = 0.0  # of the profile under a flat face
+
+    def of(self, kind: str) -> float | None:
+        """Give the limit of the pressure angle on a kind of phase."""
+        return {RISE: self.rise, RETURN: self.back}.get(kind)
+
+
+class GivenSizes(NamedTuple):
+    """Main sizes m that the scene gives: least radius R0, offset e, distance of centres L; None: to be found."""
+
+    base: float | None = None
+    offset: float | None = None  # e, above 0 where it lowers the pressure angle on the rise
+    centre: float | None = None
+
+
+class Load(NamedTuple):
+    """What the follower bears, against its rise: kg, N, N/m; of one that rocks kg*m2, N*m, N*m/rad."""
+
+    mass: float = 0.0
+    force: float = 0.0
+    preload: float = 0.0  # of the spring at the start
+    stiffness: float = 0.0
+
+
+NO_LIMITS, NO_SIZES = Limits(), GivenSizes()
+
+
+@dataclass(frozen=True)
+class Cam:
+    """One cam that is asked for (кулачок): all that the scene says of it."""
+
+    name: str
+    sense: int
+    speed: float | None  # rad/s above 0 (m/s of one that translates); None: not asked
+    phases: tuple[Phase, ...]
+    follower: Follower
+    closure: str
+    limits: Limits = NO_LIMITS
+    given: GivenSizes = NO_SIZES
+    roller: float | None = None  # radius m; None: by rule
+    setting: float = 0.0  # rad: turn of the main shaft at which its first phase begins
+    translates: bool = False  # the cam itself
+    divisions: int = 8  # parts of a phase that moves the follower
+    load: Load | None = None
+    angles: tuple[Fraction, ...] = ()  # of the phases in degrees, exact; empty of a cam that translates
+    tolerance: float = 1e-7  # m: how far a drawn piece of the profile may be from the exact one
+
+    @property
+    def turn(self) -> float:
+        """The whole turn, rad; of a cam that translates its whole travel, m."""
+        return self.phases[-1].end if self.translates else TURN
+
+    @property
+    def lift(self) -> float:
+        """The greatest S, m or rad (ход толкателя)."""
+        return max(max(one.level, one.level + one.change) for one in self.phases)
+
+    @property
+    def rocks(self) -> bool:
+        """Whether the follower rocks."""
+        return self.follower.motion == ROCKING
+
+    @property
+    def flat(self) -> bool:
+        """Whether a flat face touches the cam."""
+        return self.follower.end == FLAT
+
+    @property
+    def rising(self) -> int:
+        """The sense in which a rocker turns on the rise: +1 counter-clockwise."""
+        return self.sense * self.follower.sense
+
+    def moving(self) -> Iterator[Phase]:
+        """Give the phases over which the follower moves."""
+        return (one for one in self.phases if one.kind != DWELL)

@@ -1,0 +1,104 @@
+"""What is found of a cam, whichever road found it: travel, sizes, contour, extremes, flaws (кулачок, результаты)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from plans.model.cam import Cam
+from plans.model.motion import Floats
+
+Points = npt.NDArray[np.complex128]
+CONSTRUCTION, ANALYSIS = "construction", "analysis"
+
+
+class Travel(NamedTuple):
+    """S and its derivatives by the cam's turn, (N,) each: m, m/rad, m/rad2; of a follower that rocks rad, 1, 1/rad."""
+
+    s: Floats
+    slope: Floats  # S'
+    bend: Floats  # S''
+
+
+class Shock(NamedTuple):
+    """A shock (удар): where, rad; `order` 1 is hard, a jump of S', 2 is soft, a jump of S''; after less before."""
+
+    turned: float
+    order: int
+    jump: float
+
+
+class Sizes(NamedTuple):
+    """Main sizes m: the least radius R0, the offset e, the distance of centres L and where the follower's pivot is.
+
+    Of a flat face `base` is the distance of the face from O at the start. `pivot` is O1 - O, `initial` the rocker's
+    angle at the start with the line of centres O1O, rad. A cam that translates has no sizes: all are 0.
+    """
+
+    base: float
+    offset: float = 0.0
+    centre: float = 0.0
+    pivot: complex = 0j
+    initial: float = 0.0
+
+
+@dataclass(frozen=True)
+class Contour:
+    """The profile by points, at N turns of the cam (профиль кулачка).
+
+    `tip` is in the frame: the point of the follower, its roller's centre, or where its face touches. `lever` is what
+    stands on the profile's normal, out of the cam: OD of the book, K + i*sense*dK/dφ; of a flat face the unit normal.
+    Pitch curve and profile are in the cam: as it stands at its start, turned back by `turned`. Radii of curvature are
+    above 0 where the curve is convex. `pressure` is signed: above 0 where it is so on a plain rise.
+    """
+
+    turned: Floats  # rad
+    travel: Travel
+    tip: Points  # m
+    lever: Points
+    pitch: Points  # m: of a pointed or a flat follower the profile itself
+    profile: Points  # m: that touches the follower
+    pressure: Floats  # rad
+    radius: Floats  # m: of the pitch curve
+    sliding: Floats  # m/rad: speed of the follower's point along the profile, over the cam's
+    outer: Points | None = None  # the other side of a groove
+
+
+class Extreme(NamedTuple):
+    """A greatest or least value, and the turn of the cam where it is, rad."""
+
+    value: float
+    turned: float
+
+
+class Flaw(NamedTuple):
+    """What is wrong with a cam from one turn to another: its kind, the worst value there and where that is.
+
+    Kinds: "undercut" (loop or cusp: the roller is larger than the pitch curve's radius), "crossing", "concave" (under a
+    flat face), "pressure" (angle beyond the limit), "short face", "lift-off" (the spring does not hold).
+    """
+
+    kind: str
+    start: float
+    end: float
+    worst: Extreme
+
+
+@dataclass(frozen=True)
+class CamFound:
+    """All that one road finds of one cam."""
+
+    by: str
+    cam: Cam
+    sizes: Sizes
+    roller: float  # m; 0 of a pointed or flat follower
+    contour: Contour  # at the numbered positions
+    shocks: tuple[Shock, ...] = ()
+    pressure: dict[str, Extreme] = field(default_factory=dict)  # largest on a kind of phase, by its size, rad, signed
+    sharpest: Extreme | None = None  # least convex radius of the pitch curve (of the profile under a flat face), m
+    hollow: Extreme | None = None  # smallest concave one by size, m, below 0; None: convex throughout
+    face: tuple[float, float] = (0.0, 0.0)  # m: how far contact goes to both sides of a flat follower's axis or pin
+    flaws: tuple[Flaw, ...] = ()
