@@ -49,7 +49,7 @@ def _p4567(k: Floats, order: int) -> Floats:
 
 
 def _half(first: Callable[[Floats, int], Floats]) -> Closed:
-    """Give a law of which the second half is the first one turned about the middle; no digit is lost towards its end."""
+    """Give a law of which the second half is the first one turned about the middle, so that its end loses no digit."""
 
     def whole(_: Law, k: Floats, order: int, before: bool) -> Floats:
         early = first(np.minimum(k, 1 - k), order)
