@@ -185,7 +185,7 @@ def wedge() -> ProfileView:
 
 def undercut() -> ProfileView:
     """Give a roller larger than the pitch curve lets it be, and where it cuts the profile."""
-    whole = view(cam(TO_ROLLER), Sizes(0.04, 0.006), 0.025)
+    whole = view(cam(TO_ROLLER, angles=(60.0, 20.0, 60.0, 220.0)), Sizes(0.04, 0.006), 0.025)
     curve = whole.curve
     cut = (curve.radius > 0) & (curve.radius < 0.025)
     flaws = []

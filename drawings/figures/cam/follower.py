@@ -1,4 +1,4 @@
-"""The follower at the start of the cam: its roller, tip or face, its rod in the guide, or its arm on the pivot (толкатель).
+"""The follower at the start: its roller, tip or face, its rod in the guide, or its arm on the pivot (толкатель).
 
 Its divisions stand where its tip is in each position: on the axis, or on the arc of a rocker.
 """

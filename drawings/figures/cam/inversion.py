@@ -1,4 +1,4 @@
-"""The construction of a profile by turning the frame about the cam: axes, pivots, faces, notches (обращение движения)."""
+"""The construction of a profile by turning the frame about the cam: axes, pivots, faces, notches (обращение)."""
 
 from __future__ import annotations
 
@@ -18,6 +18,7 @@ from drawings.symbols.trimming import Mask, trim
 
 NOTCH = 3.0  # mm, half the arc of a notch
 POINT = 0.6  # mm, radius of a found point
+APART = 1.8  # sizes of a number from one marked point to the next
 FEW = 2.2  # radii of the roller from one drawn roller to the next
 
 
@@ -98,7 +99,7 @@ def face(view: ProfileView, place: Place, turned: float) -> tuple[complex, compl
 
 
 def _notches(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
-    """Draw the notch of each position that S carries over: an arc about O; the arc of a rocker's tip about its pivot."""
+    """Draw the notch of each position that S carries over: an arc about O, of a rocker one about its pivot too."""
     if view.cam.translates or view.cam.flat:
         return
     zero = place.on(0j)
@@ -140,9 +141,20 @@ def _rollers(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
             last = spot
 
 
+def marked(view: ProfileView, place: Place, hand: Hand) -> Iterator[int]:
+    """Choose the positions whose points are marked and numbered: those that stand apart on paper."""
+    last = first = place.on(complex(view.contour.pitch[0]))
+    yield 0
+    for k, _ in view.positions[1:]:
+        spot = place.on(complex(view.contour.pitch[k]))
+        if min(abs(spot - last), abs(spot - first)) >= APART * hand.number:
+            yield k
+            last = spot
+
+
 def marks(view: ProfileView, place: Place, hand: Hand) -> Iterator[Group]:
     """Draw the found points of the numbered positions, and the normals from the roller's centre to the profile."""
-    for k, _ in view.positions:
+    for k in marked(view, place, hand):
         subject, letter = Subject(NAME, QUANTITY, k), str(k)
         spot, touch = complex(view.contour.pitch[k]), complex(view.contour.profile[k])
         if view.apart:

@@ -1,4 +1,4 @@
-"""The curves of a cam on paper: pitch curve, working profile, and where something is wrong with it (профиль кулачка)."""
+"""The curves of a cam on paper: pitch curve, working profile, and where something is wrong with it (профиль)."""
 
 from __future__ import annotations
 
@@ -76,9 +76,7 @@ def _within(view: ProfileView, one: Flaw) -> npt.NDArray[np.bool_]:
     return inside if one.start <= one.end else (turns >= one.start) | (turns <= one.end)
 
 
-def _stretches(
-    outline: Complexes, chosen: npt.NDArray[np.bool_], style: LineStyle, place: Place
-) -> Iterator[Stroke]:
+def _stretches(outline: Complexes, chosen: npt.NDArray[np.bool_], style: LineStyle, place: Place) -> Iterator[Stroke]:
     """Draw the pieces of an outline between places of which one at least is chosen."""
     pieces = chosen[:-1] & chosen[1:] if style.dash else chosen[:-1] | chosen[1:]
     edges = np.flatnonzero(np.diff(np.concatenate([[False], pieces, [False]])))
@@ -104,4 +102,3 @@ def _body(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
     yield Polyline((first, left, right, last), False, hand.result)
     middle, half = (left + right) / 2 - 1j * UNDER * hand.symbol, SIDE * hand.symbol / 2
     yield from ground(middle - half, middle + half, -1j, hand)
-

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import cmath
-import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
 from drawings.figures.cam.inversion import highest
+from drawings.figures.cam.phase_letters import phase_letter
 from drawings.figures.cam.profile_view import ProfileView
 from drawings.figures.cam.rings import Rings, beyond
 from drawings.layout.labels import Labels
@@ -16,10 +16,10 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import TURN, Line, Stroke
 from drawings.symbols.dimension import Dimension
 from drawings.symbols.symbols import turning_arrow
+from plans.model.cam import Phase
 
 PAST = 1.5  # mm that an axis goes past the arc that ends at it
 BESIDE = 1.2  # mm from an arc to its letter
-DIGITS = 5
 
 
 class AngleArc(NamedTuple):
@@ -47,13 +47,6 @@ class AngleArc(NamedTuple):
         return labels.beside(spot, self.letter, hand.number, BESIDE, self.middle)
 
 
-def letter(view: ProfileView, name: str, angle: float, drafting: Drafting) -> str:
-    """Letter a phase: its angle in degrees, or its travel in millimetres."""
-    if view.cam.translates:
-        return drafting.letter(f"x_{{{name}}} = {drafting.number(1000 * angle, DIGITS)}")
-    return drafting.letter(f"φ_{{{name}}} = {drafting.number(math.degrees(angle), DIGITS)}°")
-
-
 def phase_arcs(view: ProfileView, rings: Rings, drafting: Drafting) -> tuple[AngleArc, ...]:
     """Give the arcs of the phases: they run against the cam's motion, as the frame is turned."""
     if view.cam.translates:
@@ -62,9 +55,9 @@ def phase_arcs(view: ProfileView, rings: Rings, drafting: Drafting) -> tuple[Ang
 
 
 def _arcs(view: ProfileView, rings: Rings, drafting: Drafting) -> Iterator[AngleArc]:
-    for phase, name in view.phases():
+    for number, phase in enumerate(view.cam.phases):
         start = cmath.phase(rings.crossing(phase.start, rings.phases))
-        text = letter(view, name, phase.angle, drafting)
+        text = phase_letter(view.cam, number, drafting)
         yield AngleArc(text, rings.place.on(0j), rings.phases, start, -view.cam.sense * min(phase.angle, TURN))
 
 
@@ -81,13 +74,16 @@ def travels(view: ProfileView, rings: Rings, drafting: Drafting) -> tuple[Dimens
     """Give the dimensions of the phases of a cam that translates, above its follower's guide."""
     if not view.cam.translates:
         return ()
-    place, hand = rings.place, drafting.hand
-    level, off = highest(view, place, hand), 1j * (beyond(hand) + 2 * hand.number)
+    hand = drafting.hand
+    off = 1j * (beyond(hand) + 2 * hand.number)
     return tuple(
-        Dimension(
-            letter(view, name, one.angle, drafting),
-            *(complex(place.on(view.back(0j, turned)).real, level) for turned in (one.start, one.end)),
-            off,
-        )
-        for one, name in view.phases()
+        Dimension(phase_letter(view.cam, number, drafting), *_over(view, rings, one), off)
+        for number, one in enumerate(view.cam.phases)
     )
+
+
+def _over(view: ProfileView, rings: Rings, phase: Phase) -> tuple[complex, complex]:
+    """Give the ends of the axes at which a phase of a cam that translates begins and ends, mm."""
+    level = highest(view, rings.place, rings.hand)
+    start, end = (rings.place.on(view.back(0j, turned)).real for turned in (phase.start, phase.end))
+    return complex(start, level), complex(end, level)

@@ -21,7 +21,7 @@ from drawings.symbols.dashes import fit
 from drawings.symbols.figure import Subject, heading, point
 from drawings.symbols.symbols import HINGE, fixed_hinge, hinge, pole
 
-LETTERS, MOST = 26.0, 64.0  # it is drawn at least so many letters large, and at most
+LETTERS, MOST = 26.0, 80.0  # it is drawn at least so many letters large, and at most
 BESIDE = 1.0  # mm from a point to its number
 END = 0.9  # mm from the end of an axis to its number
 AXIS = 6.0  # mm that the axes of the shaft go past it
@@ -58,7 +58,7 @@ class ProfileFigure:
         """Letter O, a rocker's pivot, the senses."""
         view, hand = self.view, self.drafting.hand
         gap = BESIDE + (0.0 if view.cam.translates else HINGE * hand.symbol)
-        yield labels.beside(self.place.on(0j), ORIGIN, hand.letter, gap, -math.pi / 4)
+        yield labels.beside(self.place.on(0j), ORIGIN, hand.letter, gap, view.quiet)
         if view.sizes.pivot:
             yield labels.beside(self.place.on(view.sizes.pivot), "O_1", hand.letter, gap, math.pi / 2)
         for one in senses.senses(view, self.rings):
@@ -85,7 +85,7 @@ class ProfileFigure:
         hand, view = self.drafting.hand, self.view
         for k, spot, towards in self._ends():
             yield labels.beside(spot, str(k), hand.number, END, towards)
-        for k, _ in view.positions:
+        for k in inversion.marked(view, self.place, hand):
             spot, normal = self.place.on(complex(view.contour.pitch[k])), view.at(view.contour.turned[k])[1]
             towards = math.atan2(normal.imag, normal.real)
             yield labels.beside(spot, str(k), hand.number, BESIDE, towards)
@@ -123,7 +123,9 @@ def measure(view: ProfileView, drafting: Drafting) -> Picture:
         margins = Margins(2 * hand.letter, BODY_GUIDE * hand.symbol, above + 2 * hand.title + hand.text)
     else:
         margins = Margins(far, far, far + 2 * hand.title + hand.text)
-    return picture(NAME, view.corners, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)._replace(most=MOST * hand.letter)
+    return picture(NAME, view.corners, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)._replace(
+        most=MOST * hand.letter
+    )
 
 
 def draw(view: ProfileView, room: Picture, spot: Spot, drafting: Drafting) -> ProfileFigure:

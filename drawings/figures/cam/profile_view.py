@@ -1,16 +1,14 @@
-"""What the figure of a profile shows: the cam as it stands at its start, the frame turned about it (обращение движения)."""
+"""What the figure of a profile shows: the cam as it stands at its start, the frame turned about it (профиль)."""
 
 from __future__ import annotations
 
 import cmath
-from collections.abc import Iterator
-from functools import lru_cache
 from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 
-from plans.model.cam import Cam, Phase
+from plans.model.cam import Cam
 from plans.model.cam_motion import CamFound, Contour, Points, Sizes
 from plans.model.motion import Complexes, Floats
 
@@ -20,7 +18,7 @@ NAME, QUANTITY, SYMBOL, UNIT = "profile", "l", "l", "m"
 
 
 class ProfileView(NamedTuple):
-    """A cam to be seen: what is found at its numbered positions, and its curves at many turns, from 0 to a whole one."""
+    """A cam to be seen: what is found at its numbered positions, and its curves at many turns from 0 to a whole one."""
 
     found: CamFound
     curve: Contour
@@ -103,8 +101,8 @@ class ProfileView(NamedTuple):
         """The corners of all that is drawn to scale, m."""
         if self.cam.translates:
             top = float(self.curve.tip.imag.max()) + self.found.roller
-            left, right = self.curve.pitch.real.min() - self.found.roller, self.curve.pitch.real.max() + self.found.roller
-            return [*self.body, complex(left, top), complex(right, top)]
+            across, by = self.curve.pitch.real, self.found.roller
+            return [*self.body, *(complex(x, top) for x in (across.min() - by, across.max() + by))]
         reach = max(self.reach, abs(self.sizes.pivot))
         return [complex(x, y) for x in (-reach, reach) for y in (-reach, reach)]
 
@@ -119,27 +117,11 @@ class ProfileView(NamedTuple):
         return spot, normal / abs(normal)
 
     @property
+    def step(self) -> tuple[float, float]:
+        """The longest step from one numbered position to the next: the turns of both, rad."""
+        return max(pairwise([*self.contour.turned.tolist(), self.cam.turn]), key=lambda pair: pair[1] - pair[0])
+
+    @property
     def quiet(self) -> float:
         """The direction from O, rad, about which the frame is turned to no position: the middle of the longest step."""
-        turns = [*self.contour.turned.tolist(), self.cam.turn]
-        start, end = max(pairwise(turns), key=lambda pair: pair[1] - pair[0])
-        ray = self.sizes.pivot if self.cam.rocks else 1j
-        return cmath.phase(self.way(ray, (start + end) / 2))
-
-    def phases(self) -> Iterator[tuple[Phase, str]]:
-        """Give the phases with their letters: of several of one kind numbered ones."""
-        return zip(self.cam.phases, _letters(self.cam), strict=True)
-
-
-@lru_cache(maxsize=8)
-def _letters(cam: Cam) -> tuple[str, ...]:
-    """Name the phases as the words of sheets do: a dwell next to the cam is a rest."""
-    kinds = [_kind(cam, one) for one in cam.phases]
-    return tuple(
-        kind if kinds.count(kind) == 1 else f"{kind} {kinds[: k + 1].count(kind)}" for k, kind in enumerate(kinds)
-    )
-
-
-def _kind(cam: Cam, one: Phase) -> str:
-    lowest = min(min(own.level, own.level + own.change) for own in cam.phases)
-    return "rest" if one.change == 0 and one.level == lowest else one.kind
+        return cmath.phase(self.way(self.sizes.pivot if self.cam.rocks else 1j, sum(self.step) / 2))

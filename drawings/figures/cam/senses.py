@@ -14,10 +14,9 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import Line, Stroke
 from drawings.symbols.symbols import arrowhead, turning_arrow
 
-WITHIN = (0.55, 0.78)  # of what is free within the profile: radii of both arrows
-ASIDE = math.radians(32)  # their middles to either side of the widest step
-SWEEP = math.radians(55)
-LEAST = 7.0  # mm, radius of an arrow
+WITHIN = (0.3, 0.68)  # of what is free from the cam to the ends of the axes: radii of both arrows
+ASIDE, MOST = 0.25, math.radians(30)  # of the widest step: their middles to either side of its own, and at most
+SWEEP = math.radians(32)
 STRAIGHT = 22.0  # mm, length of the arrow of a cam that translates
 BESIDE = 1.2
 
@@ -43,14 +42,14 @@ class Sense(NamedTuple):
 
 
 def senses(view: ProfileView, rings: Rings) -> tuple[Sense, ...]:
-    """Give the arrows: the cam's own; the frame's, if there is room within the profile."""
+    """Give the arrows, the cam's own and the frame's, beside the cam where no axis is turned to."""
     if view.cam.translates:
         return ()
-    zero, hand, own = rings.place.on(0j), rings.hand, view.cam.sense
-    free = rings.place.length(float(abs(view.curve.profile).min()))
-    radii = [max(share * free, LEAST * hand.symbol) for share in WITHIN]
-    both = (Sense("ω", zero, radii[0], view.quiet - ASIDE, own), Sense("−ω", zero, radii[1], view.quiet + ASIDE, -own))
-    return both if radii[1] > LEAST * hand.symbol else both[:1]
+    zero, own, (start, end) = rings.place.on(0j), view.cam.sense, view.step
+    inner = rings.place.length(abs(view.at((start + end) / 2)[0]) + view.found.roller)
+    first, second = (inner + share * (rings.ends - inner) for share in WITHIN)
+    aside = min(ASIDE * (end - start), MOST)
+    return Sense("ω", zero, first, view.quiet - aside, own), Sense("−ω", zero, second, view.quiet + aside, -own)
 
 
 def straight(view: ProfileView, rings: Rings) -> Iterator[tuple[complex, complex]]:

@@ -20,7 +20,7 @@ from plans.model.cam import DWELL
 from plans.model.cam_motion import Extreme
 
 OFFSET = 0.55  # of the room under the follower: where the offset is dimensioned
-LEAST = 2.0  # mm: a shorter size is told by the table alone
+LEAST = 4.0  # mm: a shorter size is told by the table alone
 SHOWN = math.radians(50)  # half the arc of the circle through three points
 NEARBY = math.radians(5)  # of the cam's turn: from the sharpest place to the other two points
 LARGE = 4.0  # letters by which a circle of curvature may be larger than the cam
@@ -41,11 +41,14 @@ class SizeMark(NamedTuple):
 
     def draw(self, place: Place, hand: Hand) -> Group:
         """Draw its line with its arrows; it can be measured."""
-        heads = [arrowhead(self.start, self.end, hand.symbol)]
-        heads += [arrowhead(self.end, self.start, hand.symbol)] if self.both else []
         data = Subject(NAME, QUANTITY, None).data("vector", self.name, self.value, place.scale)
-        strokes = (Line(self.start, self.end, hand.drafted), *(head for head in heads if head is not None))
-        return Group(strokes, "", data, self.letter)
+        return Group((Line(self.start, self.end, hand.drafted), *self._heads(hand)), "", data, self.letter)
+
+    def _heads(self, hand: Hand) -> Iterator[Stroke]:
+        ends = [(self.start, self.end), (self.end, self.start)]
+        for start, tip in ends if self.both else ends[:1]:
+            head = arrowhead(start, tip, hand.symbol)
+            yield from () if head is None else (head,)
 
 
 def size_marks(view: ProfileView, place: Place, drafting: Drafting) -> tuple[SizeMark, ...]:
