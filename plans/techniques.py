@@ -89,6 +89,20 @@ TECHNIQUES: Final[Mapping[str, Technique]] = {
         plans=("couples", "unbalances", "reactions"),
         sheets={"rotor": ("couples", "unbalances", "reactions")},
     ),
+    "cyclogram": Technique(
+        form="plans.cyclogram.form:CyclogramForm",
+        tables=("cyclogram",),
+        shares={},
+        meaning="plans.cyclogram.reading:survey_of",
+        notes="plans.cyclogram.reading:notes_of",
+        study="plans.cyclogram.study:study_of",
+        comparison="plans.checks.cyclogram_comparison:comparison_of",
+        numbers="plans.checks.cyclogram_numbers:numbers",
+        marks="plans.cyclogram.marks:marks",
+        plans=("cyclogram",),
+        sheets={"cyclogram": ("extremes", "positions", "cyclogram")},
+        needs=("linkage",),
+    ),
 }
 
 
