@@ -91,6 +91,7 @@ TECHNIQUES: Final[Mapping[str, Technique]] = {
         plans=("couples", "unbalances", "reactions"),
         sheets={"rotor": ("couples", "unbalances", "reactions")},
     ),
+<<<<<<< HEAD
     "cam": Technique(
         form="plans.cam.reading.form:CamForm",
         tables=("cam",),
@@ -104,6 +105,21 @@ TECHNIQUES: Final[Mapping[str, Technique]] = {
         plans=CAM,
         sheets={"cam": CAM, "profile": ("profile",)},
         asks="plans.cam.reading.cams:asked_of",
+=======
+    "cyclogram": Technique(
+        form="plans.cyclogram.form:CyclogramForm",
+        tables=("cyclogram",),
+        shares={},
+        meaning="plans.cyclogram.reading:survey_of",
+        notes="plans.cyclogram.reading:notes_of",
+        study="plans.cyclogram.study:study_of",
+        comparison="plans.checks.cyclogram_comparison:comparison_of",
+        numbers="plans.checks.cyclogram_numbers:numbers",
+        marks="plans.cyclogram.marks:marks",
+        plans=("cyclogram",),
+        sheets={"cyclogram": ("extremes", "positions", "cyclogram")},
+        needs=("linkage",),
+>>>>>>> w-cyclogram
     ),
 }
 
