@@ -91,21 +91,6 @@ TECHNIQUES: Final[Mapping[str, Technique]] = {
         plans=("couples", "unbalances", "reactions"),
         sheets={"rotor": ("couples", "unbalances", "reactions")},
     ),
-<<<<<<< HEAD
-    "cam": Technique(
-        form="plans.cam.reading.form:CamForm",
-        tables=("cam",),
-        shares={},
-        meaning="plans.cam.reading.cams:survey_of",
-        notes="plans.cam.reading.notes:notes_of",
-        study="plans.cam.study:study_of",
-        comparison="plans.checks.cam.comparison:comparison_of",
-        numbers="plans.checks.cam.numbers:numbers",
-        marks="plans.cam.marks:marks",
-        plans=CAM,
-        sheets={"cam": CAM, "profile": ("profile",)},
-        asks="plans.cam.reading.cams:asked_of",
-=======
     "cyclogram": Technique(
         form="plans.cyclogram.form:CyclogramForm",
         tables=("cyclogram",),
@@ -119,7 +104,20 @@ TECHNIQUES: Final[Mapping[str, Technique]] = {
         plans=("cyclogram",),
         sheets={"cyclogram": ("extremes", "positions", "cyclogram")},
         needs=("linkage",),
->>>>>>> w-cyclogram
+    ),
+    "cam": Technique(
+        form="plans.cam.reading.form:CamForm",
+        tables=("cam",),
+        shares={},
+        meaning="plans.cam.reading.cams:survey_of",
+        notes="plans.cam.reading.notes:notes_of",
+        study="plans.cam.study:study_of",
+        comparison="plans.checks.cam.comparison:comparison_of",
+        numbers="plans.checks.cam.numbers:numbers",
+        marks="plans.cam.marks:marks",
+        plans=CAM,
+        sheets={"cam": CAM, "profile": ("profile",)},
+        asks="plans.cam.reading.cams:asked_of",
     ),
 }
 
