@@ -25,7 +25,7 @@ from plans.model.motion import Floats
 
 PIECES = 72  # to the turn at first: 5 degrees each
 SAMPLES = 16  # places within a piece at which it is measured
-ROUNDS = 12  # a piece is halved so many times at the most: then its angle is lost in the rounding of its points
+ROUNDS = 8  # a piece is halved so many times at the most: it is then 4e9 times nearer, or rounding is in the way
 STEPS = 4  # of Gauss and Newton: the even handles, and even shares, are near already
 TINY = 1e-300  # keeps a cubic of one point from being divided by its speed
 CLOSED = 1e-9  # of R0: what the outline's ends may miss each other by through rounding, and is no jump
@@ -83,13 +83,12 @@ def _between(outline: Outline, start: float, end: float, pieces: int, exact: boo
         return
     count = max(math.ceil(round((end - start) / cam.turn * pieces, 9)), 1)
     edges = np.linspace(start, end, count + 1)
-    for _ in range(ROUNDS if exact else 1):
-        cubics, off = _fitted(outline, edges)
-        wide = off > cam.tolerance
-        if not (exact and wide.any()):
+    cubics, off = _fitted(outline, edges)
+    for _ in range(ROUNDS if exact else 0):
+        if not (wide := off > cam.tolerance).any():
             break
-        halves = (edges[:-1] + edges[1:])[wide] / 2
-        edges = np.sort(np.concatenate([edges, halves]))
+        edges = np.sort(np.concatenate([edges, (edges[:-1] + edges[1:])[wide] / 2]))
+        cubics, off = _fitted(outline, edges)
     found = (CubicPiece(*one) for one in zip(*(column.tolist() for column in cubics), strict=True))
     yield from zip(edges[:-1].tolist(), found, off.tolist(), strict=True)
 
