@@ -97,10 +97,9 @@ def _tip(cam: Cam, sizes: Sizes, travel: Travel) -> _Tip:
     if not cam.rocks:
         level = np.sqrt((sizes.base - sizes.offset) * (sizes.base + sizes.offset))
         axis = 0.0 if cam.translates else cam.sense * sizes.offset
-        up = np.array(1j)
+        up = np.complex128(1j)
         return _Tip(axis + up * (level + travel.s), up * travel.slope, up * travel.bend)
     rising = cam.rising
     arm = rising * (cam.follower.length or 0.0) * np.exp(1j * rising * (travel.s - cam.lift / 2))
-    swing: Points = 1j * rising * travel.slope * arm
-    bend: Points = (1j * rising * travel.bend - travel.slope**2) * arm
-    return _Tip(sizes.pivot + arm, swing, bend)
+    bend = (1j * rising * travel.bend - travel.slope**2) * arm
+    return _Tip(sizes.pivot + arm, 1j * rising * travel.slope * arm, bend)
