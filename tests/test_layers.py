@@ -47,6 +47,7 @@ SHARED = (
     "plans.model.run",
     "plans.model.rotor",
     "plans.model.cam",
+    "plans.model.cam_faults",
     "plans.model.cam_motion",
     "plans.model.account",
     "plans.model.dynamics",
