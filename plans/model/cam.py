@@ -77,7 +77,8 @@ class Follower(NamedTuple):
     """The follower (толкатель): how it moves, what touches the cam, its sizes m.
 
     `sense` of one that rocks is +1 where it turns on the rise as the cam does, -1 against it. `length` is from its
-    pivot to its tip or its roller's centre. `face` is how far a flat one that rocks stands before its pivot.
+    pivot to its tip or its roller's centre. `face` is how far a flat one that rocks stands before its pivot. `reach` is
+    how far a flat face goes to both sides of its axis, of one that rocks from under its pivot; None: as far as need be.
     """
 
     motion: str
@@ -85,6 +86,7 @@ class Follower(NamedTuple):
     length: float | None = None
     sense: int = 1
     face: float = 0.0
+    reach: float | None = None
 
 
 class Limits(NamedTuple):
