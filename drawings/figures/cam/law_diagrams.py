@@ -10,7 +10,6 @@ from drawings.figures.cam.law_frame import LEFT, LEVEL, LawFrame, LawPlate
 from drawings.figures.cam.law_graph import graph_part, numbered_edges
 from drawings.figures.cam.law_pole import POLES, pole_part
 from drawings.figures.cam.law_rows import ACCELERATION, VELOCITY, LawRow, letters
-from drawings.figures.cam.phase_letters import phase_letter
 from drawings.figures.graphs.part import Part, caption, wide
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Picture, Spot
@@ -19,6 +18,7 @@ from drawings.lettering.lettering import text_width
 from drawings.page.drafting import Drafting
 from drawings.page.scale import Scale
 from drawings.paper.strokes import Group, Line, Polyline, Stroke, Text
+from drawings.report.phase_letters import phase_letter
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.dimension import Dimension
 from drawings.symbols.trimming import trim
