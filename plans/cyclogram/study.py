@@ -7,14 +7,18 @@ from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from geometry.board import Board
 from plans.cyclogram.reading import task_of
 from plans.cyclogram.stations import Stations
 from plans.forces.stroke import output_at
+from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.extreme import ExtremePositions, extremes
 from plans.linkage.study import LinkageStudy
-from plans.model.cyclogram import Along, Cyclogram, CyclogramTask, Window
+from plans.model.cyclogram import BEGIN, END, TURN, Along, Cyclogram, CyclogramTask, Window
 from plans.model.mechanism import Output, StructureError
+from plans.model.motion import Floats
 from plans.scene.faults import Path
 from plans.scene.scene import Scene
 from plans.words.words import Message, message, placed
@@ -77,6 +81,27 @@ class CyclogramStudy:
         """The characteristic positions."""
         self.made.add(CYCLOGRAM)
         return self.stations.cyclogram
+
+    @cached_property
+    def pictured(self) -> LinkageStudy:
+        """The linkage in its characteristic positions, to be drawn as those of a scene are."""
+        linkage, found, phi = self.linkage, self.cyclogram, self._angles
+        other = LinkageStudy(linkage.scene, linkage.plans)
+        drive = linkage.form.drive.changed(positions=len(found.positions))
+        other.form = linkage.form.changed(drive=drive)
+        directions = np.exp(1j * phi)
+        for role, exact in zip((BEGIN, END), self.reached.directions, strict=True):
+            directions[found.number(role)] = exact
+        own = {"output": self.output, "extreme_positions": self.reached, "turn": CrankPositions(phi, directions)}
+        kept = {name: getattr(linkage, name) for name in ("mechanism", "groups", "assembly", "sweep")}
+        vars(other).update(own | kept)
+        return other
+
+    @property
+    def _angles(self) -> Floats:
+        """The crank angles of the positions, rad, each going on from the one before."""
+        turned = np.array([one.turned for one in self.cyclogram.positions])
+        return np.asarray(self.cyclogram.sense * (turned[0] + (turned - turned[0]) % TURN))
 
     @property
     def window(self) -> Window:
