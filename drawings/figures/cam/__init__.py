@@ -1,0 +1,1 @@
+"""Figures of a cam's sheet (фигуры листа кулачка)."""
