@@ -1,1 +1,1 @@
-"""Figures of a cam's sheet (фигуры листа кулачка)."""
+"""Figures of a cam: its laws, sizes, profile, tables (фигуры кулачка)."""
