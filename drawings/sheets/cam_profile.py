@@ -99,11 +99,11 @@ def _roller(shown: Manufacture, drafting: Drafting) -> str:
 
 def _dwells(shown: Manufacture, drafting: Drafting) -> Iterator[str]:
     """Tell the radii of the arcs, and between which turns they are."""
-    curve = shown.view.curve
-    told = []
+    curve, told = shown.view.curve, []
+    spots = curve.pitch if shown.grooved else curve.profile
     for one in shown.cam.phases:
         if one.kind == DWELL:
-            radius = float(np.interp(one.start, curve.turned, np.abs(curve.profile)))
+            radius = float(np.interp(one.start, curve.turned, np.abs(spots)))
             ends = (drafting.number(float(np.degrees(turn)), DIGITS) for turn in (one.start, one.end))
             told.append(f"r = {drafting.number(MM * radius, DIGITS)}, φ {' … '.join(ends)}°")
     if told:

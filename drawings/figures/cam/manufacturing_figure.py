@@ -26,7 +26,7 @@ from drawings.symbols.figure import Subject, heading, point
 from drawings.symbols.symbols import pole, turning_arrow
 
 MARGINS = Margins(5.0, 4.0, 4.0)  # paper around it for letters, in their sizes
-LETTERS, LARGE = 20.0, 60.0  # it is drawn at least so many letters large; enlarged at most so many
+LETTERS, LARGE = 20.0, 40.0  # it is drawn at least so many letters large; enlarged, at most so many
 TRUE = 1000.0  # mm of paper to a metre: at its own size it is drawn where it can be
 BESIDE = 1.0  # mm from a radius to its letter
 PAST = 7.0  # mm that the zero ray and the axes go past the profile
@@ -82,13 +82,14 @@ def label(shown: Manufacture, name: float, drafting: Drafting) -> str:
 
 
 def measure(shown: Manufacture, drafting: Drafting) -> Picture:
-    """Measure the room that the profile needs: it is drawn at its own size, or enlarged where it is small."""
+    """Measure the room that the profile needs: it is drawn at its own size, enlarged only where it is small."""
     hand = drafting.hand
     title = text_width(Text(0j, drafting.word("working profile"), hand.title))
     side, below, above = (share * hand.letter for share in MARGINS)
     margins = Margins(side, below, above + 2 * hand.title + hand.text)
     room = picture(PLAN, shown.corners, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
-    return room._replace(most=max(max(room.wide, room.high) * TRUE, LARGE * hand.letter))
+    natural = max(room.wide, room.high) * TRUE
+    return room._replace(most=natural if natural >= room.least else LARGE * hand.letter)
 
 
 def draw(shown: Manufacture, room: Picture, spot: Spot, drafting: Drafting) -> ManufacturingFigure:
