@@ -13,10 +13,11 @@ from types import MappingProxyType
 from typing import Any, NamedTuple, TypeAlias
 
 from drawings.measure.marks import SheetMark
+from drawings.measure.measured_profile import MeasuredProfile, profile
 from drawings.measure.pathdata import number, pair
 from drawings.measure.reader import read
 from drawings.measure.transform import STAY, Affine, placing
-from drawings.paper.limits import FORMAT, QUANTUM, SHEET_BYTES, STATED_DIGITS, SheetRefused
+from drawings.paper.limits import CURVE_QUANTUM, FORMAT, QUANTUM, SHEET_BYTES, STATED_DIGITS, SheetRefused
 from geometry.regular_file import regular_bytes
 
 CORNERS = 3
@@ -87,6 +88,7 @@ class Measured(NamedTuple):
     metadata: Mapping[str, Any] = MappingProxyType({})
     quantum: float = QUANTUM
     notes: tuple[str, ...] = ()
+    profiles: tuple[MeasuredProfile, ...] = ()
 
     @property
     def marks(self) -> tuple[MeasuredVector | MeasuredPoint, ...]:
@@ -127,6 +129,7 @@ def measure(source: bytes) -> Measured:
         metadata=sheet.metadata,
         quantum=_resolution(moved),
         notes=tuple(sheet.notes),
+        profiles=tuple(_profile(mark, poles, moved) for mark in marks if mark.kind == "profile"),
     )
 
 
@@ -188,15 +191,27 @@ def _vector(mark: SheetMark) -> MeasuredVector:
     return MeasuredVector(*own, (end - start) * scale, _stated(mark), mark.data.get("unit", ""), scale, start, end)
 
 
+def _profile(mark: SheetMark, poles: Mapping[tuple[str, int | None], _Pole], moved: Affine) -> MeasuredProfile:
+    """Give a profile; its pole is the cam's centre, whatever that states. An editor that moves a curve rounds it."""
+    resolution = CURVE_QUANTUM if moved == STAY else _resolution(moved)
+    return profile(mark, _pole(mark, poles)[0], _scale(mark), resolution)
+
+
 def _point(mark: SheetMark, poles: Mapping[tuple[str, int | None], _Pole]) -> MeasuredPoint:
     plan, position = _place(mark)
-    pole = poles.get((plan, position)) or poles.get((plan, None))
-    if pole is None:
-        raise SheetRefused(f"{mark.who}: its plan has no pole to measure from")
+    pole = _pole(mark, poles)
     (at,), scale = mark.points, _scale(mark)
     own = (plan, _text(mark, "quantity"), _text(mark, "name"), position)
     value = (at - pole[0]) * scale + pole[1]
     return MeasuredPoint(*own, value, _stated(mark), mark.data.get("unit", ""), scale, at)
+
+
+def _pole(mark: SheetMark, poles: Mapping[tuple[str, int | None], _Pole]) -> _Pole:
+    plan, position = _place(mark)
+    pole = poles.get((plan, position)) or poles.get((plan, None))
+    if pole is None:
+        raise SheetRefused(f"{mark.who}: its plan has no pole to measure from")
+    return pole
 
 
 def _place(mark: SheetMark) -> tuple[str, int | None]:

@@ -43,4 +43,14 @@ SHEETS: Final[Mapping[str, Sheet]] = {
         leaves="drawings.sheets.rotor:leaves",
         faults="drawings.checks.verify_rotor:faults",
     ),
+    "cam": Sheet(
+        admit="drawings.sheets.cam:admit",
+        leaves="drawings.sheets.cam:leaves",
+        faults="drawings.checks.cam.verify_cam:faults",
+    ),
+    "profile": Sheet(
+        admit="drawings.sheets.cam:admit",
+        leaves="drawings.sheets.cam_profile:leaves",
+        faults="drawings.checks.cam.verify_profile:faults",
+    ),
 }

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from drawings.figures.cam.inversion import highest
-from drawings.figures.cam.phase_letters import phase_letter
+from drawings.report.phase_letters import phase_letter
 from drawings.figures.cam.profile_view import ProfileView
 from drawings.figures.cam.rings import Rings, beyond
 from drawings.layout.labels import Labels
