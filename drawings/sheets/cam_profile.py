@@ -9,9 +9,8 @@ from typing import Any
 import numpy as np
 
 from drawings.figures.cam import manufacturing_figure, radius_table
-from drawings.figures.cam.manufacturing import Manufacture, tabled
+from drawings.figures.cam.manufacturing import Manufacture, manufacture
 from drawings.figures.cam.outlines import SHOWN
-from drawings.figures.cam.profile_view import ProfileView
 from drawings.layout.contents import Panel
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
@@ -21,24 +20,14 @@ from plans.scene.scene import Scene
 from plans.study import Study
 
 KIND = "profile"
-CURVE = 1441  # turns at which the curve is drawn: every quarter of a degree
 EVERY = (1, 2, 3, 6)  # every which tabled turn is told, as the paper takes them
 MM = 1000.0  # of a metre
 DIGITS = 5
 
 
-def admit(scene: Scene) -> None:
-    """See nothing more: any profile that was found can be shown."""
-
-
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheets of a scene's cams, one for each (row of the table of sheets)."""
-    cams = study["cam"]
-    parts = []
-    for number, found in enumerate(cams.found):
-        view = ProfileView(found, cams.contour(number, np.linspace(0.0, found.cam.turn, CURVE)))
-        parts.append(Manufacture(view, cams.contour(number, tabled(found.cam))))
-    return sheets(study.scene, parts)
+    return sheets(study.scene, [manufacture(one) for one in study["cam"].found])
 
 
 def sheets(scene: Scene, parts: Sequence[Manufacture]) -> tuple[Leaf, ...]:

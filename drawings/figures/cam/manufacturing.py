@@ -7,9 +7,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.figures.cam.profile_view import ProfileView
+from drawings.figures.cam.profile_view import ProfileView, profile_view
+from plans.cam.course import Course
+from plans.cam.profile import profile
 from plans.model.cam import GROOVE, Cam
-from plans.model.cam_motion import Contour, Points
+from plans.model.cam_motion import CamFound, Contour, Points
 from plans.model.motion import Floats
 
 PLAN, QUANTITY = "manufacturing", "l"
@@ -80,3 +82,9 @@ class Manufacture(NamedTuple):
             left, right = self.view.body
             return [left, complex(right.real, float(self.view.curve.pitch.imag.max()))]
         return [complex(spot) for one in (*self.view.outlines, self.view.curve.pitch) for spot in one]
+
+
+def manufacture(found: CamFound) -> Manufacture:
+    """Give what the drawing of a cam to be made shows of one that the construction found."""
+    at = profile(Course(found.cam), found.sizes, found.roller, tabled(found.cam)).contour
+    return Manufacture(profile_view(found), at)

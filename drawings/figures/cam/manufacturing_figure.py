@@ -100,8 +100,7 @@ def draw(shown: Manufacture, room: Picture, spot: Spot, drafting: Drafting) -> M
         *_axes(shown, place, hand),
         *_sense(shown, place, hand),
         *_radii(shown, place, drafting),
-        *outlines.pitch(view, place, hand),
-        *outlines.profile(view, place, hand),
+        *outlines.curves(view, PLAN, place, hand),
         *_rows(shown, place, hand),
         point(Subject(PLAN, QUANTITY, None), ORIGIN, 0j, place, pole(place.on(0j)), "pole"),
     )
