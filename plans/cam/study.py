@@ -1,10 +1,12 @@
-"""The study of a scene's cams: laws, sizes, profile of each, made once, when first asked for (исследование кулачков)."""
+"""The study of a scene's cams: laws, sizes, profile of each, made once, on demand (исследование кулачков)."""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING
+
+import numpy as np
 
 from plans.cam.course import Course, positions
 from plans.cam.diagrams import LawDiagrams, law_diagrams
@@ -14,7 +16,7 @@ from plans.cam.reading.cams import cams_of
 from plans.cam.sizes import sizing
 from plans.cam.sizing import Sizing
 from plans.model.cam import Cam
-from plans.model.cam_motion import CamFound
+from plans.model.cam_motion import CamFound, Contour
 from plans.model.motion import Floats
 
 if TYPE_CHECKING:
@@ -22,6 +24,7 @@ if TYPE_CHECKING:
 
 LAWS, SIZES, PROFILE = "laws", "sizes", "profile"
 CYCLOGRAM = "cyclogram"
+CLOSE = 720  # turns of a curve that is drawn: half a degree from one to the next
 
 
 class CamDrawing:
@@ -53,6 +56,12 @@ class CamDrawing:
         """Profile, extremes and flaws at the numbered positions."""
         self.made.setdefault(PROFILE)
         return cam_found(self.course, self.sizing.sizes, self.turned)
+
+    @cached_property
+    def curve(self) -> Contour:
+        """The profile at many turns, from 0 to a whole one, among them all joints of the law."""
+        even = np.linspace(0.0, self.cam.turn, CLOSE + 1)
+        return self.profile(np.union1d(even, self.course.joints)).contour
 
     def profile(self, turned: Floats, before: bool = False) -> Profile:
         """Draw the profile at any turns of the cam, rad, (N,)."""

@@ -23,7 +23,6 @@ from plans.scene import units
 from plans.scene.faults import Fault, Path, SceneError
 from plans.scene.scene import Meaning, Scene
 from plans.scene.units import within
-from plans.words.words import message
 
 Window = tuple[float, float]  # of the cyclogram: start and length, rad of the main shaft
 
@@ -111,8 +110,7 @@ def _has_cyclogram(entry: Entry) -> None:
         return
     numbers = [number for number, phase in enumerate(entry.form.phases) if phase.angle == CYCLOGRAM]
     path: Path = ("phases", numbers[0], "angle") if numbers else ("setting",)
-    example = (message("example.stated", example='[cyclogram] with point = "D"'),)
-    entry.fault(path, "needs", tables="[cyclogram]", example=example)
+    entry.fault(path, "needs", tables="[cyclogram]", example=("[cyclogram]",))
 
 
 def _phases(entry: Entry, window: Window | None) -> tuple[Exact, tuple[Phase, ...]] | None:

@@ -1,4 +1,4 @@
-"""How far rounding can move what is found of a cam, so that no difference of the two roads is judged by a guess (допуск).
+"""How far rounding can move what is found of a cam, so that no difference of both roads is judged by a guess (допуск).
 
 A number of a law is a sum of terms, each with a few roundings; what hangs on it is moved by as much as it hangs on it.
 """
