@@ -291,7 +291,7 @@ def test_of_doubtful_phases_no_sum_is_told() -> None:
     assert kinds(refused(FOLLOWER, PHASES.replace("angle = 120", 'angle = "120 mm"'))) == ["wrong_unit"]
 
 
-SIZED = '[cam.sizes]\nbase = "15 mm"\n'
+SIZED = '[cam.sizes]\nbase = "15 mm"\noffset = 0\n'
 TABLE = RISING.replace(
     '"sine"', '{ name = "table", points = [[0, 0], [50, "15 mm"], [120, "30 mm"]], tolerance = 0.001 }'
 )
@@ -301,8 +301,13 @@ TABLE = RISING.replace(
     ("parts", "head", "expected"),
     [
         ((FOLLOWER, LIMITS, PHASES), "", []),
-        ((FOLLOWER, PHASES), "", ["book_limits"]),
+        ((FOLLOWER, PHASES), "", ["book_rise"]),
+        ((FOLLOWER, PHASES), 'closure = "groove"', ["book_rise", "book_return"]),
+        ((FOLLOWER, LIMITS, PHASES), 'closure = "groove"', ["book_return"]),
+        ((FOLLOWER.replace("roller", "flat"), PHASES), "", []),
         ((FOLLOWER, SIZED.replace("15", "16"), PHASES), "", []),
+        ((FOLLOWER, SIZED.replace("15", "16").replace("offset = 0\n", ""), PHASES), "", []),
+        ((FOLLOWER, SIZED.replace("offset = 0\n", ""), LIMITS, PHASES), "", ["high_lift"]),
         ((FOLLOWER, SIZED, PHASES), "", ["high_lift"]),
         ((FOLLOWER, LIMITS, "return = 40\n", PHASES), "", ["free_return"]),
         ((FOLLOWER, LIMITS, "return = 40\n", PHASES), 'closure = "groove"', []),
@@ -310,7 +315,11 @@ TABLE = RISING.replace(
         ((FOLLOWER, LIMITS, TABLE, TOP, BACK, REST), "", ["sparse_table", "smoothed"]),
         ((FOLLOWER.replace("roller", "flat"), LIMITS, PHASES), "", ["level_face"]),
         ((FOLLOWER.replace("roller", "flat"), "[cam.sizes]\noffset = 0.01\n", PHASES), "", ["spare_offset"]),
-        ((FOLLOWER, LIMITS, PHASES, "[cam.load]\npreload = 5\n"), 'closure = "groove"', ["idle_spring"]),
+        (
+            (FOLLOWER, LIMITS, "return = 40\n", PHASES, "[cam.load]\npreload = 5\n"),
+            'closure = "groove"',
+            ["idle_spring"],
+        ),
         ((FOLLOWER, LIMITS, PHASES, "[cam.load]\nmass = 5\n"), "", ["still_cam"]),
         ((FOLLOWER, LIMITS, PHASES, "[cam.load]\nmass = 5\n"), "speed = 5", []),
         ((FOLLOWER.replace('"30 mm"', "30"), LIMITS, PHASES), "", ["metres"]),

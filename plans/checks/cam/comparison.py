@@ -91,8 +91,8 @@ class Compared:
         sums = TERM * len(edges)
         first = self.slack.travel(1) + self.slack.travel(2) * self.ours.cam.turn + sums * _most(slope)
         second = self.slack.travel(0) + first * self.ours.cam.turn + sums * _most(s)
-        yield self._row(LAWS, "S'(chords)", self._units[1], drawn.slope[1], slope, first)
-        yield self._row(LAWS, "S(chords)", self._units[0], drawn.travel.values, s, second)
+        yield self._row(LAWS, "S' chords", self._units[1], drawn.slope[1], slope, first)
+        yield self._row(LAWS, "S chords", self._units[0], drawn.travel.values, s, second)
 
     @property
     def chords(self) -> tuple[Floats, Floats]:
@@ -160,7 +160,7 @@ class Compared:
         self, plan: str, name: str, unit: str, own: Floats | Points, other: Floats | Points, allowed: Floats | float
     ) -> Finding:
         off = np.asarray(np.abs(own - other), dtype=float)
-        name = name if self.lone else f"{name} ({self.ours.cam.name})"
+        name = name if self.lone else f"{name} {self.ours.cam.name}"
         return Finding(plan, name, unit, own, other, off, np.broadcast_to(allowed, off.shape), _most(own))
 
 
