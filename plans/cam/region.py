@@ -37,7 +37,8 @@ def place(bounds: Sequence[Bound], start: complex, choice: Choice, size: float) 
     for _ in range(ROUNDS):
         broken = [one for bound in bounds if (one := limit(bound, best.centre)).beyond(best.centre) > ROUNDED * size]
         if not broken:
-            return best
+            # What is held to a rounding is touched to the root of it only: the last touches are anew.
+            return choice([limit(one.bound, best.centre) for one in best.limits], ROUNDED * size) or best
         known = [*best.limits, *broken]
         found = choice(known, ROUNDED * size)
         if found is None:
