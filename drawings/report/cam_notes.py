@@ -9,7 +9,8 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.page.drafting import Drafting
-from plans.model.cam import DWELL, Cam, Phase
+from drawings.report.phase_letters import phase_letter
+from plans.model.cam import Cam, Phase
 from plans.model.cam_motion import CamFound, Extreme, Flaw, Shock
 
 MM = 1000.0  # of a metre
@@ -60,9 +61,8 @@ class CamNotes(NamedTuple):
         yield self.drafting.word("cam phases", phases=told)
 
     def _phase(self, number: int, phase: Phase) -> str:
-        letter, size = self.drafting.letter(f"φ_{{{phase_index(self.cam, number)}}}"), self.turn(phase.angle)
         law = f" ({self.drafting.word(f'law {phase.law.name}')})" if phase.law is not None else ""
-        return f"{letter} = {size}{law}"
+        return f"{phase_letter(self.cam, number, self.drafting)}{law}"
 
     def sizes(self) -> Iterator[str]:
         """Say which main sizes were found."""
@@ -160,23 +160,3 @@ class CamNotes(NamedTuple):
 
     def _number(self, value: float) -> str:
         return self.drafting.number(value, self.digits)
-
-
-def phase_index(cam: Cam, number: int) -> str:
-    """Give the index of a phase's angle: rise, dwell after it, return, rest; of several of a kind with a number.
-
-    >>> from plans.model.cam import FORCE, Follower, Law
-    >>> kinds = ("rise", "dwell", "return", "dwell")
-    >>> one = Cam("", 1, None, tuple(Phase(kind, 1.0, 0.0, 0.0, 0.0) for kind in kinds), Follower("", ""), FORCE)
-    >>> [phase_index(one, k) for k in range(4)]
-    ['rise', 'dwell', 'return', 'rest']
-    """
-    names = [_name(cam, k) for k in range(len(cam.phases))]
-    own = names[number]
-    return own if names.count(own) == 1 else f"{own}{names[: number + 1].count(own)}"
-
-
-def _name(cam: Cam, number: int) -> str:
-    """Name a phase: a dwell at the start's level is a rest."""
-    phase = cam.phases[number]
-    return phase.kind if phase.kind != DWELL or phase.level > cam.lift / 2 else "rest"

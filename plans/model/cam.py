@@ -38,7 +38,7 @@ TABLE, SHAPE = "table", "shape"  # laws that the user gives: by S over φ, by th
 LINES, CUBICS = "lines", "cubics"  # what joins the points of a table
 # What smoothing is meant: a table's curve is the least of softness * (integral of s''^2) + (sum of squared departures)
 # that departs by its tolerance at most, of these softnesses the greatest; each is 2 ** 0.25 times the one before.
-SOFTNESSES = tuple(2.0 ** (k / 4) for k in range(-240, 81))
+SOFTNESSES = tuple(2.0 ** (k / 4) for k in range(-240, 41))
 
 
 class Law(NamedTuple):
@@ -77,7 +77,8 @@ class Follower(NamedTuple):
     """The follower (толкатель): how it moves, what touches the cam, its sizes m.
 
     `sense` of one that rocks is +1 where it turns on the rise as the cam does, -1 against it. `length` is from its
-    pivot to its tip or its roller's centre. `face` is how far a flat one that rocks stands before its pivot.
+    pivot to its tip or its roller's centre. `face` is how far a flat one that rocks stands before its pivot. `reach` is
+    how far a flat face goes to both sides of its axis, of one that rocks from under its pivot; None: as far as need be.
     """
 
     motion: str
@@ -85,6 +86,7 @@ class Follower(NamedTuple):
     length: float | None = None
     sense: int = 1
     face: float = 0.0
+    reach: float | None = None
 
 
 class Limits(NamedTuple):

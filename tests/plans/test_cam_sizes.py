@@ -21,7 +21,7 @@ from plans.model.cam import DWELL, FORCE, NO_LIMITS, RETURN, RISE, Cam, GivenSiz
 from plans.model.cam_faults import CamError
 from plans.model.cam_motion import Sizes
 from tests.parts import examples
-from tests.plans.cam_cases import ARM, LIFT, degrees, flat, flat_rocker, phases, rocking, translating
+from tests.plans.sized_cams import ARM, LIFT, degrees, flat, flat_rocker, phases, rocking, translating
 from tests.rows import over
 
 EXACT = 1e-13  # of the size: two roads, each a root and a few roundings of its own
