@@ -7,7 +7,7 @@ from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
-from plans.cam.instants import Instant, Stretch, sampled
+from plans.cam.centre.instants import Instant, Stretch, sampled
 from plans.model.motion import Floats
 
 # What is sought along a law: how far each place of it goes beyond a line, and the derivative of that by the cam's turn.

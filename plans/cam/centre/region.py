@@ -13,7 +13,7 @@ from itertools import combinations
 from typing import NamedTuple, TypeAlias
 
 from geometry.meet import EPS, cross, dot
-from plans.cam.bounds import Bound, Limit, limit
+from plans.cam.centre.bounds import Bound, Limit, limit
 
 ROUNDS = 60  # of pushing a ruler; about six are needed
 ROUNDED = 32 * EPS  # of the size of the diagram: a line that is broken by less is kept
