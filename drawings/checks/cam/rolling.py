@@ -14,6 +14,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 
 from geometry.curve import CubicPiece, Piece, RoundPiece
 from plans.model.cam import POINTED, TURN, Cam
@@ -24,6 +25,7 @@ FACET = TURN / 72  # rad of an arc that is looked through like one cubic
 LOOKED = 8  # places on a piece that are looked at first
 CLOSER = 8  # rounds of looking closer, each at so many places to either side of the best, up to its neighbours
 NEAR = np.linspace(-1.0, 1.0, 2 * LOOKED + 1)
+TOPS = 3  # places that are looked at closer
 NOWHERE = -math.inf
 
 
@@ -146,21 +148,27 @@ def _lift(spot: Points, cam: Cam, sizes: Sizes, roller: float, sign: int) -> Flo
 
 def _highest(track: _Track, lift: Callable[[Floats], Floats], count: int) -> Floats:
     """Give the highest lift along a profile at each of so many turns, (N,)."""
-    looked = np.broadcast_to(track.looked, (count, len(track.looked)))
-    best = track.looked[lift(looked).argmax(axis=1)]
-    reach = 1 / LOOKED
+    best, reach = track.looked[_tops(lift(track.looked[None, :]), track.closed)], 1 / LOOKED
     for _ in range(CLOSER):
-        near = best[:, None] + reach * NEAR
-        found = lift(near)
-        best = near[np.arange(count), found.argmax(axis=1)]
+        near = best[:, :, None] + reach * NEAR
+        found = lift(near.reshape(count, -1)).reshape(near.shape)
+        best = np.take_along_axis(near, found.argmax(axis=2)[:, :, None], axis=2)[:, :, 0]
         reach /= LOOKED
-    return np.asarray(lift(best[:, None])[:, 0])
+    return np.asarray(lift(best).max(axis=1))
+
+
+def _tops(found: Floats, closed: bool) -> npt.NDArray[np.intp]:
+    """Give the highest few of the places that are above their neighbours, (N, TOPS): near a cusp there are two."""
+    ends = (found[:, -1:], found[:, :1]) if closed else (np.full((len(found), 1), NOWHERE),) * 2
+    padded = np.concatenate([ends[0], found, ends[1]], axis=1)
+    top = (found >= padded[:, :-2]) & (found >= padded[:, 2:])
+    return np.argpartition(np.where(top, found, NOWHERE), -TOPS, axis=1)[:, -TOPS:]
 
 
 def _met(track: _Track, way: Callable[[Floats], _Way], count: int) -> Floats:
     """Give the highest S at which a profile is met by the way of a tip, at each of so many turns, (N,)."""
     looked = np.append(track.looked, track.count) if track.closed else track.looked
-    aside, level = way(np.broadcast_to(looked, (count, len(looked))))
+    aside, level = way(looked[None, :])
     crossed = aside[:, :-1] * aside[:, 1:] <= 0
     start = looked[np.where(crossed, level[:, :-1], NOWHERE).argmax(axis=1)]
     reach = 1 / LOOKED

@@ -1,39 +1,36 @@
-"""The profile of a cam as a stroke that can be measured: true arcs and cubics, with their stated deviation (профиль)."""
+"""The profile of a cam as a stroke that can be measured: arcs and cubics, and how far they are off (профиль)."""
 
 from __future__ import annotations
 
 import cmath
 import math
-from typing import NamedTuple
 
-from drawings.paper.strokes import Curve, Group, LineStyle, numeral
+from drawings.layout.place import Place
+from drawings.paper.strokes import Curve, Group, LineStyle, numeral, stated
 from plans.cam.path import ProfilePath
 
 TOLD = 2  # digits of a stated deviation
 
 
-class ProfilePlace(NamedTuple):
-    """Where a cam is drawn: its centre on paper mm, m to the mm, degrees by which it is turned from its start."""
+def profile_curve(
+    path: ProfilePath, place: Place, plan: str, name: str, style: LineStyle, turned: float = 0.0
+) -> Group:
+    """Draw a path of a cam, turned by degrees from its start, on a plan whose pole is the cam's centre.
 
-    plan: str
-    centre: complex
-    scale: float
-    turned: float = 0.0
-
-
-def profile_curve(path: ProfilePath, place: ProfilePlace, name: str, style: LineStyle) -> Group:
-    """Draw a path of a cam; `name` is "profile", "pitch" or "outer"."""
-    turn = cmath.exp(1j * math.radians(place.turned)) / place.scale
-    pieces = tuple(piece.placed(turn, place.centre) for piece in path.pieces)
+    Its name is "profile", "pitch" or "outer".
+    """
+    turn = cmath.exp(1j * math.radians(turned)) / place.scale.mu
+    pieces = tuple(piece.placed(turn, place.on(0j)) for piece in path.pieces)
     data = {
         "kind": "profile",
-        "plan": place.plan,
+        "plan": plan,
         "quantity": "profile",
         "name": name,
+        "value": stated(path.pieces[0].start),
         "unit": "m",
-        "scale": numeral(place.scale),
+        "scale": numeral(place.scale.mu),
         "deviation": numeral(upward(path.deviation)),
-        **({"turned": numeral(place.turned)} if place.turned else {}),
+        **({"turned": numeral(turned)} if turned else {}),
     }
     return Group((Curve(pieces, path.closed, style),), data=data)
 
