@@ -19,7 +19,7 @@ from plans.bench.clock import interleaved
 from plans.bench.error import Errors
 from plans.bench.result import Goal, Ratio, Row
 from plans.cam.course import Course
-from plans.cam.profile import profile
+from plans.cam.profile.profile import profile
 from plans.model.cam_motion import Points, Sizes
 from plans.model.motion import Floats
 
