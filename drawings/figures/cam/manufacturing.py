@@ -9,7 +9,7 @@ import numpy as np
 
 from drawings.figures.cam.profile_view import ProfileView, profile_view
 from plans.cam.course import Course
-from plans.cam.profile import profile
+from plans.cam.profile.profile import profile
 from plans.model.cam import GROOVE, Cam
 from plans.model.cam_motion import CamFound, Contour, Points
 from plans.model.motion import Floats

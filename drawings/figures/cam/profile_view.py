@@ -11,7 +11,7 @@ import numpy as np
 
 from plans.cam.course import Course
 from plans.cam.path import ProfilePath, path
-from plans.cam.profile import profile
+from plans.cam.profile.profile import profile
 from plans.model.cam import GROOVE, Cam
 from plans.model.cam_motion import CamFound, Contour, Points, Sizes
 from plans.model.motion import Complexes, Floats
