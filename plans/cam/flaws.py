@@ -45,10 +45,11 @@ class Search:
         return self.stretches.course.cam
 
     def flaws(self) -> tuple[Flaw, ...]:
-        """Give all flaws: of the profile, of the pressure angle, of the face, of the closure."""
+        """Give all flaws by their kinds, those of a kind as the cam turns."""
         ways = (self._undercut, self._concave, self._crossing, self._pressure, self._face, self._off)
         found = [flaw for way in ways for flaw in way()]
-        return tuple(found if self.cam.translates else round_the_turn(found, self.cam.turn))
+        found = found if self.cam.translates else round_the_turn(found, self.cam.turn)
+        return tuple(sorted(found, key=lambda one: (one.kind, one.start)))
 
     def _undercut(self) -> Iterator[Flaw]:
         """Find where the roller is larger than the curve bears: convex, or of a groove's outer side hollow."""
