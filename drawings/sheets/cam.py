@@ -7,7 +7,7 @@ from functools import partial
 from typing import Any
 
 from drawings.figures.cam import profile_figure
-from drawings.figures.cam.profile_view import ProfileView
+from drawings.figures.cam.profile_view import profile_view
 from drawings.layout.contents import Panel
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
@@ -42,6 +42,6 @@ def _facts(name: str, figures: Collection[str]) -> dict[str, Any]:
 
 
 def _shows(drawing: CamDrawing, drafting: Drafting) -> Iterator[Exhibit | Caption]:
-    view = ProfileView(drawing.found, drawing.curve)
+    view = profile_view(drawing.found)
     room = profile_figure.measure(view, drafting)
     yield Exhibit(Panel(room, FOREMOST), partial(profile_figure.draw, view, room, drafting=drafting))

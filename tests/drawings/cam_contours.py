@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 
@@ -151,14 +152,20 @@ def undercut() -> ProfileView:
 
 EVERY = {
     "groove": groove,
-    "clockwise": lambda: groove(-1),
-    "against": lambda: rocker(1, -1),
-    "clockwise rocker": lambda: rocker(-1),
     "offset": offset,
-    "radial": radial,
     "rocker": rocker,
+    "clockwise": lambda: groove(-1),
     "flat": flat,
-    "flat rocker": flat_rocker,
+    "against": lambda: rocker(1, -1),
     "wedge": wedge,
+    "clockwise rocker": lambda: rocker(-1),
+    "flat rocker": flat_rocker,
+    "radial": radial,
     "undercut": undercut,
 }
+
+
+@cache
+def view_of(name: str) -> ProfileView:
+    """Give one of them, made once."""
+    return EVERY[name]()

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from plans.cam.reading.cams import asked_of, cams_of
 from plans.cam.reading.shape import Shape, cancelled
 from plans.model.cam import DWELL, RETURN, RISE, Cam, Follower, GivenSizes, Law, Limits, Load
+from plans.model.cyclogram import Window
 from plans.scene.faults import Fault, SceneError
 from plans.scene.notes import notes_of
 from plans.scene.scene import Scene, parse_scene
@@ -204,14 +205,14 @@ def test_a_cam_on_the_shaft_of_a_linkage_turns_as_its_drive_does() -> None:
     assert asked_of(scene) == ("linkage",)
 
 
-WINDOW = math.radians(306.882), math.radians(74.577)
+WINDOW = Window(math.radians(306.882), math.radians(381.459))
 BY_CYCLOGRAM = TOP + RISING.replace("120", '"cyclogram"') + BACK + REST
 
 
 def test_a_phase_and_a_setting_by_the_cyclogram() -> None:
     scene = _unchecked(BY_CYCLOGRAM, 'setting = "cyclogram"')
     (cam,) = cams_of(scene, WINDOW)
-    assert cam.phases[1].angle == pytest.approx(WINDOW[1], rel=1e-15)
+    assert cam.phases[1].angle == pytest.approx(math.radians(74.577), rel=1e-14)
     assert sum(cam.angles) == 360
     assert cam.setting == pytest.approx(math.radians(276.882), rel=1e-14)  # its rise begins with the window
     assert asked_of(scene) == ("cyclogram",)
@@ -222,7 +223,7 @@ def test_a_phase_and_a_setting_by_the_cyclogram() -> None:
 def test_a_window_beyond_what_is_left_of_the_turn() -> None:
     scene = _unchecked(BY_CYCLOGRAM, 'setting = "cyclogram"')
     with pytest.raises(SceneError, match="the other phases take 420 degrees"):
-        cams_of(scene, (0.0, math.radians(300)))
+        cams_of(scene, Window(math.radians(100), math.radians(400)))
 
 
 def _unchecked(phases: str, head: str) -> Scene:

@@ -9,11 +9,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from plans.analytic.cam.found import found
+from plans.analytic.cam.findings import cam_found
 from plans.analytic.cam.laws import travel
+from plans.analytic.cam.sizes import sizes
 from plans.cam.study import LAWS, PROFILE, SIZES, CamDrawing, CamStudy
 from plans.checks.cam.slack import TERM, Slack
 from plans.checks.comparison import Comparison, Finding
+from plans.model.cam import SHAPE, TABLE, Cam
 from plans.model.cam_motion import ANALYSIS, CONSTRUCTION, CamFound, Extreme, Points
 from plans.model.motion import Floats, Gap
 
@@ -42,7 +44,7 @@ def comparison_of(study: Study) -> Comparison:
 def compare_cams(cams: CamStudy, plans: frozenset[str] = frozenset({LAWS, SIZES, PROFILE})) -> Comparison:
     """Find each cam by analysis too, and put every quantity beside that of the construction."""
     drawings = [*cams.drawings.values()]
-    theirs = tuple(found(one.cam, one.turned) for one in drawings)
+    theirs = tuple(cam_found(one.cam, sizes(one.cam), one.turned) for one in drawings)
     pairs = zip(drawings, theirs, strict=True)
     lone = len(drawings) == 1
     findings = [finding for one, other in pairs for finding in Compared(one, other, lone).findings(plans)]
@@ -99,9 +101,7 @@ class Compared:
         """S' at the ends of the strips and S at their edges, as chords find them from the analysis's S''."""
         drawn, cam = self.drawing.diagrams, self.theirs.cam
         edges = drawn.strips.edges
-        middle = travel(cam, (edges[:-1] + edges[1:]) / 2)
-        gains, slope = middle.bend * np.diff(edges), np.empty(len(edges) - 1)
-        before = np.empty_like(slope)
+        gains, slope, before = _gains(cam, edges), np.empty(len(edges) - 1), np.empty(len(edges) - 1)
         for run in drawn.runs:
             start = float(travel(cam, edges[run.start : run.start + 1]).slope[0])
             slope[run] = start + np.cumsum(gains[run])
@@ -143,7 +143,7 @@ class Compared:
         own, other, slack = self.ours, self.theirs, self.slack
         angle, bend = float(np.max(slack.angle)), float(np.max(slack.curvature))
         for kind, one in own.pressure.items():
-            yield self._one(PROFILE, f"α_{kind}", "rad", one.value, other.pressure[kind].value, angle)
+            yield self._one(PROFILE, f"α_{kind}", "rad", abs(one.value), abs(other.pressure[kind].value), angle)
         for name, one_, its in (("ρ_min", own.sharpest, other.sharpest), ("ρ_hollow", own.hollow, other.hollow)):
             yield self._one(PROFILE, name, "1/m", _bent(one_), _bent(its), bend)
         for k, side in enumerate(("back", "front") if own.cam.flat else ()):
@@ -162,6 +162,17 @@ class Compared:
         off = np.asarray(np.abs(own - other), dtype=float)
         name = name if self.lone else f"{name} {self.ours.cam.name}"
         return Finding(plan, name, unit, own, other, off, np.broadcast_to(allowed, off.shape), _most(own))
+
+
+def _gains(cam: Cam, edges: Floats) -> Floats:
+    """Give what S' gains over strips by the mean ordinates of S'': at mid-strip, of a law by points the true ones."""
+    middles = (edges[:-1] + edges[1:]) / 2
+    whole = travel(cam, edges[1:], before=True).slope - travel(cam, edges[:-1]).slope
+    by_points = [one for one in cam.moving() if one.law is not None and one.law.name in (TABLE, SHAPE)]
+    inside = [(one.start < middles) & (middles < one.end) for one in by_points]
+    return np.where(
+        np.any([np.zeros(len(middles), dtype=bool), *inside], axis=0), whole, travel(cam, middles).bend * np.diff(edges)
+    )
 
 
 def _most(values: Floats | Points) -> float:

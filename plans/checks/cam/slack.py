@@ -7,11 +7,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 
 from plans.cam.laws import law_of
 from plans.cam.sizing import Sizing
+from plans.model.cam import TABLE, Law
 from plans.model.cam_motion import CamFound
 from plans.model.motion import Floats
 
@@ -31,7 +33,7 @@ class Slack:
     def travel(self, order: int) -> float:
         """Of S, S' or S''."""
         cam = self.found.cam
-        moving = (abs(p.change) / p.angle**order * law_of(p.law).gross(order) for p in cam.moving() if p.law)
+        moving = (abs(p.change) / p.angle**order * gross(p.law, order) for p in cam.moving() if p.law)
         return TERM * (max(moving, default=0.0) + (cam.lift if order == 0 else 0.0))
 
     def way(self, order: int) -> float:
@@ -78,7 +80,29 @@ class Slack:
     def curvature(self) -> Floats:
         """Of 1/ρ, 1/m: a quotient of the second derivative and the cube of the first, OD."""
         contour = self.found.contour
+        if self.found.cam.flat:
+            return self._faced
         size, (first, second) = np.abs(contour.lever), (self.way(1), self.way(2))
         bend = np.abs(contour.travel.bend) + 2 * np.abs(contour.travel.slope)
         bend = bend * (self.found.cam.follower.length or 1.0) + np.abs(contour.tip)
         return np.asarray((second + 2 * first + self.point + 3 * self.lever * bend / size) / size**2)
+
+    @property
+    def _faced(self) -> Floats:
+        """Of 1/ρ under a flat face: the radius is a sum of lengths, of a rocker over powers of 1 - θ'."""
+        cam, contour = self.found.cam, self.found.contour
+        lead = 1 - cam.follower.sense * contour.travel.slope if cam.rocks else np.ones_like(contour.turned)
+        moved = (self.point + self.way(1) + self.way(2)) / np.abs(lead) ** 3
+        return np.asarray(moved / contour.radius**2)
+
+
+def gross(law: Law, order: int) -> float:
+    """Give what the terms of a law, or of a derivative, add up to, in shares of phase and lift.
+
+    The slopes and bends of a table are differences of its points over its steps, all solved together.
+    """
+    own = law_of(law).gross(order)
+    if law.name != TABLE:
+        return own
+    step = min(b[0] - a[0] for a, b in pairwise(law.points))
+    return own + len(law.points) / step**order
