@@ -53,4 +53,9 @@ SHEETS: Final[Mapping[str, Sheet]] = {
         leaves="drawings.sheets.cam_profile:leaves",
         faults="drawings.checks.cam.verify_profile:faults",
     ),
+    "cyclogram": Sheet(
+        admit="drawings.sheets.linkage_admission:of_linkage",
+        leaves="drawings.sheets.cyclogram:leaves",
+        faults="drawings.checks.verify_cyclogram:faults",
+    ),
 }
