@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from geometry.board import Arc, Board, Line, Mark, Value, at
@@ -37,7 +38,7 @@ def _again(board: Board, mark: Mark, inputs: tuple[Mark, ...], givens: Mapping[M
         case "given":
             return board.given(mark.name, givens.get(mark, mark.value), step.why)
         case "arc":
-            return board.arc(mark.name, inputs[0], float(step.size.real), step.why)
+            return board.arc(mark.name, inputs[0], step.size.real, step.why)
         case "meet":
             return board.meet(mark.name, inputs[0], inputs[1], step.side, step.why)
         case "tangent":
@@ -72,10 +73,7 @@ def exact(marks: list[Mark], position: int = 0, givens: Mapping[Mark, Any] | Non
     >>> complex(exact([b])[b])
     (1.8+2.4j)
     """
-    import mpmath  # noqa: PLC0415  (only a replay pays for it)
-
-    mp = mpmath.mp.clone()
-    mp.dps = DIGITS
+    mp = digits()
     done: dict[Mark, Any] = {}
     for mark in behind(*marks):
         if givens is not None and mark in givens:
@@ -83,6 +81,16 @@ def exact(marks: list[Mark], position: int = 0, givens: Mapping[Mark, Any] | Non
         else:
             done[mark] = _in_digits(mp, mark, [done[source] for source in mark.step.inputs], position)
     return done
+
+
+@cache
+def digits() -> mpmath.MPContext:
+    """Give the arithmetic of 50 digits: one for all replays, for mpmath takes long to make one."""
+    import mpmath  # noqa: PLC0415  (only a replay pays for it)
+
+    mp = mpmath.mp.clone()
+    mp.dps = DIGITS
+    return mp
 
 
 def _in_digits(mp: mpmath.MPContext, mark: Mark, inputs: list[Any], position: int) -> Any:  # noqa: PLR0912  (a verb each)

@@ -48,6 +48,7 @@ SHARED = (
     "plans.model.run",
     "plans.model.rotor",
     "plans.model.cam",
+    "plans.model.cam_faults",
     "plans.model.cam_motion",
     "plans.model.cyclogram",
     "plans.model.account",

@@ -7,12 +7,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, NamedTuple, TypeAlias
 
 from drawings.measure.marks import SheetMark
+from drawings.measure.measured import MarkKey, MeasuredPoint, MeasuredVector
 from drawings.measure.measured_profile import MeasuredProfile, profile
 from drawings.measure.pathdata import number, pair
 from drawings.measure.reader import read
@@ -25,59 +25,6 @@ CORNERS = 3
 _POSITION = re.compile(r"-?[0-9]{1,9}")
 # The stated value and the scale are each rounded to this share of themselves at the most; arithmetic to far less.
 _STATED = 10.0 ** (1 - STATED_DIGITS)
-
-
-class MarkKey(NamedTuple):
-    """What a vector or point is called."""
-
-    plan: str
-    quantity: str
-    name: str
-    position: int | None = None
-
-
-@dataclass(frozen=True)
-class MeasuredMark:
-    """A mark of a sheet: what it is called, its value by measurement and as stated, in true units."""
-
-    plan: str
-    quantity: str
-    name: str
-    position: int | None
-    value: complex
-    stated: complex
-    unit: str
-    scale: float
-
-    @property
-    def key(self) -> MarkKey:
-        """What it is called."""
-        return MarkKey(self.plan, self.quantity, self.name, self.position)
-
-
-@dataclass(frozen=True)
-class MeasuredVector(MeasuredMark):
-    """A vector: its ends on the sheet (mm, y up)."""
-
-    start: complex
-    end: complex
-
-    @property
-    def reach(self) -> float:
-        """How far from the sheet's corner its ends are (mm), which its rounding is a share of."""
-        return abs(self.start) + abs(self.end)
-
-
-@dataclass(frozen=True)
-class MeasuredPoint(MeasuredMark):
-    """A point: its place on the sheet (mm, y up); its value is measured from the pole."""
-
-    at: complex
-
-    @property
-    def reach(self) -> float:
-        """How far from the sheet's corner it is (mm), which its rounding is a share of."""
-        return abs(self.at)
 
 
 class Measured(NamedTuple):
@@ -140,12 +87,12 @@ def check(measured: Measured, tolerance: float | None = None, expected: Iterable
     """
     paper = measured.quantum if tolerance is None else tolerance
     wrong: list[Mismatch] = []
-    for mark in measured.marks:
+    for mark in (*measured.marks, *measured.profiles):
         allowed = (paper + _STATED * mark.reach) * mark.scale + _STATED * abs(mark.stated)
         right = abs(mark.value - mark.stated) <= allowed
         if not right:
             wrong.append(Mismatch(mark.key, mark.value, mark.stated, allowed))
-    seen = {mark.key for mark in measured.marks}
+    seen = {mark.key for mark in (*measured.marks, *measured.profiles)}
     return wrong + [Mismatch(key, None, None, 0.0) for key in expected if key not in seen]
 
 
@@ -192,9 +139,9 @@ def _vector(mark: SheetMark) -> MeasuredVector:
 
 
 def _profile(mark: SheetMark, poles: Mapping[tuple[str, int | None], _Pole], moved: Affine) -> MeasuredProfile:
-    """Give a profile; its pole is the cam's centre, whatever that states. An editor that moves a curve rounds it."""
+    """Give a profile; its pole is the cam's centre. An editor that moves a curve rounds it."""
     resolution = CURVE_QUANTUM if moved == STAY else _resolution(moved)
-    return profile(mark, _pole(mark, poles)[0], _scale(mark), resolution)
+    return profile(mark, _pole(mark, poles)[0], _scale(mark), _stated(mark), resolution)
 
 
 def _point(mark: SheetMark, poles: Mapping[tuple[str, int | None], _Pole]) -> MeasuredPoint:

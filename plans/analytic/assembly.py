@@ -197,9 +197,10 @@ def _from_others(block: Block, near: Floats, poses: Floats, phi: Floats) -> Floa
 def _by_sign(block: Block, tried: Floats, reached: Flags) -> Floats:
     """Sort what was tried at N angles, (tries, N, links, 3), by the sign of the determinant; the sharpest of each."""
     flat = tried.reshape(-1, *tried.shape[2:])
-    jacobian = block.equations.jacobian(block.equations.place(np.nan_to_num(flat)))
-    det = np.linalg.det(jacobian).reshape(reached.shape)
-    sharp = np.where(reached, reciprocal_condition(jacobian, inverses(jacobian)).reshape(reached.shape), -1.0)
+    jacobian = block.equations.jacobian(block.equations.place(flat[reached.ravel()]))
+    det, sharp = np.zeros(reached.shape), np.full(reached.shape, -1.0)
+    det[reached] = np.linalg.det(jacobian)
+    sharp[reached] = reciprocal_condition(jacobian, inverses(jacobian))
     found = np.full((len(BOTH), *tried.shape[1:]), np.nan)
     each: Indices = np.arange(tried.shape[1])
     for row, sign in zip(found, BOTH, strict=True):

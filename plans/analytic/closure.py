@@ -168,7 +168,7 @@ def _damped_step(jacobian: Floats, miss: Floats, size: Floats) -> Floats:
 
 def _descend(constraints: Constraints, poses: Floats, phi: Floats, step: Floats, size: Floats) -> tuple[Floats, Floats]:
     """Go along the step by the first of 1, 1/2, 1/4, ... of it that lessens the miss."""
-    whole, share = np.nan_to_num(step), np.ones(len(poses))
+    whole, share = step if np.isfinite(step).all() else np.nan_to_num(step), np.ones(len(poses))
     moved = constraints.moved(poses, whole)
     miss = constraints.residual(constraints.place(moved), phi)
     worse = np.flatnonzero(np.linalg.norm(miss, axis=1) >= size)

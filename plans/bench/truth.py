@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from importlib.util import find_spec
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -12,7 +13,8 @@ import numpy.typing as npt
 
 from geometry.board import Mark
 from geometry.errors import DraftError
-from geometry.replay import DIGITS, exact
+from geometry.replay import digits as fifty_digits
+from geometry.replay import exact
 from plans.bench.loads import TrueLoads
 from plans.forces.force import ForcePlan
 from plans.forces.statics import ForceDrafts, Statics
@@ -206,16 +208,12 @@ def _pairs(edges: Floats) -> Iterator[tuple[float, float]]:
 
 def digits() -> Any:
     """Give a reckoner in so many digits; the library may be missing."""
-    try:
-        import mpmath  # noqa: PLC0415  (only the truth pays for it)
-    except ImportError:
+    if find_spec("mpmath") is None:
         raise NotInstalled(
             "the truth is reckoned in 50 digits by mpmath, which is not installed. "
             "Fix: python -m pip install '.[bench]'"
-        ) from None
-    mp = mpmath.mp.clone()
-    mp.dps = DIGITS
-    return mp
+        )
+    return fifty_digits()
 
 
 def _direction(mp: Any, study: LinkageStudy, position: int) -> Any:

@@ -12,12 +12,13 @@ from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
+import numpy.typing as npt
 
 from geometry.board import Board
 from geometry.calculus import Derivative, Integral, derivative_by_chords, integral
 from geometry.strips import SLIVER, Departure, departure, middles, strips
 from plans.cam.course import Course, positions
-from plans.model.cam import TABLE, Cam
+from plans.model.cam import SHAPE, TABLE, Cam
 from plans.model.cam_motion import Travel
 from plans.model.motion import Floats
 from plans.words.calculus import REASONS
@@ -119,6 +120,8 @@ class LawDiagrams:
 def law_diagrams(cam: Cam, true_means: bool = False) -> LawDiagrams:
     """Draw S' from S'' and S from S' by chords; mean ordinates are those at mid-strip, or the true ones.
 
+    Of a law by points S'' is straight from point to point: there the true mean ordinate is drawn in any case.
+
     >>> from plans.model.cam import Follower, Law, Phase
     >>> rise = Phase("rise", 3.0, 0.0, 0.0, 0.9, Law("constant acceleration"))
     >>> cam = Cam("K", 1, None, (rise,), Follower("translating", "pointed"), "force", translates=True, divisions=2)
@@ -126,7 +129,7 @@ def law_diagrams(cam: Cam, true_means: bool = False) -> LawDiagrams:
     ([0.6, 0.0], [0.0, 0.45, 0.9])
     """
     own = strips_of(cam)
-    means = _true_means(own) if true_means else own.course.at(middles(own.edges)).bend
+    means = np.where(true_means | _straight(own), _true_means(own), own.course.at(middles(own.edges)).bend)
     board = Board("law")
     bounds = sorted({0, *own.hard, len(own.edges) - 1})
     runs = tuple(slice(low, high) for low, high in pairwise(bounds))
@@ -145,6 +148,14 @@ def _slopes(board: Board, own: Strips, means: Floats, runs: tuple[slice, ...]) -
         edges = own.edges[run.start : run.stop + 1]
         start = float(own.after.slope[run.start])
         yield integral(board, name, edges, means[run], start=start, why=REASONS)
+
+
+def _straight(own: Strips) -> npt.NDArray[np.bool_]:
+    """Tell the strips in which S'' goes straight from point to point, (n,)."""
+    at = middles(own.edges)
+    own_phases = [one for one in own.course.cam.moving() if one.law is not None and one.law.name in (TABLE, SHAPE)]
+    inside = [np.zeros(len(at), dtype=bool), *((one.start < at) & (at < one.end) for one in own_phases)]
+    return np.asarray(np.any(inside, axis=0))
 
 
 def _true_means(own: Strips) -> Floats:

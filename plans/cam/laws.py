@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from functools import lru_cache
+from itertools import pairwise
 from typing import Final
 
 from plans.cam.pieces import Push, Shares, shares
-from plans.cam.shapes import shape
 from plans.cam.tables import table
 from plans.model.cam import SHAPE, TABLE, Law
 
@@ -52,6 +52,12 @@ def _modified_sine() -> Shares:
     return shares([_wave(1.0, 4 * PI, 0.0, EIGHTH), slow, _wave(-1.0, 4 * PI, PI / 2, EIGHTH)])
 
 
+def _shape(law: Law) -> Shares:
+    """Give a law by the shape of its acceleration, of which the areas cancel and the lift is above 0."""
+    parts = ((end - k, a, b - a) for (k, a), (end, b) in pairwise(law.points) if end > k)
+    return shares([Push(length, (a, rise / length)) for length, a, rise in parts])
+
+
 _LAWS: Final[Mapping[str, Callable[[Law], Shares]]] = {
     "constant velocity": lambda _: shares([Push(1.0)], slope=1.0),
     "constant acceleration": _constant,
@@ -65,7 +71,7 @@ _LAWS: Final[Mapping[str, Callable[[Law], Shares]]] = {
     "modified trapezoid": lambda _: _modified_trapezoid(),
     "modified sine": lambda _: _modified_sine(),
     TABLE: table,
-    SHAPE: shape,
+    SHAPE: _shape,
 }
 
 

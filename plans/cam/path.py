@@ -65,9 +65,9 @@ def path(cam: Cam, sizes: Sizes, away: float = 0.0, pieces: int = PIECES, exact:
 
     Of a path that need not be `exact` no piece is halved: it has its pieces to the turn, and tells how far it is off.
     """
-    outline = Outline(cam, sizes, away)
-    joints = Course(cam).joints
-    parts = [part for start, end in pairwise(joints) for part in _between(outline, start, end, pieces, exact)]
+    course = Course(cam)
+    outline = Outline(course, sizes, away)
+    parts = [part for start, end in pairwise(course.joints) for part in _between(outline, start, end, pieces, exact)]
     turned, found, off = zip(*_joined(outline, parts), strict=True)
     return ProfilePath(found, turned, max(off), not cam.translates)
 
@@ -118,8 +118,7 @@ def _jump(outline: Outline, turned: float, start: complex, end: complex) -> Iter
     if outline.cam.flat:
         yield turned, straight(start, end), 0.0
         return
-    spot = outline.at(np.array([turned]), before=True)
-    tip = complex(spot.at[0] - outline.away * spot.normal[0])
+    tip = outline.tip(turned)
     yield turned, RoundPiece(start, tip, float(np.angle((end - tip) / (start - tip)))), 0.0
 
 
@@ -128,10 +127,10 @@ def _fitted(outline: Outline, edges: Floats) -> tuple[_Cubics, Floats]:
     first, last = outline.at(edges[:-1]), outline.at(edges[1:], before=True)
     shares = np.arange(1, SAMPLES + 1) / (SAMPLES + 1)
     between = outline.at((edges[:-1, None] + np.diff(edges)[:, None] * shares).ravel())
-    points, normals = between.at.reshape(-1, SAMPLES), between.normal.reshape(-1, SAMPLES)
-    handles = _Handles(first, last, -1j * outline.cam.sense)
+    points, tangents = between.at.reshape(-1, SAMPLES), between.tangent.reshape(-1, SAMPLES)
+    handles = _Handles(first, last)
     even = handles.even(np.diff(edges))
-    either = [handles.cubics(*lengths) for lengths in (even, handles.nearest(*even, points, normals, shares))]
+    either = [handles.cubics(*lengths) for lengths in (even, handles.nearest(*even, points, tangents, shares))]
     off = [np.abs(_apart(one, points, shares)[1]).max(axis=1) for one in either]
     better = off[1] < off[0]
     cubics = _Cubics(*(np.where(better, fitted, plain) for plain, fitted in zip(*either, strict=True)))
@@ -139,29 +138,28 @@ def _fitted(outline: Outline, edges: Floats) -> tuple[_Cubics, Floats]:
 
 
 class _Handles(NamedTuple):
-    """The ends of cubics; `forward` turns a normal into the tangent. Handles go along the tangents, lengths (N,) m."""
+    """The ends of cubics, whose handles go along the tangents there; lengths (N,) m."""
 
     first: Spot
     last: Spot
-    forward: complex
 
     def even(self, angles: Floats) -> tuple[Floats, Floats]:
         """Give the handles of cubics that run through their ends as fast as the outline."""
         return self.first.speed * angles / 3, self.last.speed * angles / 3
 
     def cubics(self, a: Floats, b: Floats) -> _Cubics:
-        leaving, coming = self.forward * self.first.normal, self.forward * self.last.normal
-        return _Cubics(self.first.at, self.first.at + a * leaving, self.last.at - b * coming, self.last.at)
+        first, last = self.first, self.last
+        return _Cubics(first.at, first.at + a * first.tangent, last.at - b * last.tangent, last.at)
 
-    def nearest(self, a: Floats, b: Floats, points: Points, normals: Points, shares: Floats) -> tuple[Floats, Floats]:
+    def nearest(self, a: Floats, b: Floats, points: Points, tangents: Points, shares: Floats) -> tuple[Floats, Floats]:
         """Give the handles of cubics that pass by points of the outline, (N, M), at the least sum of squares."""
-        even, (leaving, coming) = (a, b), (self.forward * one.normal[:, None] for one in (self.first, self.last))
+        even, (leaving, coming) = (a, b), (one.tangent[:, None] for one in (self.first, self.last))
         with np.errstate(all="ignore"):  # of a straight piece any handles are as good: its even ones stay
             for _ in range(STEPS):
                 near, apart = _apart(self.cubics(a, b), points, shares)
-                over = _along(normals, apart)
-                p = _along(normals, 3 * near * (1 - near) ** 2 * leaving)
-                q = _along(normals, -3 * near**2 * (1 - near) * coming)
+                over = _along(1j * tangents, apart)
+                p = _along(1j * tangents, 3 * near * (1 - near) ** 2 * leaving)
+                q = _along(1j * tangents, -3 * near**2 * (1 - near) * coming)
                 pp, pq, qq, pr, qr = ((x * y).sum(axis=1) for x, y in ((p, p), (p, q), (q, q), (p, over), (q, over)))
                 whole = pp * qq - pq**2
                 a, b = a - (pr * qq - qr * pq) / whole, b - (qr * pp - pr * pq) / whole

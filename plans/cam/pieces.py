@@ -73,6 +73,12 @@ class Shares:
         wave = size * rate**order * np.sin(rate * gone + phase + order * np.pi / 2)
         return np.asarray(_horner(self._powers[order][:, own], gone) + wave)
 
+    def gross(self, order: int) -> float:
+        """Give what the terms of s or a derivative add up to at the most, whatever their signs: rounding is a share."""
+        widths = np.diff([*self.starts, 1.0])
+        size, rate, _ = self._waves
+        return float(np.max(_horner(np.abs(self._powers[order]), widths) + np.abs(size) * rate**order))
+
     @cached_property
     def _waves(self) -> Floats:
         return np.array([(one.size, one.rate, one.phase) for one in self.pieces]).T

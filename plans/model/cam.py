@@ -38,7 +38,7 @@ TABLE, SHAPE = "table", "shape"  # laws that the user gives: by S over φ, by th
 LINES, CUBICS = "lines", "cubics"  # what joins the points of a table
 # What smoothing is meant: a table's curve is the least of softness * (integral of s''^2) + (sum of squared departures)
 # that departs by its tolerance at most, of these softnesses the greatest; each is 2 ** 0.25 times the one before.
-SOFTNESSES = tuple(2.0 ** (k / 4) for k in range(-240, 81))
+SOFTNESSES = tuple(2.0 ** (k / 4) for k in range(-240, 41))
 
 
 class Law(NamedTuple):
@@ -77,7 +77,8 @@ class Follower(NamedTuple):
     """The follower (толкатель): how it moves, what touches the cam, its sizes m.
 
     `sense` of one that rocks is +1 where it turns on the rise as the cam does, -1 against it. `length` is from its
-    pivot to its tip or its roller's centre. `face` is how far a flat one that rocks stands before its pivot.
+    pivot to its tip or its roller's centre. `face` is how far a flat one that rocks stands before its pivot. `reach` is
+    how far a flat face goes to both sides of its axis, of one that rocks from under its pivot; None: as far as need be.
     """
 
     motion: str
@@ -85,6 +86,7 @@ class Follower(NamedTuple):
     length: float | None = None
     sense: int = 1
     face: float = 0.0
+    reach: float | None = None
 
 
 class Limits(NamedTuple):
@@ -117,6 +119,7 @@ class Load(NamedTuple):
 
 
 NO_LIMITS, NO_SIZES = Limits(), GivenSizes()
+BOOK_LIMITS = {TRANSLATING: math.radians(30), ROCKING: math.radians(45)}  # 5.9.3
 
 
 @dataclass(frozen=True)
@@ -167,3 +170,28 @@ class Cam:
     def moving(self) -> Iterator[Phase]:
         """Give the phases over which the follower moves."""
         return (one for one in self.phases if one.kind != DWELL)
+
+    @property
+    def sized(self) -> bool:
+        """Whether no main size is left to be found."""
+        if self.translates:
+            return True
+        other = self.given.centre if self.rocks else self.given.offset
+        return self.given.base is not None and (other is not None or (not self.rocks and (self.flat or self.unlimited)))
+
+    @property
+    def unlimited(self) -> bool:
+        """Whether the scene limits no pressure angle."""
+        return self.limits.rise is None and self.limits.back is None
+
+
+def limits_of(cam: Cam) -> Limits:
+    """Give the limits that sizes are found for: the book's where the scene has none; a groove limits the return too.
+
+    Sizes that are given are held to the limits of the scene alone.
+    """
+    if cam.sized or cam.flat:
+        return cam.limits
+    usual = BOOK_LIMITS[cam.follower.motion]
+    back = cam.limits.back if cam.closure == FORCE else cam.limits.back or usual
+    return cam.limits._replace(rise=cam.limits.rise or usual, back=back)

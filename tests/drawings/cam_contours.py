@@ -1,15 +1,17 @@
-"""Cams whose profiles tests draw, found by the formulas of the trade in complex numbers."""
+"""Cams whose profiles tests draw, and where their followers' points are by formulas in complex numbers."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 
-from drawings.figures.cam.profile_view import ProfileView
+from drawings.figures.cam.profile_view import ProfileView, profile_view
 from plans.cam.course import Course, positions
+from plans.cam.profile_findings import cam_found
 from plans.model.cam import (
     DWELL,
     FLAT,
@@ -26,10 +28,9 @@ from plans.model.cam import (
     Law,
     Phase,
 )
-from plans.model.cam_motion import CONSTRUCTION, CamFound, Contour, Extreme, Flaw, Sizes
+from plans.model.cam_motion import Sizes
 from plans.model.motion import Complexes, Floats
 
-MANY = 721  # turns at which a curve is known
 LIFT = 0.03
 SWING = math.radians(25)
 
@@ -76,49 +77,10 @@ def levers(one: Cam, sizes: Sizes, turned: Floats) -> tuple[Complexes, Complexes
     return tip, tip - sense * travel.slope
 
 
-def contour(one: Cam, sizes: Sizes, roller: float, turned: Floats) -> Contour:
-    """Give the profile at some turns."""
-    tip, lever = levers(one, sizes, turned)
-    back = np.ones_like(tip) if one.translates else np.exp(-1j * one.sense * turned)
-    pitch = tip + one.sense * turned if one.translates else tip * back
-    normal = lever / abs(lever) * back
-    outer = pitch + roller * normal if one.closure == GROOVE else None
-    radius = _radius(one, sizes, turned)
-    nothing = np.zeros_like(turned)
-    travel = Course(one).at(turned)
-    return Contour(
-        turned, travel, tip, lever, pitch, pitch - roller * normal, nothing, radius, abs(lever), outer
-    )  # fmt: skip
-
-
-def _radius(one: Cam, sizes: Sizes, turned: Floats, step: float = 1e-4) -> Floats:
-    """Give the radius of curvature of the pitch curve by differences."""
-    whole = one.turn
-
-    def at(phi: Floats) -> Complexes:
-        own = np.mod(phi, whole) if not one.translates else np.clip(phi, 0.0, whole)
-        tip, _ = levers(one, sizes, own)
-        return tip + one.sense * own if one.translates else tip * np.exp(-1j * one.sense * own)
-
-    small = step * whole / 6
-    before, here, after = at(turned - small), at(turned), at(turned + small)
-    first, second = (after - before) / (2 * small), (after - 2 * here + before) / small**2
-    side = 1 if one.translates else -1
-    bend = side * one.sense * (first.conj() * second).imag * (-1 if one.translates else 1)
-    with np.errstate(divide="ignore"):
-        return np.asarray(abs(first) ** 3 / bend)
-
-
-def view(one: Cam, sizes: Sizes, roller: float = 0.0, flaws: tuple[Flaw, ...] = ()) -> ProfileView:
+def view(one: Cam, sizes: Sizes, roller: float = 0.0) -> ProfileView:
     """Give a cam with all that its figure shows."""
-    curve = contour(one, sizes, roller, np.linspace(0.0, one.turn, MANY))
-    convex = np.where((curve.radius > 0) & np.isfinite(curve.radius), curve.radius, np.inf)
-    least = int(np.argmin(convex))
-    sharpest = Extreme(float(convex[least]), float(curve.turned[least])) if np.isfinite(convex[least]) else None
-    found = CamFound(
-        CONSTRUCTION, one, sizes, roller, contour(one, sizes, roller, positions(one)), sharpest=sharpest, flaws=flaws
-    )
-    return ProfileView(found, curve)
+    own = replace(one, roller=roller)
+    return profile_view(cam_found(Course(own), sizes, positions(own)))
 
 
 def triangle(one: Cam, base: float, centre: float) -> Sizes:
@@ -184,32 +146,26 @@ def wedge() -> ProfileView:
 
 
 def undercut() -> ProfileView:
-    """Give a roller larger than the pitch curve lets it be, and where it cuts the profile."""
-    whole = view(cam(TO_ROLLER, angles=(60.0, 20.0, 60.0, 220.0)), Sizes(0.04, 0.006), 0.025)
-    curve = whole.curve
-    cut = (curve.radius > 0) & (curve.radius < 0.025)
-    flaws = []
-    for phase in whole.cam.moving():
-        own = cut & (curve.turned >= phase.start) & (curve.turned <= phase.end)
-        if own.any():
-            turns, radii = curve.turned[own], curve.radius[own]
-            worst = int(np.argmin(radii))
-            flaws.append(
-                Flaw("undercut", float(turns[0]), float(turns[-1]), Extreme(float(radii[worst]), float(turns[worst])))
-            )
-    return whole._replace(found=replace(whole.found, flaws=tuple(flaws)))
+    """Give a roller larger than the pitch curve lets it be."""
+    return view(cam(TO_ROLLER, angles=(60.0, 20.0, 60.0, 220.0)), Sizes(0.04, 0.006), 0.025)
 
 
 EVERY = {
     "groove": groove,
-    "clockwise": lambda: groove(-1),
-    "against": lambda: rocker(1, -1),
-    "clockwise rocker": lambda: rocker(-1),
     "offset": offset,
-    "radial": radial,
     "rocker": rocker,
+    "clockwise": lambda: groove(-1),
     "flat": flat,
-    "flat rocker": flat_rocker,
+    "against": lambda: rocker(1, -1),
     "wedge": wedge,
+    "clockwise rocker": lambda: rocker(-1),
+    "flat rocker": flat_rocker,
+    "radial": radial,
     "undercut": undercut,
 }
+
+
+@cache
+def view_of(name: str) -> ProfileView:
+    """Give one of them, made once."""
+    return EVERY[name]()

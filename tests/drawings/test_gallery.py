@@ -55,6 +55,8 @@ def place(number: str) -> Decimal:
 def as_drawn(fresh: str, kept: str) -> None:
     """See that two sheets are one to the last digit of their strokes."""
     fresh, kept = (text.partition(SEAL)[0] for text in (fresh, kept))
+    if fresh == kept:
+        return
     assert NUMBER.sub("#", fresh) == NUMBER.sub("#", kept)
     values = [np.array([float(number) for number in NUMBER.findall(text)]) for text in (fresh, kept)]
     assert np.max(np.abs(values[0] - values[1])) <= 2 * QUANTUM

@@ -58,7 +58,7 @@ def sizes(one: Cam, offset: float = 0.012, base: float = 0.05) -> Sizes:
     if not one.rocks:
         return Sizes(0.09 if one.flat else base, 0.0 if one.flat else offset)
     pivot = -PIVOT if one.rising == 1 else PIVOT.conjugate()
-    pivot = pivot if not one.flat else complex(-one.rising * 0.12, 0.06)
+    pivot = pivot if not one.flat else complex(-one.rising * 0.12, 0.15)
     return Sizes(abs(pivot), 0.0, abs(pivot), pivot)
 
 

@@ -47,10 +47,9 @@ def phases(*listed: tuple[str, float, Law | None], lift: float = LIFT, whole: fl
 
 def law_cam(*listed: tuple[str, float, Law | None], lift: float = LIFT, divisions: int = 8, **more: object) -> Cam:
     """Give a cam with some phases."""
-    follower = Follower(TRANSLATING, POINTED)
-    own = {"translates": False, **more}
+    own = {"translates": False, "follower": Follower(TRANSLATING, POINTED), **more}
     found = phases(*listed, lift=lift, whole=0.3 if own["translates"] else TURN)
-    return Cam("K", 1, SPEED, found, follower, FORCE, divisions=divisions, **own)  # type: ignore[arg-type]
+    return Cam("K", 1, SPEED, found, closure=FORCE, divisions=divisions, **own)  # type: ignore[arg-type]
 
 
 def usual(law: Law, back: Law | None = None, **more: object) -> Cam:

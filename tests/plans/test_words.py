@@ -6,7 +6,7 @@ import ast
 import json
 import re
 import string
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import cache
 from pathlib import Path
 
@@ -85,12 +85,11 @@ def test_a_russian_phrase_is_in_russian() -> None:
                 assert form and not form.endswith(".")  # the sentence around it ends so
 
 
-@cache
-def compared(text: str) -> tuple[int, ...]:
+def compared(found: Iterable[ast.AST]) -> tuple[int, ...]:
     """Give the lines of a file that compare something with the name of a language."""
     return tuple(
         part.lineno
-        for node in ast.walk(ast.parse(text))
+        for node in found
         if isinstance(node, ast.Compare)
         for part in ast.walk(node)
         if isinstance(part, ast.Constant) and part.value in languages()
@@ -98,9 +97,9 @@ def compared(text: str) -> tuple[int, ...]:
 
 
 def test_a_language_is_never_compared_by_name() -> None:
-    assert [(path.name, lines) for path in FILES if (lines := compared(path.read_text("utf-8")))] == []
-    assert compared('if drawing.language == "ru":\n    pass') == (1,)
-    assert compared('one = 1 if language in ("ru", "en") else 2') == (1, 1)
+    assert [(path.name, lines) for path in FILES if (lines := compared(nodes(path)))] == []
+    assert compared(asked('if drawing.language == "ru":\n    pass')) == (1,)
+    assert compared(asked('one = 1 if language in ("ru", "en") else 2')) == (1, 1)
 
 
 def test_a_message_is_said_in_the_language_that_is_asked_for() -> None:
@@ -135,12 +134,18 @@ ASIDE = re.compile(r"drawings/(pens|measure|bench)/|plans/bench/|(strokes|extent
 FILES = [path for top in ("plans", "drawings") for path in sorted((ROOT / top).rglob("*.py"))]
 
 
+Asked = ast.Raise | ast.Call | ast.Compare
+
+
+def asked(text: str) -> tuple[Asked, ...]:
+    """Give what a text of Python raises, calls and compares."""
+    return tuple(node for node in ast.walk(ast.parse(text)) if isinstance(node, Asked))
+
+
 @cache
-def nodes(path: Path) -> tuple[ast.Raise | ast.Call, ...]:
-    """Give what a file raises and calls; it is read once for all that is asked of it."""
-    return tuple(
-        node for node in ast.walk(ast.parse(path.read_text("utf-8"))) if isinstance(node, ast.Raise | ast.Call)
-    )
+def nodes(path: Path) -> tuple[Asked, ...]:
+    """Give what a file raises, calls and compares; it is read once for all that is asked of it."""
+    return asked(path.read_text("utf-8"))
 
 
 def sentences(path: Path) -> Iterator[str]:

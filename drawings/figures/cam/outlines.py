@@ -8,16 +8,17 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from drawings.figures.cam.profile_view import ProfileView
+from drawings.figures.cam.profile_view import OUTER, PITCH, QUANTITY, UNIT, WORKING, ProfileView, ShownCurve
 from drawings.layout.place import Place
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import LineStyle, Polyline, Stroke
-from drawings.symbols.dashes import fit
+from drawings.paper.strokes import Curve, Group, LineStyle, Polyline, Stroke, numeral
+from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.symbols import ground
 from plans.model.cam_motion import Flaw
 from plans.model.motion import Complexes
 
-SHOWN = ("undercut", "crossing", "concave", "cusp")  # flaws of the profile's own shape
+# Flaws of a curve's own shape, and the curve that has them.
+SHOWN = {"undercut": WORKING, "crossing": WORKING, "concave": WORKING, "sharp": WORKING, "hollow": OUTER}
 HEAVY = 1.4  # times a main line: a stretch with a flaw
 SIDE = 30.0  # mm of ground under a cam that translates
 UNDER = 1.2  # mm from its body to the ground
@@ -30,41 +31,55 @@ class FlawMark(NamedTuple):
     spot: complex
 
 
-def pitch(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
-    """Draw the pitch curve where it is not the profile itself."""
-    if view.apart:
-        yield _chain(view.curve.pitch, hand.axis, not view.cam.translates, place)
-
-
-def profile(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
-    """Draw the working profile, of a groove both sides: sound stretches solid, those with a flaw heavier and dashed."""
-    flawed = _flawed(view)
-    for number, outline in enumerate(view.outlines):
-        if number or not flawed.any():
-            yield _chain(outline, hand.result, not view.cam.translates, place)
-        else:
-            broken = LineStyle(HEAVY * hand.main, hand.dashed)
-            yield from _stretches(outline, ~flawed, hand.result, place)
-            yield from _stretches(outline, flawed, broken, place)
+def curves(view: ProfileView, plan: str, place: Place, hand: Hand) -> Iterator[Stroke]:
+    """Draw pitch curve and profile, of a groove both sides; stretches with a flaw heavier and dashed."""
+    for one in sorted(view.curves, key=lambda one: one.name != PITCH):
+        flawed = _flawed(view, one.name)
+        style = hand.axis if one.name == PITCH else hand.other if flawed.any() else hand.result
+        yield _measurable(one, plan, style, place)
+        if flawed.any():
+            points = _points(view, one.name)
+            yield from _stretches(points, ~flawed, hand.result, place)
+            yield from _stretches(points, flawed, LineStyle(HEAVY * hand.main, hand.dashed), place)
     if view.cam.translates:
         yield from _body(view, place, hand)
 
 
-def flaws(view: ProfileView, place: Place) -> tuple[FlawMark, ...]:
-    """Give the flaws of the profile's shape, each at its worst place."""
-    turns, curve = view.curve.turned, view.curve.profile
-    return tuple(
-        FlawMark(one.kind, place.on(complex(curve[int(np.argmin(abs(turns - one.worst.turned)))])))
-        for one in view.found.flaws
-        if one.kind in SHOWN
-    )
+def _measurable(one: ShownCurve, plan: str, style: LineStyle, place: Place) -> Group:
+    """Draw a curve in its pieces; it says how far they are from the exact one."""
+    shift = place.on(0j)
+    pieces = tuple(piece.placed(1 / place.scale.mu, shift) for piece in one.path.pieces)
+    data = {
+        "kind": "profile",
+        "plan": plan,
+        "quantity": QUANTITY,
+        "name": one.name,
+        "unit": UNIT,
+        "scale": numeral(place.scale.mu),
+        "deviation": numeral(one.path.deviation),
+    }
+    return Group(tuple(fit_dashes([Curve(pieces, one.path.closed, style)])), "", data, one.name)
 
 
-def _flawed(view: ProfileView) -> npt.NDArray[np.bool_]:
-    """Tell of each place of the curve whether a flaw of the shape is there."""
-    own = np.zeros(len(view.curve.turned), dtype=bool)
+def flaws(view: ProfileView, place: Place) -> Iterator[FlawMark]:
+    """Give the flaws of the curves' shapes, each at its worst place."""
     for one in view.found.flaws:
         if one.kind in SHOWN:
+            nearest = int(np.argmin(abs(view.curve.turned - one.worst.turned)))
+            yield FlawMark(one.kind, place.on(complex(_points(view, SHOWN[one.kind])[nearest])))
+
+
+def _points(view: ProfileView, name: str) -> Complexes:
+    """Give a curve by its many points, m."""
+    outer = view.curve.outer
+    return view.curve.profile if name == WORKING or outer is None else outer
+
+
+def _flawed(view: ProfileView, name: str) -> npt.NDArray[np.bool_]:
+    """Tell of each place of a curve whether a flaw of its shape is there."""
+    own = np.zeros(len(view.curve.turned), dtype=bool)
+    for one in view.found.flaws:
+        if SHOWN.get(one.kind) == name:
             own |= _within(view, one)
     return own
 
@@ -77,21 +92,12 @@ def _within(view: ProfileView, one: Flaw) -> npt.NDArray[np.bool_]:
 
 
 def _stretches(outline: Complexes, chosen: npt.NDArray[np.bool_], style: LineStyle, place: Place) -> Iterator[Stroke]:
-    """Draw the pieces of an outline between places of which one at least is chosen."""
+    """Draw the pieces of an outline between chosen places, solid ones as far as the dashed ones begin."""
     pieces = chosen[:-1] & chosen[1:] if style.dash else chosen[:-1] | chosen[1:]
     edges = np.flatnonzero(np.diff(np.concatenate([[False], pieces, [False]])))
     for start, end in zip(edges[::2], edges[1::2], strict=True):
-        yield _chain(outline[start : end + 1], style, False, place)
-
-
-def _chain(curve: Complexes, style: LineStyle, closed: bool, place: Place) -> Polyline:
-    """Draw a curve by its many points; a closed one comes back to its first."""
-    own = curve[:-1] if closed else curve
-    line = Polyline(tuple(place.on(complex(spot)) for spot in own), closed, style)
-    if not style.dash:
-        return line
-    length = float(np.abs(np.diff(curve)).sum()) / place.scale.mu
-    return line._replace(style=fit(style, length, closed))
+        points = tuple(place.on(complex(spot)) for spot in outline[start : end + 1])
+        yield from fit_dashes([Polyline(points, False, style)])
 
 
 def _body(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:

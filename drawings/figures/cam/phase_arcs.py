@@ -7,13 +7,13 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from drawings.figures.cam.inversion import highest
-from drawings.report.phase_letters import phase_letter
 from drawings.figures.cam.profile_view import ProfileView
 from drawings.figures.cam.rings import Rings, beyond
 from drawings.layout.labels import Labels
 from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import TURN, Line, Stroke
+from drawings.report.phase_letters import phase_letter
 from drawings.symbols.dimension import Dimension
 from drawings.symbols.symbols import turning_arrow
 from plans.model.cam import Phase

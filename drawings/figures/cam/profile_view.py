@@ -3,25 +3,40 @@
 from __future__ import annotations
 
 import cmath
+from collections.abc import Iterator
 from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 
-from plans.model.cam import Cam
+from plans.cam.course import Course
+from plans.cam.path import ProfilePath, path
+from plans.cam.profile import profile
+from plans.model.cam import GROOVE, Cam
 from plans.model.cam_motion import CamFound, Contour, Points, Sizes
 from plans.model.motion import Complexes, Floats
 
+MANY = 1441  # turns at which the contour is known: every quarter of a degree
+WORKING, PITCH, OUTER = "Q", "P", "Q_out"  # the curves, by the letters of their points
 BODY = 0.8  # of the lift: how far below its lowest profile the body of a cam that translates goes
 BEYOND = 0.12  # of the range of contact: how far a face is drawn past it
 NAME, QUANTITY, SYMBOL, UNIT = "profile", "l", "l", "m"
 
 
+class ShownCurve(NamedTuple):
+    """A curve of the cam in pieces: how far from the pitch curve outward it lies, m, its letter in the data."""
+
+    name: str
+    away: float
+    path: ProfilePath
+
+
 class ProfileView(NamedTuple):
-    """A cam to be seen: what is found at its numbered positions, and its curves at many turns from 0 to a whole one."""
+    """A cam to be seen: what is found at its numbered positions, its contour at many turns, its curves in pieces."""
 
     found: CamFound
     curve: Contour
+    curves: tuple[ShownCurve, ...]  # the working profile, then its pitch curve, then the other side of a groove
 
     @property
     def cam(self) -> Cam:
@@ -63,15 +78,15 @@ class ProfileView(NamedTuple):
         return direction if self.cam.translates else self.back(direction, turned)
 
     @property
+    def outlines(self) -> tuple[Complexes, ...]:
+        """The working profile by points, m; of a groove its other side too."""
+        own = self.curve
+        return (own.profile,) if own.outer is None or not self.apart else (own.profile, own.outer)
+
+    @property
     def axis(self) -> float:
         """Where the axis of a follower that translates stands, x in m."""
         return self.cam.sense * self.sizes.offset
-
-    @property
-    def outlines(self) -> tuple[Complexes, ...]:
-        """The working profile; of a groove its other side too."""
-        own = self.curve
-        return (own.profile,) if own.outer is None else (own.profile, own.outer)
 
     @property
     def reach(self) -> float:
@@ -125,3 +140,19 @@ class ProfileView(NamedTuple):
     def quiet(self) -> float:
         """The direction from O, rad, about which the frame is turned to no position: the middle of the longest step."""
         return cmath.phase(self.way(self.sizes.pivot if self.cam.rocks else 1j, sum(self.step) / 2))
+
+
+def profile_view(found: CamFound) -> ProfileView:
+    """Give what a figure shows of a cam that the construction found."""
+    course, turns = Course(found.cam), np.linspace(0.0, found.cam.turn, MANY)
+    contour = profile(course, found.sizes, found.roller, turns).contour
+    return ProfileView(found, contour, tuple(_curves(found)))
+
+
+def _curves(found: CamFound) -> Iterator[ShownCurve]:
+    cam, sizes, away = found.cam, found.sizes, found.roller
+    yield ShownCurve(WORKING, -away, path(cam, sizes, -away))
+    if away:
+        yield ShownCurve(PITCH, 0.0, path(cam, sizes))
+        if cam.closure == GROOVE:
+            yield ShownCurve(OUTER, away, path(cam, sizes, away))

@@ -86,7 +86,8 @@ def _sharpest(view: ProfileView, place: Place, drafting: Drafting) -> Iterator[S
 
 def _seen(view: ProfileView, one: Extreme, place: Place, hand: Hand) -> bool:
     """Tell whether the circle of the least radius is drawn: it is not the one of a dwell, nor larger than the cam."""
-    still = any(own.kind == DWELL and own.start <= one.turned <= own.end for own in view.cam.phases)
+    turns = one.turned, one.turned + view.cam.turn  # a dwell that ends the turn ends where it begins
+    still = any(own.kind == DWELL and own.start <= turn <= own.end for own in view.cam.phases for turn in turns)
     return not still and place.length(one.value) < place.length(view.reach) + LARGE * hand.letter
 
 

@@ -115,7 +115,7 @@ def breaks(law: Law) -> tuple[float, ...]:
     if law.name == "constant acceleration":
         return (law.first,)
     if law.name == SHAPE or (law.name == TABLE and law.through != CUBICS):
-        return tuple(sorted({share for share, _ in law.points[1:-1]}))
+        return tuple(sorted({share for share, _ in law.points if 0 < share < 1}))
     return ()
 
 

@@ -19,13 +19,11 @@ from plans.cam.reading.proportions import proportions
 from plans.cam.reading.turns import turns_of
 from plans.cam.reading.ways import Way, ways_of
 from plans.model.cam import DWELL, Cam, Follower, GivenSizes, Limits, Load, Phase
+from plans.model.cyclogram import Window
 from plans.scene import units
 from plans.scene.faults import Fault, Path, SceneError
 from plans.scene.scene import Meaning, Scene
 from plans.scene.units import within
-from plans.words.words import message
-
-Window = tuple[float, float]  # of the cyclogram: start and length, rad of the main shaft
 
 
 class CamSurvey(NamedTuple):
@@ -45,7 +43,7 @@ def survey_of(meaning: Meaning) -> CamSurvey:
 
 
 def cams_of(scene: Scene, window: Window | None) -> tuple[Cam, ...]:
-    """Give the cams of a scene; those that ask for the cyclogram need its window, start and length in rad."""
+    """Give the cams of a scene; those that ask for the cyclogram need its window."""
     entries = [*entries_of(scene)]
     cams = tuple(cam for one in entries if (cam := _cam(one, window)))
     faults = [fault for one in entries for fault in one.faults]
@@ -111,13 +109,12 @@ def _has_cyclogram(entry: Entry) -> None:
         return
     numbers = [number for number, phase in enumerate(entry.form.phases) if phase.angle == CYCLOGRAM]
     path: Path = ("phases", numbers[0], "angle") if numbers else ("setting",)
-    example = (message("example.stated", example='[cyclogram] with point = "D"'),)
-    entry.fault(path, "needs", tables="[cyclogram]", example=example)
+    entry.fault(path, "needs", tables="[cyclogram]", example=("[cyclogram]",))
 
 
 def _phases(entry: Entry, window: Window | None) -> tuple[Exact, tuple[Phase, ...]] | None:
     """Give the angles and the phases; a dwell of no angle is none."""
-    turns = turns_of(entry, None if window is None else Fraction(math.degrees(window[1])))
+    turns = turns_of(entry, None if window is None else Fraction(math.degrees(window.angle)))
     ways = ways_of(entry)
     if turns is None or ways is None:
         return None
@@ -153,7 +150,7 @@ def _setting(entry: Entry, window: Window | None, phases: Sequence[Phase]) -> fl
     assert window is not None  # a cam that waits is not made
     starts = [one.start for one, asked in zip(phases, _asking(entry), strict=True) if asked]
     moving = [one.start for one in phases if one.kind != DWELL]
-    return (window[0] - (starts or moving or [0.0])[0]) % math.tau
+    return (window.start - (starts or moving or [0.0])[0]) % math.tau
 
 
 def _asking(entry: Entry) -> list[bool]:

@@ -84,9 +84,9 @@ class Entry:
         for name in sorted({*names} & {*given}):
             self.fault((*path, name), "out_of_place", name=name, owner=message(f"owner.{owner}"))
 
-    def way(self, size: Fraction) -> dict[str, object]:
-        """Show a part of the follower's way: millimetres, or degrees of one that rocks."""
-        return {"found": shown(size if self.rocks else 1000 * size), "unit": "°" if self.rocks else "mm"}
+    def sized(self, way: Fraction) -> tuple[str, str]:
+        """Show a part of the follower's way with its unit: millimetres, or degrees of one that rocks."""
+        return (shown(way), "°") if self.rocks else (shown(1000 * way), "mm")
 
 
 def shown(number: Fraction | Decimal) -> str:

@@ -12,10 +12,10 @@ from plans.cam.reading.law_form import LawTable
 from plans.model.cam import DWELL, FLAT, FORCE, GROOVE, POINTED, RETURN, RISE, ROCKING, ROLLER, TRANSLATING
 from plans.scene import fields as f
 from plans.scene import units
-from plans.scene.faults import Wrong, wrong
+from plans.scene.faults import SceneError, Wrong, wrong
 from plans.scene.forms import Form
 from plans.scene.readers import either, many
-from plans.scene.scene import TechniqueForm
+from plans.scene.scene import Scene, TechniqueForm
 from plans.scene.tables import Missing, Table, key, table
 
 WITH, AGAINST = "with", "against"
@@ -252,3 +252,8 @@ class CamForm(TechniqueForm):
         meaning="A cam (кулачок), one or several on one shaft: follower, phases with their laws, limits or sizes.",
         missing=Missing("table", EXAMPLE, [{"follower": SPARE_FOLLOWER, "phases": [SPARE_PHASE]}]),
     )
+
+    def fit(self, scene: Scene) -> None:
+        """See that its cams can be made: nothing else of a scene is worth its while otherwise."""
+        if scene.meaning["cam"].faults:
+            raise SceneError(scene.meaning.faults)

@@ -12,6 +12,7 @@ from plans.cam.reading.shape import Shape, cancelled
 from plans.cam.reading.ways import Way
 from plans.model.cam import CUBICS, LINES, SHAPE, TABLE, Law
 from plans.scene import units
+from plans.scene.faults import Path
 from plans.scene.units import Kind
 from plans.words.words import message
 
@@ -81,16 +82,23 @@ def _plotted(entry: Entry, number: int, law: LawTable, across: Kind, up: Kind) -
     return points if law.name == SHAPE or _sorted(entry, path, points) else None
 
 
-def _sorted(entry: Entry, path: tuple[str | int, ...], points: Plotted) -> bool:
+def _sorted(entry: Entry, path: Path, points: Plotted) -> bool:
     """See that a table goes on from point to point, and does not jump."""
     before = len(entry.faults)
     for at, (one, other) in enumerate(pairwise(points), 1):
         if other[0] < one[0]:
             entry.fault((*path, at, 0), "turns_fall", found=shown(other[0]), before=shown(one[0]))
         elif other[0] == one[0]:
-            jump = {"found": shown(other[0]), "jump": shown(abs(other[1] - one[1]))}
-            entry.fault((*path, at, 0), "turn_twice" if other[1] == one[1] else "table_jumps", **jump)
+            _repeated(entry, (*path, at, 0), other, other[1] - one[1])
     return len(entry.faults) == before
+
+
+def _repeated(entry: Entry, path: Path, point: tuple[Fraction, Fraction], jump: Fraction) -> None:
+    if jump:
+        size, unit = entry.sized(abs(jump))
+        entry.fault(path, "table_jumps", found=shown(point[0]), jump=size, unit=unit)
+    else:
+        entry.fault(path, "turn_twice", found=shown(point[0]))
 
 
 NEAR = Fraction(1, 10**9)  # of a phase or a lift: so near its end a point of a table is meant to be at it
@@ -105,8 +113,8 @@ def _spans(entry: Entry, number: int, points: Plotted, turned: Fraction, way: Wa
         if abs(x - across) > NEAR * turned:
             entry.fault((*path, at, 0), "table_span", found=shown(x), wanted=shown(across))
         elif abs(y - level) > NEAR * entry.lift:
-            wanted = shown(level)
-            entry.fault((*path, at, 1), "table_ends", found=shown(y), wanted=wanted, at=shown(x))
+            (wanted, unit), (found, _) = entry.sized(level), entry.sized(y)
+            entry.fault((*path, at, 1), "table_ends", found=found, wanted=wanted, unit=unit)
     return len(entry.faults) == before
 
 
@@ -129,7 +137,7 @@ def _shape(entry: Entry, number: int, law: LawTable) -> Law | None:
     return Law(SHAPE, 0.5, _floats(found.points))
 
 
-def _shares(entry: Entry, path: tuple[str | int, ...], points: Plotted) -> bool:
+def _shares(entry: Entry, path: Path, points: Plotted) -> bool:
     """See that shares go from 0 to 1 without falling, at most two points at one of them."""
     before = len(entry.faults)
     for at, share in ((0, 0), (len(points) - 1, 1)):

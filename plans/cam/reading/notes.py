@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from decimal import Decimal
 from fractions import Fraction
@@ -11,14 +12,13 @@ from plans.cam.reading.entry import Entry, shown
 from plans.cam.reading.fields import CYCLOGRAM, REST
 from plans.cam.reading.law_form import LawTable
 from plans.cam.reading.turns import WHOLE
-from plans.model.cam import DWELL, FORCE, GROOVE, TABLE
+from plans.model.cam import BOOK_LIMITS, DWELL, FORCE, GROOVE, TABLE
 from plans.scene import units
 from plans.scene.faults import Fault, Path
 from plans.scene.lengths import odd_lengths
 from plans.scene.scene import Scene
 
 FEW_POINTS = 3  # of a table: what lies between them is the curve's, not the table's
-BOOK = {False: "30", True: "45"}  # degrees: the pressure angle that the book allows, of a rocker more
 
 
 def notes_of(scene: Scene) -> Iterator[Fault]:
@@ -71,18 +71,27 @@ def _way(entry: Entry) -> Iterator[Fault]:
 
 
 def _limits(entry: Entry) -> Iterator[Fault]:
-    """Tell of limits that are taken from the book, and of one that nothing is found from."""
-    limits, sizes = entry.form.limits, entry.form.sizes
-    if "return" in limits.given and entry.form.closure == FORCE:
+    """Tell of limits that nothing is found from, and of those that are taken from the book."""
+    given, sizes = entry.form.limits.given, entry.form.sizes
+    if "return" in given and entry.form.closure == FORCE:
         yield _note(entry, ("limits", "return"), "free_return")
-    level = entry.flat and not entry.rocks
-    if level:
-        yield from (_note(entry, ("limits", name), "level_face") for name in ("rise", "return") if name in limits.given)
+    if entry.flat and not entry.rocks:
+        yield from (_note(entry, ("limits", name), "level_face") for name in ("rise", "return") if name in given)
         if "offset" in sizes.given:
             yield _note(entry, ("sizes", "offset"), "spare_offset")
-    found = (sizes.base, sizes.centre) if entry.rocks else (sizes.base,)
-    if limits.rise is None and None in found and not level and not entry.translates:
-        yield _note(entry, (), "book_limits", name=entry.name, most=BOOK[entry.rocks])
+    if entry.flat or entry.translates or _sized(entry):
+        return
+    most = f"{math.degrees(BOOK_LIMITS[entry.form.follower.motion]):g}"
+    kept = ("rise", "return") if entry.form.closure == GROOVE else ("rise",)
+    for name in kept:
+        if name not in given:
+            yield _note(entry, (), f"book_{name}", name=entry.name, most=most)
+
+
+def _sized(entry: Entry) -> bool:
+    """Tell whether no size is left to be found by limits: without any a radius alone is that of a radial follower."""
+    given, limits = entry.form.sizes.given, entry.form.limits.given & {"rise", "return"}
+    return "base" in given and ("centre" in given if entry.rocks else "offset" in given or not limits)
 
 
 def _laws(entry: Entry) -> Iterator[Fault]:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Sequence
 from fractions import Fraction
 from itertools import accumulate
 from typing import NamedTuple
 
-from plans.cam.reading.entry import Entry, shown
+from plans.cam.reading.entry import Entry
 from plans.cam.reading.form import PhaseTable
 from plans.model.cam import DWELL, RETURN, RISE
 
@@ -21,24 +21,24 @@ class Way(NamedTuple):
 
 def ways_of(entry: Entry) -> tuple[Way, ...] | None:
     """Give the way of each phase, or nothing where the follower leaves its way, or does not come back."""
-    before = len(entry.faults)
-    ways = tuple(_ways(entry))
-    _returns(entry, ways)
-    return ways if len(entry.faults) == before else None
-
-
-def _ways(entry: Entry) -> Iterator[Way]:
-    level = _start(entry)
+    before, ways, level = len(entry.faults), list[Way](), _start(entry)
     for number, phase in enumerate(entry.form.phases):
-        change = _change(entry, phase, level)
-        end = level + change
-        if not 0 <= end <= entry.lift:
-            left = entry.lift - level if phase.kind == RISE else level
-            entry.fault(("phases", number), "beyond_way", **entry.way(abs(change)), left=_left(entry, left))
-        elif change == 0 and phase.kind != DWELL and entry.lift:
-            entry.fault(("phases", number, "kind"), "at_top" if phase.kind == RISE else "at_bottom")
-        yield Way(level, change)
-        level = end
+        ways.append(Way(level, _change(entry, phase, level)))
+        level += ways[-1].change
+        _keeps(entry, number, phase, ways[-1])
+        if len(entry.faults) > before:  # what follows from it is not told as well
+            return None
+    _returns(entry, ways)
+    return tuple(ways) if len(entry.faults) == before else None
+
+
+def _keeps(entry: Entry, number: int, phase: PhaseTable, way: Way) -> None:
+    """See that a phase has some of the way left, and does not go beyond it."""
+    if not 0 <= way.level + way.change <= entry.lift:
+        left, unit = entry.sized(entry.lift - way.level if phase.kind == RISE else way.level)
+        entry.fault(("phases", number), "beyond_way", found=entry.sized(abs(way.change))[0], left=left, unit=unit)
+    elif way.change == 0 and phase.kind != DWELL and entry.lift:
+        entry.fault(("phases", number, "kind"), "at_top" if phase.kind == RISE else "at_bottom")
 
 
 def _start(entry: Entry) -> Fraction:
@@ -57,17 +57,13 @@ def _change(entry: Entry, phase: PhaseTable, level: Fraction) -> Fraction:
     return -level if part is None else -Fraction(part)
 
 
-def _returns(entry: Entry, ways: tuple[Way, ...]) -> None:
+def _returns(entry: Entry, ways: Sequence[Way]) -> None:
     """See that the follower comes back (a cam that translates goes back itself), and goes its whole way."""
     levels = [*accumulate((way.change for way in ways), initial=ways[0].level)]
-    last = ("phases", len(ways) - 1)
-    if levels[-1] != levels[0] and not entry.translates:
-        higher = "above" if levels[-1] > levels[0] else "below"
-        entry.fault(last, f"ends_{higher}", **entry.way(abs(levels[-1] - levels[0])))
+    last, over = ("phases", len(ways) - 1), levels[-1] - levels[0]
+    if over and not entry.translates:
+        found, unit = entry.sized(abs(over))
+        entry.fault(last, "ends_above" if over > 0 else "ends_below", found=found, unit=unit)
     elif max(levels) - min(levels) < entry.lift:
-        went = entry.way(max(levels) - min(levels))
-        entry.fault(last, "way_not_whole", **went, lift=_left(entry, entry.lift))
-
-
-def _left(entry: Entry, size: Fraction) -> str:
-    return shown(size if entry.rocks else 1000 * size)
+        (found, unit), (lift, _) = entry.sized(max(levels) - min(levels)), entry.sized(entry.lift)
+        entry.fault(last, "way_not_whole", found=found, lift=lift, unit=unit)

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from plans.cam.study import LAWS, PROFILE, SIZES
-from plans.checks.plain_numbers import plain
-from plans.model.cam_motion import CONSTRUCTION, CamFound, Contour, Extreme, Flaw, Points, Shock, Sizes
+from plans.cam.study import LAWS, PROFILE, SIZES, CamStudy
+from plans.checks.plain_numbers import pairs, plain
+from plans.model.cam_motion import CONSTRUCTION, CamFound, Contour, Extreme, Flaw, Shock, Sizes
 
 if TYPE_CHECKING:
     from plans.study import Study
@@ -51,8 +51,8 @@ class CamNumbers:
 
 def numbers(study: Study, by: str) -> CamNumbers:
     """Give the cams of a scene by a road (row of the table of techniques)."""
-    cams = study["cam"]
-    found = cams.found if by == CONSTRUCTION else cams_by_analysis(cams)
+    cams: CamStudy = study["cam"]
+    found = cams.found if by == CONSTRUCTION else study.comparison("cam").analysis.cams
     return CamNumbers(study.scene.heading(), by, found, study.plans)
 
 
@@ -72,17 +72,13 @@ def _face(one: CamFound) -> dict[str, Any]:
 
 def _profile(contour: Contour) -> dict[str, Any]:
     data: dict[str, Any] = {
-        "pitch": _pairs(contour.pitch),
-        "profile": _pairs(contour.profile),
+        "pitch": pairs(contour.pitch),
+        "profile": pairs(contour.profile),
         "alpha": plain(contour.pressure),
         "rho": plain(contour.radius),
         "sliding": plain(contour.sliding),
     }
-    return data if contour.outer is None else data | {"outer": _pairs(contour.outer)}
-
-
-def _pairs(points: Points) -> list[list[float]]:
-    return [[one.real, one.imag] for one in points.tolist()]
+    return data if contour.outer is None else data | {"outer": pairs(contour.outer)}
 
 
 def _shock(one: Shock) -> dict[str, Any]:
