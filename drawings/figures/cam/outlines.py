@@ -3,24 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from drawings.figures.cam.profile_curve import profile_curve
-<<<<<<< HEAD
-from drawings.figures.cam.profile_view import OUTER, PITCH, WORKING, ProfileView, ShownCurve
-from drawings.layout.place import Place
-from drawings.paper.hand import Hand
-from drawings.paper.strokes import Group, LineStyle, Polyline, Stroke
-=======
 from drawings.figures.cam.profile_view import OUTER, PITCH, WORKING, ProfileView
 from drawings.layout.place import Place
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import LineStyle, Polyline, Stroke
->>>>>>> w-path
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.symbols import ground
 from plans.model.cam_motion import Flaw
@@ -54,15 +46,6 @@ def curves(view: ProfileView, plan: str, place: Place, hand: Hand) -> Iterator[S
         yield from _body(view, place, hand)
 
 
-<<<<<<< HEAD
-def _measurable(one: ShownCurve, plan: str, style: LineStyle, place: Place) -> Group:
-    """Draw a curve in its pieces; it says how far they are from the exact one."""
-    own = profile_curve(one.path, place, plan, one.name, style)
-    return replace(own, strokes=tuple(fit_dashes(own.strokes)))
-
-
-=======
->>>>>>> w-path
 def flaws(view: ProfileView, place: Place) -> Iterator[FlawMark]:
     """Give the flaws of the curves' shapes, each at its worst place."""
     for one in view.found.flaws:
