@@ -218,6 +218,12 @@ def test_both_roads_find_the_same_shocks(law: Law, slides: bool) -> None:
     assert [one.jump for one in own] == pytest.approx([one.jump for one in other], rel=1e-9)
 
 
+@pytest.mark.parametrize("road", ROADS)
+def test_where_the_velocity_jumps_the_shock_is_hard_and_no_soft_one_besides(road: str) -> None:
+    cam = law_cam((RISE, 120, Law("constant velocity")), (RETURN, 120, Law("cosine")), (DWELL, 120, None))
+    assert [(round(math.degrees(one.turned)), one.order) for one in shocks(cam, road)] == [(0, 1), (120, 1), (240, 2)]
+
+
 def test_a_phase_of_no_angle_hides_no_shock() -> None:
     cam = law_cam((RISE, 120, Law("cosine")), (DWELL, 0, None), (RETURN, 90, Law("cosine")), (DWELL, 150, None))
     own, other = (shocks(cam, road) for road in ROADS)

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
-from drawings.figures.cam.profile_view import OUTER, PITCH, QUANTITY, UNIT, WORKING, ProfileView, ShownCurve
+from drawings.figures.cam.profile_curve import profile_curve
+from drawings.figures.cam.profile_view import OUTER, PITCH, WORKING, ProfileView, ShownCurve
 from drawings.layout.place import Place
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Curve, Group, LineStyle, Polyline, Stroke, numeral
+from drawings.paper.strokes import Group, LineStyle, Polyline, Stroke
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.symbols import ground
 from plans.model.cam_motion import Flaw
@@ -47,18 +49,8 @@ def curves(view: ProfileView, plan: str, place: Place, hand: Hand) -> Iterator[S
 
 def _measurable(one: ShownCurve, plan: str, style: LineStyle, place: Place) -> Group:
     """Draw a curve in its pieces; it says how far they are from the exact one."""
-    shift = place.on(0j)
-    pieces = tuple(piece.placed(1 / place.scale.mu, shift) for piece in one.path.pieces)
-    data = {
-        "kind": "profile",
-        "plan": plan,
-        "quantity": QUANTITY,
-        "name": one.name,
-        "unit": UNIT,
-        "scale": numeral(place.scale.mu),
-        "deviation": numeral(one.path.deviation),
-    }
-    return Group(tuple(fit_dashes([Curve(pieces, one.path.closed, style)])), "", data, one.name)
+    own = profile_curve(one.path, place, plan, one.name, style)
+    return replace(own, strokes=tuple(fit_dashes(own.strokes)))
 
 
 def flaws(view: ProfileView, place: Place) -> Iterator[FlawMark]:
