@@ -175,9 +175,9 @@ class Board:
         """Draw through a point the line square to a vector, directed 90 degrees counter-clockwise from it."""
         return self._draw(name, Line(through.point, 1j * to.point), "square", (through, to), why)
 
-    def arc(self, name: str, centre: Mark, radius: float, why: object = "") -> Mark:
+    def arc(self, name: str, centre: Mark, radius: Sizes, why: object = "") -> Mark:
         """Strike an arc of a given radius about a point (засечка)."""
-        return self._draw(name, Arc(centre.point, radius), "arc", (centre,), why, size=radius)
+        return self._draw(name, Arc(centre.point, radius), "arc", (centre,), why, size=cast(Vectors, radius))
 
     def meet(self, name: str, first: Mark, second: Mark, side: Sizes = 0.0, why: object = "") -> Mark:
         """Find the meeting of two lines or arcs; `side` chooses one of two.

@@ -38,7 +38,7 @@ def _again(board: Board, mark: Mark, inputs: tuple[Mark, ...], givens: Mapping[M
         case "given":
             return board.given(mark.name, givens.get(mark, mark.value), step.why)
         case "arc":
-            return board.arc(mark.name, inputs[0], float(step.size.real), step.why)
+            return board.arc(mark.name, inputs[0], step.size.real, step.why)
         case "meet":
             return board.meet(mark.name, inputs[0], inputs[1], step.side, step.why)
         case "tangent":

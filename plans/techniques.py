@@ -27,10 +27,12 @@ class Technique(NamedTuple):
     needs: tuple[str, ...] = ()  # techniques that it rests on
     pace: str = ""  # of the memo to the rates that it gives the drive in each position, or nothing
     borrows: tuple[str, ...] = ()  # techniques whose tables it reads, though it makes none of their plans
+    asks: str = ""  # of a scene to the techniques that its values refer to, though others like it stand alone
 
 
 MOTION: Final = ("extremes", "positions", "velocities", "accelerations")
 DYNAMICS: Final = ("reduction", "works", "flywheel", "speeds", "run")
+CAM: Final = ("laws", "sizes", "profile")
 
 TECHNIQUES: Final[Mapping[str, Technique]] = {
     "linkage": Technique(
@@ -88,6 +90,34 @@ TECHNIQUES: Final[Mapping[str, Technique]] = {
         marks="plans.rotor.marks:marks",
         plans=("couples", "unbalances", "reactions"),
         sheets={"rotor": ("couples", "unbalances", "reactions")},
+    ),
+    "cyclogram": Technique(
+        form="plans.cyclogram.form:CyclogramForm",
+        tables=("cyclogram",),
+        shares={},
+        meaning="plans.cyclogram.reading:survey_of",
+        notes="plans.cyclogram.reading:notes_of",
+        study="plans.cyclogram.study:study_of",
+        comparison="plans.checks.cyclogram_comparison:comparison_of",
+        numbers="plans.checks.cyclogram_numbers:numbers",
+        marks="plans.cyclogram.marks:marks",
+        plans=("cyclogram",),
+        sheets={"cyclogram": ("extremes", "positions", "cyclogram")},
+        needs=("linkage",),
+    ),
+    "cam": Technique(
+        form="plans.cam.reading.form:CamForm",
+        tables=("cam",),
+        shares={},
+        meaning="plans.cam.reading.cams:survey_of",
+        notes="plans.cam.reading.notes:notes_of",
+        study="plans.cam.study:study_of",
+        comparison="plans.checks.cam.comparison:comparison_of",
+        numbers="plans.checks.cam.numbers:numbers",
+        marks="plans.cam.marks:marks",
+        plans=CAM,
+        sheets={"cam": CAM, "profile": ("profile",)},
+        asks="plans.cam.reading.cams:asked_of",
     ),
 }
 

@@ -6,12 +6,14 @@ left out, for its checks refuse them: it writes less than our pen does.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import svgwrite
 
 from drawings.lettering.lettering import outline
-from drawings.paper.strokes import Arc, Circle, Fill, Group, Leaf, Line, LineStyle, Polyline, Stroke, Text
+from drawings.paper.strokes import Arc, Circle, Curve, Fill, Group, Leaf, Line, LineStyle, Polyline, Stroke, Text
+from geometry.curve import CubicPiece, Piece
 
 
 def svg(leaf: Leaf) -> bytes:
@@ -48,10 +50,24 @@ def _element(drawing: Any, stroke: Stroke, leaf: Leaf) -> Any:
             return drawing.path(
                 _arc(stroke, at(stroke.at(0)), at(stroke.at(0.5)), at(stroke.at(1))), **_style(stroke.style)
             )
+        case Curve(pieces, _, style):
+            return drawing.path(_curve(pieces, at), **_style(style))
         case Text():
             return _group(drawing, Group(outline(stroke)), leaf)
         case Group():
             return _group(drawing, stroke, leaf)
+
+
+def _curve(pieces: tuple[Piece, ...], at: Callable[[complex], tuple[float, float]]) -> list[Any]:
+    """Give a path of cubics and of arcs in halves."""
+    found: list[Any] = ["M", *at(pieces[0].start)]
+    for piece in pieces:
+        if isinstance(piece, CubicPiece):
+            found += ["C", *at(piece.first), *at(piece.second), *at(piece.end)]
+        else:
+            flags = (piece.radius, piece.radius, 0, 0, int(piece.sweep < 0))
+            found += ["A", *flags, *at(piece.at(0.5)), "A", *flags, *at(piece.end)]
+    return found
 
 
 def _arc(arc: Arc, *ends: tuple[float, float]) -> list[Any]:

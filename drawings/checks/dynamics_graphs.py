@@ -13,7 +13,8 @@ from drawings.checks.dynamics_expected import INERTIA, KNOWN, MOMENTS, WORKS, Ex
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.dynamics.strips import MARKED
 from drawings.lettering.words import number
-from drawings.measure.measure import Measured, MeasuredVector
+from drawings.measure.measure import Measured
+from drawings.measure.measured import MeasuredVector
 from drawings.paper.strokes import Circle, Group, Leaf, Line, Polyline
 from drawings.paper.walk import groups, texts, walk
 from plans.model.dynamics import TURN

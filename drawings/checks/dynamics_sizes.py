@@ -14,7 +14,8 @@ from drawings.checks.dynamics_graphs import has, part, vertices, written
 from drawings.checks.precise import precise, tells
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.dynamics import flywheel_sketch, load_diagram
-from drawings.measure.measure import Measured, MeasuredVector
+from drawings.measure.measure import Measured
+from drawings.measure.measured import MeasuredVector
 from drawings.page.drafting import Drafting
 from drawings.paper.strokes import Group, Leaf
 from drawings.paper.walk import texts

@@ -9,7 +9,8 @@ import numpy as np
 from drawings.checks.dynamics_expected import KNOWN, Expected
 from drawings.checks.dynamics_graphs import has, part
 from drawings.checks.wrong import Wrong, on
-from drawings.measure.measure import Measured, MeasuredVector
+from drawings.measure.measure import Measured
+from drawings.measure.measured import MeasuredVector
 from drawings.paper.strokes import Circle, Leaf
 from drawings.paper.walk import texts, walk
 from plans.model.dynamics import TURN

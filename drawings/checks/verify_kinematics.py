@@ -8,7 +8,8 @@ from collections.abc import Iterator
 from drawings.checks import reading
 from drawings.checks.wrong import on
 from drawings.figures.linkage.vector_plan import LEAST
-from drawings.measure.measure import Measured, MeasuredVector
+from drawings.measure.measure import Measured
+from drawings.measure.measured import MeasuredVector
 from drawings.paper.strokes import Leaf
 from plans.checks.compare import MotionComparison
 from plans.checks.expected import Expected

@@ -11,7 +11,8 @@ from drawings.checks.wrong import Wrong, on
 from drawings.figures.rotor import across, along
 from drawings.figures.rotor.letters import MOST
 from drawings.figures.rotor.rotor_polygon import sum_letters
-from drawings.measure.measure import Measured, MeasuredVector
+from drawings.measure.measure import Measured
+from drawings.measure.measured import MeasuredVector
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from plans.analytic.rotor import moment

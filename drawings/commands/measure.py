@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import argparse
+import math
 from pathlib import Path
 
 from drawings.commands.stderr import tell
 from drawings.files.json_text import print_json
 from drawings.files.manifest import manifest_beside
 from drawings.measure.measure import Measured, check, measure_file
+from drawings.measure.measured_profile import MeasuredProfile
 from drawings.paper.limits import SheetRefused
+from geometry.curve import CubicPiece, Piece
 
 FAILED = 5
 
@@ -20,7 +23,7 @@ def run(options: argparse.Namespace) -> int:
         measured = measure_file(options.sheet)
     except SheetRefused as refused:
         raise type(refused)(f"{options.sheet}: {refused.reason}") from None
-    if not measured.marks:
+    if not measured.marks and not measured.profiles:
         raise SheetRefused(
             f"{options.sheet}: this SVG has no vectors or points of a plandraft sheet. Fix: give one it drew"
         )
@@ -28,12 +31,16 @@ def run(options: argparse.Namespace) -> int:
     wrong = check(measured)
     off = {miss.key for miss in wrong}
     if options.json:
-        print_json({"vectors": _plain(measured, "vectors"), "points": _plain(measured, "points")})
+        plain = {"vectors": _plain(measured, "vectors"), "points": _plain(measured, "points")}
+        print_json(plain | {"profiles": [_plain_profile(one) for one in measured.profiles]})
     else:
         for mark in measured.marks:
             sign = "DIFFERS from the stated" if mark.key in off else ""
             value = f"({mark.value.real:.6g}, {mark.value.imag:.6g})"
             print(f"{mark.plan:<14} {mark.position!s:>4}  {mark.name:<10} {value:<26} {mark.unit:<6} {sign}".rstrip())
+        for one in measured.profiles:
+            told = f"{len(one.pieces)} pieces, stated within {one.deviation:.2g} m, rounded to {one.quantum:.1g} m"
+            print(f"{one.plan:<14} {'':>4}  {one.name:<10} {told}")
         for note in measured.notes:
             print(f"left aside: {note}")
     return FAILED if wrong else 0
@@ -57,3 +64,18 @@ def _plain(measured: Measured, kind: str) -> list[dict[str, object]]:
         }
         for mark in getattr(measured, kind)
     ]  # fmt: skip
+
+
+def _plain_profile(one: MeasuredProfile) -> dict[str, object]:
+    return {
+        "plan": one.plan, "quantity": one.quantity, "name": one.name, "unit": "m", "scale": one.scale,
+        "deviation": one.deviation, "quantum": one.quantum, "pieces": [_plain_piece(piece) for piece in one.pieces],
+    }  # fmt: skip
+
+
+def _plain_piece(piece: Piece) -> dict[str, object]:
+    """Give a cubic by its four points, an arc by its start, centre and sweep in degrees."""
+    if isinstance(piece, CubicPiece):
+        return {"cubic": [[point.real, point.imag] for point in piece]}
+    start, centre = ([point.real, point.imag] for point in piece[:2])
+    return {"arc": start, "centre": centre, "sweep": math.degrees(piece.sweep)}

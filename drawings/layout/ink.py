@@ -12,8 +12,9 @@ import numpy as np
 import numpy.typing as npt
 
 from drawings.lettering.extent import bounds
-from drawings.paper.strokes import TURN, Arc, Box, Circle, Fill, Line, Polyline, Stroke, Text
+from drawings.paper.strokes import TURN, Arc, Box, Circle, Curve, Fill, Line, Polyline, Stroke, Text
 from drawings.paper.walk import flat
+from geometry.curve import sampled
 from plans.model.motion import Complexes, Floats
 
 CELL = 0.5  # mm, the grain of the cells: finer than a thin line's least distance
@@ -104,6 +105,8 @@ class _Cells:
                 yield _round(stroke.centre, stroke.radius, 0.0, 2 * math.pi)
             case Arc():
                 yield _round(stroke.centre, stroke.radius, stroke.start_angle, stroke.sweep)
+            case Curve():
+                yield sampled(stroke.pieces, SAG)
 
     def _covered(self, box: Box) -> tuple[slice, slice]:
         left, bottom, right, top = (max(int(side / CELL), 0) for side in box)
@@ -195,6 +198,8 @@ def _chains(stroke: Stroke) -> Iterator[Chain]:
             facet = 2 * math.acos(max(1 - SAG / radius, 0.0)) if radius > 0 else TURN
             count = max(math.ceil(stroke.sweep / facet), 1)
             yield [stroke.at(k / count) for k in range(count + 1)]
+        case Curve(pieces):
+            yield sampled(pieces, SAG)
         case Text():
             yield from _rungs(stroke)
 

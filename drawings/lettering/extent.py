@@ -6,8 +6,25 @@ import cmath
 import math
 
 from drawings.lettering.lettering import text_reach, text_width
-from drawings.paper.strokes import LEAN, TURN, Arc, Box, Circle, Fill, Group, Line, Polyline, SheetError, Stroke, Text
+from drawings.paper.strokes import (
+    LEAN,
+    TURN,
+    Arc,
+    Box,
+    Circle,
+    Curve,
+    Fill,
+    Group,
+    Line,
+    Polyline,
+    SheetError,
+    Stroke,
+    Text,
+)
 from drawings.paper.walk import flat
+from geometry.curve import sampled
+
+GRAIN = 0.01  # mm that a curve may reach beyond its box: a twentieth of the finest line
 
 
 def bounds(stroke: Stroke) -> Box:
@@ -26,6 +43,8 @@ def bounds(stroke: Stroke) -> Box:
             return _around((stroke.centre - reach, stroke.centre + reach))
         case Arc():
             return _around(_extremes(stroke))
+        case Curve(pieces):
+            return _around(sampled(pieces, GRAIN))
         case Text():
             return _around(_corners(stroke))
         case Group():

@@ -5,19 +5,25 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from drawings.measure.curvedata import Spots, curve
 from drawings.measure.pathdata import centre, number, numbers, trace
 from drawings.paper.limits import SheetRefused
 
-KINDS = ("vector", "point", "pole", "corner")
+KINDS = ("vector", "point", "pole", "corner", "profile")
+LINES = ("vector", "profile")  # kinds that are seen by their lines alone
 _PREFIX = "data-"
 
 
 class SheetMark(NamedTuple):
-    """A marked element: its data without "data-", and its two ends or its centre on paper (mm, y up)."""
+    """A marked element: its data without "data-", and its two ends or its centre on paper (mm, y up).
+
+    Of a profile its points are those of its pieces one after another; `parts` says how many each has.
+    """
 
     kind: str
     data: Mapping[str, str]
     points: tuple[complex, ...]
+    parts: tuple[int, ...] = ()
 
     @property
     def who(self) -> str:
@@ -42,9 +48,11 @@ def marked(attributes: Mapping[str, str]) -> dict[str, str]:
     return {name.removeprefix(_PREFIX): text for name, text in attributes.items() if name.startswith(_PREFIX)}
 
 
-def drawn(kind: str, tag: str, attributes: Mapping[str, str]) -> tuple[complex, ...]:
-    """Give the ends of a vector, or the centre of a round mark, in the element's own coordinates."""
-    return _ends(tag, attributes) if kind == "vector" else (_middle(tag, attributes),)
+def drawn(kind: str, tag: str, attributes: Mapping[str, str]) -> list[Spots]:
+    """Give the ends of a vector, the centre of a round mark, or the pieces of a profile, in the element's own place."""
+    if kind == "profile":
+        return curve(attributes.get("d", ""))
+    return [_ends(tag, attributes) if kind == "vector" else (_middle(tag, attributes),)]
 
 
 def _ends(tag: str, attributes: Mapping[str, str]) -> tuple[complex, ...]:

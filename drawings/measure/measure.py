@@ -7,16 +7,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, NamedTuple, TypeAlias
 
 from drawings.measure.marks import SheetMark
+from drawings.measure.measured import MarkKey, MeasuredPoint, MeasuredVector
+from drawings.measure.measured_profile import MeasuredProfile, profile
 from drawings.measure.pathdata import number, pair
 from drawings.measure.reader import read
 from drawings.measure.transform import STAY, Affine, placing
-from drawings.paper.limits import FORMAT, QUANTUM, SHEET_BYTES, STATED_DIGITS, SheetRefused
+from drawings.paper.limits import CURVE_QUANTUM, FORMAT, QUANTUM, SHEET_BYTES, STATED_DIGITS, SheetRefused
 from geometry.regular_file import regular_bytes
 
 CORNERS = 3
@@ -24,59 +25,6 @@ CORNERS = 3
 _POSITION = re.compile(r"-?[0-9]{1,9}")
 # The stated value and the scale are each rounded to this share of themselves at the most; arithmetic to far less.
 _STATED = 10.0 ** (1 - STATED_DIGITS)
-
-
-class MarkKey(NamedTuple):
-    """What a vector or point is called."""
-
-    plan: str
-    quantity: str
-    name: str
-    position: int | None = None
-
-
-@dataclass(frozen=True)
-class MeasuredMark:
-    """A mark of a sheet: what it is called, its value by measurement and as stated, in true units."""
-
-    plan: str
-    quantity: str
-    name: str
-    position: int | None
-    value: complex
-    stated: complex
-    unit: str
-    scale: float
-
-    @property
-    def key(self) -> MarkKey:
-        """What it is called."""
-        return MarkKey(self.plan, self.quantity, self.name, self.position)
-
-
-@dataclass(frozen=True)
-class MeasuredVector(MeasuredMark):
-    """A vector: its ends on the sheet (mm, y up)."""
-
-    start: complex
-    end: complex
-
-    @property
-    def reach(self) -> float:
-        """How far from the sheet's corner its ends are (mm), which its rounding is a share of."""
-        return abs(self.start) + abs(self.end)
-
-
-@dataclass(frozen=True)
-class MeasuredPoint(MeasuredMark):
-    """A point: its place on the sheet (mm, y up); its value is measured from the pole."""
-
-    at: complex
-
-    @property
-    def reach(self) -> float:
-        """How far from the sheet's corner it is (mm), which its rounding is a share of."""
-        return abs(self.at)
 
 
 class Measured(NamedTuple):
@@ -87,6 +35,7 @@ class Measured(NamedTuple):
     metadata: Mapping[str, Any] = MappingProxyType({})
     quantum: float = QUANTUM
     notes: tuple[str, ...] = ()
+    profiles: tuple[MeasuredProfile, ...] = ()
 
     @property
     def marks(self) -> tuple[MeasuredVector | MeasuredPoint, ...]:
@@ -127,6 +76,7 @@ def measure(source: bytes) -> Measured:
         metadata=sheet.metadata,
         quantum=_resolution(moved),
         notes=tuple(sheet.notes),
+        profiles=tuple(_profile(mark, poles, moved) for mark in marks if mark.kind == "profile"),
     )
 
 
@@ -137,12 +87,12 @@ def check(measured: Measured, tolerance: float | None = None, expected: Iterable
     """
     paper = measured.quantum if tolerance is None else tolerance
     wrong: list[Mismatch] = []
-    for mark in measured.marks:
+    for mark in (*measured.marks, *measured.profiles):
         allowed = (paper + _STATED * mark.reach) * mark.scale + _STATED * abs(mark.stated)
         right = abs(mark.value - mark.stated) <= allowed
         if not right:
             wrong.append(Mismatch(mark.key, mark.value, mark.stated, allowed))
-    seen = {mark.key for mark in measured.marks}
+    seen = {mark.key for mark in (*measured.marks, *measured.profiles)}
     return wrong + [Mismatch(key, None, None, 0.0) for key in expected if key not in seen]
 
 
@@ -188,15 +138,27 @@ def _vector(mark: SheetMark) -> MeasuredVector:
     return MeasuredVector(*own, (end - start) * scale, _stated(mark), mark.data.get("unit", ""), scale, start, end)
 
 
+def _profile(mark: SheetMark, poles: Mapping[tuple[str, int | None], _Pole], moved: Affine) -> MeasuredProfile:
+    """Give a profile; its pole is the cam's centre. An editor that moves a curve rounds it."""
+    resolution = CURVE_QUANTUM if moved == STAY else _resolution(moved)
+    return profile(mark, _pole(mark, poles)[0], _scale(mark), _stated(mark), resolution)
+
+
 def _point(mark: SheetMark, poles: Mapping[tuple[str, int | None], _Pole]) -> MeasuredPoint:
     plan, position = _place(mark)
-    pole = poles.get((plan, position)) or poles.get((plan, None))
-    if pole is None:
-        raise SheetRefused(f"{mark.who}: its plan has no pole to measure from")
+    pole = _pole(mark, poles)
     (at,), scale = mark.points, _scale(mark)
     own = (plan, _text(mark, "quantity"), _text(mark, "name"), position)
     value = (at - pole[0]) * scale + pole[1]
     return MeasuredPoint(*own, value, _stated(mark), mark.data.get("unit", ""), scale, at)
+
+
+def _pole(mark: SheetMark, poles: Mapping[tuple[str, int | None], _Pole]) -> _Pole:
+    plan, position = _place(mark)
+    pole = poles.get((plan, position)) or poles.get((plan, None))
+    if pole is None:
+        raise SheetRefused(f"{mark.who}: its plan has no pole to measure from")
+    return pole
 
 
 def _place(mark: SheetMark) -> tuple[str, int | None]:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Iterator
 from typing import NamedTuple
 
 from drawings.paper.limits import NUMERAL_LENGTH, PATH_COMMANDS, SheetRefused
@@ -29,6 +30,15 @@ class PathTrace(NamedTuple):
 
     points: tuple[complex, ...]
     straight: bool
+
+
+class PathStep(NamedTuple):
+    """One command of a path: its letter, its numbers, where it begins and ends."""
+
+    letter: str
+    values: list[float]
+    start: complex
+    end: complex
 
 
 def number(text: str) -> float:
@@ -79,7 +89,17 @@ def trace(path: str) -> PathTrace:
     ((1+1j), (3+1j), (3+5j))
     """
     points: list[complex] = []
-    straight, commands, place = True, 0, len(path) - len(path.lstrip(SPACE))
+    straight = True
+    for count, step in enumerate(steps(path)):
+        straight = straight and step.letter.upper() in _STRAIGHT and (step.letter not in "Mm" or count == 0)
+        if step.letter not in "Zz":
+            points.append(step.end)
+    return PathTrace(tuple(points), straight)
+
+
+def steps(path: str) -> Iterator[PathStep]:
+    """Follow path data command by command."""
+    commands, place = 0, len(path) - len(path.lstrip(SPACE))
     here = start = 0j
     letter = ""
     while place < len(path):
@@ -87,15 +107,11 @@ def trace(path: str) -> PathTrace:
         commands += 1
         if commands > PATH_COMMANDS or (commands == 1 and letter not in "Mm"):
             raise SheetRefused("a path has too many commands" if commands > 1 else "a path must begin with M")
-        straight = straight and letter.upper() in _STRAIGHT and (letter not in "Mm" or commands == 1)
         values, place = _arguments(path, place, letter)
-        here = _reached(letter, values, here, start)
-        if letter in "Mm":
-            start = here
-        if letter not in "Zz":
-            points.append(here)
+        end = _reached(letter, values, here, start)
+        yield PathStep(letter, values, here, end)
+        here, start = end, end if letter in "Mm" else start
         letter = {"M": "L", "m": "l"}.get(letter, letter)
-    return PathTrace(tuple(points), straight)
 
 
 def centre(traced: PathTrace) -> complex | None:

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 from xml.parsers import expat
 
-from drawings.measure.marks import SheetMark, called, drawn, marked
+from drawings.measure.marks import LINES, SheetMark, called, drawn, marked
 from drawings.measure.pathdata import pair
 from drawings.measure.transform import Affine, about, transform
 from drawings.measure.viewport import Viewport, viewport
@@ -191,21 +191,22 @@ class _Reader:
 
     def _mark(self, frame: _Frame, data: dict[str, str], attributes: Mapping[str, str], sheet: ReadSheet) -> None:
         kind, who = data["kind"], called(data)
-        if hidden := frame.look.hidden(filled=kind != "vector"):
+        if hidden := frame.look.hidden(filled=kind not in LINES):
             sheet.notes.append(f"{who} is not counted: {hidden}")
             return
-        if frame.refusal:
-            raise SheetRefused(f"{who}: {frame.refusal}")
+        if refusal := frame.refusal or ("it is stretched" if kind == "profile" and frame.to_paper.stretched else ""):
+            raise SheetRefused(f"{who}: {refusal}")
         self.path_length += len(attributes.get("d", ""))
         if self.path_length > limits.PATH_COMMANDS:
             raise OverLimit("the marked paths are too long for marks")
         try:
-            points = tuple(frame.to_paper(place) for place in drawn(kind, frame.tag, attributes))
+            shown = drawn(kind, frame.tag, attributes)
         except SheetRefused as refused:
             raise SheetRefused(f"{who}: {refused.reason}") from refused
+        points = tuple(frame.to_paper(place) for part in shown for place in part)
         if not all(abs(size) <= limits.REACH for point in points for size in (point.real, point.imag)):
             raise SheetRefused(f"{who} is off every paper")
-        sheet.marks.append(SheetMark(kind, data, points))
+        sheet.marks.append(SheetMark(kind, data, points, tuple(map(len, shown))))
 
     def _listen(self, tag: str, attributes: Mapping[str, str]) -> None:
         """Begin to hear the text of a style or of the description; an editor may add elements to the latter."""

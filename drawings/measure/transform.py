@@ -12,6 +12,7 @@ from drawings.measure.pathdata import GAP, SPACE, numbers
 from drawings.paper.limits import ELEMENT_TRANSFORMS, QUANTUM, REACH, SheetRefused
 
 _CALL = re.compile(rf"([A-Za-z]+)[{SPACE}]*\(([^()]*)\)")
+ROUNDED = 1e-6  # of a transform's numbers, as editors write them
 # A style sheet's transform carries units; px and deg are what the attribute means without them.
 _UNIT = re.compile(r"(?<=[0-9.])(?:px|deg)(?![a-z])")
 
@@ -40,6 +41,11 @@ class Affine(NamedTuple):
     def singular(self) -> bool:
         """Whether the plane falls onto a line or a point."""
         return abs(self.p) == abs(self.q)
+
+    @property
+    def stretched(self) -> bool:
+        """Whether a circle becomes an ellipse, by more than an editor's six digits."""
+        return min(abs(self.p), abs(self.q)) > ROUNDED * max(abs(self.p), abs(self.q))
 
 
 STAY = Affine()

@@ -10,6 +10,9 @@ from geometry.errors import DraftError
 DECIMALS = 4
 # The two ends of a vector are each rounded by half a last digit in x and in y: sqrt(2) digits together at the worst.
 QUANTUM = math.sqrt(2) * 10.0**-DECIMALS
+# A curve is measured between its points too: drawn at 1:10, it is rounded by a tenth of the usual tolerance of 1e-4 mm.
+CURVE_DECIMALS = 6
+CURVE_QUANTUM = math.sqrt(2) * 10.0**-CURVE_DECIMALS
 # Significant digits of a stated value: its rounding is far under QUANTUM, and float arithmetic far under its rounding.
 STATED_DIGITS = 12
 # Two divisions of a ruler's half millimetre (mm); a shorter force has no direction to the eye.

@@ -15,6 +15,7 @@ from functools import lru_cache
 from typing import Any, Literal, NamedTuple, TypeAlias
 
 from drawings.paper.limits import STATED_DIGITS
+from geometry.curve import Piece
 from geometry.errors import DraftError
 
 # Share of the size: how far the line of writing of a subscript or a superscript is lowered or raised.
@@ -98,6 +99,14 @@ class Fill(NamedTuple):
     style: LineStyle = INK
 
 
+class Curve(NamedTuple):
+    """A curve of cubics and arcs, each piece of which begins where the last one ends; a closed one comes back."""
+
+    pieces: tuple[Piece, ...]
+    closed: bool = False
+    style: LineStyle = PLAIN
+
+
 class Run(NamedTuple):
     """A piece of lettering on one line of writing: level 0 on it, -1 a subscript, +1 a superscript."""
 
@@ -135,8 +144,8 @@ class Text:
 class Group:
     """Strokes that belong together; `data` tells what they are and is written as data- attributes.
 
-    Kinds that can be measured ("vector", "point", "pole", "corner") carry their data on their first stroke, which is a
-    Line for a vector and a Circle for the others; every other kind carries them on the group.
+    Kinds that can be measured ("vector", "point", "pole", "corner", "profile") carry their data on their first stroke,
+    a Line for a vector, a Curve for a profile, a Circle for the others; every other kind carries them on the group.
     """
 
     strokes: tuple[Stroke, ...]
@@ -145,7 +154,7 @@ class Group:
     title: str = ""
 
 
-Stroke: TypeAlias = Line | Polyline | Arc | Circle | Fill | Text | Group
+Stroke: TypeAlias = Line | Polyline | Arc | Circle | Fill | Curve | Text | Group
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,11 +10,10 @@ from functools import lru_cache
 from drawings.paper.limits import DECIMALS, REACH
 from drawings.paper.strokes import SheetError
 
-_WHOLE = "." + "0" * DECIMALS
 _ZEROS = re.compile(r"0+(?![\d.!])")
 
 
-def numbers(template: str, values: Iterable[float]) -> str:
+def numbers(template: str, values: Iterable[float], decimals: int = DECIMALS) -> str:
     """Write coordinates into a template of `%s`: fixed decimals without needless zeros, no exponent, no -0.
 
     >>> numbers("M%s %sL%s %s", (10, -0.0, 1e-7, 100.25))
@@ -23,8 +22,8 @@ def numbers(template: str, values: Iterable[float]) -> str:
     values = tuple(values)
     if values and not (math.isfinite(sum(values)) and max(values) <= REACH and min(values) >= -REACH):
         raise SheetError(f"no place on paper: {[value for value in values if not abs(value) <= REACH][:2]} mm")
-    written = template.replace("%s", f"%.{DECIMALS}f") % values
-    return _ZEROS.sub("", written.replace(_WHOLE, "!").replace("-0!", "0!")).replace("!", "")
+    written = template.replace("%s", f"%.{decimals}f") % values
+    return _ZEROS.sub("", written.replace("." + "0" * decimals, "!").replace("-0!", "0!")).replace("!", "")
 
 
 @lru_cache(maxsize=1024)

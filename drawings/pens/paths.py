@@ -7,15 +7,17 @@ from collections.abc import Iterable
 from itertools import pairwise
 from typing import TypeAlias
 
-from drawings.paper.strokes import Arc, Fill, Line, Polyline
+from drawings.paper.limits import CURVE_DECIMALS
+from drawings.paper.strokes import Arc, Curve, Fill, Line, Polyline
 from drawings.pens.numerals import numbers
+from geometry.curve import CubicPiece, Piece
 
 Plain: TypeAlias = Line | Polyline | Arc | Fill
 
 # A flag that is rounded with the ends decides the wrong half of a large arc; a quarter turn leaves no doubt.
 _QUARTER = math.pi / 2
 # An arc's flags stand as one letter in a template, so that every zero before a gap there is a needless decimal.
-_FLAGS = ("F", "0 0 0 ")
+_FLAGS, _CLOCKWISE_FLAGS = ("F", "0 0 0 "), ("G", "0 0 1 ")
 
 
 def commands(strokes: Iterable[Plain], height: float) -> str:
@@ -25,6 +27,16 @@ def commands(strokes: Iterable[Plain], height: float) -> str:
     for stroke in strokes:
         _trace(stroke, height, template, values)
     return numbers("".join(template), values).replace(*_FLAGS)
+
+
+def curve(stroke: Curve, height: float) -> str:
+    """Give the commands of the path of a curve, with more decimals than other paths have."""
+    start = stroke.pieces[0].start
+    template, values = ["M%s %s"], [start.real, height - start.imag]
+    for piece in stroke.pieces:
+        _piece(piece, height, template, values)
+    written = numbers("".join(template) + "Z" * stroke.closed, values, CURVE_DECIMALS)
+    return written.replace(*_FLAGS).replace(*_CLOCKWISE_FLAGS)
 
 
 def _trace(stroke: Plain, height: float, template: list[str], values: list[float]) -> None:
@@ -46,6 +58,20 @@ def _trace(stroke: Plain, height: float, template: list[str], values: list[float
             for piece in range(1, pieces + 1):
                 end = stroke.at(piece / pieces)
                 values += (stroke.radius, stroke.radius, end.real, height - end.imag)
+
+
+def _piece(piece: Piece, height: float, template: list[str], values: list[float]) -> None:
+    """Add a piece of a curve to a path that has come to its start."""
+    if isinstance(piece, CubicPiece):
+        template.append("C%s %s %s %s %s %s")
+        for point in piece[1:]:
+            values += (point.real, height - point.imag)
+        return
+    count = max(1, math.ceil(abs(piece.sweep) / _QUARTER))
+    template.append(f"A%s %s {'F' if piece.sweep >= 0 else 'G'}%s %s" * count)
+    for share in range(1, count + 1):
+        end = piece.at(share / count)
+        values += (piece.radius, piece.radius, end.real, height - end.imag)
 
 
 def _counter_clockwise(points: tuple[complex, ...]) -> tuple[complex, ...]:

@@ -24,6 +24,7 @@ from drawings.paper.strokes import (
     RAISED,
     Arc,
     Circle,
+    Curve,
     Fill,
     Group,
     Leaf,
@@ -38,7 +39,7 @@ from drawings.pens.deferred import deferred
 from drawings.pens.letters import lettering
 from drawings.pens.names import Attributes, data_of, legal, own_ids
 from drawings.pens.numerals import number, numbers
-from drawings.pens.paths import Plain, commands
+from drawings.pens.paths import Plain, commands, curve
 
 # A sheet fetches no fonts from the web, and its paths are not checked by svgwrite: half of its import is for these.
 with deferred("urllib.request", "svgwrite.data.svgparser"):
@@ -49,7 +50,9 @@ with deferred("urllib.request", "svgwrite.data.svgparser"):
 FONTS = "'GOST type B','osifont','Liberation Sans Narrow','Arial Narrow','DejaVu Sans Condensed',sans-serif"
 EM = 1.4  # a font's size over the height of its capitals: 1.37 to 1.43 in the usual ones
 # The kinds that are measured, and the only stroke that can stand for each.
-BEARERS: dict[str, type[Line] | type[Circle]] = {"vector": Line, "point": Circle, "pole": Circle, "corner": Circle}
+BEARERS: dict[str, type[Line] | type[Circle] | type[Curve]] = {
+    "vector": Line, "point": Circle, "pole": Circle, "corner": Circle, "profile": Curve,
+}  # fmt: skip
 # svgwrite gives an element its maker's settings; without a maker it would set up a validator for each.
 _UNCHECKED = container.Group(debug=False)
 
@@ -147,6 +150,10 @@ def _one(stroke: Stroke, leaf: Leaf) -> Any:
             return _element(shapes.Circle, _at(("cx", "cy"), centre, height) | {"r": number(radius)} | _style(style))
         case Polyline() | Arc() | Fill():
             return _path((stroke,), stroke.style, height)
+        case Curve():
+            element = _element(path.Path, dict(_style(stroke.style)))
+            element.commands = [curve(stroke, height)]
+            return element
         case Text():
             return _letters(stroke, height) if leaf.lettering == "strokes" else _text(stroke, height)
         case Group():

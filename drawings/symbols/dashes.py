@@ -9,13 +9,15 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from itertools import pairwise
 
-from drawings.paper.strokes import Arc, Line, LineStyle, Polyline, Stroke
+from drawings.lettering.extent import GRAIN
+from drawings.paper.strokes import Arc, Curve, Line, LineStyle, Polyline, Stroke
+from geometry.curve import sampled
 
 DASHED, DASH_DOT = (2.0, 8.0), (5.0, 30.0)
 
 
 def fit_dashes(strokes: Iterable[Stroke]) -> Iterator[Stroke]:
-    """Fit the dashes of lines, chains and arcs to their lengths; strokes of full lines pass."""
+    """Fit the dashes of lines, chains, arcs and curves to their lengths; strokes of full lines pass."""
     for stroke in strokes:
         match stroke:
             case Line(start, end, style) if style.dash:
@@ -24,6 +26,9 @@ def fit_dashes(strokes: Iterable[Stroke]) -> Iterator[Stroke]:
                 yield stroke._replace(style=fit(style, radius * stroke.sweep))
             case Polyline(points, closed, style) if style.dash:
                 length = sum(abs(end - start) for start, end in pairwise((*points, points[0]) if closed else points))
+                yield stroke._replace(style=fit(style, length, closed))
+            case Curve(pieces, closed, style) if style.dash:
+                length = sum(abs(end - start) for start, end in pairwise(sampled(pieces, GRAIN)))
                 yield stroke._replace(style=fit(style, length, closed))
             case _:
                 yield stroke

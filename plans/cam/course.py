@@ -5,15 +5,26 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
 from plans.cam.laws import law_of
-from plans.model.cam import Cam, Phase
+from plans.cam.pieces import Pieces, bends
+from plans.model.cam import CUBICS, TABLE, Cam, Phase
 from plans.model.cam_motion import Shock, Travel
 from plans.model.motion import Floats
 
 ROUNDED = 1e-12  # of the largest value of its order: less is the rounding of a law's coefficients, and no shock
+
+
+class Stretch(NamedTuple):
+    """A phase over one piece of its law: its start, rad, the numbers of phase and piece, the share where it starts."""
+
+    start: float
+    phase: int
+    piece: int = 0
+    share: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -23,29 +34,47 @@ class Course:
     cam: Cam
 
     @cached_property
-    def _starts(self) -> Floats:
-        return np.array([one.start for one in self.cam.phases])
+    def stretches(self) -> tuple[Stretch, ...]:
+        """The pieces of all phases, in their order."""
+        return tuple(one for number, phase in enumerate(self.cam.phases) for one in _stretches(number, phase))
+
+    @cached_property
+    def _columns(self) -> tuple[Floats, Floats]:
+        """The starts of the stretches, and the rest of each by columns."""
+        rows = np.array(self.stretches)
+        return rows[:, 0], rows[:, 1:].T
 
     def at(self, turned: Floats, before: bool = False) -> Travel:
-        """Give S, S', S'' at turns of the cam from 0 to a whole one, (N,); at a joint after it, or before it."""
+        """Give S, S', S'' at turns of the cam from 0 to a whole one, (N,); at a joint after it, or before it.
+
+        Before the beginning of a turn is the end of the last one; a cam that translates has none before.
+        """
         phi = np.asarray(turned, dtype=float)
-        own = np.searchsorted(self._starts, phi, side="left" if before else "right") - 1
-        found = [np.empty_like(phi) for _ in range(3)]
+        if before and not self.cam.translates:
+            phi = np.where(phi == 0.0, self.cam.turn, phi)
+        starts, columns = self._columns
+        own = np.clip(np.searchsorted(starts, phi, side="left" if before else "right") - 1, 0, None)
+        (numbers, pieces, shares), gone = columns[:, own], phi - starts[own]
+        found = np.empty((3, len(phi)))
         for number, phase in enumerate(self.cam.phases):
-            here = np.clip(own, 0, None) == number
-            for order, values in enumerate(found):
-                values[here] = along(phase, phi[here], order, before)
+            here = numbers == number
+            found[:, here] = _follow(phase, pieces[here].astype(int), gone[here], shares[here])
         return Travel(*found)
 
     @cached_property
     def joints(self) -> tuple[float, ...]:
         """Where a phase or a piece of a law begins or ends, rad, rising from 0 to the whole turn."""
-        inner = (
-            phase.start + phase.angle * share
-            for phase in self.cam.moving()
-            for share in (law_of(phase.law).starts if phase.law else ())
-        )
-        return tuple(sorted({0.0, *inner, *(one.start for one in self.cam.phases), self.cam.turn}))
+        return tuple(sorted({0.0, *self._columns[0].tolist(), self.cam.turn}))
+
+    @cached_property
+    def corners(self) -> tuple[float, ...]:
+        """The ends of the phases, and the joints at which S'' jumps or has a corner, rad: no strip goes beyond one."""
+        return tuple(sorted({0.0, *(one.start for one in self.cam.phases), *self._bends(), self.cam.turn}))
+
+    def _bends(self) -> Iterator[float]:
+        for phase in self.cam.moving():
+            if phase.law is not None and (phase.law.name, phase.law.through) != (TABLE, CUBICS):
+                yield from (phase.start + phase.angle * share for share in bends(law_of(phase.law)))
 
     @cached_property
     def shocks(self) -> tuple[Shock, ...]:
@@ -53,31 +82,52 @@ class Course:
         return tuple(self._shocks())
 
     def _shocks(self) -> Iterator[Shock]:
-        joints = np.array(self.joints[:-1] if not self.cam.translates else self.joints)
-        after, before = self.at(joints), self.at(joints, before=True)
-        if self.cam.translates:
-            before = Travel(*(np.where(joints == 0.0, 0.0, one) for one in before))
-            after = Travel(*(np.where(joints == joints[-1], 0.0, one) for one in after))
-        else:
-            last = self.at(np.array([self.cam.turn]), before=True)
-            before = Travel(*(np.concatenate([own, one[1:]]) for own, one in zip(last, before, strict=True)))
-        for k, turned in enumerate(joints.tolist()):
-            jumps = [float(after[order][k] - before[order][k]) for order in (1, 2)]
-            real = [order for order in (1, 2) if abs(jumps[order - 1]) > ROUNDED * self._largest(order)]
+        joints, after, before = self._sides
+        largest = np.maximum(self._usual, np.maximum(np.abs(after), np.abs(before)).max(axis=1, initial=0.0))
+        for turned, jumps in zip(joints.tolist(), (after - before).T.tolist(), strict=True):
+            real = [order for order in (1, 2) if abs(jumps[order - 1]) > ROUNDED * largest[order - 1]]
             yield from (Shock(turned, order, jumps[order - 1]) for order in real[:1])
 
-    def _largest(self, order: int) -> float:
-        """Give the size of S' or S'' over the turn: lift over the angle of a phase, the largest."""
-        return max((abs(one.change) / one.angle**order for one in self.cam.moving()), default=0.0)
+    @property
+    def _usual(self) -> Floats:
+        """The size of S' and S'': the lift of a phase over its angle, and over the square of it, the largest."""
+        sizes = [(abs(one.change) / one.angle, abs(one.change) / one.angle**2) for one in self.cam.moving()]
+        return np.asarray(np.array([(0.0, 0.0), *sizes]).max(axis=0))
+
+    @property
+    def _sides(self) -> tuple[Floats, Floats, Floats]:
+        """Give the joints, once each, and S' and S'' after and before them, (2, N): rest beyond the ends of a cam."""
+        joints = np.array(self.joints if self.cam.translates else self.joints[:-1])
+        after, before = (np.array(self.at(joints, side)[1:]) for side in (False, True))
+        if self.cam.translates:
+            before[:, 0] = after[:, -1] = 0.0
+        return joints, after, before
 
 
-def along(phase: Phase, turned: Floats, order: int, before: bool = False) -> Floats:
-    """Give S or a derivative of it by the cam's turn within one phase, (N,)."""
+def _stretches(number: int, phase: Phase) -> Iterator[Stretch]:
     if phase.law is None:
-        return np.full_like(turned, phase.level if order == 0 else 0.0)
-    share = np.clip((turned - phase.start) / phase.angle, 0.0, 1.0)
-    value = law_of(phase.law).at(share, order, before)
-    return np.asarray((phase.level if order == 0 else 0.0) + phase.change / phase.angle**order * value)
+        yield Stretch(phase.start, number)
+        return
+    for piece, share in enumerate(law_of(phase.law).starts):
+        yield Stretch(phase.start + phase.angle * share, number, piece, share)
+
+
+def _follow(phase: Phase, pieces: Pieces, turned: Floats, shares: Floats) -> Floats:
+    """Give S, S', S'' within a phase, (3, N), by pieces of its law, turned rad since their starts at some shares."""
+    if phase.law is None:
+        return np.array([np.full_like(turned, phase.level), 0 * turned, 0 * turned])
+    gone = np.clip(turned / phase.angle, 0.0, 1.0 - shares)
+    rows = [phase.change / phase.angle**k * law_of(phase.law).of(pieces, gone, k) for k in range(3)]
+    return np.array([phase.level + rows[0], *rows[1:]])
+
+
+def knock(shock: Shock, speed: float) -> float:
+    """Give the size of a shock in time at a steady speed of the cam, rad/s: a jump of velocity or of acceleration.
+
+    >>> knock(Shock(0.0, 2, 0.5), 10.0)
+    50.0
+    """
+    return shock.jump * speed**shock.order
 
 
 def positions(cam: Cam) -> Floats:

@@ -6,13 +6,18 @@ going on where the last piece ended. All is in shares: of the phase across, of t
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 
 from plans.model.motion import Floats
+
+CORNER = 1e-9  # of the largest value of a derivative: what is less is the rounding of a law's coefficients
+Pieces = npt.NDArray[np.int_]  # numbers of pieces, (N,)
 
 
 class Push(NamedTuple):
@@ -30,15 +35,13 @@ class Piece(NamedTuple):
 
     start: float
     powers: tuple[float, ...]
-    size: float
-    rate: float
-    phase: float
+    size: float = 0.0
+    rate: float = 1.0
+    phase: float = 0.0
 
-    def at(self, gone: Floats, order: int) -> Floats:
+    def at(self, gone: float, order: int) -> float:
         """Give S or a derivative of it after a share of the phase from the start of the piece."""
-        powers = np.polynomial.polynomial.polyder(self.powers, order) if order else np.asarray(self.powers)
-        wave = self.size * self.rate**order * np.sin(self.rate * gone + self.phase + order * np.pi / 2)
-        return np.asarray(np.polynomial.polynomial.polyval(gone, powers) + wave)
+        return float(Shares((self,)).of(np.zeros(1, dtype=int), np.array([gone]), order)[0])
 
 
 @dataclass(frozen=True)
@@ -47,7 +50,7 @@ class Shares:
 
     pieces: tuple[Piece, ...]
 
-    @property
+    @cached_property
     def starts(self) -> tuple[float, ...]:
         """Where its pieces begin."""
         return tuple(piece.start for piece in self.pieces)
@@ -60,13 +63,40 @@ class Shares:
         ([0.125, 0.5], [4.0])
         """
         k = np.asarray(share, dtype=float)
-        own = np.clip(
-            np.searchsorted(np.array(self.starts), k, side="left" if before else "right") - 1, 0, len(self.pieces) - 1
-        )
-        found = np.empty_like(k)
-        for number, piece in enumerate(self.pieces):
-            found[own == number] = piece.at(k[own == number] - piece.start, order)
-        return found
+        starts = np.array(self.starts)
+        own = np.clip(np.searchsorted(starts, k, side="left" if before else "right") - 1, 0, len(starts) - 1)
+        return self.of(own, k - starts[own], order)
+
+    def of(self, own: Pieces, gone: Floats, order: int) -> Floats:
+        """Give s or a derivative, the third at most, of pieces by numbers, after shares from their starts, (N,)."""
+        size, rate, phase = (column[own] for column in self._waves)
+        wave = size * rate**order * np.sin(rate * gone + phase + order * np.pi / 2)
+        return np.asarray(_horner(self._powers[order][:, own], gone) + wave)
+
+    def gross(self, order: int) -> float:
+        """Give what the terms of s or a derivative add up to at the most, whatever their signs: rounding is a share."""
+        widths = np.diff([*self.starts, 1.0])
+        size, rate, _ = self._waves
+        return float(np.max(_horner(np.abs(self._powers[order]), widths) + np.abs(size) * rate**order))
+
+    @cached_property
+    def _waves(self) -> Floats:
+        return np.array([(one.size, one.rate, one.phase) for one in self.pieces]).T
+
+    @cached_property
+    def _powers(self) -> tuple[Floats, ...]:
+        """The coefficients of s and its derivatives by the power of the share gone, each (powers, pieces)."""
+        most = max(3, *(len(one.powers) for one in self.pieces))
+        rows = np.array([(*one.powers, *(0.0,) * (most - len(one.powers))) for one in self.pieces]).T
+        return tuple(np.polynomial.polynomial.polyder(rows, order) if order else rows for order in range(4))
+
+
+def _horner(powers: Floats, x: Floats) -> Floats:
+    """Sum powers of x, each with coefficients of its own, (powers, N)."""
+    total = np.zeros_like(x)
+    for row in powers[::-1]:
+        total = total * x + row
+    return total
 
 
 def shares(pushes: Iterable[Push], slope: float = 0.0) -> Shares:
@@ -80,8 +110,7 @@ def shares(pushes: Iterable[Push], slope: float = 0.0) -> Shares:
     for push in pushes:
         piece = _integrated(push, start, slope, level)
         pieces.append(piece)
-        end = np.array([push.length])
-        level, slope = float(piece.at(end, 0)[0]), float(piece.at(end, 1)[0])
+        level, slope = piece.at(push.length, 0), piece.at(push.length, 1)
         start += push.length
     return Shares(tuple(_scaled(pieces, 1 / level)))
 
@@ -90,11 +119,27 @@ def _integrated(push: Push, start: float, slope: float, level: float) -> Piece:
     """Integrate one piece twice, so that it begins with a slope and a level."""
     size = -push.size / push.rate**2
     own = Piece(start, (0.0,), size, push.rate, push.phase)
-    zero = np.zeros(1)
-    constants = (slope - float(own.at(zero, 1)[0]), level - float(own.at(zero, 0)[0]))
+    constants = (slope - own.at(0.0, 1), level - own.at(0.0, 0))
     powers = np.polynomial.polynomial.polyint(push.powers or (0.0,), 2, list(constants))
     return own._replace(powers=tuple(powers.tolist()))
 
 
 def _scaled(pieces: Sequence[Piece], by: float) -> Iterable[Piece]:
     return (one._replace(powers=tuple(by * c for c in one.powers), size=by * one.size) for one in pieces)
+
+
+def bends(law: Shares) -> Iterator[float]:
+    """Give where pieces of a law join with a jump of s' or s'', or a corner of s''.
+
+    >>> list(bends(shares([Push(0.25, (1.0,)), Push(0.25, (1.0,)), Push(0.5, (-1.0,))])))
+    [0.5]
+    """
+    joins = np.array(law.starts[1:])
+    numbers = np.arange(len(joins))
+    after, before = (
+        np.array([law.of(own, gone, order) for order in (1, 2, 3)])
+        for own, gone in ((numbers + 1, 0 * joins), (numbers, joins - np.array(law.starts[:-1])))
+    )
+    largest = np.maximum(np.abs(after), np.abs(before)).max(axis=1, initial=1.0, keepdims=True)
+    apart = np.abs(after - before) > CORNER * largest
+    yield from joins[apart.any(axis=0)].tolist()

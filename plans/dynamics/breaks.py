@@ -16,7 +16,7 @@ import numpy.typing as npt
 from plans.dynamics.reduction import Reduction
 from plans.forces.loading import working_of
 from plans.forces.stroke import ROUNDING, Stroke, asks
-from plans.linkage.assembly_limits import FAN, LOOKS, NODES, at_angles
+from plans.linkage.assembly_limits import NODES, at_angles, changes_of_sign
 from plans.model.dynamics import TURN
 from plans.model.machine import ALWAYS, BACKWARD, FORWARD, WORKING, Force, Moment
 from plans.model.motion import Floats, LinkMotion, Motion, PointMotion
@@ -104,7 +104,7 @@ def _passing(stroke: Stroke, share: float) -> Height:
 
 
 def _turning(link: int) -> Height:
-    return lambda motion: _moving_only(motion.links[link].omega, motion.links.values())
+    return lambda motion: _without_rounding(motion.links[link].omega, motion.links.values())
 
 
 def _parting(force: Force) -> Height:
@@ -115,12 +115,12 @@ def _parting(force: Force) -> Height:
     def height(motion: Motion) -> Floats:
         along = motion.points[end].r - motion.points[start].r
         parting = np.asarray((along.conj() * (motion.points[own].v - motion.points[far].v)).real)
-        return _moving_only(parting / np.abs(along), motion.points.values())
+        return _without_rounding(parting / np.abs(along), motion.points.values())
 
     return height
 
 
-def _moving_only(speed: Floats, motions: Collection[PointMotion | LinkMotion]) -> Floats:
+def _without_rounding(speed: Floats, motions: Collection[PointMotion | LinkMotion]) -> Floats:
     """Give no speed at all where it is but rounding over the whole turn: what does not move does not reverse."""
     fastest = max(float(np.nanmax(np.abs(one[1]), initial=0.0)) for one in motions)
     return speed if np.nanmax(np.abs(speed), initial=0.0) > ROUNDING * fastest else np.zeros_like(speed)
@@ -154,20 +154,8 @@ def _zeros(reduction: Reduction, level: Level) -> Floats:
     nodes = np.asarray(step * (np.arange(NODES + 1) - 0.5), dtype=np.float64)
     above = level.height(_motion(reduction, nodes)) >= 0
     low = nodes[:-1][above[1:] != above[:-1]]
-    high = low + step
-    for _ in range(LOOKS if low.size else 0):
-        low, high = _closer(reduction, level, low, high)
-    found = np.asarray((low + high) / 2)
+    found = changes_of_sign(lambda turned: level.height(_motion(reduction, turned)), low, low + step)
     return found[level.counts(_motion(reduction, found))]
-
-
-def _closer(reduction: Reduction, level: Level, low: Floats, high: Floats) -> tuple[Floats, Floats]:
-    fan: Floats = np.linspace(low, high, FAN)
-    above = level.height(_motion(reduction, fan.ravel())).reshape(fan.shape) >= 0
-    changed = above != above[0]
-    change = np.where(changed.any(axis=0), np.argmax(changed, axis=0), FAN - 1)
-    each = np.arange(len(low))
-    return fan[change - 1, each], fan[change, each]
 
 
 def _distinct(places: Floats) -> Floats:

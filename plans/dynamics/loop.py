@@ -54,8 +54,7 @@ def loop(cycle: Cycle, task: Task) -> Loop:
     assert task.delta is not None  # asked before
     board, (low, high) = Board(LOOP), slopes(task.speed, task.delta)
     start = board.given("o_1", 0j, because("loop_origin"))
-    axis = board.given("T", 1j, because("energy_axis"))
-    axis = board.parallel("T", start, axis, because("energy_axis"))
+    axis = board.parallel("T", start, board.given("μ_T", 1j, because("energy_axis")), because("energy_axis"))
     varying, surplus, names = cycle.varying, cycle.surplus, edge_names(cycle.turned, task.divisions)
     points = tuple(
         board.given(name, complex(x, y), because("loop_point"))

@@ -6,7 +6,7 @@ beyond it there is no meeting. A margin that only touches zero is a change point
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import cached_property
 
 import numpy as np
@@ -40,6 +40,18 @@ DEEP, SHALLOW = 0.5, 0.01
 def at_angles(phi: Floats) -> CrankPositions:
     """Take any crank angles, rad, for a turn."""
     return CrankPositions(phi, np.exp(1j * phi))
+
+
+def changes_of_sign(height: Callable[[Floats], Floats], low: Floats, high: Floats) -> Floats:
+    """Close in on one change of sign between each two crank angles, rad, by fans of angles, all of them together."""
+    for _ in range(LOOKS if low.size else 0):
+        fan: Floats = np.linspace(low, high, FAN)
+        above = height(fan.ravel()).reshape(fan.shape) >= 0
+        changed = above != above[0]
+        change = np.where(changed.any(axis=0), np.argmax(changed, axis=0), FAN - 1)
+        each = np.arange(len(low))
+        low, high = fan[change - 1, each], fan[change, each]
+    return np.asarray((low + high) / 2)
 
 
 class Sweep:

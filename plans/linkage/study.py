@@ -180,12 +180,13 @@ class LinkageStudy:
             return even(Fraction(drive.first), drive.positions, self.sense)
         if self.extreme_positions is None:
             line, _ = self.scene.place(("drive", "start"))
-            raise NoExtreme(placed(f"{self.scene.file}:{line}", self._no_extreme()))
+            raise NoExtreme(placed(f"{self.scene.file}:{line}", self.no_extreme()))
         return from_direction(
             self.extreme_positions.directions[0], self.extreme_positions.extremes.phi[0], drive.positions, self.sense
         )
 
-    def _no_extreme(self) -> Message:
+    def no_extreme(self) -> Message:
+        """Say why the output has no extreme positions."""
         if self.assembly.phi is None:
             return message("extreme.unassembled", why=obstruction(self.sweep))
         why = obstruction(self.sweep) if self.barriers else message("extreme.turns")

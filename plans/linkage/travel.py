@@ -7,7 +7,7 @@ from functools import cached_property
 import numpy as np
 
 from geometry.meet import dot
-from plans.linkage.assembly_limits import FAN, LOOKS, NODES, Sweep, at_angles
+from plans.linkage.assembly_limits import FAN, LOOKS, NODES, Sweep, at_angles, changes_of_sign
 from plans.linkage.crank_positions import CrankPositions
 from plans.model.mechanism import FRAME, Mechanism, Output, Parting, Slide
 from plans.model.motion import Complexes, Floats, Motion, PointMotion
@@ -95,9 +95,8 @@ class Travel:
         low, high = nodes[turns], nodes[turns] + step
         for between in self._touches(nodes, speeds):
             low, high = np.append(low, (between - step, between)), np.append(high, (between, between + step))
-        for _ in range(LOOKS if turns.size else 0):
-            low, high = self._closer(low, high)
-        return np.asarray(np.mod((low + high) / 2, 2 * np.pi))
+        places = changes_of_sign(lambda phi: self.speed(at_angles(phi)), low, high)
+        return np.asarray(np.mod(places, 2 * np.pi))
 
     def _touches(self, nodes: Floats, speeds: Floats) -> list[float]:
         """Find where the speed goes through zero and back between two nodes: two rests less than a node apart."""
@@ -121,12 +120,3 @@ class Travel:
                 return float(fan[least])
             low, high = fan[max(least - 1, 0)], fan[min(least + 1, FAN - 1)]
         return None
-
-    def _closer(self, low: Floats, high: Floats) -> tuple[Floats, Floats]:
-        """Look closer at every change of sign between two angles, at all of them together."""
-        fan = np.linspace(low, high, FAN)
-        rising = self.speed(at_angles(fan.ravel())).reshape(fan.shape) >= 0
-        changed = rising != rising[0]
-        change = np.where(changed.any(axis=0), np.argmax(changed, axis=0), FAN - 1)
-        each = np.arange(len(low))
-        return fan[change - 1, each], fan[change, each]

@@ -36,6 +36,9 @@ LAWS = (
 )
 TABLE, SHAPE = "table", "shape"  # laws that the user gives: by S over φ, by the shape of the acceleration
 LINES, CUBICS = "lines", "cubics"  # what joins the points of a table
+# What smoothing is meant: a table's curve is the least of softness * (integral of s''^2) + (sum of squared departures)
+# that departs by its tolerance at most, of these softnesses the greatest; each is 2 ** 0.25 times the one before.
+SOFTNESSES = tuple(2.0 ** (k / 4) for k in range(-240, 41))
 
 
 class Law(NamedTuple):
@@ -74,7 +77,8 @@ class Follower(NamedTuple):
     """The follower (толкатель): how it moves, what touches the cam, its sizes m.
 
     `sense` of one that rocks is +1 where it turns on the rise as the cam does, -1 against it. `length` is from its
-    pivot to its tip or its roller's centre. `face` is how far a flat one that rocks stands before its pivot.
+    pivot to its tip or its roller's centre. `face` is how far a flat one that rocks stands before its pivot. `reach` is
+    how far a flat face goes to both sides of its axis, of one that rocks from under its pivot; None: as far as need be.
     """
 
     motion: str
@@ -82,6 +86,7 @@ class Follower(NamedTuple):
     length: float | None = None
     sense: int = 1
     face: float = 0.0
+    reach: float | None = None
 
 
 class Limits(NamedTuple):
@@ -114,6 +119,7 @@ class Load(NamedTuple):
 
 
 NO_LIMITS, NO_SIZES = Limits(), GivenSizes()
+BOOK_LIMITS = {TRANSLATING: math.radians(30), ROCKING: math.radians(45)}  # 5.9.3
 
 
 @dataclass(frozen=True)
@@ -164,3 +170,29 @@ class Cam:
     def moving(self) -> Iterator[Phase]:
         """Give the phases over which the follower moves."""
         return (one for one in self.phases if one.kind != DWELL)
+
+    @property
+    def sized(self) -> bool:
+        """Whether no main size is left to be found."""
+        if self.translates:
+            return True
+        other = self.given.centre if self.rocks else self.given.offset
+        return self.given.base is not None and (other is not None or (not self.rocks and (self.flat or self.unlimited)))
+
+    @property
+    def unlimited(self) -> bool:
+        """Whether the scene limits no pressure angle."""
+        return self.limits.rise is None and self.limits.back is None
+
+
+def limits_of(cam: Cam) -> Limits:
+    """Give the limits that sizes are found for: the book's where the scene has none.
+
+    A spring drives the return, so that closure by force limits the rise alone. Sizes that are given are held to the
+    limits of the scene alone.
+    """
+    own = cam.limits._replace(back=None) if cam.closure == FORCE else cam.limits
+    if cam.sized or cam.flat:
+        return own
+    usual = BOOK_LIMITS[cam.follower.motion]
+    return own._replace(rise=own.rise or usual, back=None if cam.closure == FORCE else own.back or usual)

@@ -77,14 +77,31 @@ class Extreme(NamedTuple):
 class Flaw(NamedTuple):
     """What is wrong with a cam from one turn to another: its kind, the worst value there and where that is.
 
-    Kinds: "undercut" (loop or cusp: the roller is larger than the pitch curve's radius), "crossing", "concave" (under a
-    flat face), "pressure" (angle beyond the limit), "short face", "lift-off" (the spring does not hold).
+    Kinds: "undercut" (the roller is larger than the pitch curve's radius; a cusp or a corner where it ends at the turn
+    at which it starts), "hollow" (likewise on the outer side of a groove), "crossing" (at both turns the profile is at
+    one point), "concave" (under a flat face) and "sharp" (less than the radius asked for), "pressure" (angle beyond the
+    limit), "short face", "lift-off" (the spring does not hold). One that goes on over the end of the turn starts late
+    and ends early. The worst of the first two, of "concave" and of "sharp" is a radius, of a crossing how much of S is
+    lost where the loop is cut away, of a short face how far contact goes, of a lift-off a force.
     """
 
     kind: str
     start: float
     end: float
     worst: Extreme
+
+
+class Pressing(NamedTuple):
+    """What presses the follower on the cam, without friction (прижатие): extremes of the force along the normal, N.
+
+    `wear` is the greatest force times sliding speed, W; `preload` that of the spring, N or N*m, which would just hold
+    the follower on the cam.
+    """
+
+    least: Extreme
+    most: Extreme
+    wear: Extreme
+    preload: float
 
 
 @dataclass(frozen=True)
@@ -102,3 +119,5 @@ class CamFound:
     hollow: Extreme | None = None  # smallest concave one by size, m, below 0; None: convex throughout
     face: tuple[float, float] = (0.0, 0.0)  # m: how far contact goes to both sides of a flat follower's axis or pin
     flaws: tuple[Flaw, ...] = ()
+    rule: str = "given"  # that the roller was taken by: "given", "curvature", "wear"
+    pressing: Pressing | None = None  # None: no load or no speed

@@ -26,12 +26,19 @@ def _mark(scene: Scene) -> Iterator[Fault]:
 def _unused(scene: Scene, asked: Iterable[str]) -> Iterator[Fault]:
     """Find what only techniques need of which no sheet is wanted."""
     paced = (name for name, row in TECHNIQUES.items() if row.pace and any(map(scene.has, _shared(row))))
-    used = reading([*map(technique_of, scene.sheets), *asked, *paced])
+    wanted_by = [*map(technique_of, scene.sheets), *asked, *paced]
+    used = reading([*wanted_by, *(other for name in wanted_by for other in asked_by(scene, name))])
     for technique in (TECHNIQUES[name] for name in scene.techniques if name not in used):
         wanted = ", ".join(f'"{sheet}"' for sheet in (*scene.sheets, next(iter(technique.sheets))))
         keys: list[Path] = [(name,) for name in technique.tables]
         keys += _shared(technique)
         yield from (scene.fault(path, "unused", wanted=wanted) for path in keys if scene.has(path))
+
+
+def asked_by(scene: Scene, technique: str) -> Iterable[str]:
+    """Name the techniques that the values of a scene's part in one refer to."""
+    asks = TECHNIQUES[technique].asks
+    return (other for other in named(asks)(scene) if other in TECHNIQUES) if asks else ()
 
 
 def _shared(technique: Technique) -> list[Path]:

@@ -5,9 +5,10 @@ A key is stated once, in the body of its table: its field, its default, what it 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from copy import copy
 from functools import cache
+from keyword import iskeyword
 from typing import Any, ClassVar, Final, NamedTuple, TypeAlias, TypeVar
 
 from plans.scene.faults import Path, Wrong
@@ -58,12 +59,12 @@ class Table:
     given: frozenset[str]  # the keys that the file has
 
     def __init_subclass__(cls) -> None:
-        own = {name: key for name, key in vars(cls).items() if isinstance(key, Key)}
+        own = {name.removesuffix("_"): key for name, key in vars(cls).items() if isinstance(key, Key)}
         cls.keys = own | {name: key for name, key in cls.keys.items() if name not in own}
 
     def __init__(self, **values: Any) -> None:
         for name, known in self.keys.items():
-            vars(self)[name] = values.get(name, known.default)
+            vars(self)[attribute(name)] = values.get(name, known.default)
         vars(self)["given"] = frozenset(values)
 
     def changed(self: T, **values: Any) -> T:
@@ -94,12 +95,25 @@ class Table:
         raise AttributeError(f"{type(self).__name__} is frozen")
 
     def __eq__(self, other: object) -> bool:
-        return type(other) is type(self) and all(getattr(self, name) == getattr(other, name) for name in self.keys)
+        return type(other) is type(self) and all(a == b for a, b in zip(self._values(), other._values(), strict=True))
 
     __hash__ = None  # type: ignore[assignment]  # a table holds dictionaries
 
     def __repr__(self) -> str:
-        return f"{type(self).__name__}({', '.join(f'{name}={getattr(self, name)!r}' for name in self.keys)})"
+        pairs = zip(self.keys, self._values(), strict=True)
+        return f"{type(self).__name__}({', '.join(f'{name}={value!r}' for name, value in pairs)})"
+
+    def _values(self) -> Iterator[Any]:
+        return (getattr(self, attribute(name)) for name in self.keys)
+
+
+def attribute(name: str) -> str:
+    """Give the attribute of a table that holds a key: a word of Python's own has a line behind it.
+
+    >>> attribute("return"), attribute("rise")
+    ('return_', 'rise')
+    """
+    return f"{name}_" if iskeyword(name) else name
 
 
 Kinds: TypeAlias = tuple[type[Table], ...]  # what is read of one table of the file: each kind takes its own keys

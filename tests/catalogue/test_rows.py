@@ -20,7 +20,7 @@ SCENES = [*HERE.glob("*.toml"), *(HERE / "commands").glob("*.toml")]
 
 def row(text: str) -> str:
     """Give the row that a name begins with: A7 for a07_other_encoding, A7 in words, test_a7_other_encoding."""
-    match = re.match(r"(?:test_)?([A-GJKa-gjk])0*(\d+)[ _]", text)
+    match = re.match(r"(?:test_)?([A-HJKa-hjk])0*(\d+)[ _]", text)
     return f"{match[1].upper()}{match[2]}" if match else ""
 
 
@@ -62,4 +62,4 @@ def test_no_case_is_named_after_a_row_that_is_none() -> None:
 
 def test_the_catalogue_is_whole() -> None:
     counts = Counter(name[0] for name in ROWS)
-    assert counts == {"A": 24, "B": 26, "C": 14, "D": 16, "E": 24, "F": 8, "G": 14, "J": 7, "K": 20}
+    assert counts == {"A": 24, "B": 26, "C": 14, "D": 16, "E": 24, "F": 8, "G": 14, "H": 13, "J": 7, "K": 20}

@@ -10,8 +10,9 @@ from shapely import LineString, MultiLineString, Polygon, STRtree
 from shapely.geometry.base import BaseGeometry
 
 from drawings.lettering.lettering import outline
-from drawings.paper.strokes import Arc, Circle, Fill, Leaf, Line, Polyline, Stroke, Text
+from drawings.paper.strokes import Arc, Circle, Curve, Fill, Leaf, Line, Polyline, Stroke, Text
 from drawings.paper.walk import flat
+from geometry.curve import sampled
 
 LEAST = 0.1  # mm between the ink of a letter and any other ink: what a pen of 0.2 mm leaves of a clear gap
 CHORDS = 64  # of a whole circle; on 100 mm of radius the chords miss it by 0.12 mm
@@ -43,6 +44,8 @@ def ink(stroke: Stroke) -> Ink:
             return Ink(LineString(_pairs(stroke.points, stroke.closed)), stroke.style.width / 2)
         case Fill():
             return Ink(Polygon(_pairs(stroke.points)))
+        case Curve(pieces):
+            return Ink(LineString(_pairs(tuple(sampled(pieces, LEAST / 2)))), stroke.style.width / 2)
         case Circle():
             round_ = Arc(stroke.centre, stroke.radius, 0.0, 2 * math.pi, stroke.style)
             ring = LineString(_pairs(tuple(round_.at(k / CHORDS) for k in range(CHORDS + 1))))

@@ -17,7 +17,8 @@ from drawings.figures.dynamics.strips import MARKED, strips
 from drawings.figures.dynamics.tangent import Tangent
 from drawings.figures.graphs.axes import BEYOND, Axes
 from drawings.lettering.lettering import lettered
-from drawings.measure.measure import Measured, MeasuredVector, check, measure
+from drawings.measure.measure import Measured, check, measure
+from drawings.measure.measured import MeasuredVector
 from drawings.page.drafting import drafting_of
 from drawings.page.scale import Scale
 from drawings.paper.strokes import Circle, Group, Leaf, Line, Text

@@ -13,7 +13,8 @@ from drawings.figures.forces.force_polygon import ForcePolygon, draw, polygon
 from drawings.figures.forces.force_polygon import measure as room_of
 from drawings.layout.parallel_offsets import merging, offset, parallel_offsets
 from drawings.lettering.extent import bounds
-from drawings.measure.measure import Measured, MeasuredVector, check, measure
+from drawings.measure.measure import Measured, check, measure
+from drawings.measure.measured import MeasuredVector
 from drawings.page.drafting import Drafting
 from drawings.page.page import Field
 from drawings.paper.hand import hand_of

@@ -12,7 +12,8 @@ from hypothesis import strategies as st
 
 from drawings.measure import pathdata
 from drawings.measure.marks import KINDS
-from drawings.measure.measure import MarkKey, check, measure, measure_file
+from drawings.measure.measure import check, measure, measure_file
+from drawings.measure.measured import MarkKey
 from drawings.measure.transform import Affine, transform
 from drawings.paper.limits import QUANTUM, SheetRefused
 from drawings.paper.strokes import Circle, Fill, Group, Leaf, Line, numeral, stated

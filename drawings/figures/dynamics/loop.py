@@ -10,10 +10,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from drawings.figures.dynamics.curves import Dense
-from drawings.figures.dynamics.part import OVER, Letter, Part
 from drawings.figures.dynamics.strips import Strips
 from drawings.figures.dynamics.tangent import DOT, LOOP, PAPER, Tangent
 from drawings.figures.graphs.axes import BEYOND, Axes
+from drawings.figures.graphs.part import OVER, Letter, Part
 from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Circle, Group, Polyline, Stroke

@@ -14,10 +14,10 @@ from typing import NamedTuple
 from drawings.figures.dynamics import equations, quantities
 from drawings.figures.dynamics.curves import Dense, dense
 from drawings.figures.dynamics.loop import Loop
-from drawings.figures.dynamics.part import wide
 from drawings.figures.dynamics.strips import Strips, strips
 from drawings.figures.dynamics.tangent import TAIL
 from drawings.figures.graphs.axes import BEYOND
+from drawings.figures.graphs.part import wide
 from drawings.layout.picture import Margins, Picture
 from drawings.layout.table import RuledTable, Setting
 from drawings.page.drafting import Drafting

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from drawings.figures.dynamics.curves import Dense
-from drawings.figures.dynamics.part import OVER, RIGHT, UNDER
 from drawings.figures.dynamics.strip_graph import StripGraph, Trace
+from drawings.figures.graphs.part import OVER, RIGHT, UNDER
 from plans.model.dynamics import TURN, Cycle, Speeds
 from plans.model.motion import Floats
 

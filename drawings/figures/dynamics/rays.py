@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from drawings.figures.dynamics.part import LEFT, UNDER, Letter, Part
-from drawings.figures.dynamics.strips import chosen, middles
-from drawings.figures.graphs.axes import Axes
+from drawings.figures.dynamics.strips import middles
+from drawings.figures.graphs.axes import Axes, chosen
+from drawings.figures.graphs.part import LEFT, UNDER, Letter, Part
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Line, Stroke
 from drawings.symbols.dimension import Dimension

@@ -9,9 +9,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.figures.dynamics.part import Letter, Part
 from drawings.figures.dynamics.strips import Strips
 from drawings.figures.graphs.axes import BEYOND, Axes
+from drawings.figures.graphs.part import Letter, Part
 from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Circle, Group, Line, LineStyle, Polyline, Stroke

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection
 from typing import NamedTuple
 
 import numpy as np
@@ -77,16 +77,3 @@ def _jumps(cycle: Cycle) -> tuple[int, ...]:
 def middles(turned: Floats) -> Floats:
     """Give the middles of the strips, rad."""
     return (turned[1:] + turned[:-1]) / 2
-
-
-def chosen(values: Sequence[float], apart: float) -> tuple[int, ...]:
-    """Choose the places of values that lie apart from one another.
-
-    >>> chosen([1.0, 1.2, 3.0, 2.9], 0.5)
-    (0, 2)
-    """
-    kept: list[int] = []
-    for k, value in enumerate(values):
-        if all(abs(value - values[other]) >= apart for other in kept):
-            kept.append(k)
-    return tuple(kept)

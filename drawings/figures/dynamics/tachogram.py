@@ -7,8 +7,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from drawings.figures.dynamics.part import OVER, UNDER, Letter, Part
 from drawings.figures.graphs.axes import BEYOND, Axes
+from drawings.figures.graphs.part import OVER, UNDER, Letter, Part
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot
 from drawings.lettering.lettering import text_width

@@ -7,8 +7,8 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from drawings.figures.dynamics.part import LEFT, OVER, UNDER, Letter
 from drawings.figures.graphs.axes import BEYOND, Axes
+from drawings.figures.graphs.part import LEFT, OVER, UNDER, Letter
 from drawings.page.scale import Scale
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Arc, Circle, Group, Line, Polyline, Stroke

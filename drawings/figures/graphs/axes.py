@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from drawings.page.scale import Scale
@@ -50,3 +50,16 @@ def every(least: float, whole: int) -> int:
     """
     first = max(math.ceil(least), 1)
     return next((step for step in range(first, 2 * first) if whole % step == 0), first)
+
+
+def chosen(values: Sequence[float], apart: float) -> tuple[int, ...]:
+    """Choose the places of values that lie apart from one another.
+
+    >>> chosen([1.0, 1.2, 3.0, 2.9], 0.5)
+    (0, 2)
+    """
+    kept: list[int] = []
+    for k, value in enumerate(values):
+        if all(abs(value - values[other]) >= apart for other in kept):
+            kept.append(k)
+    return tuple(kept)

@@ -39,7 +39,20 @@ def stroke(bones: Skeletons, place: Place, hand: Hand, language: str, ink: Ink) 
         return []
     pins = [place.on(complex(value)) for value in bones.extremes.points[out.point or slide.point]]
     first, last = sorted(pins, key=lambda pin: (round(pin.real, 6), pin.imag))
-    text = f"H = {fixed(1000 * travel.extremes.stroke, language)}".rstrip("0").rstrip(".,")
+    text = f"H = {length(travel.extremes.stroke, language)}"
+    return clearest((first, last), text, bones, place, hand, ink)
+
+
+def length(size: float, language: str) -> str:
+    """Write a length m in millimetres, of two decimals those that are not zero."""
+    return fixed(1000 * size, language).rstrip("0").rstrip(".,")
+
+
+def clearest(
+    ends: tuple[complex, complex], text: str, bones: Skeletons, place: Place, hand: Hand, ink: Ink
+) -> list[Stroke]:
+    """Dimension the way between two places on paper, on the side and as far off as is clearest."""
+    first, last = ends
     room = _room([place.on(value) for value in bones.points])
     best: list[Stroke] = []
     cheapest = math.inf

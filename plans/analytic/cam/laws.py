@@ -7,7 +7,8 @@ from typing import Final
 
 import numpy as np
 
-from plans.model.cam import Cam, Law, Phase
+from plans.analytic.cam.tables import GIVEN
+from plans.model.cam import CUBICS, SHAPE, TABLE, Cam, Law, Phase
 from plans.model.cam_motion import Travel
 from plans.model.motion import Floats
 
@@ -38,17 +39,17 @@ def _sine(_: Law, k: Floats, order: int, before: bool) -> Floats:
     return np.asarray((k - np.sin(x) / (2 * PI), 1 - np.cos(x), 2 * PI * np.sin(x))[order])
 
 
-def _p345(_: Law, k: Floats, order: int, before: bool) -> Floats:
+def _p345(k: Floats, order: int) -> Floats:
     return (k**3 * (10 - 15 * k + 6 * k**2), 30 * k**2 * (1 - k) ** 2, 60 * k * (1 - k) * (1 - 2 * k))[order]
 
 
-def _p4567(_: Law, k: Floats, order: int, before: bool) -> Floats:
+def _p4567(k: Floats, order: int) -> Floats:
     s = k**4 * (35 - 84 * k + 70 * k**2 - 20 * k**3)
     return (s, 140 * k**3 * (1 - k) ** 3, 420 * k**2 * (1 - k) ** 2 * (1 - 2 * k))[order]
 
 
 def _half(first: Callable[[Floats, int], Floats]) -> Closed:
-    """Give a law of which the second half is the first one turned about the middle."""
+    """Give a law of which the second half is the first one turned about the middle, so that its end loses no digit."""
 
     def whole(_: Law, k: Floats, order: int, before: bool) -> Floats:
         early = first(np.minimum(k, 1 - k), order)
@@ -99,21 +100,43 @@ LAWS: Final[Mapping[str, Closed]] = {
     "constant acceleration": _acceleration,
     "cosine": _cosine,
     "sine": _sine,
-    "3-4-5": _p345,
-    "4-5-6-7": _p4567,
+    "3-4-5": _half(_p345),
+    "4-5-6-7": _half(_p4567),
     "trapezoid": _half(_trapezoid),
     "modified trapezoid": _half(_modified_trapezoid),
     "modified sine": _half(_modified_sine),
+    **GIVEN,
 }
+SLACK: Final = 4 * float(np.finfo(np.float64).eps)  # roundings of a place on the turn by which it may miss its share
+
+
+def breaks(law: Law) -> tuple[float, ...]:
+    """Give the shares of a phase, within it, at which the closed form of its law changes by a jump."""
+    if law.name == "constant acceleration":
+        return (law.first,)
+    if law.name == SHAPE or (law.name == TABLE and law.through != CUBICS):
+        return tuple(sorted({share for share, _ in law.points if 0 < share < 1}))
+    return ()
+
+
+def limits(law: Law, share: float, order: int, before: bool) -> float:
+    """Give the limit of s, s' or s'' at a share of the phase, from before it or from after it."""
+    return float(LAWS[law.name](law, np.array([share]), order, before)[0])
 
 
 def travel(cam: Cam, turned: Floats, before: bool = False) -> Travel:
-    """Give S, S', S'' at turns of the cam, (N,); where two laws meet those of the later one, or of the one before."""
+    """Give S, S', S'' at turns of the cam, (N,); where two laws meet those of the later one, or of the one before.
+
+    Before the beginning of a turn is the end of the last one; a cam that translates has none before.
+    """
     phi = np.asarray(turned, dtype=float)
+    if before:
+        phi = np.where(phi == 0.0, 0.0 if cam.translates else cam.turn, phi)
     found = np.zeros((3, len(phi)))
     for phase in cam.phases:
         here = (phase.start < phi) & (phi <= phase.end) if before else (phase.start <= phi) & (phi < phase.end)
         here |= (phi == phase.end) & (phase is cam.phases[-1])
+        here |= (phi == 0.0) & (phase is cam.phases[0])
         found[:, here] = _within(phase, phi[here], before)
     return Travel(*found)
 
@@ -122,7 +145,15 @@ def _within(phase: Phase, phi: Floats, before: bool) -> Floats:
     """Give S, S', S'' within a phase, (3, N): those of a return fall from the lift by 1 - s."""
     if phase.law is None:
         return np.array([np.full_like(phi, phase.level), 0 * phi, 0 * phi])
-    k, closed = (phi - phase.start) / phase.angle, LAWS[phase.law.name]
+    k, closed = _shares(phase, phase.law, phi), LAWS[phase.law.name]
     found = [closed(phase.law, k, order, before) for order in range(3)]
     rows = [phase.level + phase.change * found[0]]
     return np.array([*rows, *(phase.change * found[order] / phase.angle**order for order in (1, 2))])
+
+
+def _shares(phase: Phase, law: Law, phi: Floats) -> Floats:
+    """Give the shares of a phase at turns of the cam: a turn that is that of a break but for roundings is on it."""
+    k = np.clip((phi - phase.start) / phase.angle, 0.0, 1.0)
+    for share in breaks(law):
+        k = np.where(np.abs(k - share) <= SLACK * phase.end / phase.angle, share, k)
+    return np.asarray(k)

@@ -1,4 +1,4 @@
-"""A part of a plate: its lines, and the letters that still look for their places (часть чертежа)."""
+"""A part of a figure: its lines, and the letters that still look for their places (часть чертежа)."""
 
 from __future__ import annotations
 

@@ -1,0 +1,1 @@
+"""The self-check of a written sheet of cams (проверка листа кулачков)."""

@@ -1,0 +1,99 @@
+"""Profiles of a written sheet against the analysis: points of it, and its law by rolling (проверка профилей)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from drawings.checks.cam.rolling import apart, rolled
+from drawings.checks.wrong import Wrong, on
+from drawings.measure.measured_profile import MeasuredProfile
+from plans.model.cam import POINTED, Cam
+from plans.model.cam_motion import Contour, Points, Sizes
+from plans.model.motion import Floats
+from plans.words.words import Message, message
+
+PITCH, PROFILE, OUTER = "pitch", "profile", "outer"
+SLIPPED = 1e-12  # of the radius: what arithmetic moves
+
+
+class Analysed(NamedTuple):
+    """What the analysis alone says of a cam: the task, sizes, the roller's radius m, the contour at many turns.
+
+    `flawed` profiles, with loops or hollows that the follower cannot enter, do not return the law: only their points
+    are held to the analysis.
+    """
+
+    cam: Cam
+    sizes: Sizes
+    roller: float
+    contour: Contour
+    flawed: bool = False
+
+    def points(self, name: str) -> Points | None:
+        """Give the exact points of a profile by its name, None of one that there is not."""
+        known = {PITCH: self.contour.pitch, PROFILE: self.contour.profile, OUTER: self.contour.outer}
+        return known.get(name)
+
+    def rate(self) -> Floats:
+        """Give what S changes by over the way of the profile along its normal, (N,): 1, or 1/m of a rocker."""
+        arm = np.abs(self.contour.tip - self.sizes.pivot) if self.cam.rocks else 1.0
+        return np.asarray(1 / (arm * np.cos(self.contour.pressure)))
+
+
+def wrong(profiles: Sequence[MeasuredProfile], plan: str, analysed: Analysed) -> Iterator[Wrong]:
+    """Say what is wrong with the profiles of a cam on its plan; its own profile must be there."""
+    own = [one for one in profiles if one.plan == plan]
+    names = {one.name for one in own}
+    needed = {PROFILE} | ({OUTER} if analysed.contour.outer is not None else set())
+    yield from (on("missing_on", plan, name=name) for name in sorted(needed - names))
+    for one in own:
+        exact = analysed.points(one.name)
+        if exact is None:
+            yield on("stranger_on", plan, name=one.name)
+        else:
+            yield from _one(one, exact, analysed)
+
+
+def _one(profile: MeasuredProfile, exact: Points, analysed: Analysed) -> Iterator[Wrong]:
+    cam, turned = analysed.cam, analysed.contour.turned
+    closed = not cam.translates
+    slack = profile.deviation + profile.quantum + SLIPPED * float(np.abs(exact).max())
+    if profile.deviation > cam.tolerance * (1 + SLIPPED):
+        yield on("coarse", profile.plan, name=profile.name, off=_told(profile.deviation))
+    if closed and not profile.gap <= 2 * slack:
+        yield on("open", profile.plan)
+    off = apart(profile.pieces, closed, exact)
+    if not (off <= slack).all():
+        yield on("off_curve", profile.plan, name=profile.name, off=_told(off.max()), at=_where(turned, off, cam))
+        return
+    if profile.name == PITCH or not analysed.flawed:
+        yield from _unrolled(profile, analysed, slack)
+
+
+def _unrolled(profile: MeasuredProfile, analysed: Analysed, slack: float) -> Iterator[Wrong]:
+    """Say so where a follower that is rolled over a profile does not return the law."""
+    cam, contour, roller = analysed.cam, analysed.contour, analysed.roller
+    if profile.name == PITCH and not cam.flat:
+        cam = replace(cam, follower=cam.follower._replace(end=POINTED))
+    found = rolled(profile.pieces, cam, analysed.sizes, roller, contour.turned, outer=profile.name == OUTER)
+    off = np.abs(found - contour.travel.s) / analysed.rate()
+    if not (off <= slack).all():
+        yield on("unrolled", profile.plan, name=profile.name, off=_told(off.max()), at=_where(contour.turned, off, cam))
+
+
+def _told(off: float) -> str:
+    """Write a distance in mm."""
+    return f"{off * 1e3:.2g}"
+
+
+def _where(turned: Floats, off: Floats, cam: Cam) -> Message:
+    """Say where it is the most: degrees, of a cam that translates mm."""
+    where = float(turned[int(np.argmax(off))])
+    if cam.translates:
+        return message("wrong.at_travel", size=f"{where * 1e3:.4g}")
+    return message("wrong.at_turn", size=f"{math.degrees(where):.4g}")

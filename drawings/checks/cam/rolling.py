@@ -1,0 +1,184 @@
+"""Rolling: a follower is rolled over the profile as it was read from a sheet, and its law comes back (обкатка профиля).
+
+Nothing of the construction is used: the pieces are those of the file, the follower's sizes those of the analysis. At
+each turn of the cam every point of the profile would lift the follower to some S; it stands at the highest of them, and
+in a groove, held by the other flank, at the lowest of that. A point or an edge stands where its way meets the profile.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from geometry.curve import CubicPiece, Piece, RoundPiece
+from plans.model.cam import POINTED, TURN, Cam
+from plans.model.cam_motion import Points, Sizes
+from plans.model.motion import Floats
+
+FACET = TURN / 72  # rad of an arc that is looked through like one cubic
+LOOKED = 8  # places on a piece that are looked at first
+CLOSER = 8  # rounds of looking closer, each at so many places to either side of the best, up to its neighbours
+NEAR = np.linspace(-1.0, 1.0, 2 * LOOKED + 1)
+TOPS = 3  # places that are looked at closer
+NOWHERE = -math.inf
+
+
+@dataclass(frozen=True)
+class _Track:
+    """A profile as columns of pieces, gone along by a parameter from 0 to their number."""
+
+    pieces: tuple[Piece, ...]
+    closed: bool
+
+    @cached_property
+    def _split(self) -> list[Piece]:
+        return [part for piece in self.pieces for part in _facets(piece)]
+
+    @cached_property
+    def _cubics(self) -> Points:
+        return np.array([piece if isinstance(piece, CubicPiece) else (0j,) * 4 for piece in self._split])
+
+    @cached_property
+    def _arcs(self) -> tuple[Points, Points, Floats]:
+        rows = [
+            (p.centre, p.start - p.centre, p.sweep) if isinstance(p, RoundPiece) else (0j, 0j, 0.0) for p in self._split
+        ]
+        centres, arms, sweeps = (np.array(column) for column in zip(*rows, strict=True))
+        return centres, arms, sweeps
+
+    @property
+    def count(self) -> int:
+        """The number of pieces, arcs split."""
+        return len(self._split)
+
+    def at(self, along: Floats) -> Points:
+        """Give points (...,) of the profile in the cam, m."""
+        place = np.mod(along, self.count) if self.closed else np.clip(along, 0.0, self.count)
+        which = np.minimum(place.astype(int), self.count - 1)
+        share = place - which
+        left = 1 - share
+        a, b, c, d = np.moveaxis(self._cubics[which], -1, 0)
+        centre, arm, sweep = (column[which] for column in self._arcs)
+        cubic = left**3 * a + 3 * left * share * (left * b + share * c) + share**3 * d
+        return np.asarray(cubic + centre + arm * np.exp(1j * sweep * share))
+
+    @cached_property
+    def looked(self) -> Floats:
+        """Where it is looked at first."""
+        return np.arange(self.count * LOOKED + (0 if self.closed else 1)) / LOOKED
+
+
+def _facets(piece: Piece) -> list[Piece]:
+    if isinstance(piece, CubicPiece):
+        return [piece]
+    count = max(math.ceil(abs(piece.sweep) / FACET), 1)
+    return [RoundPiece(piece.at(k / count), piece.centre, piece.sweep / count) for k in range(count)]
+
+
+class _Way(NamedTuple):
+    """The way of a follower's tip through points of the frame: how far aside of it they are, m, and at which S."""
+
+    aside: Floats
+    level: Floats
+
+
+def rolled(
+    pieces: tuple[Piece, ...], cam: Cam, sizes: Sizes, roller: float, turned: Floats, outer: bool = False
+) -> Floats:
+    """Give S of the follower at turns of the cam, (N,): m, or rad of one that rocks; `outer` is a groove's other flank.
+
+    Where nothing of the profile is in the follower's way it is minus infinity.
+    """
+    track = _Track(pieces, not cam.translates)
+
+    def framed(along: Floats) -> Points:
+        return _in_the_frame(track.at(along), cam, turned[:, None])
+
+    if cam.follower.end == POINTED:
+        return _met(track, lambda along: _way(framed(along), cam, sizes), len(turned))
+    sign = -1 if outer else 1
+    return sign * _highest(track, lambda along: _lift(framed(along), cam, sizes, roller, sign), len(turned))
+
+
+def apart(pieces: tuple[Piece, ...], closed: bool, spots: Points) -> Floats:
+    """Give how far points, (N,) m, are from the nearest place of a profile."""
+    track = _Track(pieces, closed)
+    return -_highest(track, lambda along: -np.abs(track.at(along) - spots[:, None]), len(spots))
+
+
+def _in_the_frame(spot: Points, cam: Cam, turned: Floats) -> Points:
+    if cam.translates:
+        return np.asarray(spot - cam.sense * turned)
+    return np.asarray(spot * np.exp(1j * cam.sense * turned))
+
+
+def _way(spot: Points, cam: Cam, sizes: Sizes) -> _Way:
+    if cam.rocks:
+        arm = spot - sizes.pivot
+        level = cam.rising * np.angle(cam.rising * arm) + cam.lift / 2
+        return _Way(np.abs(arm) - (cam.follower.length or 0.0), level)
+    axis = 0.0 if cam.translates else cam.sense * sizes.offset
+    return _Way(spot.real - axis, spot.imag - math.sqrt(sizes.base**2 - sizes.offset**2))
+
+
+def _lift(spot: Points, cam: Cam, sizes: Sizes, roller: float, sign: int) -> Floats:
+    """Give S at which a follower touches points from above (sign +1), or from below, turned round (-1)."""
+    way = _way(spot, cam, sizes)
+    if cam.flat:
+        return way.level - (np.arcsin(cam.follower.face / np.abs(spot - sizes.pivot)) if cam.rocks else 0.0)
+    with np.errstate(invalid="ignore"):  # a roller does not come to what is too far aside
+        if cam.rocks:
+            length = cam.follower.length or 0.0
+            apart = way.aside + length
+            half = np.arccos((length**2 + apart**2 - roller**2) / (2 * length * apart))
+        else:
+            half = np.sqrt(roller**2 - way.aside**2)
+    lift = sign * way.level + half
+    beyond = np.isnan(lift)
+    if sign < 0 and not cam.translates:  # of a groove the other flank is met below the cam too
+        beyond |= way.level < _way(np.array(0j), cam, sizes).level
+    return np.where(beyond, NOWHERE, lift)
+
+
+def _highest(track: _Track, lift: Callable[[Floats], Floats], count: int) -> Floats:
+    """Give the highest lift along a profile at each of so many turns, (N,)."""
+    best, reach = track.looked[_tops(lift(track.looked[None, :]), track.closed)], 1 / LOOKED
+    for _ in range(CLOSER):
+        near = best[:, :, None] + reach * NEAR
+        found = lift(near.reshape(count, -1)).reshape(near.shape)
+        best = np.take_along_axis(near, found.argmax(axis=2)[:, :, None], axis=2)[:, :, 0]
+        reach /= LOOKED
+    return np.asarray(lift(best).max(axis=1))
+
+
+def _tops(found: Floats, closed: bool) -> npt.NDArray[np.intp]:
+    """Give the highest few of the places that are above their neighbours, (N, TOPS): near a cusp there are two."""
+    ends = (found[:, -1:], found[:, :1]) if closed else (np.full((len(found), 1), NOWHERE),) * 2
+    padded = np.concatenate([ends[0], found, ends[1]], axis=1)
+    top = (found >= padded[:, :-2]) & (found >= padded[:, 2:])
+    return np.argpartition(np.where(top, found, NOWHERE), -TOPS, axis=1)[:, -TOPS:]
+
+
+def _met(track: _Track, way: Callable[[Floats], _Way], count: int) -> Floats:
+    """Give the highest S at which a profile is met by the way of a tip, at each of so many turns, (N,)."""
+    looked = np.append(track.looked, track.count) if track.closed else track.looked
+    aside, level = way(looked[None, :])
+    crossed = aside[:, :-1] * aside[:, 1:] <= 0
+    start = looked[np.where(crossed, level[:, :-1], NOWHERE).argmax(axis=1)]
+    reach = 1 / LOOKED
+    for _ in range(CLOSER):
+        near = start[:, None] + reach * np.arange(LOOKED + 1) / LOOKED
+        aside = way(near).aside
+        start = near[np.arange(count), (aside[:, :-1] * aside[:, 1:] <= 0).argmax(axis=1)]
+        reach /= LOOKED
+    first, last = way(start[:, None]), way(start[:, None] + reach)
+    run = last.aside - first.aside
+    share = np.where(run == 0, 0.0, -first.aside / np.where(run == 0, 1.0, run))
+    level = first.level + share * (last.level - first.level)
+    return np.where(crossed.any(axis=1), level[:, 0], NOWHERE)

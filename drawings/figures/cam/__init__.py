@@ -1,0 +1,1 @@
+"""Figures of a cam: its laws, sizes, profile, tables (фигуры кулачка)."""

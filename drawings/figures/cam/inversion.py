@@ -1,0 +1,177 @@
+"""The construction of a profile by turning the frame about the cam: axes, pivots, faces, notches (обращение)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator
+
+from drawings.figures.cam.profile_view import NAME, QUANTITY, ProfileView
+from drawings.figures.cam.rings import Rings
+from drawings.layout.place import Place
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import INK, TURN, Arc, Circle, Group, Line, LineStyle, Polyline, Stroke
+from drawings.symbols.dashes import fit
+from drawings.symbols.figure import Subject, point
+from drawings.symbols.symbols import HATCH, HINGE, STAND
+from drawings.symbols.trimming import Mask, trim
+
+NOTCH = 3.0  # mm, half the arc of a notch
+POINT = 0.6  # mm, radius of a found point
+APART = 1.8  # sizes of a number from one marked point to the next
+FEW = 2.2  # radii of the roller from one drawn roller to the next
+
+
+def construction(view: ProfileView, rings: Rings) -> Iterator[Stroke]:
+    """Draw all thin lines: circles, turned axes, notches, faces, rollers; nothing of them within the shaft."""
+    place, hand = rings.place, rings.hand
+    lines = [*_circles(view, place, hand), *_turned(view, rings), *_notches(view, place, hand)]
+    yield from trim(lines, () if view.cam.translates else _shaft(place.on(0j), hand))
+    yield from _rollers(view, place, hand)
+
+
+def _shaft(zero: complex, hand: Hand) -> tuple[Mask, ...]:
+    """Give the outlines of the shaft and of its stand: no thin line enters them."""
+    high, half, more = (size * hand.symbol for size in STAND)
+    wide, low = half + more, zero - 1j * (high + HATCH * hand.symbol)
+    return Circle(zero, HINGE * hand.symbol), Polyline((zero, low - wide, low + wide), True)
+
+
+def _circles(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
+    """Draw the circle of the least radius, of the offset, of the pivots; of a cam that translates its base line."""
+    if view.cam.translates:
+        left, right = (place.on(complex(x)) for x in _ends(view))
+        yield Line(left, right, hand.other)
+        return
+    zero, sizes = place.on(0j), view.sizes
+    yield Circle(zero, place.length(sizes.base), hand.other)
+    if place.length(abs(sizes.offset)) > POINT:
+        yield Circle(zero, place.length(abs(sizes.offset)), hand.other)
+    if sizes.pivot:
+        far = place.length(abs(sizes.pivot))
+        yield Circle(zero, far, fit(hand.axis, TURN * far, True))
+
+
+def _ends(view: ProfileView) -> tuple[float, float]:
+    return float(view.curve.pitch.real.min()), float(view.curve.pitch.real.max())
+
+
+def _turned(view: ProfileView, rings: Rings) -> Iterator[Stroke]:
+    """Draw the turned frame of each position: the axis of the follower, or the arm from the turned pivot."""
+    place, hand = rings.place, rings.hand
+    for k, turned in view.positions:
+        spot = place.on(complex(view.contour.pitch[k]))
+        if view.cam.rocks:
+            yield from _arm(view, place, hand, k, turned)
+        elif view.cam.translates:
+            foot = complex(spot.real, place.on(0j).imag)
+            yield Line(foot, complex(spot.real, highest(view, place, hand)), hand.drafted)
+        else:
+            foot = place.on(view.back(complex(view.axis), turned))
+            yield Line(foot, place.on(0j) + rings.crossing(turned, rings.ends), hand.drafted)
+        if view.cam.flat:
+            yield Line(*face(view, place, turned), hand.other)
+
+
+def highest(view: ProfileView, place: Place, hand: Hand) -> float:
+    """Give the level at which the axes over a cam that translates end, mm."""
+    return place.on(1j * float(view.curve.tip.imag.max())).imag + place.length(view.found.roller) + 3 * hand.symbol
+
+
+def _arm(view: ProfileView, place: Place, hand: Hand, k: int, turned: float) -> Iterator[Stroke]:
+    """Draw a turned rocker: from its pivot to its tip; of a flat one the offset to its face."""
+    pivot = view.back(view.sizes.pivot, turned)
+    if view.cam.flat:
+        normal = view.way(complex(view.contour.lever[k]), turned)
+        yield Line(place.on(pivot), place.on(pivot + view.cam.follower.face * normal), hand.drafted)
+    else:
+        yield Line(place.on(pivot), place.on(complex(view.contour.pitch[k])), hand.drafted)
+
+
+def face(view: ProfileView, place: Place, turned: float) -> tuple[complex, complex]:
+    """Give the ends of a turned face on paper: as far as contact goes over the whole turn, and a little more."""
+    spot, normal = view.at(turned)
+    along = -1j * normal
+    foot = view.back(complex(view.axis) if not view.cam.rocks else view.sizes.pivot, turned)
+    low, high = view.face
+    off = ((spot - foot) * along.conjugate()).real
+    return place.on(spot + (low - off) * along), place.on(spot + (high - off) * along)
+
+
+def _notches(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
+    """Draw the notch of each position that S carries over: an arc about O, of a rocker one about its pivot too."""
+    if view.cam.translates or view.cam.flat:
+        return
+    zero = place.on(0j)
+    for k, turned in view.positions:
+        spot = place.on(complex(view.contour.pitch[k]))
+        yield _notch(zero, spot, hand)
+        if view.cam.rocks:
+            yield _notch(place.on(view.back(view.sizes.pivot, turned)), spot, hand)
+    carried = _carried(view)
+    if carried is not None:
+        start, end = (place.on(complex(one[carried])) - zero for one in (view.contour.tip, view.contour.pitch))
+        first, last = (start, end) if view.cam.sense < 0 else (end, start)
+        yield Arc(zero, abs(start), cmath.phase(first), cmath.phase(last), hand.drafted)
+
+
+def _notch(centre: complex, spot: complex, hand: Hand) -> Arc:
+    radius, turn = abs(spot - centre), cmath.phase(spot - centre)
+    half = min(NOTCH * hand.symbol / radius, math.pi)
+    return Arc(centre, radius, turn - half, turn + half, hand.drafted)
+
+
+def _carried(view: ProfileView) -> int | None:
+    """Choose the position whose notch is drawn whole, from the initial frame on: the middle one of the first rise."""
+    first = next(view.cam.moving())
+    own = [k for k, turned in view.positions if first.start < turned < first.end]
+    return own[len(own) // 2] if own else None
+
+
+def _rollers(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
+    """Draw the roller at a few positions, no two closer than they can be told apart."""
+    radius, last = place.length(view.found.roller), place.on(complex(view.contour.pitch[0]))
+    if not radius:
+        return
+    first = last
+    for k, _ in view.positions[1:]:
+        spot = place.on(complex(view.contour.pitch[k]))
+        if min(abs(spot - last), abs(spot - first)) >= FEW * radius:
+            yield Circle(spot, radius, hand.other)
+            last = spot
+
+
+def marked(view: ProfileView, place: Place, hand: Hand) -> Iterator[int]:
+    """Choose the positions whose points are marked and numbered: those that stand apart on paper."""
+    last = first = place.on(complex(view.contour.pitch[0]))
+    yield 0
+    for k, _ in view.positions[1:]:
+        spot = place.on(complex(view.contour.pitch[k]))
+        if min(abs(spot - last), abs(spot - first)) >= APART * hand.number:
+            yield k
+            last = spot
+
+
+def marks(view: ProfileView, place: Place, hand: Hand) -> Iterator[Group]:
+    """Draw the found points of the numbered positions, and the normals from the roller's centre to the profile."""
+    for k in marked(view, place, hand):
+        subject, letter = Subject(NAME, QUANTITY, k), str(k)
+        spot, touch = complex(view.contour.pitch[k]), complex(view.contour.profile[k])
+        if view.apart:
+            line = Line(place.on(spot), place.on(touch), hand.drafted)
+            yield Group((line,), "", subject.data("vector", "Q", touch - spot, place.scale), letter)
+        dot = Circle(place.on(spot), POINT * hand.symbol, INK)
+        yield _titled(point(subject, "P" if view.apart else "Q", spot, place, dot), letter)
+
+
+def pivots(view: ProfileView, place: Place, hand: Hand) -> Iterator[Group]:
+    """Draw the turned pivots of a rocker."""
+    style = LineStyle(hand.thin, fill="#ffffff")
+    for k, turned in view.positions[1:] if view.sizes.pivot else ():
+        spot = view.back(view.sizes.pivot, turned)
+        circle = Circle(place.on(spot), 0.8 * hand.symbol, style)
+        yield _titled(point(Subject(NAME, QUANTITY, k), "O_1", spot, place, circle), str(k))
+
+
+def _titled(group: Group, title: str) -> Group:
+    return Group(group.strokes, group.name, group.data, title)

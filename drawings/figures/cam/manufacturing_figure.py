@@ -1,0 +1,170 @@
+"""The working profile to be made: the curve with its datum, radii at even turns, the sense of rotation (чертёж)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from drawings.figures.cam import outlines
+from drawings.figures.cam.manufacturing import PLAN, QUANTITY, Manufacture
+from drawings.figures.cam.profile_view import SYMBOL, UNIT
+from drawings.figures.cam.senses import pushed
+from drawings.layout.labels import Labels
+from drawings.layout.picture import Margins, Picture, Spot, picture
+from drawings.layout.place import Place
+from drawings.lettering.lettering import text_width
+from drawings.page.drafting import Drafting
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import INK, Circle, Group, Line, Stroke, Text
+from drawings.symbols.dashes import fit
+from drawings.symbols.figure import Subject, heading, point
+from drawings.symbols.symbols import pole, turning_arrow
+
+MARGINS = Margins(5.0, 4.0, 4.0)  # paper around it for letters, in their sizes
+LETTERS, LARGE = 20.0, 40.0  # it is drawn at least so many letters large; enlarged, at most so many
+TRUE = 1000.0  # mm of paper to a metre: at its own size it is drawn where it can be
+BESIDE = 1.0  # mm from a radius to its letter
+PAST = 7.0  # mm that the zero ray and the axes go past the profile
+OUT, SWEEP = 6.0, 22.0  # mm from the profile to the arrow of rotation, and its length
+ROW = 0.5  # mm, radius of a tabled point
+ORIGIN = "O"
+
+
+@dataclass(frozen=True)
+class ManufacturingFigure:
+    """The profile placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
+
+    shown: Manufacture
+    place: Place
+    lines: tuple[Stroke, ...]
+    drafting: Drafting
+
+    def letter(self, labels: Labels) -> tuple[Group, ...]:
+        """Give the whole figure: datum and radii lettered."""
+        letters = (*self._datum(labels), *self._rays(labels))
+        return (Group((*self.lines, Group(letters)), PLAN),)
+
+    @cached_property
+    def _rotation(self) -> tuple[complex, float]:
+        return _arrow(self.shown, self.place, self.drafting.hand)
+
+    def _datum(self, labels: Labels) -> Iterator[Stroke]:
+        """Letter O, the zero ray, the sense of rotation."""
+        hand, place = self.drafting.hand, self.place
+        yield labels.beside(place.on(0j), ORIGIN, hand.letter, BESIDE, -math.pi / 4)
+        if not self.shown.cam.translates:
+            end = _end(self.shown, place, hand)
+            text = self.drafting.word("zero ray")
+            yield labels.beside(end, text, hand.number, BESIDE, cmath.phase(end - place.on(0j)))
+            spot, turn = self._rotation
+            yield labels.beside(spot, "ω", hand.letter, BESIDE, turn)
+        else:
+            yield labels.along(*_straight(self.shown, place, hand), "v", hand.letter, BESIDE, math.pi / 2)
+
+    def _rays(self, labels: Labels) -> Iterator[Stroke]:
+        """Letter each drawn radius with its turn, outside the profile."""
+        hand = self.drafting.hand
+        for k, name in self.shown.rays():
+            spot = self.place.on(complex(self.shown.told[k]))
+            towards = math.pi / 2 if self.shown.cam.translates else cmath.phase(spot - self.place.on(0j))
+            yield labels.beside(spot, label(self.shown, name, self.drafting), hand.number, BESIDE, towards)
+
+
+def label(shown: Manufacture, name: float, drafting: Drafting) -> str:
+    """Write the turn of a drawn radius in degrees, or a travel in millimetres."""
+    number = drafting.number(name, 5)
+    return f"x {number}" if shown.cam.translates else f"φ {number}°"
+
+
+def measure(shown: Manufacture, drafting: Drafting) -> Picture:
+    """Measure the room that the profile needs: it is drawn at its own size, enlarged only where it is small."""
+    hand = drafting.hand
+    title = text_width(Text(0j, drafting.word("working profile"), hand.title))
+    side, below, above = (share * hand.letter for share in MARGINS)
+    margins = Margins(side, below, above + 2 * hand.title + hand.text)
+    room = picture(PLAN, shown.corners, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
+    natural = max(room.wide, room.high) * TRUE
+    return room._replace(most=natural if natural >= room.least else LARGE * hand.letter)
+
+
+def draw(shown: Manufacture, room: Picture, spot: Spot, drafting: Drafting) -> ManufacturingFigure:
+    """Draw the profile in its spot: radii thin, the path of the roller's centre dash-dot, the profile in main lines."""
+    place, hand, view = room.place(*spot), drafting.hand, shown.view
+    lines = (
+        heading(spot.box, drafting.word("working profile"), drafting.scale(spot.scale), hand),
+        *_axes(shown, place, hand),
+        *_sense(shown, place, hand),
+        *_radii(shown, place, drafting),
+        *outlines.curves(view, PLAN, place, hand),
+        *_rows(shown, place, hand),
+        point(Subject(PLAN, QUANTITY, None), ORIGIN, 0j, place, pole(place.on(0j)), "pole"),
+    )
+    return ManufacturingFigure(shown, place, lines, drafting)
+
+
+def _end(shown: Manufacture, place: Place, hand: Hand) -> complex:
+    """Give the end of the zero ray, mm."""
+    out = max(place.length(abs(complex(one[0]))) for one in shown.view.outlines)
+    return place.on(0j) + (out + PAST * hand.symbol) * shown.zero
+
+
+def _axes(shown: Manufacture, place: Place, hand: Hand) -> Iterator[Stroke]:
+    """Draw the axes of the shaft, and the zero ray."""
+    if shown.cam.translates:
+        return
+    zero, half = place.on(0j), PAST * hand.symbol
+    end = _end(shown, place, hand)
+    for start, stop in (
+        (zero - shown.zero * half, end),
+        (zero - 1j * shown.zero * half, zero + 1j * shown.zero * half),
+    ):
+        yield Line(start, stop, fit(hand.axis, abs(stop - start)))
+
+
+def _arrow(shown: Manufacture, place: Place, hand: Hand) -> tuple[complex, float]:
+    """Give the middle of the arrow of rotation, mm, and its direction from O: outside where the profile dwells."""
+    view = shown.view
+    middle = sum(view.step) / 2
+    spot, _ = view.at(middle)
+    outermost = max(float(np.interp(middle, view.curve.turned, abs(one))) for one in view.outlines)
+    radius = place.length(max(outermost, abs(spot))) + OUT * hand.symbol
+    turn = cmath.phase(spot)
+    return place.on(0j) + cmath.rect(radius, turn), turn
+
+
+def _straight(shown: Manufacture, place: Place, hand: Hand) -> tuple[complex, complex]:
+    """Give the ends of the arrow of a cam that translates, within its body."""
+    left, right = (place.on(one) for one in shown.view.body)
+    middle, half = (left + right) / 2 + 0.25j * place.length(shown.cam.lift), shown.cam.sense * PAST * hand.symbol
+    return middle + half, middle - half
+
+
+def _sense(shown: Manufacture, place: Place, hand: Hand) -> Iterator[Stroke]:
+    """Draw the arrow of rotation, or that of a cam that translates in its body."""
+    if shown.cam.translates:
+        yield from pushed(_straight(shown, place, hand), hand)
+    else:
+        spot, turn = _arrow(shown, place, hand)
+        radius = abs(spot - place.on(0j))
+        sweep = shown.cam.sense * SWEEP * hand.symbol / radius
+        yield from turning_arrow(place.on(0j), radius, turn - sweep / 2, sweep, hand)
+
+
+def _radii(shown: Manufacture, place: Place, drafting: Drafting) -> Iterator[Group]:
+    """Draw the radii at even turns, or ordinates from the base; each can be measured."""
+    hand = drafting.hand
+    for number, (k, name) in enumerate(shown.rays()):
+        end = complex(shown.told[k])
+        start = complex(end.real, shown.view.body[0].imag) if shown.cam.translates else 0j
+        data = Subject(PLAN, QUANTITY, number).data("vector", "r", end - start, place.scale)
+        yield Group((Line(place.on(start), place.on(end), hand.drafted),), "", data, label(shown, name, drafting))
+
+
+def _rows(shown: Manufacture, place: Place, hand: Hand) -> Iterator[Stroke]:
+    """Draw the points that the table tells."""
+    yield from (Circle(place.on(complex(spot)), ROW * hand.symbol, INK) for spot in shown.told)

@@ -1,0 +1,67 @@
+"""The sense in which a cam moves, and in which the frame is turned about it (направления вращения и обращения)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from drawings.figures.cam.profile_view import ProfileView
+from drawings.figures.cam.rings import Rings
+from drawings.layout.labels import Labels
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import Line, Stroke
+from drawings.symbols.symbols import arrowhead, turning_arrow
+
+WITHIN = (0.3, 0.68)  # of what is free from the cam to the ends of the axes: radii of both arrows
+ASIDE, MOST = 0.25, math.radians(30)  # of the widest step: their middles to either side of its own, and at most
+SWEEP, WIDE = 0.35, math.radians(32)  # of the widest step: how far they go, and at most
+STRAIGHT = 22.0  # mm, length of the arrow of a cam that translates
+BESIDE = 1.2
+
+
+class Sense(NamedTuple):
+    """An arrow about O with its letter: the direction of its middle rad, its radius mm, how far it goes."""
+
+    letter: str
+    centre: complex
+    radius: float
+    middle: float
+    sweep: float  # below 0 clockwise
+
+    def draw(self, hand: Hand) -> tuple[Stroke, ...]:
+        """Draw it."""
+        return turning_arrow(self.centre, self.radius, self.middle - self.sweep / 2, self.sweep, hand)
+
+    def letter_beside(self, labels: Labels, hand: Hand) -> Stroke:
+        """Letter it beyond its middle."""
+        spot = self.centre + cmath.rect(self.radius, self.middle)
+        return labels.beside(spot, self.letter, hand.letter, BESIDE, self.middle)
+
+
+def senses(view: ProfileView, rings: Rings) -> tuple[Sense, ...]:
+    """Give the arrows, the cam's own and the frame's, beside the cam where no axis is turned to."""
+    if view.cam.translates:
+        return ()
+    zero, (start, end) = rings.place.on(0j), view.step
+    inner = rings.place.length(abs(view.at((start + end) / 2)[0]) + view.found.roller)
+    first, second = (inner + share * (rings.ends - inner) for share in WITHIN)
+    aside, sweep = min(ASIDE * (end - start), MOST), view.cam.sense * min(SWEEP * (end - start), WIDE)
+    return Sense("ω", zero, first, view.quiet - aside, sweep), Sense("−ω", zero, second, view.quiet + aside, -sweep)
+
+
+def straight(view: ProfileView, rings: Rings) -> Iterator[tuple[complex, complex]]:
+    """Give the ends of the arrow of a cam that translates, within its body."""
+    if view.cam.translates:
+        left, right = (rings.place.on(one) for one in view.body)
+        middle = (left + right) / 2 + 1j * rings.place.length(view.cam.lift) * 0.4
+        half = view.cam.sense * STRAIGHT / 2 * rings.hand.symbol
+        yield middle + half, middle - half
+
+
+def pushed(ends: tuple[complex, complex], hand: Hand) -> Iterator[Stroke]:
+    """Draw a straight arrow."""
+    yield Line(*ends, hand.other)
+    head = arrowhead(*ends, hand.symbol)
+    yield from () if head is None else (head,)

@@ -1,0 +1,128 @@
+"""The main sizes in the figure of a profile: R0, e or L, the least radius of curvature (размеры на профиле)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from drawings.figures.cam.phase_arcs import AngleArc
+from drawings.figures.cam.profile_view import NAME, QUANTITY, ProfileView
+from drawings.layout.place import Place
+from drawings.page.drafting import Drafting
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import INK, Arc, Circle, Group, Line, Stroke
+from drawings.symbols.dashes import fit
+from drawings.symbols.figure import Subject
+from drawings.symbols.symbols import arrowhead
+from plans.model.cam import DWELL
+from plans.model.cam_motion import Extreme
+
+OFFSET = 0.55  # of the room under the follower: where the offset is dimensioned
+LEAST = 4.0  # mm: a shorter size is told by the table alone
+SHOWN = math.radians(35)  # half the arc of the circle through three points
+NEARBY = math.radians(5)  # of the cam's turn: from the sharpest place to the other two points
+LARGE = 4.0  # letters by which a circle of curvature may be larger than the cam
+DIGITS = 4
+INITIAL = 0.45  # of the arm: where the initial angle is shown
+ROOM = 16.0  # mm: a shorter least radius has no room for its letter
+
+
+class SizeMark(NamedTuple):
+    """A size on paper: its name, its letters with the value, its ends, its true value as a vector, m."""
+
+    name: str
+    letter: str
+    start: complex
+    end: complex
+    value: complex
+    both: bool = False  # whether it has arrows at both ends
+
+    def draw(self, place: Place, hand: Hand) -> Group:
+        """Draw its line with its arrows; it can be measured."""
+        data = Subject(NAME, QUANTITY, None).data("vector", self.name, self.value, place.scale)
+        return Group((Line(self.start, self.end, hand.drafted), *self._heads(hand)), "", data, self.letter)
+
+    def _heads(self, hand: Hand) -> Iterator[Stroke]:
+        ends = [(self.start, self.end), (self.end, self.start)]
+        for start, tip in ends if self.both else ends[:1]:
+            head = arrowhead(start, tip, hand.symbol)
+            yield from () if head is None else (head,)
+
+
+def size_marks(view: ProfileView, place: Place, drafting: Drafting) -> tuple[SizeMark, ...]:
+    """Give the sizes that are long enough on paper to bear a letter."""
+    every = (*_main(view, place, drafting), *_sharpest(view, place, drafting))
+    return tuple(one for one in every if abs(one.end - one.start) >= LEAST)
+
+
+def _main(view: ProfileView, place: Place, drafting: Drafting) -> Iterator[SizeMark]:
+    sizes = view.sizes
+    if view.cam.translates:
+        return
+    ray = cmath.rect(sizes.base, view.quiet)
+    if place.length(sizes.base) >= ROOM * drafting.hand.symbol:
+        yield _mark("R_0", 0j, ray, sizes.base, place, drafting)
+    if sizes.offset:
+        level = 1j * _level(view)
+        yield _mark("e", level, level + view.axis, abs(sizes.offset), place, drafting)._replace(both=True)
+    if sizes.pivot:
+        yield _mark("L", 0j, sizes.pivot, abs(sizes.pivot), place, drafting)
+
+
+def _level(view: ProfileView) -> float:
+    """Give the level over O at which the offset is dimensioned, m."""
+    return OFFSET * max(view.sizes.base - view.found.roller, 0.0)
+
+
+def _sharpest(view: ProfileView, place: Place, drafting: Drafting) -> Iterator[SizeMark]:
+    """Give the least radius of curvature of the pitch curve, from the centre to the curve."""
+    one = view.found.sharpest
+    if one is not None and _seen(view, one, place, drafting.hand):
+        spot, normal = view.at(one.turned)
+        yield _mark("ρ_min", spot - one.value * normal, spot, one.value, place, drafting)
+
+
+def _seen(view: ProfileView, one: Extreme, place: Place, hand: Hand) -> bool:
+    """Tell whether the circle of the least radius is drawn: it is not the one of a dwell, nor larger than the cam."""
+    turns = one.turned, one.turned + view.cam.turn  # a dwell that ends the turn ends where it begins
+    still = any(own.kind == DWELL and own.start <= turn <= own.end for own in view.cam.phases for turn in turns)
+    return not still and place.length(one.value) < place.length(view.reach) + LARGE * hand.letter
+
+
+def _mark(name: str, start: complex, end: complex, size: float, place: Place, drafting: Drafting) -> SizeMark:
+    text = f"{name.replace('_min', '_{min}')} = {drafting.number(1000 * size, DIGITS)}"
+    return SizeMark(name, text, place.on(start), place.on(end), end - start)
+
+
+def thin(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
+    """Draw what the sizes stand by: the line of centres' axis, the level of the offset, the circle by three points."""
+    if view.sizes.offset and place.length(abs(view.sizes.offset)) >= LEAST:
+        top = place.on(1j * _level(view))
+        yield Line(place.on(0j), top + 2j * hand.symbol, hand.drafted)
+    one = view.found.sharpest
+    if one is not None and _seen(view, one, place, hand):
+        yield from _circle(view, one.turned, one.value, place, hand)
+
+
+def _circle(view: ProfileView, turned: float, radius: float, place: Place, hand: Hand) -> Iterator[Stroke]:
+    """Draw the circle through three points of the sharpest stretch, as much of it as shows how it lies."""
+    spot, normal = view.at(turned)
+    centre, size, turn = place.on(spot - radius * normal), place.length(radius), cmath.phase(normal)
+    yield Arc(centre, size, turn - SHOWN, turn + SHOWN, fit(hand.extreme, 2 * SHOWN * size))
+    near = NEARBY * (view.cam.turn / (2 * math.pi))
+    for off in (-near, 0.0, near):
+        at, _ = view.at((turned + off) % view.cam.turn)
+        yield Circle(place.on(at), 0.5 * hand.symbol, INK)
+    yield Circle(centre, 0.5 * hand.symbol, INK)
+
+
+def rocking(view: ProfileView, place: Place, drafting: Drafting) -> Iterator[AngleArc]:
+    """Give the initial angle of a rocker, from the line of centres to its arm."""
+    if view.cam.rocks and not view.cam.flat:
+        pivot, tip = place.on(view.sizes.pivot), place.on(complex(view.curve.tip[0]))
+        start, end = cmath.phase(place.on(0j) - pivot), cmath.phase(tip - pivot)
+        off = cmath.phase(cmath.rect(1.0, end - start))
+        text = f"ψ_0 = {drafting.number(math.degrees(abs(off)), DIGITS)}°"
+        yield AngleArc(text, pivot, INITIAL * abs(tip - pivot), start, off)

@@ -1,0 +1,128 @@
+"""The table of a cam's main sizes, extremes and shocks: what both roads found (таблица размеров кулачка)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from drawings.layout.table import RuledTable, TableRow, table
+from drawings.layout.value_table import COLUMNS, row
+from drawings.page.drafting import Drafting
+from plans.checks.comparison import Finding
+from plans.model.cam import RETURN, RISE, Cam
+from plans.model.cam_motion import CamFound, Shock, Travel
+
+NAME = "sizes"
+MM = 1000.0  # of a metre
+
+
+class Quantity(NamedTuple):
+    """A row of the table by one road: its letters, its unit, its value in that unit; whether the scene gives it."""
+
+    letter: str
+    unit: str
+    value: float
+    given: bool = False
+    where: str = ""  # the word for the place of a value, of one that is a place
+
+
+def quantities(found: CamFound, travel: Travel) -> tuple[Quantity, ...]:
+    """List what one road found; `travel` is S and its derivatives at many turns by the same road."""
+    return (*_sizes(found), *_curvature(found), *_pressure(found), *_motion(found, travel), *_shocks(found))
+
+
+def sizes(own: tuple[Quantity, ...], exact: tuple[Quantity, ...], drafting: Drafting) -> RuledTable:
+    """Tell what both roads found, with the difference; of what is given that it is."""
+    lines = [_line(one, other, drafting) for one, other in zip(own, exact, strict=True)]
+    heads = tuple(drafting.word(key) for key in COLUMNS)
+    return table(lines, drafting.word("quantity"), heads, drafting.hand.text)._replace(name=NAME)
+
+
+def title(one: Quantity, drafting: Drafting) -> str:
+    """Write the name of a row."""
+    letter = drafting.letter(one.letter)
+    named = drafting.word(one.where, letter=letter) if one.where else letter
+    return f"{named}, {drafting.word(one.unit)}" if one.unit else named
+
+
+def _line(own: Quantity, exact: Quantity, drafting: Drafting) -> TableRow:
+    name = title(own, drafting)
+    values = np.array([own.value]), np.array([exact.value])
+    largest = float(np.abs(values[1]).max()) or 1.0
+    finding = Finding(NAME, name, own.unit, *values, abs(values[0] - values[1]), np.zeros(1), largest)
+    cells = row(finding, name, (0,), drafting.language)
+    return TableRow(name, (cells.cells[0], drafting.word("cam given"), "—")) if own.given else cells
+
+
+def _sizes(found: CamFound) -> Iterator[Quantity]:
+    cam, own = found.cam, found.sizes
+    if not cam.translates:
+        yield Quantity("R_0", "mm", MM * own.base, cam.given.base is not None)
+    if not (cam.rocks or cam.flat or cam.translates):
+        yield Quantity("e", "mm", MM * own.offset, cam.given.offset is not None)
+        yield Quantity("S_0", "mm", MM * math.sqrt(own.base**2 - own.offset**2))
+    if cam.rocks:
+        yield Quantity("L", "mm", MM * own.centre, cam.given.centre is not None)
+        yield Quantity("ψ_0", "°", math.degrees(own.initial))
+    if found.roller:
+        yield Quantity("r_{rol}", "mm", MM * found.roller, cam.roller is not None)
+    yield Quantity("Ψ", "°", math.degrees(cam.lift), True) if cam.rocks else Quantity("H", "mm", MM * cam.lift, True)
+
+
+def _curvature(found: CamFound) -> Iterator[Quantity]:
+    """Give the least radii of curvature of the pitch curve, convex and hollow; the breadth of a face."""
+    for letter, one in (("ρ_{min}", found.sharpest), ("ρ_{hol}", found.hollow)):
+        if one is not None:
+            yield Quantity(letter, "mm", MM * one.value)
+            yield _where(found.cam, letter, one.turned)
+    if found.cam.flat:
+        yield from (Quantity(f"b_{side + 1}", "mm", MM * abs(far)) for side, far in enumerate(found.face))
+
+
+def _pressure(found: CamFound) -> Iterator[Quantity]:
+    for kind in (RISE, RETURN):
+        if kind in found.pressure:
+            letter = f"α_{{{kind}}}"
+            yield Quantity(letter, "°", math.degrees(found.pressure[kind].value))
+            yield _where(found.cam, letter, found.pressure[kind].turned)
+
+
+def _where(cam: Cam, letter: str, turned: float) -> Quantity:
+    """Give the place of a value: the cam's turn in degrees, or its travel in millimetres."""
+    if cam.translates:
+        return Quantity(letter, "mm", MM * turned, where="cam travel at")
+    return Quantity(letter, "°", math.degrees(turned), where="cam angle at")
+
+
+def _motion(found: CamFound, travel: Travel) -> Iterator[Quantity]:
+    """Give the follower's largest velocity and acceleration; at a hard shock the acceleration has no largest value."""
+    cam = found.cam
+    if cam.speed is not None:
+        names = ("ω_{max}", "rad/s", "ε_{max}", "rad/s2") if cam.rocks else ("v_{max}", "m/s", "a_{max}", "m/s2")
+        yield Quantity(*names[:2], float(np.abs(travel.slope).max()) * cam.speed)
+        if not any(one.order == 1 for one in found.shocks):
+            yield Quantity(*names[2:], float(np.abs(travel.bend).max()) * cam.speed**2)
+
+
+def _shocks(found: CamFound) -> Iterator[Quantity]:
+    """Give the shocks, each by its jump: of the velocity a hard one, of the acceleration a soft one."""
+    for number, one in enumerate(found.shocks):
+        letter = f"Δ{_jumps(found.cam, one)}_{{{number + 1}}}"
+        yield Quantity(letter, _unit(found.cam, one), one.jump * (found.cam.speed or 1.0) ** one.order)
+        yield _where(found.cam, letter, one.turned)
+
+
+def _jumps(cam: Cam, shock: Shock) -> str:
+    """Name what jumps."""
+    if cam.speed is None:
+        return "S'" if shock.order == 1 else "S''"
+    return ("ωε" if cam.rocks else "va")[shock.order - 1]
+
+
+def _unit(cam: Cam, shock: Shock) -> str:
+    if cam.speed is None:
+        return ""
+    return (("rad/s", "rad/s2") if cam.rocks else ("m/s", "m/s2"))[shock.order - 1]

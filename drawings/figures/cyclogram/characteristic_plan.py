@@ -1,0 +1,139 @@
+"""The plan of characteristic positions: numbered, notched back from the tool, overruns dimensioned (figure 5.42)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from drawings.figures.linkage import position_plan
+from drawings.figures.linkage.pairs import Pairs
+from drawings.figures.linkage.skeleton import Skeletons, skeletons
+from drawings.figures.linkage.stroke_dimension import clearest, length, stroke
+from drawings.layout.ink import Ink
+from drawings.layout.labels import Labels
+from drawings.layout.picture import Picture, Spot
+from drawings.lettering.lettering import text_width
+from drawings.page.drafting import Drafting
+from drawings.paper.formats import Field
+from drawings.paper.strokes import INK, Arc, Circle, Group, Stroke, Text
+from drawings.symbols.dashes import fit_dashes
+from drawings.symbols.figure import Subject
+from drawings.symbols.trimming import trim
+from geometry.board import Arc as Notch
+from geometry.board import Mark
+from plans.cyclogram.study import CyclogramStudy
+from plans.linkage.travel import frame_slide
+from plans.model.cyclogram import BEGIN, END, ENTRY, EXIT, Cyclogram
+from plans.model.mechanism import FRAME
+
+NAME = "characteristic"
+TITLE = "characteristic positions"
+OVERRUNS, STROKE, NOTCHES, PINS = "overruns", "stroke", "notches", "pins"  # the names of its groups
+LONG = 6.0  # mm of a notch arc kept on each side of its meeting
+DOT = 0.8  # mm, radius of a crank pin
+
+
+@dataclass(frozen=True)
+class CharacteristicFigure:
+    """The plan placed on paper: its lines, and the letters and numbers still to be placed."""
+
+    pairs: Pairs
+    lines: tuple[Group, ...]
+
+    def letter(self, labels: Labels) -> tuple[Group, ...]:
+        """Give the whole figure, its points lettered and its positions numbered."""
+        return *self.lines, position_plan.letters(self.pairs, labels)
+
+
+def bones_of(study: CyclogramStudy) -> Skeletons:
+    """Gather the poses of the characteristic positions; that where the tool meets the work is in full lines."""
+    pictured = study.pictured
+    return skeletons(pictured, pictured.motion(0), shown_of(study.cyclogram))
+
+
+def shown_of(found: Cyclogram) -> int:
+    """Give the number of the position in full lines: where the tool comes to the work, or leaves it."""
+    return found.number(ENTRY if found.of(ENTRY) else EXIT)
+
+
+def measure(bones: Skeletons, drafting: Drafting) -> Picture:
+    """Measure the room that it needs."""
+    room = position_plan.measure(bones, NAME, drafting)
+    return room._replace(heading=text_width(Text(0j, drafting.word(TITLE), drafting.hand.heading)))
+
+
+def draw(
+    study: CyclogramStudy, bones: Skeletons, room: Picture, spot: Spot, drafting: Drafting
+) -> CharacteristicFigure:
+    """Draw it in its spot, its title and its scale over it."""
+    pairs = Pairs(bones, room.place(*spot), drafting.hand)
+    layers = [one for one in position_plan.layers(pairs, drafting.language) if one.name not in (NOTCHES, STROKE)]
+    own = Group(tuple(fit_dashes(trim(_notches(study, pairs), pairs.masks))), NOTCHES)
+    ink = Ink()
+    ink.draw([line for layer in layers for line in layer.strokes])
+    overruns = Group(tuple(_overruns(study.cyclogram, pairs, drafting, ink)), OVERRUNS)
+    whole = Group(tuple(stroke(bones, pairs.place, pairs.hand, drafting.language, ink)), STROKE)
+    pins = Group(tuple(_pins(bones, pairs)), PINS)  # under the hinges
+    lines = Group((own, pins, *layers, overruns, whole), NAME)
+    return CharacteristicFigure(pairs, (_heading(spot.box, spot, drafting), lines))
+
+
+def _heading(box: Field, spot: Spot, drafting: Drafting) -> Group:
+    hand = drafting.hand
+    at = complex(box.centre.real, box.top - hand.heading)
+    under = at - 1j * (0.6 * hand.heading + hand.title)
+    title = Text(at, drafting.word(TITLE), hand.heading, "middle", True)
+    return Group((title, Text(under, drafting.scale(spot.scale), hand.title, "middle", True)))
+
+
+def _notches(study: CyclogramStudy, pairs: Pairs) -> Iterator[Stroke]:
+    """Keep the notch arcs struck from points that move with the tool; an arc about a fixed hinge is a path already."""
+    for board in study.boards:
+        for mark in board:
+            if mark.step.op == "meet":
+                yield from _arcs(mark, pairs)
+
+
+def _arcs(mark: Mark, pairs: Pairs) -> Iterator[Stroke]:
+    for (source, ray), locus in zip(mark.rays, mark.step.inputs, strict=False):
+        centres, rays = np.broadcast_arrays(np.atleast_1d(source.point), np.atleast_1d(ray))
+        if not isinstance(locus.value, Notch) or np.ptp(centres.real) + np.ptp(centres.imag) == 0:
+            continue
+        for centre, arm in zip(centres.tolist(), rays.tolist(), strict=True):
+            radius, turn = pairs.place.length(abs(arm)), cmath.phase(arm)
+            half = min(LONG * pairs.hand.symbol / radius, math.pi)
+            yield Arc(pairs.place.on(centre), radius, turn - half, turn + half, pairs.hand.drafted)
+
+
+def _pins(bones: Skeletons, pairs: Pairs) -> Iterator[Group]:
+    """Mark the crank's end in every position but the one in full lines, to be measured by its number from the pivot."""
+    drive, place = bones.mechanism.drive, pairs.place
+    pivot = bones.mechanism.links[FRAME].points[drive.pivot]
+    data = Subject(NAME, "r", None).data("pole", drive.pivot, pivot, place.scale)
+    yield Group((Circle(place.on(pivot), DOT * pairs.hand.symbol, INK),), "", data, drive.pivot)
+    for k in range(len(bones.numbered)):
+        if k != bones.shown:
+            value, subject = bones.crank_end(k), Subject(NAME, "r", k)
+            data = subject.data("point", f"{drive.end}_{k}", value, place.scale)
+            yield Group((Circle(place.on(value), DOT * pairs.hand.symbol, INK),), "", data, str(k))
+
+
+def _overruns(found: Cyclogram, pairs: Pairs, drafting: Drafting, ink: Ink) -> Iterator[Stroke]:
+    """Dimension how far the tool goes past the work, of one that slides."""
+    slide = frame_slide(pairs.bones.mechanism, found.output.link)
+    if slide is None:
+        return
+    places = pairs.bones.numbered.points[found.output.point or slide.point]
+    for role, extreme in ((ENTRY, BEGIN), (EXIT, END)):
+        if found.of(role):
+            ends = [pairs.place.on(complex(places[found.number(one)])) for one in (extreme, role)]
+            first, last = sorted(ends, key=lambda pin: (round(pin.real, 6), pin.imag))
+            one, other = found.of(role)[0], found.of(extreme)[0]
+            text = length(abs(one.place - other.place), drafting.language)
+            strokes = clearest((first, last), text, pairs.bones, pairs.place, pairs.hand, ink)
+            ink.draw(strokes)
+            yield from strokes

@@ -1,0 +1,162 @@
+"""What is said of a cam in words: what is asked, its phases, sizes, angles, roller, shocks, flaws (пояснения)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from drawings.page.drafting import Drafting
+from drawings.report.phase_letters import phase_letter
+from plans.model.cam import Cam, Phase
+from plans.model.cam_motion import CamFound, Extreme, Flaw, Shock
+
+MM = 1000.0  # of a metre
+RPM = 30 / math.pi  # of a rad/s
+HARD = 1  # order of a shock that jumps the speed
+
+
+class CamNotes(NamedTuple):
+    """The notes on a cam by one road, with so many digits."""
+
+    found: CamFound
+    drafting: Drafting
+    digits: int = 4
+
+    @property
+    def all(self) -> tuple[str, ...]:
+        """What is asked, over which phases, what sizes do it, how it runs, and what is wrong with it."""
+        return (
+            *self.asked(),
+            *self.phases(),
+            *self.sizes(),
+            *self.pressure(),
+            *self.roller(),
+            *self.peaks(),
+            *self.shocks(),
+            *self.flaws(),
+        )
+
+    @property
+    def cam(self) -> Cam:
+        """The cam as it is asked for."""
+        return self.found.cam
+
+    def asked(self) -> Iterator[str]:
+        """Say what kind of cam it is."""
+        cam, word = self.cam, self.drafting.word
+        kind = word(f"cam {cam.follower.motion} {cam.follower.end}")
+        yield word("cam asked", follower=kind, closure=word(f"cam closed by {cam.closure}"), lift=self.way(cam.lift))
+        if cam.speed is not None:
+            sense = word("counter-clockwise" if cam.sense > 0 else "clockwise")
+            key = "cam speed of travel" if cam.translates else "cam speed"
+            numbers = {"n": self._number(cam.speed * RPM), "omega": self._number(cam.speed)}
+            yield word(key, sense=sense, **numbers)
+
+    def phases(self) -> Iterator[str]:
+        """Tell the phases in their order, with their laws."""
+        told = ";  ".join(self._phase(k, one) for k, one in enumerate(self.cam.phases))
+        yield self.drafting.word("cam phases", phases=told)
+
+    def _phase(self, number: int, phase: Phase) -> str:
+        law = f" ({self.drafting.word(f'law {phase.law.name}')})" if phase.law is not None else ""
+        return f"{phase_letter(self.cam, number, self.drafting)}{law}"
+
+    def sizes(self) -> Iterator[str]:
+        """Say which main sizes were found."""
+        cam, sizes = self.cam, self.found.sizes
+        if cam.translates:
+            return
+        parts = [f"R_0 = {self._mm(sizes.base)}"]
+        if cam.rocks:
+            angle = f"{self._number(math.degrees(sizes.initial))}°"
+            parts += [f"L = {self._mm(sizes.centre)}", f"ψ_0 = {angle}"]
+        elif not cam.flat:
+            parts += [f"e = {self._mm(sizes.offset)}", f"S_0 = {self._mm(math.sqrt(sizes.base**2 - sizes.offset**2))}"]
+        yield self.drafting.word("cam sizes", sizes=",  ".join(parts))
+        if cam.flat:
+            sides = (self._mm(abs(one)) for one in self.found.face)
+            yield self.drafting.word("cam face", **dict(zip(("back", "front"), sides, strict=True)))
+
+    def pressure(self) -> Iterator[str]:
+        """Say how large the pressure angle grows on each kind of phase, and where."""
+        for kind, found in self.found.pressure.items():
+            limit = self.cam.limits.of(kind)
+            parts = {"phase": self.drafting.word(f"cam on {kind}"), **self._place(found)}
+            told = {"angle": self._number(math.degrees(found.value)), **parts}
+            if limit is None:
+                yield self.drafting.word("cam pressure", **told)
+            else:
+                yield self.drafting.word("cam pressure limit", limit=self._number(math.degrees(limit)), **told)
+
+    def roller(self) -> Iterator[str]:
+        """Say how sharply the pitch curve is bent, and how large the roller is."""
+        found, word = self.found, self.drafting.word
+        key = "cam profile sharpest" if self.cam.flat else "cam sharpest"
+        if found.sharpest is not None:
+            yield word(key, radius=self._mm(found.sharpest.value), **self._place(found.sharpest))
+        if found.hollow is not None and not self.cam.flat:
+            yield word("cam hollow radius", radius=self._mm(-found.hollow.value), **self._place(found.hollow))
+        if found.roller and self.cam.roller is None:
+            yield word("cam roller by rule", roller=self._mm(found.roller))
+        elif found.roller:
+            yield word("cam roller given", roller=self._mm(found.roller))
+
+    def peaks(self) -> Iterator[str]:
+        """Say how fast the follower goes at the numbered positions, and how it is accelerated."""
+        cam, travel = self.cam, self.found.contour.travel
+        if cam.speed is None:
+            return
+        speed, rate = (float(np.max(np.abs(one), initial=0.0)) for one in (travel.slope, travel.bend))
+        units = ("rad/s", "rad/s2") if cam.rocks else ("m/s", "m/s2")
+        numbers = (self._of(speed * cam.speed, units[0]), self._of(rate * cam.speed**2, units[1]))
+        yield self.drafting.word("cam peaks", **dict(zip(("speed", "acceleration"), numbers, strict=True)))
+
+    def shocks(self) -> Iterator[str]:
+        """Say where it knocks, and how hard."""
+        for one in self.found.shocks:
+            key = "cam hard shock" if one.order == HARD else "cam soft shock"
+            yield self.drafting.word(key, jump=self._jump(one), phi=self.turn(one.turned))
+
+    def _jump(self, one: Shock) -> str:
+        cam = self.cam
+        of_angle = cam.speed is None
+        unit = ("rad" if cam.rocks else "m") + ("" if of_angle else "/s" if one.order == HARD else "/s2")
+        value = one.jump if cam.speed is None else one.jump * cam.speed**one.order
+        return self._of(value, unit)
+
+    def flaws(self) -> Iterator[str]:
+        """Say what is wrong from where to where, and what would help."""
+        yield from map(self.flaw, self.found.flaws)
+
+    def flaw(self, one: Flaw) -> str:
+        """Say one flaw."""
+        ends = {"start": self.turn(one.start), "end": self.turn(one.end), "phi": self.turn(one.worst.turned)}
+        value = one.worst.value
+        told = self._number(math.degrees(value)) if one.kind == "pressure" else self._number(value * self._unit(one))
+        return self.drafting.word(f"cam flaw {one.kind}", worst=told, **ends)
+
+    def _unit(self, one: Flaw) -> float:
+        return 1.0 if one.kind == "lift-off" else MM
+
+    def way(self, value: float) -> str:
+        """Write how far the follower goes: mm, or degrees of one that rocks."""
+        return f"{self._number(math.degrees(value))}°" if self.cam.rocks else self._mm(value)
+
+    def turn(self, value: float) -> str:
+        """Write how far the cam goes: degrees, or mm of one that translates."""
+        return self._mm(value) if self.cam.translates else f"{self._number(math.degrees(value))}°"
+
+    def _place(self, found: Extreme) -> dict[str, str]:
+        return {"phi": self.turn(found.turned)}
+
+    def _mm(self, value: float) -> str:
+        return self._of(MM * value, "mm")
+
+    def _of(self, value: float, unit: str) -> str:
+        return f"{self._number(value)} {self.drafting.word(unit)}"
+
+    def _number(self, value: float) -> str:
+        return self.drafting.number(value, self.digits)

@@ -1,0 +1,128 @@
+"""Cams in the report: what is asked, the travel and profile in every position, sizes, flaws (кулачки в отчёте)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import chain
+from typing import TYPE_CHECKING
+
+from drawings.page.drafting import Drafting, drafting_of
+from drawings.report.cam_notes import MM, CamNotes
+from drawings.report.chapters import Chapters
+from drawings.report.markdown import header, row
+from drawings.report.subject import Subject
+from plans.cam.study import CamDrawing
+from plans.model.cam import ROCKING
+from plans.model.cam_motion import CamFound
+from plans.study import Study
+from plans.words.words import Message, message, word
+
+if TYPE_CHECKING:
+    from drawings.paper.strokes import Leaf
+
+DIGITS = 10
+ENGLISH = "en"  # of the gallery's page
+
+
+def subject(study: Study) -> Subject:
+    """Tell a scene's cams in a few words, for the gallery's page."""
+    found, drafting = study["cam"].found, drafting_of(study.scene)._replace(language=ENGLISH)
+    kinds = [drafting.word(f"cam {one.cam.follower.motion} {one.cam.follower.end}") for one in found]
+    structure = kinds[0] if len(kinds) == 1 else f"{len(kinds)} cams on a shaft"
+    cams = "A cam with a " if len(kinds) == 1 else "Cams, each with its follower: "
+    laws = ", ".join(dict.fromkeys(one.law.name for cam in found for one in cam.cam.moving() if one.law))
+    return Subject(structure, f"law: {laws}", f"{cams}{'; '.join(kinds)} ({laws}).")
+
+
+def headline(study: Study) -> str:
+    """Say which sizes the cams have."""
+    return "; ".join(_plain(line) for notes in _all(study, 5) for line in notes.sizes())
+
+
+def remarks(study: Study) -> list[Message]:
+    """Say what is wrong with the cams."""
+    notes = ((notes, flaw) for notes in _all(study, 5) for flaw in notes.found.flaws)
+    return [message("cam.flaw", cam=one.cam.name, flaw=_plain(one.flaw(flaw))) for one, flaw in notes]
+
+
+def faults(text: str, study: Study) -> Iterator[Message]:
+    """Find no fault: the numbers of a cam are printed from the comparison that was judged."""
+    yield from ()
+
+
+def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
+    """Tell each cam: its task, its numbers, what is right and wrong with it."""
+    drafting = drafting_of(study.scene)
+    told = [*zip(study["cam"].drawings.values(), _all(study, DIGITS), strict=True)]
+    return Chapters(
+        subject=[*chain.from_iterable(_task(notes) for _, notes in told)],
+        values=[*chain.from_iterable(_values(notes.found, drafting) for _, notes in told)],
+        conditions=[*chain.from_iterable(_conditions(*one) for one in told)],
+        left_out=[word(drafting.language, "report.cam_left_out")],
+    )
+
+
+def _all(study: Study, digits: int) -> Iterator[CamNotes]:
+    drafting = drafting_of(study.scene)
+    return (CamNotes(found, drafting, digits) for found in study["cam"].found)
+
+
+def _task(notes: CamNotes) -> Iterator[str]:
+    yield word(notes.drafting.language, "report.cam", name=notes.cam.name)
+    yield ""
+    yield from (f"- {_plain(line)}" for line in (*notes.asked(), *notes.phases()))
+    yield ""
+
+
+def _values(found: CamFound, drafting: Drafting) -> Iterator[str]:
+    """Tell every numbered position."""
+    yield word(drafting.language, "report.cam_values", name=found.cam.name)
+    yield ""
+    yield from header([_head(name, found, drafting) for name in ("φ", "S", "S'", "S''", "x_P", "y_P", "α", "ρ")])
+    yield from (row([str(k), *cells]) for k, cells in enumerate(_cells(found, drafting)))
+
+
+def _head(name: str, found: CamFound, drafting: Drafting) -> str:
+    """Head a column: the first bears the number of the position beside the turn."""
+    rocking = found.cam.follower.motion == ROCKING
+    across = "mm" if found.cam.translates else "°"
+    units = {"φ": across, "S": "°" if rocking else "mm", "α": "°", "x_P": "mm", "y_P": "mm", "ρ": "mm"}
+    unit = units.get(name, "" if rocking else "mm")
+    said = f"{name}, {drafting.word(unit)}" if unit else name
+    return f"i | {said}" if name == "φ" else said
+
+
+def _cells(found: CamFound, drafting: Drafting) -> Iterator[list[str]]:
+    contour, cam = found.contour, found.cam
+    turns, angles = (MM if cam.translates else math.degrees(1)), math.degrees(1)
+    ways = (angles, 1.0, 1.0) if cam.rocks else (MM, MM, MM)
+    rows = zip(
+        turns * contour.turned,
+        *(by * one for by, one in zip(ways, contour.travel, strict=True)),
+        MM * contour.pitch.real,
+        MM * contour.pitch.imag,
+        angles * contour.pressure,
+        MM * contour.radius,
+        strict=True,
+    )
+    for values in rows:
+        yield [drafting.number(value, DIGITS) if math.isfinite(value) else "∞" for value in map(float, values)]
+
+
+def _conditions(drawing: CamDrawing, notes: CamNotes) -> Iterator[str]:
+    """Tell sizes, angles, roller, shocks, flaws, and what the chords of the diagrams leave out."""
+    language = notes.drafting.language
+    yield word(language, "report.cam_found", name=notes.cam.name)
+    yield ""
+    told = (*notes.sizes(), *notes.pressure(), *notes.roller(), *notes.peaks(), *notes.shocks(), *notes.flaws())
+    yield from (f"- {_plain(line)}" for line in told)
+    shares = (drawing.diagrams.slope_departure.share, drawing.diagrams.travel_departure.share)
+    slope, travel = (notes.drafting.number(100 * share, 3) for share in shares)
+    strips = len(drawing.diagrams.strips.edges) - 1
+    yield f"- {word(language, 'report.cam_chords', count=strips, slope=slope, travel=travel)}"
+
+
+def _plain(note: str) -> str:
+    """Write a note without the braces of its indices."""
+    return " ".join(note.replace("{", "").replace("}", "").split())

@@ -1,0 +1,83 @@
+"""Extremes of a cam's profile by roots of derivatives: pressure angle, curvature, face, forces (экстремумы)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from plans.analytic.cam.contact import Forces
+from plans.analytic.cam.series import Place, Turn
+from plans.model.cam import Cam
+from plans.model.cam_motion import Extreme, Pressing, Sizes
+
+
+@dataclass(frozen=True)
+class Extremes:
+    """The extremes of one profile."""
+
+    cam: Cam
+    sizes: Sizes
+
+    @cached_property
+    def turn(self) -> Turn:
+        """The whole turn."""
+        return Turn(self.cam, self.sizes)
+
+    @cached_property
+    def pressure(self) -> dict[str, Extreme]:
+        """The largest pressure angle by its size on every kind of phase that there is, rad, signed."""
+        found = {kind: self._largest(kind) for kind in dict.fromkeys(one.kind for one in self.cam.moving())}
+        return {kind: one for kind, one in found.items() if one is not None}
+
+    def _largest(self, kind: str) -> Extreme | None:
+        turn = Turn(self.cam, self.sizes, (kind,))
+        places = turn.places(lambda curve: curve.pressure)
+        signed = turn.read(lambda curve: curve.pressure, places)
+        best = int(np.argmax(np.abs(signed)))
+        return Extreme(float(signed[best]), places[best].turned)
+
+    @cached_property
+    def bends(self) -> tuple[Place, ...]:
+        """Where the curve can be sharpest."""
+        if self.cam.flat:
+            return self.turn.places(lambda curve: curve.radius)
+        return self.turn.places(lambda curve: curve.curvature)
+
+    @cached_property
+    def sharpest(self) -> Extreme | None:
+        """The least convex radius; under a flat face the least, signed."""
+        if self.cam.flat:
+            least = self.turn.most(lambda curve: -curve.radius, self.bends)
+            return Extreme(-least.value, least.turned) if least else None
+        most = self.turn.most(lambda curve: curve.curvature, self.bends)
+        return Extreme(1 / most.value, most.turned) if most and most.value > 0 else None
+
+    @cached_property
+    def hollow(self) -> Extreme | None:
+        """The smallest hollow radius, below 0."""
+        most = None if self.cam.flat else self.turn.most(lambda curve: -curve.curvature, self.bends)
+        return Extreme(-1 / most.value, most.turned) if most and most.value > 0 else None
+
+    @cached_property
+    def face(self) -> tuple[float, float]:
+        """The least and the greatest place of contact on a flat face, m."""
+        if not self.cam.flat:
+            return 0.0, 0.0
+        found = self.turn.read(lambda curve: curve.place, self.turn.places(lambda curve: curve.place))
+        return float(found.min()), float(found.max())
+
+    def pressing(self, forces: Forces) -> Pressing:
+        """Give the extremes of the contact's force and wear, and the preload that holds."""
+        turn, nothing = self.turn, Extreme(np.nan, 0.0)
+        places = turn.places(forces.normal)
+        low, high = turn.most(lambda curve: -forces.normal(curve), places), turn.most(forces.normal, places)
+        signed = turn.places(lambda curve: forces.normal(curve) * curve.slip(forces.roller))
+        lack = turn.most(lambda curve: -forces.along(curve))
+        return Pressing(
+            least=Extreme(-low.value, low.turned) if low else nothing,
+            most=high or nothing,
+            wear=turn.most(forces.wear, signed) or nothing,
+            preload=forces.load.preload + max(0.0, lack.value if lack else 0.0),
+        )

@@ -1,0 +1,171 @@
+"""Loops of a profile that crosses itself, and what is lost where they are cut away (петли профиля).
+
+All pairs of chords are tried; the two turns are then found by Newton's method with differences in place of derivatives.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Final
+
+import numpy as np
+
+from plans.analytic.cam.contour import Curve
+from plans.analytic.cam.series import Turn
+from plans.model.cam_motion import Extreme, Flaw, Points
+from plans.model.motion import Floats
+
+CHORDS: Final = 24  # of a piece
+ABOUT: Final = 32  # chords about what is undercut: its loop is closed within its own width to both sides
+TRIES: Final = 30  # of Newton's method
+DIFFERENCE: Final = 1e-6  # rad or m: the root of a rounding, and more
+SEARCHES: Final = 80  # of a golden section: more than a double has digits of a place
+GOLDEN: Final = (5**0.5 - 1) / 2
+APART: Final = 1e-9  # rad or m: two crossings that are nearer are one
+Pair = tuple[float, float]
+
+
+@dataclass(frozen=True)
+class Loops:
+    """The search for loops of one profile."""
+
+    turn: Turn
+    roller: float  # m
+
+    def flaws(self) -> Iterator[Flaw]:
+        """Give every loop with how much of S is lost on it."""
+        spans = self._undercut()
+        for first, second in self.crossings(spans):
+            start, end = self._loop(first, second, spans)
+            yield Flaw("crossing", start, end, self._loss(first, start, end))
+
+    def _undercut(self) -> list[Pair]:
+        """Give the parts of the turn where the edge runs backwards."""
+        found = []
+        for start, end in self.turn.pieces.T.tolist():
+            roots = [one for one in self.turn.roots(self._forward) if start < one < end]
+            cuts = [start, *roots, end]
+            middles = self._forward(self.turn.at(np.add(cuts[:-1], cuts[1:]) / 2))
+            found += [pair for pair, m in zip(pairwise(cuts), middles, strict=True) if m < 0]
+        return found
+
+    def _forward(self, curve: Curve) -> Floats:
+        if not curve.cam.flat:
+            return 1 - self.roller * curve.curvature
+        return np.where(curve.lead > 0, curve.radius, -1.0) if curve.cam.rocks else curve.radius
+
+    def edge(self, turned: Floats, before: bool = False) -> Points:
+        """Give the profile, mirrored where the cam turns clockwise."""
+        return self.turn.at(np.asarray(turned), before).edge(-self.roller)
+
+    def crossings(self, spans: list[Pair]) -> list[Pair]:
+        """Give the pairs of turns at which the profile is at one point."""
+        turned, points = self._chords(spans)
+        start, way = points[:-1], np.diff(points)
+        one, other = (k.ravel() for k in np.triu_indices(len(start), 2))
+        near = _overlap(points, one, other)
+        one, other = one[near], other[near]
+        base = start[other] - start[one]
+        sines = (np.conj(way[one]) * way[other]).imag
+        with np.errstate(divide="ignore", invalid="ignore"):
+            along, back = ((np.conj(base) * way[k]).imag / sines for k in (other, one))
+        hit = (along >= 0) & (along < 1) & (back >= 0) & (back < 1) & ((one > 0) | (other < len(start) - 1))
+        found = [self._newton(turned[i], turned[j]) for i, j in zip(one[hit], other[hit], strict=True)]
+        return _distinct(sorted(found))
+
+    def _chords(self, spans: list[Pair]) -> tuple[Floats, Points]:
+        turned, points = [], []
+        for start, end in self.turn.pieces.T.tolist():
+            near = [np.linspace(2 * a - b, 2 * b - a, ABOUT + 1) for a, b in spans]
+            inner = np.unique(np.concatenate([np.linspace(start, end, CHORDS + 1)[:-1], *near]))
+            inner = inner[(inner >= start) & (inner < end)]
+            turned.append(np.append(inner, end))
+            points.append(np.append(self.edge(inner), self.edge(np.array([end]), before=True)))
+        return np.concatenate(turned), np.concatenate(points)
+
+    def _newton(self, first: float, second: float) -> Pair:
+        pair, shift = np.array([first, second]), DIFFERENCE * np.array([1, 1, -1, -1])
+        for _ in range(TRIES):
+            at = self.edge(np.concatenate([pair, np.clip(np.tile(pair, 2) + shift, 0.0, self.turn.cam.turn)]))
+            gap, (u, v) = at[0] - at[1], (at[2:4] - at[4:6]) / (2 * DIFFERENCE)
+            sine = (np.conj(u) * v).imag
+            if sine == 0:
+                break
+            step = np.array([-(np.conj(gap) * v).imag, (np.conj(u) * gap).imag]) / sine
+            if np.abs(step).max() > self.turn.cam.turn / 8:
+                return first, second
+            pair = np.clip(pair + step, 0.0, self.turn.cam.turn)
+        return float(pair[0]), float(pair[1])
+
+    def _loop(self, first: float, second: float, spans: list[Pair]) -> Pair:
+        """Give where the loop starts and ends: what is undercut lies on it, or else it is the shorter part."""
+        if spans:
+            inside = any(first <= (a + b) / 2 <= second for a, b in spans)
+        else:
+            inside = second - first <= self.turn.cam.turn / 2
+        return (first, second) if inside else (second, first)
+
+    def _loss(self, crossed: float, start: float, end: float) -> Extreme:
+        """Find the greatest loss of S on a loop, by a golden section about the greatest of some."""
+        end += self.turn.cam.turn if end < start else 0.0
+        corner = complex(self.edge(np.array([crossed]))[0])
+        looks = np.linspace(start, end, 257)
+        lost = self._lost(corner, looks)
+        if np.isnan(lost).all():
+            return Extreme(float("nan"), start)
+        best = int(np.nanargmax(lost))
+        low, high = looks[max(best - 1, 0)], looks[min(best + 1, 256)]
+        for _ in range(SEARCHES):
+            tried = np.array([high - GOLDEN * (high - low), low + GOLDEN * (high - low)])
+            left, right = self._lost(corner, tried)
+            low, high = (low, tried[1]) if left >= right else (tried[0], high)
+        at = (low + high) / 2
+        return Extreme(float(self._lost(corner, np.array([at]))[0]), float(np.mod(at, self.turn.cam.turn)))
+
+    def _lost(self, corner: complex, turned: Floats) -> Floats:
+        """Give S less that with which the follower rests on a corner, NaN where it cannot."""
+        whole = self.turn.cam.turn
+        curve = self.turn.at(np.where(turned > whole, turned - whole, turned))
+        with np.errstate(invalid="ignore"):
+            return curve.travel.s - _rest(curve, corner, self.roller)
+
+
+def _rest(curve: Curve, corner: complex, roller: float) -> Floats:
+    cam, angle = curve.cam, np.exp(1j * curve.turned)
+    place = corner - curve.turned if cam.translates else corner * angle
+    if not cam.rocks:
+        if cam.flat:
+            return np.asarray(place.imag - curve.sizes.base)
+        aside = np.abs(place.real - curve.sizes.offset)
+        lift = place.imag + np.sqrt((roller - aside) * (roller + aside))
+        return np.asarray(lift - (curve.height - curve.travel.s))
+    centre, direction = curve.pivot
+    way = place - centre * np.exp(1j * direction)
+    size, sense = np.abs(way), cam.follower.sense
+    if cam.flat:
+        off = np.arcsin(cam.follower.face / size)
+    else:
+        around = (size - curve.length + roller) * (curve.length - size + roller)
+        off = -2 * np.arctan2(np.sqrt(around), np.sqrt((size + curve.length) ** 2 - roller**2))
+    theta = np.angle(way) - sense * off
+    swung = theta if sense > 0 else np.pi - theta
+    return np.asarray(np.mod(swung + np.pi, 2 * np.pi) - np.pi + cam.lift / 2)
+
+
+def _overlap(points: Points, one: np.ndarray, other: np.ndarray) -> np.ndarray:
+    """Tell which pairs of chords have boxes that overlap."""
+    apart = np.zeros(len(one), dtype=bool)
+    for part in (points.real, points.imag):
+        low, high = np.minimum(part[:-1], part[1:]), np.maximum(part[:-1], part[1:])
+        apart |= (low[one] > high[other]) | (low[other] > high[one])
+    return ~apart
+
+
+def _distinct(found: list[Pair]) -> list[Pair]:
+    kept: list[Pair] = []
+    for one in found:
+        if not kept or abs(one[0] - kept[-1][0]) + abs(one[1] - kept[-1][1]) > APART:
+            kept.append(one)
+    return kept

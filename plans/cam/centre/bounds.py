@@ -1,0 +1,173 @@
+"""What bounds the place of the cam's centre: limits of the pressure angle, convexity under a flat face (ограничения).
+
+Each position of the follower bounds O by a straight line of its own; a bound is all the lines of one kind.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple, Protocol
+
+import numpy as np
+
+from geometry.meet import dot
+from plans.cam.centre.instants import Instant, Stretch, stretches
+from plans.cam.centre.slope_diagram import SlopeDiagram
+from plans.cam.centre.support import Rule, Touch, touch
+from plans.model.cam import FORCE, RETURN, RISE, Limits
+from plans.model.cam_motion import Points
+from plans.model.motion import Floats
+
+
+class Lines(NamedTuple):
+    """Limiting lines of N positions: O lies where dot(normal, O) does not exceed the bound, m; normals are no units."""
+
+    normals: Points
+    bounds: Floats
+
+
+class Bound(Protocol):
+    """A kind of limiting lines."""
+
+    @property
+    def along(self) -> tuple[Stretch, ...]:
+        """The stretches whose positions it is of."""
+        ...
+
+    def lines(self, motion: Instant) -> Lines:
+        """Give the limiting lines of some positions."""
+        ...
+
+    def moving(self, motion: Instant) -> Lines:
+        """Give the derivatives of the lines by the cam's turn."""
+        ...
+
+
+class Limit(NamedTuple):
+    """The limiting line of one position that a bound touches."""
+
+    bound: Bound
+    touch: Touch
+    normal: complex
+    reach: float
+
+    def beyond(self, centre: complex) -> float:
+        """Give how far a centre is beyond it, in m of a unit normal."""
+        return float(dot(self.normal, centre)) - self.reach
+
+
+@dataclass(frozen=True)
+class PressureBound:
+    """The limiting lines of a phase's pressure angle: up to the limit (side +1), or down to it below 0 (side -1)."""
+
+    diagram: SlopeDiagram
+    kind: str
+    side: int
+    angle: float  # rad
+    level: bool = False  # by the chord of the book: all its lines are parallel
+
+    @cached_property
+    def along(self) -> tuple[Stretch, ...]:
+        """The stretches of the phases of its kind."""
+        return stretches(self.diagram.cam, (self.kind,))
+
+    @property
+    def normal(self) -> complex:
+        """The normal of its line where the way of K goes straight up."""
+        return -1j * self.diagram.cam.sense * self.side * self.diagram.limit(self.side, self.angle)
+
+    def _normals(self, motion: Instant) -> Points:
+        leaning = np.ones_like(motion.s, dtype=complex) if self.level else self.diagram.leaning(motion.s)
+        return self.normal * leaning
+
+    def lines(self, motion: Instant) -> Lines:
+        """Give the lines through D."""
+        normals = self._normals(motion)
+        return Lines(normals, np.asarray(dot(normals, self.diagram.end(motion))))
+
+    def moving(self, motion: Instant) -> Lines:
+        """Give how they turn and shift."""
+        normals = self._normals(motion)
+        turning = np.zeros_like(normals) if self.level else 1j * self.diagram.turning(motion) * normals
+        shift = dot(turning, self.diagram.end(motion)) + dot(normals, self.diagram.drift(motion))
+        return Lines(turning, np.asarray(shift))
+
+
+def rule_of(bound: Bound, centre: complex) -> Rule:
+    """Give how far a centre is beyond the lines of a bound, for a ruler."""
+
+    def rule(motion: Instant) -> tuple[Floats, Floats]:
+        lines, moving = bound.lines(motion), bound.moving(motion)
+        size = np.abs(lines.normals)
+        beyond = (dot(lines.normals, centre) - lines.bounds) / size
+        turning = (dot(moving.normals, centre) - moving.bounds) / size
+        return beyond, turning - beyond * dot(lines.normals, moving.normals) / size**2
+
+    return rule
+
+
+def limit(bound: Bound, centre: complex) -> Limit:
+    """Give the line of a bound that a centre is farthest beyond: push a ruler until it touches."""
+    found = touch(bound.along, rule_of(bound, centre))
+    lines = bound.lines(found.instant)
+    normal = complex(lines.normals[0])
+    return Limit(bound, found, normal / abs(normal), float(lines.bounds[0]) / abs(normal))
+
+
+def pressure_bounds(diagram: SlopeDiagram, limits: Limits, level: bool = False) -> Iterator[PressureBound]:
+    """Give the bounds of the pressure angle: rises from above, returns from below; a spring's rises from below too.
+
+    On the return a spring drives, so that nothing limits it where the scene does not.
+    """
+    if limits.rise is not None:
+        yield PressureBound(diagram, RISE, 1, limits.rise, level)
+    if limits.back is not None:
+        yield PressureBound(diagram, RETURN, -1, limits.back, level)
+    if limits.rise is not None and diagram.cam.closure == FORCE:
+        yield PressureBound(diagram, RISE, -1, limits.rise, level)
+
+
+@dataclass(frozen=True)
+class CurvatureBound:
+    """The limiting lines of convexity under the face of a rocker: the profile's radius is no less than it may be.
+
+    ρ = h - c·n(1 - 2m)/(1 - m)2 + ψ'' c·u/(1 - m)3 with c = O1O, m = ψ' where they turn alike, -ψ' where not.
+    """
+
+    diagram: SlopeDiagram
+    radius: float
+
+    @cached_property
+    def along(self) -> tuple[Stretch, ...]:
+        """All that moves the follower, and its dwells."""
+        return stretches(self.diagram.cam, {one.kind for one in self.diagram.cam.phases})
+
+    def lines(self, motion: Instant) -> Lines:
+        """Give the lines on which the radius is the least allowed."""
+        cam, m = self.diagram.cam, self.diagram.cam.follower.sense * motion.slope
+        up, arm = self.axes(motion)
+        normals = up * (1 - 2 * m) / (1 - m) ** 2 - arm * motion.bend / (1 - m) ** 3
+        return Lines(normals, np.full_like(motion.s, cam.follower.face - self.radius))
+
+    def moving(self, motion: Instant) -> Lines:
+        """Give how they turn."""
+        cam, sense = self.diagram.cam, self.diagram.cam.follower.sense
+        m, dm = sense * motion.slope, sense * motion.bend
+        up, arm = self.axes(motion)
+        turn = 1j * cam.rising * motion.slope
+        own = (turn * (1 - 2 * m) - 2 * dm + 2 * dm * (1 - 2 * m) / (1 - m)) * up / (1 - m) ** 2
+        rest = (turn * motion.bend + motion.jerk + 3 * dm * motion.bend / (1 - m)) * arm / (1 - m) ** 3
+        return Lines(own - rest, np.zeros_like(motion.s))
+
+    def axes(self, motion: Instant) -> tuple[Points, Points]:
+        """Give the face's normal, out of the cam, and the direction along the arm."""
+        leaning = self.diagram.leaning(motion.s)
+        return 1j * leaning, self.diagram.cam.rising * leaning
+
+
+def angle_of(bound: PressureBound) -> float:
+    """Give the signed limit of the pressure angle, degrees."""
+    return bound.side * math.degrees(bound.angle)

@@ -1,0 +1,152 @@
+"""The least radius under a flat face, by convexity (плоский, тарельчатый толкатель: условие выпуклости)."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from geometry.board import Board, Mark
+from geometry.meet import dot
+from plans.cam.centre.bounds import Bound, CurvatureBound, Lines, limit
+from plans.cam.centre.instants import Instant, Stretch, stretches
+from plans.cam.centre.region import on_circle, place
+from plans.cam.centre.rocker_sizes import rocker_sizes
+from plans.cam.centre.slope_diagram import SlopeDiagram
+from plans.cam.centre.support import touch
+from plans.cam.course import Course, positions
+from plans.cam.sizing import SIZES, Sizing, Tangent
+from plans.model.cam import Cam
+from plans.model.cam_faults import fast_face, hard_face, no_distance, no_level, no_radius, no_region
+from plans.model.cam_motion import Sizes
+from plans.model.motion import Floats
+from plans.words.words import because
+
+DOWN = 1 - 1j  # along the lines S + S'' = const
+
+
+class FallBound(NamedTuple):
+    """The lines S + S'' = const of all positions: O lies below each by the least radius of curvature."""
+
+    along: tuple[Stretch, ...]
+
+    def lines(self, motion: Instant) -> Lines:
+        """Give the lines in the plane of S'' across and S upwards."""
+        return Lines(np.full_like(motion.s, 1 + 1j, dtype=complex), motion.s + motion.bend)
+
+    def moving(self, motion: Instant) -> Lines:
+        """Give how they shift."""
+        return Lines(np.zeros_like(motion.s, dtype=complex), motion.slope + motion.jerk)
+
+
+def _rule(motion: Instant) -> tuple[Floats, Floats]:
+    """Give -(S + S''), and its derivative."""
+    return -(motion.s + motion.bend), -(motion.slope + motion.jerk)
+
+
+def _smooth(course: Course) -> None:
+    """Refuse a law whose S' falls at once: the profile would have to lie on both sides of its own tangent."""
+    for one in course.shocks:
+        if one.order == 1 and one.jump < 0:
+            raise hard_face(course.cam, one.turned)
+
+
+def flat_sizing(course: Course) -> Sizing:
+    """Push a ruler at 45 degrees against the curve of S over S'': R0 is from its cut with the axis, and ρ_min more."""
+    cam, board = course.cam, Board(SIZES)
+    if cam.given.base is None:
+        _smooth(course)
+    start = board.given("A", 0j, because("cam_start"))
+    way = board.given("S", 1j, because("cam_way"))
+    axis = board.parallel("AS", start, way, because("cam_way"))
+    turned = positions(cam)
+    travel = course.at(turned)
+    tip, end = _laid(board, start, (travel.s, travel.bend), "")
+    bound: Bound = FallBound(stretches(cam, {one.kind for one in cam.phases}))
+    found = touch(bound.along, _rule)
+    at = found.instant
+    point = _laid(board, start, (at.s[0], at.bend[0]), "1")[1]
+    direction = board.given("t_1", DOWN, because("cam_convex"))
+    line = board.parallel("τ_1", point, direction, because("cam_ruler"))
+    cut = board.meet("B", axis, line, why=because("cam_cut"))
+    below = board.given("ρ", -1j * cam.limits.curvature, because("cam_least_radius"))
+    least = board.lay_off("O" if cam.given.base is None else "O'", cut, below, because("cam_face_centre"))
+    base = -complex(least.point).imag if cam.given.base is None else cam.given.base
+    if base <= 0:
+        raise no_radius(cam)
+    centre = least if cam.given.base is None else board.given("O", -1j * base, because("cam_given_centre"))
+    tangent = Tangent(bound, found, point, direction, line, cam.given.base is None)
+    sizes = Sizes(base, cam.given.offset or 0.0)
+    return Sizing(cam, cam.limits, sizes, board, turned, start, start, tip, end, centre, (tangent,), (bound,))
+
+
+def _laid(board: Board, start: Mark, motion: tuple[Floats, Floats], name: str) -> tuple[Mark, Mark]:
+    low = f"_{name}" if name else ""
+    s = board.given(f"S{low}", 1j * motion[0], because("cam_travel"))
+    tip = board.lay_off(f"K{low}", start, s, because("cam_laid"))
+    bend = board.given(f"S''{low}", motion[1] + 0j, because("cam_bend"))
+    return tip, board.lay_off(f"T{low}" if name else "D", tip, bend, because("cam_bend_end"))
+
+
+def rocking_face_sizing(course: Course) -> Sizing:
+    """Find the place of O on the arc of L where the profile is just convex enough, and the face stands lowest."""
+    cam, board, diagram = course.cam, Board(SIZES), SlopeDiagram(course.cam)
+    if cam.given.centre is None:
+        raise no_distance(cam)
+    pivot = board.given("O_1", 0j, because("cam_pivot"))
+    arc = board.arc("L", pivot, cam.given.centre, because("cam_distance"))
+    leaning = complex(diagram.leaning(np.zeros(1))[0])
+    up, arm = 1j * leaning, cam.rising * leaning
+    bound = CurvatureBound(diagram, cam.limits.curvature)
+    lines: tuple[Tangent, ...] = ()
+    if cam.given.base is not None:
+        centre = _level(board, cam, (pivot, arc), up, arm)
+    else:
+        _smooth(course)
+        _slower(cam)
+        line, near = _convex(board, cam, bound, up, arm)
+        lines = (line,)
+        side = 1 if (near / complex(line.direction.point)).real > 0 else -1
+        centre = board.meet("O", line.line, arc, side=side, why=because("cam_on_arc"))
+    place_of = complex(centre.point)
+    base = cam.follower.face - float(dot(place_of, up))
+    if base <= 0:
+        raise no_radius(cam)
+    sizes = rocker_sizes(cam, place_of, arm, base)
+    turned = positions(cam)
+    return Sizing(cam, cam.limits, sizes, board, turned, pivot, pivot, centre=centre, tangents=lines, bounds=(bound,))
+
+
+def _slower(cam: Cam) -> None:
+    """Refuse a rocker that turns as fast as the cam: its face would stand still on it, and then go back."""
+    moving = stretches(cam, {one.kind for one in cam.moving()})
+    sense = cam.follower.sense
+    fastest = touch(moving, lambda at: (sense * at.slope, sense * at.bend))
+    if fastest.beyond >= 1:
+        raise fast_face(cam, fastest.turned)
+
+
+def _level(board: Board, cam: Cam, arc: tuple[Mark, Mark], up: complex, arm: complex) -> Mark:
+    """Find O at a given distance from the face, on the arc of L."""
+    base, centre = cam.given.base, cam.given.centre
+    assert base is not None and centre is not None  # asked before
+    height = cam.follower.face - base
+    if abs(height) >= centre:
+        raise no_level(cam, base, centre)
+    foot = board.lay_off("B", arc[0], board.given("h", height * up, because("cam_face")), because("cam_face"))
+    level = board.parallel("BO", foot, board.given("u", arm, because("cam_arms")), because("cam_face"))
+    return board.meet("O", level, arc[1], side=1, why=because("cam_given_centre"))
+
+
+def _convex(board: Board, cam: Cam, bound: Bound, up: complex, arm: complex) -> tuple[Tangent, complex]:
+    """Push the line of least curvature until it touches, and draw it; O is near the place that is given beside."""
+    radius, face = cam.given.centre or 0.0, cam.follower.face
+    start = radius * up
+    found = place((bound,), start, on_circle(radius, lambda at: face - float(dot(at, up)), start, arm), radius)
+    if found is None or not found.limits:
+        raise no_region(cam, cam.limits)
+    line = limit(bound, found.centre)
+    point = board.given("T_1", line.reach * line.normal, because("cam_convex_point"))
+    direction = board.given("t_1", 1j * line.normal, because("cam_convex_way"))
+    drawn = board.parallel("τ_1", point, direction, because("cam_limit_line"))
+    return Tangent(bound, line.touch, point, direction, drawn, True), found.centre

@@ -1,0 +1,218 @@
+"""The diagrams of a law by the book's graphical calculus (диаграммы S'', S', S, 5.9.2, figures 5.44-5.46; M2.3, M2.4).
+
+S'' is given; S' is drawn from it by chords, S from S' in the same way. A hard shock is an impulse of S'' that no area
+shows: past it S' begins anew from what the law has there. Of a law by a table S is what is given: it is differentiated.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+
+import numpy as np
+import numpy.typing as npt
+
+from geometry.board import Board
+from geometry.calculus import Derivative, Integral, derivative_by_chords, integral
+from geometry.strips import SLIVER, Departure, departure, middles, strips
+from plans.cam.course import Course, positions
+from plans.model.cam import SHAPE, TABLE, Cam
+from plans.model.cam_motion import Travel
+from plans.model.motion import Floats
+from plans.words.calculus import REASONS
+
+SLOPE, TRAVEL, BEND = "S'", "S", "S''"
+
+
+@dataclass(frozen=True)
+class Strips:
+    """The strips of a cam's turn: those of the numbered positions, with an edge on every corner of S'' (участки)."""
+
+    course: Course
+    edges: Floats  # (n + 1,) rad
+
+    @cached_property
+    def after(self) -> Travel:
+        """S, S', S'' at the edges, after what jumps there."""
+        return self.course.at(self.edges)
+
+    @cached_property
+    def before(self) -> Travel:
+        """S, S', S'' at the edges, before what jumps there."""
+        return self.course.at(self.edges, before=True)
+
+    @cached_property
+    def hard(self) -> tuple[int, ...]:
+        """The edges at which there is a hard shock, both ends of a turn if there is one between two turns."""
+        return self._at(1)
+
+    @cached_property
+    def jumps(self) -> tuple[int, ...]:
+        """The edges at which there is a shock of either kind."""
+        return tuple(sorted({*self.hard, *self._at(2)}))
+
+    def _at(self, order: int) -> tuple[int, ...]:
+        turned = [one.turned for one in self.course.shocks if one.order == order]
+        turned += [self.course.cam.turn] if 0.0 in turned and not self.course.cam.translates else []
+        return tuple(np.flatnonzero(np.isin(self.edges, turned)).tolist())
+
+    @cached_property
+    def names(self) -> tuple[str, ...]:
+        """What the edges are called: numbered positions by their numbers, one between two of them 1', the end 0."""
+        return tuple(_names(self.edges, self.course.cam))
+
+
+def strips_of(cam: Cam) -> Strips:
+    """Divide the turn: each phase that moves the follower in equal strips, a dwell is one."""
+    course = Course(cam)
+    edges = [np.zeros(1)]
+    for phase in (one for one in cam.phases if one.angle > 0):
+        inside = [one for one in course.corners if phase.start < one < phase.end]
+        edges.append(strips(phase.start, phase.end, cam.divisions if phase.law else 1, inside)[1:])
+    return Strips(course, _settled(np.concatenate(edges), course))
+
+
+def _settled(edges: Floats, course: Course) -> Floats:
+    """Put edges that are joints of phases or laws but for a rounding on them."""
+    joints = np.array(course.joints)
+    near = joints[np.abs(edges[:, None] - joints).argmin(axis=1)]
+    return np.where(np.abs(edges - near) <= SLIVER * np.diff(edges).min(), near, edges)
+
+
+@dataclass(frozen=True)
+class LawDiagrams:
+    """S' and S as they are constructed: S' in runs between hard shocks, mean ordinates and all (диаграммы закона)."""
+
+    strips: Strips
+    board: Board
+    means: Floats  # of S'', (n,)
+    runs: tuple[slice, ...]  # of strips, between hard shocks
+    slopes: tuple[Integral, ...]  # S' over each run
+    travel: Integral
+
+    @cached_property
+    def slope(self) -> tuple[Floats, Floats]:
+        """S' at the beginning and at the end of every strip, (n,) each."""
+        parts = [one.values for one in self.slopes]
+        return np.concatenate([one[:-1] for one in parts]), np.concatenate([one[1:] for one in parts])
+
+    @cached_property
+    def slope_departure(self) -> Departure:
+        """How far S' is from the exact one at most, at the ends of strips; a strip's number stands for its end."""
+        return departure(self.slope[1], self.strips.before.slope[1:])
+
+    @cached_property
+    def travel_departure(self) -> Departure:
+        """How far S is from the exact one at most, at the edges."""
+        return departure(self.travel.values, self.strips.after.s)
+
+    @property
+    def closure(self) -> tuple[float, float]:
+        """By how much S' and S do not come back to what they began with after the turn (невязка)."""
+        strips_, (first, last) = self.strips, self.slope
+        exact = strips_.before.slope[-1] - strips_.after.slope[0]
+        s = self.travel.values
+        return float(last[-1] - first[0] - exact), float(s[-1] - s[0] - (strips_.before.s[-1] - strips_.after.s[0]))
+
+
+def law_diagrams(cam: Cam, true_means: bool = False) -> LawDiagrams:
+    """Draw S' from S'' and S from S' by chords; mean ordinates are those at mid-strip, or the true ones.
+
+    Of a law by points S'' is straight from point to point: there the true mean ordinate is drawn in any case.
+
+    >>> from plans.model.cam import Follower, Law, Phase
+    >>> rise = Phase("rise", 3.0, 0.0, 0.0, 0.9, Law("constant acceleration"))
+    >>> cam = Cam("K", 1, None, (rise,), Follower("translating", "pointed"), "force", translates=True, divisions=2)
+    >>> law_diagrams(cam).slope[1].round(12).tolist(), law_diagrams(cam).travel.values.round(12).tolist()
+    ([0.6, 0.0], [0.0, 0.45, 0.9])
+    """
+    own = strips_of(cam)
+    means = np.where(true_means | _straight(own), _true_means(own), own.course.at(middles(own.edges)).bend)
+    board = Board("law")
+    bounds = sorted({0, *own.hard, len(own.edges) - 1})
+    runs = tuple(slice(low, high) for low, high in pairwise(bounds))
+    slopes = tuple(_slopes(board, own, means, runs))
+    ordinates = np.concatenate([(one.values[1:] + one.values[:-1]) / 2 for one in slopes])
+    if true_means:
+        ordinates = (own.before.s[1:] - own.after.s[:-1]) / np.diff(own.edges)
+    start = float(own.after.s[0])
+    travel = integral(board, TRAVEL, own.edges, ordinates, start=start, why=REASONS)
+    return LawDiagrams(own, board, means, runs, slopes, travel)
+
+
+def _slopes(board: Board, own: Strips, means: Floats, runs: tuple[slice, ...]) -> Iterator[Integral]:
+    for number, run in enumerate(runs, 1):
+        name = SLOPE if len(runs) == 1 else f"{SLOPE}_{number}"
+        edges = own.edges[run.start : run.stop + 1]
+        start = float(own.after.slope[run.start])
+        yield integral(board, name, edges, means[run], start=start, why=REASONS)
+
+
+def _straight(own: Strips) -> npt.NDArray[np.bool_]:
+    """Tell the strips in which S'' goes straight from point to point, (n,)."""
+    at = middles(own.edges)
+    own_phases = [one for one in own.course.cam.moving() if one.law is not None and one.law.name in (TABLE, SHAPE)]
+    inside = [np.zeros(len(at), dtype=bool), *((one.start < at) & (at < one.end) for one in own_phases)]
+    return np.asarray(np.any(inside, axis=0))
+
+
+def _true_means(own: Strips) -> Floats:
+    """Give the mean of S'' over each strip, in which it has no impulse: what S' gains by its width."""
+    return np.asarray((own.before.slope[1:] - own.after.slope[:-1]) / np.diff(own.edges))
+
+
+@dataclass(frozen=True)
+class DerivativeDiagrams:
+    """S' and S'' by the chords of S, and of S' where it is smooth (графическое дифференцирование, M2.4)."""
+
+    strips: Strips
+    board: Board
+    slope: Derivative
+    bends: tuple[Derivative, ...]  # over each smooth piece of S' with two points or more
+
+    @cached_property
+    def slope_departure(self) -> Departure:
+        """How far S' is from the exact one at most, at the middles of the strips."""
+        return departure(self.slope.values, self.strips.course.at(self.slope.middles).slope)
+
+    @cached_property
+    def bend_departure(self) -> Departure:
+        """How far S'' is from the exact one at most, at the middles between those."""
+        at = np.concatenate([one.middles for one in self.bends])
+        return departure(np.concatenate([one.values for one in self.bends]), self.strips.course.at(at).bend)
+
+
+def derivative_diagrams(cam: Cam) -> DerivativeDiagrams:
+    """Differentiate S by the chords of its strips, and what comes of it once more."""
+    own, board = strips_of(cam), Board("law")
+    corners = own.edges[sorted({0, *own.jumps, len(own.edges) - 1})]
+    slope = derivative_by_chords(board, SLOPE, own.edges, own.after.s, breaks=corners, why=REASONS)
+    return DerivativeDiagrams(own, board, slope, tuple(_bends(board, slope)))
+
+
+def _bends(board: Board, slope: Derivative) -> Iterator[Derivative]:
+    for number, piece in enumerate(slope.pieces, 1):
+        at, values = slope.middles[piece], slope.values[piece]
+        if len(at) > 1:
+            yield derivative_by_chords(board, f"{BEND}_{number}", at, values, why=REASONS)
+
+
+def by_table(cam: Cam) -> bool:
+    """Whether S itself is given, so that it is to be differentiated."""
+    return any(one.law is not None and one.law.name == TABLE for one in cam.moving())
+
+
+def _names(edges: Floats, cam: Cam) -> Iterator[str]:
+    numbered = np.append(positions(cam), [] if cam.translates else [cam.turn])
+    last = len(numbered) - 1
+    near, between = SLIVER * float(np.diff(edges).min()), 0
+    for edge in edges.tolist():
+        k = int(np.abs(numbered - edge).argmin())
+        if abs(numbered[k] - edge) <= near:
+            between = 0
+            yield "0" if k == last and not cam.translates else str(k)
+        else:
+            between += 1
+            yield f"{int(np.searchsorted(numbered, edge)) - 1}" + "'" * between

@@ -1,0 +1,104 @@
+"""Greatest and least values over the turn: pressure angle, curvature, reach of a flat face (наибольшие значения)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from plans.cam.profile.curvature import curvature, curvature_slope
+from plans.cam.profile.stretches import Place, Stretches
+from plans.cam.profile.tip import Tip
+from plans.cam.profile.touch import Touch
+from plans.model.cam import Phase
+from plans.model.cam_motion import Extreme
+from plans.model.motion import Floats
+
+
+def pressure(tip: Tip) -> Floats:
+    """Give the pressure angle, rad."""
+    if tip.cam.flat:
+        return Touch(tip).pressure
+    return np.asarray(tip.cam.sense * np.angle(tip.lever / tip.heading))
+
+
+def pressure_slope(tip: Tip) -> Floats:
+    """Give its derivative by the turn."""
+    if tip.cam.flat:
+        return Touch(tip).pressure_slope
+    _, first, second, _ = tip.orders
+    turning = tip.cam.rising * tip.travel.slope if tip.cam.rocks else 0.0
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.asarray(tip.cam.sense * (((first + 1j * tip.cam.sense * second) / tip.lever).imag - turning))
+
+
+@dataclass(frozen=True)
+class Extremes:
+    """The extremes of a cam's profile, each with its place; corners of the law and ends of dwells are legal places."""
+
+    stretches: Stretches
+
+    @cached_property
+    def turning(self) -> tuple[Place, ...]:
+        """Where the pressure angle can be largest."""
+        return self.stretches.places(pressure_slope)
+
+    @cached_property
+    def pressure(self) -> dict[str, Extreme]:
+        """The largest pressure angle by its size on every kind of phase that there is, signed."""
+        kinds = dict.fromkeys(one.kind for one in self.stretches.course.cam.moving())
+        return {kind: found for kind in kinds if (found := self._largest(kind)) is not None}
+
+    def _largest(self, kind: str) -> Extreme | None:
+        phases = [one for one in self.stretches.course.cam.phases if one.kind == kind]
+        places = tuple(one for one in self.turning if any(within(one, phase) for phase in phases))
+        found = self.stretches.most(lambda tip: np.abs(pressure(tip)), places)
+        if found is None:
+            return None
+        own = tuple(one for one in places if one.turned == found.turned)
+        signed = self.stretches.read(pressure, own)
+        return Extreme(float(signed[int(np.argmax(np.abs(signed)))]), found.turned)
+
+    @cached_property
+    def bends(self) -> tuple[Place, ...]:
+        """Where the curve can be sharpest."""
+        flat = self.stretches.course.cam.flat
+        return self.stretches.places((lambda tip: Touch(tip).radius_slope) if flat else curvature_slope)
+
+    @cached_property
+    def sharpest(self) -> Extreme | None:
+        """The least convex radius of the theoretical profile; of the profile under a flat face the least, signed."""
+        if self.stretches.course.cam.flat:
+            found = self.stretches.most(lambda tip: -Touch(tip).radius, self.bends)
+            return found and Extreme(-found.value, found.turned)
+        found = self.stretches.most(curvature, self.bends)
+        return Extreme(1 / found.value, found.turned) if found and found.value > 0 else None
+
+    @cached_property
+    def hollow(self) -> Extreme | None:
+        """The smallest hollow radius by size, below 0."""
+        if self.stretches.course.cam.flat:
+            return None
+        found = self.stretches.most(lambda tip: -curvature(tip), self.bends)
+        return Extreme(-1 / found.value, found.turned) if found and found.value > 0 else None
+
+    @cached_property
+    def face(self) -> tuple[float, float]:
+        """Where contact on a flat face is farthest to both sides, m: the least and the greatest place."""
+        if not self.stretches.course.cam.flat:
+            return 0.0, 0.0
+        places = self.stretches.places(lambda tip: Touch(tip).place_slope)
+        found = self.stretches.read(lambda tip: Touch(tip).place, places)
+        return float(np.nanmin(found)), float(np.nanmax(found))
+
+
+def within(place: Place, phase: Phase) -> bool:
+    """Tell whether a place belongs to a phase: on a joint by its side.
+
+    >>> within(Place(1.0, before=True), Phase("dwell", 1.0, 0.0, 0.0, 0.0))
+    True
+    """
+    if place.before:
+        return phase.start < place.turned <= phase.end
+    return phase.start <= place.turned < phase.end

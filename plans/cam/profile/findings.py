@@ -1,0 +1,44 @@
+"""All that the construction finds of one cam's profile (кулачок, итог построения)."""
+
+from __future__ import annotations
+
+from plans.cam.course import Course
+from plans.cam.profile.contact import contact_of, pressing
+from plans.cam.profile.extremes import Extremes
+from plans.cam.profile.flaws import Search
+from plans.cam.profile.profile import profile
+from plans.cam.profile.roller import Roller, roller_of
+from plans.cam.profile.stretches import Stretches
+from plans.model.cam import ROLLER
+from plans.model.cam_motion import CONSTRUCTION, CamFound, Sizes
+from plans.model.motion import Floats
+
+
+def cam_found(course: Course, sizes: Sizes, turned: Floats) -> CamFound:
+    """Find a cam's profile at some turns, rad, its extremes over the whole turn, and its flaws."""
+    extremes = Extremes(Stretches(course, sizes))
+    roller, rule = roller_for(extremes)
+    contact = contact_of(course.cam, roller)
+    return CamFound(
+        by=CONSTRUCTION,
+        cam=course.cam,
+        sizes=sizes,
+        roller=roller,
+        contour=profile(course, sizes, roller, turned).contour,
+        shocks=course.shocks,
+        pressure=extremes.pressure,
+        sharpest=extremes.sharpest,
+        hollow=extremes.hollow,
+        face=extremes.face,
+        flaws=Search(extremes, roller, contact).flaws(),
+        rule=rule,
+        pressing=pressing(contact, extremes.stretches) if contact else None,
+    )
+
+
+def roller_for(extremes: Extremes) -> Roller:
+    """Take the roller of a cam, by its rule where none is given; a pointed or a flat follower has none."""
+    cam, sharpest = extremes.stretches.course.cam, extremes.sharpest
+    if cam.follower.end != ROLLER:
+        return Roller(0.0, "given")
+    return roller_of(cam.roller, sharpest.value if sharpest else None, extremes.stretches.sizes.base)

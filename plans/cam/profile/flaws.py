@@ -1,0 +1,186 @@
+"""What is wrong with a profile, from where to where; nothing is trimmed (подрезание, самопересечение и прочее)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from plans.cam.profile.contact import Contact
+from plans.cam.profile.crossing import Edge, crossings
+from plans.cam.profile.curvature import curvature
+from plans.cam.profile.extremes import Extremes, pressure
+from plans.cam.profile.resting import loop_of, loss
+from plans.cam.profile.stretches import Place, Span, Stretches, Value
+from plans.cam.profile.tip import Tip
+from plans.cam.profile.touch import Touch
+from plans.model.cam import FORCE, GROOVE, RETURN, RISE, Cam
+from plans.model.cam_motion import Extreme, Flaw
+from plans.model.motion import Floats
+
+# Sizes that were found by a limit touch it, and a roller may be as large as a radius: the same within this share of the
+# limit or of the radius. Rounding makes less of it, and no workshop as little.
+TOUCHES: Final = 1e-9
+LEAST: Final = ("undercut", "concave", "sharp", "lift-off")  # of which the worst is the least value
+
+
+@dataclass(frozen=True)
+class Search:
+    """The search for flaws of one profile."""
+
+    extremes: Extremes
+    roller: float  # m
+    contact: Contact | None
+
+    @property
+    def stretches(self) -> Stretches:
+        """The stretches of the turn."""
+        return self.extremes.stretches
+
+    @property
+    def cam(self) -> Cam:
+        """The cam."""
+        return self.stretches.course.cam
+
+    def flaws(self) -> tuple[Flaw, ...]:
+        """Give all flaws by their kinds, those of a kind as the cam turns."""
+        ways = (self._undercut, self._concave, self._crossing, self._pressure, self._face, self._off)
+        found = [flaw for way in ways for flaw in way()]
+        found = found if self.cam.translates else round_the_turn(found, self.cam.turn)
+        return tuple(sorted(found, key=lambda one: (one.kind, one.start)))
+
+    def _undercut(self) -> Iterator[Flaw]:
+        """Find where the roller is larger than the curve bears: convex, or of a groove's outer side hollow."""
+        yield from self._sharp("undercut", 1.0)
+        if self.cam.closure == GROOVE:
+            yield from self._sharp("hollow", -1.0)
+
+    def _sharp(self, kind: str, side: float) -> Iterator[Flaw]:
+        if self.roller == 0 or self.cam.flat:
+            return
+        value: Value = lambda tip: side * self.roller * curvature(tip) - 1  # noqa: E731  (a value as others are)
+        spans = list(self.stretches.spans(value, self.extremes.bends))
+        yield from (self._flaw(kind, span, lambda tip: side * curvature(tip), 1 / side) for span in spans)
+        yield from self._cusp(kind, side, spans)
+        for turned in self.corners(side):
+            yield Flaw(kind, turned, turned, Extreme(0.0, turned))
+
+    def _cusp(self, kind: str, side: float, spans: Sequence[Span]) -> Iterator[Flaw]:
+        own = self.extremes.sharpest if side > 0 else self.extremes.hollow
+        if own and not spans and abs(abs(own.value) / self.roller - 1) <= TOUCHES:
+            yield Flaw(kind, own.turned, own.turned, own)
+
+    def corners(self, side: float = 1.0) -> list[float]:
+        """Give where hard shocks make corners of the theoretical profile: convex ones (1.0), or hollow ones (-1.0)."""
+        hard = [one.turned for one in self.stretches.course.shocks if one.order == 1]
+        ends = np.array(hard if self.cam.translates else [one or self.cam.turn for one in hard])
+        tips = (Tip(self.stretches.course, self.stretches.sizes, *one) for one in ((np.array(hard),), (ends, True)))
+        after, before = (tip.lever for tip in tips)
+        turns = np.angle(after / before) * -self.cam.sense * side
+        return [turned for turned, turn in zip(hard, turns.tolist(), strict=True) if turn > 0]
+
+    def _concave(self) -> Iterator[Flaw]:
+        """Find where the profile under a flat face would be hollow, or sharper than was asked."""
+        if not self.cam.flat:
+            return
+        spans = self._hollows
+        yield from (self._flaw("concave", span, lambda tip: -Touch(tip).radius, least=True) for span in spans)
+        least = self.extremes.sharpest
+        if not spans and least and least.value < self.cam.limits.curvature * (1 - TOUCHES):
+            yield Flaw("sharp", least.turned, least.turned, least)
+
+    @property
+    def _hollows(self) -> list[Span]:
+        return list(self.stretches.spans(_hollow, self.extremes.bends))
+
+    def _crossing(self) -> Iterator[Flaw]:
+        """Find where the profile crosses itself, and what is lost where the loop is cut away."""
+        spans = self._hollows if self.cam.flat else self._loops
+        for one in crossings(Edge(self.stretches, self.roller), spans):
+            loop = loop_of(one, spans, self.cam.turn)
+            yield Flaw("crossing", *loop, loss(self.stretches, self.roller, one, loop))
+
+    @property
+    def _loops(self) -> list[Span]:
+        return list(self.stretches.spans(lambda tip: self.roller * curvature(tip) - 1, self.extremes.bends))
+
+    def _pressure(self) -> Iterator[Flaw]:
+        """Find where the pressure angle is beyond its limit; a spring drives the return, which has none then."""
+        for kind in (RISE, RETURN) if self.cam.closure == GROOVE else (RISE,):
+            limit = self.cam.limits.of(kind)
+            if limit is not None:
+                yield from self._beyond(kind, limit)
+
+    def _beyond(self, kind: str, limit: float) -> Iterator[Flaw]:
+        value: Value = lambda tip: np.where(_on(tip, kind), np.abs(pressure(tip)) - limit * (1 + TOUCHES), -1.0)  # noqa: E731
+        for span in self.stretches.spans(value, self.extremes.turning):
+            yield self._flaw("pressure", span, lambda tip: np.where(_on(tip, kind), np.abs(pressure(tip)), 0.0))
+
+    def _face(self) -> Iterator[Flaw]:
+        """Find where contact goes off a face that is too short."""
+        reach = self.cam.follower.reach
+        if not self.cam.flat or reach is None:
+            return
+        places = self.stretches.places(lambda tip: Touch(tip).place_slope)
+        value: Value = lambda tip: np.abs(Touch(tip).place) - reach * (1 + TOUCHES)  # noqa: E731
+        for span in self.stretches.spans(value, places):
+            yield self._flaw("short face", span, lambda tip: np.abs(Touch(tip).place))
+
+    def _off(self) -> Iterator[Flaw]:
+        """Find where nothing holds the follower on the cam."""
+        contact = self.contact
+        if contact is None or self.cam.closure != FORCE:
+            return
+        places = self.stretches.places(contact.force_slope)
+        for span in self.stretches.spans(lambda tip: -contact.resistance(tip), places):
+            yield self._flaw("lift-off", span, lambda tip: -contact.force(tip), least=True)
+
+    def _flaw(self, kind: str, span: Span, value: Value, over: float | None = None, least: bool = False) -> Flaw:
+        """Make a flaw of a span with the place where a value is greatest, told as it is, over 1, or turned about."""
+        ends = (Place(span.start, False), Place(span.end, True))
+        found = self.stretches.most(value, (*span.places, *ends)) or Extreme(np.nan, span.start)
+        told = over / found.value if over else -found.value if least else found.value
+        return Flaw(kind, span.start, span.end, Extreme(told, found.turned))
+
+
+def round_the_turn(found: Sequence[Flaw], turn: float) -> list[Flaw]:
+    """Join a flaw that ends with the turn to one of its kind that begins with it: it starts late and ends early.
+
+    >>> round_the_turn([Flaw("undercut", 0, 1, Extreme(2, 0)), Flaw("undercut", 5, 6, Extreme(2, 5))], 6)
+    [Flaw(kind='undercut', start=5, end=1, worst=Extreme(value=2, turned=0))]
+    """
+    last = {one.kind: one for one in found if one.end == turn and one.start > 0}
+    first = {one.kind: one for one in found if one.start == 0 and one.end < turn and one.kind in last}
+    whole = {
+        kind: one._replace(start=last[kind].start, worst=_worse(kind, one, last[kind])) for kind, one in first.items()
+    }
+    joined = [whole.get(one.kind, one) if one is first.get(one.kind) else one for one in found]
+    return [one for one in joined if one is not last.get(one.kind) or one.kind not in whole]
+
+
+def _worse(kind: str, one: Flaw, other: Flaw) -> Extreme:
+    if kind in LEAST:
+        return min(one.worst, other.worst)
+    return max(one.worst, other.worst, key=lambda worst: abs(worst.value))
+
+
+def _hollow(tip: Tip) -> Floats:
+    """Give what is above 0 where the profile under a face is hollow, or the face turns faster than the cam."""
+    touch = Touch(tip)
+    if not tip.cam.rocks:
+        return -touch.radius
+    return np.where(touch.lead > 0, -touch.sweep, tip.sizes.base)
+
+
+def _on(tip: Tip, kind: str) -> np.ndarray:
+    phases = [one for one in tip.cam.phases if one.kind == kind]
+    sides = [within_all(tip, one.start, one.end) for one in phases]
+    return np.logical_or.reduce(sides) if sides else np.zeros_like(tip.turned, dtype=bool)
+
+
+def within_all(tip: Tip, start: float, end: float) -> np.ndarray:
+    """Tell which turns lie between two joints: on one by the side that is taken."""
+    phi = tip.turned
+    return (start < phi) & (phi <= end) if tip.before else (start <= phi) & (phi < end)

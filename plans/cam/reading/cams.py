@@ -1,0 +1,177 @@
+"""The cams made from the scene, and all that is wrong with them (кулачки по исходным данным)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from decimal import Decimal
+from fractions import Fraction
+from itertools import accumulate
+from typing import NamedTuple
+
+from plans.cam.reading.entry import Entry, Exact
+from plans.cam.reading.fields import CYCLOGRAM, TURNING_STIFFNESS
+from plans.cam.reading.form import AGAINST, CamForm
+from plans.cam.reading.laws import law_of
+from plans.cam.reading.misplaced import misplaced
+from plans.cam.reading.pace import pace_of
+from plans.cam.reading.proportions import proportions
+from plans.cam.reading.turns import turns_of
+from plans.cam.reading.ways import Way, ways_of
+from plans.model.cam import DWELL, Cam, Follower, GivenSizes, Limits, Load, Phase
+from plans.model.cyclogram import Window
+from plans.scene import units
+from plans.scene.faults import Fault, Path, SceneError
+from plans.scene.scene import Meaning, Scene
+from plans.scene.units import within
+
+
+class CamSurvey(NamedTuple):
+    """What the examination of a scene's cams found: those that do not wait for a cyclogram, and the faults of all."""
+
+    cams: tuple[Cam, ...]
+    faults: list[Fault]
+    waiting: bool  # for the window of a cyclogram
+
+
+def survey_of(meaning: Meaning) -> CamSurvey:
+    """Examine a scene's cams (row of the table of techniques)."""
+    entries = [*entries_of(meaning.scene, meaning.doubts)]
+    cams = [cam for one in entries if (cam := _cam(one, None))]
+    faults = [fault for one in entries for fault in one.faults]
+    return CamSurvey(tuple(cams), [*faults, *_one_name(meaning.scene, entries)], any(e.asks_cyclogram for e in entries))
+
+
+def cams_of(scene: Scene, window: Window | None) -> tuple[Cam, ...]:
+    """Give the cams of a scene; those that ask for the cyclogram need its window."""
+    entries = [*entries_of(scene)]
+    cams = tuple(cam for one in entries if (cam := _cam(one, window)))
+    faults = [fault for one in entries for fault in one.faults]
+    if faults:
+        raise SceneError(faults)
+    return cams
+
+
+def asked_of(scene: Scene) -> tuple[str, ...]:
+    """Name the techniques that a scene's cams ask (row of the table): the cyclogram, or the drive for its speed."""
+    entries = [*entries_of(scene)]
+    by_drive = any(one.form.speed is None and not one.translates for one in entries) and scene.has(("drive",))
+    by_cyclogram = any(one.asks_cyclogram for one in entries)
+    return tuple(name for name, asked in (("linkage", by_drive), ("cyclogram", by_cyclogram)) if asked)
+
+
+def entries_of(scene: Scene, doubts: frozenset[Path] = frozenset()) -> Iterator[Entry]:
+    """Give a scene's cams as they are examined."""
+    return (Entry(scene, number, form, doubts) for number, form in enumerate(scene.of(CamForm).cam))
+
+
+def _one_name(scene: Scene, entries: Sequence[Entry]) -> Iterator[Fault]:
+    """See that no two cams have one name."""
+    for number, one in enumerate(entries):
+        before = [other.number for other in entries[:number] if other.name == one.name]
+        if before:
+            yield scene.fault(one.path("name") if one.form.name else one.path(), "cam_twice", name=one.name)
+
+
+def _cam(entry: Entry, window: Window | None) -> Cam | None:
+    """Make one cam, or nothing where it is at fault or waits for the window."""
+    if window is None:
+        _has_cyclogram(entry)
+    misplaced(entry)
+    proportions(entry)
+    sense, speed = pace_of(entry)
+    phases = None if entry.doubted("phases", "follower") else _phases(entry, window)
+    load = _load(entry)
+    if phases is None or entry.faults or (window is None and entry.form.setting == CYCLOGRAM):
+        return None
+    form, (turns, made) = entry.form, phases
+    return Cam(
+        name=entry.name,
+        sense=sense,
+        speed=speed,
+        phases=made,
+        follower=_follower(entry),
+        closure=form.closure,
+        limits=Limits(_radians(form.limits.rise), _radians(form.limits.return_), float(form.limits.curvature)),
+        given=GivenSizes(_float(form.sizes.base), _float(form.sizes.offset), _float(form.sizes.centre)),
+        roller=_float(form.sizes.roller),
+        setting=_setting(entry, window, made),
+        translates=entry.translates,
+        divisions=form.divisions,
+        load=load,
+        angles=() if entry.translates else turns,
+    )
+
+
+def _has_cyclogram(entry: Entry) -> None:
+    """See that a file whose cam asks for a cyclogram has one."""
+    if not entry.asks_cyclogram or entry.scene.has(("cyclogram",)):
+        return
+    numbers = [number for number, phase in enumerate(entry.form.phases) if phase.angle == CYCLOGRAM]
+    path: Path = ("phases", numbers[0], "angle") if numbers else ("setting",)
+    entry.fault(path, "needs", tables="[cyclogram]", example=("[cyclogram]",))
+
+
+def _phases(entry: Entry, window: Window | None) -> tuple[Exact, tuple[Phase, ...]] | None:
+    """Give the angles and the phases; a dwell of no angle is none."""
+    turns = turns_of(entry, None if window is None else Fraction(math.degrees(window.angle)))
+    ways = ways_of(entry)
+    if turns is None or ways is None:
+        return None
+    starts = accumulate(turns[:-1], initial=Fraction(0))
+    made = [_phase(entry, k, *one) for k, one in enumerate(zip(turns, starts, ways, strict=True)) if one[0]]
+    return tuple(turn for turn in turns if turn), tuple(made)
+
+
+def _phase(entry: Entry, number: int, turn: Fraction, start: Fraction, way: Way) -> Phase:
+    def across(size: Fraction) -> float:
+        return float(size) if entry.translates else math.radians(float(size))
+
+    def up(size: Fraction) -> float:
+        return math.radians(float(size)) if entry.rocks else float(size)
+
+    kind = entry.form.phases[number].kind
+    law = law_of(entry, number, turn, way)
+    return Phase(kind, across(turn), across(start), up(way.level), up(way.change), None if kind == DWELL else law)
+
+
+def _follower(entry: Entry) -> Follower:
+    one = entry.form.follower
+    return Follower(one.motion, one.end, _float(one.length), -1 if one.turns == AGAINST else 1, float(one.face))
+
+
+def _setting(entry: Entry, window: Window | None, phases: Sequence[Phase]) -> float:
+    """Give the turn of the main shaft at which the first phase begins, from 0 to a whole turn.
+
+    By the cyclogram the phase that takes its angle from it begins with the window, or else the first that moves.
+    """
+    if entry.form.setting != CYCLOGRAM:
+        return math.radians(float(within(Fraction(entry.form.setting)) % 360))
+    assert window is not None  # a cam that waits is not made
+    starts = [one.start for one, asked in zip(phases, _asking(entry), strict=True) if asked]
+    moving = [one.start for one in phases if one.kind != DWELL]
+    return (window.start - (starts or moving or [0.0])[0]) % math.tau
+
+
+def _asking(entry: Entry) -> list[bool]:
+    """Tell of each phase that is made whether it takes its angle from the cyclogram."""
+    return [phase.angle == CYCLOGRAM for phase in entry.form.phases if phase.angle != 0]
+
+
+def _load(entry: Entry) -> Load | None:
+    one = entry.form.load
+    if one is None:
+        return None
+    force, stiff = (units.MOMENT, TURNING_STIFFNESS) if entry.rocks else (units.FORCE, units.STIFFNESS)
+    mass, acting = (one.inertia, one.moment) if entry.rocks else (one.mass, one.force)
+    preload = entry.quantity(one.preload, force, "load", "preload")
+    stiffness = entry.quantity(one.stiffness, stiff, "load", "stiffness")
+    return Load(*(float(size or 0) for size in (mass, acting, preload, stiffness)))
+
+
+def _radians(degrees: Decimal | None) -> float | None:
+    return None if degrees is None else math.radians(float(degrees))
+
+
+def _float(value: Decimal | None) -> float | None:
+    return None if value is None else float(value)

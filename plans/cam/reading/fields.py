@@ -1,0 +1,181 @@
+"""Fields of a cam: angles left to the rest of the turn, quantities of two kinds, laws (величины кулачка)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from decimal import Decimal
+from functools import partial
+from typing import Any, Final, NamedTuple
+
+from plans.model.cam import LAWS
+from plans.scene import fields as f
+from plans.scene import forms, units
+from plans.scene.faults import wrong
+from plans.scene.forms import Form
+from plans.scene.readers import Field, one
+from plans.scene.units import Kind
+
+REST, CYCLOGRAM = "rest", "cyclogram"  # of an angle: what the others leave of the turn; what the cyclogram gives
+DIVISIONS_LEAST, DIVISIONS_MOST = 2, 360
+SWING_LIMIT = Decimal(180)  # degrees: a rocker that reaches it has gone through its line of centres
+PRESSURE_LIMIT = Decimal(90)  # degrees: there a follower jams without any friction
+
+VELOCITY = Kind(
+    "velocity",
+    "m/s",
+    {"m/s": Decimal(1), "cm/s": Decimal("0.01"), "mm/s": Decimal("0.001"), "м/с": Decimal(1), "мм/с": Decimal("0.001")},
+    Decimal("1e-9"),
+    Decimal("1e9"),
+)
+TURNING_STIFFNESS = Kind(
+    "stiffness in turning",
+    "N*m/rad",
+    {
+        "N*m/rad": Decimal(1),
+        "N*mm/rad": Decimal("0.001"),
+        "N*m": Decimal(1),
+        "N*mm": Decimal("0.001"),
+        "Н*м/рад": Decimal(1),
+        "Н*м": Decimal(1),
+        "Н*мм": Decimal("0.001"),
+    },
+    units.MOMENT.least,
+    units.MOMENT.most,
+)
+
+
+class Measure(NamedTuple):
+    """A quantity as the file writes it, of one of two kinds: which is known when its cam is."""
+
+    written: Any
+
+    def of(self, kind: Kind) -> Decimal:
+        """Give it in the unit of a kind (SI, angles in degrees); of the other kind it is Wrong."""
+        return units.quantity(self.written, kind)
+
+
+def _joint(*kinds: Kind) -> Kind:
+    """Give what takes the units of several kinds; sizes of them are not compared."""
+    every: Mapping[str, Decimal] = {unit: size for kind in kinds for unit, size in kind.units.items()}
+    return Kind(" or ".join(kind.name for kind in kinds), kinds[0].si, every)
+
+
+def measure(*kinds: Kind, least: Decimal | None = None) -> Field:
+    """Read a quantity of one of some kinds, `least` 0 where it cannot be negative."""
+    joint = _joint(*kinds)
+
+    def check(value: object) -> Measure:
+        _ = units.quantity(value, joint) if least is None else units.not_negative(value, joint)
+        return Measure(value)
+
+    bounds = {} if least is None else {"minimum": float(least)}
+    return one(check, partial(forms.quantity, joint, **bounds), " or ".join(kind.si for kind in kinds))
+
+
+def angle_or(value: object, words: tuple[str, ...]) -> Decimal | str:
+    """Read an angle of a phase in degrees, of 0 or above, or a word that stands for one."""
+    if isinstance(value, str) and value[:1].isalpha():
+        return f.choice(value, words, "angle_word")
+    found = units.angle(value)
+    if found < 0:
+        raise wrong("negative", kind="angle")
+    return found
+
+
+def setting(value: object) -> Decimal | str:
+    """Read the turn of the main shaft in degrees at which a cam begins, or leave it to the cyclogram."""
+    if isinstance(value, str) and value[:1].isalpha():
+        return f.choice(value, (CYCLOGRAM,), "angle_word")
+    return units.angle(value)
+
+
+def _angle_or(angle: Form, *words: str) -> Form:
+    return {"anyOf": [*angle["anyOf"], forms.choice(words)]}
+
+
+def below(value: object, most: Decimal, kind: str, least: bool = False) -> Decimal:
+    """Read an angle in degrees from 0 to less than a limit; 0 itself only with `least`."""
+    found = units.quantity(value, units.ANGLE)
+    if not (0 < found < most or (least and found == 0)):
+        raise wrong(kind, most=f"{most}")
+    return found
+
+
+def first(value: object) -> Decimal:
+    """Read the share of a phase that accelerates, between 0 and 1."""
+    found = units.quantity(value, units.NUMBER)
+    if not 0 < found < 1:
+        raise wrong("share_of_phase")
+    return found
+
+
+def divisions(value: object) -> int:
+    """Read the number of parts of a phase."""
+    found = f.whole(value, DIVISIONS_LEAST)
+    if found > DIVISIONS_MOST:
+        raise wrong("too_many_parts", most=DIVISIONS_MOST)
+    return found
+
+
+# What a law that is written otherwise is likely to mean, by letters that it has: names of other books.
+OTHERWISE: Final[Mapping[str, str]] = {
+    "modified trap": "modified trapezoid",
+    "modified sin": "modified sine",
+    "cyclo": "sine",
+    "harmonic": "cosine",
+    "parabol": "constant acceleration",
+    "accel": "constant acceleration",
+    "ускор": "constant acceleration",
+    "скорост": "constant velocity",
+    "linear": "constant velocity",
+    "uniform": "constant velocity",
+    "трапец": "trapezoid",
+    "косин": "cosine",
+    "син": "sine",
+    "4567": "4-5-6-7",
+    "345": "3-4-5",
+    "poly": "3-4-5",
+}
+
+
+def likely_law(value: object) -> str:
+    """Give the law that a text is likely to mean.
+
+    >>> likely_law("cycloidal"), likely_law("косинусоидальный"), likely_law("345"), likely_law("cosin")
+    ('sine', 'cosine', '3-4-5', '')
+    """
+    written = str(value).casefold()
+    return next((law for letters, law in OTHERWISE.items() if letters in written), "")
+
+
+SPEED = measure(units.SPEED, VELOCITY)
+PHASE_ANGLE = one(
+    angle_or,
+    lambda: _angle_or(forms.quantity(units.ANGLE, minimum=0, maximum=float(units.ANGLE_LIMIT)), REST, CYCLOGRAM),
+    f'degrees, "{REST}", "{CYCLOGRAM}"',
+    words=(REST, CYCLOGRAM),
+)
+SETTING = one(setting, lambda: _angle_or(f.ANGLE.form(), CYCLOGRAM), f'degrees, "{CYCLOGRAM}"')
+SWING = one(
+    below,
+    lambda: forms.quantity(units.ANGLE, minimum=0, exclusiveMaximum=float(SWING_LIMIT)),
+    "degrees",
+    most=SWING_LIMIT,
+    kind="swing",
+    least=True,
+)
+LIMIT = one(
+    below,
+    lambda: forms.quantity(units.ANGLE, exclusiveMinimum=0, exclusiveMaximum=float(PRESSURE_LIMIT)),
+    "degrees",
+    most=PRESSURE_LIMIT,
+    kind="pressure_limit",
+)
+FIRST = one(first, lambda: forms.quantity(units.NUMBER, exclusiveMinimum=0, exclusiveMaximum=1), "share")
+DIVISIONS = one(divisions, lambda: forms.whole(DIVISIONS_LEAST) | {"maximum": DIVISIONS_MOST}, "number")
+SIZE = f.not_negative(units.LENGTH)
+LAW = f.words(*LAWS, likely=likely_law)
+POINT = f.pair(measure(units.ANGLE, units.LENGTH), "[turn, travel]")
+TOLERANCE = measure(units.LENGTH, units.ANGLE, least=Decimal(0))
+PRELOAD = measure(units.FORCE, units.MOMENT, least=Decimal(0))
+STIFFNESS = measure(units.STIFFNESS, TURNING_STIFFNESS, least=Decimal(0))

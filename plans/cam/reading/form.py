@@ -1,0 +1,259 @@
+"""The cams as the scene gives them (данные кулачков): follower, phases with their laws, limits, sizes, loads."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from decimal import Decimal
+from typing import Any
+
+from plans.cam.reading import fields as c
+from plans.cam.reading.fields import Measure
+from plans.cam.reading.law_form import LawTable
+from plans.model.cam import DWELL, FLAT, FORCE, GROOVE, POINTED, RETURN, RISE, ROCKING, ROLLER, TRANSLATING
+from plans.scene import fields as f
+from plans.scene import units
+from plans.scene.faults import SceneError, Wrong, wrong
+from plans.scene.forms import Form
+from plans.scene.readers import either, many
+from plans.scene.scene import Scene, TechniqueForm
+from plans.scene.tables import Missing, Table, key, table
+
+WITH, AGAINST = "with", "against"
+# A line that would do for a phase, and one for a cam.
+PHASE = '[[cam.phases]] with kind = "rise", angle = 120 and law = "sine"'
+FOLLOWER = 'follower = { motion = "translating", end = "roller", lift = "30 mm" }'
+EXAMPLE = '[[cam]] with follower = { motion = "translating", end = "roller", lift = "30 mm" }'
+SPARE_FOLLOWER = {"motion": TRANSLATING, "end": POINTED, "lift": 0}
+SPARE_PHASE = {"kind": DWELL, "angle": 360}
+
+
+class PhaseTable(Table):
+    """A phase of the cam: its kind, its angle, or its travel of a cam that translates, and its law."""
+
+    kind: str = key(
+        f.words(RISE, DWELL, RETURN),
+        meaning="Rise (удаление), dwell (выстой) or return (возвращение).",
+        missing=Missing("kind of the phase", 'kind = "rise"', DWELL),
+    )
+    angle: Decimal | str | None = key(
+        c.PHASE_ANGLE,
+        None,
+        meaning='Phase angle (фазовый угол), degrees; "rest" is what the others leave of the turn, '
+        '"cyclogram" what the cyclogram of the machine gives.',
+        missing=Missing("angle of the phase", "angle = 120"),
+        also=("phi", "φ"),
+    )
+    travel: Decimal | None = key(f.LENGTH, None, meaning="Of a cam that translates: its travel over the phase, m.")
+    lift: Decimal | None = key(
+        c.SIZE, None, meaning="Part of the lift that this phase takes, m; default: all that is left of the way."
+    )
+    swing: Decimal | None = key(
+        c.SWING, None, meaning="Part of the swing, degrees; default: all that is left of the way."
+    )
+    law: str | LawTable | None = key(
+        either(dict, table(LawTable), c.LAW),
+        None,
+        meaning="Law of motion (закон движения), by its name or as a table; not of a dwell.",
+        missing=Missing("law of motion", 'law = "sine"', "sine"),
+    )
+
+    @classmethod
+    def misfits(cls, value: Mapping[str, Any]) -> Iterator[Wrong]:
+        """See that its angle or its travel is given, and the law of what moves."""
+        if "angle" not in value and "travel" not in value:
+            yield wrong("missing", at=("angle",))
+        if {"angle", "travel"} <= value.keys():
+            yield wrong("one_of_two", first="angle", second="travel", found="both", at=("travel",))
+        if value.get("kind") in (RISE, RETURN) and "law" not in value:
+            yield wrong("missing", at=("law",))
+
+    @classmethod
+    def rules(cls) -> Form:
+        """Say that its angle or its travel is given, and the law of what moves."""
+        moves = {"properties": {"kind": {"enum": [RISE, RETURN]}}, "required": ["kind"]}
+        one = [{"required": ["angle"]}, {"required": ["travel"]}]
+        return {"oneOf": one, "if": moves, "then": {"required": ["law"]}}
+
+
+class FollowerTable(Table):
+    """The follower: how it moves, what touches the cam, how far it goes."""
+
+    motion: str = key(
+        f.words(TRANSLATING, ROCKING),
+        meaning="Translating (поступательный толкатель) or rocking (коромысло).",
+        missing=Missing("motion of the follower", 'motion = "translating"', TRANSLATING),
+    )
+    end: str = key(
+        f.words(POINTED, ROLLER, FLAT),
+        meaning="Pointed (остриё), with a roller (ролик) or flat-faced (тарелка).",
+        missing=Missing("end of the follower", 'end = "roller"', POINTED),
+    )
+    lift: Decimal | None = key(
+        c.SIZE,
+        None,
+        meaning="Of one that translates: lift (ход), m.",
+        missing=Missing("lift", 'lift = "30 mm"', 0),
+        also=("h", "stroke", "hub"),
+    )
+    swing: Decimal | None = key(
+        c.SWING,
+        None,
+        meaning="Of one that rocks: swing (угол размаха), degrees.",
+        missing=Missing("swing", "swing = 25", 0),
+        also=("psi", "ψ", "angle"),
+    )
+    length: Decimal | None = key(
+        f.LENGTH,
+        None,
+        meaning="Of one that rocks: from its pivot to its tip or its roller's centre, m; a flat one has none.",
+        missing=Missing("length of the rocker", 'length = "120 mm"', 1),
+        also=("l", "arm"),
+    )
+    turns: str = key(
+        f.words(WITH, AGAINST), WITH, meaning="Of one that rocks: whether it rises with the turn of the cam or against."
+    )
+    face: Decimal = key(
+        f.COORDINATE,
+        Decimal(0),
+        meaning="Of a flat one that rocks: how far its face stands before its pivot, m, towards the cam above 0.",
+    )
+
+    @classmethod
+    def misfits(cls, value: Mapping[str, Any]) -> Iterator[Wrong]:
+        """See that what its motion needs is given."""
+        yield from (wrong("missing", at=(name,)) for name in _wanted(value) if name not in value)
+
+    @classmethod
+    def rules(cls) -> Form:
+        """Say that what its motion needs is given."""
+        rocking = {"properties": {"motion": {"const": ROCKING}}, "required": ["motion"]}
+        flat = {"properties": {"end": {"const": FLAT}}, "required": ["end"]}
+        translating = {"properties": {"motion": {"const": TRANSLATING}}, "required": ["motion"]}
+        return {
+            "allOf": [
+                {"if": translating, "then": {"required": ["lift"]}},
+                {"if": rocking, "then": {"required": ["swing"]}},
+                {"if": {**rocking, "not": flat}, "then": {"required": ["length"]}},
+            ]
+        }
+
+
+def _wanted(value: Mapping[str, Any]) -> Iterator[str]:
+    """Give what a follower needs."""
+    if value.get("motion") == TRANSLATING:
+        yield "lift"
+    if value.get("motion") == ROCKING:
+        yield "swing"
+        if value.get("end") != FLAT:
+            yield "length"
+
+
+class LimitsTable(Table):
+    """What the main sizes must keep to."""
+
+    rise: Decimal | None = key(
+        c.LIMIT,
+        None,
+        meaning="Largest pressure angle (угол давления) on the rise, degrees; the book has 30, of a rocker 45.",
+    )
+    return_: Decimal | None = key(
+        c.LIMIT,
+        None,
+        meaning="Largest size of the pressure angle on the return, degrees; with closure by force none is kept to.",
+    )
+    curvature: Decimal = key(
+        c.SIZE, Decimal(0), meaning="Least radius of curvature of the profile under a flat face, m."
+    )
+
+
+class SizesTable(Table):
+    """Main sizes that are given; what is missing is found."""
+
+    base: Decimal | None = key(
+        f.LENGTH, None, meaning="Least radius R0 of the pitch profile (минимальный радиус), m.", also=("r0", "r_0")
+    )
+    offset: Decimal | None = key(
+        f.COORDINATE,
+        None,
+        meaning="Eccentricity e (эксцентриситет), m, above 0 where it lowers the pressure angle on the rise.",
+        also=("e", "eccentricity"),
+    )
+    centre: Decimal | None = key(
+        f.LENGTH,
+        None,
+        meaning="Of a rocking follower: distance L of the centres (межцентровое расстояние), m.",
+        missing=Missing("distance of the centres", 'centre = "150 mm"'),
+        also=("l", "center", "distance"),
+    )
+    roller: Decimal | None = key(
+        c.SIZE,
+        None,
+        meaning="Radius of the roller (радиус ролика), m; default: the smaller of 0.7 of the least radius of curvature "
+        "and 0.4 R0.",
+        also=("r", "r_r", "radius"),
+    )
+
+
+class LoadTable(Table):
+    """What the follower bears, against its rise."""
+
+    mass: Decimal | None = key(f.MASS, None, meaning="Of one that translates: mass, kg.", also=("m",))
+    force: Decimal | None = key(f.number(units.FORCE), None, meaning="Of one that translates: force on it, N.")
+    inertia: Decimal | None = key(f.INERTIA, None, meaning="Of one that rocks: moment of inertia about its pivot.")
+    moment: Decimal | None = key(f.number(units.MOMENT), None, meaning="Of one that rocks: moment on it, N*m.")
+    preload: Measure | None = key(c.PRELOAD, None, meaning="Spring (пружина) at the start: N, or N*m of a rocker.")
+    stiffness: Measure | None = key(
+        c.STIFFNESS, None, meaning="Stiffness (жёсткость) of the spring: N/m, or N*m/rad of a rocker.", also=("c", "k")
+    )
+
+
+class CamTable(Table):
+    """A cam: its follower, phases, limits, sizes, load, and how it stands on the shaft."""
+
+    name: str = key(f.TEXT, "", meaning="Its name on the sheet; default: its number.")
+    speed: Measure | None = key(
+        c.SPEED,
+        None,
+        meaning='Speed, rad/s or "300 rpm", of a cam that translates m/s; negative is clockwise, or to the right; '
+        "default: the drive's, where there is one.",
+        also=("rpm", "n", "omega", "ω"),
+        missing=Missing("angular speed", 'speed = "300 rpm"'),
+    )
+    closure: str = key(
+        f.words(FORCE, GROOVE), FORCE, meaning="What holds the follower: force (силовое замыкание) or groove (пазовое)."
+    )
+    setting: Decimal | str = key(
+        c.SETTING,
+        Decimal(0),
+        meaning="Turn of the main shaft at which its first phase begins (установочный угол), degrees in the sense of "
+        'rotation; "cyclogram": with the window of the cyclogram.',
+    )
+    divisions: int = key(c.DIVISIONS, 8, meaning="Parts of each phase that moves the follower: numbered positions.")
+    follower: FollowerTable = key(
+        table(FollowerTable),
+        meaning="The follower (толкатель).",
+        missing=Missing("follower", FOLLOWER, SPARE_FOLLOWER),
+    )
+    limits: LimitsTable = key(table(LimitsTable), LimitsTable(), meaning="What the main sizes must keep to.")
+    sizes: SizesTable = key(table(SizesTable), SizesTable(), meaning="Main sizes that are given; the others are found.")
+    phases: tuple[PhaseTable, ...] = key(
+        many(table(PhaseTable), f.NOT_EMPTY, first=f.FEW),
+        meaning="Phases (фазы) in their order over the turn; their angles make 360 degrees.",
+        missing=Missing("list of phases", PHASE, [SPARE_PHASE]),
+    )
+    load: LoadTable | None = key(table(LoadTable), None, meaning="What the follower bears; its mass needs a speed.")
+
+
+class CamForm(TechniqueForm):
+    """What a scene says of its cams."""
+
+    cam: tuple[CamTable, ...] = key(
+        many(table(CamTable), f.NOT_EMPTY, first=f.FEW),
+        meaning="A cam (кулачок), one or several on one shaft: follower, phases with their laws, limits or sizes.",
+        missing=Missing("table", EXAMPLE, [{"follower": SPARE_FOLLOWER, "phases": [SPARE_PHASE]}]),
+    )
+
+    def fit(self, scene: Scene) -> None:
+        """See that its cams can be made: nothing else of a scene is worth its while otherwise."""
+        if scene.meaning["cam"].faults:
+            raise SceneError(scene.meaning.faults)

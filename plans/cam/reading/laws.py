@@ -1,0 +1,155 @@
+"""The laws of the phases made from the scene: tables and shapes in shares of phase and lift, exact (законы)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from itertools import pairwise
+
+from plans.cam.reading.entry import Entry, shown
+from plans.cam.reading.law_form import LawTable
+from plans.cam.reading.shape import Shape, cancelled
+from plans.cam.reading.ways import Way
+from plans.model.cam import CUBICS, LINES, SHAPE, TABLE, Law
+from plans.scene import units
+from plans.scene.faults import Path
+from plans.scene.units import Kind
+from plans.words.words import message
+
+CONSTANT_ACCELERATION = "constant acceleration"
+POINTS_LEAST = 2
+Plotted = tuple[tuple[Fraction, Fraction], ...]
+
+
+def law_of(entry: Entry, number: int, turned: Fraction, way: Way) -> Law | None:
+    """Give the law of one phase, or nothing of a dwell, or where it is at fault."""
+    law = entry.form.phases[number].law
+    if not isinstance(law, LawTable):
+        return None if law is None else Law(law)
+    before = len(entry.faults)
+    _owned(entry, number, law)
+    if law.name == TABLE:
+        return _table(entry, number, law, turned, way)
+    if law.name == SHAPE:
+        return _shape(entry, number, law)
+    return Law(law.name, float(law.first or 0.5)) if len(entry.faults) == before else None
+
+
+def _owned(entry: Entry, number: int, law: LawTable) -> None:
+    """See that a law is given nothing that only another takes."""
+    path = ("phases", number, "law")
+    if law.name != CONSTANT_ACCELERATION:
+        entry.spare(("first",), law.given, "constant acceleration", *path)
+    if law.name not in (TABLE, SHAPE):
+        entry.spare(("points",), law.given, "points", *path)
+    if law.name != TABLE:
+        entry.spare(("through", "tolerance"), law.given, "table", *path)
+    elif law.through == LINES:
+        entry.spare(("tolerance",), law.given, "cubics", *path)
+
+
+def _table(entry: Entry, number: int, law: LawTable, turned: Fraction, way: Way) -> Law | None:
+    """Give a law by a table of S over the turn of the cam, in shares."""
+    across, up = units.LENGTH if entry.translates else units.ANGLE, units.ANGLE if entry.rocks else units.LENGTH
+    points = _plotted(entry, number, law, across, up)
+    tolerance = entry.quantity(law.tolerance, up, "phases", number, "law", "tolerance")
+    if points is None or not _spans(entry, number, points, turned, way):
+        return None
+    size = way.change or Fraction(1)
+    shares = [((x - points[0][0]) / turned, (y - way.level) / size) for x, y in points]
+    allowed = float(Fraction(tolerance or 0) / abs(size))
+    return Law(TABLE, 0.5, _floats(_ended(shares)), law.through or CUBICS, allowed)
+
+
+def _ended(shares: Sequence[tuple[Fraction, Fraction]]) -> Plotted:
+    """Put the ends of a table where they are meant: rounded points are near them."""
+    return (Fraction(0), Fraction(0)), *shares[1:-1], (Fraction(1), Fraction(1))
+
+
+def _plotted(entry: Entry, number: int, law: LawTable, across: Kind, up: Kind) -> Plotted | None:
+    """Give the points of a law; those that are too few, unsorted or of another kind are at fault."""
+    path = ("phases", number, "law", "points")
+    found = [
+        (entry.quantity(x, across, *path, at, 0), entry.quantity(y, up, *path, at, 1))
+        for at, (x, y) in enumerate(law.points)
+    ]
+    points = tuple((Fraction(x), Fraction(y)) for x, y in found if x is not None and y is not None)
+    if len(points) < len(found):
+        return None
+    if len(points) < POINTS_LEAST:
+        entry.fault(path, "few_points", least=POINTS_LEAST)
+        return None
+    return points if law.name == SHAPE or _sorted(entry, path, points) else None
+
+
+def _sorted(entry: Entry, path: Path, points: Plotted) -> bool:
+    """See that a table goes on from point to point, and does not jump."""
+    before = len(entry.faults)
+    for at, (one, other) in enumerate(pairwise(points), 1):
+        if other[0] < one[0]:
+            entry.fault((*path, at, 0), "turns_fall", found=shown(other[0]), before=shown(one[0]))
+        elif other[0] == one[0]:
+            _repeated(entry, (*path, at, 0), other, other[1] - one[1])
+    return len(entry.faults) == before
+
+
+def _repeated(entry: Entry, path: Path, point: tuple[Fraction, Fraction], jump: Fraction) -> None:
+    if jump:
+        size, unit = entry.sized(abs(jump))
+        entry.fault(path, "table_jumps", found=shown(point[0]), jump=size, unit=unit)
+    else:
+        entry.fault(path, "turn_twice", found=shown(point[0]))
+
+
+NEAR = Fraction(1, 10**9)  # of a phase or a lift: so near its end a point of a table is meant to be at it
+
+
+def _spans(entry: Entry, number: int, points: Plotted, turned: Fraction, way: Way) -> bool:
+    """See that a table goes from the start of its phase to its end, and joins what is before and behind it."""
+    before, path = len(entry.faults), ("phases", number, "law", "points")
+    ends = ((0, Fraction(0), way.level), (len(points) - 1, turned, way.level + way.change))
+    for at, across, level in ends:
+        x, y = points[at]
+        if abs(x - across) > NEAR * turned:
+            entry.fault((*path, at, 0), "table_span", found=shown(x), wanted=shown(across))
+        elif abs(y - level) > NEAR * entry.lift:
+            (wanted, unit), (found, _) = entry.sized(level), entry.sized(y)
+            entry.fault((*path, at, 1), "table_ends", found=found, wanted=wanted, unit=unit)
+    return len(entry.faults) == before
+
+
+def _shape(entry: Entry, number: int, law: LawTable) -> Law | None:
+    """Give a law by the shape of its acceleration, whose areas above and below cancel."""
+    path = ("phases", number, "law", "points")
+    points = _plotted(entry, number, law, units.NUMBER, units.NUMBER)
+    if points is None or not _shares(entry, path, points):
+        return None
+    shape = Shape(points)
+    if not shape.cancels:
+        factor = shape.factor
+        advice = message("advice.shape_factor", factor=shown(factor)) if factor else message("advice.shape_both")
+        entry.fault(path, "shape_areas", above=shown(shape.above), below=shown(shape.below), advice=advice)
+        return None
+    found = cancelled(shape)
+    if found.lift <= 0:
+        entry.fault(path, "shape_falls")
+        return None
+    return Law(SHAPE, 0.5, _floats(found.points))
+
+
+def _shares(entry: Entry, path: Path, points: Plotted) -> bool:
+    """See that shares go from 0 to 1 without falling, at most two points at one of them."""
+    before = len(entry.faults)
+    for at, share in ((0, 0), (len(points) - 1, 1)):
+        if points[at][0] != share:
+            entry.fault((*path, at, 0), "table_span", found=shown(points[at][0]), wanted=str(share))
+    for at, (one, other) in enumerate(pairwise(points), 1):
+        if other[0] < one[0]:
+            entry.fault((*path, at, 0), "turns_fall", found=shown(other[0]), before=shown(one[0]))
+        elif at > 1 and other[0] == points[at - 2][0]:
+            entry.fault((*path, at, 0), "share_thrice", found=shown(other[0]))
+    return len(entry.faults) == before
+
+
+def _floats(points: Plotted) -> tuple[tuple[float, float], ...]:
+    return tuple((float(x), float(y)) for x, y in points)

@@ -1,0 +1,120 @@
+"""Notes on cams (замечания): what is allowed, but may well be a slip, what is mended, and what is taken unasked."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from decimal import Decimal
+from fractions import Fraction
+
+from plans.cam.reading.cams import entries_of
+from plans.cam.reading.entry import Entry, shown
+from plans.cam.reading.fields import CYCLOGRAM, REST
+from plans.cam.reading.law_form import LawTable
+from plans.cam.reading.turns import WHOLE
+from plans.model.cam import BOOK_LIMITS, DWELL, FORCE, GROOVE, TABLE
+from plans.scene import units
+from plans.scene.faults import Fault, Path
+from plans.scene.lengths import odd_lengths
+from plans.scene.scene import Scene
+
+FEW_POINTS = 3  # of a table: what lies between them is the curve's, not the table's
+
+
+def notes_of(scene: Scene) -> Iterator[Fault]:
+    """Give the notes on a scene's cams (row of the table of techniques)."""
+    entries = [*entries_of(scene)]
+    yield from odd_lengths(scene, {path: size for one in entries for path, size in _lengths(one)})
+    for one in entries:
+        for notes in (_turns, _dwells, _way, _limits, _laws, _unused):
+            yield from notes(one)
+
+
+def _lengths(entry: Entry) -> Iterator[tuple[Path, Decimal]]:
+    """Give the lengths m that a cam states; a zero is one in any unit."""
+    follower, sizes = entry.form.follower, entry.form.sizes
+    stated = {("follower", name): getattr(follower, name) for name in ("lift", "length")}
+    stated |= {("sizes", name): getattr(sizes, name) for name in ("base", "offset", "centre", "roller")}
+    return ((entry.path(*path), abs(size)) for path, size in stated.items() if size)
+
+
+def _note(entry: Entry, path: Path, kind: str, **details: object) -> Fault:
+    return entry.scene.fault(entry.path(*path), kind, **details)
+
+
+def _turns(entry: Entry) -> Iterator[Fault]:
+    """Tell of a sum that was near a whole turn and is taken for one."""
+    angles = [one.angle for one in entry.form.phases]
+    if entry.translates or REST in angles or CYCLOGRAM in angles:
+        return
+    total = sum((Fraction(one) for one in angles if isinstance(one, Decimal)), Fraction(0))
+    if total != WHOLE:
+        largest = max(range(len(angles)), key=lambda number: Fraction(angles[number] or 0))
+        yield _note(entry, ("phases", largest, "angle"), "turn_snapped", found=f"{float(total):.12g}")
+
+
+def _dwells(entry: Entry) -> Iterator[Fault]:
+    """Find two dwells in a row."""
+    kinds = [one.kind for one in entry.form.phases]
+    for number in range(1, len(kinds)):
+        if kinds[number - 1] == kinds[number] == DWELL:
+            yield _note(entry, ("phases", number, "kind"), "two_dwells")
+
+
+def _way(entry: Entry) -> Iterator[Fault]:
+    """Find a follower that does not move, or moves farther than the cam is wide."""
+    base, key = entry.form.sizes.base, "swing" if entry.rocks else "lift"
+    if entry.lift == 0:
+        yield _note(entry, ("follower", key), "no_lift")
+    elif base is not None and not entry.rocks and entry.lift >= 2 * Fraction(base):
+        yield _note(entry, ("follower", key), "high_lift", base=shown(1000 * base))
+
+
+def _limits(entry: Entry) -> Iterator[Fault]:
+    """Tell of limits that nothing is found from, and of those that are taken from the book."""
+    given, sizes = entry.form.limits.given, entry.form.sizes
+    if "return" in given and entry.form.closure == FORCE:
+        yield _note(entry, ("limits", "return"), "free_return")
+    if entry.flat and not entry.rocks:
+        yield from (_note(entry, ("limits", name), "level_face") for name in ("rise", "return") if name in given)
+        if "offset" in sizes.given:
+            yield _note(entry, ("sizes", "offset"), "spare_offset")
+    if entry.flat or entry.translates or _sized(entry):
+        return
+    most = f"{math.degrees(BOOK_LIMITS[entry.form.follower.motion]):g}"
+    kept = ("rise", "return") if entry.form.closure == GROOVE else ("rise",)
+    for name in kept:
+        if name not in given:
+            yield _note(entry, (), f"book_{name}", name=entry.name, most=most)
+
+
+def _sized(entry: Entry) -> bool:
+    """Tell whether no size is left to be found by limits: without any a radius alone is that of a radial follower."""
+    given, limits = entry.form.sizes.given, entry.form.limits.given & {"rise", "return"}
+    return "base" in given and ("centre" in given if entry.rocks else "offset" in given or not limits)
+
+
+def _laws(entry: Entry) -> Iterator[Fault]:
+    """Tell of tables with few points, and of those that are smoothed."""
+    for number, phase in enumerate(entry.form.phases):
+        law, path = phase.law, ("phases", number, "law")
+        if not isinstance(law, LawTable) or law.name != TABLE:
+            continue
+        if len(law.points) <= FEW_POINTS:
+            yield _note(entry, (*path, "points"), "sparse_table", count=len(law.points))
+        if law.tolerance is not None and law.tolerance.of(units.ANGLE if entry.rocks else units.LENGTH):
+            yield _note(entry, (*path, "tolerance"), "smoothed")
+
+
+def _unused(entry: Entry) -> Iterator[Fault]:
+    """Find a spring beside a groove, and a mass that needs a speed."""
+    if entry.form.closure == GROOVE:
+        yield from _each(entry, "idle_spring", "preload", "stiffness")
+    if entry.form.speed is None and (entry.translates or not entry.scene.has(("drive",))):
+        yield from _each(entry, "still_cam", "mass", "inertia")
+
+
+def _each(entry: Entry, kind: str, *names: str) -> Iterator[Fault]:
+    """Give a note at each of some keys of the load that is given."""
+    given = entry.form.load.given if entry.form.load else ()
+    return (_note(entry, ("load", name), kind) for name in names if name in given)

@@ -1,0 +1,95 @@
+"""The study of a scene's cams: laws, sizes, profile of each, made once, on demand (исследование кулачков)."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from plans.cam.course import Course, positions
+from plans.cam.diagrams import LawDiagrams, law_diagrams
+from plans.cam.profile.findings import cam_found
+from plans.cam.profile.profile import Profile, profile
+from plans.cam.reading.cams import cams_of
+from plans.cam.sizes import sizing
+from plans.cam.sizing import Sizing
+from plans.model.cam import Cam
+from plans.model.cam_motion import CamFound, Contour
+from plans.model.motion import Floats
+
+if TYPE_CHECKING:
+    from plans.study import Study
+
+LAWS, SIZES, PROFILE = "laws", "sizes", "profile"
+CYCLOGRAM = "cyclogram"
+CLOSE = 720  # turns of a curve that is drawn: half a degree from one to the next
+
+
+class CamDrawing:
+    """One cam, and what is constructed of it."""
+
+    def __init__(self, cam: Cam, made: dict[str, None] | None = None) -> None:
+        self.cam, self.course = cam, Course(cam)
+        self.made: dict[str, None] = {} if made is None else made
+
+    @cached_property
+    def turned(self) -> Floats:
+        """The turns of the numbered positions, rad, (N,)."""
+        return positions(self.cam)
+
+    @cached_property
+    def diagrams(self) -> LawDiagrams:
+        """S'', S' and S by graphical integration."""
+        self.made.setdefault(LAWS)
+        return law_diagrams(self.cam)
+
+    @cached_property
+    def sizing(self) -> Sizing:
+        """The main sizes."""
+        self.made.setdefault(SIZES)
+        return sizing(self.course)
+
+    @cached_property
+    def found(self) -> CamFound:
+        """Profile, extremes and flaws at the numbered positions."""
+        self.made.setdefault(PROFILE)
+        return cam_found(self.course, self.sizing.sizes, self.turned)
+
+    @cached_property
+    def curve(self) -> Contour:
+        """The profile at many turns, from 0 to a whole one, among them all joints of the law."""
+        even = np.linspace(0.0, self.cam.turn, CLOSE + 1)
+        return self.profile(np.union1d(even, self.course.joints)).contour
+
+    def profile(self, turned: Floats, before: bool = False) -> Profile:
+        """Draw the profile at any turns of the cam, rad, (N,)."""
+        return profile(self.course, self.sizing.sizes, self.found.roller, turned, before)
+
+
+class CamStudy:
+    """The cams of a scene."""
+
+    def __init__(self, cams: Collection[Cam]) -> None:
+        self.made: dict[str, None] = {}
+        self.drawings: Mapping[str, CamDrawing] = {one.name: CamDrawing(one, self.made) for one in cams}
+
+    def construct(self, plans: Collection[str]) -> None:
+        """Make what is asked for."""
+        for drawing in self.drawings.values():
+            for plan, name in {LAWS: "diagrams", SIZES: "sizing", PROFILE: "found"}.items():
+                if plan in plans:
+                    getattr(drawing, name)
+
+    @property
+    def found(self) -> tuple[CamFound, ...]:
+        """What was found of each cam."""
+        return tuple(drawing.found for drawing in self.drawings.values())
+
+
+def study_of(study: Study) -> CamStudy:
+    """Make the study of a scene's cams (row of the table of techniques); some take their phases from the cyclogram."""
+    scene = study.scene
+    window = study[CYCLOGRAM].window if scene.meaning["cam"].waiting else None
+    return CamStudy(cams_of(scene, window))

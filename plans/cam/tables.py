@@ -1,0 +1,87 @@
+"""A law by a table of S over φ: joined by lines, or by a ruler that bends (закон движения по таблице, гибкая линейка).
+
+The ruler is the cubic spline with no slope at both ends. Its moments, the accelerations at the points, are what is
+solved for; between two points they go straight. Of springs in place of the points it departs a little and bends less.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from plans.cam.pieces import Piece, Shares
+from plans.model.cam import LINES, SOFTNESSES, Law
+from plans.model.motion import Floats
+
+
+class Ruler(NamedTuple):
+    """A bent ruler: where its points are, in shares of the phase, s there, and the accelerations there, (N,)."""
+
+    share: Floats
+    s: Floats
+    moments: Floats
+
+    def departure(self, law: Law) -> tuple[float, float]:
+        """Give how far it is from a table's points at most, in shares of the lift, and at which share of the phase."""
+        off = np.abs(self.s - np.array(law.points)[:, 1])
+        worst = int(np.argmax(off))
+        return float(off[worst]), float(self.share[worst])
+
+
+def table(law: Law) -> Shares:
+    """Give the law of a table in pieces.
+
+    >>> table(Law("table", points=((0, 0), (0.5, 0.4), (1, 1)), through="lines")).at(np.array([0.75]), 1).tolist()
+    [1.2]
+    """
+    return _lines(law) if law.through == LINES else _cubics(ruler(law))
+
+
+def smoothing(law: Law) -> tuple[float, float]:
+    """Tell how far a table's curve is from its points at most, in shares of the lift, and where: never unsaid.
+
+    >>> smoothing(Law("table", points=((0, 0), (0.5, 0.4), (1, 1))))
+    (0.0, 0.0)
+    """
+    return (0.0, 0.0) if law.through == LINES else ruler(law).departure(law)
+
+
+@lru_cache(maxsize=64)
+def ruler(law: Law) -> Ruler:
+    """Bend a ruler through a table's points, or as near to them as its tolerance allows with the least bending."""
+    k, y = np.array(law.points, dtype=float).T
+    best, low, high = _bent(k, y, 0.0), -1, len(SOFTNESSES)
+    while law.tolerance > 0 and high - low > 1:
+        middle = (low + high) // 2
+        found = _bent(k, y, SOFTNESSES[middle])
+        if found.departure(law)[0] <= law.tolerance:
+            best, low = found, middle
+        else:
+            high = middle
+    return best
+
+
+def _bent(k: Floats, y: Floats, softness: float) -> Ruler:
+    """Solve the equations of three moments: of points that give by springs, all but the first and the last."""
+    h = np.diff(k)
+    kinks = np.diag(-np.append(1 / h, 0.0) - np.append(0.0, 1 / h)) + np.diag(1 / h, 1) + np.diag(1 / h, -1)
+    bends = np.diag(np.append(h, 0.0) + np.append(0.0, h)) / 3 + np.diag(h, 1) / 6 + np.diag(h, -1) / 6
+    given = softness * np.array([0.0, *np.ones(len(k) - 2), 0.0])
+    moments = np.linalg.solve(bends + kinks @ (given[:, None] * kinks), kinks @ y)
+    return Ruler(k, y - given * (kinks @ moments), moments)
+
+
+def _cubics(bent: Ruler) -> Shares:
+    h, (first, last) = np.diff(bent.share), (bent.moments[:-1], bent.moments[1:])
+    slopes = np.diff(bent.s) / h - h * (2 * first + last) / 6
+    rows = np.column_stack([bent.s[:-1], slopes, first / 2, (last - first) / (6 * h)])
+    return Shares(
+        tuple(Piece(start, tuple(row)) for start, row in zip(bent.share.tolist(), rows.tolist(), strict=False))
+    )
+
+
+def _lines(law: Law) -> Shares:
+    return Shares(tuple(Piece(k, (s, (b - s) / (a - k))) for (k, s), (a, b) in pairwise(law.points)))

@@ -1,0 +1,1 @@
+"""Cams by both roads, compared (сравнение кулачков)."""

@@ -1,0 +1,188 @@
+"""Cams by both roads: laws, their diagrams, sizes, profile, extremes, beside each other (сравнение кулачков)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from plans.analytic.cam.findings import cam_found
+from plans.analytic.cam.laws import travel
+from plans.analytic.cam.sizes import sizes
+from plans.cam.study import LAWS, PROFILE, SIZES, CamDrawing, CamStudy
+from plans.checks.cam.slack import TERM, Slack
+from plans.checks.comparison import Comparison, Finding
+from plans.model.cam import SHAPE, TABLE, Cam
+from plans.model.cam_motion import ANALYSIS, CONSTRUCTION, CamFound, Extreme, Points
+from plans.model.motion import Floats, Gap
+
+if TYPE_CHECKING:
+    from plans.study import Study
+
+
+@dataclass(frozen=True)
+class CamRoad:
+    """What one road found of all cams of a scene."""
+
+    by: str
+    cams: tuple[CamFound, ...]
+
+    @property
+    def unanswered(self) -> tuple[Gap, ...]:
+        """Where nothing is found: a cam has a profile at every turn."""
+        return ()
+
+
+def comparison_of(study: Study) -> Comparison:
+    """Compare both roads of a scene's cams, as far as it is asked (row of the table of techniques)."""
+    return compare_cams(study["cam"], frozenset(study.plans))
+
+
+def compare_cams(cams: CamStudy, plans: frozenset[str] = frozenset({LAWS, SIZES, PROFILE})) -> Comparison:
+    """Find each cam by analysis too, and put every quantity beside that of the construction."""
+    drawings = [*cams.drawings.values()]
+    theirs = tuple(cam_found(one.cam, sizes(one.cam), one.turned) for one in drawings)
+    pairs = zip(drawings, theirs, strict=True)
+    lone = len(drawings) == 1
+    findings = [finding for one, other in pairs for finding in Compared(one, other, lone).findings(plans)]
+    return Comparison(CamRoad(CONSTRUCTION, cams.found), CamRoad(ANALYSIS, theirs), tuple(findings))
+
+
+@dataclass(frozen=True)
+class Compared:
+    """One cam by both roads; beside others its quantities bear its name."""
+
+    drawing: CamDrawing
+    theirs: CamFound
+    lone: bool = True
+
+    @property
+    def ours(self) -> CamFound:
+        """The cam by construction."""
+        return self.drawing.found
+
+    @cached_property
+    def slack(self) -> Slack:
+        """How far rounding can move it."""
+        return Slack(self.ours, self.drawing.sizing)
+
+    def findings(self, plans: frozenset[str]) -> Iterator[Finding]:
+        """Compare what is asked for."""
+        if LAWS in plans:
+            yield from self.laws()
+            yield from self.diagrams()
+        if SIZES in plans:
+            yield from self.sizes()
+        if PROFILE in plans:
+            yield from self.profile()
+            yield from self.extremes()
+
+    def laws(self) -> Iterator[Finding]:
+        """Compare S, S', S'' at the numbered positions."""
+        own, other = self.ours.contour.travel, self.theirs.contour.travel
+        for order, name in enumerate(("S", "S'", "S''")):
+            yield self._row(LAWS, name, self._units[order], own[order], other[order], self.slack.travel(order))
+
+    def diagrams(self) -> Iterator[Finding]:
+        """Compare the chords with the same chords by the ordinates of the analysis."""
+        drawn = self.drawing.diagrams
+        edges, slope, s = drawn.strips.edges, *self.chords
+        sums = TERM * len(edges)
+        first = self.slack.travel(1) + self.slack.travel(2) * self.ours.cam.turn + sums * _most(slope)
+        second = self.slack.travel(0) + first * self.ours.cam.turn + sums * _most(s)
+        yield self._row(LAWS, "S' chords", self._units[1], drawn.slope[1], slope, first)
+        yield self._row(LAWS, "S chords", self._units[0], drawn.travel.values, s, second)
+
+    @property
+    def chords(self) -> tuple[Floats, Floats]:
+        """S' at the ends of the strips and S at their edges, as chords find them from the analysis's S''."""
+        drawn, cam = self.drawing.diagrams, self.theirs.cam
+        edges = drawn.strips.edges
+        gains, slope, before = _gains(cam, edges), np.empty(len(edges) - 1), np.empty(len(edges) - 1)
+        for run in drawn.runs:
+            start = float(travel(cam, edges[run.start : run.start + 1]).slope[0])
+            slope[run] = start + np.cumsum(gains[run])
+            before[run] = slope[run] - gains[run]
+        steps = (slope + before) / 2 * np.diff(edges)
+        return slope, np.concatenate([[0.0], np.cumsum(steps)]) + float(travel(cam, edges[:1]).s[0])
+
+    def sizes(self) -> Iterator[Finding]:
+        """Compare the main sizes and the roller."""
+        own, other = self.ours, self.theirs
+        if not own.cam.translates:
+            yield self._one(SIZES, "R_0", "m", own.sizes.base, other.sizes.base, self.slack.centre)
+        if own.cam.rocks and not own.cam.translates:
+            yield self._one(SIZES, "L", "m", own.sizes.centre, other.sizes.centre, self.slack.centre)
+            turned = self.slack.centre / own.sizes.centre
+            yield self._one(SIZES, "ψ_0", "rad", own.sizes.initial, other.sizes.initial, turned + TERM)
+            yield self._one(SIZES, "O1", "m", own.sizes.pivot, other.sizes.pivot, self.slack.centre)
+        elif not own.cam.flat and not own.cam.translates:
+            yield self._one(SIZES, "e", "m", own.sizes.offset, other.sizes.offset, self.slack.centre)
+        if own.roller:
+            radius = own.sharpest.value**2 * float(np.max(self.slack.curvature)) if own.sharpest else 0.0
+            yield self._one(SIZES, "r_r", "m", own.roller, other.roller, radius + self.slack.centre)
+
+    def profile(self) -> Iterator[Finding]:
+        """Compare the profile at the numbered positions."""
+        own, other, slack = self.ours.contour, self.theirs.contour, self.slack
+        yield self._row(PROFILE, "K", "m", own.tip, other.tip, slack.lever)
+        yield self._row(PROFILE, "P", "m", own.pitch, other.pitch, slack.lever)
+        if self.ours.roller:
+            yield self._row(PROFILE, "Q", "m", own.profile, other.profile, slack.profile)
+        if own.outer is not None and other.outer is not None:
+            yield self._row(PROFILE, "Q'", "m", own.outer, other.outer, slack.profile)
+        yield self._row(PROFILE, "α", "rad", own.pressure, other.pressure, slack.angle)
+        yield self._row(PROFILE, "1/ρ", "1/m", _over(own.radius), _over(other.radius), slack.curvature)
+        yield self._row(PROFILE, "v_sl/ω", "m", own.sliding, other.sliding, slack.lever)
+
+    def extremes(self) -> Iterator[Finding]:
+        """Compare the largest pressure angles and the sharpest places."""
+        own, other, slack = self.ours, self.theirs, self.slack
+        angle, bend = float(np.max(slack.angle)), float(np.max(slack.curvature))
+        for kind, one in own.pressure.items():
+            yield self._one(PROFILE, f"α_{kind}", "rad", abs(one.value), abs(other.pressure[kind].value), angle)
+        for name, one_, its in (("ρ_min", own.sharpest, other.sharpest), ("ρ_hollow", own.hollow, other.hollow)):
+            yield self._one(PROFILE, name, "1/m", _bent(one_), _bent(its), bend)
+        for k, side in enumerate(("back", "front") if own.cam.flat else ()):
+            yield self._one(PROFILE, f"face_{side}", "m", own.face[k], other.face[k], slack.lever)
+
+    @property
+    def _units(self) -> Sequence[str]:
+        return ("rad", "1", "1/rad") if self.ours.cam.rocks else ("m", "m/rad", "m/rad2")
+
+    def _one(self, plan: str, name: str, unit: str, own: complex, other: complex, allowed: float) -> Finding:
+        return self._row(plan, name, unit, np.array([own]), np.array([other]), allowed)
+
+    def _row(
+        self, plan: str, name: str, unit: str, own: Floats | Points, other: Floats | Points, allowed: Floats | float
+    ) -> Finding:
+        off = np.asarray(np.abs(own - other), dtype=float)
+        name = name if self.lone else f"{name} {self.ours.cam.name}"
+        return Finding(plan, name, unit, own, other, off, np.broadcast_to(allowed, off.shape), _most(own))
+
+
+def _gains(cam: Cam, edges: Floats) -> Floats:
+    """Give what S' gains over strips by the mean ordinates of S'': at mid-strip, of a law by points the true ones."""
+    middles = (edges[:-1] + edges[1:]) / 2
+    whole = travel(cam, edges[1:], before=True).slope - travel(cam, edges[:-1]).slope
+    by_points = [one for one in cam.moving() if one.law is not None and one.law.name in (TABLE, SHAPE)]
+    inside = [(one.start < middles) & (middles < one.end) for one in by_points]
+    return np.where(
+        np.any([np.zeros(len(middles), dtype=bool), *inside], axis=0), whole, travel(cam, middles).bend * np.diff(edges)
+    )
+
+
+def _most(values: Floats | Points) -> float:
+    return float(np.max(np.abs(values), initial=0.0))
+
+
+def _over(radius: Floats) -> Floats:
+    """Give 1/ρ; of a straight place 0."""
+    return np.where(np.isinf(radius), 0.0, 1 / np.where(radius == 0, np.nan, radius))
+
+
+def _bent(one: Extreme | None) -> float:
+    return 1 / one.value if one is not None and one.value else 0.0

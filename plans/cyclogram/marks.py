@@ -1,0 +1,39 @@
+"""Marks of a cyclogram by the names that `explain` takes: phi_1 is the crank in position 1 (точки циклограммы)."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from geometry.steps import behind
+from plans.cyclogram.stations import alone, crank
+from plans.explanation import Explanation, NoMark, UnknownMark
+from plans.model.cyclogram import BEGIN, END
+from plans.model.order import POSITIONS
+from plans.words.words import message
+
+if TYPE_CHECKING:
+    from plans.cyclogram.study import CyclogramStudy
+    from plans.study import Study
+
+NAME = re.compile(r"(?:φ|phi)_(?P<number>\d+)")
+UNITS = {POSITIONS.plan: "m"}
+
+
+def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
+    """Give the steps from the tool back to the crank in a characteristic position."""
+    found: CyclogramStudy = study["cyclogram"]
+    told, asked = found.cyclogram.positions, NAME.fullmatch(name)
+    if asked is None:
+        examples = tuple(f"phi_{k}" for k, one in enumerate(told) if one.role not in (BEGIN, END) and one.notched)
+        return NoMark(examples, message("mark.characteristic", last=len(told) - 1), examples[:1])
+    number = int(asked["number"])
+    if number >= len(told):
+        raise UnknownMark(message("mark.position", position=number, last=len(told) - 1))
+    plan = alone(found.stations, told, number)
+    if plan is None:
+        raise UnknownMark(message("mark.not_notched", position=number))
+    parts = {"mark": name, "position": number, "angle": f"{np.degrees(told[number].turned):.10g}"}
+    return Explanation(message("explain.title", **parts), tuple(behind(crank(plan))), UNITS, (), POSITIONS.plan)

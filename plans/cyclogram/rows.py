@@ -1,0 +1,64 @@
+"""The rows of a cyclogram: what each mechanism does over the turn of the main shaft (строки циклограммы)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+
+from plans.model.cam import DWELL, RISE, Cam
+from plans.model.cyclogram import BACK, BEGIN, END, ENTRY, EXIT, LEAVE, TURN, Cyclogram, Row, Span
+
+# What a span is: of a cam its phases, of the main mechanism its strokes, of its tool what it does to the work.
+REST = "rest"  # a dwell of the follower where it began
+WORK, IDLE, CUT, OVERRUN, BACK_OVER, FREE = "work", "idle", "cut", "overrun", "back over", "free"
+STROKES, TOOL, FEED = "strokes", "tool", "feed"  # the names of the rows of a main mechanism
+
+
+def rows_of_cams(cams: Sequence[Cam]) -> tuple[Row, ...]:
+    """Give a row for each cam that turns: its phases from its setting angle on."""
+    return tuple(Row(cam.name, tuple(_phases(cam)), cam.setting) for cam in cams if not cam.translates)
+
+
+def _phases(cam: Cam) -> Iterator[Span]:
+    """Give the phases; their labels are the indices of their letters, several of one kind numbered."""
+    kinds = [REST if one.kind == DWELL and not one.level else one.kind for one in cam.phases]
+    for k, (kind, one) in enumerate(zip(kinds, cam.phases, strict=True)):
+        label = kind if kinds.count(kind) == 1 else f"{kind} {kinds[: k + 1].count(kind)}"
+        yield Span(cam.setting + one.start, cam.setting + one.end, kind, label)
+
+
+def rows_of_machine(found: Cyclogram) -> tuple[Row, ...]:
+    """Give the rows of a main mechanism: its strokes, its tool, and when an auxiliary mechanism may move."""
+    return Row(STROKES, tuple(_strokes(found))), Row(TOOL, tuple(_tool(found)))
+
+
+def row_of_feed(found: Cyclogram) -> Row:
+    """Give the row of an auxiliary mechanism: it moves in the window, the rest of the turn is free for its return."""
+    window = found.window
+    spans = Span(window.start, window.end, RISE, RISE), Span(window.end, window.start + TURN, FREE)
+    return Row(FEED, spans, window.start)
+
+
+def _strokes(found: Cyclogram) -> Iterator[Span]:
+    (begin,), (end,) = found.of(BEGIN), found.of(END)
+    turn = begin.turned + (end.turned - begin.turned) % TURN
+    yield Span(begin.turned, turn, WORK)
+    yield Span(turn, begin.turned + TURN, IDLE)
+
+
+def _tool(found: Cyclogram) -> Iterator[Span]:
+    """Give what the tool does from one of its places to the next."""
+    stops = [one for one in found.positions if one.role in (BEGIN, ENTRY, EXIT, END, LEAVE, BACK)]
+    begin = stops[0].turned
+    turned = [begin + (one.turned - begin) % TURN for one in stops]
+    for (one, start), (_, end) in pairwise(zip((*stops, stops[0]), (*turned, begin + TURN), strict=True)):
+        yield Span(start, end, _doing(found, one.role))
+
+
+def _doing(found: Cyclogram, role: str) -> str:
+    """Tell what the tool does after a position."""
+    if role == ENTRY or (role == BEGIN and not found.of(ENTRY)):
+        return CUT
+    if role == BACK or (role == END and not found.of(BACK)):
+        return BACK_OVER
+    return OVERRUN

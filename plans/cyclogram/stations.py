@@ -1,0 +1,180 @@
+"""The characteristic positions by construction: the tool's places and the notches back from them (M2.1)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from geometry.board import Mark
+from geometry.precision import errors
+from plans.cyclogram import tool, watch
+from plans.cyclogram.backwards import Notch, go_back, way_back
+from plans.cyclogram.tool import Path
+from plans.cyclogram.trial import Trial
+from plans.cyclogram.watch import Watch, watch_of
+from plans.linkage.assembly_limits import Sweep
+from plans.linkage.extreme import ExtremePositions
+from plans.linkage.plan import Plan
+from plans.linkage.pressure import pressure
+from plans.model import cyclogram as c
+from plans.model.cyclogram import Cyclogram, CyclogramTask, Position, Stop
+from plans.model.mechanism import Output
+from plans.model.motion import Floats
+
+TRIED = 8.0 * float(np.finfo(float).eps)  # of a whole turn: what a trial between two crank angles leaves of a root
+
+
+@dataclass(frozen=True, eq=False)
+class Stations:
+    """The way from the tool back to the crank, for all places of the tool together."""
+
+    sweep: Sweep
+    output: Output
+    reached: ExtremePositions
+    task: CyclogramTask
+
+    @cached_property
+    def trial(self) -> Trial:
+        """The travel between the extremes."""
+        return Trial(self.sweep, self.output, self.reached.extremes)
+
+    @cached_property
+    def asked(self) -> tuple[Stop, ...]:
+        """The places of the tool that are asked for."""
+        return tuple(asked(self.task, self.reached.extremes.stroke))
+
+    @cached_property
+    def way(self) -> tuple[Notch, ...] | None:
+        """The groups from the tool back to the crank; None where notches do not lead back."""
+        if self.output.parting is not None or self.path is None:
+            return None
+        return way_back(self.sweep.mechanism, self.sweep.groups, self.output.link)
+
+    @cached_property
+    def watch(self) -> Watch | None:
+        """The group whose pressure angle is watched."""
+        return watch_of(self.sweep.mechanism, self.sweep.groups)
+
+    @cached_property
+    def tried(self) -> Floats:
+        """The crank angles of the tool's places by trial, (N,) rad."""
+        return self.trial.stops(self.asked)
+
+    @cached_property
+    def plan(self) -> Plan | None:
+        """The plan of all places of the tool; None where notches do not lead back."""
+        return self.toward(slice(None))
+
+    def toward(self, chosen: slice) -> Plan | None:
+        """Draw the plan of some places of the tool with the notches from there, each point as often as places."""
+        if self.way is None or self.path is None:
+            return None
+        plan = Plan("positions", self.sweep.mechanism)
+        tool.lay_out(plan, self.output, self.path, np.array([one.share for one in self.asked[chosen]]))
+        go_back(plan, self.way, self.sweep.plan(self.tried[chosen]))
+        return plan
+
+    @cached_property
+    def path(self) -> Path | None:
+        """The tool's extreme places; None where its link has no point but fixed ones."""
+        name, reach = tool.point_of(self.sweep.mechanism, self.output), self.reached.extremes.reach
+        if name is None:
+            return None
+        ends = self.sweep.plan(np.array(self.reached.extremes.phi)).point(name)
+        first, last = np.broadcast_to(np.asarray(ends.point), 2).tolist()
+        return Path(name, (first, last), 0.0 if self.reached.extremes.sliding else reach[1] - reach[0])
+
+    @cached_property
+    def watched(self) -> tuple[tuple[float, bool], ...]:
+        """Where the pressure angle is extreme: crank angles rad by trial, and whether on the way back."""
+        return tuple(self.trial.watched(self.watch.dyad)) if self.watch else ()
+
+    @cached_property
+    def watching(self) -> Plan | None:
+        """The plan of the positions of extreme pressure angle; None where there are none."""
+        return self.looking(slice(None)) if self.watched else None
+
+    def looking(self, chosen: slice) -> Plan:
+        """Draw the plan of some positions of extreme pressure angle."""
+        assert self.watch is not None  # who asks knows of one
+        plan, phi = Plan("positions", self.sweep.mechanism), [phi for phi, _ in self.watched[chosen]]
+        watch.construct(plan, self.watch, self.sweep.plan(np.array(phi)))
+        return plan
+
+    @property
+    def cyclogram(self) -> Cyclogram:
+        """The characteristic positions in the order of the turn."""
+        extremes, sense = self.reached.extremes, self.trial.sense
+        begin = sense * extremes.phi[0]
+        found = [*self._ends(), *self._stops(), *self._watches()]
+        ordered = sorted(found, key=lambda one: (sense * one.turned - begin) % c.TURN)
+        told = tuple(one._replace(turned=c.within(sense * one.turned)) for one in ordered)
+        return Cyclogram(
+            c.CONSTRUCTION, self.output, int(sense), extremes.stroke, extremes.sliding, extremes.overlap, told
+        )
+
+    def _ends(self) -> Iterator[Position]:
+        extremes = self.reached.extremes
+        ends = zip((c.BEGIN, c.END), extremes.phi, (0.0, 1.0), extremes.reach, strict=True)
+        yield from (Position(role, phi, share, reach) for role, phi, share, reach in ends)
+
+    def _stops(self) -> Iterator[Position]:
+        phi, slack = (
+            (self.tried, np.full(len(self.asked), TRIED * c.TURN)) if self.plan is None else self._read(self.plan)
+        )
+        begin, end = self.reached.extremes.reach
+        for k, (stop, rate) in enumerate(zip(self.asked, self.trial.rate(phi).tolist(), strict=True)):
+            place, condition = begin + stop.share * (end - begin), 1 / (c.TURN * abs(rate))
+            known = place, stop.back, None, condition, float(slack[k]), self.plan is not None
+            yield Position(stop.role, float(phi[k]), stop.share, *known)
+
+    def _watches(self) -> Iterator[Position]:
+        if self.watching is None or self.watch is None:
+            return
+        phi, slack = self._read(self.watching)
+        begin, end = self.reached.extremes.reach
+        angles = np.broadcast_to(pressure(self.sweep.plan(phi), self.watch.dyad), phi.shape)
+        for k, (share, rate) in enumerate(
+            zip(self.trial.along(phi).tolist(), self.trial.rate(phi).tolist(), strict=True)
+        ):
+            known = begin + share * (end - begin), self.watched[k][1], float(angles[k]), 1 / (c.TURN * abs(rate))
+            yield Position(c.PRESSURE, float(phi[k]), share, *known, float(slack[k]))
+
+    def _read(self, plan: Plan) -> tuple[Floats, Floats]:
+        """Read off the crank angles, rad, and how far rounding can have moved them."""
+        arm = crank(plan)
+        turned = np.angle(np.asarray(arm.point)), errors(arm)[arm].place / np.abs(np.asarray(arm.point))
+        count = len(self.asked) if plan is self.plan else len(self.watched)
+        return np.array(np.broadcast_to(turned[0], count)), np.array(np.broadcast_to(turned[1], count))
+
+
+def alone(stations: Stations, positions: Sequence[Position], number: int) -> Plan | None:
+    """Draw the notches of one of the characteristic positions; None of an extreme, and of one found by trial."""
+    one = positions[number]
+    if one.role == c.PRESSURE:
+        place = sum(other.role == c.PRESSURE for other in positions[:number])
+        return stations.looking(slice(place, place + 1))
+    stops = enumerate(stations.asked)
+    found = next((k for k, stop in stops if stop == Stop(one.role, one.share, one.back)), None)
+    return None if found is None else stations.toward(slice(found, found + 1))
+
+
+def crank(plan: Plan) -> Mark:
+    """Give the crank's vector on a plan that was notched back to it."""
+    drive = plan.mechanism.drive
+    image, points = plan.images[drive.link], plan.mechanism.links[drive.link].points
+    lead = points[drive.end] - points[drive.pivot]
+    assert image.arm is not None  # a crank turns
+    return image.arm if image.span == lead else plan.board[f"{drive.pivot}{drive.end}"]
+
+
+def asked(task: CyclogramTask, stroke: float) -> Sequence[Stop]:
+    """Give the places of the tool: it enters and leaves the work past the overruns, and meets changes of the load."""
+    before, past = (one.share(stroke) for one in task.overrun)
+    found = [Stop(c.ENTRY, before), Stop(c.LEAVE, before, back=True)] if before else [Stop(c.BACK, 1 - past, back=True)]
+    found += [Stop(c.EXIT, 1 - past)] if past else []
+    shares = (one.share(stroke) for one in task.breaks)
+    return [*found, *(Stop(c.BREAK, share) for share in shares if share not in (before, 1 - past))]

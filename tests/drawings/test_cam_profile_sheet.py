@@ -1,0 +1,166 @@
+"""The sheet of a cam to be made: its table tells the radii that formulas give, its radii are measured back."""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+
+import numpy as np
+import pytest
+
+from drawings.checks.labelled import unlettered
+from drawings.figures.cam import sizes_table
+from drawings.figures.cam.manufacturing import Manufacture, manufacture
+from drawings.measure.measure import Measured
+from drawings.page.drafting import drafting_of
+from drawings.paper.strokes import Leaf
+from drawings.sheets.cam_profile import sheets
+from plans.cam.course import Course
+from plans.scene.scene import Scene, parse_scene
+from tests.drawings.cam_contours import EVERY, levers, view_of
+from tests.drawings.collisions import collisions
+from tests.drawings.exhibits import SHEET, read_back
+from tests.drawings.pages import said
+from tests.parts import some
+
+
+def scene(size: str = "A3", language: str = "en") -> Scene:
+    return parse_scene(SHEET.format(format=size, language=language))
+
+
+@cache
+def made(name: str, size: str = "A3", language: str = "en") -> tuple[Manufacture, tuple[Leaf, ...]]:
+    shown = manufacture(view_of(name).found)
+    return shown, sheets(scene(size, language), [shown])
+
+
+@cache
+def measured(name: str) -> Measured:
+    return read_back(made(name)[1][0])
+
+
+def table(name: str, size: str = "A3") -> dict[str, tuple[str, ...]]:
+    """Give the rows of the table as they are read."""
+    _, leaves = made(name, size)
+    rows: dict[str, tuple[str, ...]] = {}
+    for group in (one for leaf in leaves for one in leaf.groups if one.name.startswith("radii")):
+        told = said(group)[3:]
+        rows |= {told[k]: tuple(told[k + 1 : k + 3]) for k in range(0, len(told), 3)}
+    return rows
+
+
+@pytest.mark.parametrize("name", some(["clockwise", "offset", "flat", "rocker", "against", "flat rocker"], 5))
+def test_the_table_tells_the_radii_of_formulas(name: str) -> None:
+    """Polar radius and angle from the first point, against the rotation; of a groove those of its middle."""
+    shown, _ = made(name)
+    rows, cam = table(name), shown.cam
+    phi = np.radians([float(turned) for turned in rows])
+    tip, lever = levers(cam, shown.view.sizes, phi)
+    off = 0.0 if shown.grooved else shown.view.found.roller
+    spots = (tip - off * lever / abs(lever)) * np.exp(-1j * cam.sense * phi)
+    turns = np.degrees(-cam.sense * np.angle(spots / spots[0]))
+    for (radius, angle), spot, turn in zip(rows.values(), spots, turns, strict=True):
+        assert float(radius) == pytest.approx(1000 * abs(spot), abs=5.01e-4)
+        assert math.remainder(float(angle) - turn, 360.0) == pytest.approx(0.0, abs=5.01e-4)
+
+
+def test_a_cam_that_translates_is_told_by_coordinates() -> None:
+    shown, _ = made("wedge")
+    rows = table("wedge")
+    x = np.array([float(travelled) for travelled in rows]) / 1000
+    tip, lever = levers(shown.cam, shown.view.sizes, x)
+    spots = 1000 * (tip + shown.cam.sense * x - shown.view.found.roller * lever / abs(lever))
+    for cells, spot in zip(rows.values(), spots, strict=True):
+        across, up = (float(cell.replace("−", "-")) for cell in cells)
+        assert complex(across, up) == pytest.approx(spot, abs=8e-4)
+
+
+@pytest.mark.parametrize("name", some(["groove", "wedge", "clockwise", "undercut"], 3))
+def test_radii_are_measured_back(name: str) -> None:
+    shown, _ = made(name)
+    seen = {one.position: one for one in measured(name).vectors}
+    rays = dict(enumerate(shown.rays()))
+    assert seen.keys() == rays.keys()
+    for number, (k, _) in rays.items():
+        end = complex(shown.told[k])
+        start = complex(end.real, shown.view.body[0].imag) if shown.cam.translates else 0j
+        assert abs(seen[number].value - (end - start)) < 2 * measured(name).quantum * seen[number].scale
+
+
+def test_as_many_rows_as_the_paper_takes() -> None:
+    assert list(table("groove"))[:3] == ["0", "5", "10"]
+    assert len(table("groove")) == 72
+    assert list(table("rocker", "A4"))[:3] == ["0", "10", "20"]
+    assert len(made("rocker", "A4")[1]) == 1
+
+
+def test_it_is_drawn_at_its_own_size_where_it_can_be() -> None:
+    scales = {one.scale for name in ("groove", "wedge") for one in measured(name).vectors}
+    assert scales == {0.001}
+
+
+@pytest.mark.parametrize(
+    ("name", "language", "notes"),
+    [
+        ("groove", "en", ("counter-clockwise", "Groove 26.132 mm wide", "r_{r} = 13.066 mm", "path of the mill's")),
+        ("clockwise", "ru", ("по часовой стрелке", "Паз шириной 26,132 мм", "r_{р} = 13,066", "32,665, φ 240 … 360°")),
+        ("undercut", "en", ("Roller", "Not to be made: ", "undercut", "crosses itself", "0.0001 mm at most")),
+        ("wedge", "en", ("goes to the left", "Datum: O, where the follower's point")),
+    ],
+)
+def test_notes_tell_what_a_workshop_must_know(name: str, language: str, notes: tuple[str, ...]) -> None:
+    _, (leaf, *_) = made(name, "A3", language)
+    for one in notes:
+        assert one in leaf.description, one
+
+
+@pytest.mark.parametrize(
+    "case",
+    some(
+        [(name, size, language) for name in EVERY for size, language in (("A3", "en"), ("A4", "ru"), ("A1", "ru"))], 9
+    ),
+)
+def test_letters_are_clear_of_all_lines(case: tuple[str, str, str]) -> None:
+    for leaf in made(*case)[1]:
+        assert collisions(leaf) == []
+        assert list(unlettered(leaf)) == []
+
+
+def test_several_cams_have_a_sheet_each() -> None:
+    leaves = sheets(scene(), [made("groove")[0], made("wedge")[0]])
+    assert [leaf.metadata["number"] for leaf in leaves] == [1, 2]
+    assert all(leaf.metadata["cam"] == "K1" and "K1" in leaf.title for leaf in leaves)
+
+
+@pytest.mark.parametrize(
+    ("name", "rows"),
+    [
+        (
+            "groove",
+            {"R0, mm": "32.665", "e, mm": "2.2204", "S0, mm": "32.589", "rr, mm": "13.066", "ρmin, mm": "29.610"},
+        ),
+        ("rocker", {"L, mm": "136.37", "ψ0, °": "14.866", "Ψ, °": "25.000"}),
+    ],
+)
+def test_sizes_are_told_as_the_book_has_them(name: str, rows: dict[str, str]) -> None:
+    """Numbers of M2.7, M2.9 and M2.13."""
+    found = view_of(name).found
+    travel = Course(found.cam).at(np.linspace(0.0, found.cam.turn, 721))
+    own = sizes_table.quantities(found, travel)
+    block = sizes_table.sizes(own, own, drafting_of(scene()))
+    told = {line.name.replace("_", "").replace("{", "").replace("}", ""): line.cells for line in block.lines}
+    assert {name: told[name][0] for name in rows} == rows
+    assert told["Ψ, °" if name == "rocker" else "H, mm"][1] == "given"
+
+
+def test_shocks_are_told_with_their_places() -> None:
+    """M2.5: under constant acceleration the jump in the middle is twice that at the ends."""
+    found = view_of("radial").found
+    travel = Course(found.cam).at(np.linspace(0.0, found.cam.turn, 721))
+    own = {one.letter + one.where: one.value for one in sizes_table.quantities(found, travel)}
+    omega, angle = 10.0, math.radians(120)
+    end = 4 * 0.03 / angle**2 * omega**2
+    assert own["Δa_{1}"] == pytest.approx(end)
+    assert own["Δa_{2}"] == pytest.approx(-2 * end)
+    assert own["Δa_{2}cam angle at"] == pytest.approx(60.0)
+    assert own["v_{max}"] == pytest.approx(max(2 * 0.03 / angle, math.pi / 2 * 0.03 / math.radians(90)) * omega)

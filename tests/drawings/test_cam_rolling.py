@@ -1,0 +1,160 @@
+"""The profile on a written sheet: read back within what it states, and a follower rolled over it returns the law."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from drawings.checks.cam.profiles import Analysed, wrong
+from drawings.checks.cam.rolling import apart, rolled
+from drawings.figures.cam.profile_curve import profile_curve
+from drawings.layout.place import Place
+from drawings.measure.measure import Measured, check, measure
+from drawings.measure.measured_profile import MeasuredProfile
+from drawings.page.scale import Scale
+from drawings.paper.limits import SheetRefused
+from drawings.paper.strokes import Circle, Group, Leaf, LineStyle
+from drawings.pens.svg import svg
+from drawings.symbols.figure import Subject, point
+from geometry.curve import CubicPiece, sampled
+from plans.analytic.cam.contour import contour
+from plans.analytic.cam.laws import travel
+from plans.cam.path import path
+from plans.model.cam import GROOVE, ROLLER, TRANSLATING
+from tests.parts import some
+from tests.plans import cam_cases as cases
+from tests.plans.cam_cases import Case, every, roller_of, titled
+
+MM = 1e-3
+PLAN, MU = "profile", 0.5 * MM
+PLACE = Place(210.3 + 190.7j, 0j, Scale(MU, "l", "m"))
+CASES = some(every(), every=7)
+USUAL = cases.cam(TRANSLATING, ROLLER, 1, closure=GROOVE)
+
+
+def written(case: Case, place: Place = PLACE, turned: float = 0.0) -> bytes:
+    """Write a sheet with all curves of a cam."""
+    cam, sizes = case
+    roller = roller_of(cam)
+    away = {"profile": -roller, "pitch": 0.0} | ({"outer": roller} if cam.closure == GROOVE else {})
+    curves = [
+        profile_curve(path(cam, sizes, off), place, PLAN, name, LineStyle(), turned) for name, off in away.items()
+    ]
+    pole = point(Subject(PLAN, "l", None), "O", 0j, place, Circle(place.on(0j), 1.0), "pole")
+    return svg(Leaf(420, 420, (Group((pole, *curves), "figure"),)))
+
+
+def curves(measured: Measured) -> dict[str, MeasuredProfile]:
+    return {one.name: one for one in measured.profiles}
+
+
+def analysed(case: Case, count: int = 180) -> Analysed:
+    cam, sizes = case
+    turned = np.linspace(0.0, cam.turn, count, endpoint=cam.translates)
+    return Analysed(cam, sizes, roller_of(cam), contour(cam, sizes, roller_of(cam), turned))
+
+
+def faults(sheet: bytes, case: Case) -> str:
+    return "; ".join(str(one) for one in wrong(measure(sheet).profiles, PLAN, analysed(case)))
+
+
+@pytest.mark.parametrize("turned", [0.0, 37.5])
+def test_profile_is_read_back_as_it_was_drawn(turned: float) -> None:
+    case = USUAL, cases.sizes(USUAL)
+    found = curves(measure(written(case, turned=turned)))
+    for name, away in {"profile": -0.01, "pitch": 0.0, "outer": 0.01}.items():
+        drawn, own = path(*case, away), found[name]
+        assert [type(piece) for piece in own.pieces if isinstance(piece, CubicPiece)] == [
+            CubicPiece for piece in drawn.pieces if isinstance(piece, CubicPiece)
+        ]
+        assert drawn.deviation <= own.deviation < 1.1 * drawn.deviation
+        assert own.quantum == pytest.approx(math.sqrt(2) * 1e-6 * MU)
+        spots = np.array([piece.at(share) for piece in drawn.pieces for share in (0.1, 0.5, 0.9)])
+        assert apart(own.pieces, True, spots).max() <= own.quantum
+
+
+@pytest.mark.parametrize("case", CASES, ids=titled)
+def test_what_is_written_is_right(case: Case) -> None:
+    assert faults(written(case), case) == ""
+
+
+@pytest.mark.rest
+@pytest.mark.parametrize("case", every(), ids=titled)
+def test_law_comes_back_at_3600_angles(case: Case) -> None:
+    """The way along the normal that a profile is off, over the cosine of the pressure angle: so much is S."""
+    cam, sizes = case
+    own = analysed(case, 3600)
+    found = curves(measure(written(case)))
+    for name in {"profile", "outer"} & found.keys():
+        one = found[name]
+        s = rolled(one.pieces, cam, sizes, roller_of(cam), own.contour.turned, outer=name == "outer")
+        off = np.abs(s - travel(cam, own.contour.turned).s) / own.rate()
+        assert (off <= one.deviation + one.quantum + 1e-15).all()
+        assert off.max() > one.deviation / 4  # it is the file that is told, not the law
+
+
+@pytest.mark.parametrize("case", some([one for one in every() if one[0].follower.end == ROLLER], every=4), ids=titled)
+def test_roller_touches_the_written_profile_by_shapely(case: Case) -> None:
+    shapely = pytest.importorskip("shapely")
+    cam, _ = case
+    sag = 1e-8  # m: a fifth of it is lost at the middle of a chord
+    profile = curves(measure(written(case)))["profile"]
+    line = shapely.LineString([(spot.real, spot.imag) for spot in sampled(profile.pieces, sag)])
+    pitch = analysed(case, 720).contour.pitch
+    gap = shapely.distance(line, shapely.points(pitch.real, pitch.imag)) - roller_of(cam)
+    assert np.abs(gap).max() <= profile.deviation + profile.quantum + sag
+
+
+def test_figure_may_be_moved_but_not_turned_or_stretched() -> None:
+    """Pole and curves go together in a group; what is turned no longer begins where it says."""
+    case = USUAL, cases.sizes(USUAL)
+    sheet = written(case).decode()
+
+    def transformed(how: str) -> Measured:
+        return measure(sheet.replace('<g id="figure">', f'<g id="figure" transform="{how}">').encode())
+
+    straight, moved = (curves(one)["profile"] for one in (measure(sheet.encode()), transformed("translate(12 -7)")))
+    assert moved.pieces[0].start == straight.pieces[0].start
+    assert moved.pieces[7].at(0.3) == pytest.approx(straight.pieces[7].at(0.3), abs=1e-15)
+    assert not check(transformed("translate(12 -7)"))
+    for how in ("rotate(0.01)", "scale(1.0001)"):
+        assert {miss.key.name for miss in check(transformed(how))} == {"profile", "pitch", "outer"}
+    with pytest.raises(SheetRefused, match=r"profile .*: it is stretched"):
+        transformed("scale(1 1.1)")
+
+
+def edited(change: Callable[[str], str]) -> str:
+    """Say what is wrong with a usual sheet after its profile's path data were changed."""
+    case = USUAL, cases.sizes(USUAL)
+    sheet = written(case).decode()
+    data = next(data for data in re.findall(r' d="([^"]*)"', _bearer(sheet, "profile")))
+    assert change(data) != data
+    return faults(sheet.replace(data, change(data)).encode(), case)
+
+
+def _bearer(sheet: str, name: str) -> str:
+    return next(tag for tag in re.findall(r"<path [^>]*>", sheet) if f'data-name="{name}"' in tag)
+
+
+def _shifted(data: str) -> str:
+    """Move the end of one cubic by 0.005 mm, that is 0.0025 mm of the cam."""
+    first = re.search(r"C(\S+) (\S+) (\S+) (\S+) (\d+)\.(\d+)", data)
+    assert first is not None
+    x = float(f"{first[5]}.{first[6]}") + 0.005
+    return data.replace(first[0], f"C{first[1]} {first[2]} {first[3]} {first[4]} {x:.6f}", 1)
+
+
+@pytest.mark.parametrize(
+    ("change", "told"),
+    [
+        (_shifted, r"profile on profile, 0\.00\d+ mm off at [\d.]+° \(against the analysis\)"),
+        (lambda data: data.replace("Z", "").rsplit("C", 1)[0], r"the polygon profile does not close"),
+        (lambda data: data.replace(" 0 0 1 ", " 0 0 0 ", 1), r"profile on profile, .* mm off"),
+    ],
+)
+def test_edited_profile_is_seen(change: Callable[[str], str], told: str) -> None:
+    assert re.search(told, edited(change))

@@ -1,0 +1,159 @@
+"""The figure of a law's diagrams: ordinates measured back, poles and scales in line, shocks drawn as what they are."""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from drawings.checks.labelled import unlettered
+from drawings.figures.cam import law_diagrams
+from drawings.figures.cam.law_frame import POLE, LawFrame, LawPlate
+from drawings.figures.cam.law_graph import graph_part
+from drawings.figures.cam.law_pole import pole_part
+from drawings.figures.cam.law_rows import ACCELERATION, TRAVEL, VELOCITY, rows
+from drawings.layout.picture import Spot
+from drawings.page.drafting import Drafting
+from drawings.page.page import Field
+from drawings.page.scale import Scale
+from drawings.paper.hand import hand_of
+from drawings.paper.strokes import Leaf, Line
+from drawings.paper.walk import texts
+from plans.cam.diagrams import LawDiagrams
+from plans.cam.diagrams import law_diagrams as diagrams_of
+from plans.model.cam import DWELL, POINTED, RETURN, RISE, ROCKING, Follower, Law
+from tests.drawings.collisions import collisions
+from tests.drawings.exhibits import exhibited, read_back
+from tests.plans.law_cams import LINES, RULER, STEADY, law_cam, usual
+
+CAMS = {
+    "smooth": usual(Law("sine"), Law("3-4-5")),
+    "hard": usual(Law("constant velocity")),
+    "soft": usual(STEADY, Law("cosine")),
+    "table": usual(LINES, RULER),
+    "slides": usual(Law("sine"), Law("modified trapezoid"), translates=True),
+    "no dwell": law_cam((RISE, 180, Law("cosine")), (RETURN, 180, Law("cosine")), divisions=12),
+    "rocker": usual(Law("sine"), lift=math.radians(25), follower=Follower(ROCKING, POINTED, 0.12)),
+    "level": law_cam((DWELL, 360, None)),
+}
+SHEETS = [("smooth", "A1", "ru"), ("hard", "A4", "ru"), ("soft", "A3", "en"), ("table", "A2", "en")]
+SHEETS += [("slides", "A4", "en"), ("no dwell", "A3", "ru"), ("rocker", "A2", "ru"), ("level", "A4", "en")]
+
+
+@cache
+def found(name: str) -> LawDiagrams:
+    return diagrams_of(CAMS[name])
+
+
+@cache
+def leaf(name: str, size: str = "A3", language: str = "en") -> Leaf:
+    return exhibited([(law_diagrams, found(name))], size, language)
+
+
+def framed(name: str, size: str = "A1") -> LawFrame:
+    plate = LawPlate(found(name), Drafting(hand_of(size)))
+    room = law_diagrams.measure(found(name), plate.drafting)
+    scale = Scale(0.02, "φ", "rad")
+    return LawFrame(plate, Spot(Field(0, 0, *room.size(scale)), scale))
+
+
+@pytest.mark.parametrize(("name", "size", "language"), SHEETS)
+def test_every_ordinate_is_measured_back(name: str, size: str, language: str) -> None:
+    """S'' as the law has it, S' and S as they were constructed, each over its own position."""
+    sheet = leaf(name, size, language)
+    by_row = {row.key: row for row in rows(found(name))}
+    for one in read_back(sheet).vectors:
+        row = by_row[one.plan.removeprefix("law-K-")]
+        assert one.position is not None
+        assert one.value == pytest.approx(1j * float(row.after[one.position]), abs=one.scale * 1e-2)
+        assert one.name == found(name).strips.names[one.position]
+    assert collisions(sheet) == []
+    assert list(unlettered(sheet)) == []
+
+
+def test_numbered_ordinates_stand_over_one_another() -> None:
+    places: dict[int, set[float]] = {}
+    for one in read_back(leaf("smooth", "A1", "ru")).vectors:
+        assert one.position is not None
+        places.setdefault(one.position, set()).add(round(one.start.real, 3))
+    assert len(places) >= 12 and all(len(one) == 1 for one in places.values())
+
+
+@pytest.mark.parametrize("name", ["smooth", "soft", "no dwell", "rocker"])
+def test_the_scale_of_an_integral_follows_from_its_pole(name: str) -> None:
+    """mu_S' = mu_S'' mu_phi H1 and mu_S = mu_S' mu_phi H2; both poles have room beside the graph."""
+    frame = framed(name)
+    own = {row.key: row for row in frame.plate.rows}
+    for key, below in ((ACCELERATION, VELOCITY), (VELOCITY, TRAVEL)):
+        distance = frame.pole(own[key])
+        assert distance is not None and distance == frame.distance(own[below])
+        assert frame.scales[below].mu == pytest.approx(frame.scales[key].mu * frame.spot.scale.mu * distance)
+        size = frame.plate.hand.letter
+        assert POLE[0] * size <= distance <= POLE[1] * size
+
+
+def test_rays_and_chords_are_parallel_on_paper() -> None:
+    """The ray of a strip from its pole on the left, and the chord of the curve under it."""
+    frame = framed("smooth")
+    first, second, _ = frame.plate.rows
+    distance, shown = frame.pole(first), frame.plate.shown
+    assert distance is not None
+    axes, other = frame.axes(first), frame.axes(second)
+    drawn = pole_part(first, frame.plate, axes, distance).lines
+    lines = [one for one in drawn if isinstance(one, Line) and one.start == axes.zero - distance]
+    rays = [one for one in lines if one.end.real == axes.zero.real and one.end.imag != axes.zero.imag]
+    x, y = shown.strips.edges, second.chords[0].y
+    chords = [
+        other.on(*map(float, end)) - other.on(*map(float, start)) for start, end in pairwise(zip(x, y, strict=True))
+    ]
+    off = [[abs(((ray.end - ray.start) * one.conjugate()).imag) / abs(one) for one in chords] for ray in rays]
+    assert len(rays) > 5 and max(map(min, off)) < 1e-9
+
+
+def test_a_hard_shock_is_an_arrow_to_infinity_and_no_value() -> None:
+    top, slope, _ = rows(found("hard"))
+    assert top.impulses == ((0, 1), (8, -1), (9, -1), (17, 1))
+    assert not top.result.y.any() and top.flat
+    assert (slope.before[0], slope.after[8], slope.before[9]) == (0.0, 0.0, 0.0)
+    assert slope.after[0] == slope.before[8] > 0 > slope.after[9] == slope.before[17]
+    frame = framed("hard")
+    lines = graph_part(top, frame.plate, frame.axes(top), ()).lines
+    arrows = [one for one in lines if isinstance(one, Line) and one.style == frame.plate.hand.result]
+    assert [math.copysign(1, (one.end - one.start).imag) for one in arrows] == [1, -1, -1, 1]
+    told = [text.plain for text in texts(leaf("hard", "A4", "ru").groups)]
+    assert told.count("∞") == 4 and "жёсткие удары: 0, 8, 9, 17" in told
+    assert not any("H1" in one or "S'' =" in one for one in told)
+
+
+def test_a_soft_shock_is_an_upright_line_and_named() -> None:
+    top, course = rows(found("soft"))[0], found("soft").strips.course
+    at = np.flatnonzero(top.result.x[1:] == top.result.x[:-1])
+    uprights = {float(top.result.x[k]): float(top.result.y[k + 1] - top.result.y[k]) for k in at.tolist()}
+    assert [uprights[one.turned] for one in course.shocks] == pytest.approx([one.jump for one in course.shocks])
+    smooth = set(uprights) - {one.turned for one in course.shocks}
+    assert [uprights[one] for one in smooth] == pytest.approx([0.0] * len(smooth), abs=1e-12)
+    told = [text.plain for text in texts(leaf("soft").groups)]
+    assert "soft shocks: 0, 2', 8, 9, 17" in told and "∞" not in told
+
+
+def test_phases_are_named_with_their_angles() -> None:
+    told = [text.plain for text in texts(leaf("hard", "A4", "ru").groups)]
+    assert {"φу = 120°", "φд.в = 30°", "φв = 90°", "φб.в = 120°"} <= set(told)
+    assert {"xrise = 100", "xrest = 100", "S'', 1/m", "S'"} <= {
+        text.plain for text in texts(leaf("slides", "A4", "en").groups)
+    }
+
+
+def test_the_error_of_the_chords_is_told() -> None:
+    told = [text.plain for text in texts(leaf("smooth", "A1", "ru").groups)]
+    assert {"погрешность хорд 3,1 %", "погрешность хорд 2,6 %"} <= set(told)
+    assert [text.plain for text in texts(leaf("hard", "A4", "ru").groups)].count("погрешность хорд 0 %") == 2
+
+
+def test_a_follower_that_never_moves_has_level_diagrams() -> None:
+    frame = framed("level")
+    assert [frame.pole(row) for row in frame.plate.rows] == [None] * 3
+    assert all(row.flat and row.span == (0.0, 0.0) for row in frame.plate.rows)

@@ -1,0 +1,275 @@
+"""Extremes, flaws and forces of a cam: both roads find the same, and what is wrong is told from where to where."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from plans.analytic.cam.findings import cam_found as analysed
+from plans.cam.course import Course, positions
+from plans.cam.profile.findings import cam_found
+from plans.cam.profile.profile import profile
+from plans.model.cam import FORCE, RETURN, RISE, Limits, Load
+from plans.model.cam_motion import CamFound, Extreme, Sizes
+from tests.parts import some
+from tests.plans.textbook_cams import CENTRE, FLAT_BASE, LIFT, START, cam, offset_sizes, phases, pivot, rocker
+
+FACE = complex(0.06, -0.15)
+STEADY = (RISE, 120, LIFT, "constant velocity"), ("dwell", 30, 0.0, ""), (RETURN, 90, -LIFT, "cosine")
+LOAD = Load(2.0, 100.0, 50.0, 2000.0)
+ALL = {
+    "groove": (cam(end="roller"), offset_sizes()),
+    "clockwise": (cam(end="roller", sense=-1), offset_sizes(-0.012, START)),
+    "undercut everywhere": (cam(end="roller", roller=0.035), offset_sizes()),
+    "undercut once": (cam(end="roller", roller=0.0301, closure=FORCE), offset_sizes()),
+    "corner": (cam(phases(*STEADY), end="roller", roller=0.01), offset_sizes()),
+    "corners of acceleration": (
+        cam(phases((RISE, 90, LIFT, "modified trapezoid"), (RETURN, 120, -LIFT, "constant acceleration"))),
+        offset_sizes(0.01, 0.03),
+    ),
+    "limits": (cam(end="roller", roller=0.01, limits=Limits(0.4, 0.3)), offset_sizes()),
+    "loaded": (cam(end="roller", roller=0.01, closure=FORCE, speed=60.0, load=LOAD), offset_sizes()),
+    "rocker": (rocker("roller"), pivot(rocker())),
+    "rocker against": (rocker("roller", -1, -1), pivot(rocker("roller", -1, -1), complex(0.12, -0.07))),
+    "rocker undercut": (rocker("roller", roller=0.04, closure=FORCE), pivot(rocker())),
+    "hollow": (rocker("roller", roller=0.019), pivot(rocker())),
+    "flat": (cam(end="flat", closure=FORCE), Sizes(FLAT_BASE)),
+    "flat hollow": (cam(end="flat", sense=-1, closure=FORCE), Sizes(0.03)),
+    "flat rocker": (rocker("flat", face=0.005, closure=FORCE), pivot(rocker("flat"), FACE)),
+    "flat rocker hollow": (rocker("flat", face=0.005, closure=FORCE), pivot(rocker("flat"), complex(0.08, -0.09))),
+    "flat rocker loaded": (
+        rocker("flat", -1, face=0.004, closure=FORCE, speed=20.0, load=Load(0.01, 2.0, 1.0, 3.0)),
+        pivot(rocker("flat", -1), FACE),
+    ),
+}
+
+
+def draw(own, sizes) -> CamFound:
+    return cam_found(Course(own), sizes, positions(own))
+
+
+def analyse(own, sizes) -> CamFound:
+    return analysed(own, sizes, positions(own))
+
+
+ROADS = pytest.mark.parametrize("road", [draw, analyse])
+
+
+def near(one: Extreme | None, other: Extreme | None, place: float) -> bool:
+    """Tell whether two extremes are one: to 1e-12 of the value, and to where roundings leave the place."""
+    if one is None or other is None:
+        return one is other
+    return math.isclose(one.value, other.value, rel_tol=1e-12, abs_tol=1e-14) and abs(one.turned - other.turned) < place
+
+
+@pytest.mark.parametrize("name", some(list(ALL), 3))
+def test_both_roads_find_the_same(name):
+    one, other = draw(*ALL[name]), analyse(*ALL[name])
+    assert (one.rule, one.pressure.keys()) == (other.rule, other.pressure.keys())
+    assert one.roller == pytest.approx(other.roller, rel=1e-12)
+    assert all(near(one.pressure[kind], other.pressure[kind], 1e-10) for kind in one.pressure)
+    assert near(one.sharpest, other.sharpest, 1e-10) and near(one.hollow, other.hollow, 1e-10)
+    assert one.face == pytest.approx(other.face, rel=1e-13, abs=1e-16)
+    assert [flaw.kind for flaw in one.flaws] == [flaw.kind for flaw in other.flaws]
+    for first, second in zip(one.flaws, other.flaws, strict=True):
+        assert (first.start, first.end) == pytest.approx((second.start, second.end), abs=1e-10)
+        assert first.worst.value == pytest.approx(second.worst.value, rel=1e-9, abs=1e-12)
+    assert (one.pressing is None) == (other.pressing is None)
+    if one.pressing and other.pressing:
+        assert all(near(a, b, 1e-9) for a, b in zip(one.pressing[:3], other.pressing[:3], strict=True))
+        assert one.pressing.preload == pytest.approx(other.pressing.preload, rel=1e-13)
+
+
+@ROADS
+def test_textbook_extremes_of_the_pressure_angle(road):
+    """M2.7 and M2.9: the limits are just reached, where the tangents touch."""
+    found = road(*ALL["groove"]).pressure
+    assert [round(math.degrees(found[kind].value), 10) for kind in (RISE, RETURN)] == [30.0, -40.0]
+    places = [math.degrees(found[kind].turned) for kind in (RISE, RETURN)]
+    assert places == pytest.approx([52.7377369, 150 + 52.22304067], abs=5e-9)
+    found = road(*ALL["rocker"]).pressure
+    assert [round(math.degrees(found[kind].value), 10) for kind in (RISE, RETURN)] == [45.0, -45.0]
+    places = [math.degrees(found[kind].turned) for kind in (RISE, RETURN)]
+    assert places == pytest.approx([42.66108814, 150 + 49.83080671], abs=5e-9)
+
+
+@ROADS
+def test_textbook_least_radius_and_roller(road):
+    """M2.13, M2.14."""
+    found = road(*ALL["groove"])
+    assert found.sharpest is not None
+    assert found.sharpest.value == pytest.approx(0.02960986148, abs=5e-12)
+    assert math.degrees(found.sharpest.turned) - 150 == pytest.approx(18.93694533, abs=5e-9)
+    assert found.roller == pytest.approx(0.01306597775, abs=5e-12) and found.rule == "wear"
+    assert found.flaws == ()
+
+
+@ROADS
+def test_a_small_base_lets_the_curvature_choose_the_roller(road):
+    found = road(
+        cam(phases((RISE, 40, LIFT, "sine"), (RETURN, 40, -LIFT, "sine")), end="roller"), offset_sizes(0.0, 0.05)
+    )
+    assert found.sharpest is not None
+    assert (found.rule, found.roller) == ("curvature", pytest.approx(0.7 * found.sharpest.value))
+    assert found.roller < 0.4 * 0.05
+
+
+@ROADS
+def test_textbook_undercut(road):
+    """M2.14: a roller of 35 mm undercuts; every sharp part is told with its least radius, the dwell's over the turn."""
+    flaws = road(*ALL["undercut everywhere"]).flaws
+    worst = [one.worst.value for one in flaws if one.kind == "undercut"]
+    assert worst == pytest.approx([0.03481075801, 0.02960986148, 0.03266494437], abs=5e-12)
+    last = [one for one in flaws if one.kind == "undercut"][-1]
+    assert last.start > last.end
+
+
+@ROADS
+def test_where_a_profile_crosses_itself_it_is_at_one_point(road):
+    own, sizes = ALL["undercut once"]
+    (loop,) = (one for one in road(own, sizes).flaws if one.kind == "crossing")
+    at = cam_found(Course(own), sizes, np.array([loop.start, loop.end])).contour.profile
+    assert abs(at[0] - at[1]) < 1e-15
+
+
+@ROADS
+def test_a_loop_that_is_cut_away_costs_lift(road):
+    """By the definition: the cutter takes all that is within its circles, the roller rests on what is left."""
+    own, sizes = ALL["undercut once"]
+    (loop,) = (one for one in road(own, sizes).flaws if one.kind == "crossing")
+    pitch, points = (cam_found(Course(own), sizes, np.radians(np.linspace(140, 200, n))).contour for n in (601, 6001))
+    far = [np.abs(pitch.pitch - point).min() for point in points.profile]
+    left = points.profile[np.array(far) > 0.0301 - 2e-8]
+    turned = loop.worst.turned
+    seen = left * np.exp(1j * turned) - sizes.offset
+    seen = seen[np.abs(seen.real) < 0.0301]
+    reach = seen.imag + np.sqrt(0.0301**2 - seen.real**2)
+    lift = float(reach.max()) - math.sqrt(sizes.base**2 - sizes.offset**2)
+    whole = float(Course(own).at(np.array([turned])).s[0])
+    assert loop.worst.value == pytest.approx(whole - lift, abs=2e-7)
+    assert loop.worst.value > 8e-6
+
+
+@ROADS
+def test_a_roller_as_large_as_the_least_radius_leaves_a_cusp(road):
+    own, sizes = ALL["groove"]
+    least = draw(own, sizes).sharpest
+    assert least is not None
+    (cusp,) = road(replace(own, roller=least.value, closure=FORCE), sizes).flaws
+    assert (cusp.kind, cusp.start, cusp.end) == ("undercut", cusp.end, cusp.start)
+    assert cusp.worst.value == pytest.approx(least.value)
+    assert road(replace(own, roller=0.999 * least.value, closure=FORCE), sizes).flaws == ()
+
+
+@ROADS
+def test_a_knife_edge_has_no_undercut(road):
+    assert road(cam(end="roller", roller=0.0), offset_sizes()).flaws == ()
+
+
+@ROADS
+def test_a_hard_shock_makes_corners(road):
+    """At the top of a rise at constant velocity the curve has a corner out, at the bottom one in."""
+    flaws = {one.kind: one for one in road(*ALL["corner"]).flaws}
+    assert flaws["undercut"].start == flaws["undercut"].end == pytest.approx(math.radians(120))
+    assert flaws["hollow"].start == 0.0
+    assert flaws["crossing"].start < math.radians(120) < flaws["crossing"].end
+
+
+@ROADS
+def test_the_outer_side_of_a_groove_is_undercut_in_a_hollow(road):
+    own, sizes = ALL["hollow"]
+    (flaw,) = (one for one in road(own, sizes).flaws if one.kind == "hollow")
+    assert -0.019 < flaw.worst.value < 0
+    assert not road(replace(own, closure=FORCE), sizes).flaws
+
+
+@ROADS
+def test_a_flat_face_cannot_follow_a_hollow(road):
+    """H13: from where to where S + S'' + R0 is below 0."""
+    own, sizes = ALL["flat hollow"]
+    (flaw,) = (one for one in road(own, sizes).flaws if one.kind == "concave")
+    travel = Course(own).at(np.array([flaw.start, flaw.end, flaw.worst.turned]))
+    assert travel.s + travel.bend + 0.03 == pytest.approx([0, 0, flaw.worst.value], abs=1e-15)
+    assert road(*ALL["flat"]).flaws == ()
+    (sharp,) = road(replace(ALL["flat"][0], limits=Limits(curvature=0.006)), ALL["flat"][1]).flaws
+    assert (sharp.kind, sharp.worst.value) == ("sharp", pytest.approx(0.005))
+    assert not road(replace(ALL["flat"][0], limits=Limits(curvature=0.005)), ALL["flat"][1]).flaws
+
+
+@ROADS
+def test_a_face_that_is_too_short_is_told(road):
+    own, sizes = ALL["flat"]
+    short = replace(own, follower=own.follower._replace(reach=0.03))
+    (flaw,) = road(short, sizes).flaws
+    assert (flaw.kind, flaw.worst.value) == ("short face", pytest.approx(0.0358098622, abs=5e-12))
+    at = Course(own).at(np.array([flaw.start, flaw.end])).slope
+    assert np.abs(at) == pytest.approx([0.03, 0.03], rel=1e-8)
+    assert not road(replace(own, follower=own.follower._replace(reach=0.036)), sizes).flaws
+
+
+@ROADS
+def test_a_pressure_angle_beyond_its_limit_is_told_on_its_own_phase(road):
+    own, sizes = ALL["limits"]
+    rise, back = road(own, sizes).flaws
+    assert [rise.kind, back.kind] == ["pressure", "pressure"]
+    assert rise.end < math.radians(120) and math.radians(150) <= back.start
+    ends = cam_found(Course(own), sizes, np.array([rise.start, rise.end])).contour.pressure
+    assert np.abs(ends) == pytest.approx([0.4, 0.4], rel=1e-8)
+    assert math.degrees(rise.worst.value) == pytest.approx(30.0)
+    (only,) = road(replace(own, closure=FORCE), sizes).flaws
+    assert only == rise
+    exact = replace(own, limits=Limits(math.radians(30), math.radians(40)))
+    assert road(exact, sizes).flaws == ()
+
+
+@ROADS
+def test_a_weak_spring_lets_the_follower_off(road):
+    """The inertia pulls it off where the force along its way would have to be below 0; the preload told just holds."""
+    own, sizes = ALL["loaded"]
+    found = road(own, sizes)
+    kinds = [one.kind for one in found.flaws]
+    assert set(kinds) == {"lift-off"} and found.pressing is not None
+    assert found.pressing.least.value == min(one.worst.value for one in found.flaws) < 0
+    held = replace(own, load=LOAD._replace(preload=found.pressing.preload))
+    assert road(held, sizes).pressing.least.value == pytest.approx(0.0, abs=1e-9)
+    assert road(replace(own, load=LOAD._replace(preload=found.pressing.preload * 1.001)), sizes).flaws == ()
+
+
+@ROADS
+def test_the_contact_drives_the_load(road):
+    """By power: the force times the speed of the point of contact along the normal is what goes into the load."""
+    for name in ("loaded", "flat rocker loaded"):
+        own, sizes = ALL[name]
+        found = road(own, sizes)
+        assert found.pressing is not None and own.speed is not None
+        turned = np.array([found.pressing.most.turned])
+        step = 1e-6
+        places = profile(Course(own), sizes, found.roller, turned + np.array([-step, 0, step])).contour
+        normal = places.lever[1] / abs(places.lever[1])
+        moved = in_follower(own, sizes, places)
+        along = (np.conj(normal) * (moved[2] - moved[0])).real / (2 * step)
+        s, slope, bend = (float(one[1]) for one in places.travel)
+        load = own.load
+        assert load is not None
+        needed = (load.mass * own.speed**2 * bend + load.force + load.preload + load.stiffness * s) * slope
+        assert found.pressing.most.value * along == pytest.approx(needed, rel=1e-6)
+
+
+def in_follower(own, sizes, places):
+    """Give where the follower's point that touches at the middle turn is at all of them."""
+    if not own.rocks:
+        return places.tip
+    turn = np.exp(1j * own.rising * (places.travel.s - places.travel.s[1]))
+    return sizes.pivot + (places.tip[1] - sizes.pivot) * turn
+
+
+def test_rocker_centre_is_that_of_the_exact_method():
+    """M2.9: R0, L."""
+    sizes = pivot(rocker(), CENTRE)
+    assert (sizes.base, sizes.centre) == (
+        pytest.approx(0.03692159408, abs=5e-12),
+        pytest.approx(0.1363651929, abs=5e-11),
+    )

@@ -1,0 +1,313 @@
+"""Laws of motion on both roads: worked values of M2.2, tables and shapes by points, relations, shocks of M2.5."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from plans.analytic.cam import shocks as seams
+from plans.analytic.cam.laws import limits, travel
+from plans.analytic.cam.tables import departure
+from plans.cam.course import Course, knock
+from plans.cam.laws import law_of
+from plans.cam.tables import smoothing
+from plans.model.cam import CUBICS, DWELL, LAWS, RETURN, RISE, TABLE, TURN, Cam, Law
+from plans.model.cam_motion import Shock
+from tests.parts import some
+from tests.plans.digits import printed
+from tests.plans.law_cams import (
+    BLOCKS,
+    EVERY,
+    LIFT,
+    LINES,
+    NAMED,
+    NOISY,
+    READINGS,
+    RISING,
+    RULER,
+    SMOOTH,
+    SPEED,
+    law_cam,
+    usual,
+)
+
+AT = np.array([0.3])
+ROADS = ("construction", "analysis")
+WORKED = {
+    "constant velocity": (0.3, 1.0, 0.0),
+    "constant acceleration": (0.18, 1.2, 4.0),
+    "cosine": (0.2061073739, 1.270800923, 2.900603956),
+    "sine": (0.1486346543, 1.309016994, 5.975664329),
+    "3-4-5": (0.16308, 1.323, 5.04),
+    "4-5-6-7": (0.126036, 1.29654, 7.4088),
+    "trapezoid": (0.1538888889, 1.266666667, 5.333333333),
+    "modified trapezoid": (0.1605903487, 1.244406188, 4.888123763),
+    "modified sine": (0.1778877626, 1.322954207, 4.108072692),
+}
+LARGEST = {
+    "constant acceleration": (2.0, 4.0),
+    "cosine": (1.570796327, 4.934802201),
+    "sine": (2.0, 6.283185307),
+    "3-4-5": (1.875, 5.773502692),
+    "4-5-6-7": (2.1875, 7.513188404),
+    "trapezoid": (2.0, 5.333333333),
+    "modified trapezoid": (2.0, 4.888123763),
+    "modified sine": (1.759603386, 5.527957071),
+}
+JERKS = {
+    "sine": 39.4784176,
+    "3-4-5": 60.0,
+    "4-5-6-7": 52.5,
+    "trapezoid": 42.66666667,
+    "modified trapezoid": 61.42597481,
+    "modified sine": 69.46635729,
+}
+AGREED = 2e-14  # of the largest value; a ruler's points are solved for, on springs worse
+SOLVED = {id(RULER): 1e-12, id(SMOOTH): 1e-10}
+
+
+def share(law: Law, k: float, order: int, road: str, before: bool = False) -> float:
+    if road == "analysis":
+        return limits(law, k, order, before)
+    return float(law_of(law).at(np.array([k]), order, before)[0])
+
+
+def moved(cam: Cam, phi: np.ndarray, road: str, before: bool = False) -> np.ndarray:
+    return np.array(travel(cam, phi, before) if road == "analysis" else Course(cam).at(phi, before))
+
+
+def shocks(cam: Cam, road: str) -> tuple[Shock, ...]:
+    return seams.shocks(cam) if road == "analysis" else Course(cam).shocks
+
+
+def titled(law: Law) -> str:
+    return f"{law.name}-{law.through}-{law.first}-{law.tolerance}"
+
+
+@pytest.mark.parametrize("road", ROADS)
+@pytest.mark.parametrize("name", LAWS)
+def test_worked_values_at_three_tenths(name: str, road: str) -> None:
+    """M2.2 of the digest: s, s', s'' at k = 0.3, and s(1) = 1, to all printed digits."""
+    found = [share(Law(name), 0.3, order, road) for order in range(3)]
+    assert printed(*found) == pytest.approx(WORKED[name], rel=1e-15)
+    assert share(Law(name), 1.0, 0, road) == pytest.approx(1.0, abs=1e-15)
+
+
+@pytest.mark.parametrize("road", ROADS)
+@pytest.mark.parametrize("name", LARGEST)
+def test_worked_maxima(name: str, road: str) -> None:
+    """Of s' at mid-phase; of s'' where its slope vanishes, or along a flat."""
+    where = {"3-4-5": (1 - 1 / math.sqrt(3)) / 2, "4-5-6-7": (1 - math.sqrt(0.2)) / 2, "cosine": 0.0, "sine": 0.25}
+    at = where.get(name, {"modified sine": 0.125}.get(name, 0.25))
+    assert printed(share(Law(name), 0.5, 1, road), share(Law(name), at, 2, road)) == pytest.approx(LARGEST[name])
+    k = np.linspace(0, 1, 2001)
+    law = law_of(Law(name))
+    assert law.at(k, 1).max() <= LARGEST[name][0] + 1e-9 and np.abs(law.at(k, 2)).max() <= LARGEST[name][1] + 1e-9
+
+
+@pytest.mark.parametrize("name", JERKS)
+def test_worked_jerks(name: str) -> None:
+    """The largest is at an end, at a joint or in the middle of the law."""
+    law, joints = law_of(Law(name)), np.array([*law_of(Law(name)).starts, 0.5])
+    found = max(np.abs(law.at(joints, 3, before)).max() for before in (False, True))
+    assert found == pytest.approx(JERKS[name], rel=1e-9)
+
+
+@pytest.mark.parametrize("slides", [False, True])
+@pytest.mark.parametrize("law", EVERY, ids=titled)
+def test_both_roads_give_one_motion(law: Law, slides: bool) -> None:
+    cam = usual(law, translates=slides)
+    joints = np.array(Course(cam).joints)
+    phi = np.linspace(0.0, cam.turn, 721)
+    phi = np.concatenate([phi[np.abs(phi[:, None] - joints).min(axis=1) > 1e-9], joints])
+    for before in (False, True):
+        own, other = (moved(cam, phi, road, before) for road in ROADS)
+        off = np.abs(own - other).max(axis=1) / np.maximum(np.abs(other).max(axis=1), 1e-300)
+        assert off.max() <= SOLVED.get(id(law), AGREED)
+
+
+@pytest.mark.parametrize("law", EVERY, ids=titled)
+def test_the_derivatives_are_those_of_the_travel(law: Law) -> None:
+    """By central differences within the pieces, which know nothing of either road's formulas."""
+    starts = np.array([*law_of(law).starts, 1.0])
+    k, h = np.linspace(0.013, 0.987, 83), 1e-5
+    k = k[np.abs(k[:, None] - starts).min(axis=1) > 2 * h]
+    for order in (0, 1):
+        slopes = (law_of(law).at(k + h, order) - law_of(law).at(k - h, order)) / (2 * h)
+        own = law_of(law).at(k, order + 1)
+        assert np.abs(slopes - own).max() <= 1e-6 * max(np.abs(own).max(), 1.0) * 10**order
+
+
+@pytest.mark.parametrize("road", ROADS)
+@pytest.mark.parametrize("law", some(EVERY, 3), ids=titled)
+def test_a_return_is_a_rise_turned_over(law: Law, road: str) -> None:
+    """S = h(1 - s) over the return: with the rise of the same law and angle the sum is the lift."""
+    cam = law_cam((RISE, 110, law), (RETURN, 110, law), (DWELL, 140, None))
+    phi = np.linspace(0.01, 1.9, 37)
+    rise, back = (moved(cam, phi + start, road) for start in (0.0, cam.phases[1].start))
+    assert rise[0] + back[0] == pytest.approx(np.full(37, LIFT), abs=1e-13)
+    assert back[1:] == pytest.approx(-rise[1:], abs=1e-10)
+
+
+@pytest.mark.parametrize("road", ROADS)
+def test_half_the_angle_takes_four_times_the_acceleration(road: str) -> None:
+    slow = law_cam((RISE, 120, Law("sine")), (DWELL, 240, None))
+    fast = law_cam((RISE, 60, Law("sine")), (DWELL, 300, None), lift=2 * LIFT)
+    phi = np.linspace(0.0, math.radians(60), 25)
+    own, other = moved(slow, 2 * phi, road), moved(fast, phi, road)
+    assert other[0] == pytest.approx(2 * own[0]) and other[1] == pytest.approx(4 * own[1], abs=1e-15)
+    assert other[2] == pytest.approx(8 * own[2], abs=1e-15)
+
+
+@pytest.mark.parametrize("road", ROADS)
+def test_before_the_beginning_of_a_turn_is_the_end_of_the_last_one(road: str) -> None:
+    cam = law_cam((DWELL, 100, None), (RISE, 130, Law("cosine")), (RETURN, 130, Law("cosine")))
+    end = -LIFT / math.radians(130) ** 2 * math.pi**2 / 2 * math.cos(math.pi)
+    assert moved(cam, np.zeros(1), road, before=True)[2] == pytest.approx([end])
+    assert moved(cam, np.zeros(1), road)[2] == pytest.approx([0.0])
+
+
+@pytest.mark.parametrize("road", ROADS)
+@pytest.mark.parametrize(
+    ("name", "orders", "sizes"),
+    [
+        ("constant velocity", (1, 1), (0.45, -0.45)),
+        ("constant acceleration", (2, 2, 2), (27.0, -54.0, 27.0)),
+        ("cosine", (2, 2), (33.30991485, 33.30991485)),
+        ("sine", (), ()),
+        ("3-4-5", (), ()),
+        ("modified sine", (), ()),
+    ],
+)
+def test_worked_shocks(name: str, orders: tuple[int, ...], sizes: tuple[float, ...], road: str) -> None:
+    """M2.5: h = 0.03 m, 120 degrees, 300 rpm; m/s of a hard shock, m/s2 of a soft one."""
+    cam = law_cam((RISE, 120, Law(name)), (DWELL, 120, None), (RETURN, 120, Law("sine")))
+    found = shocks(cam, road)
+    assert tuple(one.order for one in found) == orders
+    size = knock if road == "construction" else seams.knock
+    assert printed(*(size(one, SPEED) for one in found)) == pytest.approx(sizes, rel=1e-12)
+    assert [one.turned for one in found] == pytest.approx(np.linspace(0, RISING, len(found)).tolist())
+
+
+@pytest.mark.parametrize("road", ROADS)
+def test_worked_peaks(road: str) -> None:
+    peak = moved(law_cam((RISE, 120, Law("sine")), (DWELL, 240, None)), np.array([RISING / 4]), road)[2, 0]
+    assert printed(peak * SPEED**2) == (42.41150082,)
+    fastest = moved(law_cam((RISE, 120, Law("cosine")), (DWELL, 240, None)), np.array([RISING / 2]), road)[1, 0]
+    assert printed(fastest * SPEED) == (0.7068583471,)
+
+
+@pytest.mark.parametrize("road", ROADS)
+def test_jumps_of_equal_sign_merge_without_a_dwell(road: str) -> None:
+    """M2.5: a cosine rise followed at once by a cosine return of the same angle has no jump at the top."""
+    cam = law_cam((RISE, 120, Law("cosine")), (RETURN, 120, Law("cosine")), (DWELL, 120, None))
+    assert [one.turned for one in shocks(cam, road)] == pytest.approx([0.0, 2 * RISING])
+    uneven = law_cam((RISE, 120, Law("cosine")), (RETURN, 90, Law("cosine")), (DWELL, 150, None))
+    assert [one.turned for one in shocks(uneven, road)] == pytest.approx([0.0, RISING, math.radians(210)])
+    whole = law_cam((RISE, 180, Law("cosine")), (RETURN, 180, Law("cosine")))
+    assert shocks(whole, road) == ()
+
+
+@pytest.mark.parametrize("slides", [False, True])
+@pytest.mark.parametrize("law", EVERY, ids=titled)
+def test_both_roads_find_the_same_shocks(law: Law, slides: bool) -> None:
+    own, other = (shocks(usual(law, translates=slides), road) for road in ROADS)
+    assert [(one.turned, one.order) for one in own] == [(one.turned, one.order) for one in other]
+    assert [one.jump for one in own] == pytest.approx([one.jump for one in other], rel=1e-9)
+
+
+@pytest.mark.parametrize("road", ROADS)
+def test_where_the_velocity_jumps_the_shock_is_hard_and_no_soft_one_besides(road: str) -> None:
+    cam = law_cam((RISE, 120, Law("constant velocity")), (RETURN, 120, Law("cosine")), (DWELL, 120, None))
+    assert [(round(math.degrees(one.turned)), one.order) for one in shocks(cam, road)] == [(0, 1), (120, 1), (240, 2)]
+
+
+def test_a_phase_of_no_angle_hides_no_shock() -> None:
+    cam = law_cam((RISE, 120, Law("cosine")), (DWELL, 0, None), (RETURN, 90, Law("cosine")), (DWELL, 150, None))
+    own, other = (shocks(cam, road) for road in ROADS)
+    assert [one.turned for one in own] == pytest.approx([0.0, RISING, math.radians(210)])
+    assert [one.jump for one in own] == pytest.approx([one.jump for one in other])
+
+
+@pytest.mark.parametrize("first", [0.3, 0.41, 0.7])
+def test_unequal_accelerations_meet_where_they_should(first: float) -> None:
+    """Sizes 2/first and 2/(1 - first): the follower stops at the end; the jump stands at the share."""
+    cam = usual(Law("constant acceleration", first=first), Law("sine"))
+    for road in ROADS:
+        middle = shocks(cam, road)[1]
+        assert middle.turned == pytest.approx(first * RISING)
+        assert middle.jump * RISING**2 / LIFT == pytest.approx(-2 / first - 2 / (1 - first))
+
+
+@pytest.mark.parametrize("road", ROADS)
+def test_a_table_goes_through_its_points(road: str) -> None:
+    for law in (LINES, RULER):
+        assert [share(law, k, 0, road) for k, _ in READINGS] == pytest.approx([s for _, s in READINGS], abs=1e-14)
+    assert share(RULER, 0.0, 1, road) == pytest.approx(0, abs=1e-13)
+    assert share(RULER, 1.0, 1, road, before=True) == pytest.approx(0, abs=1e-13)
+
+
+@pytest.mark.parametrize("road", ROADS)
+def test_a_ruler_through_the_points_of_a_cubic_is_that_cubic(road: str) -> None:
+    """3k^2 - 2k^3 has no slope at both ends and bends least of all."""
+    points = tuple((k, 3 * k**2 - 2 * k**3) for k in (0.0, 0.15, 0.2, 0.6, 0.9, 1.0))
+    for law in (
+        Law(TABLE, points=points),
+        Law(TABLE, points=((0, 0), (1, 1))),
+        Law(TABLE, points=points, tolerance=0.1),
+    ):
+        found = [share(law, 0.37, order, road) for order in range(3)]
+        assert found == pytest.approx([3 * 0.37**2 - 2 * 0.37**3, 6 * 0.37 - 6 * 0.37**2, 6 - 12 * 0.37], abs=1e-9)
+
+
+@pytest.mark.parametrize("road", ROADS)
+def test_lines_knock_hard_at_their_points(road: str) -> None:
+    found = shocks(usual(LINES, Law("sine")), road)
+    assert {one.order for one in found} == {1}
+    assert [one.turned / RISING for one in found] == pytest.approx([k for k, _ in READINGS])
+    assert sum(one.jump for one in found) == pytest.approx(0, abs=1e-15)
+
+
+def test_smoothing_is_told_and_keeps_to_its_tolerance() -> None:
+    """It departs by nearly what is allowed, bends far less, and keeps both ends."""
+    rough = Law(TABLE, points=NOISY)
+    off, at = smoothing(SMOOTH)
+    assert 0.5 * SMOOTH.tolerance < off <= SMOOTH.tolerance and off == pytest.approx(departure(SMOOTH), rel=1e-9)
+    own = share(SMOOTH, at, 0, "construction")
+    assert abs(own - dict(NOISY)[at]) == pytest.approx(off, rel=1e-9)
+    assert (
+        smoothing(rough) == (0.0, 0.0) and smoothing(LINES) == (0.0, 0.0) and departure(LINES) == departure(rough) == 0
+    )
+    k = np.linspace(0, 1, 501)
+    bent = [np.mean(law_of(law).at(k, 2) ** 2) for law in (SMOOTH, rough)]
+    assert bent[0] < 0.2 * bent[1]
+    assert [share(SMOOTH, end, 0, "construction", end == 1) for end in (0.0, 1.0)] == pytest.approx([0, 1], abs=1e-12)
+
+
+def test_a_tolerance_that_is_too_small_to_use_leaves_the_points() -> None:
+    law = Law(TABLE, points=READINGS, tolerance=1e-300)
+    assert smoothing(law)[0] == departure(law) == 0
+    assert law_of(law) == law_of(law._replace(tolerance=0.0)) and law.through == CUBICS
+
+
+@pytest.mark.parametrize("road", ROADS)
+def test_a_shape_is_scaled_to_the_lift_and_stops(road: str) -> None:
+    """Its areas cancel: 0.7 up, 0.7 down; between two points it is straight, at one share it jumps."""
+    scale = share(BLOCKS, 0.2, 2, road) / 2
+    assert share(BLOCKS, 1.0, 0, road) == pytest.approx(1.0)
+    assert share(BLOCKS, 1.0, 1, road, before=True) == pytest.approx(0, abs=1e-14)
+    expected = [1.0, 2.0, 2.0, -1.0, -2.0, -3.0]
+    at = [(0.05, False), (0.4, True), (0.3, False), (0.4, False), (0.95, False), (1.0, True)]
+    assert [share(BLOCKS, k, 2, road, before) / scale for k, before in at] == pytest.approx(expected)
+    assert scale == pytest.approx(1 / 0.36)  # two integrations by hand
+
+
+def test_positions_and_dwells_of_all_laws_join_without_a_step() -> None:
+    for law in NAMED:
+        cam = usual(law)
+        joints = np.array(Course(cam).joints[1:])
+        after, before = (moved(cam, joints, "construction", side)[0] for side in (False, True))
+        assert after == pytest.approx(before, abs=1e-16)
+        assert Course(cam).at(np.array([TURN])).s == pytest.approx([0.0], abs=1e-17)

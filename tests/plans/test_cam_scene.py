@@ -1,0 +1,368 @@
+"""Cams are read from a scene: angles, ways, laws, sizes and loads, exact; what is odd is noted, what is wrong told."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+from itertools import pairwise
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from plans.cam.reading.cams import asked_of, cams_of
+from plans.cam.reading.shape import Shape, cancelled
+from plans.model.cam import DWELL, RETURN, RISE, Cam, Follower, GivenSizes, Law, Limits, Load
+from plans.model.cyclogram import Window
+from plans.scene.faults import Fault, SceneError
+from plans.scene.notes import notes_of
+from plans.scene.scene import Scene, parse_scene
+
+FOLLOWER = '[cam.follower]\nmotion = "translating"\nend = "roller"\nlift = "30 mm"\n'
+ROCKER = '[cam.follower]\nmotion = "rocking"\nend = "roller"\nswing = 25\nlength = "120 mm"\n'
+RISING = '[[cam.phases]]\nkind = "rise"\nangle = 120\nlaw = "sine"\n'
+TOP = '[[cam.phases]]\nkind = "dwell"\nangle = 30\n'
+BACK = '[[cam.phases]]\nkind = "return"\nangle = 90\nlaw = "3-4-5"\n'
+REST = '[[cam.phases]]\nkind = "dwell"\nangle = "rest"\n'
+PHASES = RISING + TOP + BACK + REST
+LIMITS = "[cam.limits]\nrise = 30\n"
+
+
+def scene_of(*parts: str, head: str = "") -> Scene:
+    return parse_scene(f"[[cam]]\n{head}\n" + "".join(parts))
+
+
+def cam_of(*parts: str, head: str = "") -> Cam:
+    (cam,) = scene_of(*parts, head=head).meaning["cam"].cams
+    assert isinstance(cam, Cam)
+    return cam
+
+
+def notes(*parts: str, head: str = "") -> list[Fault]:
+    return notes_of(scene_of(*parts, head=head))
+
+
+def kinds(found: list[Fault]) -> list[str]:
+    return [one.kind for one in found]
+
+
+def refused(*parts: str, head: str = "") -> list[Fault]:
+    with pytest.raises(SceneError) as told:
+        scene_of(*parts, head=head)
+    return list(told.value.faults)
+
+
+def lawful(law: str, phase: str = RISING) -> Cam:
+    return cam_of(FOLLOWER, phase.replace('law = "sine"', f"law = {law}"), TOP, BACK, REST)
+
+
+def test_a_cam_is_what_its_tables_say() -> None:
+    head = 'name = "K1"\nspeed = "-300 rpm"\nclosure = "groove"\nsetting = 366.5\ndivisions = 12\n'
+    limits, sizes = "[cam.limits]\nrise = 30\nreturn = 40\n", '[cam.sizes]\noffset = "-2 mm"\nroller = "10 mm"\n'
+    load = '[cam.load]\nmass = 2\nforce = 100\npreload = "50 N"\nstiffness = "2 N/mm"\n'
+    cam = cam_of(FOLLOWER, limits, sizes, PHASES, load, head=head)
+    assert (cam.name, cam.sense, cam.closure, cam.divisions, cam.translates) == ("K1", -1, "groove", 12, False)
+    assert cam.speed == pytest.approx(10 * math.pi, rel=1e-15)
+    assert cam.setting == pytest.approx(math.radians(6.5), rel=1e-15)
+    assert cam.follower == Follower("translating", "roller")
+    assert cam.limits == Limits(math.radians(30), math.radians(40))
+    assert (cam.given, cam.roller) == (GivenSizes(offset=-0.002), 0.01)
+    assert cam.load == Load(2, 100, 50, 2000)
+    assert cam.angles == (120, 30, 90, 120)
+    assert [(one.kind, one.level, one.change) for one in cam.phases] == [
+        (RISE, 0, 0.03),
+        (DWELL, 0.03, 0),
+        (RETURN, 0.03, -0.03),
+        (DWELL, 0, 0),
+    ]
+    assert [one.start for one in cam.phases] == [math.radians(one) for one in (0, 120, 150, 240)]
+    assert [one.law for one in cam.phases] == [Law("sine"), None, Law("3-4-5"), None]
+
+
+def test_a_rocker_has_its_swing_its_arm_and_its_spring_in_its_own_units() -> None:
+    load = '[cam.load]\ninertia = "200 kg*cm2"\nmoment = 3\npreload = "500 N*mm"\nstiffness = "40 N*m/rad"\n'
+    sizes = '[cam.sizes]\nbase = "50 mm"\ncentre = "150 mm"\n'
+    cam = cam_of(ROCKER.replace("25", '"25 deg"') + 'turns = "against"\n', sizes, PHASES, load, head="speed = 10")
+    assert cam.follower == Follower("rocking", "roller", 0.12, -1)
+    assert cam.rising == -1
+    assert (cam.lift, cam.phases[2].change) == (math.radians(25), -math.radians(25))
+    assert cam.load == Load(0.02, 3, 0.5, 40)
+    assert cam.given == GivenSizes(0.05, None, 0.15)
+
+
+def test_a_flat_rocker_has_no_length_but_a_face() -> None:
+    flat = '[cam.follower]\nmotion = "rocking"\nend = "flat"\nswing = 20\nface = "-5 mm"\n'
+    cam = cam_of(flat, '[cam.sizes]\ncentre = "150 mm"\n', "[cam.limits]\ncurvature = '4 mm'\n", PHASES)
+    assert (cam.flat, cam.rocks, cam.follower.length, cam.follower.face, cam.limits.curvature) == (
+        *(True, True, None, -0.005),
+        0.004,
+    )
+
+
+def test_a_cam_that_translates_goes_by_its_travels() -> None:
+    phases = "".join(
+        one.replace(f"angle = {old}", f'travel = "{new} mm"')
+        for one, old, new in ((RISING, "120", 60), (TOP, "30", 20), (BACK.replace("return", "rise"), "90", 40))
+    ).replace('kind = "rise"\n', 'kind = "rise"\nlift = "15 mm"\n')
+    cam = cam_of(FOLLOWER, phases, head='speed = "-0.2 m/s"')
+    assert (cam.translates, cam.sense, cam.speed, cam.angles) == (True, -1, 0.2, ())
+    assert cam.turn == pytest.approx(0.12, rel=1e-15)
+    assert [one.start for one in cam.phases] == [0, 0.06, 0.08]
+    assert cam.lift == pytest.approx(0.03)  # it need not come back: the cam itself does
+
+
+def test_parts_of_the_way_and_what_is_left_of_it() -> None:
+    half = RISING.replace("120", "60")
+    cam = cam_of(
+        FOLLOWER, half + 'lift = "12 mm"\n', TOP, half, BACK + 'lift = "20 mm"\n', BACK.replace("90", "40"), REST
+    )
+    assert [round(1000 * one.level, 9) for one in cam.phases] == [0, 12, 12, 30, 10, 0]
+    assert cam.angles[-1] == 360 - 280
+
+
+def test_a_cam_may_begin_at_its_top() -> None:
+    cam = cam_of(FOLLOWER, TOP, BACK, RISING, REST)
+    assert [one.level for one in cam.phases] == [0.03, 0.03, 0, 0.03]
+
+
+def test_a_rise_may_be_followed_by_a_return_at_once() -> None:
+    assert [one.kind for one in cam_of(FOLLOWER, RISING, BACK, REST).phases] == [RISE, RETURN, DWELL]
+
+
+def test_a_dwell_of_no_angle_is_none() -> None:
+    cam = cam_of(FOLLOWER, RISING, TOP.replace("30", "0"), BACK.replace("90", "240"), REST)
+    assert ([one.kind for one in cam.phases], cam.angles) == ([RISE, RETURN], (120, 240))
+
+
+def test_a_follower_may_stand_still() -> None:
+    still = FOLLOWER.replace('"30 mm"', "0")
+    assert cam_of(still, PHASES).lift == 0
+    assert "no_lift" in kinds(notes(still, PHASES))
+
+
+@pytest.mark.parametrize("off", ["1e-6", "-1e-6", "1e-9"])
+def test_a_sum_near_a_whole_turn_is_taken_for_one_and_that_is_said(off: str) -> None:
+    last = REST.replace('"rest"', str(130 + float(off)))
+    phases = RISING + TOP + BACK.replace("90", "80") + last
+    assert sum(cam_of(FOLLOWER, phases).angles) == 360
+    (note,) = [one for one in notes(FOLLOWER, LIMITS, phases) if one.kind == "turn_snapped"]
+    assert note.path == ("cam", 0, "phases", 3, "angle")
+    assert str(note.details["found"]).startswith(("360.0", "359.9"))
+
+
+def test_a_sum_farther_from_a_whole_turn_is_not() -> None:
+    last = REST.replace('"rest"', "120.0000011")
+    assert kinds(refused(FOLLOWER, RISING, TOP, BACK, last)) == ["phases_long"]
+
+
+def test_thirds_of_a_turn_in_radians_make_a_whole_one() -> None:
+    third = '"2.0943951023931953 rad"'
+    phases = RISING.replace("120", third) + BACK.replace("90", third) + REST.replace('"rest"', third)
+    assert sum(cam_of(FOLLOWER, phases).angles) == 360
+
+
+def test_a_law_by_name_and_share() -> None:
+    assert lawful('{ name = "constant acceleration", first = 0.3 }').phases[0].law == Law("constant acceleration", 0.3)
+    assert lawful('{ name = "cosine" }').phases[0].law == Law("cosine")
+
+
+def test_a_table_is_in_shares_of_its_phase_and_its_lift() -> None:
+    law = lawful(
+        '{ name = "table", points = [[0, 0], [30, "6 mm"], [90, "27 mm"], [120, 0.03]], tolerance = "0.3 mm" }'
+    )
+    assert law.phases[0].law == Law("table", points=((0, 0), (0.25, 0.2), (0.75, 0.9), (1, 1)), tolerance=0.01)
+
+
+def test_a_table_of_a_return_falls_from_where_the_follower_stands() -> None:
+    table = '{ name = "table", points = [[0, "30 mm"], [45, "9 mm"], [90, 0]], through = "lines" }'
+    cam = cam_of(FOLLOWER, RISING, TOP, BACK.replace('"3-4-5"', table), REST)
+    assert cam.phases[2].law == Law("table", points=((0, 0), (0.5, 0.7), (1, 1)), through="lines")
+
+
+def test_a_shape_is_taken_as_it_is_if_it_cancels() -> None:
+    law = lawful('{ name = "shape", points = [[0, 2], [0.25, 2], [0.25, 0], [0.75, 0], [0.75, -2], [1, -2]] }')
+    assert law.phases[0].law == Law("shape", points=((0, 2), (0.25, 2), (0.25, 0), (0.75, 0), (0.75, -2), (1, -2)))
+
+
+@settings(max_examples=20, deadline=None)
+@given(st.lists(st.tuples(st.integers(1, 9), st.integers(-9, 9)), min_size=2, max_size=6))
+def test_the_areas_of_a_shape_are_its_whole_area_and_its_factor_cancels_them(pieces: list[tuple[int, int]]) -> None:
+    widths = [Fraction(width) for width, _ in pieces]
+    points = tuple((sum(widths[:k]) / sum(widths[:-1]), Fraction(y)) for k, (_, y) in enumerate(pieces))
+    shape = Shape(points)
+    net = sum((b[0] - a[0]) * (a[1] + b[1]) / 2 for a, b in pairwise(points))
+    assert shape.above - shape.below == net
+    if shape.factor:
+        found = cancelled(shape)
+        assert found.above == found.below
+
+
+def test_a_straight_piece_through_zero_has_an_area_on_either_side() -> None:
+    shape = Shape(((Fraction(0), Fraction(1)), (Fraction(1), Fraction(-3))))
+    assert (shape.above, shape.below) == (Fraction(1, 8), Fraction(9, 8))
+
+
+def test_a_cam_on_the_shaft_of_a_linkage_turns_as_its_drive_does() -> None:
+    drive = '[mechanism.frame]\nO = [0, 0]\n[mechanism.links]\n1 = "OA"\n[mechanism.lengths]\nOA = 1\n'
+    scene = scene_of(FOLLOWER, PHASES, drive, "[drive]\nlink = 1\nspeed = -7\n")
+    (cam,) = scene.meaning["cam"].cams
+    assert (cam.sense, cam.speed) == (-1, 7)
+    assert asked_of(scene) == ("linkage",)
+
+
+WINDOW = Window(math.radians(306.882), math.radians(381.459))
+BY_CYCLOGRAM = TOP + RISING.replace("120", '"cyclogram"') + BACK + REST
+
+
+def test_a_phase_and_a_setting_by_the_cyclogram() -> None:
+    scene = _unchecked(BY_CYCLOGRAM, 'setting = "cyclogram"')
+    (cam,) = cams_of(scene, WINDOW)
+    assert cam.phases[1].angle == pytest.approx(math.radians(74.577), rel=1e-14)
+    assert sum(cam.angles) == 360
+    assert cam.setting == pytest.approx(math.radians(276.882), rel=1e-14)  # its rise begins with the window
+    assert asked_of(scene) == ("cyclogram",)
+    survey = scene.meaning["cam"]
+    assert (survey.waiting, survey.cams) == (True, ())
+
+
+def test_by_the_cyclogram_the_phase_of_the_window_begins_with_it() -> None:
+    phases = RISING + TOP + BACK.replace("90", '"cyclogram"') + REST
+    (cam,) = cams_of(_unchecked(phases, ""), Window(math.radians(200), math.radians(260)))
+    assert (cam.setting, cam.phases[2].angle) == pytest.approx((math.radians(50), math.radians(60)), rel=1e-14)
+
+
+def test_a_window_beyond_what_is_left_of_the_turn() -> None:
+    scene = _unchecked(BY_CYCLOGRAM, 'setting = "cyclogram"')
+    with pytest.raises(SceneError, match="the other phases take 420 degrees"):
+        cams_of(scene, Window(math.radians(100), math.radians(400)))
+
+
+def _unchecked(phases: str, head: str) -> Scene:
+    """Read a scene that asks for a cyclogram which its file lacks."""
+    plain = scene_of(FOLLOWER, PHASES)
+    asking = scene_of(FOLLOWER, phases.replace('"cyclogram"', "74"), head=head.replace('"cyclogram"', "0"))
+    (form,) = next(iter(asking.forms)).cam  # type: ignore[attr-defined]
+    asked = tuple(one.changed(angle="cyclogram") if one.angle == 74 else one for one in form.phases)
+    whole = next(iter(plain.forms)).changed(cam=(form.changed(phases=asked, setting="cyclogram"),))
+    return plain.changed(whole)
+
+
+ALL_AT_ONCE = """
+[[cam]]
+speed = "1 m/s"
+[cam.follower]
+motion = "rocking"
+end = "pointed"
+swing = 25
+length = "120 mm"
+lift = "30 mm"
+[cam.sizes]
+offset = "5 mm"
+roller = "5 mm"
+[[cam.phases]]
+kind = "rise"
+angle = 120
+law = { name = "shape", points = [[0, 1], [1, 1]] }
+[[cam.phases]]
+kind = "return"
+angle = 120
+law = "sine"
+[[cam]]
+[cam.follower]
+motion = "translating"
+end = "flat"
+lift = "30 mm"
+[[cam.phases]]
+kind = "dwell"
+angle = 350
+law = "sine"
+"""
+
+
+def test_all_that_is_wrong_with_all_cams_is_told_at_once() -> None:
+    with pytest.raises(SceneError) as told:
+        parse_scene(ALL_AT_ONCE)
+    assert [(*fault.path[1:2], fault.kind) for fault in told.value.faults] == [
+        (0, "wrong_unit"),
+        (0, "out_of_place"),
+        (0, "out_of_place"),
+        (0, "out_of_place"),
+        (0, "phases_short"),
+        (1, "way_not_whole"),
+        (1, "phases_short"),
+        (1, "out_of_place"),
+    ]
+
+
+def test_what_the_form_refuses_is_told_beside_what_the_cams_mean() -> None:
+    limits = "[cam.limits]\nrise = 100\n"
+    assert kinds(refused(FOLLOWER, limits, PHASES.replace('"rest"', "90"))) == ["pressure_limit", "phases_short"]
+
+
+def test_of_doubtful_phases_no_sum_is_told() -> None:
+    assert kinds(refused(FOLLOWER, PHASES.replace("angle = 120", 'angle = "120 mm"'))) == ["wrong_unit"]
+
+
+SIZED = '[cam.sizes]\nbase = "15 mm"\noffset = 0\n'
+TABLE = RISING.replace(
+    '"sine"', '{ name = "table", points = [[0, 0], [50, "15 mm"], [120, "30 mm"]], tolerance = 0.001 }'
+)
+
+
+@pytest.mark.parametrize(
+    ("parts", "head", "expected"),
+    [
+        ((FOLLOWER, LIMITS, PHASES), "", []),
+        ((FOLLOWER, PHASES), "", ["book_rise"]),
+        ((FOLLOWER, PHASES), 'closure = "groove"', ["book_rise", "book_return"]),
+        ((FOLLOWER, LIMITS, PHASES), 'closure = "groove"', ["book_return"]),
+        ((FOLLOWER.replace("roller", "flat"), PHASES), "", []),
+        ((FOLLOWER, SIZED.replace("15", "16"), PHASES), "", []),
+        ((FOLLOWER, SIZED.replace("15", "16").replace("offset = 0\n", ""), PHASES), "", []),
+        ((FOLLOWER, SIZED.replace("offset = 0\n", ""), LIMITS, PHASES), "", ["high_lift"]),
+        ((FOLLOWER, SIZED, PHASES), "", ["high_lift"]),
+        (
+            (FOLLOWER, SIZED.replace("offset = 0\n", ""), LIMITS, PHASES),
+            'closure = "groove"',
+            ["book_return", "high_lift"],
+        ),
+        ((FOLLOWER, LIMITS, "return = 40\n", PHASES), "", ["free_return"]),
+        ((FOLLOWER, LIMITS, "return = 40\n", PHASES), 'closure = "groove"', []),
+        ((FOLLOWER, LIMITS, RISING, TOP, TOP, BACK, REST), "", ["two_dwells"]),
+        ((FOLLOWER, LIMITS, TABLE, TOP, BACK, REST), "", ["sparse_table", "smoothed"]),
+        ((FOLLOWER.replace("roller", "flat"), LIMITS, PHASES), "", ["level_face"]),
+        ((FOLLOWER.replace("roller", "flat"), "[cam.sizes]\noffset = 0.01\n", PHASES), "", ["spare_offset"]),
+        (
+            (FOLLOWER, LIMITS, "return = 40\n", PHASES, "[cam.load]\npreload = 5\n"),
+            'closure = "groove"',
+            ["idle_spring"],
+        ),
+        ((FOLLOWER, LIMITS, PHASES, "[cam.load]\nmass = 5\n"), "", ["still_cam"]),
+        ((FOLLOWER, LIMITS, PHASES, "[cam.load]\nmass = 5\n"), "speed = 5", []),
+        ((FOLLOWER.replace('"30 mm"', "30"), LIMITS, PHASES), "", ["metres"]),
+    ],
+)
+def test_what_is_odd_is_noted(parts: tuple[str, ...], head: str, expected: list[str]) -> None:
+    assert kinds(notes(*parts, head=head)) == expected
+
+
+def test_shocks_are_for_the_laws_to_tell_not_for_the_reader() -> None:
+    assert lawful('"constant velocity"').phases[0].law == Law("constant velocity")
+    assert notes(FOLLOWER, LIMITS, PHASES.replace('"sine"', '"constant velocity"')) == []
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "meant"),
+    [
+        ("lift =", "stroke =", 'lift = "30 mm"'),
+        ("angle = 120", "phi = 120", "angle = 120"),
+        ("rise = 30", "rize = 30", '"rise"'),
+        ("[cam.limits]\nrise = 30\n", "[cam.sizes]\nr0 = 0.1\n", "base"),
+        ("[cam.limits]\nrise = 30\n", "[cam.sizes]\ne = 0.1\n", "offset"),
+    ],
+)
+def test_a_key_by_another_name(old: str, new: str, meant: str) -> None:
+    whole = FOLLOWER + LIMITS + PHASES
+    assert old in whole
+    told = refused(whole.replace(old, new, 1))
+    assert any(fault.kind == "unknown_key" and meant in fault.advice for fault in told)

@@ -1,0 +1,141 @@
+"""Diagrams of a law by graphical calculus: worked values of M2.3 and M2.4, order, true means, closure, the record."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from geometry.board import Board
+from geometry.calculus import derivative_by_tangents, derivative_scale, integral_scale
+from plans.bench.cam_laws import order, rows
+from plans.cam.course import Course, positions
+from plans.cam.diagrams import derivative_diagrams, law_diagrams, strips_of
+from plans.model.cam import DWELL, RETURN, RISE, SHAPE, TABLE, TURN, Cam, Law
+from plans.words.words import languages, said
+from tests.parts import some
+from tests.plans.digits import printed
+from tests.plans.law_cams import BLOCKS, EVERY, LIFT, LINES, NAMED, RISING, RULER, STEADY, law_cam, usual
+
+PARTS = 12
+
+
+def alone(law: Law, divisions: int = 8) -> Cam:
+    return law_cam((RISE, 120, law), (DWELL, 240, None), divisions=divisions)
+
+
+def titled(law: Law) -> str:
+    return f"{law.name}-{law.through}-{law.first}-{law.tolerance}"
+
+
+def test_worked_integration() -> None:
+    """M2.3: cosine law, h = 0.03 m, 120 degrees in 8 parts: S' at mid-phase, its error, its closure."""
+    found = law_diagrams(alone(Law("cosine")))
+    middle = float(found.slope[1][3])
+    assert printed(middle, middle / 0.0225 - 1) == (0.02264522721, 0.0064545428)
+    assert middle / 0.0225 - 1 == pytest.approx(math.pi / 16 / math.sin(math.pi / 16) - 1, rel=1e-12)
+    assert found.slope[1][7] == pytest.approx(0, abs=1e-16) and found.closure[0] == pytest.approx(0, abs=1e-16)
+    assert found.slope_departure.share == pytest.approx(0.0064545428, rel=1e-9) and found.slope_departure.at == 3
+
+
+def test_worked_scales() -> None:
+    """M2.3: 120 mm long, H1 = 40, H2 = 30; M2.4: H = 25."""
+    mu_phi = math.radians(1)
+    slope = integral_scale(0.001, mu_phi, 40)
+    assert printed(mu_phi, slope, integral_scale(slope, mu_phi, 30)) == (
+        0.01745329252,
+        0.0006981317008,
+        0.0003655409037,
+    )
+    assert f"{derivative_scale(0.0005, mu_phi, 25):.9g}" == "0.00114591559"
+
+
+def test_worked_differentiation() -> None:
+    """M2.4: sine law in 12 parts: the fifth chord, the exact value over its middle, the tangent at point 4."""
+    found = derivative_diagrams(alone(Law("sine"), PARTS))
+    chord = float(found.slope.values[4])
+    exact = float(Course(alone(Law("sine"))).at(found.slope.middles[4:5]).slope[0])
+    assert printed(chord, exact) == (0.02433719921, 0.02445250344)
+    assert f"{chord / exact - 1:.9g}" == "-0.00471543641"
+    at = Course(alone(Law("sine"))).at(np.array([RISING * 4 / PARTS]))
+    drawn = derivative_by_tangents(Board("law"), "S'", [RISING * 4 / PARTS], at.s, at.slope)
+    assert printed(math.degrees(math.atan(at.slope[0] * math.radians(1) / 0.0005))) == (36.86989765,)
+    assert drawn.values == pytest.approx(at.slope, rel=1e-15)
+
+
+@pytest.mark.parametrize("name", ["sine", "3-4-5", "4-5-6-7", "modified sine"])
+def test_mid_ordinates_are_of_the_second_order(name: str) -> None:
+    counts = (16, 64)
+    found = [law_diagrams(usual(Law(name), divisions=count)) for count in counts]
+    for pair in ([one.slope_departure.share for one in found], [one.travel_departure.share for one in found]):
+        assert order(pair, counts) == pytest.approx(2.0, abs=0.1)
+
+
+@pytest.mark.parametrize("law", EVERY, ids=titled)
+def test_true_mean_ordinates_are_exact(law: Law) -> None:
+    found = law_diagrams(usual(law), true_means=True)
+    assert found.slope_departure.share <= 1e-13 and found.travel_departure.share <= 1e-13
+    assert np.abs(found.closure).max() <= 1e-14
+
+
+@pytest.mark.parametrize("law", [STEADY, Law("constant acceleration"), Law("constant velocity"), LINES], ids=titled)
+def test_straight_pieces_are_exact_by_mid_ordinates(law: Law) -> None:
+    """S'' is constant, and S' straight, in every strip: an edge stands on every jump."""
+    found = law_diagrams(usual(law, divisions=7))
+    assert found.slope_departure.share <= 1e-14 and found.travel_departure.share <= 1e-14
+
+
+@pytest.mark.parametrize("law", [RULER, BLOCKS], ids=titled)
+def test_of_a_law_by_points_the_true_means_are_drawn(law: Law) -> None:
+    """Between its points S'' is straight: S' comes back to nothing, the dwells stay level."""
+    assert law.name in (TABLE, SHAPE)
+    found = law_diagrams(usual(law))
+    assert found.slope_departure.share <= 1e-14
+    assert found.travel.values[-1] == pytest.approx(found.travel.values[-2], abs=1e-16)
+
+
+@pytest.mark.parametrize("law", some(EVERY, 3), ids=titled)
+@pytest.mark.parametrize("slides", [False, True])
+def test_every_joint_that_matters_is_an_edge(law: Law, slides: bool) -> None:
+    cam = usual(law, translates=slides, divisions=5)
+    strips = strips_of(cam)
+    course = Course(cam)
+    assert {*course.corners, *(one.turned for one in course.shocks)} <= set(strips.edges.tolist())
+    assert np.diff(strips.edges).min() > 1e-6
+    numbered = [float(strips.edges[k]) for k, name in enumerate(strips.names) if name.isdigit()]
+    assert numbered == pytest.approx([*positions(cam).tolist(), *([] if slides else [TURN])])
+
+
+def test_edges_between_positions_have_primes_and_the_end_is_position_0() -> None:
+    names = strips_of(law_cam((RISE, 120, STEADY), (RETURN, 240, Law("sine")), divisions=4)).names
+    assert names == ("0", "1", "1'", "2", "3", "4", "5", "6", "7", "0")
+
+
+def test_past_a_hard_shock_the_velocity_begins_anew() -> None:
+    found = law_diagrams(usual(Law("constant velocity"), Law("sine")))
+    assert found.strips.hard == (0, 8, 18) and [one.start for one in found.runs] == [0, 8]
+    assert found.slopes[0].values == pytest.approx(np.full(9, LIFT / RISING))
+    assert found.slopes[1].values[0] == 0.0
+    assert len(law_diagrams(usual(Law("sine"))).slopes) == 1
+
+
+@pytest.mark.parametrize("law", NAMED, ids=titled)
+def test_chords_of_the_travel_give_its_derivatives(law: Law) -> None:
+    """The chord is the mean derivative of its part: of the second order over its middle, no joint is crossed."""
+    coarse, fine = (derivative_diagrams(usual(law, divisions=count)) for count in (24, 96))
+    assert fine.slope_departure.share <= max(coarse.slope_departure.share / 12, 1e-12)
+    assert fine.bend_departure.size <= max(coarse.bend_departure.size / 3.5, 1e-11)
+
+
+def test_every_step_says_why_in_every_language() -> None:
+    for board in (law_diagrams(usual(RULER)).board, derivative_diagrams(usual(RULER)).board):
+        assert all(said(mark.step.why, language) for mark in board.marks for language in languages())
+
+
+def test_the_bench_tells_errors_and_orders() -> None:
+    found, words = rows(usual(Law("3-4-5")), 1, 0.0, (8, 16))
+    assert [row.positions for row in found] == [8, 16] * 2
+    assert found[0].error == pytest.approx(law_diagrams(usual(Law("3-4-5"))).slope_departure.share, rel=1)
+    assert found[2].error is not None and found[2].error < 1e-13
+    assert any("order 2" in word or "order 1.9" in word for word in words)
