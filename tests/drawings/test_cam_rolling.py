@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from drawings.checks.cam.profiles import Analysed, wrong
+from drawings.checks.cam.profiles import Analysed, analysed, wrong
 from drawings.checks.cam.rolling import apart, rolled
 from drawings.figures.cam.profile_curve import profile_curve
 from drawings.layout.place import Place
@@ -17,14 +18,15 @@ from drawings.measure.measure import Measured, check, measure
 from drawings.measure.measured_profile import MeasuredProfile
 from drawings.page.scale import Scale
 from drawings.paper.limits import SheetRefused
-from drawings.paper.strokes import Circle, Group, Leaf, LineStyle
+from drawings.paper.strokes import Circle, Group, Leaf, LineStyle, numeral
 from drawings.pens.svg import svg
 from drawings.symbols.figure import Subject, point
-from geometry.curve import CubicPiece, sampled
+from geometry.curve import CubicPiece, Piece, RoundPiece, sampled, straight
 from plans.analytic.cam.contour import contour
 from plans.analytic.cam.laws import travel
-from plans.cam.path import path
+from plans.cam.path import ProfilePath, path
 from plans.model.cam import GROOVE, ROLLER, TRANSLATING
+from plans.model.cam_motion import ANALYSIS, CamFound, Extreme, Flaw
 from tests.parts import some
 from tests.plans import cam_cases as cases
 from tests.plans.cam_cases import Case, every, roller_of, titled
@@ -44,22 +46,28 @@ def written(case: Case, place: Place = PLACE, turned: float = 0.0) -> bytes:
     curves = [
         profile_curve(path(cam, sizes, off), place, PLAN, name, LineStyle(), turned) for name, off in away.items()
     ]
+    return sheet_of(*curves, place=place)
+
+
+def sheet_of(*groups: Group, place: Place = PLACE) -> bytes:
     pole = point(Subject(PLAN, "l", None), "O", 0j, place, Circle(place.on(0j), 1.0), "pole")
-    return svg(Leaf(420, 420, (Group((pole, *curves), "figure"),)))
+    return svg(Leaf(420, 420, (Group((pole, *groups), "figure"),)))
 
 
 def curves(measured: Measured) -> dict[str, MeasuredProfile]:
     return {one.name: one for one in measured.profiles}
 
 
-def analysed(case: Case, count: int = 180) -> Analysed:
+def theirs(case: Case, parts: int = 180, *flaws: Flaw) -> Analysed:
     cam, sizes = case
-    turned = np.linspace(0.0, cam.turn, count, endpoint=cam.translates)
-    return Analysed(cam, sizes, roller_of(cam), contour(cam, sizes, roller_of(cam), turned))
+    none = contour(cam, sizes, roller_of(cam), np.zeros(0))
+    return analysed(CamFound(ANALYSIS, cam, sizes, roller_of(cam), none, flaws=flaws), parts)
 
 
-def faults(sheet: bytes, case: Case) -> str:
-    return "; ".join(str(one) for one in wrong(measure(sheet).profiles, PLAN, analysed(case)))
+def faults(sheet: bytes, case: Case, *flaws: Flaw) -> str:
+    measured = measure(sheet)
+    wrongs = [*wrong(measured.profiles, PLAN, theirs(case, 180, *flaws))]
+    return "; ".join([*map(str, wrongs), *(f"{miss.key.name} is not where it says" for miss in check(measured))])
 
 
 @pytest.mark.parametrize("turned", [0.0, 37.5])
@@ -87,7 +95,7 @@ def test_what_is_written_is_right(case: Case) -> None:
 def test_law_comes_back_at_3600_angles(case: Case) -> None:
     """The way along the normal that a profile is off, over the cosine of the pressure angle: so much is S."""
     cam, sizes = case
-    own = analysed(case, 3600)
+    own = theirs(case, 3600)
     found = curves(measure(written(case)))
     for name in {"Q", "Q_out"} & found.keys():
         one = found[name]
@@ -104,7 +112,7 @@ def test_roller_touches_the_written_profile_by_shapely(case: Case) -> None:
     sag = 1e-8  # m: a fifth of it is lost at the middle of a chord
     profile = curves(measure(written(case)))["Q"]
     line = shapely.LineString([(spot.real, spot.imag) for spot in sampled(profile.pieces, sag)])
-    pitch = analysed(case, 720).contour.pitch
+    pitch = theirs(case, 720).contour.pitch
     gap = shapely.distance(line, shapely.points(pitch.real, pitch.imag)) - roller_of(cam)
     assert np.abs(gap).max() <= profile.deviation + profile.quantum + sag
 
@@ -158,3 +166,64 @@ def _shifted(data: str) -> str:
 )
 def test_edited_profile_is_seen(change: Callable[[str], str], told: str) -> None:
     assert re.search(told, edited(change))
+
+
+def test_profile_that_no_follower_can_go_along_is_held_by_its_points_alone() -> None:
+    cam = replace(cases.cam(), phases=cases.phases(cases.USUAL, 0.02))
+    case = cam, cases.sizes(cam, -0.01, 0.011)
+    undercut = Flaw("undercut", 1.0, 1.4, Extreme(0.0, 1.2))
+    assert faults(written(case), case, undercut) == ""
+    assert re.search(
+        r"Q on profile: a follower rolled over it misses the law by [\d.]+ mm at", faults(written(case), case)
+    )
+
+
+PLAIN = cases.cam()
+SIZES = cases.sizes(PLAIN)
+Change = Callable[[ProfilePath], ProfilePath]
+
+
+def mirrored(drawn: ProfilePath) -> ProfilePath:
+    def turned(piece: Piece) -> Piece:
+        if isinstance(piece, CubicPiece):
+            return CubicPiece(*(-point.conjugate() for point in piece))
+        return RoundPiece(-piece.start.conjugate(), -piece.centre.conjugate(), -piece.sweep)
+
+    return replace(drawn, pieces=tuple(map(turned, drawn.pieces)))
+
+
+def chorded(drawn: ProfilePath) -> ProfilePath:
+    pieces = (straight(one.start, one.end) if isinstance(one, RoundPiece) else one for one in drawn.pieces)
+    return replace(drawn, pieces=tuple(pieces))
+
+
+@pytest.mark.parametrize(
+    ("change", "told"),
+    [
+        (lambda _: path(PLAIN, SIZES, 0.01), r"Q on profile, 20 mm off at"),  # the roller added
+        (lambda _: path(PLAIN, SIZES), r"Q on profile, 10 mm off at"),  # the pitch curve for the profile
+        (mirrored, r"Q on profile, .* off at"),
+        (lambda _: path(replace(PLAIN, sense=-1), SIZES, -0.01), r"Q on profile, .* off at"),  # turned with the cam
+        (lambda _: path(PLAIN, SIZES._replace(offset=-0.012), -0.01), r"Q on profile, .* off at"),
+        (chorded, r"Q on profile, .* off at"),  # dwells as chords
+        (lambda drawn: replace(drawn, deviation=1e-12), r"Q on profile, .* off at"),  # understated
+        (lambda _: path(PLAIN, SIZES, -0.01, 36, exact=False), r"Q on profile is drawn 0\.00\d+ mm off"),  # coarse
+        (lambda drawn: replace(drawn, pieces=drawn.pieces[:-1]), r"Q on profile, .* off at"),  # a dwell lost
+    ],
+)
+def test_fault_of_drawing_is_seen(change: Change, told: str) -> None:
+    drawn = profile_curve(change(path(PLAIN, SIZES, -0.01)), PLACE, PLAN, "Q", LineStyle())
+    assert re.search(told, faults(sheet_of(drawn), (PLAIN, SIZES)))
+
+
+def test_fault_of_placing_is_seen() -> None:
+    drawn = path(PLAIN, SIZES, -0.01)
+    beside = Place(PLACE.origin + 0.001, 0j, PLACE.scale)
+    enlarged = Place(PLACE.origin, 0j, Scale(MU / 1.0001, "l", "m"))
+    for place in (beside, enlarged):
+        group = profile_curve(drawn, place, PLAN, "Q", LineStyle())
+        told = Group(group.strokes, "", {**group.data, "scale": numeral(MU)})
+        assert "Q is not where it says" in faults(sheet_of(told), (PLAIN, SIZES))
+    assert faults(sheet_of(), (PLAIN, SIZES)) == "Q on profile is missing"
+    other = profile_curve(drawn, PLACE, PLAN, "Q_out", LineStyle())
+    assert "Q_out on profile (the analysis has none)" in faults(sheet_of(other), (PLAIN, SIZES))
