@@ -98,7 +98,7 @@ class CamNotes(NamedTuple):
         if found.sharpest is not None:
             yield word(key, radius=self._mm(found.sharpest.value), **self._place(found.sharpest))
         if found.hollow is not None and not self.cam.flat:
-            yield word("cam hollow", radius=self._mm(-found.hollow.value), **self._place(found.hollow))
+            yield word("cam hollow radius", radius=self._mm(-found.hollow.value), **self._place(found.hollow))
         if found.roller and self.cam.roller is None:
             yield word("cam roller by rule", roller=self._mm(found.roller))
         elif found.roller:

@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator
 from functools import partial
 from typing import Any
 
-from drawings.figures.cam import profile_figure
+from drawings.figures.cam import law_diagrams, profile_figure
 from drawings.figures.cam.profile_view import profile_view
 from drawings.layout.contents import Panel
 from drawings.page.drafting import Drafting, drafting_of
@@ -42,6 +42,9 @@ def _facts(name: str, figures: Collection[str]) -> dict[str, Any]:
 
 
 def _shows(drawing: CamDrawing, drafting: Drafting) -> Iterator[Exhibit | Caption]:
+    """Show laws and sizes in a column, the profile foremost, what it leads to beside it."""
+    law = law_diagrams.measure(drawing.diagrams, drafting)
+    yield Exhibit(Panel(law), partial(law_diagrams.draw, drawing.diagrams, law, drafting=drafting))
     view = profile_view(drawing.found)
     room = profile_figure.measure(view, drafting)
     yield Exhibit(Panel(room, FOREMOST), partial(profile_figure.draw, view, room, drafting=drafting))

@@ -55,4 +55,9 @@ SHEETS: Final[Mapping[str, Sheet]] = {
         faults="drawings.checks.cam.verify_profile:faults",
         enclosures="drawings.checks.cam.coordinates:enclosures",
     ),
+    "cyclogram": Sheet(
+        admit="drawings.sheets.linkage_admission:of_linkage",
+        leaves="drawings.sheets.cyclogram:leaves",
+        faults="drawings.checks.verify_cyclogram:faults",
+    ),
 }

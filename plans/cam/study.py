@@ -10,8 +10,8 @@ import numpy as np
 
 from plans.cam.course import Course, positions
 from plans.cam.diagrams import LawDiagrams, law_diagrams
-from plans.cam.profile import Profile, profile
-from plans.cam.profile_findings import cam_found
+from plans.cam.profile.findings import cam_found
+from plans.cam.profile.profile import Profile, profile
 from plans.cam.reading.cams import cams_of
 from plans.cam.sizes import sizing
 from plans.cam.sizing import Sizing

@@ -104,7 +104,7 @@ def test_it_is_drawn_at_its_own_size_where_it_can_be() -> None:
     [
         ("groove", "en", ("counter-clockwise", "Groove 26.132 mm wide", "r_{r} = 13.066 mm", "path of the mill's")),
         ("clockwise", "ru", ("по часовой стрелке", "Паз шириной 26,132 мм", "r_{р} = 13,066", "32,665, φ 240 … 360°")),
-        ("undercut", "en", ("Roller", "Not to be made: undercut, crosses itself", "0.0001 mm at most")),
+        ("undercut", "en", ("Roller", "Not to be made: ", "undercut", "crosses itself", "0.0001 mm at most")),
         ("wedge", "en", ("goes to the left", "Datum: O, where the follower's point")),
     ],
 )

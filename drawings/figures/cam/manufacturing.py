@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
@@ -9,22 +10,30 @@ import numpy as np
 
 from drawings.figures.cam.profile_view import ProfileView, profile_view
 from plans.cam.course import Course
-from plans.cam.profile import profile
+from plans.cam.profile.profile import profile
 from plans.model.cam import GROOVE, Cam
 from plans.model.cam_motion import CamFound, Contour, Points
 from plans.model.motion import Floats
 
 PLAN, QUANTITY = "manufacturing", "l"
-STEP = 5  # degrees from one tabled turn to the next; of a cam that translates parts of its travel
-PARTS = 60  # of the travel of a cam that translates
-RAY = 30  # degrees from one drawn radius to the next
-TRAVELS = 10  # parts from one drawn ordinate to the next
+COUNT = 72  # tabled turns: every 5 degrees; of a cam that translates so many at most, and its end
+RAY = 6  # tabled turns from one drawn radius to the next: 30 degrees
+TRAVELS = 10  # from one drawn ordinate of a cam that translates to the next
+MANTISSAS = (1.0, 2.0, 2.5, 5.0, 10.0)  # of the travel in mm from one to the next
 
 
 def tabled(cam: Cam) -> Floats:
-    """Give the turns of the cam that a sheet tells radii at, rad: every 5 degrees, or a sixtieth of its travel."""
-    count = PARTS if cam.translates else 360 // STEP
-    return np.linspace(0.0, cam.turn, count + 1)[: count + cam.translates]
+    """Give the turns of the cam that a sheet tells radii at, rad: every 5 degrees, or by a round length of travel."""
+    if not cam.translates:
+        return np.linspace(0.0, cam.turn, COUNT + 1)[:-1]
+    step = _step(cam.turn * 1000 / COUNT) / 1000
+    return np.append(np.arange(0.0, cam.turn - step / 2, step), cam.turn)
+
+
+def _step(least: float) -> float:
+    """Give the least round length that is not less than another, mm."""
+    power = 10.0 ** math.floor(math.log10(least))
+    return next(one * power for one in MANTISSAS if one * power >= least * (1 - 1e-12))
 
 
 class Manufacture(NamedTuple):
@@ -72,7 +81,7 @@ class Manufacture(NamedTuple):
 
     def rays(self) -> Iterator[tuple[int, float]]:
         """Give the tabled turns whose radii are drawn, with their names."""
-        every = TRAVELS if self.cam.translates else RAY // STEP
+        every = TRAVELS if self.cam.translates else RAY
         yield from ((k, self.names[k]) for k in range(every, len(self.names), every))
 
     @property

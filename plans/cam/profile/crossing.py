@@ -12,10 +12,10 @@ from typing import Final, NamedTuple
 import numpy as np
 
 from geometry.meet import EPS, cross
-from plans.cam.curvature import curvature
-from plans.cam.stretches import Span, Stretches
-from plans.cam.tip import Tip
-from plans.cam.touch import Touch
+from plans.cam.profile.curvature import curvature
+from plans.cam.profile.stretches import Span, Stretches
+from plans.cam.profile.tip import Tip
+from plans.cam.profile.touch import Touch
 from plans.model.cam_motion import Points
 from plans.model.motion import Floats
 

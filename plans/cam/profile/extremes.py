@@ -7,10 +7,10 @@ from functools import cached_property
 
 import numpy as np
 
-from plans.cam.curvature import curvature, curvature_slope
-from plans.cam.stretches import Place, Stretches
-from plans.cam.tip import Tip
-from plans.cam.touch import Touch
+from plans.cam.profile.curvature import curvature, curvature_slope
+from plans.cam.profile.stretches import Place, Stretches
+from plans.cam.profile.tip import Tip
+from plans.cam.profile.touch import Touch
 from plans.model.cam import Phase
 from plans.model.cam_motion import Extreme
 from plans.model.motion import Floats

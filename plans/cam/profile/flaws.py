@@ -8,14 +8,14 @@ from typing import Final
 
 import numpy as np
 
-from plans.cam.contact import Contact
-from plans.cam.crossing import Edge, crossings
-from plans.cam.curvature import curvature
-from plans.cam.profile_extremes import Extremes, pressure
-from plans.cam.resting import loop_of, loss
-from plans.cam.stretches import Place, Span, Stretches, Value
-from plans.cam.tip import Tip
-from plans.cam.touch import Touch
+from plans.cam.profile.contact import Contact
+from plans.cam.profile.crossing import Edge, crossings
+from plans.cam.profile.curvature import curvature
+from plans.cam.profile.extremes import Extremes, pressure
+from plans.cam.profile.resting import loop_of, loss
+from plans.cam.profile.stretches import Place, Span, Stretches, Value
+from plans.cam.profile.tip import Tip
+from plans.cam.profile.touch import Touch
 from plans.model.cam import FORCE, GROOVE, RETURN, RISE, Cam
 from plans.model.cam_motion import Extreme, Flaw
 from plans.model.motion import Floats

@@ -10,9 +10,9 @@ from typing import Final
 
 import numpy as np
 
-from plans.cam.crossing import Crossing, in_frame
-from plans.cam.stretches import Span, Stretches
-from plans.cam.tip import Tip, guide_start
+from plans.cam.profile.crossing import Crossing, in_frame
+from plans.cam.profile.stretches import Span, Stretches
+from plans.cam.profile.tip import Tip, guide_start
 from plans.model.cam import TURN
 from plans.model.cam_motion import Extreme
 from plans.model.motion import Floats
