@@ -13,6 +13,7 @@ import pytest
 from drawings.checks.cam.profiles import Analysed, analysed, wrong
 from drawings.checks.cam.rolling import apart, rolled
 from drawings.figures.cam.profile_curve import profile_curve
+from drawings.figures.cam.profile_view import OUTER, PITCH, WORKING
 from drawings.layout.place import Place
 from drawings.measure.measure import Measured, check, measure
 from drawings.measure.measured_profile import MeasuredProfile
@@ -42,7 +43,7 @@ def written(case: Case, place: Place = PLACE, turned: float = 0.0) -> bytes:
     """Write a sheet with all curves of a cam."""
     cam, sizes = case
     roller = roller_of(cam)
-    away = {"Q": -roller, "P": 0.0} | ({"Q_out": roller} if cam.closure == GROOVE else {})
+    away = {WORKING: -roller, PITCH: 0.0} | ({OUTER: roller} if cam.closure == GROOVE else {})
     curves = [
         profile_curve(path(cam, sizes, off), place, PLAN, name, LineStyle(), turned) for name, off in away.items()
     ]
@@ -74,7 +75,7 @@ def faults(sheet: bytes, case: Case, *flaws: Flaw) -> str:
 def test_profile_is_read_back_as_it_was_drawn(turned: float) -> None:
     case = USUAL, cases.sizes(USUAL)
     found = curves(measure(written(case, turned=turned)))
-    for name, away in {"Q": -0.01, "P": 0.0, "Q_out": 0.01}.items():
+    for name, away in {WORKING: -0.01, PITCH: 0.0, OUTER: 0.01}.items():
         drawn, own = path(*case, away), found[name]
         assert [type(piece) for piece in own.pieces if isinstance(piece, CubicPiece)] == [
             CubicPiece for piece in drawn.pieces if isinstance(piece, CubicPiece)
@@ -97,9 +98,9 @@ def test_law_comes_back_at_3600_angles(case: Case) -> None:
     cam, sizes = case
     own = theirs(case, 3600)
     found = curves(measure(written(case)))
-    for name in {"Q", "Q_out"} & found.keys():
+    for name in {WORKING, OUTER} & found.keys():
         one = found[name]
-        s = rolled(one.pieces, cam, sizes, roller_of(cam), own.contour.turned, outer=name == "Q_out")
+        s = rolled(one.pieces, cam, sizes, roller_of(cam), own.contour.turned, outer=name == OUTER)
         off = np.abs(s - travel(cam, own.contour.turned).s) / own.rate()
         assert (off <= one.deviation + one.quantum + 1e-15).all()
         assert off.max() > one.deviation / 4  # it is the file that is told, not the law
@@ -110,7 +111,7 @@ def test_roller_touches_the_written_profile_by_shapely(case: Case) -> None:
     shapely = pytest.importorskip("shapely")
     cam, _ = case
     sag = 1e-8  # m: a fifth of it is lost at the middle of a chord
-    profile = curves(measure(written(case)))["Q"]
+    profile = curves(measure(written(case)))[WORKING]
     line = shapely.LineString([(spot.real, spot.imag) for spot in sampled(profile.pieces, sag)])
     pitch = theirs(case, 720).contour.pitch
     gap = shapely.distance(line, shapely.points(pitch.real, pitch.imag)) - roller_of(cam)
@@ -125,12 +126,12 @@ def test_figure_may_be_moved_but_not_turned_or_stretched() -> None:
     def transformed(how: str) -> Measured:
         return measure(sheet.replace('<g id="figure">', f'<g id="figure" transform="{how}">').encode())
 
-    straight, moved = (curves(one)["Q"] for one in (measure(sheet.encode()), transformed("translate(12 -7)")))
+    straight, moved = (curves(one)[WORKING] for one in (measure(sheet.encode()), transformed("translate(12 -7)")))
     assert moved.pieces[0].start == straight.pieces[0].start
     assert moved.pieces[7].at(0.3) == pytest.approx(straight.pieces[7].at(0.3), abs=1e-15)
     assert not check(transformed("translate(12 -7)"))
     for how in ("rotate(0.01)", "scale(1.0001)"):
-        assert {miss.key.name for miss in check(transformed(how))} == {"Q", "P", "Q_out"}
+        assert {miss.key.name for miss in check(transformed(how))} == {WORKING, PITCH, OUTER}
     with pytest.raises(SheetRefused, match=r"profile .*: it is stretched"):
         transformed("scale(1 1.1)")
 
@@ -139,7 +140,7 @@ def edited(change: Callable[[str], str]) -> str:
     """Say what is wrong with a usual sheet after its profile's path data were changed."""
     case = USUAL, cases.sizes(USUAL)
     sheet = written(case).decode()
-    data = next(data for data in re.findall(r' d="([^"]*)"', _bearer(sheet, "Q")))
+    data = next(data for data in re.findall(r' d="([^"]*)"', _bearer(sheet, WORKING)))
     assert change(data) != data
     return faults(sheet.replace(data, change(data)).encode(), case)
 
@@ -159,9 +160,9 @@ def _shifted(data: str) -> str:
 @pytest.mark.parametrize(
     ("change", "told"),
     [
-        (_shifted, r"Q on profile, 0\.00\d+ mm off at [\d.]+° \(against the analysis\)"),
+        (_shifted, r"profile on profile, 0\.00\d+ mm off at [\d.]+° \(against the analysis\)"),
         (lambda data: data.replace("Z", "").rsplit("C", 1)[0], r"the polygon profile does not close"),
-        (lambda data: data.replace(" 0 0 1 ", " 0 0 0 ", 1), r"Q on profile, .* mm off"),
+        (lambda data: data.replace(" 0 0 1 ", " 0 0 0 ", 1), r"profile on profile, .* mm off"),
     ],
 )
 def test_edited_profile_is_seen(change: Callable[[str], str], told: str) -> None:
@@ -174,7 +175,7 @@ def test_profile_that_no_follower_can_go_along_is_held_by_its_points_alone() -> 
     undercut = Flaw("undercut", 1.0, 1.4, Extreme(0.0, 1.2))
     assert faults(written(case), case, undercut) == ""
     assert re.search(
-        r"Q on profile: a follower rolled over it misses the law by [\d.]+ mm at", faults(written(case), case)
+        r"profile on profile: a follower rolled over it misses the law by [\d.]+ mm at", faults(written(case), case)
     )
 
 
@@ -200,19 +201,25 @@ def chorded(drawn: ProfilePath) -> ProfilePath:
 @pytest.mark.parametrize(
     ("change", "told"),
     [
-        (lambda _: path(PLAIN, SIZES, 0.01), r"Q on profile, 20 mm off at"),  # the roller added
-        (lambda _: path(PLAIN, SIZES), r"Q on profile, 10 mm off at"),  # the pitch curve for the profile
-        (mirrored, r"Q on profile, .* off at"),
-        (lambda _: path(replace(PLAIN, sense=-1), SIZES, -0.01), r"Q on profile, .* off at"),  # turned with the cam
-        (lambda _: path(PLAIN, SIZES._replace(offset=-0.012), -0.01), r"Q on profile, .* off at"),
-        (chorded, r"Q on profile, .* off at"),  # dwells as chords
-        (lambda drawn: replace(drawn, deviation=1e-12), r"Q on profile, .* off at"),  # understated
-        (lambda _: path(PLAIN, SIZES, -0.01, 36, exact=False), r"Q on profile is drawn 0\.00\d+ mm off"),  # coarse
-        (lambda drawn: replace(drawn, pieces=drawn.pieces[:-1]), r"Q on profile, .* off at"),  # a dwell lost
+        (lambda _: path(PLAIN, SIZES, 0.01), r"profile on profile, 20 mm off at"),  # the roller added
+        (lambda _: path(PLAIN, SIZES), r"profile on profile, 10 mm off at"),  # the pitch curve for the profile
+        (mirrored, r"profile on profile, .* off at"),
+        (
+            lambda _: path(replace(PLAIN, sense=-1), SIZES, -0.01),
+            r"profile on profile, .* off at",
+        ),  # turned with the cam
+        (lambda _: path(PLAIN, SIZES._replace(offset=-0.012), -0.01), r"profile on profile, .* off at"),
+        (chorded, r"profile on profile, .* off at"),  # dwells as chords
+        (lambda drawn: replace(drawn, deviation=1e-12), r"profile on profile, .* off at"),  # understated
+        (
+            lambda _: path(PLAIN, SIZES, -0.01, 36, exact=False),
+            r"profile on profile is drawn 0\.00\d+ mm off",
+        ),  # coarse
+        (lambda drawn: replace(drawn, pieces=drawn.pieces[:-1]), r"profile on profile, .* off at"),  # a dwell lost
     ],
 )
 def test_fault_of_drawing_is_seen(change: Change, told: str) -> None:
-    drawn = profile_curve(change(path(PLAIN, SIZES, -0.01)), PLACE, PLAN, "Q", LineStyle())
+    drawn = profile_curve(change(path(PLAIN, SIZES, -0.01)), PLACE, PLAN, WORKING, LineStyle())
     assert re.search(told, faults(sheet_of(drawn), (PLAIN, SIZES)))
 
 
@@ -221,9 +228,9 @@ def test_fault_of_placing_is_seen() -> None:
     beside = Place(PLACE.origin + 0.001, 0j, PLACE.scale)
     enlarged = Place(PLACE.origin, 0j, Scale(MU / 1.0001, "l", "m"))
     for place in (beside, enlarged):
-        group = profile_curve(drawn, place, PLAN, "Q", LineStyle())
+        group = profile_curve(drawn, place, PLAN, WORKING, LineStyle())
         told = Group(group.strokes, "", {**group.data, "scale": numeral(MU)})
-        assert "Q is not where it says" in faults(sheet_of(told), (PLAIN, SIZES))
-    assert faults(sheet_of(), (PLAIN, SIZES)) == "Q on profile is missing"
-    other = profile_curve(drawn, PLACE, PLAN, "Q_out", LineStyle())
-    assert "Q_out on profile (the analysis has none)" in faults(sheet_of(other), (PLAIN, SIZES))
+        assert "profile is not where it says" in faults(sheet_of(told), (PLAIN, SIZES))
+    assert faults(sheet_of(), (PLAIN, SIZES)) == "profile on profile is missing"
+    other = profile_curve(drawn, PLACE, PLAN, OUTER, LineStyle())
+    assert "outer on profile (the analysis has none)" in faults(sheet_of(other), (PLAIN, SIZES))
