@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from drawings.figures.cam.profile_curve import ProfilePlace, profile_curve
+from drawings.figures.cam.profile_curve import profile_curve
 from drawings.figures.cam.profile_view import OUTER, PITCH, WORKING, ProfileView, ShownCurve
 from drawings.layout.place import Place
 from drawings.paper.hand import Hand
@@ -49,7 +49,7 @@ def curves(view: ProfileView, plan: str, place: Place, hand: Hand) -> Iterator[S
 
 def _measurable(one: ShownCurve, plan: str, style: LineStyle, place: Place) -> Group:
     """Draw a curve in its pieces; it says how far they are from the exact one."""
-    own = profile_curve(one.path, ProfilePlace(plan, place.on(0j), place.scale.mu), one.name, style)
+    own = profile_curve(one.path, place, plan, one.name, style)
     return replace(own, strokes=tuple(fit_dashes(own.strokes)))
 
 
