@@ -44,7 +44,7 @@ def checked(leaf: Leaf, found: CamFound, folder: Path) -> None:
     verify(path, leaf, partial(check, found=found, drafting=drafting_of(SCENE)))
 
 
-@pytest.mark.parametrize("name", some(EVERY, 5))
+@pytest.mark.parametrize("name", some(EVERY, 11))
 def test_what_is_drawn_agrees_with_the_analysis(name: str, tmp_path: Path) -> None:
     checked(*made(name), tmp_path)
 
@@ -85,7 +85,7 @@ def bent(name: str, by: complex) -> Change:
             (note("62.345", "62.354"), "the notes (against the analysis)"),
             (reworded("φ 60°", "φ 61°"), "the letter r on cam to be made"),
         ],
-        4,
+        6,
     ),
 )
 def test_a_planted_fault_is_seen(fault: tuple[Change, str], tmp_path: Path) -> None:

@@ -23,7 +23,7 @@ from plans.model.cam_motion import CamFound
 from plans.study import Study
 from plans.words.words import message
 
-ROLLED = 361  # turns at which the curves are held to the law
+ROLLED = 181  # turns at which the curves are held to the law
 FAR = 1e-9  # of a radius: both roads take it from one law
 
 
