@@ -11,13 +11,13 @@ from drawings.checks.cam.profiles import Analysed, wrong
 from drawings.checks.reading import reads
 from drawings.checks.wrong import Wrong, on, within
 from drawings.figures.cam.manufacturing import PLAN, TabledProfile, tabled
+from drawings.figures.cam.manufacturing_notes import notes
 from drawings.figures.cam.outlines import SHOWN
 from drawings.figures.cam.radius_table import NAME, told
 from drawings.measure.measure import Measured
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf, Text
 from drawings.paper.walk import groups, texts
-from drawings.sheets.cam_profile import notes
 from plans.analytic.cam.contour import contour
 from plans.model.cam_motion import CamFound
 from plans.study import Study
