@@ -144,6 +144,7 @@ def test_a_planted_fault_is_seen(shaper, slip: tuple[Change, str], tmp_path: Pat
     assert not re.search(r"\b(the|is|on|in|for|against)\b", said(told.value, "ru").replace("working stroke ends", ""))
 
 
+@pytest.mark.rest
 def test_the_letters_of_phases_are_those_of_the_language() -> None:
     _, (leaf,) = drawn("shaper", TOLD + CAM, "ru")
     assert "φ_{у} = 74,57705°,  φ_{д.в} = 60°,  φ_{в} = 90°,  φ_{б.в} = 135,423°" in leaf.description
