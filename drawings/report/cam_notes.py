@@ -36,6 +36,7 @@ class CamNotes(NamedTuple):
             *self.roller(),
             *self.peaks(),
             *self.shocks(),
+            *self.pressing(),
             *self.flaws(),
         )
 
@@ -130,11 +131,28 @@ class CamNotes(NamedTuple):
     def flaws(self) -> Iterator[str]:
         """Say what is wrong from where to where, and what would help."""
         yield from map(self.flaw, self.found.flaws)
+        if self.found.mending is not None and any(one.kind == "pressure" for one in self.found.flaws):
+            offset = self._mm(self.found.sizes.offset)
+            yield self.drafting.word("cam mending", base=self._mm(self.found.mending), offset=offset)
+
+    def pressing(self) -> Iterator[str]:
+        """Say how hard the follower is pressed on the cam, where it wears most, and what spring would just hold it."""
+        found = self.found.pressing
+        if found is None:
+            return
+        ends = {"least": self._of(found.least.value, "N"), "most": self._of(found.most.value, "N")}
+        yield self.drafting.word("cam pressing", **ends, phi=self.turn(found.most.turned))
+        yield self.drafting.word("cam wear", wear=self._of(found.wear.value, "W"), phi=self.turn(found.wear.turned))
+        if found.least.value < 0:
+            preload = self._of(found.preload, "N*m" if self.cam.rocks else "N")
+            yield self.drafting.word("cam preload", preload=preload)
 
     def flaw(self, one: Flaw) -> str:
         """Say one flaw."""
         ends = {"start": self.turn(one.start), "end": self.turn(one.end), "phi": self.turn(one.worst.turned)}
         value = one.worst.value
+        if one.kind == "crossing" and not math.isnan(value):
+            return self.drafting.word("cam flaw crossing and loss", worst=self.way(value), **ends)
         told = self._number(math.degrees(value)) if one.kind == "pressure" else self._number(value * self._unit(one))
         return self.drafting.word(f"cam flaw {one.kind}", worst=told, **ends)
 

@@ -113,8 +113,7 @@ class CyclogramStudy:
     @cached_property
     def cams(self) -> tuple[Cam, ...]:
         """The cams on the main shaft, if the scene has some; they may take their angles from the window."""
-        window = self.window
-        return cams_of(self.scene, (window.start, window.angle)) if self.scene.has(("cam",)) else ()
+        return cams_of(self.scene, self.window) if self.scene.has(("cam",)) else ()
 
     @property
     def boards(self) -> tuple[Board, ...]:

@@ -32,7 +32,7 @@ from tests.plans.cam_cases import Case, every, roller_of, titled
 MM = 1e-3
 PLAN, MU = "profile", 0.5 * MM
 PLACE = Place(210.3 + 190.7j, 0j, Scale(MU, "l", "m"))
-CASES = some(every(), every=7)
+CASES = some(every(), every=9)
 USUAL = cases.cam(TRANSLATING, ROLLER, 1, closure=GROOVE)
 
 
@@ -40,7 +40,7 @@ def written(case: Case, place: Place = PLACE, turned: float = 0.0) -> bytes:
     """Write a sheet with all curves of a cam."""
     cam, sizes = case
     roller = roller_of(cam)
-    away = {"profile": -roller, "pitch": 0.0} | ({"outer": roller} if cam.closure == GROOVE else {})
+    away = {"Q": -roller, "P": 0.0} | ({"Q_out": roller} if cam.closure == GROOVE else {})
     curves = [
         profile_curve(path(cam, sizes, off), place, PLAN, name, LineStyle(), turned) for name, off in away.items()
     ]
@@ -66,7 +66,7 @@ def faults(sheet: bytes, case: Case) -> str:
 def test_profile_is_read_back_as_it_was_drawn(turned: float) -> None:
     case = USUAL, cases.sizes(USUAL)
     found = curves(measure(written(case, turned=turned)))
-    for name, away in {"profile": -0.01, "pitch": 0.0, "outer": 0.01}.items():
+    for name, away in {"Q": -0.01, "P": 0.0, "Q_out": 0.01}.items():
         drawn, own = path(*case, away), found[name]
         assert [type(piece) for piece in own.pieces if isinstance(piece, CubicPiece)] == [
             CubicPiece for piece in drawn.pieces if isinstance(piece, CubicPiece)
@@ -89,20 +89,20 @@ def test_law_comes_back_at_3600_angles(case: Case) -> None:
     cam, sizes = case
     own = analysed(case, 3600)
     found = curves(measure(written(case)))
-    for name in {"profile", "outer"} & found.keys():
+    for name in {"Q", "Q_out"} & found.keys():
         one = found[name]
-        s = rolled(one.pieces, cam, sizes, roller_of(cam), own.contour.turned, outer=name == "outer")
+        s = rolled(one.pieces, cam, sizes, roller_of(cam), own.contour.turned, outer=name == "Q_out")
         off = np.abs(s - travel(cam, own.contour.turned).s) / own.rate()
         assert (off <= one.deviation + one.quantum + 1e-15).all()
         assert off.max() > one.deviation / 4  # it is the file that is told, not the law
 
 
-@pytest.mark.parametrize("case", some([one for one in every() if one[0].follower.end == ROLLER], every=4), ids=titled)
+@pytest.mark.parametrize("case", some([one for one in every() if one[0].follower.end == ROLLER], every=10), ids=titled)
 def test_roller_touches_the_written_profile_by_shapely(case: Case) -> None:
     shapely = pytest.importorskip("shapely")
     cam, _ = case
     sag = 1e-8  # m: a fifth of it is lost at the middle of a chord
-    profile = curves(measure(written(case)))["profile"]
+    profile = curves(measure(written(case)))["Q"]
     line = shapely.LineString([(spot.real, spot.imag) for spot in sampled(profile.pieces, sag)])
     pitch = analysed(case, 720).contour.pitch
     gap = shapely.distance(line, shapely.points(pitch.real, pitch.imag)) - roller_of(cam)
@@ -117,12 +117,12 @@ def test_figure_may_be_moved_but_not_turned_or_stretched() -> None:
     def transformed(how: str) -> Measured:
         return measure(sheet.replace('<g id="figure">', f'<g id="figure" transform="{how}">').encode())
 
-    straight, moved = (curves(one)["profile"] for one in (measure(sheet.encode()), transformed("translate(12 -7)")))
+    straight, moved = (curves(one)["Q"] for one in (measure(sheet.encode()), transformed("translate(12 -7)")))
     assert moved.pieces[0].start == straight.pieces[0].start
     assert moved.pieces[7].at(0.3) == pytest.approx(straight.pieces[7].at(0.3), abs=1e-15)
     assert not check(transformed("translate(12 -7)"))
     for how in ("rotate(0.01)", "scale(1.0001)"):
-        assert {miss.key.name for miss in check(transformed(how))} == {"profile", "pitch", "outer"}
+        assert {miss.key.name for miss in check(transformed(how))} == {"Q", "P", "Q_out"}
     with pytest.raises(SheetRefused, match=r"profile .*: it is stretched"):
         transformed("scale(1 1.1)")
 
@@ -131,7 +131,7 @@ def edited(change: Callable[[str], str]) -> str:
     """Say what is wrong with a usual sheet after its profile's path data were changed."""
     case = USUAL, cases.sizes(USUAL)
     sheet = written(case).decode()
-    data = next(data for data in re.findall(r' d="([^"]*)"', _bearer(sheet, "profile")))
+    data = next(data for data in re.findall(r' d="([^"]*)"', _bearer(sheet, "Q")))
     assert change(data) != data
     return faults(sheet.replace(data, change(data)).encode(), case)
 
@@ -151,9 +151,9 @@ def _shifted(data: str) -> str:
 @pytest.mark.parametrize(
     ("change", "told"),
     [
-        (_shifted, r"profile on profile, 0\.00\d+ mm off at [\d.]+° \(against the analysis\)"),
+        (_shifted, r"Q on profile, 0\.00\d+ mm off at [\d.]+° \(against the analysis\)"),
         (lambda data: data.replace("Z", "").rsplit("C", 1)[0], r"the polygon profile does not close"),
-        (lambda data: data.replace(" 0 0 1 ", " 0 0 0 ", 1), r"profile on profile, .* mm off"),
+        (lambda data: data.replace(" 0 0 1 ", " 0 0 0 ", 1), r"Q on profile, .* mm off"),
     ],
 )
 def test_edited_profile_is_seen(change: Callable[[str], str], told: str) -> None:

@@ -65,7 +65,7 @@ JERKS = {
     "modified sine": 69.46635729,
 }
 AGREED = 2e-14  # of the largest value; a ruler's points are solved for, on springs worse
-SOLVED = {id(RULER): 1e-12, id(SMOOTH): 1e-10}
+SOLVED = {id(RULER): 1e-13, id(SMOOTH): 1e-11}
 
 
 def share(law: Law, k: float, order: int, road: str, before: bool = False) -> float:

@@ -346,6 +346,12 @@ def test_what_is_odd_is_noted(parts: tuple[str, ...], head: str, expected: list[
     assert kinds(notes(*parts, head=head)) == expected
 
 
+@pytest.mark.parametrize(("speed", "expected"), [("10", []), ("-10", ["other_pace"]), ("11", ["other_pace"])])
+def test_cams_of_one_shaft_have_one_speed(speed: str, expected: list[str]) -> None:
+    first, second = (f"[[cam]]\nspeed = {one}\n{FOLLOWER}{LIMITS}{PHASES}" for one in ("10", speed))
+    assert kinds(notes_of(parse_scene(first + second))) == expected
+
+
 def test_shocks_are_for_the_laws_to_tell_not_for_the_reader() -> None:
     assert lawful('"constant velocity"').phases[0].law == Law("constant velocity")
     assert notes(FOLLOWER, LIMITS, PHASES.replace('"sine"', '"constant velocity"')) == []

@@ -11,13 +11,13 @@ import numpy as np
 
 from drawings.checks.cam.rolling import apart, rolled
 from drawings.checks.wrong import Wrong, on
+from drawings.figures.cam.profile_view import OUTER, PITCH, WORKING
 from drawings.measure.measured_profile import MeasuredProfile
 from plans.model.cam import POINTED, Cam
 from plans.model.cam_motion import Contour, Points, Sizes
 from plans.model.motion import Floats
 from plans.words.words import Message, message
 
-PITCH, PROFILE, OUTER = "pitch", "profile", "outer"
 SLIPPED = 1e-12  # of the radius: what arithmetic moves
 
 
@@ -36,7 +36,7 @@ class Analysed(NamedTuple):
 
     def points(self, name: str) -> Points | None:
         """Give the exact points of a profile by its name, None of one that there is not."""
-        known = {PITCH: self.contour.pitch, PROFILE: self.contour.profile, OUTER: self.contour.outer}
+        known = {PITCH: self.contour.pitch, WORKING: self.contour.profile, OUTER: self.contour.outer}
         return known.get(name)
 
     def rate(self) -> Floats:
@@ -49,7 +49,7 @@ def wrong(profiles: Sequence[MeasuredProfile], plan: str, analysed: Analysed) ->
     """Say what is wrong with the profiles of a cam on its plan; its own profile must be there."""
     own = [one for one in profiles if one.plan == plan]
     names = {one.name for one in own}
-    needed = {PROFILE} | ({OUTER} if analysed.contour.outer is not None else set())
+    needed = {WORKING} | ({OUTER} if analysed.contour.outer is not None else set())
     yield from (on("missing_on", plan, name=name) for name in sorted(needed - names))
     for one in own:
         exact = analysed.points(one.name)

@@ -26,9 +26,10 @@ ROWS, SETTING = "rows", "set."  # the group of its bars; the names of setting an
 SYMBOL, UNIT = "φ", "rad"
 # In radians of the abscissa: a row, where in it the course runs, a level of setting angles.
 ROW, LOW, HIGH, LEVEL = 0.46, 0.04, 0.13, 0.2
-NAMES = 1.2  # of the turn: the column of names stands left of the rows
+NAMES = 1.7  # of the turn: the column of names stands left of the rows
 MARGINS = Margins(3.0, 2.0, 3.2)  # paper around it in sizes of its letters
 LETTERS = 46.0  # it is drawn at least so many of its letters wide
+LARGER = 2.1  # times as large it is drawn at most: from one standard scale to the next is twice
 DEGREES = 30  # from one number of the abscissa to the next
 BESIDE = 0.8  # mm from a line to its letters
 OVER = 1.6  # mm from the upper end of a course to its letters
@@ -97,7 +98,8 @@ def measure(chart: Chart, drafting: Drafting) -> Picture:
     widest = max(_wide(course.name(row, drafting), hand) for row in chart.rows)
     least = max(LETTERS * hand.letter, (widest + 2 * BESIDE) * (TURN + NAMES) / NAMES)
     margins = Margins(side, below + 2 * hand.number, above + 2 * hand.title + hand.text)
-    return picture(NAME, corners, (SYMBOL, UNIT), margins, title, least)
+    room = picture(NAME, corners, (SYMBOL, UNIT), margins, title, least)
+    return room._replace(most=LARGER * least)
 
 
 def draw(chart: Chart, room: Picture, spot: Spot, drafting: Drafting) -> BarFigure:

@@ -35,6 +35,7 @@ TITLE = "characteristic positions"
 OVERRUNS, STROKE, NOTCHES, PINS = "overruns", "stroke", "notches", "pins"  # the names of its groups
 LONG = 6.0  # mm of a notch arc kept on each side of its meeting
 DOT = 0.8  # mm, radius of a crank pin
+LETTERS = 30.0  # it is drawn at least so many of its letters large: its angles are read from it
 
 
 @dataclass(frozen=True)
@@ -63,7 +64,8 @@ def shown_of(found: Cyclogram) -> int:
 def measure(bones: Skeletons, drafting: Drafting) -> Picture:
     """Measure the room that it needs."""
     room = position_plan.measure(bones, NAME, drafting)
-    return room._replace(heading=text_width(Text(0j, drafting.word(TITLE), drafting.hand.heading)))
+    heading = text_width(Text(0j, drafting.word(TITLE), drafting.hand.heading))
+    return room._replace(heading=heading, least=LETTERS * drafting.hand.letter)
 
 
 def draw(

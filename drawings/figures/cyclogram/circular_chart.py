@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from drawings.figures.cyclogram import course
-from drawings.figures.cyclogram.bar_chart import Chart
+from drawings.figures.cyclogram.bar_chart import LARGER, Chart
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
@@ -25,7 +25,7 @@ SYMBOL, UNIT = "φ", "rad"  # it has no scale: its angles are true
 HUB, RING = 0.5, 0.3  # the innermost circle, and the breadth of a ring
 BAND = 0.12  # of a ring: how far over its inner circle the line of what is done stands
 MARGINS = Margins(3.0, 2.4, 2.4)  # paper around it in sizes of its letters
-LETTERS = 20.0  # it is drawn at least so many of its letters wide
+LETTERS = 24.0  # it is drawn at least so many of its letters wide
 BESIDE = 0.8  # mm
 ARROW = (0.6, math.radians(20), math.radians(100))  # of the hub: radius; start and sweep of the arrow of rotation
 
@@ -73,7 +73,8 @@ def measure(chart: Chart, drafting: Drafting) -> Picture:
     side, below, above = (share * hand.letter for share in MARGINS)
     margins = Margins(side, below, above + 2 * hand.title + hand.text)
     corners = [complex(x, y) for x in (-outer, outer) for y in (-outer, outer)]
-    return picture(NAME, corners, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
+    least = LETTERS * hand.letter
+    return picture(NAME, corners, (SYMBOL, UNIT), margins, title, least)._replace(most=LARGER * least)
 
 
 def draw(chart: Chart, sense: int, room: Picture, spot: Spot, drafting: Drafting) -> CircleFigure:

@@ -31,6 +31,7 @@ def cam_found(cam: Cam, sizes: Sizes, turned: Floats) -> CamFound:
         flaws=Flaws(extremes, roller, forces).all(),
         rule=rule,
         pressing=extremes.pressing(forces) if forces else None,
+        mending=extremes.mending,
     )
 
 

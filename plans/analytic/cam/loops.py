@@ -23,6 +23,7 @@ TRIES: Final = 30  # of Newton's method
 DIFFERENCE: Final = 1e-6  # rad or m: the root of a rounding, and more
 SEARCHES: Final = 80  # of a golden section: more than a double has digits of a place
 GOLDEN: Final = (5**0.5 - 1) / 2
+SWEPT: Final = 512  # places of the ray that sweeps round a loop
 APART: Final = 1e-9  # rad or m: two crossings that are nearer are one
 Pair = tuple[float, float]
 
@@ -38,7 +39,7 @@ class Loops:
         """Give every loop with how much of S is lost on it."""
         spans = self._undercut()
         for first, second in self.crossings(spans):
-            start, end = self._loop(first, second, spans)
+            start, end = self._loop(first, second)
             yield Flaw("crossing", start, end, self._loss(first, start, end))
 
     def _undercut(self) -> list[Pair]:
@@ -99,13 +100,19 @@ class Loops:
             pair = np.clip(pair + step, 0.0, self.turn.cam.turn)
         return float(pair[0]), float(pair[1])
 
-    def _loop(self, first: float, second: float, spans: list[Pair]) -> Pair:
-        """Give where the loop starts and ends: what is undercut lies on it, or else it is the shorter part."""
-        if spans:
-            inside = any(first <= (a + b) / 2 <= second for a, b in spans)
-        else:
-            inside = second - first <= self.turn.cam.turn / 2
-        return (first, second) if inside else (second, first)
+    def _loop(self, first: float, second: float) -> Pair:
+        """Give where the loop starts and ends: it is the part round which the radius from the crossing sweeps less.
+
+        All stands for a cam that turns counter-clockwise, whose profile runs clockwise.
+        """
+        cam, corner = self.turn.cam, self.edge(np.array([first]))[0]
+        parts = np.array([[first, second], [second, first + cam.turn]])
+        swept = []
+        for start, end in parts.tolist():
+            turned = np.linspace(start, end, SWEPT)
+            ray = self.edge(np.where(turned > cam.turn, turned - cam.turn, turned)) - corner
+            swept.append(-float((np.conj(ray[:-1]) * ray[1:]).imag.sum()))
+        return (first, second) if cam.translates or swept[0] <= swept[1] else (second, first)
 
     def _loss(self, crossed: float, start: float, end: float) -> Extreme:
         """Find the greatest loss of S on a loop, by a golden section about the greatest of some."""

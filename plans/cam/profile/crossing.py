@@ -27,10 +27,10 @@ Pairs = tuple[np.ndarray, np.ndarray]
 
 
 class Crossing(NamedTuple):
-    """Two turns of the cam at which the profile is at one point, rad, and that point on the cam, m."""
+    """A crossing of the profile with itself: the turns between which the loop is, rad, and the point on the cam, m."""
 
-    first: float
-    second: float
+    start: float
+    end: float
     point: complex
 
 
@@ -92,13 +92,31 @@ def crossings(edge: Edge, spans: Sequence[Span] = ()) -> tuple[Crossing, ...]:
     turned, points = edge.drawn_by(spans)
     firsts, seconds = _meetings(points)
     found = [_closed(edge, *pair) for pair in zip(turned[firsts], turned[seconds], strict=True)]
-    return tuple(_once(sorted(found)))
+    return tuple(_looped(edge, one, turned, points) for one in _once(sorted(found, key=lambda one: one[:2])))
+
+
+def _looped(edge: Edge, one: Crossing, turned: Floats, points: Points) -> Crossing:
+    """Tell of both parts of the profile which is the loop: that with less area in the sense in which the profile runs.
+
+    A loop that a roller leaves runs the other way round. On a cam that translates the loop is what lies between.
+    """
+    cam = edge.stretches.course.cam
+    inner = (one.start < turned) & (turned < one.end)
+    between = points[inner] - one.point
+    rest = np.concatenate([points[turned > one.end], points[turned < one.start]]) - one.point
+    inside = cam.translates or cam.sense * _area(between) >= cam.sense * _area(rest)
+    return one if inside else one._replace(start=one.end, end=one.start)
+
+
+def _area(points: Points) -> float:
+    """Give twice the area that points about a start run round, counter-clockwise above 0."""
+    return float(np.sum(cross(points[:-1], points[1:])))
 
 
 def _once(found: Iterable[Crossing]) -> Iterator[Crossing]:
     last: Crossing | None = None
     for one in found:
-        if last is None or abs(one.first - last.first) + abs(one.second - last.second) > SAME:
+        if last is None or abs(one.start - last.start) + abs(one.end - last.end) > SAME:
             yield one
         last = one
 

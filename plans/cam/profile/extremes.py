@@ -102,3 +102,9 @@ def within(place: Place, phase: Phase) -> bool:
     if place.before:
         return phase.start < place.turned <= phase.end
     return phase.start <= place.turned < phase.end
+
+
+def within_all(tip: Tip, start: float, end: float) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
+    """Tell which turns lie between two joints: on one by the side that is taken."""
+    phi = tip.turned
+    return np.asarray((start < phi) & (phi <= end) if tip.before else (start <= phi) & (phi < end))

@@ -7,6 +7,7 @@ from plans.cam.profile.contact import contact_of, pressing
 from plans.cam.profile.extremes import Extremes
 from plans.cam.profile.flaws import Search
 from plans.cam.profile.profile import profile
+from plans.cam.profile.remedy import base_needed
 from plans.cam.profile.roller import Roller, roller_of
 from plans.cam.profile.stretches import Stretches
 from plans.model.cam import ROLLER
@@ -33,6 +34,7 @@ def cam_found(course: Course, sizes: Sizes, turned: Floats) -> CamFound:
         flaws=Search(extremes, roller, contact).flaws(),
         rule=rule,
         pressing=pressing(contact, extremes.stretches) if contact else None,
+        mending=base_needed(extremes.stretches),
     )
 
 

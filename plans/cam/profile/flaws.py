@@ -12,7 +12,8 @@ from plans.cam.profile.contact import Contact
 from plans.cam.profile.crossing import Edge, crossings
 from plans.cam.profile.curvature import curvature
 from plans.cam.profile.extremes import Extremes, pressure
-from plans.cam.profile.resting import loop_of, loss
+from plans.cam.profile.remedy import on
+from plans.cam.profile.resting import loss
 from plans.cam.profile.stretches import Place, Span, Stretches, Value
 from plans.cam.profile.tip import Tip
 from plans.cam.profile.touch import Touch
@@ -99,8 +100,7 @@ class Search:
         """Find where the profile crosses itself, and what is lost where the loop is cut away."""
         spans = self._hollows if self.cam.flat else self._loops
         for one in crossings(Edge(self.stretches, self.roller), spans):
-            loop = loop_of(one, spans, self.cam.turn)
-            yield Flaw("crossing", *loop, loss(self.stretches, self.roller, one, loop))
+            yield Flaw("crossing", one.start, one.end, loss(self.stretches, self.roller, one))
 
     @property
     def _loops(self) -> list[Span]:
@@ -114,9 +114,9 @@ class Search:
                 yield from self._beyond(kind, limit)
 
     def _beyond(self, kind: str, limit: float) -> Iterator[Flaw]:
-        value: Value = lambda tip: np.where(_on(tip, kind), np.abs(pressure(tip)) - limit * (1 + TOUCHES), -1.0)  # noqa: E731
+        value: Value = lambda tip: np.where(on(tip, kind), np.abs(pressure(tip)) - limit * (1 + TOUCHES), -1.0)  # noqa: E731
         for span in self.stretches.spans(value, self.extremes.turning):
-            yield self._flaw("pressure", span, lambda tip: np.where(_on(tip, kind), np.abs(pressure(tip)), 0.0))
+            yield self._flaw("pressure", span, lambda tip: np.where(on(tip, kind), np.abs(pressure(tip)), 0.0))
 
     def _face(self) -> Iterator[Flaw]:
         """Find where contact goes off a face that is too short."""
@@ -172,15 +172,3 @@ def _hollow(tip: Tip) -> Floats:
     if not tip.cam.rocks:
         return -touch.radius
     return np.where(touch.lead > 0, -touch.sweep, tip.sizes.base)
-
-
-def _on(tip: Tip, kind: str) -> np.ndarray:
-    phases = [one for one in tip.cam.phases if one.kind == kind]
-    sides = [within_all(tip, one.start, one.end) for one in phases]
-    return np.logical_or.reduce(sides) if sides else np.zeros_like(tip.turned, dtype=bool)
-
-
-def within_all(tip: Tip, start: float, end: float) -> np.ndarray:
-    """Tell which turns lie between two joints: on one by the side that is taken."""
-    phi = tip.turned
-    return (start < phi) & (phi <= end) if tip.before else (start <= phi) & (phi < end)
