@@ -7,9 +7,9 @@ from collections.abc import Callable, Sequence
 
 from geometry.replay import DIGITS, exact
 from plans.analytic.cyclogram import cyclogram
+from plans.analytic.kinematics import Analysis
 from plans.bench.error import Errors
 from plans.bench.truth import digits
-from plans.checks.compare import road_of
 from plans.cyclogram.stations import Stations, crank
 from plans.cyclogram.study import CyclogramStudy
 from plans.model.cyclogram import TURN, Position
@@ -56,7 +56,9 @@ def _tried(study: CyclogramStudy) -> list[float]:
 
 
 def _analysed(study: CyclogramStudy) -> list[float]:
-    found = cyclogram(road_of(study.linkage), study.task, study.output, None)
+    linkage = study.linkage
+    road = Analysis(linkage.mechanism, first=linkage.form.drive.first is not None, looks=linkage.looks.phi)
+    found = cyclogram(road, study.task, study.output, None)
     return [] if found is None else _in_order(study, found.positions)
 
 
