@@ -6,8 +6,6 @@ import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
-import numpy as np
-
 from drawings.page.drafting import Drafting
 from drawings.report.phase_letters import phase_letter
 from plans.cam.tables import smoothing
