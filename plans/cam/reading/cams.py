@@ -132,7 +132,8 @@ def _phase(entry: Entry, number: int, turn: Fraction, start: Fraction, way: Way)
 
     kind = entry.form.phases[number].kind
     law = law_of(entry, number, turn, way)
-    return Phase(kind, across(turn), across(start), up(way.level), up(way.change), None if kind == DWELL else law)
+    own = None if kind == DWELL else law
+    return Phase(kind, across(turn), across(start), up(way.level), up(way.change), own, across(start + turn))
 
 
 def _follower(entry: Entry) -> Follower:
