@@ -10,7 +10,8 @@ import numpy as np
 
 from drawings.page.drafting import Drafting
 from drawings.report.phase_letters import phase_letter
-from plans.model.cam import Cam, Phase
+from plans.cam.tables import smoothing
+from plans.model.cam import TABLE, Cam, Phase
 from plans.model.cam_motion import CamFound, Extreme, Flaw, Shock
 
 MM = 1000.0  # of a metre
@@ -31,11 +32,13 @@ class CamNotes(NamedTuple):
         return (
             *self.asked(),
             *self.phases(),
+            *self.smoothed(),
             *self.sizes(),
             *self.pressure(),
             *self.roller(),
             *self.peaks(),
             *self.shocks(),
+            *self.pressing(),
             *self.flaws(),
         )
 
@@ -63,6 +66,15 @@ class CamNotes(NamedTuple):
     def _phase(self, number: int, phase: Phase) -> str:
         law = f" ({self.drafting.word(f'law {phase.law.name}')})" if phase.law is not None else ""
         return f"{phase_letter(self.cam, number, self.drafting)}{law}"
+
+    def smoothed(self) -> Iterator[str]:
+        """Say of each table that may be smoothed how far its curve is from its points, and where at most."""
+        for phase in self.cam.moving():
+            if phase.law is not None and phase.law.name == TABLE and phase.law.tolerance > 0:
+                off, at = smoothing(phase.law)
+                far, most = (self.way(share * abs(phase.change)) for share in (off, phase.law.tolerance))
+                on, phi = self.drafting.word(f"cam on {phase.kind}"), self.turn(phase.start + at * phase.angle)
+                yield self.drafting.word("cam smoothed", phase=on, phi=phi, off=far, allowed=most)
 
     def sizes(self) -> Iterator[str]:
         """Say which main sizes were found."""
@@ -98,7 +110,7 @@ class CamNotes(NamedTuple):
         if found.sharpest is not None:
             yield word(key, radius=self._mm(found.sharpest.value), **self._place(found.sharpest))
         if found.hollow is not None and not self.cam.flat:
-            yield word("cam hollow", radius=self._mm(-found.hollow.value), **self._place(found.hollow))
+            yield word("cam hollow radius", radius=self._mm(-found.hollow.value), **self._place(found.hollow))
         if found.roller and self.cam.roller is None:
             yield word("cam roller by rule", roller=self._mm(found.roller))
         elif found.roller:
@@ -130,11 +142,28 @@ class CamNotes(NamedTuple):
     def flaws(self) -> Iterator[str]:
         """Say what is wrong from where to where, and what would help."""
         yield from map(self.flaw, self.found.flaws)
+        if self.found.mending is not None and any(one.kind == "pressure" for one in self.found.flaws):
+            offset = self._mm(self.found.sizes.offset)
+            yield self.drafting.word("cam mending", base=self._mm(self.found.mending), offset=offset)
+
+    def pressing(self) -> Iterator[str]:
+        """Say how hard the follower is pressed on the cam, where it wears most, and what spring would just hold it."""
+        found = self.found.pressing
+        if found is None:
+            return
+        ends = {"least": self._of(found.least.value, "N"), "most": self._of(found.most.value, "N")}
+        yield self.drafting.word("cam pressing", **ends, phi=self.turn(found.most.turned))
+        yield self.drafting.word("cam wear", wear=self._of(found.wear.value, "W"), phi=self.turn(found.wear.turned))
+        if found.least.value < 0:
+            preload = self._of(found.preload, "N*m" if self.cam.rocks else "N")
+            yield self.drafting.word("cam preload", preload=preload)
 
     def flaw(self, one: Flaw) -> str:
         """Say one flaw."""
         ends = {"start": self.turn(one.start), "end": self.turn(one.end), "phi": self.turn(one.worst.turned)}
         value = one.worst.value
+        if one.kind == "crossing" and not math.isnan(value):
+            return self.drafting.word("cam flaw crossing and loss", worst=self.way(value), **ends)
         told = self._number(math.degrees(value)) if one.kind == "pressure" else self._number(value * self._unit(one))
         return self.drafting.word(f"cam flaw {one.kind}", worst=told, **ends)
 

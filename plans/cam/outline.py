@@ -8,10 +8,10 @@ from typing import NamedTuple
 import numpy as np
 
 from plans.cam.course import Course
-from plans.cam.crossing import on_cam
-from plans.cam.curvature import curvature
-from plans.cam.tip import Tip
-from plans.cam.touch import Touch
+from plans.cam.profile.crossing import on_cam
+from plans.cam.profile.curvature import curvature
+from plans.cam.profile.tip import Tip
+from plans.cam.profile.touch import Touch
 from plans.model.cam import Cam
 from plans.model.cam_motion import Points, Sizes
 from plans.model.motion import Floats

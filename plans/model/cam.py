@@ -38,7 +38,7 @@ TABLE, SHAPE = "table", "shape"  # laws that the user gives: by S over φ, by th
 LINES, CUBICS = "lines", "cubics"  # what joins the points of a table
 # What smoothing is meant: a table's curve is the least of softness * (integral of s''^2) + (sum of squared departures)
 # that departs by its tolerance at most, of these softnesses the greatest; each is 2 ** 0.25 times the one before.
-SOFTNESSES = tuple(2.0 ** (k / 4) for k in range(-240, 41))
+SOFTNESSES = tuple(2.0 ** (k / 4) for k in range(-240, 25))
 
 
 class Law(NamedTuple):

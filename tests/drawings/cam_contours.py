@@ -11,7 +11,7 @@ import numpy as np
 
 from drawings.figures.cam.profile_view import ProfileView, profile_view
 from plans.cam.course import Course, positions
-from plans.cam.profile_findings import cam_found
+from plans.cam.profile.findings import cam_found
 from plans.model.cam import (
     DWELL,
     FLAT,

@@ -10,8 +10,8 @@ import pytest
 
 from plans.analytic.cam.findings import cam_found as analysed
 from plans.cam.course import Course, positions
-from plans.cam.profile import profile
-from plans.cam.profile_findings import cam_found
+from plans.cam.profile.findings import cam_found
+from plans.cam.profile.profile import profile
 from plans.model.cam import FORCE, RETURN, RISE, Limits, Load
 from plans.model.cam_motion import CamFound, Extreme, Sizes
 from tests.parts import some

@@ -9,12 +9,12 @@ import pytest
 
 from geometry.meet import EPS
 from plans.cam.course import Course
-from plans.cam.curvature import three_points
-from plans.cam.profile import profile
-from plans.cam.profile_extremes import Extremes
-from plans.cam.roller import roller_of
-from plans.cam.stretches import Stretches
-from plans.cam.tip import Tip
+from plans.cam.profile.curvature import three_points
+from plans.cam.profile.extremes import Extremes
+from plans.cam.profile.profile import profile
+from plans.cam.profile.roller import roller_of
+from plans.cam.profile.stretches import Stretches
+from plans.cam.profile.tip import Tip
 from plans.model.cam_motion import Sizes
 from tests.plans.digits import printed
 from tests.plans.textbook_cams import FLAT_BASE, cam, offset_sizes, pivot, rocker

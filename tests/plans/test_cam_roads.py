@@ -10,7 +10,7 @@ import pytest
 from geometry.meet import EPS
 from plans.analytic.cam.contour import contour
 from plans.cam.course import Course
-from plans.cam.profile import profile
+from plans.cam.profile.profile import profile
 from plans.model.cam import Cam, Phase
 from plans.model.cam_motion import Sizes
 from tests.plans.textbook_cams import FLAT_BASE, START, cam, offset_sizes, pivot, rocker

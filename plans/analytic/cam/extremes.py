@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 
 import numpy as np
 
 from plans.analytic.cam.contact import Forces
+from plans.analytic.cam.contour import Curve
 from plans.analytic.cam.series import Place, Turn
-from plans.model.cam import Cam
+from plans.model.cam import GROOVE, RETURN, RISE, Cam
 from plans.model.cam_motion import Extreme, Pressing, Sizes
+from plans.model.motion import Floats
 
 
 @dataclass(frozen=True)
@@ -68,6 +70,21 @@ class Extremes:
         found = self.turn.read(lambda curve: curve.place, self.turn.places(lambda curve: curve.place))
         return float(found.min()), float(found.max())
 
+    @property
+    def mending(self) -> float | None:
+        """R0 that keeps the angle to its limits at the offset as it is: the largest of the positions' own, m."""
+        cam, offset = self.cam, self.sizes.offset
+        kinds = [kind for kind in (RISE, RETURN) if cam.limits.of(kind) and (kind == RISE or cam.closure == GROOVE)]
+        if cam.rocks or cam.flat or cam.translates or not kinds:
+            return None
+        heights = [
+            Turn(cam, self.sizes, (kind,)).most(partial(_height, offset, side, cam.limits.of(kind) or 0.0))
+            for kind in kinds
+            for side in (1, -1)
+        ]
+        least = max(0.0, *(one.value for one in heights if one))
+        return float((least * least + offset * offset) ** 0.5)
+
     def pressing(self, forces: Forces) -> Pressing:
         """Give the extremes of the contact's force and wear, and the preload that holds."""
         turn, nothing = self.turn, Extreme(np.nan, 0.0)
@@ -81,3 +98,8 @@ class Extremes:
             wear=turn.most(forces.wear, signed) or nothing,
             preload=forces.load.preload + max(0.0, lack.value if lack else 0.0),
         )
+
+
+def _height(offset: float, side: int, limit: float, curve: Curve) -> Floats:
+    """Give S0 with which (5.28) is just the limit, on one side."""
+    return np.asarray(side * (curve.travel.slope - offset) / np.tan(limit) - curve.travel.s)

@@ -10,7 +10,7 @@ from functools import cached_property
 
 import numpy as np
 
-from plans.cam.tip import Tip, arm
+from plans.cam.profile.tip import Tip, arm
 from plans.model.cam_motion import Points
 from plans.model.motion import Floats
 

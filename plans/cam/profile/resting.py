@@ -5,32 +5,18 @@ The cutter takes the loop off, and a corner is left where the profile crosses it
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Final
 
 import numpy as np
 
-from plans.cam.crossing import Crossing, in_frame
-from plans.cam.stretches import Span, Stretches
-from plans.cam.tip import Tip, guide_start
-from plans.model.cam import TURN
+from plans.cam.profile.crossing import Crossing, in_frame
+from plans.cam.profile.stretches import Stretches
+from plans.cam.profile.tip import Tip, guide_start
 from plans.model.cam_motion import Extreme
 from plans.model.motion import Floats
 
 LOOKS: Final = 129  # turns over a loop, looked at again between the neighbours of the greatest
 ROUNDS: Final = 5
-
-
-def loop_of(crossing: Crossing, spans: Sequence[Span], turn: float = TURN) -> tuple[float, float]:
-    """Give the turns between which the loop is: what was undercut lies on it, or else it is the shorter part.
-
-    >>> loop_of(Crossing(0.1, 6.0, 0j), ())
-    (6.0, 0.1)
-    """
-    first, second, _ = crossing
-    inside = [first <= (one.start + one.end) / 2 <= second for one in spans]
-    wide = second - first > turn / 2 if not spans else not any(inside)
-    return (second, first) if wide else (first, second)
 
 
 def resting(stretches: Stretches, roller: float, corner: complex, turned: Floats) -> Floats:
@@ -61,17 +47,17 @@ def _rocker(tip: Tip, place: np.ndarray, roller: float) -> Floats:
     return np.asarray(tip.cam.lift / 2 + tip.cam.rising * np.angle(along * tip.cam.rising))
 
 
-def loss(stretches: Stretches, roller: float, crossing: Crossing, loop: tuple[float, float]) -> Extreme:
+def loss(stretches: Stretches, roller: float, crossing: Crossing) -> Extreme:
     """Give how much of S is lost at most on a loop that is cut away, and where."""
-    cam = stretches.course.cam
-    start, end = loop[0], loop[1] + (cam.turn if loop[1] < loop[0] else 0.0)
-    best = Extreme(0.0, loop[0])
+    cam, (start, end, point) = stretches.course.cam, crossing
+    end += cam.turn if end < start else 0.0
+    best = Extreme(0.0, start)
     for _ in range(ROUNDS):
         turned = np.linspace(start, end, LOOKS)
         own = np.where(turned > cam.turn, turned - cam.turn, turned)
-        lost = stretches.course.at(own).s - resting(stretches, roller, crossing.point, own)
+        lost = stretches.course.at(own).s - resting(stretches, roller, point, own)
         if np.isnan(lost).all():
-            return Extreme(float("nan"), loop[0])
+            return Extreme(float("nan"), crossing.start)
         place = int(np.nanargmax(lost))
         best = max(best, Extreme(float(lost[place]), float(own[place])))
         start, end = turned[max(place - 1, 0)], turned[min(place + 1, LOOKS - 1)]

@@ -7,9 +7,9 @@ from typing import NamedTuple
 import numpy as np
 
 from geometry.board import Board, Mark
-from plans.cam.inversion import inversion
-from plans.cam.tip import Tip
-from plans.cam.touch import Touch
+from plans.cam.profile.inversion import inversion
+from plans.cam.profile.tip import Tip
+from plans.cam.profile.touch import Touch
 from plans.model.motion import Floats
 from plans.words.words import because
 

@@ -14,8 +14,8 @@ from typing import NamedTuple
 import numpy as np
 
 from geometry.board import Board, Mark
-from plans.cam.tip import Tip, arm, guide_start
-from plans.cam.touch import Touch
+from plans.cam.profile.tip import Tip, arm, guide_start
+from plans.cam.profile.touch import Touch
 from plans.model.cam_motion import Points
 from plans.words.words import because
 

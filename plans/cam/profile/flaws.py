@@ -8,14 +8,15 @@ from typing import Final
 
 import numpy as np
 
-from plans.cam.contact import Contact
-from plans.cam.crossing import Edge, crossings
-from plans.cam.curvature import curvature
-from plans.cam.profile_extremes import Extremes, pressure
-from plans.cam.resting import loop_of, loss
-from plans.cam.stretches import Place, Span, Stretches, Value
-from plans.cam.tip import Tip
-from plans.cam.touch import Touch
+from plans.cam.profile.contact import Contact
+from plans.cam.profile.crossing import Edge, crossings
+from plans.cam.profile.curvature import curvature
+from plans.cam.profile.extremes import Extremes, pressure
+from plans.cam.profile.remedy import on
+from plans.cam.profile.resting import loss
+from plans.cam.profile.stretches import Place, Span, Stretches, Value
+from plans.cam.profile.tip import Tip
+from plans.cam.profile.touch import Touch
 from plans.model.cam import FORCE, GROOVE, RETURN, RISE, Cam
 from plans.model.cam_motion import Extreme, Flaw
 from plans.model.motion import Floats
@@ -87,9 +88,16 @@ class Search:
             return
         spans = self._hollows
         yield from (self._flaw("concave", span, lambda tip: -Touch(tip).radius, least=True) for span in spans)
+        yield from (Flaw("concave", one, one, Extreme(0.0, one)) for one in self._steps())
         least = self.extremes.sharpest
         if not spans and least and least.value < self.cam.limits.curvature * (1 - TOUCHES):
             yield Flaw("sharp", least.turned, least.turned, least)
+
+    def _steps(self) -> Iterator[float]:
+        """Give where a hard shock makes contact jump back along the face: an edge is left there."""
+        for one in self.stretches.course.shocks:
+            if one.order == 1 and one.jump < 0:
+                yield one.turned
 
     @property
     def _hollows(self) -> list[Span]:
@@ -99,8 +107,7 @@ class Search:
         """Find where the profile crosses itself, and what is lost where the loop is cut away."""
         spans = self._hollows if self.cam.flat else self._loops
         for one in crossings(Edge(self.stretches, self.roller), spans):
-            loop = loop_of(one, spans, self.cam.turn)
-            yield Flaw("crossing", *loop, loss(self.stretches, self.roller, one, loop))
+            yield Flaw("crossing", one.start, one.end, loss(self.stretches, self.roller, one))
 
     @property
     def _loops(self) -> list[Span]:
@@ -114,9 +121,9 @@ class Search:
                 yield from self._beyond(kind, limit)
 
     def _beyond(self, kind: str, limit: float) -> Iterator[Flaw]:
-        value: Value = lambda tip: np.where(_on(tip, kind), np.abs(pressure(tip)) - limit * (1 + TOUCHES), -1.0)  # noqa: E731
+        value: Value = lambda tip: np.where(on(tip, kind), np.abs(pressure(tip)) - limit * (1 + TOUCHES), -1.0)  # noqa: E731
         for span in self.stretches.spans(value, self.extremes.turning):
-            yield self._flaw("pressure", span, lambda tip: np.where(_on(tip, kind), np.abs(pressure(tip)), 0.0))
+            yield self._flaw("pressure", span, lambda tip: np.where(on(tip, kind), np.abs(pressure(tip)), 0.0))
 
     def _face(self) -> Iterator[Flaw]:
         """Find where contact goes off a face that is too short."""
@@ -172,15 +179,3 @@ def _hollow(tip: Tip) -> Floats:
     if not tip.cam.rocks:
         return -touch.radius
     return np.where(touch.lead > 0, -touch.sweep, tip.sizes.base)
-
-
-def _on(tip: Tip, kind: str) -> np.ndarray:
-    phases = [one for one in tip.cam.phases if one.kind == kind]
-    sides = [within_all(tip, one.start, one.end) for one in phases]
-    return np.logical_or.reduce(sides) if sides else np.zeros_like(tip.turned, dtype=bool)
-
-
-def within_all(tip: Tip, start: float, end: float) -> np.ndarray:
-    """Tell which turns lie between two joints: on one by the side that is taken."""
-    phi = tip.turned
-    return (start < phi) & (phi <= end) if tip.before else (start <= phi) & (phi < end)

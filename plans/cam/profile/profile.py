@@ -9,11 +9,11 @@ import numpy as np
 from geometry.board import Board
 from geometry.meet import Vectors
 from plans.cam.course import Course
-from plans.cam.curvature import radius
-from plans.cam.inversion import Inversion, inversion
-from plans.cam.roller import outer, working
-from plans.cam.tip import Tip
-from plans.cam.touch import Touch
+from plans.cam.profile.curvature import radius
+from plans.cam.profile.inversion import Inversion, inversion
+from plans.cam.profile.roller import outer, working
+from plans.cam.profile.tip import Tip
+from plans.cam.profile.touch import Touch
 from plans.model.cam import GROOVE, Cam
 from plans.model.cam_motion import Contour, Points, Sizes
 from plans.model.motion import Floats

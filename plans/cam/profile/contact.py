@@ -6,11 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from plans.cam.profile import slip, slip_slope
-from plans.cam.profile_extremes import pressure, pressure_slope
-from plans.cam.stretches import Stretches
-from plans.cam.tip import Tip
-from plans.cam.touch import Touch
+from plans.cam.profile.extremes import pressure, pressure_slope
+from plans.cam.profile.profile import slip, slip_slope
+from plans.cam.profile.stretches import Stretches
+from plans.cam.profile.tip import Tip
+from plans.cam.profile.touch import Touch
 from plans.model.cam import Cam, Load
 from plans.model.cam_motion import Extreme, Pressing
 from plans.model.motion import Floats

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from plans.cam.contact import contact_of, pressing
 from plans.cam.course import Course
-from plans.cam.flaws import Search
-from plans.cam.profile import profile
-from plans.cam.profile_extremes import Extremes
-from plans.cam.roller import Roller, roller_of
-from plans.cam.stretches import Stretches
+from plans.cam.profile.contact import contact_of, pressing
+from plans.cam.profile.extremes import Extremes
+from plans.cam.profile.flaws import Search
+from plans.cam.profile.profile import profile
+from plans.cam.profile.remedy import base_needed
+from plans.cam.profile.roller import Roller, roller_of
+from plans.cam.profile.stretches import Stretches
 from plans.model.cam import ROLLER
 from plans.model.cam_motion import CONSTRUCTION, CamFound, Sizes
 from plans.model.motion import Floats
@@ -33,6 +34,7 @@ def cam_found(course: Course, sizes: Sizes, turned: Floats) -> CamFound:
         flaws=Search(extremes, roller, contact).flaws(),
         rule=rule,
         pressing=pressing(contact, extremes.stretches) if contact else None,
+        mending=base_needed(extremes.stretches),
     )
 
 

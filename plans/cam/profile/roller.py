@@ -7,7 +7,7 @@ from typing import Final, NamedTuple
 import numpy as np
 
 from geometry.board import Mark
-from plans.cam.inversion import Inversion
+from plans.cam.profile.inversion import Inversion
 from plans.words.words import because
 
 OF_RADIUS: Final = 0.7  # of the least radius of curvature: the profile does not cross itself

@@ -15,7 +15,7 @@ import numpy as np
 
 from geometry.meet import EPS
 from plans.cam.course import Course
-from plans.cam.tip import Tip
+from plans.cam.profile.tip import Tip
 from plans.model.cam_motion import Extreme, Sizes
 from plans.model.motion import Floats
 

@@ -7,10 +7,10 @@ from functools import cached_property
 
 import numpy as np
 
-from plans.cam.curvature import curvature, curvature_slope
-from plans.cam.stretches import Place, Stretches
-from plans.cam.tip import Tip
-from plans.cam.touch import Touch
+from plans.cam.profile.curvature import curvature, curvature_slope
+from plans.cam.profile.stretches import Place, Stretches
+from plans.cam.profile.tip import Tip
+from plans.cam.profile.touch import Touch
 from plans.model.cam import Phase
 from plans.model.cam_motion import Extreme
 from plans.model.motion import Floats
@@ -28,9 +28,10 @@ def pressure_slope(tip: Tip) -> Floats:
     if tip.cam.flat:
         return Touch(tip).pressure_slope
     _, first, second, _ = tip.orders
+    lever = abs(tip.turns) * first + 1j * tip.cam.sense * second
     turning = tip.cam.rising * tip.travel.slope if tip.cam.rocks else 0.0
     with np.errstate(divide="ignore", invalid="ignore"):
-        return np.asarray(tip.cam.sense * (((first + 1j * tip.cam.sense * second) / tip.lever).imag - turning))
+        return np.asarray(tip.cam.sense * ((lever / tip.lever).imag - turning))
 
 
 @dataclass(frozen=True)
@@ -102,3 +103,9 @@ def within(place: Place, phase: Phase) -> bool:
     if place.before:
         return phase.start < place.turned <= phase.end
     return phase.start <= place.turned < phase.end
+
+
+def within_all(tip: Tip, start: float, end: float) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
+    """Tell which turns lie between two joints: on one by the side that is taken."""
+    phi = tip.turned
+    return np.asarray((start < phi) & (phi <= end) if tip.before else (start <= phi) & (phi < end))

@@ -1,0 +1,49 @@
+"""What least radius would mend a pressure angle beyond its limit, the offset as it is (потребный радиус R0, 5.9.4)."""
+
+from __future__ import annotations
+
+import math
+from typing import Final
+
+import numpy as np
+
+from plans.cam.profile.extremes import within_all
+from plans.cam.profile.stretches import Stretches
+from plans.cam.profile.tip import Tip
+from plans.model.cam import GROOVE, RETURN, RISE
+from plans.model.motion import Floats
+
+SIDES: Final = (1.0, -1.0)  # the limit holds to both sides of the follower's way
+
+
+def base_needed(stretches: Stretches) -> float | None:
+    """Give R0, m, with which the pressure angle keeps to its limits; None of a rocker, a flat face, a cam on a bar.
+
+    Every position asks for S0 >= |S' - e|/tan α - S: the lines of the S-S' diagram through O at the offset e.
+    """
+    cam = stretches.course.cam
+    kinds = (RISE, RETURN) if cam.closure == GROOVE else (RISE,)
+    limits = {kind: limit for kind in kinds if (limit := cam.limits.of(kind)) is not None}
+    if cam.rocks or cam.flat or cam.translates or not limits:
+        return None
+    asked = [_height(stretches, kind, side / math.tan(limit)) for kind, limit in limits.items() for side in SIDES]
+    return math.hypot(max(0.0, *asked), stretches.sizes.offset)
+
+
+def _height(stretches: Stretches, kind: str, slope: float) -> float:
+    """Give the S0 that the positions on a kind of phase ask for, to one side."""
+    offset = stretches.sizes.offset
+
+    def height(tip: Tip) -> Floats:
+        asked = (tip.travel.slope - offset) * slope - tip.travel.s
+        return np.where(on(tip, kind), asked, -np.inf)
+
+    places = stretches.places(lambda tip: tip.travel.bend * slope - tip.travel.slope)
+    found = stretches.most(height, places)
+    return found.value if found else 0.0
+
+
+def on(tip: Tip, kind: str) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
+    """Tell which turns are on a kind of phase: on a joint by the side that is taken."""
+    sides = [within_all(tip, one.start, one.end) for one in tip.cam.phases if one.kind == kind]
+    return np.any(sides, axis=0) if sides else np.zeros(len(tip.turned), dtype=bool)

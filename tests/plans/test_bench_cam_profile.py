@@ -1,0 +1,41 @@
+"""The bench of a cam's profile: its orders and rows. No test asks how long anything takes."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from plans.bench.cam_profile import ENVELOPE, INVERSION, OFFSET, Judged, rows
+from plans.cam.course import Course
+from tests.plans.textbook_cams import cam, offset_sizes, pivot, rocker
+
+ROLLER = 0.013
+
+
+def judged(count: int, sense: int = 1) -> Judged:
+    return Judged(Course(cam(end="roller", sense=sense)), offset_sizes(), ROLLER, count)
+
+
+@pytest.mark.parametrize("way", [INVERSION, OFFSET])
+def test_chords_are_of_the_second_order(way):
+    """Shapely's offset is of the polygon that it is given: no better than its chords."""
+    errors = [judged(count).errors(way).kinds["Q"] for count in (90, 720)]
+    assert math.log(errors[0] / errors[1], 8) == pytest.approx(2.0, abs=0.1)
+
+
+@pytest.mark.parametrize("sense", [1, -1])
+def test_the_envelope_is_exact(sense):
+    assert judged(72, sense).errors(ENVELOPE).kinds["Q"] < 2e-15
+    assert judged(720, sense).errors(OFFSET).kinds["Q"] < 1e-4
+
+
+def test_a_row_stands_for_every_way_and_number():
+    own = rocker("roller")
+    found, ratios, words = rows(Course(own), pivot(own), ROLLER, 1, 0.0, (24, 48))
+    assert [(row.technique, row.positions) for row in found] == [
+        (name, count) for count in (24, 48) for name in (INVERSION, ENVELOPE, OFFSET)
+    ]
+    assert all(row.times and row.error is not None for row in found)
+    assert ratios[0].positions == 48 and ratios[0].times is not None
+    assert "shapely" in words[0]
