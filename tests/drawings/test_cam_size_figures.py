@@ -10,7 +10,7 @@ import pytest
 
 from drawings.checks.labelled import unlettered
 from drawings.figures.cam import pressure_graph, size_diagram
-from drawings.figures.cam.pressure_graph import PressureView
+from drawings.figures.cam.pressure_graph import PressureView, pressure_view
 from drawings.figures.cam.size_view import SizeView
 from drawings.measure.measure import Measured
 from drawings.paper.strokes import Leaf
@@ -19,6 +19,7 @@ from plans.analytic.cam.pressure import greatest, pressure
 from plans.analytic.cam.sizes import sizes
 from plans.cam.course import Course, positions
 from plans.cam.sizes import sizing
+from plans.cam.study import CamDrawing
 from plans.model.cam import DWELL, FORCE, Cam, GivenSizes, limits_of
 from tests.drawings.collisions import collisions
 from tests.drawings.exhibits import exhibited, read_back
@@ -46,7 +47,7 @@ def diagram(name: str, size: str = "A3", language: str = "en") -> tuple[Leaf, Me
     return leaf, read_back(leaf)
 
 
-def pressure_view(cam: Cam) -> PressureView:
+def by_formulas(cam: Cam) -> PressureView:
     own, turned, stations = sizes(cam), np.linspace(0, cam.turn, 721), positions(cam)
     angles = [np.degrees(pressure(cam, own, one)) for one in (turned, stations)]
     return PressureView(cam, limits_of(cam), turned, angles[0], stations, angles[1], greatest(cam, own))
@@ -92,7 +93,7 @@ def test_letters_of_the_diagram_are_clear_of_all_lines(case: tuple[str, str, str
 
 @pytest.mark.parametrize("name", some(CAMS, 5))
 def test_the_graph_shows_the_pressure_angle_and_its_extremes(name: str) -> None:
-    view = pressure_view(CAMS[name])
+    view = by_formulas(CAMS[name])
     leaf = exhibited([(pressure_graph, view)], "A3", "ru")
     measured = read_back(leaf)
     assert collisions(leaf) == []
@@ -103,3 +104,13 @@ def test_the_graph_shows_the_pressure_angle_and_its_extremes(name: str) -> None:
     for kind, one in view.extremes.items():
         if kind != DWELL and one.value:
             assert found[kind, None] == pytest.approx(1j * math.degrees(one.value), abs=1e-3)
+
+
+def test_the_view_of_the_construction_is_that_of_the_formulas() -> None:
+    drawing = CamDrawing(rocking())
+    found, true = pressure_view(drawing.sizing.limits, drawing.curve, drawing.found), by_formulas(rocking())
+    assert found.ordinates == pytest.approx(true.ordinates, abs=1e-9)
+    assert {kind: one.value for kind, one in found.marked} == pytest.approx(
+        {kind: one.value for kind, one in true.marked}, abs=1e-12
+    )
+    assert (found.span, found.length) == (pytest.approx(true.span), true.length)

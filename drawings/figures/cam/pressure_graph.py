@@ -22,7 +22,7 @@ from drawings.symbols.dashes import fit
 from drawings.symbols.figure import Subject, heading
 from drawings.symbols.symbols import TICK
 from plans.model.cam import DWELL, RISE, Cam, Limits
-from plans.model.cam_motion import Extreme
+from plans.model.cam_motion import CamFound, Contour, Extreme
 from plans.model.motion import Floats
 
 NAME, LETTER, UNIT = "pressure", "α", "°"
@@ -77,6 +77,12 @@ class PressureView:
     def marked(self) -> tuple[tuple[str, Extreme], ...]:
         """The extremes that are marked, with their phases."""
         return tuple((kind, one) for kind, one in self.extremes.items() if kind != DWELL and one.value)
+
+
+def pressure_view(limits: Limits, curve: Contour, found: CamFound) -> PressureView:
+    """Give what the graph shows of a cam: its contour at many turns, and what is found at its numbered positions."""
+    own, angles = found.contour, np.degrees(curve.pressure)
+    return PressureView(found.cam, limits, curve.turned, angles, own.turned, np.degrees(own.pressure), found.pressure)
 
 
 @dataclass(frozen=True)
