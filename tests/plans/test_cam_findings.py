@@ -200,6 +200,26 @@ def test_a_flat_face_cannot_follow_a_hollow(road):
 
 
 @ROADS
+def test_a_rocker_that_outruns_the_cam_is_told(road):
+    own = rocker("flat", parts=phases((RISE, 30, 0.4, "sine"), (RETURN, 90, -0.4, "sine")), closure=FORCE)
+    found = road(own, pivot(own, FACE))
+    (flaw,) = found.flaws
+    assert (flaw.kind, flaw.worst) == ("outrun", pytest.approx((0.8 / math.radians(30), math.radians(15)), rel=1e-9))
+    assert road(replace(own, follower=own.follower._replace(sense=-1)), pivot(own, FACE)).flaws[0].kind != "outrun"
+
+
+@ROADS
+def test_what_would_mend_a_pressure_angle(road):
+    """H9: with that R0, e as it is, the angle just reaches its limit; the textbook's R0 of a radial follower (M2.7)."""
+    limits = Limits(math.radians(30), math.radians(40))
+    found = road(cam(limits=limits), offset_sizes(0.0, 0.02))
+    assert found.mending == pytest.approx(0.03643516636, abs=5e-12)
+    assert "pressure" in {one.kind for one in found.flaws}
+    assert road(cam(limits=limits), Sizes(found.mending)).flaws == ()
+    assert road(cam(limits=limits), Sizes(found.mending * 0.999)).flaws
+
+
+@ROADS
 def test_a_face_that_is_too_short_is_told(road):
     own, sizes = ALL["flat"]
     short = replace(own, follower=own.follower._replace(reach=0.03))
