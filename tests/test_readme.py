@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from plans.linkage.study import LinkageStudy
-from plans.scene.scene import read_scene
+from plans.scene.scene import parse_scene, read_scene
 from tests import readme_keys
 from tests.readme_keys import renewed
 
@@ -70,6 +70,15 @@ def test_a_scene_of_the_readme_can_be_read_and_studied(text: str, tmp_path: Path
     study = LinkageStudy(read_scene(scene))
     assert len(study.turn) > 0
     assert study.motion().gaps == ()
+
+
+def test_the_cam_of_the_readme_can_be_made_with_each_law_that_it_shows() -> None:
+    (text,) = (block for block in blocks("toml") if "[[cam]]" in block)
+    laws = re.findall(r"`law = (\{.*?\})`", README)
+    assert len(laws) == 3
+    for law in ('"sine"', *laws):
+        (cam,) = parse_scene(text.replace('"sine"', law)).meaning["cam"].cams
+        assert cam.phases[0].law.name in law
 
 
 def test_its_tables_of_keys_are_what_the_keys_themselves_state() -> None:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from drawings.checks.labelled import unlettered
 from drawings.checks.wrong import Wrong, on
+from drawings.files.enclosure import Enclosure
 from drawings.measure.measure import Measured, check, measure_file
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Leaf
@@ -33,6 +34,13 @@ def verify(path: Path, leaf: Leaf, faults: Callable[[Measured, Leaf], Iterable[W
     if wrong:
         raise SelfCheckFailed(message("check.sheet", marks=_first(wrong)))
     return measured
+
+
+def verify_enclosure(path: Path, enclosure: Enclosure) -> None:
+    """See that a written file beside the sheets has no faults."""
+    wrong = list(enclosure.faults(path.read_bytes()))
+    if wrong:
+        raise SelfCheckFailed(message("check.enclosure", marks=_first(wrong)))
 
 
 def verify_report(wrong: Iterable[Wrong]) -> None:

@@ -7,6 +7,7 @@ import io
 import os
 import sys
 from collections.abc import Sequence
+from functools import cache
 from importlib import import_module
 from pathlib import Path
 from typing import Any
@@ -39,6 +40,7 @@ class _Parser(argparse.ArgumentParser):
             tell(message.rstrip("\n"))
 
 
+@cache
 def parser() -> argparse.ArgumentParser:
     """Make the parser of the command line."""
     top = _Parser(

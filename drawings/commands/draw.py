@@ -26,6 +26,7 @@ from plans.techniques import named
 from plans.words.words import Message, message, placed
 
 if TYPE_CHECKING:
+    from drawings.files.enclosure import Enclosure
     from drawings.paper.strokes import Leaf
 
 GAPS = 4
@@ -97,7 +98,7 @@ def _admit(scene: Scene) -> None:
 def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
     """Lay out, write beside, measure back, and only then give the sheets their names: all of them or none."""
     with trace.stage("imports"):
-        from drawings.checks.verify import verify, verify_report
+        from drawings.checks.verify import verify, verify_enclosure, verify_report
         from drawings.pens.svg import svg
 
     scene, stem = study.scene, _stem(study.scene)
@@ -108,15 +109,26 @@ def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
         text = report(study, leaves)
         contents = {path: svg(lettered(leaf, scene.sheet.lettering)) for path, (_, leaf) in sheets.items()}
         contents[folder / f"{stem}-report.md"] = text.encode("utf-8")
+        enclosures = {folder / f"{stem}-{one.name}": one for one in _enclosures(study)}
+        contents |= {path: one.content for path, one in enclosures.items()}
     manifest = manifest_of(scene.file, scene.content, contents)
     with staged(contents) as written:
         with trace.stage("measuring"):
             verify_report(faults(text, study))
             for path, (kind, leaf) in sheets.items():
                 verify(written[path], leaf, partial(named(SHEETS[kind].faults), study=study))
+            for path, enclosure in enclosures.items():
+                verify_enclosure(written[path], enclosure)
         for path in publish(folder, manifest, written):
             _say(scene, placed(path, message("file.surplus")))
     return SheetSet(study, leaves, tuple(contents))
+
+
+def _enclosures(study: Study) -> Iterator[Enclosure]:
+    """Give the files that are written beside the sheets."""
+    for kind in study.scene.sheets:
+        if SHEETS[kind].enclosures:
+            yield from named(SHEETS[kind].enclosures)(study)
 
 
 def _placed(folder: Path, stem: str, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[tuple[Path, tuple[str, Leaf]]]:

@@ -40,7 +40,8 @@ def run(options: argparse.Namespace) -> int:
             print(f"{mark.plan:<14} {mark.position!s:>4}  {mark.name:<10} {value:<26} {mark.unit:<6} {sign}".rstrip())
         for one in measured.profiles:
             told = f"{len(one.pieces)} pieces, stated within {one.deviation:.2g} m, rounded to {one.quantum:.1g} m"
-            print(f"{one.plan:<14} {'':>4}  {one.name:<10} {told}")
+            sign = "  DIFFERS from the stated" if one.key in off else ""
+            print(f"{one.plan:<14} {'':>4}  {one.name:<10} {told}{sign}")
         for note in measured.notes:
             print(f"left aside: {note}")
     return FAILED if wrong else 0

@@ -50,6 +50,14 @@ REPORTS: Final[Mapping[str, Report]] = {
         idle="drawings.report.idle:nothing",
         faults="drawings.report.rotor_report:faults",
     ),
+    "cyclogram": Report(
+        subject="drawings.report.cyclogram_report:subject",
+        chapters="drawings.report.cyclogram_report:chapters",
+        headline="drawings.report.cyclogram_report:headline",
+        remarks="drawings.report.cyclogram_report:remarks",
+        idle="drawings.report.idle:nothing",
+        faults="drawings.report.cyclogram_report:faults",
+    ),
     "cam": Report(
         subject="drawings.report.cam_report:subject",
         chapters="drawings.report.cam_report:chapters",

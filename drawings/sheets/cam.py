@@ -6,14 +6,18 @@ from collections.abc import Collection, Iterator
 from functools import partial
 from typing import Any
 
-from drawings.figures.cam import profile_figure
+from drawings.figures.cam import law_diagrams, profile_figure, size_diagram, sizes_table
 from drawings.figures.cam.profile_view import profile_view
+from drawings.figures.cam.size_view import SizeView
 from drawings.layout.contents import Panel
+from drawings.layout.table import RuledTable
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.report.cam_notes import CamNotes
 from drawings.sheets.leaves import Caption, Draft, Exhibit, lay_out
+from plans.analytic.cam.laws import travel
 from plans.cam.study import CamDrawing
+from plans.model.cam_motion import CamFound
 from plans.scene.scene import Scene
 from plans.study import Study
 
@@ -27,13 +31,15 @@ def admit(scene: Scene) -> None:
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheets of a scene's cams, each on sheets of its own (row of the table of sheets)."""
     scene, cams = study.scene, study["cam"].drawings.values()
-    return lay_out(scene, [_draft(one, drafting_of(scene)) for one in cams])
+    pairs = zip(cams, study.comparison("cam").analysis.cams, strict=True)
+    return lay_out(scene, [_draft(*pair, drafting_of(scene)) for pair in pairs])
 
 
-def _draft(drawing: CamDrawing, drafting: Drafting) -> Draft:
+def _draft(drawing: CamDrawing, exact: CamFound, drafting: Drafting) -> Draft:
     said = CamNotes(drawing.found, drafting).all
     title = drafting.word("cam sheet title", name=drawing.cam.name)
-    return Draft("cam", title, tuple(_shows(drawing, drafting)), (), said, partial(_facts, drawing.cam.name))
+    shows = tuple(_shows(drawing, exact, drafting))
+    return Draft("cam", title, shows, (), said, partial(_facts, drawing.cam.name))
 
 
 def _facts(name: str, figures: Collection[str]) -> dict[str, Any]:
@@ -41,7 +47,23 @@ def _facts(name: str, figures: Collection[str]) -> dict[str, Any]:
     return {"cam": name, "figures": list(figures)}
 
 
-def _shows(drawing: CamDrawing, drafting: Drafting) -> Iterator[Exhibit | Caption]:
+def _shows(drawing: CamDrawing, exact: CamFound, drafting: Drafting) -> Iterator[Exhibit | Caption]:
+    """Show the law, the sizes that follow from it, the profile foremost, and what both roads found of it."""
+    law = law_diagrams.measure(drawing.diagrams, drafting)
+    yield Exhibit(Panel(law), partial(law_diagrams.draw, drawing.diagrams, law, drafting=drafting))
+    if not drawing.cam.translates:
+        shown = SizeView(drawing.sizing)
+        room = size_diagram.measure(shown, drafting)
+        yield Exhibit(Panel(room), partial(size_diagram.draw, shown, room, drafting=drafting))
     view = profile_view(drawing.found)
     room = profile_figure.measure(view, drafting)
     yield Exhibit(Panel(room, FOREMOST), partial(profile_figure.draw, view, room, drafting=drafting))
+    table = _results(drawing, exact, drafting)
+    yield Caption(Panel(table.block(table.name)), partial(table.write, drafting=drafting))
+
+
+def _results(drawing: CamDrawing, exact: CamFound, drafting: Drafting) -> RuledTable:
+    """Tell sizes, extremes and shocks by both roads."""
+    turned = drawing.curve.turned
+    own = sizes_table.quantities(drawing.found, drawing.curve.travel)
+    return sizes_table.sizes(own, sizes_table.quantities(exact, travel(exact.cam, turned)), drafting)

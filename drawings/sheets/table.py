@@ -15,6 +15,7 @@ class Sheet(NamedTuple):
     admit: str  # of a scene to nothing: raises what the sheet cannot show, before any work
     leaves: str  # of a study to the leaves laid out, one or several
     faults: str  # of a measured sheet, its leaf and a study to what is wrong with it, in words
+    enclosures: str = ""  # of a study to the files beside its sheets
 
 
 SHEETS: Final[Mapping[str, Sheet]] = {
@@ -52,5 +53,11 @@ SHEETS: Final[Mapping[str, Sheet]] = {
         admit="drawings.sheets.cam:admit",
         leaves="drawings.sheets.cam_profile:leaves",
         faults="drawings.checks.cam.verify_profile:faults",
+        enclosures="drawings.checks.cam.coordinates:enclosures",
+    ),
+    "cyclogram": Sheet(
+        admit="drawings.sheets.linkage_admission:of_linkage",
+        leaves="drawings.sheets.cyclogram:leaves",
+        faults="drawings.checks.verify_cyclogram:faults",
     ),
 }

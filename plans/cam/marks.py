@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from geometry.board import Board, Mark
+from geometry.board import GIVEN, Board, Mark
 from geometry.meet import Meeting
 from geometry.steps import behind
 from plans.cam.study import PROFILE, SIZES, CamDrawing, CamStudy
@@ -30,7 +30,8 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     count = len(drawing.turned)
     if not 0 <= position < count:
         raise UnknownMark(message("mark.position", position=position, last=count - 1))
-    mark = next((one for board in _boards(drawing, position) for one in board if one.name == own), None)
+    found = [one for board in _boards(drawing, position) for one in board if one.name == own]
+    mark = min(found, key=lambda one: one.role == GIVEN, default=None)  # what one board is given another may construct
     if mark is None:
         return NoMark(tuple(dict.fromkeys(_names(drawing))), None, EXAMPLES)
     angle = f"{math.degrees(drawing.turned[position]):.4f}"

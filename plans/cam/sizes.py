@@ -7,16 +7,16 @@ from collections.abc import Sequence
 import numpy as np
 
 from geometry.board import Board, Mark
-from plans.cam.bounds import pressure_bounds
+from plans.cam.centre.bounds import pressure_bounds
+from plans.cam.centre.flat_sizes import flat_sizing, rocking_face_sizing
+from plans.cam.centre.instants import stretches
+from plans.cam.centre.region import Choice, Place, nearest, on_line, place
+from plans.cam.centre.rocker_sizes import rocker_sizing
+from plans.cam.centre.slope_diagram import SlopeDiagram
+from plans.cam.centre.support import Touch, touch
+from plans.cam.centre.tangents import bound_by, met, tangents, touched
 from plans.cam.course import Course, positions
-from plans.cam.flat_sizes import flat_sizing, rocking_face_sizing
-from plans.cam.instants import stretches
-from plans.cam.region import Choice, Place, nearest, on_line, place
-from plans.cam.rocker_sizes import rocker_sizing
 from plans.cam.sizing import SIZES, Sizing, Tangent
-from plans.cam.slope_diagram import SlopeDiagram
-from plans.cam.support import Touch, touch
-from plans.cam.tangents import bound_by, met, tangents, touched
 from plans.model.cam import Cam, limits_of
 from plans.model.cam_faults import no_region, still, too_far
 from plans.model.cam_motion import Sizes

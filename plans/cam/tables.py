@@ -53,25 +53,41 @@ def smoothing(law: Law) -> tuple[float, float]:
 def ruler(law: Law) -> Ruler:
     """Bend a ruler through a table's points, or as near to them as its tolerance allows with the least bending."""
     k, y = np.array(law.points, dtype=float).T
-    best, low, high = _bent(k, y, 0.0), -1, len(SOFTNESSES)
-    while law.tolerance > 0 and high - low > 1:
+    equations = _equations(np.diff(k))
+    best, low, high = y, -1, len(SOFTNESSES) if law.tolerance > 0 else 0
+    while high - low > 1:
         middle = (low + high) // 2
-        found = _bent(k, y, SOFTNESSES[middle])
-        if found.departure(law)[0] <= law.tolerance:
+        found = _sprung(equations, y, SOFTNESSES[middle])
+        if np.abs(found - y).max() <= law.tolerance:
             best, low = found, middle
         else:
             high = middle
-    return best
+    return Ruler(k, best, np.linalg.solve(equations.bends, equations.kinks @ best))
 
 
-def _bent(k: Floats, y: Floats, softness: float) -> Ruler:
-    """Solve the equations of three moments: of points that give by springs, all but the first and the last."""
-    h = np.diff(k)
+class Equations(NamedTuple):
+    """The equations of three moments: `bends` by the moments are the `kinks` by the ordinates, (N, N) each.
+
+    `given` are the kinks of what springs under all points but the first and the last give: their forces are kinks too.
+    """
+
+    bends: Floats
+    kinks: Floats
+    given: Floats
+
+
+def _equations(h: Floats) -> Equations:
+    """Set the equations up for points at some distances, shares of the phase."""
     kinks = np.diag(-np.append(1 / h, 0.0) - np.append(0.0, 1 / h)) + np.diag(1 / h, 1) + np.diag(1 / h, -1)
     bends = np.diag(np.append(h, 0.0) + np.append(0.0, h)) / 3 + np.diag(h, 1) / 6 + np.diag(h, -1) / 6
-    given = softness * np.array([0.0, *np.ones(len(k) - 2), 0.0])
-    moments = np.linalg.solve(bends + kinks @ (given[:, None] * kinks), kinks @ y)
-    return Ruler(k, y - given * (kinks @ moments), moments)
+    return Equations(bends, kinks, kinks[:, 1:-1] @ kinks[1:-1])
+
+
+def _sprung(equations: Equations, y: Floats, softness: float) -> Floats:
+    """Give the ordinates of a ruler on springs of some softness, (N,)."""
+    moments = np.linalg.solve(equations.bends + softness * equations.given, equations.kinks @ y)
+    forces = equations.kinks @ moments
+    return np.asarray(y - softness * np.array([0.0, *forces[1:-1], 0.0]))
 
 
 def _cubics(bent: Ruler) -> Shares:

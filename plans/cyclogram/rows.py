@@ -5,13 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
-from plans.model.cam import DWELL, Cam
+from plans.model.cam import DWELL, RISE, Cam
 from plans.model.cyclogram import BACK, BEGIN, END, ENTRY, EXIT, LEAVE, TURN, Cyclogram, Row, Span
 
 # What a span is: of a cam its phases, of the main mechanism its strokes, of its tool what it does to the work.
 REST = "rest"  # a dwell of the follower where it began
-WORK, IDLE, CUT, OVERRUN, FREE = "work", "idle", "cut", "overrun", "free"
+WORK, IDLE, CUT, OVERRUN, BACK_OVER, FREE = "work", "idle", "cut", "overrun", "back over", "free"
 STROKES, TOOL, FEED = "strokes", "tool", "feed"  # the names of the rows of a main mechanism
+
+
+def rows_of(found: Cyclogram, cams: Sequence[Cam]) -> tuple[Row, ...]:
+    """Give the rows of a machine: main mechanism, tool, cams, or where there are none when one may move."""
+    return *rows_of_machine(found), *(rows_of_cams(cams) or (row_of_feed(found),))
 
 
 def rows_of_cams(cams: Sequence[Cam]) -> tuple[Row, ...]:
@@ -20,9 +25,11 @@ def rows_of_cams(cams: Sequence[Cam]) -> tuple[Row, ...]:
 
 
 def _phases(cam: Cam) -> Iterator[Span]:
-    for one in cam.phases:
-        kind = REST if one.kind == DWELL and not one.level else one.kind
-        yield Span(cam.setting + one.start, cam.setting + one.end, kind)
+    """Give the phases; their labels are the indices of their letters, several of one kind numbered."""
+    kinds = [REST if one.kind == DWELL and not one.level else one.kind for one in cam.phases]
+    for k, (kind, one) in enumerate(zip(kinds, cam.phases, strict=True)):
+        label = kind if kinds.count(kind) == 1 else f"{kind} {kinds[: k + 1].count(kind)}"
+        yield Span(cam.setting + one.start, cam.setting + one.end, kind, label)
 
 
 def rows_of_machine(found: Cyclogram) -> tuple[Row, ...]:
@@ -33,7 +40,7 @@ def rows_of_machine(found: Cyclogram) -> tuple[Row, ...]:
 def row_of_feed(found: Cyclogram) -> Row:
     """Give the row of an auxiliary mechanism: it moves in the window, the rest of the turn is free for its return."""
     window = found.window
-    spans = Span(window.start, window.end, "rise"), Span(window.end, window.start + TURN, FREE)
+    spans = Span(window.start, window.end, RISE, RISE), Span(window.end, window.start + TURN, FREE)
     return Row(FEED, spans, window.start)
 
 
@@ -58,5 +65,5 @@ def _doing(found: Cyclogram, role: str) -> str:
     if role == ENTRY or (role == BEGIN and not found.of(ENTRY)):
         return CUT
     if role == BACK or (role == END and not found.of(BACK)):
-        return IDLE
+        return BACK_OVER
     return OVERRUN

@@ -10,12 +10,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from geometry.board import Board
+from plans.cam.reading.cams import cams_of
 from plans.cyclogram.reading import task_of
 from plans.cyclogram.stations import Stations
 from plans.forces.stroke import output_at
 from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.extreme import ExtremePositions, extremes
+from plans.linkage.obstruction import obstruction
 from plans.linkage.study import LinkageStudy
+from plans.model.cam import Cam
 from plans.model.cyclogram import BEGIN, END, TURN, Along, Cyclogram, CyclogramTask, Window
 from plans.model.mechanism import Output, StructureError
 from plans.model.motion import Floats
@@ -65,7 +68,8 @@ class CyclogramStudy:
         linkage = self.linkage
         found = linkage.extreme_positions if self.output == linkage.output else extremes(linkage.sweep, self.output)
         if found is None:
-            raise self._refused((CYCLOGRAM,), linkage.no_extreme())
+            why = obstruction(linkage.sweep) if linkage.barriers else message("extreme.turns")
+            raise self._refused((CYCLOGRAM,), message("cyclogram.no_extreme", link=self.output.link, why=why))
         if len(found.rests) > TWICE:
             raise self._refused((CYCLOGRAM,), message("cyclogram.reverses", count=len(found.rests)))
         self._check(found)
@@ -107,6 +111,11 @@ class CyclogramStudy:
     def window(self) -> Window:
         """When an auxiliary mechanism may move: the tool is off the work."""
         return self.cyclogram.window
+
+    @cached_property
+    def cams(self) -> tuple[Cam, ...]:
+        """The cams on the main shaft, if the scene has some; they may take their angles from the window."""
+        return cams_of(self.scene, self.window) if self.scene.has(("cam",)) else ()
 
     @property
     def boards(self) -> tuple[Board, ...]:

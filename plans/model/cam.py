@@ -38,7 +38,7 @@ TABLE, SHAPE = "table", "shape"  # laws that the user gives: by S over φ, by th
 LINES, CUBICS = "lines", "cubics"  # what joins the points of a table
 # What smoothing is meant: a table's curve is the least of softness * (integral of s''^2) + (sum of squared departures)
 # that departs by its tolerance at most, of these softnesses the greatest; each is 2 ** 0.25 times the one before.
-SOFTNESSES = tuple(2.0 ** (k / 4) for k in range(-240, 41))
+SOFTNESSES = tuple(2.0 ** (k / 4) for k in range(-240, 25))
 
 
 class Law(NamedTuple):
@@ -186,12 +186,13 @@ class Cam:
 
 
 def limits_of(cam: Cam) -> Limits:
-    """Give the limits that sizes are found for: the book's where the scene has none; a groove limits the return too.
+    """Give the limits that sizes are found for: the book's where the scene has none.
 
-    Sizes that are given are held to the limits of the scene alone.
+    A spring drives the return, so that closure by force limits the rise alone. Sizes that are given are held to the
+    limits of the scene alone.
     """
+    own = cam.limits._replace(back=None) if cam.closure == FORCE else cam.limits
     if cam.sized or cam.flat:
-        return cam.limits
+        return own
     usual = BOOK_LIMITS[cam.follower.motion]
-    back = cam.limits.back if cam.closure == FORCE else cam.limits.back or usual
-    return cam.limits._replace(rise=cam.limits.rise or usual, back=back)
+    return own._replace(rise=own.rise or usual, back=None if cam.closure == FORCE else own.back or usual)

@@ -162,13 +162,13 @@ def within(turned: float) -> float:
     return 0.0 if found == TURN else found
 
 
-def pieces(span: Span) -> Iterator[Span]:
-    """Cut a span where the turn begins anew: its parts lie between 0 and a whole turn.
+def pieces(span: Span, begin: float = 0.0) -> Iterator[Span]:
+    """Cut a span where a turn from `begin` starts anew; its parts are counted from there, 0 to a whole turn.
 
     >>> [(round(one.start, 3), round(one.end, 3)) for one in pieces(Span(6.0, 7.0, "rise"))]
     [(6.0, 6.283), (0.0, 0.717)]
     """
-    start = within(span.start)
+    start = within(span.start - begin)
     end = start + (span.end - span.start)
     yield span._replace(start=start, end=min(end, TURN))
     if end > TURN:

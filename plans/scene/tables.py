@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from copy import copy
+from functools import cache
 from keyword import iskeyword
 from typing import Any, ClassVar, Final, NamedTuple, TypeAlias, TypeVar
 
@@ -170,6 +171,7 @@ def tables_of(kinds: Kinds) -> Mapping[Path, Kinds]:
     return found
 
 
+@cache
 def holders_of(kinds: Kinds) -> Mapping[str, Kinds]:
     """Give each key of a table with the kinds that state it; of a key of several each reads a part of its table."""
     names = dict.fromkeys(name for kind in kinds for name in kind.keys)

@@ -13,8 +13,8 @@ from drawings.figures.cam import profile_figure
 from drawings.figures.cam.profile_view import ProfileView
 from drawings.measure.measure import Measured
 from drawings.paper.hand import hand_of
-from drawings.paper.strokes import Circle, Curve, Leaf, Polyline
-from drawings.paper.walk import flat, texts
+from drawings.paper.strokes import Circle, Curve, Group, Leaf, Line, Polyline
+from drawings.paper.walk import flat, texts, walk
 from geometry.curve import RoundPiece
 from plans.model.cam import DWELL
 from tests.drawings.cam_contours import EVERY, levers, view_of
@@ -77,12 +77,12 @@ def test_sizes_are_drawn_as_long_as_they_are(name: str) -> None:
 @pytest.mark.parametrize("name", ["groove", "flat", "flat rocker"])
 def test_dwells_are_arcs_about_the_shaft(name: str) -> None:
     view, _, measured = exhibit(name)
-    (profile,) = (one for one in measured.profiles if one.name == "Q")
+    (profile,) = (one for one in measured.profiles if one.name == "profile")
     arcs = [piece for piece in profile.pieces if isinstance(piece, RoundPiece)]
     still = sum(one.angle for one in view.cam.phases if one.kind == DWELL)
     assert sum(one.sweep for one in arcs) == pytest.approx(-view.cam.sense * still, abs=1e-5)
     assert all(abs(one.centre) < PAPER for one in arcs)
-    assert {one.name for one in measured.profiles} == {"groove": {"Q", "P", "Q_out"}}.get(name, {"Q"})
+    assert {one.name for one in measured.profiles} == {"groove": {"profile", "pitch", "outer"}}.get(name, {"profile"})
 
 
 def test_a_clockwise_cam_is_the_mirror_of_the_other() -> None:
@@ -127,8 +127,12 @@ def test_an_undercut_is_drawn_through_and_named() -> None:
     assert told.count("undercut") == told.count("crosses itself") == 2
     heavy = [one for one in flat(leaf.groups) if isinstance(one, Polyline) and one.style.width > hand_of("A1").main]
     assert len(heavy) == 2
-    (profile,) = (one for one in measured.profiles if one.name == "Q")
+    (profile,) = (one for one in measured.profiles if one.name == "profile")
     assert profile.gap < PAPER
+    assert {one.style.width for one in flat(leaf.groups) if isinstance(one, Curve)} == {
+        hand_of("A1").thin,
+        hand_of("A1").construction,
+    }
     sound = [one for one in flat(exhibit("groove")[1].groups) if isinstance(one, Polyline)]
     assert not [one for one in sound if one.style.width > hand_of("A1").main]
 
@@ -146,3 +150,17 @@ def test_rollers_are_as_large_as_the_roller() -> None:
     scale = measured.points[0].scale
     sizes = [one.radius * scale for one in flat(leaf.groups) if isinstance(one, Circle)]
     assert sum(math.isclose(size, view.found.roller, abs_tol=1e-9) for size in sizes) >= 4
+
+
+@pytest.mark.parametrize("name", some(["offset", "clockwise", "flat", "rocker"], 2))
+def test_turned_axes_go_through_their_points(name: str) -> None:
+    """The frame is turned against the cam: an axis, an arm or a face of it is at each point."""
+    view, leaf, _ = exhibit(name)
+    thin = [one for one in flat(leaf.groups) if isinstance(one, Line) and abs(one.end - one.start) > 20]
+    starts, ends = np.array([one.start for one in thin]), np.array([one.end for one in thin])
+    (zero,) = (one for one in walk(leaf.groups) if isinstance(one, Group) and one.data.get("kind") == "pole")
+    assert isinstance(zero.strokes[0], Circle)
+    scale, origin = float(zero.data["scale"]), zero.strokes[0].centre
+    for spot in view.contour.pitch / scale + origin:
+        share = np.clip(((spot - starts) * (ends - starts).conj()).real / abs(ends - starts) ** 2, 0, 1)
+        assert abs(starts + share * (ends - starts) - spot).min() < 1e-6

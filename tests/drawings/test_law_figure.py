@@ -4,26 +4,33 @@ from __future__ import annotations
 
 import math
 from functools import cache
+from itertools import pairwise
 
+import numpy as np
 import pytest
 
 from drawings.checks.labelled import unlettered
 from drawings.figures.cam import law_diagrams
 from drawings.figures.cam.law_frame import POLE, LawFrame, LawPlate
+from drawings.figures.cam.law_graph import graph_part
+from drawings.figures.cam.law_pole import pole_part
 from drawings.figures.cam.law_rows import ACCELERATION, TRAVEL, VELOCITY, rows
 from drawings.layout.picture import Spot
 from drawings.page.drafting import Drafting
 from drawings.page.page import Field
 from drawings.page.scale import Scale
 from drawings.paper.hand import hand_of
-from drawings.paper.strokes import Leaf
+from drawings.paper.strokes import INK, Circle, Leaf, Line
 from drawings.paper.walk import texts
+from drawings.report.cam_notes import CamNotes
 from plans.cam.diagrams import LawDiagrams
 from plans.cam.diagrams import law_diagrams as diagrams_of
+from plans.cam.tables import smoothing
 from plans.model.cam import DWELL, POINTED, RETURN, RISE, ROCKING, Follower, Law
+from plans.model.cam_motion import CamFound, Contour, Sizes
 from tests.drawings.collisions import collisions
 from tests.drawings.exhibits import exhibited, read_back
-from tests.plans.law_cams import LINES, RULER, STEADY, law_cam, usual
+from tests.plans.law_cams import LIFT, LINES, READINGS, RISING, RULER, SMOOTH, STEADY, law_cam, usual
 
 CAMS = {
     "smooth": usual(Law("sine"), Law("3-4-5")),
@@ -92,17 +99,21 @@ def test_the_scale_of_an_integral_follows_from_its_pole(name: str) -> None:
 
 
 def test_rays_and_chords_are_parallel_on_paper() -> None:
-    """The ray of a strip and the chord of the curve under it, at the scales that were chosen."""
+    """The ray of a strip from its pole on the left, and the chord of the curve under it."""
     frame = framed("smooth")
     first, second, _ = frame.plate.rows
     distance, shown = frame.pole(first), frame.plate.shown
     assert distance is not None
     axes, other = frame.axes(first), frame.axes(second)
+    drawn = pole_part(first, frame.plate, axes, distance).lines
+    lines = [one for one in drawn if isinstance(one, Line) and one.start == axes.zero - distance]
+    rays = [one for one in lines if one.end.real == axes.zero.real and one.end.imag != axes.zero.imag]
     x, y = shown.strips.edges, second.chords[0].y
-    for k in (1, 5, 12):
-        ray = axes.on(0.0, float(shown.means[k])) - (axes.zero - distance)
-        chord = other.on(float(x[k + 1]), float(y[k + 1])) - other.on(float(x[k]), float(y[k]))
-        assert (ray * chord.conjugate()).imag == pytest.approx(0, abs=1e-9 * abs(ray * chord))
+    chords = [
+        other.on(*map(float, end)) - other.on(*map(float, start)) for start, end in pairwise(zip(x, y, strict=True))
+    ]
+    off = [[abs(((ray.end - ray.start) * one.conjugate()).imag) / abs(one) for one in chords] for ray in rays]
+    assert len(rays) > 5 and max(map(min, off)) < 1e-9
 
 
 def test_a_hard_shock_is_an_arrow_to_infinity_and_no_value() -> None:
@@ -111,15 +122,22 @@ def test_a_hard_shock_is_an_arrow_to_infinity_and_no_value() -> None:
     assert not top.result.y.any() and top.flat
     assert (slope.before[0], slope.after[8], slope.before[9]) == (0.0, 0.0, 0.0)
     assert slope.after[0] == slope.before[8] > 0 > slope.after[9] == slope.before[17]
+    frame = framed("hard")
+    lines = graph_part(top, frame.plate, frame.axes(top), ()).lines
+    arrows = [one for one in lines if isinstance(one, Line) and one.style == frame.plate.hand.result]
+    assert [math.copysign(1, (one.end - one.start).imag) for one in arrows] == [1, -1, -1, 1]
     told = [text.plain for text in texts(leaf("hard", "A4", "ru").groups)]
     assert told.count("∞") == 4 and "жёсткие удары: 0, 8, 9, 17" in told
     assert not any("H1" in one or "S'' =" in one for one in told)
 
 
 def test_a_soft_shock_is_an_upright_line_and_named() -> None:
-    top = rows(found("soft"))[0]
-    uprights = {float(x) for x, then in zip(top.result.x, top.result.x[1:], strict=False) if x == then}
-    assert {one.turned for one in found("soft").strips.course.shocks} <= uprights
+    top, course = rows(found("soft"))[0], found("soft").strips.course
+    at = np.flatnonzero(top.result.x[1:] == top.result.x[:-1])
+    uprights = {float(top.result.x[k]): float(top.result.y[k + 1] - top.result.y[k]) for k in at.tolist()}
+    assert [uprights[one.turned] for one in course.shocks] == pytest.approx([one.jump for one in course.shocks])
+    smooth = set(uprights) - {one.turned for one in course.shocks}
+    assert [uprights[one] for one in smooth] == pytest.approx([0.0] * len(smooth), abs=1e-12)
     told = [text.plain for text in texts(leaf("soft").groups)]
     assert "soft shocks: 0, 2', 8, 9, 17" in told and "∞" not in told
 
@@ -136,6 +154,30 @@ def test_the_error_of_the_chords_is_told() -> None:
     told = [text.plain for text in texts(leaf("smooth", "A1", "ru").groups)]
     assert {"погрешность хорд 3,1 %", "погрешность хорд 2,6 %"} <= set(told)
     assert [text.plain for text in texts(leaf("hard", "A4", "ru").groups)].count("погрешность хорд 0 %") == 2
+
+
+def test_points_of_tables_are_drawn_where_they_are() -> None:
+    frame = framed("table")
+    last = frame.plate.rows[-1]
+    axes = frame.axes(last)
+    rings = [
+        one for one in graph_part(last, frame.plate, axes, ()).lines if isinstance(one, Circle) and one.style != INK
+    ]
+    expected = [axes.on(k * RISING, s * LIFT) for k, s in READINGS]
+    assert [one.centre for one in rings[: len(READINGS)]] == pytest.approx(expected)
+    assert len(rings) == 2 * len(READINGS) and frame.plate.rows[0].given == ()
+
+
+@pytest.mark.parametrize(("language", "said"), [("en", "off its points by"), ("ru", "отступает не более чем на")])
+def test_smoothing_is_never_silent(language: str, said: str) -> None:
+    """Of a table that may be smoothed it is said by how much it is, and what was allowed: 0.01 of 30 mm."""
+    cam, drafting = usual(Law("sine"), SMOOTH), Drafting(hand_of("A3"), language)
+    contour = Contour(*(np.zeros(0),) * 9)  # type: ignore[arg-type]
+    (told,) = CamNotes(CamFound("construction", cam, Sizes(0.05), 0.0, contour), drafting).smoothed()
+    off = drafting.number(30 * smoothing(SMOOTH)[0])
+    assert f"{said} {off}" in told and drafting.number(0.3) in told
+    plain = usual(Law("sine"), RULER)
+    assert not list(CamNotes(CamFound("construction", plain, Sizes(0.05), 0.0, contour), drafting).smoothed())
 
 
 def test_a_follower_that_never_moves_has_level_diagrams() -> None:

@@ -153,8 +153,8 @@ def thick(found: Figure) -> list[Stroke]:
     return [bar for bar in bars if bar.style.width == found.hand.main]
 
 
-@over("name", NAMES)
-@over("hand", [A1, A4])
+@pytest.mark.part
+@over("hand, name", [(A1, name) for name in NAMES] + [(A4, name) for name in (NAMES if parts.whole else NAMES[::3])])
 def test_links_end_at_the_circles_of_their_hinges(name: str, hand: Hand) -> None:
     found = drawn(name, hand)
     assert thick(found)

@@ -197,6 +197,11 @@ def test_the_areas_of_a_shape_are_its_whole_area_and_its_factor_cancels_them(pie
         assert found.above == found.below
 
 
+def test_a_straight_piece_through_zero_has_an_area_on_either_side() -> None:
+    shape = Shape(((Fraction(0), Fraction(1)), (Fraction(1), Fraction(-3))))
+    assert (shape.above, shape.below) == (Fraction(1, 8), Fraction(9, 8))
+
+
 def test_a_cam_on_the_shaft_of_a_linkage_turns_as_its_drive_does() -> None:
     drive = '[mechanism.frame]\nO = [0, 0]\n[mechanism.links]\n1 = "OA"\n[mechanism.lengths]\nOA = 1\n'
     scene = scene_of(FOLLOWER, PHASES, drive, "[drive]\nlink = 1\nspeed = -7\n")
@@ -220,6 +225,12 @@ def test_a_phase_and_a_setting_by_the_cyclogram() -> None:
     assert (survey.waiting, survey.cams) == (True, ())
 
 
+def test_by_the_cyclogram_the_phase_of_the_window_begins_with_it() -> None:
+    phases = RISING + TOP + BACK.replace("90", '"cyclogram"') + REST
+    (cam,) = cams_of(_unchecked(phases, ""), Window(math.radians(200), math.radians(260)))
+    assert (cam.setting, cam.phases[2].angle) == pytest.approx((math.radians(50), math.radians(60)), rel=1e-14)
+
+
 def test_a_window_beyond_what_is_left_of_the_turn() -> None:
     scene = _unchecked(BY_CYCLOGRAM, 'setting = "cyclogram"')
     with pytest.raises(SceneError, match="the other phases take 420 degrees"):
@@ -231,7 +242,7 @@ def _unchecked(phases: str, head: str) -> Scene:
     plain = scene_of(FOLLOWER, PHASES)
     asking = scene_of(FOLLOWER, phases.replace('"cyclogram"', "74"), head=head.replace('"cyclogram"', "0"))
     (form,) = next(iter(asking.forms)).cam  # type: ignore[attr-defined]
-    asked = tuple(one.changed(angle="cyclogram") if one.kind == RISE else one for one in form.phases)
+    asked = tuple(one.changed(angle="cyclogram") if one.angle == 74 else one for one in form.phases)
     whole = next(iter(plain.forms)).changed(cam=(form.changed(phases=asked, setting="cyclogram"),))
     return plain.changed(whole)
 
@@ -310,6 +321,11 @@ TABLE = RISING.replace(
         ((FOLLOWER, SIZED.replace("15", "16").replace("offset = 0\n", ""), PHASES), "", []),
         ((FOLLOWER, SIZED.replace("offset = 0\n", ""), LIMITS, PHASES), "", ["high_lift"]),
         ((FOLLOWER, SIZED, PHASES), "", ["high_lift"]),
+        (
+            (FOLLOWER, SIZED.replace("offset = 0\n", ""), LIMITS, PHASES),
+            'closure = "groove"',
+            ["book_return", "high_lift"],
+        ),
         ((FOLLOWER, LIMITS, "return = 40\n", PHASES), "", ["free_return"]),
         ((FOLLOWER, LIMITS, "return = 40\n", PHASES), 'closure = "groove"', []),
         ((FOLLOWER, LIMITS, RISING, TOP, TOP, BACK, REST), "", ["two_dwells"]),
@@ -328,6 +344,12 @@ TABLE = RISING.replace(
 )
 def test_what_is_odd_is_noted(parts: tuple[str, ...], head: str, expected: list[str]) -> None:
     assert kinds(notes(*parts, head=head)) == expected
+
+
+@pytest.mark.parametrize(("speed", "expected"), [("10", []), ("-10", ["other_pace"]), ("11", ["other_pace"])])
+def test_cams_of_one_shaft_have_one_speed(speed: str, expected: list[str]) -> None:
+    first, second = (f"[[cam]]\nspeed = {one}\n{FOLLOWER}{LIMITS}{PHASES}" for one in ("10", speed))
+    assert kinds(notes_of(parse_scene(first + second))) == expected
 
 
 def test_shocks_are_for_the_laws_to_tell_not_for_the_reader() -> None:

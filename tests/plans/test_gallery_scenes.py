@@ -18,6 +18,7 @@ from plans.linkage.reading.form import LinkageForm
 from plans.linkage.study import LinkageStudy
 from plans.model.motion import Motion
 from plans.scene.scene import read_scene
+from tests import parts
 from tests.gallery import LINKAGES, SCENES
 from tests.rows import over
 
@@ -320,7 +321,8 @@ def test_the_published_lengths_of_jansen_s_leg_stand_in_its_scene() -> None:
     assert sorted(given + place) == sorted(published)
 
 
-@over("scene", LINKAGES)
+@pytest.mark.part
+@over("scene", LINKAGES if parts.whole else LINKAGES[::2])
 def test_both_roads_agree_where_the_crank_turns_the_other_way(scene: Path) -> None:
     """From an extreme the other stroke begins: the sketch shows another position, and the assembly stays the same."""
     there = read_scene(scene)

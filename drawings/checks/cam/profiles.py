@@ -11,20 +11,25 @@ import numpy as np
 
 from drawings.checks.cam.rolling import apart, rolled
 from drawings.checks.wrong import Wrong, on
+from drawings.figures.cam.profile_view import OUTER, PITCH, WORKING
 from drawings.measure.measured_profile import MeasuredProfile
+from plans.analytic.cam.contour import contour
 from plans.model.cam import POINTED, Cam
-from plans.model.cam_motion import Contour, Points, Sizes
+from plans.model.cam_motion import CamFound, Contour, Points, Sizes
 from plans.model.motion import Floats
 from plans.words.words import Message, message
 
-PITCH, PROFILE, OUTER = "pitch", "profile", "outer"
 SLIPPED = 1e-12  # of the radius: what arithmetic moves
+
+
+FLAWS = ("undercut", "hollow", "crossing", "concave")  # of a shape that no follower can go along
+TURNS = 360  # parts of a turn at which a written profile is looked at
 
 
 class Analysed(NamedTuple):
     """What the analysis alone says of a cam: the task, sizes, the roller's radius m, the contour at many turns.
 
-    `flawed` profiles, with loops or hollows that the follower cannot enter, do not return the law: only their points
+    A `flawed` profile, with loops or hollows that the follower cannot enter, does not return the law: only its points
     are held to the analysis.
     """
 
@@ -36,7 +41,7 @@ class Analysed(NamedTuple):
 
     def points(self, name: str) -> Points | None:
         """Give the exact points of a profile by its name, None of one that there is not."""
-        known = {PITCH: self.contour.pitch, PROFILE: self.contour.profile, OUTER: self.contour.outer}
+        known = {PITCH: self.contour.pitch, WORKING: self.contour.profile, OUTER: self.contour.outer}
         return known.get(name)
 
     def rate(self) -> Floats:
@@ -45,11 +50,19 @@ class Analysed(NamedTuple):
         return np.asarray(1 / (arm * np.cos(self.contour.pressure)))
 
 
+def analysed(found: CamFound, parts: int = TURNS) -> Analysed:
+    """Look at a cam that the analysis found at equal parts of its turn."""
+    cam, sizes, roller = found.cam, found.sizes, found.roller
+    turned = np.linspace(0.0, cam.turn, parts, endpoint=cam.translates)
+    flawed = any(one.kind in FLAWS for one in found.flaws)
+    return Analysed(cam, sizes, roller, contour(cam, sizes, roller, turned), flawed)
+
+
 def wrong(profiles: Sequence[MeasuredProfile], plan: str, analysed: Analysed) -> Iterator[Wrong]:
     """Say what is wrong with the profiles of a cam on its plan; its own profile must be there."""
     own = [one for one in profiles if one.plan == plan]
     names = {one.name for one in own}
-    needed = {PROFILE} | ({OUTER} if analysed.contour.outer is not None else set())
+    needed = {WORKING} | ({OUTER} if analysed.contour.outer is not None else set())
     yield from (on("missing_on", plan, name=name) for name in sorted(needed - names))
     for one in own:
         exact = analysed.points(one.name)

@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from geometry.curve import CubicPiece, Piece, RoundPiece
+from geometry.curve import CubicPiece, Piece, RoundPiece, straight
 from plans.model.cam import POINTED, TURN, Cam
 from plans.model.cam_motion import Points, Sizes
 from plans.model.motion import Floats
@@ -25,6 +25,7 @@ FACET = TURN / 72  # rad of an arc that is looked through like one cubic
 LOOKED = 8  # places on a piece that are looked at first
 CLOSER = 8  # rounds of looking closer, each at so many places to either side of the best, up to its neighbours
 NEAR = np.linspace(-1.0, 1.0, 2 * LOOKED + 1)
+BEYOND, TINY = 1e-6, 1e-4  # m that an open profile is continued by; of a piece: so short it is straight
 TOPS = 3  # places that are looked at closer
 NOWHERE = -math.inf
 
@@ -74,6 +75,14 @@ class _Track:
         return np.arange(self.count * LOOKED + (0 if self.closed else 1)) / LOOKED
 
 
+def _continued(pieces: tuple[Piece, ...]) -> tuple[Piece, ...]:
+    """Give an open profile with straight ends: a follower over its very end must not miss it by its rounding."""
+    start, end = pieces[0].start, pieces[-1].end
+    back, onward = start - pieces[0].at(TINY), end - pieces[-1].at(1 - TINY)
+    before, after = start + BEYOND * back / abs(back), end + BEYOND * onward / abs(onward)
+    return (straight(before, start), *pieces, straight(end, after))
+
+
 def _facets(piece: Piece) -> list[Piece]:
     if isinstance(piece, CubicPiece):
         return [piece]
@@ -95,7 +104,7 @@ def rolled(
 
     Where nothing of the profile is in the follower's way it is minus infinity.
     """
-    track = _Track(pieces, not cam.translates)
+    track = _Track(_continued(pieces) if cam.translates else pieces, not cam.translates)
 
     def framed(along: Floats) -> Points:
         return _in_the_frame(track.at(along), cam, turned[:, None])

@@ -8,10 +8,11 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from drawings.figures.cam.profile_view import OUTER, PITCH, QUANTITY, UNIT, WORKING, ProfileView, ShownCurve
+from drawings.figures.cam.profile_curve import profile_curve
+from drawings.figures.cam.profile_view import OUTER, PITCH, WORKING, ProfileView
 from drawings.layout.place import Place
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Curve, Group, LineStyle, Polyline, Stroke, numeral
+from drawings.paper.strokes import LineStyle, Polyline, Stroke
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.symbols import ground
 from plans.model.cam_motion import Flaw
@@ -36,29 +37,13 @@ def curves(view: ProfileView, plan: str, place: Place, hand: Hand) -> Iterator[S
     for one in sorted(view.curves, key=lambda one: one.name != PITCH):
         flawed = _flawed(view, one.name)
         style = hand.axis if one.name == PITCH else hand.other if flawed.any() else hand.result
-        yield _measurable(one, plan, style, place)
+        yield profile_curve(one.path, place, plan, one.name, style)
         if flawed.any():
             points = _points(view, one.name)
             yield from _stretches(points, ~flawed, hand.result, place)
             yield from _stretches(points, flawed, LineStyle(HEAVY * hand.main, hand.dashed), place)
     if view.cam.translates:
         yield from _body(view, place, hand)
-
-
-def _measurable(one: ShownCurve, plan: str, style: LineStyle, place: Place) -> Group:
-    """Draw a curve in its pieces; it says how far they are from the exact one."""
-    shift = place.on(0j)
-    pieces = tuple(piece.placed(1 / place.scale.mu, shift) for piece in one.path.pieces)
-    data = {
-        "kind": "profile",
-        "plan": plan,
-        "quantity": QUANTITY,
-        "name": one.name,
-        "unit": UNIT,
-        "scale": numeral(place.scale.mu),
-        "deviation": numeral(one.path.deviation),
-    }
-    return Group(tuple(fit_dashes([Curve(pieces, one.path.closed, style)])), "", data, one.name)
 
 
 def flaws(view: ProfileView, place: Place) -> Iterator[FlawMark]:

@@ -5,8 +5,10 @@ from __future__ import annotations
 import cmath
 import math
 
+from drawings.figures.cam.profile_view import QUANTITY, UNIT
 from drawings.layout.place import Place
 from drawings.paper.strokes import Curve, Group, LineStyle, numeral, stated
+from drawings.symbols.dashes import fit_dashes
 from plans.cam.path import ProfilePath
 
 TOLD = 2  # digits of a stated deviation
@@ -17,22 +19,22 @@ def profile_curve(
 ) -> Group:
     """Draw a path of a cam, turned by degrees from its start, on a plan whose pole is the cam's centre.
 
-    Its name is "profile", "pitch" or "outer".
+    Its name is the letter of its points.
     """
     turn = cmath.exp(1j * math.radians(turned)) / place.scale.mu
     pieces = tuple(piece.placed(turn, place.on(0j)) for piece in path.pieces)
     data = {
         "kind": "profile",
         "plan": plan,
-        "quantity": "profile",
+        "quantity": QUANTITY,
         "name": name,
         "value": stated(path.pieces[0].start),
-        "unit": "m",
+        "unit": UNIT,
         "scale": numeral(place.scale.mu),
         "deviation": numeral(upward(path.deviation)),
         **({"turned": numeral(turned)} if turned else {}),
     }
-    return Group((Curve(pieces, path.closed, style),), data=data)
+    return Group(tuple(fit_dashes([Curve(pieces, path.closed, style)])), "", data, name)
 
 
 def upward(value: float) -> float:

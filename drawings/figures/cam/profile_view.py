@@ -17,14 +17,14 @@ from plans.model.cam_motion import CamFound, Contour, Points, Sizes
 from plans.model.motion import Complexes, Floats
 
 MANY = 1441  # turns at which the contour is known: every quarter of a degree
-WORKING, PITCH, OUTER = "Q", "P", "Q_out"  # the curves, by the letters of their points
+WORKING, PITCH, OUTER = "profile", "pitch", "outer"  # the curves by their names in the data
 BODY = 0.8  # of the lift: how far below its lowest profile the body of a cam that translates goes
 BEYOND = 0.12  # of the range of contact: how far a face is drawn past it
 NAME, QUANTITY, SYMBOL, UNIT = "profile", "l", "l", "m"
 
 
 class ShownCurve(NamedTuple):
-    """A curve of the cam in pieces: how far from the pitch curve outward it lies, m, its letter in the data."""
+    """A curve of the cam in pieces: how far from the pitch curve outward it lies, m, its name in the data."""
 
     name: str
     away: float

@@ -16,24 +16,23 @@ from drawings.symbols.symbols import arrowhead, turning_arrow
 
 WITHIN = (0.3, 0.68)  # of what is free from the cam to the ends of the axes: radii of both arrows
 ASIDE, MOST = 0.25, math.radians(30)  # of the widest step: their middles to either side of its own, and at most
-SWEEP = math.radians(32)
+SWEEP, WIDE = 0.35, math.radians(32)  # of the widest step: how far they go, and at most
 STRAIGHT = 22.0  # mm, length of the arrow of a cam that translates
 BESIDE = 1.2
 
 
 class Sense(NamedTuple):
-    """An arrow about O with its letter: the direction of its middle rad, its radius mm, its sense."""
+    """An arrow about O with its letter: the direction of its middle rad, its radius mm, how far it goes."""
 
     letter: str
     centre: complex
     radius: float
     middle: float
-    sense: int
+    sweep: float  # below 0 clockwise
 
     def draw(self, hand: Hand) -> tuple[Stroke, ...]:
         """Draw it."""
-        start = self.middle - self.sense * SWEEP / 2
-        return turning_arrow(self.centre, self.radius, start, self.sense * SWEEP, hand)
+        return turning_arrow(self.centre, self.radius, self.middle - self.sweep / 2, self.sweep, hand)
 
     def letter_beside(self, labels: Labels, hand: Hand) -> Stroke:
         """Letter it beyond its middle."""
@@ -45,11 +44,11 @@ def senses(view: ProfileView, rings: Rings) -> tuple[Sense, ...]:
     """Give the arrows, the cam's own and the frame's, beside the cam where no axis is turned to."""
     if view.cam.translates:
         return ()
-    zero, own, (start, end) = rings.place.on(0j), view.cam.sense, view.step
+    zero, (start, end) = rings.place.on(0j), view.step
     inner = rings.place.length(abs(view.at((start + end) / 2)[0]) + view.found.roller)
     first, second = (inner + share * (rings.ends - inner) for share in WITHIN)
-    aside = min(ASIDE * (end - start), MOST)
-    return Sense("ω", zero, first, view.quiet - aside, own), Sense("−ω", zero, second, view.quiet + aside, -own)
+    aside, sweep = min(ASIDE * (end - start), MOST), view.cam.sense * min(SWEEP * (end - start), WIDE)
+    return Sense("ω", zero, first, view.quiet - aside, sweep), Sense("−ω", zero, second, view.quiet + aside, -sweep)
 
 
 def straight(view: ProfileView, rings: Rings) -> Iterator[tuple[complex, complex]]:

@@ -21,7 +21,7 @@ from plans.model.cam_motion import Extreme
 
 OFFSET = 0.55  # of the room under the follower: where the offset is dimensioned
 LEAST = 4.0  # mm: a shorter size is told by the table alone
-SHOWN = math.radians(50)  # half the arc of the circle through three points
+SHOWN = math.radians(35)  # half the arc of the circle through three points
 NEARBY = math.radians(5)  # of the cam's turn: from the sharpest place to the other two points
 LARGE = 4.0  # letters by which a circle of curvature may be larger than the cam
 DIGITS = 4

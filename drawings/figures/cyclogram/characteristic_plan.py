@@ -12,7 +12,7 @@ import numpy as np
 from drawings.figures.linkage import position_plan
 from drawings.figures.linkage.pairs import Pairs
 from drawings.figures.linkage.skeleton import Skeletons, skeletons
-from drawings.figures.linkage.stroke_dimension import clearest, length
+from drawings.figures.linkage.stroke_dimension import clearest, length, stroke
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Picture, Spot
@@ -28,12 +28,14 @@ from geometry.board import Mark
 from plans.cyclogram.study import CyclogramStudy
 from plans.linkage.travel import frame_slide
 from plans.model.cyclogram import BEGIN, END, ENTRY, EXIT, Cyclogram
+from plans.model.mechanism import FRAME
 
 NAME = "characteristic"
 TITLE = "characteristic positions"
-OVERRUNS, NOTCHES, PINS = "overruns", "notches", "pins"  # the names of its groups
+OVERRUNS, STROKE, NOTCHES, PINS = "overruns", "stroke", "notches", "pins"  # the names of its groups
 LONG = 6.0  # mm of a notch arc kept on each side of its meeting
 DOT = 0.8  # mm, radius of a crank pin
+LETTERS = 30.0  # it is drawn at least so many of its letters large: its angles are read from it
 
 
 @dataclass(frozen=True)
@@ -62,7 +64,8 @@ def shown_of(found: Cyclogram) -> int:
 def measure(bones: Skeletons, drafting: Drafting) -> Picture:
     """Measure the room that it needs."""
     room = position_plan.measure(bones, NAME, drafting)
-    return room._replace(heading=text_width(Text(0j, drafting.word(TITLE), drafting.hand.heading)))
+    heading = text_width(Text(0j, drafting.word(TITLE), drafting.hand.heading))
+    return room._replace(heading=heading, least=LETTERS * drafting.hand.letter)
 
 
 def draw(
@@ -70,12 +73,14 @@ def draw(
 ) -> CharacteristicFigure:
     """Draw it in its spot, its title and its scale over it."""
     pairs = Pairs(bones, room.place(*spot), drafting.hand)
-    layers = [one for one in position_plan.layers(pairs, drafting.language) if one.name != NOTCHES]
+    layers = [one for one in position_plan.layers(pairs, drafting.language) if one.name not in (NOTCHES, STROKE)]
     own = Group(tuple(fit_dashes(trim(_notches(study, pairs), pairs.masks))), NOTCHES)
     ink = Ink()
-    ink.draw([stroke for layer in layers for stroke in layer.strokes])
+    ink.draw([line for layer in layers for line in layer.strokes])
     overruns = Group(tuple(_overruns(study.cyclogram, pairs, drafting, ink)), OVERRUNS)
-    lines = Group((own, *layers, overruns, Group(tuple(_pins(bones, pairs)), PINS)), NAME)
+    whole = Group(tuple(stroke(bones, pairs.place, pairs.hand, drafting.language, ink)), STROKE)
+    pins = Group(tuple(_pins(bones, pairs)), PINS)  # under the hinges
+    lines = Group((own, pins, *layers, overruns, whole), NAME)
     return CharacteristicFigure(pairs, (_heading(spot.box, spot, drafting), lines))
 
 
@@ -107,13 +112,16 @@ def _arcs(mark: Mark, pairs: Pairs) -> Iterator[Stroke]:
 
 
 def _pins(bones: Skeletons, pairs: Pairs) -> Iterator[Group]:
-    """Mark the crank's end in every position but the one in full lines, to be measured by its number."""
-    end = bones.mechanism.drive.end
+    """Mark the crank's end in every position but the one in full lines, to be measured by its number from the pivot."""
+    drive, place = bones.mechanism.drive, pairs.place
+    pivot = bones.mechanism.links[FRAME].points[drive.pivot]
+    data = Subject(NAME, "r", None).data("pole", drive.pivot, pivot, place.scale)
+    yield Group((Circle(place.on(pivot), DOT * pairs.hand.symbol, INK),), "", data, drive.pivot)
     for k in range(len(bones.numbered)):
         if k != bones.shown:
             value, subject = bones.crank_end(k), Subject(NAME, "r", k)
-            data = subject.data("point", f"{end}_{k}", value, pairs.place.scale)
-            yield Group((Circle(pairs.place.on(value), DOT * pairs.hand.symbol, INK),), "", data, str(k))
+            data = subject.data("point", f"{drive.end}_{k}", value, place.scale)
+            yield Group((Circle(place.on(value), DOT * pairs.hand.symbol, INK),), "", data, str(k))
 
 
 def _overruns(found: Cyclogram, pairs: Pairs, drafting: Drafting, ink: Ink) -> Iterator[Stroke]:

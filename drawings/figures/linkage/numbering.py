@@ -21,6 +21,7 @@ from plans.linkage.barrier import Barrier
 from plans.linkage.travel import frame_slide
 from plans.model.mechanism import FRAME
 
+UNEVEN = 1e-6  # rad: steps of a turn in equal parts differ by roundings alone
 SAME = 1e-9  # rad: a position and an extreme whose crank directions differ by less are one
 CRANK_GAP, PATH_GAP = 1.2, 1.8  # mm from a place to its number
 BARRED = 2.5  # mm of hatching outside the crank circle
@@ -103,8 +104,9 @@ def _crank_numbers(pairs: Pairs, places: list[NumberedPlace], labels: Labels) ->
 
 def _rings(bones: Skeletons, place: Place, hand: Hand, wide: float) -> tuple[int, float]:
     """Give every which position is numbered on the crank circle, and how far out every other one of them stands."""
-    if isinstance(bones.study.form.drive.positions, tuple):
-        return 1, 0.0  # listed angles are as far apart as the scene has them
+    apart = np.diff(bones.study.turn.phi)
+    if isinstance(bones.study.form.drive.positions, tuple) or (apart.size and np.ptp(apart) > UNEVEN):
+        return 1, 0.0  # listed angles are as far apart as the scene has them, characteristic ones as they fall
     room = 2 * math.pi * (bones.crank(place) + CRANK_GAP + hand.number / 2) / len(bones.numbered)
     every = next((step for step in STEPS if step * room >= APART * max(wide / 2, hand.number)), STEPS[-1])
     return every, RING * hand.number if every * room < APART * wide else 0.0

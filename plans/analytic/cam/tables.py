@@ -1,7 +1,8 @@
-"""Laws that the user gives, by other ways than the construction's: a beam on springs, areas and their moments.
+"""Laws that the user gives, by other ways than the construction's: a clamped beam, areas and their moments (по точкам).
 
-Through a table's points lies a beam, clamped level at both ends: unknown are its slopes, and its ordinates too where
-springs hold it. Under a shape of acceleration s is the sum of areas passed, each times its distance (закон по точкам).
+Through a table's points lies a beam, clamped level at both ends: unknown are its slopes; where springs hold it, their
+forces, by the beam's influence function. Under a shape of acceleration s is the sum of the areas passed, each times its
+distance.
 """
 
 from __future__ import annotations
@@ -78,48 +79,41 @@ def _hermite(bent: Beam, k: Floats, order: int, before: bool) -> Floats:
 def beam(law: Law) -> Beam:
     """Lay the beam through a table's points, or on the softest springs that let it depart by its tolerance at most."""
     share, y = np.array(law.points, dtype=float).T
-    stiffness = _stiffness(np.diff(share))
-    best = _rigid(stiffness, share, y)
-    low, high = 0, len(SOFTNESSES) if law.tolerance > 0 else 0
+    yielding, low, high = y, 0, len(SOFTNESSES) if law.tolerance > 0 else 0
+    sag = _influence(share[1:-1])
     while low < high:
         middle = (low + high - 1) // 2
-        found = _sprung(SOFTNESSES[middle] * stiffness, share, y)
-        if _off(found, law) <= law.tolerance:
-            best, low = found, middle + 1
+        found = _sprung(SOFTNESSES[middle], sag, share, y)
+        if np.max(np.abs(found - y)) <= law.tolerance:
+            yielding, low = found, middle + 1
         else:
             high = middle
-    return best
+    return Beam(share, yielding, _slopes(share, yielding))
 
 
 def _off(bent: Beam, law: Law) -> float:
     return float(np.max(np.abs(bent.s - np.array(law.points)[:, 1])))
 
 
-def _stiffness(h: Floats) -> Floats:
-    """Give the matrix of the integral of s''^2 over all ordinates and slopes, by turns, (2N, 2N)."""
-    whole = np.zeros((2 * len(h) + 2, 2 * len(h) + 2))
-    for number, x in enumerate(h.tolist()):
-        rows = ((12, 6 * x, -12, 6 * x), (6 * x, 4 * x * x, -6 * x, 2 * x * x))
-        part = np.array([*rows, [-c for c in rows[0]], (6 * x, 2 * x * x, -6 * x, 4 * x * x)]) / x**3
-        whole[2 * number : 2 * number + 4, 2 * number : 2 * number + 4] += part
-    return whole
+def _influence(x: Floats) -> Floats:
+    """Give how far a clamped beam of stiffness 1 gives at each point under a force of 1 at each other, (N, N)."""
+    near, far = np.minimum(x, x[:, None]), np.maximum(x, x[:, None])
+    return np.asarray(near**2 * (1 - far) ** 2 * (3 * far - near * (1 + 2 * far)) / 6)
 
 
-def _rigid(stiffness: Floats, share: Floats, y: Floats) -> Beam:
-    """Let the points hold the beam: only the slopes within are unknown."""
-    free = np.arange(3, len(stiffness) - 1, 2)
-    slopes = np.zeros_like(y)
-    if len(free):
-        slopes[1:-1] = np.linalg.solve(stiffness[np.ix_(free, free)], -stiffness[free, ::2] @ y)
-    return Beam(share, y, slopes)
+def _sprung(softness: float, sag: Floats, share: Floats, y: Floats) -> Floats:
+    """Let springs draw the beam to the points within; each gives by its softness times its force, (N,)."""
+    free = share[1:-1]
+    unloaded = y[0] + (y[-1] - y[0]) * free**2 * (3 - 2 * free)
+    forces = np.linalg.solve(sag + softness * np.eye(len(free)), y[1:-1] - unloaded)
+    return y - softness * np.array([0.0, *forces, 0.0])
 
 
-def _sprung(stiffness: Floats, share: Floats, y: Floats) -> Beam:
-    """Let springs of stiffness 1 draw the beam to the points within, and both ends be clamped."""
-    free, springs = slice(2, -2), np.zeros(len(stiffness))
-    springs[2:-2:2] = 1.0
-    clamped = np.zeros_like(springs)
-    clamped[[0, -2]] = y[[0, -1]]
-    load = springs * np.repeat(y, 2) - stiffness @ clamped
-    clamped[free] = np.linalg.solve((stiffness + np.diag(springs))[free, free], load[free]) if len(y) > 2 else ()
-    return Beam(share, clamped[::2], clamped[1::2])
+def _slopes(share: Floats, s: Floats) -> Floats:
+    """Give the slopes at the points that leave no jump of curvature: none at both ends, (N,)."""
+    stiff, chords = 1 / np.diff(share), np.diff(s) / np.diff(share)
+    slopes = np.zeros_like(s)
+    if len(s) > 2:
+        own = np.diag(2 * (stiff[:-1] + stiff[1:])) + np.diag(stiff[1:-1], 1) + np.diag(stiff[1:-1], -1)
+        slopes[1:-1] = np.linalg.solve(own, 3 * (stiff[:-1] * chords[:-1] + stiff[1:] * chords[1:]))
+    return slopes

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -52,7 +53,7 @@ class Exact:
         """Give their work since position 0, J."""
         return settled(self.load.since(turned), self.size * TURN)
 
-    @property
+    @cached_property
     def driving(self) -> float:
         """The constant moment N*m of the drive that keeps the motion steady."""
         return -float(self.work(np.array([TURN]))[0]) / TURN
@@ -65,7 +66,7 @@ class Exact:
         """Give the reduced inertia of the linkage, kg*m2."""
         return self.mass.at(turned)
 
-    @property
+    @cached_property
     def own(self) -> float:
         """The reduced inertia of the linkage at position 0, kg*m2."""
         return float(self.inertia(np.zeros(1))[0])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from decimal import Decimal
 from fractions import Fraction
 
@@ -11,6 +11,7 @@ from plans.cam.reading.cams import entries_of
 from plans.cam.reading.entry import Entry, shown
 from plans.cam.reading.fields import CYCLOGRAM, REST
 from plans.cam.reading.law_form import LawTable
+from plans.cam.reading.pace import pace_of
 from plans.cam.reading.turns import WHOLE
 from plans.model.cam import BOOK_LIMITS, DWELL, FORCE, GROOVE, TABLE
 from plans.scene import units
@@ -25,6 +26,7 @@ def notes_of(scene: Scene) -> Iterator[Fault]:
     """Give the notes on a scene's cams (row of the table of techniques)."""
     entries = [*entries_of(scene)]
     yield from odd_lengths(scene, {path: size for one in entries for path, size in _lengths(one)})
+    yield from _paces(entries)
     for one in entries:
         for notes in (_turns, _dwells, _way, _limits, _laws, _unused):
             yield from notes(one)
@@ -36,6 +38,16 @@ def _lengths(entry: Entry) -> Iterator[tuple[Path, Decimal]]:
     stated = {("follower", name): getattr(follower, name) for name in ("lift", "length")}
     stated |= {("sizes", name): getattr(sizes, name) for name in ("base", "offset", "centre", "roller")}
     return ((entry.path(*path), abs(size)) for path, size in stated.items() if size)
+
+
+def _paces(entries: Sequence[Entry]) -> Iterator[Fault]:
+    """Find a cam that turns otherwise than the first that turns: one shaft has one speed."""
+    found = ((one, *pace_of(one)) for one in entries if not one.translates)
+    paces = [(one, sense * speed) for one, sense, speed in found if speed]
+    for one, pace in paces[1:]:
+        if pace != paces[0][1] and one.form.speed is not None:
+            first = {"name": paces[0][0].name, "first": f"{paces[0][1]:.5g}"}
+            yield _note(one, ("speed",), "other_pace", found=f"{pace:.5g}", **first)
 
 
 def _note(entry: Entry, path: Path, kind: str, **details: object) -> Fault:

@@ -8,7 +8,7 @@ from itertools import accumulate
 from typing import NamedTuple
 
 from plans.cam.reading.entry import Entry
-from plans.cam.reading.form import PhaseTable
+from plans.cam.reading.phase_form import PhaseTable
 from plans.model.cam import DWELL, RETURN, RISE
 
 

@@ -12,13 +12,13 @@ from collections.abc import Sequence
 import numpy as np
 
 from geometry.board import Board, Mark
-from plans.cam.bounds import Bound, pressure_bounds
+from plans.cam.centre.bounds import Bound, pressure_bounds
+from plans.cam.centre.region import Choice, Place, nearest, on_circle, place
+from plans.cam.centre.slope_diagram import SlopeDiagram
+from plans.cam.centre.support import Touch
+from plans.cam.centre.tangents import Laid, bound_by, met, tangents, touched
 from plans.cam.course import Course, positions
-from plans.cam.region import Choice, Place, nearest, on_circle, place
 from plans.cam.sizing import SIZES, Chord, Sizing, Tangent
-from plans.cam.slope_diagram import SlopeDiagram
-from plans.cam.support import Touch
-from plans.cam.tangents import Laid, bound_by, met, tangents, touched
 from plans.model.cam import Cam, Limits, limits_of
 from plans.model.cam_faults import no_region, no_triangle
 from plans.model.cam_motion import Points, Sizes

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from plans.cam.instants import Instant
+from plans.cam.centre.instants import Instant
 from plans.model.cam import RISE, Cam
 from plans.model.cam_motion import Points
 from plans.model.motion import Floats

@@ -7,11 +7,11 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import TypeAlias
 
 from geometry.board import Board, Mark
-from plans.cam.bounds import Bound, Limit, PressureBound, limit
-from plans.cam.region import Place
+from plans.cam.centre.bounds import Bound, Limit, PressureBound, limit
+from plans.cam.centre.region import Place
+from plans.cam.centre.slope_diagram import SlopeDiagram, side_of
+from plans.cam.centre.support import Touch
 from plans.cam.sizing import Tangent
-from plans.cam.slope_diagram import SlopeDiagram, side_of
-from plans.cam.support import Touch
 from plans.model.cam import Cam
 from plans.words.words import because
 

@@ -8,14 +8,14 @@ import numpy as np
 
 from geometry.board import Board, Mark
 from geometry.meet import dot
-from plans.cam.bounds import Bound, CurvatureBound, Lines, limit
+from plans.cam.centre.bounds import Bound, CurvatureBound, Lines, limit
+from plans.cam.centre.instants import Instant, Stretch, stretches
+from plans.cam.centre.region import on_circle, place
+from plans.cam.centre.rocker_sizes import rocker_sizes
+from plans.cam.centre.slope_diagram import SlopeDiagram
+from plans.cam.centre.support import touch
 from plans.cam.course import Course, positions
-from plans.cam.instants import Instant, Stretch, stretches
-from plans.cam.region import on_circle, place
-from plans.cam.rocker_sizes import rocker_sizes
 from plans.cam.sizing import SIZES, Sizing, Tangent
-from plans.cam.slope_diagram import SlopeDiagram
-from plans.cam.support import touch
 from plans.model.cam import Cam
 from plans.model.cam_faults import fast_face, hard_face, no_distance, no_level, no_radius, no_region
 from plans.model.cam_motion import Sizes

@@ -7,11 +7,12 @@ from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
-from plans.cam.instants import Instant, Stretch, sampled
+from plans.cam.centre.instants import Instant, Stretch, sampled
 from plans.model.motion import Floats
 
 # What is sought along a law: how far each place of it goes beyond a line, and the derivative of that by the cam's turn.
 Rule: TypeAlias = Callable[[Instant], tuple[Floats, Floats]]
+EPS = float(np.finfo(np.float64).eps)  # of a whole phase: a place is known no better
 STEPS = 80  # of a root's search, which takes about ten; halving alone needs 52
 
 
@@ -49,8 +50,9 @@ def _tops(stretch: Stretch, rule: Rule) -> Iterator[Touch]:
     beyond, slope = (np.broadcast_to(row, share.shape) for row in rule(motion))
     padded = np.concatenate([[-np.inf], beyond, [-np.inf]])
     for k in np.flatnonzero((beyond >= padded[:-2]) & (beyond > padded[2:])).tolist():
-        top = _refined(stretch, rule, share, slope, k)
-        yield Touch(stretch, top, float(rule(stretch.one(top))[0][0]))
+        node, top = float(share[k]), _refined(stretch, rule, share, slope, k)
+        own = float(beyond[k]) if top == node else float(rule(stretch.one(top))[0][0])
+        yield Touch(stretch, top, own) if own > beyond[k] else Touch(stretch, node, float(beyond[k]))
 
 
 def _refined(stretch: Stretch, rule: Rule, share: Floats, slope: Floats, k: int) -> float:
@@ -67,15 +69,15 @@ def _refined(stretch: Stretch, rule: Rule, share: Floats, slope: Floats, k: int)
 
 
 def root(of: Callable[[float], float], ends: tuple[float, float], values: tuple[float, float]) -> float:
-    """Give the root between two places of different sign, to the last digits (Illinois's rule of false position).
+    """Give the root between two places of different sign, within 0 and 1 or so (Illinois's rule of false position).
 
     >>> root(lambda x: x**2 - 2, (1.0, 2.0), (-1.0, 2.0))
-    1.4142135623730951
+    1.414213562373095
     """
     (a, b), (fa, fb) = ends, values
     before = np.inf
     for _ in range(STEPS):
-        if fb == 0 or abs(b - a) <= 2 * np.spacing(abs(b)) or abs(b - before) <= np.spacing(abs(b)):
+        if fb == 0 or min(abs(b - a), abs(b - before)) <= EPS:
             return b
         before, c = b, b - fb * (b - a) / (fb - fa)
         fc = of(c)

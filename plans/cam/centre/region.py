@@ -13,7 +13,7 @@ from itertools import combinations
 from typing import NamedTuple, TypeAlias
 
 from geometry.meet import EPS, cross, dot
-from plans.cam.bounds import Bound, Limit, limit
+from plans.cam.centre.bounds import Bound, Limit, limit
 
 ROUNDS = 60  # of pushing a ruler; about six are needed
 ROUNDED = 32 * EPS  # of the size of the diagram: a line that is broken by less is kept
@@ -37,7 +37,8 @@ def place(bounds: Sequence[Bound], start: complex, choice: Choice, size: float) 
     for _ in range(ROUNDS):
         broken = [one for bound in bounds if (one := limit(bound, best.centre)).beyond(best.centre) > ROUNDED * size]
         if not broken:
-            return best
+            # What is held to a rounding is touched to the root of it only: the last touches are anew.
+            return choice([limit(one.bound, best.centre) for one in best.limits], ROUNDED * size) or best
         known = [*best.limits, *broken]
         found = choice(known, ROUNDED * size)
         if found is None:

@@ -14,9 +14,9 @@ from typing import NamedTuple, Protocol
 import numpy as np
 
 from geometry.meet import dot
-from plans.cam.instants import Instant, Stretch, stretches
-from plans.cam.slope_diagram import SlopeDiagram
-from plans.cam.support import Rule, Touch, touch
+from plans.cam.centre.instants import Instant, Stretch, stretches
+from plans.cam.centre.slope_diagram import SlopeDiagram
+from plans.cam.centre.support import Rule, Touch, touch
 from plans.model.cam import FORCE, RETURN, RISE, Limits
 from plans.model.cam_motion import Points
 from plans.model.motion import Floats

@@ -1,0 +1,68 @@
+"""Coordinates of the profiles beside their sheet, each number held to the analysis (координаты профиля).
+
+A row of the table of sheets: what is written is the construction, what it is held to is not.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+
+import numpy as np
+
+from drawings.checks.wrong import Wrong
+from drawings.figures.cam.coordinate_table import DIGITS, columns, read, written
+from drawings.files.enclosure import Enclosure
+from plans.analytic.cam.contour import contour
+from plans.model.cam import Cam
+from plans.model.cam_motion import CamFound, Contour
+from plans.model.motion import Floats
+from plans.study import Study
+from plans.words.words import message
+
+PARTS = 360  # of the turn, or of the travel of a cam that translates
+ROUNDED = 0.5 * 10.0**-DIGITS
+# Of a value: what the arithmetic of either road moves, which a radius of curvature and an angle near a pole gather.
+SHARE = 1e-9
+
+
+def enclosures(study: Study) -> Iterator[Enclosure]:
+    """Give the coordinates of each cam's profile at every degree."""
+    drawings, theirs = study["cam"].drawings.values(), study.comparison("cam").analysis.cams
+    for number, (drawing, found) in enumerate(zip(drawings, theirs, strict=True)):
+        turned = turns(drawing.cam)
+        content = written(drawing.cam, drawing.profile(turned).contour)
+        yield Enclosure(_named(number), content, partial(faults, found=found, name=_named(number)))
+
+
+def turns(cam: Cam) -> Floats:
+    """Give the turns at which a profile is told, rad, (N,): the last is the first again."""
+    return np.linspace(0.0, cam.turn, PARTS + 1)
+
+
+def faults(content: bytes, found: CamFound, name: str) -> Iterator[Wrong]:
+    """Hold written coordinates to the analysis: the same columns, each number rounded."""
+    exact = columns(found.cam, _analysed(found))
+    seen = read(content)
+    for column in exact.keys() ^ seen.keys():
+        yield message("wrong.column", name=column, file=name)
+    for column in exact.keys() & seen.keys():
+        if (row := _first_off(np.array(seen[column]), exact[column])) is not None:
+            yield message("wrong.coordinate", name=column, row=row + 1, file=name)
+
+
+def _analysed(found: CamFound) -> Contour:
+    return contour(found.cam, found.sizes, found.roller, turns(found.cam))
+
+
+def _first_off(seen: Floats, exact: Floats) -> int | None:
+    """Give the first row in which a number is another one."""
+    if seen.shape != exact.shape:
+        return min(len(seen), len(exact))
+    with np.errstate(invalid="ignore"):  # infinite less infinite
+        right = (np.abs(seen - exact) <= ROUNDED + SHARE * np.abs(exact)) | (seen == exact)
+    return None if right.all() else int(np.argmin(right))
+
+
+def _named(number: int) -> str:
+    return f"profile-{number + 1}.csv" if number else "profile.csv"

@@ -1,0 +1,172 @@
+"""What the figure of the main sizes shows: the diagram, its tangents, the region left to O (определение размеров)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from geometry.board import Line as Ruler
+from geometry.board import Mark
+from plans.cam.centre.bounds import PressureBound
+from plans.cam.centre.instants import sampled, stretches
+from plans.cam.centre.slope_diagram import SlopeDiagram
+from plans.cam.sizing import Sizing, Tangent
+from plans.model.cam import RETURN, RISE, Cam
+from plans.model.cam_motion import Points
+
+NAME, QUANTITY = "sizes", "l"
+DEPTH = 0.3  # of the diagram's height: how far the region is shown below O
+PAST = 0.12  # of the diagram's height: how far a tangent goes past the point that it touches
+
+
+@dataclass(frozen=True)
+class SizeView:
+    """The construction of the main sizes, in its own frame: from A, or from O1 of a rocker."""
+
+    sizing: Sizing
+
+    @property
+    def cam(self) -> Cam:
+        """The cam."""
+        return self.sizing.cam
+
+    @property
+    def bent(self) -> bool:
+        """Whether S is drawn over S'', as under a flat face that translates."""
+        return self.cam.flat and not self.cam.rocks
+
+    @property
+    def centre(self) -> complex:
+        """O."""
+        return _spot(self.sizing.centre)
+
+    @property
+    def start(self) -> complex:
+        """A; of a rocker K0, and under its face O1."""
+        return _spot(self.sizing.start)
+
+    @property
+    def tips(self) -> Points:
+        """K of the numbered positions, (N,); none under the face of a rocker."""
+        return _spots(self.sizing.tip)
+
+    @property
+    def ends(self) -> Points:
+        """D of the numbered positions, (N,)."""
+        return _spots(self.sizing.end)
+
+    @cached_property
+    def curves(self) -> tuple[Points, ...]:
+        """The diagram densely, a row a smooth stretch; none under the face of a rocker."""
+        if self.cam.flat and self.cam.rocks:
+            return ()
+        diagram = SlopeDiagram(self.cam)
+        motions = [sampled(one)[1] for one in stretches(self.cam, (RISE, RETURN))]
+        if self.bent:
+            return tuple(np.asarray(one.bend + 1j * one.s) for one in motions)
+        return tuple(diagram.end(one) for one in motions)
+
+    @property
+    def points(self) -> list[complex]:
+        """All that must be on the paper, but the ends of the tangents."""
+        own = [self.centre, self.start, *self.tips.tolist(), *self.ends.tolist()]
+        own += [0j] if self.cam.rocks else []
+        own += [one for curve in self.curves for one in curve.tolist()]
+        chord = self.sizing.chord
+        return own + ([_spot(chord.centre)] if chord else [])
+
+    @cached_property
+    def box(self) -> tuple[complex, complex]:
+        """The corners of what is shown, with room below O for the region."""
+        xs, ys = [one.real for one in self.points], [one.imag for one in self.points]
+        spare = DEPTH * max(max(ys) - min(ys), max(xs) - min(xs))
+        low = self.centre.imag - (spare if self.shaded else spare / 4)
+        return complex(min(xs), min(*ys, low)), complex(max(xs), max(ys) + spare / 4)
+
+    @property
+    def shaded(self) -> bool:
+        """Whether limits leave a region to be shown."""
+        return bool(self.sizing.bounds) and not self.bent
+
+    @cached_property
+    def region(self) -> tuple[complex, ...]:
+        """The corners of the part of the region that is shown: below O."""
+        if not self.shaded:
+            return ()
+        low, high = self.box
+        level = max(self.centre.imag, low.imag + (high.imag - low.imag) / 4)
+        outline = [low, complex(high.real, low.imag), complex(high.real, level), complex(low.real, level)]
+        for bound in self.sizing.bounds:
+            for stretch in bound.along:
+                lines = bound.lines(sampled(stretch)[1])
+                for normal, reach in zip(lines.normals.tolist(), lines.bounds.tolist(), strict=True):
+                    outline = cut(outline, normal, reach)
+        return tuple(outline)
+
+    def ruler(self, one: Tangent) -> tuple[complex, complex]:
+        """Give the ends of a tangent: past the point that it touches, and down to the region's end."""
+        touched, line = _spot(one.point), one.line.value
+        assert isinstance(line, Ruler)
+        along = complex(line.direction)
+        along *= math.copysign(1.0, along.imag) / abs(along)
+        low, high = self.box
+        past = touched + PAST * (high.imag - low.imag) * along
+        level = low.imag if one.binding and not self.bent else min(self.centre.imag, touched.imag)
+        foot = touched + (level - touched.imag) / along.imag * along
+        return past, _within(foot, along, low, high)
+
+
+def _within(foot: complex, along: complex, low: complex, high: complex) -> complex:
+    """Give the lower end of a line, no farther aside than the box is."""
+    wide = high.real - low.real
+    left, right = low.real - wide / 4, high.real + wide / 4
+    if left <= foot.real <= right:
+        return foot
+    edge = left if foot.real < left else right
+    return foot + (edge - foot.real) / along.real * along
+
+
+def cut(outline: Sequence[complex], normal: complex, reach: float) -> list[complex]:
+    """Cut off what of a convex outline is beyond a line.
+
+    >>> cut([0j, 2 + 0j, 2 + 2j, 2j], 1 + 0j, 1.0)
+    [0j, (1+0j), (1+2j), 2j]
+    """
+    beyond = [(normal.conjugate() * one).real - reach for one in outline]
+    return [
+        spot for k in range(len(outline)) for spot in _corner((outline[k - 1], outline[k]), (beyond[k - 1], beyond[k]))
+    ]
+
+
+def _corner(side: tuple[complex, complex], beyond: tuple[float, float]) -> Iterator[complex]:
+    (start, end), (first, last) = side, beyond
+    if (first > 0) != (last > 0):
+        yield start + (end - start) * (first / (first - last))
+    if last <= 0:
+        yield end
+
+
+def leaning(one: Tangent, view: SizeView) -> tuple[float, complex] | None:
+    """Give the angle of a tangent, rad, and the direction from which it is counted; None of one at 45 degrees."""
+    if not isinstance(one.bound, PressureBound):
+        return None
+    diagram = SlopeDiagram(view.cam)
+    return one.bound.angle, 1j * complex(diagram.leaning(one.touch.instant.s)[0])
+
+
+def direction(start: complex, end: complex) -> float:
+    """Give the direction from one place to another, rad."""
+    return cmath.phase(end - start)
+
+
+def _spot(mark: Mark | None) -> complex:
+    return 0j if mark is None else complex(mark.point)
+
+
+def _spots(mark: Mark | None) -> Points:
+    return np.zeros(0, dtype=complex) if mark is None else np.asarray(mark.point, dtype=np.complex128)

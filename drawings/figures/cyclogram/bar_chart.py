@@ -1,0 +1,226 @@
+"""The bar chart: a row for each mechanism over the turn of the main shaft, its phases, setting angles (figure 5.43)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from drawings.figures.cyclogram import course
+from drawings.figures.cyclogram.course import Stretch, stretches
+from drawings.layout.labels import Labels
+from drawings.layout.picture import Margins, Picture, Spot, picture
+from drawings.layout.place import Place
+from drawings.lettering.lettering import text_width
+from drawings.page.drafting import Drafting
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import Group, Line, Stroke, Text
+from drawings.symbols.dashes import fit_dashes
+from drawings.symbols.figure import Subject, heading
+from drawings.symbols.symbols import TICK, arrowhead
+from plans.model.cyclogram import TURN, Row, within
+
+NAME, TITLE = "bars", "cyclogram bars"
+ROWS, SETTING = "rows", "set."  # the group of its bars; the names of setting angles begin so
+SYMBOL, UNIT = "φ", "rad"
+# In radians of the abscissa: a row, where in it the course runs, a level of setting angles.
+ROW, LOW, HIGH, LEVEL = 0.46, 0.04, 0.13, 0.2
+NAMES = 1.7  # of the turn: the column of names stands left of the rows
+MARGINS = Margins(3.0, 2.0, 3.2)  # paper around it in sizes of its letters
+LETTERS = 46.0  # it is drawn at least so many of its letters wide
+LARGER = 2.1  # times as large it is drawn at most: from one standard scale to the next is twice
+DEGREES = 30  # from one number of the abscissa to the next
+BESIDE = 0.8  # mm from a line to its letters
+OVER = 1.6  # mm from the upper end of a course to its letters
+STEP = 1.5  # sizes of the letters from line to line
+PAST = 3.0  # mm that the abscissa goes past the turn
+
+
+class Chart(NamedTuple):
+    """What the bar chart shows: its rows, and the numbered positions of the main shaft, if there are any."""
+
+    rows: tuple[Row, ...]
+    numbered: tuple[float, ...] = ()
+    begin: float = 0.0  # turn of the main shaft where the abscissa begins
+
+    @property
+    def settings(self) -> tuple[Row, ...]:
+        """The rows with a setting angle."""
+        return tuple(row for row in self.rows if row.setting)
+
+    @property
+    def bottom(self) -> float:
+        """The ordinate of the abscissa."""
+        return -ROW * len(self.rows)
+
+    def at(self, turned: float) -> float:
+        """Give the abscissa of a turn of the main shaft, from 0 to less than a whole turn."""
+        return within(turned - self.begin)
+
+
+@dataclass(frozen=True)
+class BarFigure:
+    """The chart placed on paper: its lines, and the letters still to be placed."""
+
+    chart: Chart
+    place: Place
+    lines: tuple[Group, ...]
+    drafting: Drafting
+
+    def letter(self, labels: Labels) -> tuple[Group, ...]:
+        """Give the whole chart, what is too long for its bar lettered beside it."""
+        letters = (*self._numbers(labels), *self._long(labels))
+        return *self.lines, Group(letters, f"{NAME}-letters")
+
+    def _numbers(self, labels: Labels) -> Iterator[Stroke]:
+        ends = [self.chart.at(turned) for turned in self.chart.numbered]
+        again = [(0, TURN)] if 0.0 in ends[:1] else []  # the turn ends where it begins
+        for number, x in (*enumerate(ends), *again):
+            spot = self.place.on(complex(x)) + 1j * TICK
+            yield labels.beside(spot, str(number), self.drafting.hand.number, BESIDE, math.pi / 2)
+
+    def _long(self, labels: Labels) -> Iterator[Stroke]:
+        for _, foot, one in _all(self.chart):
+            if not _told(one, self.place, self.drafting):
+                spot = complex((one.start + one.end) / 2, foot + (_level(one.low) + _level(one.high)) / 2)
+                text, size = course.doing(one.span, self.drafting), self.drafting.hand.number
+                yield labels.beside(self.place.on(spot), text, size, BESIDE, math.pi / 2)
+
+
+def measure(chart: Chart, drafting: Drafting) -> Picture:
+    """Measure the room that it needs."""
+    hand = drafting.hand
+    side, below, above = (share * hand.letter for share in MARGINS)
+    low = chart.bottom - LEVEL * len(chart.settings)
+    corners = (complex(-NAMES, low), complex(TURN, 0.0))
+    title = text_width(Text(0j, drafting.word(TITLE), hand.title))
+    widest = max(_wide(course.name(row, drafting), hand) for row in chart.rows)
+    least = max(LETTERS * hand.letter, (widest + 2 * BESIDE) * (TURN + NAMES) / NAMES)
+    margins = Margins(side, below + 2 * hand.number, above + 2 * hand.title + hand.text)
+    room = picture(NAME, corners, (SYMBOL, UNIT), margins, title, least)
+    return room._replace(most=LARGER * least)
+
+
+def draw(chart: Chart, room: Picture, spot: Spot, drafting: Drafting) -> BarFigure:
+    """Draw it in its spot: heading, rows, abscissa, setting angles."""
+    place, hand = room.place(*spot), drafting.hand
+    title = heading(spot.box, drafting.word(TITLE), drafting.scale(spot.scale), hand)
+    frame = Group((*_grid(chart, place, hand), *_names(chart, place, drafting), *_axis(chart, place, drafting)))
+    bars = Group(tuple(_bars(chart, place, drafting)), ROWS)
+    settings = tuple(_settings(chart, place, drafting))
+    return BarFigure(chart, place, (Group((title, frame, bars, *settings), NAME),), drafting)
+
+
+def _all(chart: Chart) -> Iterator[tuple[int, float, Stretch]]:
+    """Give each stretch with the number of its row from 1, and the ordinate of the row's lower line."""
+    for k, row in enumerate(chart.rows):
+        for span in row.spans:
+            yield from ((k + 1, -ROW * (k + 1), one) for one in stretches(span, chart.begin))
+
+
+def _level(level: float) -> float:
+    """Give the ordinate of a level over the row's lower line."""
+    return LOW + (HIGH - LOW) * level
+
+
+def _wide(text: str, hand: Hand) -> float:
+    return text_width(Text(0j, text, hand.number, "middle", True))
+
+
+def _told(one: Stretch, place: Place, drafting: Drafting) -> tuple[str, ...]:
+    """Give the letters that have room over the line of a span, from below: its angle, what is done; or none."""
+    room = place.length(one.end - one.start) - 2 * BESIDE
+    texts = course.angle(one.span, drafting), course.doing(one.span, drafting)
+    angle, doing = (_wide(text, drafting.hand) <= room for text in texts)
+    return texts if angle and doing else texts[1:] if doing else ()
+
+
+def _grid(chart: Chart, place: Place, hand: Hand) -> Iterator[Stroke]:
+    """Rule the rows, and the column of their names."""
+    for k in range(len(chart.rows) + 1):
+        yield Line(place.on(complex(-NAMES, -ROW * k)), place.on(complex(TURN, -ROW * k)), hand.other)
+    for x in (-NAMES, 0.0, TURN):
+        yield Line(place.on(complex(x, chart.bottom)), place.on(complex(x)), hand.other)
+    for turned in chart.numbered:
+        spot = place.on(complex(chart.at(turned)))
+        yield Line(spot - 1j * TICK, spot + 1j * TICK, hand.other)
+
+
+def _names(chart: Chart, place: Place, drafting: Drafting) -> Iterator[Stroke]:
+    hand = drafting.hand
+    for k, row in enumerate(chart.rows):
+        spot = place.on(complex(-NAMES, -ROW * (k + 0.5))) + BESIDE - 0.5j * hand.number
+        yield Text(spot, course.name(row, drafting), hand.number, "start", True)
+
+
+def _axis(chart: Chart, place: Place, drafting: Drafting) -> Iterator[Stroke]:
+    """Draw the abscissa with its degrees."""
+    hand, start = drafting.hand, place.on(complex(0.0, chart.bottom))
+    end = place.on(complex(TURN, chart.bottom)) + PAST
+    head = arrowhead(start, end + 2 * PAST, hand.symbol)
+    yield Line(start, end + 2 * PAST, hand.other)
+    yield from () if head is None else (head,)
+    yield Text(end - 1j * (TICK + BESIDE + hand.number), "φ, °", hand.number, "start", True)
+    for degrees in range(0, 360, DEGREES):
+        foot = place.on(complex(chart.at(math.radians(degrees)), chart.bottom))
+        yield Line(foot - 1j * TICK, foot, hand.other)
+        yield Text(foot - 1j * (TICK + BESIDE + hand.number), str(degrees), hand.number, "middle", True)
+
+
+def _bars(chart: Chart, place: Place, drafting: Drafting) -> Iterator[Stroke]:
+    """Draw the course of each span, its letters over it, and a line where the next one begins."""
+    hand, counts = drafting.hand, dict[int, int]()
+    for k, foot, one in _all(chart):
+        counts[k] = number = counts.get(k, 0) + 1
+        edge = place.on(complex(one.start, foot)), place.on(complex(one.start, foot + ROW))
+        yield Line(*edge, hand.drafted)
+        ends = complex(one.start, foot + _level(one.low)), complex(one.end, foot + _level(one.high))
+        told, middle = (
+            _told(one, place, drafting),
+            complex((one.start + one.end) / 2, foot + _level(max(one.low, one.high))),
+        )
+        letter = told[0] if told else course.doing(one.span, drafting)
+        yield _bar(f"{k}.{number}", ends, letter, one, place, hand)
+        for line, text in enumerate(told):
+            spot = place.on(middle) + 1j * (OVER + line * STEP * hand.number)
+            yield Text(spot, text, hand.number, "middle", True)
+
+
+def _bar(name: str, ends: tuple[complex, complex], text: str, one: Stretch, place: Place, hand: Hand) -> Group:
+    """Draw the line of a span, to be measured."""
+    start, end = map(place.on, ends)
+    (line,) = fit_dashes([Line(start, end, course.style_of(one.span, hand))])
+    data = Subject(NAME, SYMBOL, None).data("vector", name, ends[1] - ends[0], place.scale)
+    return Group((line,), "", data, Text(0j, text).plain)
+
+
+def _settings(chart: Chart, place: Place, drafting: Drafting) -> Iterator[Stroke]:
+    """Dimension the setting angles under the abscissa from where φ is 0, each on a level of its own."""
+    hand, down = drafting.hand, -2j * (drafting.hand.number + BESIDE)  # under the degrees
+    for k, row in enumerate(chart.settings):
+        level, zero = chart.bottom - LEVEL * (k + 1), chart.at(0.0)
+        ends = complex(zero, level), complex(chart.at(row.setting or 0.0), level)
+        data = Subject(NAME, SYMBOL, None).data("vector", f"{SETTING}{k + 1}", ends[1] - ends[0], place.scale)
+        start, end = (place.on(one) + down for one in ends)
+        text = f"{course.name(row, drafting)}: {_setting(chart, row, drafting)}"
+        heads = (arrowhead(start, end, hand.symbol), arrowhead(end, start, hand.symbol))
+        yield Group((Line(start, end, hand.drafted),), "", data, Text(0j, text).plain)
+        yield from (head for head in heads if head is not None)
+        yield _over(start, end, text, hand)
+        for x, tip in zip((zero, ends[1].real), (start, end), strict=True):
+            yield Line(place.on(complex(x, chart.bottom)) + down / 2, tip - 1j, hand.drafted)
+
+
+def _over(start: complex, end: complex, text: str, hand: Hand) -> Text:
+    """Write over the middle of a dimension, or where that is too short before it."""
+    if _wide(text, hand) + 2 * BESIDE <= abs(end - start):
+        return Text((start + end) / 2 + 1j * BESIDE, text, hand.number, "middle", True)
+    left = complex(min(start.real, end.real) - 2 * BESIDE, start.imag - hand.number / 2)
+    return Text(left, text, hand.number, "end", True)
+
+
+def _setting(chart: Chart, row: Row, drafting: Drafting) -> str:
+    """Write a setting angle; of one that stands before 0 what it lacks of a whole turn."""
+    told, back = course.setting(row, drafting), chart.at(0.0) - chart.at(row.setting or 0.0)
+    return told if back <= 0 else f"{told} = 360° − {drafting.number(math.degrees(back), course.DIGITS)}°"

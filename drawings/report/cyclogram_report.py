@@ -1,0 +1,76 @@
+"""A cyclogram in the report: window, phase and setting angles, all characteristic positions (циклограмма в отчёте)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from drawings.page.drafting import Drafting, drafting_of
+from drawings.report import linkage_subject
+from drawings.report.chapters import Chapters
+from drawings.report.cyclogram_notes import CyclogramNotes
+from drawings.report.markdown import chapter
+from drawings.report.subject import Subject
+from plans.cyclogram.study import CYCLOGRAM, CyclogramStudy
+from plans.study import Study
+from plans.words.words import Message, word
+
+if TYPE_CHECKING:
+    from drawings.paper.strokes import Leaf
+
+DIGITS = 10
+
+
+def subject(study: Study) -> Subject:
+    """Tell the main mechanism and the window that it leaves, for the gallery's page."""
+    linkage, found = linkage_subject.subject(study), study[CYCLOGRAM].cyclogram
+    rise = f"{math.degrees(found.window.angle):.4g}"
+    output = f"{linkage.output}, tool off the work for {rise}°"
+    return Subject(linkage.structure, output, f"{linkage.sentence} The tool is off the work for {rise}° of the turn.")
+
+
+def headline(study: Study) -> str:
+    """Say when an auxiliary mechanism may move."""
+    return "; ".join(map(_plain, _notes(study, drafting_of(study.scene)).window()))
+
+
+def remarks(study: Study) -> list[str]:
+    """Warn of what no notches lead back from."""
+    found: CyclogramStudy = study[CYCLOGRAM]
+    trial = not all(one.notched for one in found.cyclogram.positions)
+    return [word(study.scene.sheet.language, "sheet.cyclogram by trial")] if trial else []
+
+
+def faults(text: str, study: Study) -> Iterator[Message]:
+    """Find no fault: the numbers are printed from the comparison that was judged."""
+    yield from ()
+
+
+def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
+    """Tell the cyclogram and its characteristic positions."""
+    drafting = drafting_of(study.scene)
+    title, notes = chapter(drafting.language, CYCLOGRAM), _notes(study, drafting).all
+    told = [*(f"- {_plain(one)}" for one in notes), "", *_positions(study, drafting)]
+    return Chapters(values=[title, *told])
+
+
+def _positions(study: Study, drafting: Drafting) -> Iterator[str]:
+    """Give a line for each characteristic position, by both roads."""
+    comparison = study.comparison(CYCLOGRAM)
+    pairs = zip(comparison.construction.positions, comparison.analysis.positions, strict=True)
+    for number, (one, other) in enumerate(pairs):
+        angles = {"plan": one.turned, "analysis": other.turned}
+        told = {name: drafting.number(math.degrees(angle), DIGITS) for name, angle in angles.items()}
+        parts = {"position": number, "role": drafting.word(f"role {one.role}"), "share": f"{one.share:.6g}"}
+        yield word(drafting.language, "report.characteristic", **parts, **told)
+
+
+def _notes(study: Study, drafting: Drafting) -> CyclogramNotes:
+    found: CyclogramStudy = study[CYCLOGRAM]
+    return CyclogramNotes(found.cyclogram, found.cams, drafting, DIGITS)
+
+
+def _plain(note: str) -> str:
+    """Write a note without the braces of its indices."""
+    return " ".join(note.replace("{", "").replace("}", "").split())

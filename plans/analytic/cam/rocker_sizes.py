@@ -1,0 +1,188 @@
+"""The centre of a cam with a rocker by Newton's method on the envelopes of its limiting lines (M2.9).
+
+In mirrored coordinates: the cam turns counter-clockwise, O1 is the origin, the rocker points to the right where it
+turns with the cam on the rise, to the left where against it. θ is its lean from the level, f its sense. With
+z = f l - l ψ' - O exp(-iθ) a limit asks for a = ±cos α Re z + sin α Im z >= 0. At the place where a line of a limit
+touches O, a = 0 and da/dφ = 0.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Callable, Iterator, Sequence
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+
+from plans.analytic.cam.half_planes import nearest, on_circle
+from plans.analytic.cam.stretches import Stretch, stretches
+from plans.model.cam import FORCE, RETURN, RISE, Cam, limits_of
+from plans.model.cam_faults import no_region, no_triangle
+from plans.model.cam_motion import Points, Sizes, Travel
+from plans.model.motion import Floats
+
+STEPS = 12  # of Newton's method, which takes about four
+Condition: TypeAlias = Callable[[complex, Sequence[float]], float]  # on O and the shares of the touches, m: 0
+STEP = 1e-6  # of a difference, in shares of a phase and of the rocker: it makes the Jacobian alone, no result
+
+
+class Family(NamedTuple):
+    """The limiting lines of one limit over one stretch."""
+
+    cam: Cam
+    stretch: Stretch
+    weight: complex  # ±cos α + i sin α
+
+    @property
+    def sense(self) -> int:
+        """f: +1 where the rocker turns with the cam on the rise."""
+        return self.cam.follower.sense
+
+    @property
+    def length(self) -> float:
+        """l, m."""
+        return self.cam.follower.length or 0.0
+
+    def _lean(self, at: Travel) -> Points:
+        return np.asarray(np.exp(1j * self.sense * (at.s - self.cam.lift / 2)))
+
+    def lines(self, share: Floats) -> tuple[Points, Floats]:
+        """Give normals and bounds of the half-planes in which O lies: Re(conj(n) O) <= b."""
+        at = self.stretch.at(share)
+        return self.weight * self._lean(at), np.asarray(self.weight.real * self.length * (self.sense - at.slope))
+
+    def touching(self, share: Floats, centre: complex) -> tuple[float, float]:
+        """Give a and da/dφ at one share: both vanish where the line is touched."""
+        at = self.stretch.at(share)
+        seen = complex((centre / self._lean(at))[0])
+        z = self.length * (self.sense - float(at.slope[0])) - seen
+        drift = -self.length * float(at.bend[0]) + 1j * self.sense * float(at.slope[0]) * seen
+        return (self.weight.conjugate() * z).real, (self.weight.conjugate() * drift).real
+
+
+class Seed(NamedTuple):
+    """A line that O lies on, near where it is touched; a corner stays where it is."""
+
+    family: Family
+    share: float
+    corner: bool
+
+
+def rocker_sizes(cam: Cam) -> Sizes:
+    """Give R0, L and the rocker's angle at the start."""
+    given, length, f = cam.given, cam.follower.length or 0.0, cam.follower.sense
+    start = f * length * cmath.exp(-0.5j * f * cam.lift)
+    if given.base is not None and given.centre is not None:
+        initial = _notched(cam, length, given.base, given.centre)
+        return _sizes(cam, start, given.centre * start / length * cmath.exp(-1j * f * initial))
+    place = _nearest(cam, start) if given.centre is None else _on_circle(cam, start, given.centre)
+    if given.base is not None:
+        place = start + given.base * (place - start) / abs(place - start)
+    return _sizes(cam, start, place)
+
+
+def _notched(cam: Cam, length: float, base: float, centre: float) -> float:
+    """Give the angle at O1 of the triangle of l, L and R0."""
+    if not abs(length - base) < centre < length + base:
+        raise no_triangle(cam, length, base, centre)
+    return math.acos((length**2 + centre**2 - base**2) / (2 * length * centre))
+
+
+def _sizes(cam: Cam, start: complex, place: complex) -> Sizes:
+    base, centre = cam.given.base, cam.given.centre
+    pivot = -place if cam.sense > 0 else place.conjugate()
+    initial = cam.follower.sense * cmath.phase(start / place)
+    return Sizes(
+        abs(start - place) if base is None else base, 0.0, abs(place) if centre is None else centre, pivot, initial
+    )
+
+
+def _families(cam: Cam) -> Iterator[Family]:
+    limits = limits_of(cam)
+    assert limits.rise is not None  # the book's at least
+    weights = [(RISE, cmath.exp(1j * limits.rise))]
+    weights += [(RETURN, -cmath.exp(-1j * limits.back))] if limits.back is not None else []
+    weights += [(RISE, -cmath.exp(-1j * limits.rise))] if cam.closure == FORCE else []
+    for kind, weight in weights:
+        yield from (Family(cam, one, weight) for one in stretches(cam, (kind,)))
+
+
+def _lines(families: Sequence[Family]) -> tuple[Points, Floats, list[tuple[Family, float]]]:
+    """Give the lines of all families at the places of their grids, and which each is."""
+    rows = [(family, family.stretch.grid) for family in families]
+    lines = [family.lines(grid) for family, grid in rows]
+    which = [(family, float(share)) for family, grid in rows for share in grid]
+    return np.concatenate([one for one, _ in lines]), np.concatenate([one for _, one in lines]), which
+
+
+def _seeds(own: Sequence[int], which: Sequence[tuple[Family, float]], centre: complex) -> tuple[Seed, ...]:
+    return tuple(_seed(*which[k], centre) for k in own)
+
+
+def _seed(family: Family, share: float, centre: complex) -> Seed:
+    """Give a seed; an end of a stretch is a corner where the line is pressed against it from within."""
+    stretch, slope = family.stretch, family.touching(np.array([share]), centre)[1]
+    pressed = (share == stretch.start and slope >= 0) or (share == stretch.end and slope <= 0)
+    return Seed(family, share, pressed)
+
+
+def _nearest(cam: Cam, start: complex) -> complex:
+    normals, bounds, which = _lines(tuple(_families(cam)))
+    found = nearest(start, normals, bounds)
+    if found is None:
+        raise no_region(cam, limits_of(cam))
+    at, own = found
+    seeds = _seeds(own, which, at)
+
+    def foot(centre: complex, shares: Sequence[float]) -> float:
+        """Of one line alone: O lies square to it from the start."""
+        normal = complex(seeds[0].family.lines(np.array([shares[0]]))[0][0])
+        return ((start - centre) / normal).imag
+
+    return _polished(seeds, at, cam, [] if len(own) == 2 else [foot])
+
+
+def _on_circle(cam: Cam, start: complex, radius: float) -> complex:
+    normals, bounds, which = _lines(tuple(_families(cam)))
+    places, own = on_circle(radius, normals, bounds)
+    below = [k for k, one in enumerate(places.tolist()) if (one * start.conjugate()).imag * cam.follower.sense < 0]
+    if not below:
+        raise no_region(cam, limits_of(cam))
+    best = min(below, key=lambda k: abs(places[k] - start))
+    at = complex(places[best])
+    size = cam.follower.length or 0.0
+    return _polished(_seeds([own[best]], which, at), at, cam, [lambda centre, _: (abs(centre) ** 2 - radius**2) / size])
+
+
+def _polished(seeds: Sequence[Seed], at: complex, cam: Cam, others: Sequence[Condition]) -> complex:
+    """Solve for O and the touches by Newton's method with a Jacobian of differences."""
+    scale = cam.follower.length or 0.0
+    free = [seed.family.stretch for seed in seeds if not seed.corner]
+    low = np.array([-np.inf, -np.inf, *(one.start for one in free)])
+    high = np.array([np.inf, np.inf, *(one.end for one in free)])
+    unknowns = np.array([at.real / scale, at.imag / scale, *(seed.share for seed in seeds if not seed.corner)])
+
+    def residual(values: Floats) -> Floats:
+        return _residual(seeds, scale * complex(values[0], values[1]), values[2:].tolist(), others) / scale
+
+    for _ in range(STEPS):
+        step = np.linalg.solve(_jacobian(residual, unknowns), residual(unknowns))
+        unknowns = np.clip(unknowns - step, low, high)
+        if np.abs(step[:2]).max() <= 2 * np.finfo(float).eps:
+            break
+    return scale * complex(unknowns[0], unknowns[1])
+
+
+def _residual(seeds: Sequence[Seed], centre: complex, free: Sequence[float], others: Sequence[Condition]) -> Floats:
+    """Give a of all touches, da/dφ of those that are no corners, and what else is asked of O."""
+    places = iter(free)
+    shares = [seed.share if seed.corner else next(places) for seed in seeds]
+    touching = [seed.family.touching(np.array([share]), centre) for seed, share in zip(seeds, shares, strict=True)]
+    slopes = [one[1] for seed, one in zip(seeds, touching, strict=True) if not seed.corner]
+    return np.array([*(one[0] for one in touching), *slopes, *(one(centre, shares) for one in others)])
+
+
+def _jacobian(residual: Callable[[Floats], Floats], at: Floats) -> Floats:
+    steps = np.eye(len(at)) * STEP
+    return np.array([(residual(at + one) - residual(at - one)) / (2 * STEP) for one in steps]).T

@@ -1,0 +1,128 @@
+"""The main sizes by closed formulas and roots (основные размеры, аналитически)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from plans.analytic.cam.face_sizes import face_sizes
+from plans.analytic.cam.rocker_sizes import rocker_sizes
+from plans.analytic.cam.stretches import golden, peak, stretches
+from plans.model.cam import FORCE, RETURN, RISE, Cam, limits_of
+from plans.model.cam_faults import hard_face, no_radius, still, too_far
+from plans.model.cam_motion import Sizes
+
+
+def sizes(cam: Cam) -> Sizes:
+    """Give the main sizes, those that are given as they are. Raises CamError where there are none."""
+    if cam.translates:
+        return Sizes(0.0)
+    if cam.given.base is None and not any(cam.moving()):
+        raise still(cam)
+    if cam.flat:
+        refuse_falls(cam)
+        return face_sizes(cam) if cam.rocks else _flat(cam)
+    return rocker_sizes(cam) if cam.rocks else _guided(cam)
+
+
+class Side(NamedTuple):
+    """A limiting line of O = (-e, -S0): sign*e + S0 tan a >= Q."""
+
+    sign: int
+    tangent: float
+    most: float  # Q, m
+
+    def held(self, offset: float, level: float) -> float:
+        """Give by how much it is held, m; below 0 it is broken."""
+        return self.sign * offset + level * self.tangent - self.most
+
+
+def _guided(cam: Cam) -> Sizes:
+    """Give R0 and e: S0 = (Q1 + Q2)/(tan a1 + tan a2), e = (Q1 tan a2 - Q2 tan a1)/(tan a1 + tan a2)."""
+    given = cam.given
+    if given.base is not None and given.offset is not None:
+        if abs(given.offset) >= given.base:
+            raise too_far(cam, given.offset, given.base)
+        return Sizes(given.base, given.offset)
+    if given.base is not None and cam.unlimited:
+        return Sizes(given.base, 0.0)
+    sides = tuple(_sides(cam))
+    if given.offset is not None:
+        level = max((one.most - one.sign * given.offset) / one.tangent for one in sides)
+        return Sizes(math.hypot(level, given.offset), given.offset)
+    offset, level = _least(sides)
+    base = math.hypot(offset, level)
+    return Sizes(base, offset) if given.base is None else Sizes(given.base, offset * given.base / base)
+
+
+def _sides(cam: Cam) -> Iterator[Side]:
+    limits = limits_of(cam)
+    assert limits.rise is not None  # the book's at least
+    yield _side(cam, RISE, limits.rise, 1)
+    if limits.back is not None:
+        yield _side(cam, RETURN, limits.back, -1)
+    if cam.closure == FORCE:
+        yield _side(cam, RISE, limits.rise, -1)
+
+
+def _side(cam: Cam, kind: str, angle: float, sign: int) -> Side:
+    """Give the line of a limit: Q is the greatest of sign*S' - S tan a, at S'' = sign*S' tan a or at a corner."""
+    t = math.tan(angle)
+    found = peak(
+        stretches(cam, (kind,)), lambda at: sign * at.slope - t * at.s, lambda at: sign * at.bend - t * at.slope
+    )
+    return Side(sign, t, found.value)
+
+
+def _least(sides: tuple[Side, ...]) -> tuple[float, float]:
+    """Give e and S0 of the least R0: where two lines meet, or square to one of them."""
+    rise, *others = sides
+    corners = [_meeting(rise, other) for other in others]
+    corners += [_meeting(one, other) for one, other in pairwise(others)]
+    places = [_foot(one) for one in sides] + [one for one in corners if one is not None]
+    slack = 1e-14 * max(abs(one.most) for one in sides)  # a few roundings of Q
+    held = [one for one in places if all(side.held(*one) >= -slack for side in sides)]
+    return min(held, key=lambda one: math.hypot(*one))
+
+
+def _meeting(one: Side, other: Side) -> tuple[float, float] | None:
+    if one.sign == other.sign:
+        turn = one.tangent - other.tangent
+        level = (one.most - other.most) / turn if turn else math.inf
+        return (one.sign * (one.most - level * one.tangent), level) if turn else None
+    level = (one.most + other.most) / (one.tangent + other.tangent)
+    return one.sign * (one.most * other.tangent - other.most * one.tangent) / (one.tangent + other.tangent), level
+
+
+def _foot(one: Side) -> tuple[float, float]:
+    size = one.most / (1 + one.tangent**2)
+    return one.sign * size, one.tangent * size
+
+
+def _flat(cam: Cam) -> Sizes:
+    """Give R0 = ρ_min - min(S + S'')."""
+    offset = cam.given.offset or 0.0
+    if cam.given.base is not None:
+        return Sizes(cam.given.base, offset)
+    everywhere = stretches(cam, {one.kind for one in cam.phases})
+    base = cam.limits.curvature + golden(everywhere, lambda at: -(at.s + at.bend)).value
+    if base <= 0:
+        raise no_radius(cam)
+    return Sizes(base, offset)
+
+
+def refuse_falls(cam: Cam) -> None:
+    """Refuse a fall of S' at once under a face that is to be sized, between two stretches or where a turn closes."""
+    if cam.given.base is not None:
+        return
+    along = stretches(cam, {one.kind for one in cam.phases})
+    steepest = max(abs(one.change) / one.angle for one in cam.moving())
+    for one, other in pairwise((along[-1], *along)):
+        before = float(one.at(np.array([one.end])).slope[0])
+        after = float(other.at(np.array([other.start])).slope[0])
+        if after - before < -1e-12 * steepest:  # more than the rounding of a law's coefficients
+            raise hard_face(cam, other.turned(other.start))

@@ -1,0 +1,125 @@
+"""Coordinates of a profile as a file beside its sheet: right, closed, held to the analysis, of its set."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from drawings.checks.cam.coordinates import PARTS, faults, turns
+from drawings.checks.cam.rolling import apart
+from drawings.checks.verify import SelfCheckFailed
+from drawings.commands.draw import draw
+from drawings.figures.cam.coordinate_table import read, written
+from drawings.files.enclosure import Enclosure
+from drawings.sheets.table import SHEETS
+from plans.cam.course import Course
+from plans.cam.path import path
+from plans.cam.profile.profile import profile
+from plans.model.cam import GROOVE, ROLLER, TRANSLATING
+from plans.model.cam_motion import ANALYSIS, CamFound, Contour
+from plans.study import Study
+from plans.techniques import named
+from plans.words.words import message
+from tests.gallery import GALLERY
+from tests.parts import some
+from tests.plans import cam_cases as cases
+from tests.plans.cam_cases import Case, every, roller_of, titled
+
+MM = 1e-3
+LAST = 1e-6  # mm: the last digit that is written
+USUAL = cases.cam(TRANSLATING, ROLLER, -1, closure=GROOVE)
+CASE = USUAL, cases.sizes(USUAL)
+
+
+def drawn(case: Case) -> Contour:
+    cam, sizes = case
+    return profile(Course(cam), sizes, roller_of(cam), turns(cam)).contour
+
+
+def told(content: bytes, case: Case) -> list[str]:
+    cam, sizes = case
+    found = CamFound(ANALYSIS, cam, sizes, roller_of(cam), drawn(case))
+    return [str(one) for one in faults(content, found, "profile.csv")]
+
+
+@pytest.mark.parametrize("case", some(every(), every=12), ids=titled)
+def test_coordinates_are_those_of_the_analysis_and_on_the_drawn_path(case: Case) -> None:
+    cam, sizes = case
+    content = written(cam, drawn(case))
+    assert told(content, case) == []
+    found = read(content)
+    spots = (np.array(found["x_mm"]) + 1j * np.array(found["y_mm"])) * MM
+    own = path(cam, sizes, -roller_of(cam))
+    assert len(spots) == PARTS + 1
+    assert apart(own.pieces, own.closed, spots).max() <= own.deviation + LAST * MM
+    if not cam.translates:
+        assert abs(spots[-1] - spots[0]) <= 2 * LAST * MM
+        assert found["turned_deg"][-1] == 360
+        assert found["angle_deg"][-1] - found["angle_deg"][0] == pytest.approx(-360 * cam.sense, abs=2 * LAST)
+
+
+def test_columns_are_told_by_what_there_is() -> None:
+    groove = list(read(written(USUAL, drawn(CASE))))
+    assert groove[:2] == ["turned_deg", "s_mm"] and groove[-2:] == ["pressure_deg", "curvature_radius_mm"]
+    assert {"radius_mm", "outer_x_mm", "pitch_angle_deg"} <= set(groove)
+    slide = cases.cam(translates=True, phases=cases.phases(cases.USUAL, cases.LIFT, 0.3))
+    assert not [name for name in read(written(slide, drawn((slide, cases.sizes(slide))))) if "angle" in name]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "fault"),
+    [
+        (b"\r\n90.000000,", b"\r\n90.000002,", "turned_deg in row 91 of profile.csv (against the analysis)"),
+        (b"outer_x_mm", b"other_x_mm", "the column outer_x_mm of profile.csv"),
+        (b"curvature_radius_mm", b"radius", "the column curvature_radius_mm of profile.csv"),
+    ],
+)
+def test_wrong_coordinate_is_seen(old: bytes, new: bytes, fault: str) -> None:
+    content = written(USUAL, drawn(CASE))
+    assert content.count(old) == 1
+    assert fault in told(content.replace(old, new), CASE)
+
+
+def test_lost_row_is_seen() -> None:
+    content = written(USUAL, drawn(CASE))
+    rows = content.splitlines(keepends=True)
+    assert "x_mm in row 361 of profile.csv (against the analysis)" in told(b"".join(rows[:-1]), CASE)
+
+
+SHAFT = GALLERY / "fan.toml"
+
+
+def right(study: Study) -> Iterator[Enclosure]:
+    yield Enclosure("masses.csv", f"{study.scene.title}\r\n".encode(), lambda written: ())
+
+
+def wrong(study: Study) -> Iterator[Enclosure]:
+    yield Enclosure("masses.csv", b"1", lambda written: [message("wrong.column", name=written.decode(), file="it")])
+
+
+def enclosed(monkeypatch: pytest.MonkeyPatch, name: str) -> None:
+    row = SHEETS["rotor"]._replace(enclosures=f"{__name__}:{name}")
+    monkeypatch.setitem(SHEETS, "rotor", row)  # type: ignore[arg-type]
+    monkeypatch.setattr(
+        "drawings.commands.draw.named", lambda text: globals()[name] if text.endswith(name) else named(text)
+    )
+
+
+def test_enclosure_is_of_the_set(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    enclosed(monkeypatch, "right")
+    sheets = draw(SHAFT, tmp_path)
+    assert tmp_path / "fan-masses.csv" in sheets.paths
+    assert (tmp_path / "fan-masses.csv").read_bytes().endswith(b"\r\n")
+    listed = json.loads((tmp_path / "fan-manifest.json").read_text("utf-8"))["files"]
+    assert "fan-masses.csv" in {entry["name"] for entry in listed}
+
+
+def test_nothing_is_written_where_an_enclosure_is_wrong(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    enclosed(monkeypatch, "wrong")
+    with pytest.raises(SelfCheckFailed, match="the column 1 of it"):
+        draw(SHAFT, tmp_path)
+    assert list(tmp_path.iterdir()) == []
