@@ -73,7 +73,7 @@ def _bends_off(seen: Floats, exact: Floats) -> Floats:
     """Give it for radii by how the curve bends: where it is nearly straight either road may have any large radius."""
     with np.errstate(divide="ignore"):
         bend, true = 1 / seen, 1 / exact
-    return np.abs(bend - true) - ROUNDED * true**2 - SHARE * np.abs(true).max()
+    return np.asarray(np.abs(bend - true) - ROUNDED * true**2 - SHARE * np.abs(true).max())
 
 
 def _named(number: int) -> str:
