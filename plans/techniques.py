@@ -104,6 +104,7 @@ TECHNIQUES: Final[Mapping[str, Technique]] = {
         plans=("cyclogram",),
         sheets={"cyclogram": ("extremes", "positions", "cyclogram")},
         needs=("linkage",),
+        asks="plans.cyclogram.reading:asked_of",
     ),
     "cam": Technique(
         form="plans.cam.reading.form:CamForm",

@@ -16,9 +16,9 @@ from drawings.measure.measure import Measured
 from drawings.page.drafting import drafting_of
 from drawings.paper.strokes import Arc, Leaf
 from drawings.paper.walk import groups
-from drawings.sheets.cyclogram import rows_of
 from plans.checks.compare import road_of
 from plans.checks.cyclogram_comparison import CyclogramComparison
+from plans.cyclogram.rows import rows_of
 from plans.cyclogram.study import CYCLOGRAM, CyclogramStudy
 from plans.model.cyclogram import Cyclogram, Row, within
 from plans.model.mechanism import FRAME
@@ -53,7 +53,7 @@ def check(measured: Measured, leaf: Leaf, study: CyclogramStudy, comparison: Cyc
 
 def _places(measured: Measured, leaf: Leaf, study: CyclogramStudy, found: Cyclogram) -> Iterator[Wrong]:
     """Hold the crank's pins and the points of the position in full lines against the analysis; none may be missing."""
-    true = _true(study, found, leaf.metadata["shown"])
+    true = _true(study, found, leaf.metadata["characteristic"])
     seen = {(one.plan, one.name): one for one in measured.points}
     size = max(abs(value) for value in true.values())
     for (plan, name), value in true.items():

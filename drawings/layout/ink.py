@@ -132,7 +132,7 @@ class _Pieces:
 
     def __init__(self) -> None:
         self._starts, self._ends = np.zeros(0, complex), np.zeros(0, complex)
-        self._weights = np.zeros(0)
+        self._weights, self._boxes = np.zeros(0), np.zeros((4, 0))  # left, bottom, right, top
 
     def add(self, strokes: Iterable[tuple[Stroke, float]]) -> None:
         pieces = [(*piece, weight) for stroke, weight in strokes for piece in _pieces(stroke)]
@@ -140,26 +140,25 @@ class _Pieces:
             starts, ends, weights = zip(*pieces, strict=True)
             self._starts, self._ends = np.append(self._starts, starts), np.append(self._ends, ends)
             self._weights = np.append(self._weights, weights)
+            sides = np.array((self._starts.real, self._starts.imag)), np.array((self._ends.real, self._ends.imag))
+            self._boxes = np.concatenate((np.minimum(*sides), np.maximum(*sides)))
 
     def crossed_by(self, strokes: Iterable[Stroke]) -> float:
         pieces = [piece for stroke in flat(strokes) for piece in _pieces(stroke)]
         starts, ends = np.array([piece[0] for piece in pieces]), np.array([piece[1] for piece in pieces])
         near = self._near(np.concatenate([starts, ends]))
         own_starts, own_ends = self._starts[near, None], self._ends[near, None]
-        sides = _cross(ends - starts, own_starts - starts) * _cross(ends - starts, own_ends - starts)
-        others = _cross(own_ends - own_starts, starts - own_starts) * _cross(own_ends - own_starts, ends - own_starts)
+        step, own_step, apart = ends - starts, own_ends - own_starts, starts - own_starts
+        sides = _cross(step, -apart) * _cross(step, own_ends - starts)
+        others = _cross(own_step, apart) * _cross(own_step, ends - own_starts)
         return float(((sides <= 0) & (others <= 0)).sum(axis=1) @ self._weights[near])
 
     def _near(self, spots: Complexes) -> npt.NDArray[np.intp]:
         """Give the pieces whose boxes meet the box of some spots."""
-        over = [
-            (np.minimum(first, last) <= own.max()) & (np.maximum(first, last) >= own.min())
-            for first, last, own in (
-                (self._starts.real, self._ends.real, spots.real),
-                (self._starts.imag, self._ends.imag, spots.imag),
-            )
-        ]
-        return np.flatnonzero(over[0] & over[1])
+        left, bottom, right, top = self._boxes
+        x, y = spots.real, spots.imag
+        across, up = (left <= x.max()) & (right >= x.min()), (bottom <= y.max()) & (top >= y.min())
+        return np.flatnonzero(across & up)
 
 
 def padded(box: Box, shift: complex, by: float = CLEAR) -> Box:

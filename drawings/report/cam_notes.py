@@ -10,7 +10,8 @@ import numpy as np
 
 from drawings.page.drafting import Drafting
 from drawings.report.phase_letters import phase_letter
-from plans.model.cam import Cam, Phase
+from plans.cam.tables import smoothing
+from plans.model.cam import TABLE, Cam, Phase
 from plans.model.cam_motion import CamFound, Extreme, Flaw, Shock
 
 MM = 1000.0  # of a metre
@@ -31,6 +32,7 @@ class CamNotes(NamedTuple):
         return (
             *self.asked(),
             *self.phases(),
+            *self.smoothed(),
             *self.sizes(),
             *self.pressure(),
             *self.roller(),
@@ -64,6 +66,15 @@ class CamNotes(NamedTuple):
     def _phase(self, number: int, phase: Phase) -> str:
         law = f" ({self.drafting.word(f'law {phase.law.name}')})" if phase.law is not None else ""
         return f"{phase_letter(self.cam, number, self.drafting)}{law}"
+
+    def smoothed(self) -> Iterator[str]:
+        """Say of each table that may be smoothed how far its curve is from its points, and where at most."""
+        for phase in self.cam.moving():
+            if phase.law is not None and phase.law.name == TABLE and phase.law.tolerance > 0:
+                off, at = smoothing(phase.law)
+                far, most = (self.way(share * abs(phase.change)) for share in (off, phase.law.tolerance))
+                on, phi = self.drafting.word(f"cam on {phase.kind}"), self.turn(phase.start + at * phase.angle)
+                yield self.drafting.word("cam smoothed", phase=on, phi=phi, off=far, allowed=most)
 
     def sizes(self) -> Iterator[str]:
         """Say which main sizes were found."""

@@ -2,27 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Sequence
 from functools import partial
 from typing import Any
 
-import numpy as np
-
-from drawings.figures.cam import manufacturing_figure, radius_table
+from drawings.figures.cam import manufacturing_figure, manufacturing_notes, radius_table
 from drawings.figures.cam.manufacturing import Manufacture, manufacture
-from drawings.figures.cam.outlines import SHOWN
 from drawings.layout.contents import Panel
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.sheets.leaves import Draft, Exhibit, cost, lay_out
-from plans.model.cam import DWELL
 from plans.scene.scene import Scene
 from plans.study import Study
 
 KIND = "profile"
 EVERY = (1, 2, 3, 6)  # every which tabled turn is told, as the paper takes them
-MM = 1000.0  # of a metre
-DIGITS = 5
 
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
@@ -43,57 +37,20 @@ def _draft(scene: Scene, shown: Manufacture, several: bool, drafting: Drafting) 
 
 
 def _told(shown: Manufacture, every: int, several: bool, drafting: Drafting) -> Draft:
-    title = drafting.word("cam profile sheet title") + (f" {shown.cam.name}" if several else "")
+    title = drafting.word("cam profile sheet title") + (f" {shown.view.cam.name}" if several else "")
     room = manufacturing_figure.measure(shown, drafting)
     figure = Exhibit(Panel(room), partial(manufacturing_figure.draw, shown, room, drafting=drafting))
-    table = radius_table.radii(shown, every, drafting)
-    return Draft(KIND, title, (figure,), (table,), tuple(notes(shown, drafting)), partial(_facts, shown, every))
+    table = radius_table.radii(shown.table, every, drafting)
+    return Draft(
+        KIND,
+        title,
+        (figure,),
+        (table,),
+        tuple(manufacturing_notes.notes(shown.table, drafting)),
+        partial(_facts, shown, every),
+    )
 
 
 def _facts(shown: Manufacture, every: int, names: Collection[str]) -> dict[str, Any]:
     """Say in the data of a sheet which cam and which figures it shows, and every which tabled turn it tells."""
-    return {"cam": shown.cam.name, "figures": list(names), "every": every}
-
-
-def notes(shown: Manufacture, drafting: Drafting) -> Iterator[str]:
-    """Say what a workshop must know beside the curve."""
-    cam = shown.cam
-    yield drafting.word(_moves(shown))
-    curve = drafting.word("mill path" if shown.grooved else "profile told")
-    yield drafting.word("plane datum" if cam.translates else "polar datum", curve=curve)
-    if shown.view.apart:
-        yield drafting.letter(_roller(shown, drafting))
-    if not cam.translates:
-        yield from _dwells(shown, drafting)
-        yield drafting.word("bore of cam")
-    yield drafting.word("drawn pieces", tolerance=drafting.number(MM * cam.tolerance))
-    wrong = dict.fromkeys(one.kind for one in shown.view.found.flaws if one.kind in SHOWN)
-    if wrong:
-        yield drafting.word("profile flaws", flaws=", ".join(drafting.word(f"cam {kind}") for kind in wrong))
-
-
-def _moves(shown: Manufacture) -> str:
-    """Name the sense in which the cam moves."""
-    names = ("leftward cam", "rightward cam") if shown.cam.translates else ("counter-clockwise cam", "clockwise cam")
-    return names[shown.cam.sense < 0]
-
-
-def _roller(shown: Manufacture, drafting: Drafting) -> str:
-    radius = drafting.number(MM * shown.view.found.roller, DIGITS)
-    if not shown.grooved:
-        return drafting.word("roller of cam", radius=radius)
-    breadth = drafting.number(2 * MM * shown.view.found.roller, DIGITS)
-    return drafting.word("groove of cam", radius=radius, breadth=breadth)
-
-
-def _dwells(shown: Manufacture, drafting: Drafting) -> Iterator[str]:
-    """Tell the radii of the arcs, and between which turns they are."""
-    curve, told = shown.view.curve, []
-    spots = curve.pitch if shown.grooved else curve.profile
-    for one in shown.cam.phases:
-        if one.kind == DWELL:
-            radius = float(np.interp(one.start, curve.turned, np.abs(spots)))
-            ends = (drafting.number(float(np.degrees(turn)), DIGITS) for turn in (one.start, one.end))
-            told.append(f"r = {drafting.number(MM * radius, DIGITS)}, φ {' … '.join(ends)}°")
-    if told:
-        yield drafting.word("dwells of cam", radii=";  ".join(told))
+    return {"cam": shown.view.cam.name, "figures": list(names), "every": every}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator
 from functools import partial
 from typing import Any
 
@@ -14,10 +14,8 @@ from drawings.paper.strokes import Leaf
 from drawings.report.cyclogram_notes import CyclogramNotes
 from drawings.sheets.leaves import Caption, Draft, Exhibit, lay_out
 from plans.checks.cyclogram_comparison import CyclogramComparison
-from plans.cyclogram.rows import row_of_feed, rows_of_cams, rows_of_machine
+from plans.cyclogram.rows import rows_of
 from plans.cyclogram.study import CYCLOGRAM, CyclogramStudy
-from plans.model.cam import Cam
-from plans.model.cyclogram import Cyclogram, Row
 from plans.study import Study
 
 FOREMOST = 1.5  # the plan is the figure from which angles are read
@@ -37,14 +35,9 @@ def sheets(study: CyclogramStudy, comparison: CyclogramComparison) -> tuple[Leaf
 
     def facts(names: Collection[str]) -> dict[str, Any]:
         shown = characteristic_plan.shown_of(study.cyclogram)
-        return {"figures": list(names), "shown": shown, "positions": len(study.cyclogram.positions)}
+        return {"figures": list(names), "characteristic": shown}
 
     return lay_out(study.scene, [Draft(CYCLOGRAM, title, (*figures, _table(comparison, drafting)), (), said, facts)])
-
-
-def rows_of(found: Cyclogram, cams: Sequence[Cam]) -> tuple[Row, ...]:
-    """Give the rows of the charts: main mechanism, tool, cams, or where there are none when one may move."""
-    return *rows_of_machine(found), *(rows_of_cams(cams) or (row_of_feed(found),))
 
 
 def chart_of(study: CyclogramStudy) -> Chart:

@@ -10,11 +10,11 @@ from typing import NamedTuple
 from plans.bench.clock import interleaved
 from plans.bench.error import Errors
 from plans.bench.result import Row
-from plans.cam.diagrams import LawDiagrams, law_diagrams
+from plans.cam.diagrams import MIDDLE, THREE, TRUE, LawDiagrams, law_diagrams
 from plans.model.cam import Cam
 
 COUNTS = (8, 16, 64, 256, 1024)  # of strips of a phase that moves the follower
-MIDDLE, TRUE = "laws: mid ordinates", "laws: true mean ordinates"
+WAYS = {MIDDLE: "laws: mid ordinates", THREE: "laws: three ordinates", TRUE: "laws: true mean ordinates"}
 SLOPE, TRAVEL = "S'", "S"
 EXACT = 1e-12  # shares: what is less is the rounding of the steps, and has no order
 DEFINED = (
@@ -35,14 +35,14 @@ class Judged(NamedTuple):
         return Errors({SLOPE: self.slope, TRAVEL: self.travel}, SLOPE if self.slope >= self.travel else TRAVEL)
 
 
-def diagrams_of(cam: Cam, count: int, true_means: bool) -> LawDiagrams:
+def diagrams_of(cam: Cam, count: int, means: str) -> LawDiagrams:
     """Draw the diagrams of a law with so many strips a phase."""
-    return law_diagrams(replace(cam, divisions=count), true_means)
+    return law_diagrams(replace(cam, divisions=count), means)
 
 
-def judged(cam: Cam, count: int, true_means: bool = False) -> Judged:
+def judged(cam: Cam, count: int, means: str = MIDDLE) -> Judged:
     """Judge the diagrams of a law by the exact one."""
-    found = diagrams_of(cam, count, true_means)
+    found = diagrams_of(cam, count, means)
     return Judged(found.slope_departure.share, found.travel_departure.share)
 
 
@@ -57,23 +57,24 @@ def order(errors: Sequence[float], counts: Sequence[int]) -> float:
 
 def rows(cam: Cam, rounds: int, budget: float, counts: Sequence[int] = COUNTS) -> tuple[list[Row], list[str]]:
     """Time and judge the diagrams of a law at several numbers of strips; give the rows, and the orders in words."""
-    ways = [(name, true, count) for name, true in ((MIDDLE, False), (TRUE, True)) for count in counts]
-    found = [judged(cam, count, true) for _, true, count in ways]
-    times = interleaved([_run(cam, count, true) for _, true, count in ways], rounds, budget)
+    ways = [(means, count) for means in WAYS for count in counts]
+    found = [judged(cam, count, means) for means, count in ways]
+    times = interleaved([_run(cam, count, means) for means, count in ways], rounds, budget)
     made = [
-        Row(name, count, count, one.errors, times=taken)
-        for (name, _, count), one, taken in zip(ways, found, times, strict=True)
+        Row(WAYS[means], count, count, one.errors, times=taken)
+        for (means, count), one, taken in zip(ways, found, times, strict=True)
     ]
-    return made, [DEFINED, *_orders(found[: len(counts)], counts)]
+    orders = (_orders(WAYS[means], found[k * len(counts) :][: len(counts)], counts) for k, means in enumerate(WAYS))
+    return made, [DEFINED, *(line for lines in orders for line in lines)]
 
 
-def _run(cam: Cam, count: int, true: bool) -> Callable[[], LawDiagrams]:
-    return lambda: diagrams_of(cam, count, true)
+def _run(cam: Cam, count: int, means: str) -> Callable[[], LawDiagrams]:
+    return lambda: diagrams_of(cam, count, means)
 
 
-def _orders(found: Sequence[Judged], counts: Sequence[int]) -> Iterator[str]:
+def _orders(way: str, found: Sequence[Judged], counts: Sequence[int]) -> Iterator[str]:
     for name, errors in ((SLOPE, [one.slope for one in found]), (TRAVEL, [one.travel for one in found])):
         if min(errors) <= EXACT:
-            yield f"  {MIDDLE}, {name}: exact, at most {max(errors):.1e} from rounding"
+            yield f"  {way}, {name}: from {errors[0]:.1e} to no more than rounding"
         else:
-            yield f"  {MIDDLE}, {name}: order {order(errors, counts):.2f} from {counts[0]} to {counts[-1]} strips"
+            yield f"  {way}, {name}: order {order(errors, counts):.2f} from {counts[0]} to {counts[-1]} strips"

@@ -24,6 +24,9 @@ from plans.model.motion import Floats
 from plans.words.calculus import REASONS
 
 SLOPE, TRAVEL, BEND = "S'", "S", "S''"
+# How the mean ordinate of a strip is read: at its middle, as the book does; from three ordinates, at both ends and the
+# middle, of which that counts four times; or as it truly is.
+MIDDLE, THREE, TRUE = "middle", "three", "true"
 
 
 @dataclass(frozen=True)
@@ -117,8 +120,8 @@ class LawDiagrams:
         return float(last[-1] - first[0] - exact), float(s[-1] - s[0] - (strips_.before.s[-1] - strips_.after.s[0]))
 
 
-def law_diagrams(cam: Cam, true_means: bool = False) -> LawDiagrams:
-    """Draw S' from S'' and S from S' by chords; mean ordinates are those at mid-strip, or the true ones.
+def law_diagrams(cam: Cam, means: str = MIDDLE) -> LawDiagrams:
+    """Draw S' from S'' and S from S' by chords; a strip's mean ordinate is read at its middle, or by three, or true.
 
     Of a law by points S'' is straight from point to point: there the true mean ordinate is drawn in any case.
 
@@ -129,17 +132,31 @@ def law_diagrams(cam: Cam, true_means: bool = False) -> LawDiagrams:
     ([0.6, 0.0], [0.0, 0.45, 0.9])
     """
     own = strips_of(cam)
-    means = np.where(true_means | _straight(own), _true_means(own), own.course.at(middles(own.edges)).bend)
+    ordinates = np.where(_straight(own), _true_bends(own), _bends_by(own, means))
     board = Board("law")
     bounds = sorted({0, *own.hard, len(own.edges) - 1})
     runs = tuple(slice(low, high) for low, high in pairwise(bounds))
-    slopes = tuple(_slopes(board, own, means, runs))
-    ordinates = np.concatenate([(one.values[1:] + one.values[:-1]) / 2 for one in slopes])
-    if true_means:
-        ordinates = (own.before.s[1:] - own.after.s[:-1]) / np.diff(own.edges)
+    slopes = tuple(_slopes(board, own, ordinates, runs))
     start = float(own.after.s[0])
-    travel = integral(board, TRAVEL, own.edges, ordinates, start=start, why=REASONS)
-    return LawDiagrams(own, board, means, runs, slopes, travel)
+    travel = integral(board, TRAVEL, own.edges, _slopes_by(own, slopes, means), start=start, why=REASONS)
+    return LawDiagrams(own, board, ordinates, runs, slopes, travel)
+
+
+def _bends_by(own: Strips, means: str) -> Floats:
+    """Give the mean ordinates of S'' over the strips, (n,), as they are read."""
+    if means == TRUE:
+        return _true_bends(own)
+    middle = own.course.at(middles(own.edges)).bend
+    return middle if means == MIDDLE else (own.after.bend[:-1] + 4 * middle + own.before.bend[1:]) / 6
+
+
+def _slopes_by(own: Strips, slopes: tuple[Integral, ...], means: str) -> Floats:
+    """Give those of S': of its chords; by three of the smooth curve, which S'' tells to bend; or the true ones."""
+    width = np.diff(own.edges)
+    if means == TRUE:
+        return np.asarray((own.before.s[1:] - own.after.s[:-1]) / width)
+    chords = np.concatenate([(one.values[1:] + one.values[:-1]) / 2 for one in slopes])
+    return chords if means == MIDDLE else chords + width * (own.after.bend[:-1] - own.before.bend[1:]) / 12
 
 
 def _slopes(board: Board, own: Strips, means: Floats, runs: tuple[slice, ...]) -> Iterator[Integral]:
@@ -158,7 +175,7 @@ def _straight(own: Strips) -> npt.NDArray[np.bool_]:
     return np.asarray(np.any(inside, axis=0))
 
 
-def _true_means(own: Strips) -> Floats:
+def _true_bends(own: Strips) -> Floats:
     """Give the mean of S'' over each strip, in which it has no impulse: what S' gains by its width."""
     return np.asarray((own.before.slope[1:] - own.after.slope[:-1]) / np.diff(own.edges))
 

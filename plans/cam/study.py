@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from plans.cam.course import Course, positions
-from plans.cam.diagrams import LawDiagrams, law_diagrams
+from plans.cam.diagrams import THREE, LawDiagrams, law_diagrams
 from plans.cam.profile.findings import cam_found
 from plans.cam.profile.profile import Profile, profile
 from plans.cam.reading.cams import cams_of
@@ -43,7 +43,7 @@ class CamDrawing:
     def diagrams(self) -> LawDiagrams:
         """S'', S' and S by graphical integration."""
         self.made.setdefault(LAWS)
-        return law_diagrams(self.cam)
+        return law_diagrams(self.cam, THREE)
 
     @cached_property
     def sizing(self) -> Sizing:

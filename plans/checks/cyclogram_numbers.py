@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from plans.cyclogram.study import CYCLOGRAM
-from plans.model.cyclogram import ANALYSIS, Cyclogram, Position
+from plans.model.cyclogram import ANALYSIS, BEGIN, END, Cyclogram, Position
 
 if TYPE_CHECKING:
     from plans.study import Study
@@ -42,4 +42,5 @@ def numbers(study: Study, by: str) -> CyclogramNumbers:
 
 def _position(number: int, one: Position) -> dict[str, Any]:
     told = {"number": number, "role": one.role, "back": one.back, "turned": one.turned, "share": one.share}
-    return told | {"place": one.place, "pressure": one.angle, "condition": one.condition}
+    bounded = one.role not in (BEGIN, END)  # where the tool stands a turn of the shaft does not move it
+    return told | {"place": one.place, "pressure": one.angle, "condition": one.condition if bounded else None}

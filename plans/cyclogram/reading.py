@@ -60,6 +60,11 @@ def _check_point(survey: Survey, name: str) -> None:
         survey.report(POINT, "floating_tool", name=name)
 
 
+def asked_of(scene: Scene) -> tuple[str, ...]:
+    """Name the techniques whose tables it shows (row of the table): cams, by their phases and setting angles."""
+    return ("cam",) if scene.has(("cam",)) else ()
+
+
 def notes_of(scene: Scene) -> Iterator[Fault]:
     """Give the notes on a scene's cyclogram: load changes in the overrun, where the tool meets no work."""
     form = scene.of(CyclogramForm).cyclogram

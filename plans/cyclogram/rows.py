@@ -14,6 +14,11 @@ WORK, IDLE, CUT, OVERRUN, BACK_OVER, FREE = "work", "idle", "cut", "overrun", "b
 STROKES, TOOL, FEED = "strokes", "tool", "feed"  # the names of the rows of a main mechanism
 
 
+def rows_of(found: Cyclogram, cams: Sequence[Cam]) -> tuple[Row, ...]:
+    """Give the rows of a machine: main mechanism, tool, cams, or where there are none when one may move."""
+    return *rows_of_machine(found), *(rows_of_cams(cams) or (row_of_feed(found),))
+
+
 def rows_of_cams(cams: Sequence[Cam]) -> tuple[Row, ...]:
     """Give a row for each cam that turns: its phases from its setting angle on."""
     return tuple(Row(cam.name, tuple(_phases(cam)), cam.setting) for cam in cams if not cam.translates)

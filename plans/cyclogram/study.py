@@ -16,6 +16,7 @@ from plans.cyclogram.stations import Stations
 from plans.forces.stroke import output_at
 from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.extreme import ExtremePositions, extremes
+from plans.linkage.obstruction import obstruction
 from plans.linkage.study import LinkageStudy
 from plans.model.cam import Cam
 from plans.model.cyclogram import BEGIN, END, TURN, Along, Cyclogram, CyclogramTask, Window
@@ -67,7 +68,8 @@ class CyclogramStudy:
         linkage = self.linkage
         found = linkage.extreme_positions if self.output == linkage.output else extremes(linkage.sweep, self.output)
         if found is None:
-            raise self._refused((CYCLOGRAM,), linkage.no_extreme())
+            why = obstruction(linkage.sweep) if linkage.barriers else message("extreme.turns")
+            raise self._refused((CYCLOGRAM,), message("cyclogram.no_extreme", link=self.output.link, why=why))
         if len(found.rests) > TWICE:
             raise self._refused((CYCLOGRAM,), message("cyclogram.reverses", count=len(found.rests)))
         self._check(found)

@@ -53,10 +53,10 @@ def table(name: str, size: str = "A3") -> dict[str, tuple[str, ...]]:
 def test_the_table_tells_the_radii_of_formulas(name: str) -> None:
     """Polar radius and angle from the first point, against the rotation; of a groove those of its middle."""
     shown, _ = made(name)
-    rows, cam = table(name), shown.cam
+    rows, cam = table(name), shown.view.cam
     phi = np.radians([float(turned) for turned in rows])
     tip, lever = levers(cam, shown.view.sizes, phi)
-    off = 0.0 if shown.grooved else shown.view.found.roller
+    off = 0.0 if shown.table.grooved else shown.view.found.roller
     spots = (tip - off * lever / abs(lever)) * np.exp(-1j * cam.sense * phi)
     turns = np.degrees(-cam.sense * np.angle(spots / spots[0]))
     for (radius, angle), spot, turn in zip(rows.values(), spots, turns, strict=True):
@@ -68,8 +68,8 @@ def test_a_cam_that_translates_is_told_by_coordinates() -> None:
     shown, _ = made("wedge")
     rows = table("wedge")
     x = np.array([float(travelled) for travelled in rows]) / 1000
-    tip, lever = levers(shown.cam, shown.view.sizes, x)
-    spots = 1000 * (tip + shown.cam.sense * x - shown.view.found.roller * lever / abs(lever))
+    tip, lever = levers(shown.view.cam, shown.view.sizes, x)
+    spots = 1000 * (tip + shown.view.cam.sense * x - shown.view.found.roller * lever / abs(lever))
     for cells, spot in zip(rows.values(), spots, strict=True):
         across, up = (float(cell.replace("−", "-")) for cell in cells)
         assert complex(across, up) == pytest.approx(spot, abs=8e-4)
@@ -79,11 +79,11 @@ def test_a_cam_that_translates_is_told_by_coordinates() -> None:
 def test_radii_are_measured_back(name: str) -> None:
     shown, _ = made(name)
     seen = {one.position: one for one in measured(name).vectors}
-    rays = dict(enumerate(shown.rays()))
+    rays = dict(enumerate(shown.table.rays()))
     assert seen.keys() == rays.keys()
     for number, (k, _) in rays.items():
-        end = complex(shown.told[k])
-        start = complex(end.real, shown.view.body[0].imag) if shown.cam.translates else 0j
+        end = complex(shown.table.told[k])
+        start = complex(end.real) if shown.view.cam.translates else 0j
         assert abs(seen[number].value - (end - start)) < 2 * measured(name).quantum * seen[number].scale
 
 

@@ -20,14 +20,17 @@ from drawings.page.drafting import Drafting
 from drawings.page.page import Field
 from drawings.page.scale import Scale
 from drawings.paper.hand import hand_of
-from drawings.paper.strokes import Leaf, Line
+from drawings.paper.strokes import INK, Circle, Leaf, Line
 from drawings.paper.walk import texts
+from drawings.report.cam_notes import CamNotes
 from plans.cam.diagrams import LawDiagrams
 from plans.cam.diagrams import law_diagrams as diagrams_of
+from plans.cam.tables import smoothing
 from plans.model.cam import DWELL, POINTED, RETURN, RISE, ROCKING, Follower, Law
+from plans.model.cam_motion import CamFound, Contour, Sizes
 from tests.drawings.collisions import collisions
 from tests.drawings.exhibits import exhibited, read_back
-from tests.plans.law_cams import LINES, RULER, STEADY, law_cam, usual
+from tests.plans.law_cams import LIFT, LINES, READINGS, RISING, RULER, SMOOTH, STEADY, law_cam, usual
 
 CAMS = {
     "smooth": usual(Law("sine"), Law("3-4-5")),
@@ -151,6 +154,30 @@ def test_the_error_of_the_chords_is_told() -> None:
     told = [text.plain for text in texts(leaf("smooth", "A1", "ru").groups)]
     assert {"погрешность хорд 3,1 %", "погрешность хорд 2,6 %"} <= set(told)
     assert [text.plain for text in texts(leaf("hard", "A4", "ru").groups)].count("погрешность хорд 0 %") == 2
+
+
+def test_points_of_tables_are_drawn_where_they_are() -> None:
+    frame = framed("table")
+    last = frame.plate.rows[-1]
+    axes = frame.axes(last)
+    rings = [
+        one for one in graph_part(last, frame.plate, axes, ()).lines if isinstance(one, Circle) and one.style != INK
+    ]
+    expected = [axes.on(k * RISING, s * LIFT) for k, s in READINGS]
+    assert [one.centre for one in rings[: len(READINGS)]] == pytest.approx(expected)
+    assert len(rings) == 2 * len(READINGS) and frame.plate.rows[0].given == ()
+
+
+@pytest.mark.parametrize(("language", "said"), [("en", "off its points by"), ("ru", "отступает не более чем на")])
+def test_smoothing_is_never_silent(language: str, said: str) -> None:
+    """Of a table that may be smoothed it is said by how much it is, and what was allowed: 0.01 of 30 mm."""
+    cam, drafting = usual(Law("sine"), SMOOTH), Drafting(hand_of("A3"), language)
+    contour = Contour(*(np.zeros(0),) * 9)  # type: ignore[arg-type]
+    (told,) = CamNotes(CamFound("construction", cam, Sizes(0.05), 0.0, contour), drafting).smoothed()
+    off = drafting.number(30 * smoothing(SMOOTH)[0])
+    assert f"{said} {off}" in told and drafting.number(0.3) in told
+    plain = usual(Law("sine"), RULER)
+    assert not list(CamNotes(CamFound("construction", plain, Sizes(0.05), 0.0, contour), drafting).smoothed())
 
 
 def test_a_follower_that_never_moves_has_level_diagrams() -> None:

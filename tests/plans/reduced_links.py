@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
+from functools import lru_cache
 
 from plans.model.dynamics import TURN
 from plans.model.run import OfTurn, ReducedLink
@@ -27,6 +28,11 @@ def crank_inertia(q: complex) -> complex:
     return 0.01 + 3 * 0.04**2 + 4 * (x * x + y * y) + 0.06 * turning * turning + 8 * slider * slider
 
 
+@lru_cache(maxsize=8)  # a solver asks for inertia and slope of one place, one after the other
+def _stepped(q: float) -> complex:
+    return crank_inertia(complex(q, TINY))
+
+
 def planing(force: float) -> OfTurn:
     def moment(q: float) -> float:
         return force * _rates(complex(q))[0].real if ON < q % TURN < OFF else 0.0
@@ -37,8 +43,8 @@ def planing(force: float) -> OfTurn:
 def slider_crank(constant: float, force: float = 0.0, share: float = 1.0) -> ReducedLink:
     """Give the machine with a constant inertia kg*m2 beside a share of the linkage's own, and a planing force N."""
     return ReducedLink(
-        lambda q: constant + share * crank_inertia(complex(q)).real,
-        lambda q: share * crank_inertia(complex(q, TINY)).imag / TINY,
+        lambda q: constant + share * _stepped(q).real,
+        lambda q: share * _stepped(q).imag / TINY,
         planing(force),
         breaks=(ON, OFF) if force else (),
     )

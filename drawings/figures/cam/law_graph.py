@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Collection, Iterator
+from itertools import pairwise
 
 import numpy as np
 
@@ -18,6 +19,7 @@ from drawings.symbols.symbols import TICK, arrowhead
 from plans.cam.diagrams import Strips
 
 DOT = 0.6  # mm, radius of a point of a curve
+GIVEN, CLEAR = 1.1, 2.5  # mm, radius of a given point; least distance of two, in radii
 LEAST = 0.05  # mm: a shorter ordinate is a point
 APART = 1.9  # sizes of a number from one numbered edge to the next
 MARKED = 72  # strips: of more only the numbered edges have a point and a tick
@@ -32,6 +34,7 @@ def graph_part(row: LawRow, plate: LawPlate, axes: Axes, numbered: Collection[in
         *_chords(row, plate, axes),
         *_exact(row, plate, axes),
         _polyline(row.result, axes, plate.hand.result),
+        *_given(row, plate, axes),
         *_impulses(row, plate, axes),
     )
     return Part(plate.named(row.key), lines, (*_letters(row, plate, axes), *_numbers(row, plate, axes, numbered)))
@@ -80,6 +83,13 @@ def _exact(row: LawRow, plate: LawPlate, axes: Axes) -> Iterator[Stroke]:
         drawn = row.result.y[1:-1] if len(row.result.y) > len(row.exact.y) else row.result.y
         if np.abs(drawn - row.exact.y).max() / axes.up.mu > plate.hand.main / 2:
             yield _polyline(row.exact, axes, plate.hand.other)
+
+
+def _given(row: LawRow, plate: LawPlate, axes: Axes) -> Iterator[Circle]:
+    """Draw the points of tables, where they can be told apart."""
+    radius, spots = GIVEN * plate.hand.symbol, [axes.on(x, y) for x, y in row.given]
+    if all(abs(other - one) > CLEAR * radius for one, other in pairwise(spots)):
+        yield from (Circle(spot, radius, plate.hand.other) for spot in spots)
 
 
 def _polyline(curve: Curve, axes: Axes, style: LineStyle) -> Polyline:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
 
 from plans.cam.diagrams import LawDiagrams
-from plans.model.cam import Cam
+from plans.model.cam import TABLE, Cam
 from plans.model.motion import Floats
 
 ACCELERATION, VELOCITY, TRAVEL = "acceleration", "velocity", "travel"
@@ -47,6 +48,7 @@ class LawRow(NamedTuple):
     exact: Curve | None = None
     impulses: tuple[tuple[int, int], ...] = ()
     error: float = 0.0  # the largest, in shares of the largest value
+    given: tuple[tuple[float, float], ...] = ()  # points of tables
 
     @property
     def span(self) -> tuple[float, float]:
@@ -119,7 +121,15 @@ def _travel(shown: LawDiagrams) -> LawRow:
     y = _cubics(x, (values[:-1], values[1:]), shown.slope)
     row = _row(shown, TRAVEL, values, values, Curve(x.ravel(), y.ravel()))
     exact = Curve(x.ravel(), strips.course.at(x.ravel()).s)
-    return row._replace(chords=(Curve(strips.edges, values),), exact=exact, error=shown.travel_departure.share)
+    chords, given = (Curve(strips.edges, values),), tuple(_given(strips.course.cam))
+    return row._replace(chords=chords, exact=exact, error=shown.travel_departure.share, given=given)
+
+
+def _given(cam: Cam) -> Iterator[tuple[float, float]]:
+    """Give the points of all tables."""
+    for phase in cam.moving():
+        if phase.law is not None and phase.law.name == TABLE:
+            yield from ((phase.start + k * phase.angle, phase.level + s * phase.change) for k, s in phase.law.points)
 
 
 def _dense(shown: LawDiagrams) -> Floats:

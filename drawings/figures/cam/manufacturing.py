@@ -11,7 +11,7 @@ import numpy as np
 from drawings.figures.cam.profile_view import ProfileView, profile_view
 from plans.cam.course import Course
 from plans.cam.profile.profile import profile
-from plans.model.cam import GROOVE, Cam
+from plans.model.cam import DWELL, GROOVE, Cam, Phase
 from plans.model.cam_motion import CamFound, Contour, Points
 from plans.model.motion import Floats
 
@@ -36,21 +36,21 @@ def _step(least: float) -> float:
     return next(one * power for one in MANTISSAS if one * power >= least * (1 - 1e-12))
 
 
-class Manufacture(NamedTuple):
-    """A cam to be made: its view, and the profile at the tabled turns."""
+class TabledProfile(NamedTuple):
+    """The profile at the tabled turns, by either road: what is found of the cam, its contour there."""
 
-    view: ProfileView
+    found: CamFound
     at: Contour
 
     @property
     def cam(self) -> Cam:
         """The cam that was asked for."""
-        return self.view.cam
+        return self.found.cam
 
     @property
     def grooved(self) -> bool:
         """Whether a mill as broad as the groove makes it, so that the path of its centre is told."""
-        return self.cam.closure == GROOVE and self.view.apart
+        return self.cam.closure == GROOVE and self.found.roller > 0
 
     @property
     def told(self) -> Points:
@@ -84,10 +84,24 @@ class Manufacture(NamedTuple):
         every = TRAVELS if self.cam.translates else RAY
         yield from ((k, self.names[k]) for k in range(every, len(self.names), every))
 
+    def dwells(self) -> Iterator[tuple[Phase, float]]:
+        """Give the dwells with the radii of their arcs, m: of the profile, of a groove of its middle."""
+        spots = self.found.contour.pitch if self.grooved else self.found.contour.profile
+        for one in self.cam.phases:
+            if one.kind == DWELL:
+                yield one, float(abs(spots[int(np.argmin(abs(self.found.contour.turned - one.start)))]))
+
+
+class Manufacture(NamedTuple):
+    """A cam to be made: its view, and the profile at the tabled turns."""
+
+    view: ProfileView
+    table: TabledProfile
+
     @property
     def corners(self) -> list[complex]:
         """The corners of what is drawn to scale, m."""
-        if self.cam.translates:
+        if self.view.cam.translates:
             left, right = self.view.body
             return [left, complex(right.real, float(self.view.curve.pitch.imag.max()))]
         return [complex(spot) for one in (*self.view.outlines, self.view.curve.pitch) for spot in one]
@@ -96,4 +110,4 @@ class Manufacture(NamedTuple):
 def manufacture(found: CamFound) -> Manufacture:
     """Give what the drawing of a cam to be made shows of one that the construction found."""
     at = profile(Course(found.cam), found.sizes, found.roller, tabled(found.cam)).contour
-    return Manufacture(profile_view(found), at)
+    return Manufacture(profile_view(found), TabledProfile(found, at))

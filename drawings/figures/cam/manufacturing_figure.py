@@ -57,7 +57,7 @@ class ManufacturingFigure:
         """Letter O, the zero ray, the sense of rotation."""
         hand, place = self.drafting.hand, self.place
         yield labels.beside(place.on(0j), ORIGIN, hand.letter, BESIDE, -math.pi / 4)
-        if not self.shown.cam.translates:
+        if not self.shown.view.cam.translates:
             end = _end(self.shown, place, hand)
             text = self.drafting.word("zero ray")
             yield labels.beside(end, text, hand.number, BESIDE, cmath.phase(end - place.on(0j)))
@@ -69,16 +69,16 @@ class ManufacturingFigure:
     def _rays(self, labels: Labels) -> Iterator[Stroke]:
         """Letter each drawn radius with its turn, outside the profile."""
         hand = self.drafting.hand
-        for k, name in self.shown.rays():
-            spot = self.place.on(complex(self.shown.told[k]))
-            towards = math.pi / 2 if self.shown.cam.translates else cmath.phase(spot - self.place.on(0j))
+        for k, name in self.shown.table.rays():
+            spot = self.place.on(complex(self.shown.table.told[k]))
+            towards = math.pi / 2 if self.shown.view.cam.translates else cmath.phase(spot - self.place.on(0j))
             yield labels.beside(spot, label(self.shown, name, self.drafting), hand.number, BESIDE, towards)
 
 
 def label(shown: Manufacture, name: float, drafting: Drafting) -> str:
     """Write the turn of a drawn radius in degrees, or a travel in millimetres."""
     number = drafting.number(name, 5)
-    return f"x {number}" if shown.cam.translates else f"φ {number}°"
+    return f"x {number}" if shown.view.cam.translates else f"φ {number}°"
 
 
 def measure(shown: Manufacture, drafting: Drafting) -> Picture:
@@ -110,18 +110,20 @@ def draw(shown: Manufacture, room: Picture, spot: Spot, drafting: Drafting) -> M
 def _end(shown: Manufacture, place: Place, hand: Hand) -> complex:
     """Give the end of the zero ray, mm."""
     out = max(place.length(abs(complex(one[0]))) for one in shown.view.outlines)
-    return place.on(0j) + (out + PAST * hand.symbol) * shown.zero
+    return place.on(0j) + (out + PAST * hand.symbol) * shown.table.zero
 
 
 def _axes(shown: Manufacture, place: Place, hand: Hand) -> Iterator[Stroke]:
-    """Draw the axes of the shaft, and the zero ray."""
-    if shown.cam.translates:
+    """Draw the axes of the shaft, and the zero ray; of a cam that translates the level of O."""
+    if shown.view.cam.translates:
+        left, right = (place.on(complex(one.real)) for one in shown.view.body)
+        yield Line(left, right, fit(hand.axis, abs(right - left)))
         return
     zero, half = place.on(0j), PAST * hand.symbol
     end = _end(shown, place, hand)
     for start, stop in (
-        (zero - shown.zero * half, end),
-        (zero - 1j * shown.zero * half, zero + 1j * shown.zero * half),
+        (zero - shown.table.zero * half, end),
+        (zero - 1j * shown.table.zero * half, zero + 1j * shown.table.zero * half),
     ):
         yield Line(start, stop, fit(hand.axis, abs(stop - start)))
 
@@ -140,31 +142,34 @@ def _arrow(shown: Manufacture, place: Place, hand: Hand) -> tuple[complex, float
 def _straight(shown: Manufacture, place: Place, hand: Hand) -> tuple[complex, complex]:
     """Give the ends of the arrow of a cam that translates, within its body."""
     left, right = (place.on(one) for one in shown.view.body)
-    middle, half = (left + right) / 2 + 0.25j * place.length(shown.cam.lift), shown.cam.sense * PAST * hand.symbol
+    middle, half = (
+        (left + right) / 2 + 0.25j * place.length(shown.view.cam.lift),
+        shown.view.cam.sense * PAST * hand.symbol,
+    )
     return middle + half, middle - half
 
 
 def _sense(shown: Manufacture, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw the arrow of rotation, or that of a cam that translates in its body."""
-    if shown.cam.translates:
+    if shown.view.cam.translates:
         yield from pushed(_straight(shown, place, hand), hand)
     else:
         spot, turn = _arrow(shown, place, hand)
         radius = abs(spot - place.on(0j))
-        sweep = shown.cam.sense * SWEEP * hand.symbol / radius
+        sweep = shown.view.cam.sense * SWEEP * hand.symbol / radius
         yield from turning_arrow(place.on(0j), radius, turn - sweep / 2, sweep, hand)
 
 
 def _radii(shown: Manufacture, place: Place, drafting: Drafting) -> Iterator[Group]:
-    """Draw the radii at even turns, or ordinates from the base; each can be measured."""
+    """Draw the radii at even turns, or ordinates from the level of O; each can be measured."""
     hand = drafting.hand
-    for number, (k, name) in enumerate(shown.rays()):
-        end = complex(shown.told[k])
-        start = complex(end.real, shown.view.body[0].imag) if shown.cam.translates else 0j
+    for number, (k, name) in enumerate(shown.table.rays()):
+        end = complex(shown.table.told[k])
+        start = complex(end.real) if shown.view.cam.translates else 0j
         data = Subject(PLAN, QUANTITY, number).data("vector", "r", end - start, place.scale)
         yield Group((Line(place.on(start), place.on(end), hand.drafted),), "", data, label(shown, name, drafting))
 
 
 def _rows(shown: Manufacture, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw the points that the table tells."""
-    yield from (Circle(place.on(complex(spot)), ROW * hand.symbol, INK) for spot in shown.told)
+    yield from (Circle(place.on(complex(spot)), ROW * hand.symbol, INK) for spot in shown.table.told)

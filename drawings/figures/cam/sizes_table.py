@@ -83,7 +83,8 @@ def _curvature(found: CamFound) -> Iterator[Quantity]:
 
 
 def _pressure(found: CamFound) -> Iterator[Quantity]:
-    for kind in (RISE, RETURN):
+    """Give the largest pressure angles; under a flat face that does not rock there is none."""
+    for kind in () if found.cam.flat and not found.cam.rocks else (RISE, RETURN):
         if kind in found.pressure:
             letter = f"α_{{{kind}}}"
             yield Quantity(letter, "°", math.degrees(found.pressure[kind].value))

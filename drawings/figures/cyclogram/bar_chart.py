@@ -207,9 +207,17 @@ def _settings(chart: Chart, place: Place, drafting: Drafting) -> Iterator[Stroke
         heads = (arrowhead(start, end, hand.symbol), arrowhead(end, start, hand.symbol))
         yield Group((Line(start, end, hand.drafted),), "", data, Text(0j, text).plain)
         yield from (head for head in heads if head is not None)
-        yield Text((start + end) / 2 + 1j * BESIDE, text, hand.number, "middle", True)
+        yield _over(start, end, text, hand)
         for x, tip in zip((zero, ends[1].real), (start, end), strict=True):
             yield Line(place.on(complex(x, chart.bottom)) + down / 2, tip - 1j, hand.drafted)
+
+
+def _over(start: complex, end: complex, text: str, hand: Hand) -> Text:
+    """Write over the middle of a dimension, or where that is too short before it."""
+    if _wide(text, hand) + 2 * BESIDE <= abs(end - start):
+        return Text((start + end) / 2 + 1j * BESIDE, text, hand.number, "middle", True)
+    left = complex(min(start.real, end.real) - 2 * BESIDE, start.imag - hand.number / 2)
+    return Text(left, text, hand.number, "end", True)
 
 
 def _setting(chart: Chart, row: Row, drafting: Drafting) -> str:

@@ -100,7 +100,7 @@ def _fits(span: Span, text: str, radius: float, place: Place, hand: Hand) -> boo
     wide, far = text_width(Text(0j, text, hand.number, "middle", True)), place.length(radius)
     room = 2 * far * math.sin(min(span.end - span.start, math.pi) / 2)
     off = wide**2 / (8 * far)  # of the middle of a chord from its arc
-    return wide + 4 * BESIDE <= room and off + hand.number / 2 <= place.length(RING) / 2 - BESIDE
+    return wide + 4 * BESIDE <= room and off + hand.number / 2 <= place.length(RING) / 2 - 2 * BESIDE
 
 
 def _still(chart: Chart, sense: int, place: Place, hand: Hand) -> Iterator[Stroke]:

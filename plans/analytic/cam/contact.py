@@ -26,7 +26,8 @@ class Forces(NamedTuple):
 
     def normal(self, curve: Curve) -> Floats:
         """Give the force along the normal, N: its point goes by OD's part along the way for a unit of the normal's."""
-        return self.along(curve) / self._gear(curve)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return np.asarray(self.along(curve) / self._gear(curve))
 
     @staticmethod
     def _gear(curve: Curve) -> Floats:

@@ -40,8 +40,10 @@ def roller_radius(cam: Cam, sharpest: Extreme | None, base: float) -> tuple[floa
 
     A cam that translates has no R0, a curve that is nowhere convex no ρ_min.
     """
-    if cam.follower.end != ROLLER or cam.roller is not None:
-        return cam.roller or 0.0, "given"
+    if cam.follower.end != ROLLER:
+        return 0.0, "given"
+    if cam.roller is not None:
+        return cam.roller, "given"
     bend = 0.7 * sharpest.value if sharpest else float("inf")
     wear = 0.4 * base if base > 0 else float("inf")
     if min(bend, wear) == float("inf"):

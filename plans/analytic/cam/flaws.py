@@ -94,6 +94,8 @@ class Flaws:
 
         spans = list(self._beyond("concave", hollow, lambda curve: curve.radius, self.extremes.bends))
         yield from spans
+        falls = [one.turned for one in shocks(self.cam) if one.order == 1 and one.jump < 0]
+        yield from (Flaw("concave", one, one, Extreme(0.0, one)) for one in falls)
         least = self.extremes.sharpest
         if least and not spans and least.value < self.cam.limits.curvature * (1 - NEAR):
             yield Flaw("sharp", least.turned, least.turned, least)

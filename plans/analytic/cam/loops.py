@@ -24,6 +24,8 @@ DIFFERENCE: Final = 1e-6  # rad or m: the root of a rounding, and more
 SEARCHES: Final = 80  # of a golden section: more than a double has digits of a place
 GOLDEN: Final = (5**0.5 - 1) / 2
 SWEPT: Final = 512  # places of the ray that sweeps round a loop
+JOINED: Final = 1e-9  # of a chord: ends that are nearer are one
+MET: Final = 1e-9  # of the turn: by how much less two points are one
 APART: Final = 1e-9  # rad or m: two crossings that are nearer are one
 Pair = tuple[float, float]
 
@@ -63,42 +65,55 @@ class Loops:
 
     def crossings(self, spans: list[Pair]) -> list[Pair]:
         """Give the pairs of turns at which the profile is at one point."""
-        turned, points = self._chords(spans)
-        start, way = points[:-1], np.diff(points)
-        one, other = (k.ravel() for k in np.triu_indices(len(start), 2))
-        near = _overlap(points, one, other)
+        pieces = [self._chords(piece, spans) for piece in self.turn.pieces.T.tolist()]
+        whole = np.concatenate([turned for turned, _ in pieces])
+        start, way = (np.concatenate(rows) for rows in zip(*[(z[:-1], np.diff(z)) for _, z in pieces], strict=True))
+        own = np.concatenate([np.full(len(z) - 1, k) for k, (_, z) in enumerate(pieces)])
+        turned = np.delete(whole, np.cumsum([len(z) for _, z in pieces]) - 1)
+        one, other = self._crossed(start, way)
+        found = [self._newton(turned[[i, j]], own[[i, j]]) for i, j in zip(one, other, strict=True)]
+        return _distinct(sorted(found))
+
+    def _crossed(self, start: Points, way: Points) -> tuple[np.ndarray, np.ndarray]:
+        """Give which chords cross, of all pairs that have no end in common."""
+        one, other = (k.ravel() for k in np.triu_indices(len(start), 1))
+        near = _overlap(start, start + way, one, other)
         one, other = one[near], other[near]
         base = start[other] - start[one]
         sines = (np.conj(way[one]) * way[other]).imag
         with np.errstate(divide="ignore", invalid="ignore"):
             along, back = ((np.conj(base) * way[k]).imag / sines for k in (other, one))
-        hit = (along >= 0) & (along < 1) & (back >= 0) & (back < 1) & ((one > 0) | (other < len(start) - 1))
-        found = [self._newton(turned[i], turned[j]) for i, j in zip(one[hit], other[hit], strict=True)]
-        return _distinct(sorted(found))
+        hit = (along >= 0) & (along < 1) & (back >= 0) & (back < 1)
+        common = np.abs(base - way[one]) <= JOINED * np.abs(way[one])
+        common |= np.abs(base + way[other]) <= JOINED * np.abs(way[one])
+        return one[hit & ~common], other[hit & ~common]
 
-    def _chords(self, spans: list[Pair]) -> tuple[Floats, Points]:
-        turned, points = [], []
-        for start, end in self.turn.pieces.T.tolist():
-            near = [np.linspace(2 * a - b, 2 * b - a, ABOUT + 1) for a, b in spans]
-            inner = np.unique(np.concatenate([np.linspace(start, end, CHORDS + 1)[:-1], *near]))
-            inner = inner[(inner >= start) & (inner < end)]
-            turned.append(np.append(inner, end))
-            points.append(np.append(self.edge(inner), self.edge(np.array([end]), before=True)))
-        return np.concatenate(turned), np.concatenate(points)
+    def _chords(self, piece: list[float], spans: list[Pair]) -> tuple[Floats, Points]:
+        start, end = piece
+        near = [np.linspace(2 * a - b, 2 * b - a, ABOUT + 1) for a, b in spans]
+        inner = np.unique(np.concatenate([np.linspace(start, end, CHORDS + 1)[:-1], *near]))
+        inner = inner[(inner >= start) & (inner < end)]
+        last = self.edge(np.array([end]), before=True)
+        return np.append(inner, end), np.append(self.edge(inner), last)
 
-    def _newton(self, first: float, second: float) -> Pair:
-        pair, shift = np.array([first, second]), DIFFERENCE * np.array([1, 1, -1, -1])
+    def _newton(self, begun: Floats, own: np.ndarray) -> Pair:
+        """Close in on a crossing, each turn within its own piece; where that fails it is where the chords crossed."""
+        low, high = self.turn.pieces[:, own]
+        high = np.nextafter(high, low)
+        pair = begun
         for _ in range(TRIES):
-            at = self.edge(np.concatenate([pair, np.clip(np.tile(pair, 2) + shift, 0.0, self.turn.cam.turn)]))
-            gap, (u, v) = at[0] - at[1], (at[2:4] - at[4:6]) / (2 * DIFFERENCE)
+            ahead, behind = np.minimum(pair + DIFFERENCE, high), np.maximum(pair - DIFFERENCE, low)
+            at = self.edge(np.concatenate([pair, ahead, behind]))
+            gap, (u, v) = at[0] - at[1], (at[2:4] - at[4:6]) / (ahead - behind)
             sine = (np.conj(u) * v).imag
             if sine == 0:
                 break
             step = np.array([-(np.conj(gap) * v).imag, (np.conj(u) * gap).imag]) / sine
-            if np.abs(step).max() > self.turn.cam.turn / 8:
-                return first, second
-            pair = np.clip(pair + step, 0.0, self.turn.cam.turn)
-        return float(pair[0]), float(pair[1])
+            pair = np.clip(pair + step, low, high)
+        close = abs(complex(np.subtract(*self.edge(pair)))) <= MET * self.turn.cam.turn
+        apart = np.diff(pair)[0] > MET * self.turn.cam.turn
+        first, second = (pair if close and apart else begun).tolist()
+        return first, second
 
     def _loop(self, first: float, second: float) -> Pair:
         """Give where the loop starts and ends: it is the part round which the radius from the crossing sweeps less.
@@ -161,11 +176,11 @@ def _rest(curve: Curve, corner: complex, roller: float) -> Floats:
     return np.asarray(np.mod(swung + np.pi, 2 * np.pi) - np.pi + cam.lift / 2)
 
 
-def _overlap(points: Points, one: np.ndarray, other: np.ndarray) -> np.ndarray:
+def _overlap(start: Points, end: Points, one: np.ndarray, other: np.ndarray) -> np.ndarray:
     """Tell which pairs of chords have boxes that overlap."""
     apart = np.zeros(len(one), dtype=bool)
-    for part in (points.real, points.imag):
-        low, high = np.minimum(part[:-1], part[1:]), np.maximum(part[:-1], part[1:])
+    for first, last in ((start.real, end.real), (start.imag, end.imag)):
+        low, high = np.minimum(first, last), np.maximum(first, last)
         apart |= (low[one] > high[other]) | (low[other] > high[one])
     return ~apart
 

@@ -23,6 +23,7 @@ NEAR: Final = (
     40  # segments about an undercut: its loop crosses itself 1.7 times as far from its middle as it is half wide
 )
 STEPS: Final = 20  # of Newton's method, which needs about five
+SAME: Final = 1e-9  # rad, or of a chord: what is nearer is one
 Pairs = tuple[np.ndarray, np.ndarray]
 
 
@@ -32,6 +33,15 @@ class Crossing(NamedTuple):
     start: float
     end: float
     point: complex
+
+
+class Chords(NamedTuple):
+    """Chords of the profile: the turn at which each starts, rad, its start and way, m, and its stretch."""
+
+    turned: Floats
+    start: Points
+    way: Points
+    row: np.ndarray
 
 
 @dataclass(frozen=True)
@@ -57,15 +67,17 @@ class Edge:
             along = tip.trail[0] * (1 - self.roller * curvature(tip))
         return np.asarray(along * np.exp(-1j * tip.turns * turned))
 
-    def drawn_by(self, spans: Iterable[Span]) -> tuple[Floats, Points]:
-        """Give turns along it and its points there: fine about an undercut, both sides at a joint."""
-        turned, points = [], []
-        for row in self.stretches.grid:
-            fine = [near[(row[0] < near) & (near < row[-1])] for near in map(_about, spans)]
-            inner = np.unique(np.concatenate([row[:-1], *fine]))
-            turned.append(np.append(inner, row[-1]))
-            points.append(np.append(self.at(inner), self.at(row[-1:], before=True)))
-        return np.concatenate(turned), np.concatenate(points)
+    def chords(self, spans: Iterable[Span]) -> Chords:
+        """Divide it into chords, fine about an undercut; none goes from one side of a joint to the other."""
+        spots = [_about(span) for span in spans]
+        rows = [self._row(k, row, spots) for k, row in enumerate(self.stretches.grid)]
+        return Chords(*(np.concatenate(parts) for parts in zip(*rows, strict=True)))
+
+    def _row(self, number: int, row: Floats, spots: Sequence[Floats]) -> Chords:
+        fine = [near[(row[0] < near) & (near < row[-1])] for near in spots]
+        turned = np.unique(np.concatenate([row[:-1], *fine]))
+        points = np.append(self.at(turned), self.at(row[-1:], before=True))
+        return Chords(turned, points[:-1], np.diff(points), np.full(len(turned), number))
 
 
 def on_cam(tip: Tip, place: Points) -> Points:
@@ -89,18 +101,17 @@ def _about(span: Span) -> Floats:
 
 def crossings(edge: Edge, spans: Sequence[Span] = ()) -> tuple[Crossing, ...]:
     """Find all crossings of the profile with itself."""
-    turned, points = edge.drawn_by(spans)
-    firsts, seconds = _meetings(points)
-    found = [_closed(edge, *pair) for pair in zip(turned[firsts], turned[seconds], strict=True)]
-    return tuple(_looped(edge, one, turned, points) for one in _once(sorted(found, key=lambda one: one[:2])))
+    chords = edge.chords(spans)
+    found = [_closed(edge, chords, *pair) for pair in zip(*_meetings(chords), strict=True)]
+    return tuple(_looped(edge, one, chords) for one in _once(sorted(found, key=lambda one: one[:2])))
 
 
-def _looped(edge: Edge, one: Crossing, turned: Floats, points: Points) -> Crossing:
+def _looped(edge: Edge, one: Crossing, chords: Chords) -> Crossing:
     """Tell of both parts of the profile which is the loop: that with less area in the sense in which the profile runs.
 
     A loop that a roller leaves runs the other way round. On a cam that translates the loop is what lies between.
     """
-    cam = edge.stretches.course.cam
+    cam, turned, points = edge.stretches.course.cam, chords.turned, chords.start
     inner = (one.start < turned) & (turned < one.end)
     between = points[inner] - one.point
     rest = np.concatenate([points[turned > one.end], points[turned < one.start]]) - one.point
@@ -121,46 +132,47 @@ def _once(found: Iterable[Crossing]) -> Iterator[Crossing]:
         last = one
 
 
-SAME: Final = 1e-9  # rad: a crossing that two pairs of segments have found
-
-
-def _meetings(points: Points) -> Pairs:
-    """Find which segments cross, by a sweep over x: only those that overlap there are tried."""
-    start, way = points[:-1], np.diff(points)
-    left, right = np.minimum(start.real, points[1:].real), np.maximum(start.real, points[1:].real)
+def _meetings(chords: Chords) -> Pairs:
+    """Find which chords cross, by a sweep over x: only those that overlap there are tried."""
+    ends = chords.start + chords.way
+    left, right = np.minimum(chords.start.real, ends.real), np.maximum(chords.start.real, ends.real)
     order = np.argsort(left, kind="stable")
     left, right = left[order], right[order]
-    found = []
+    reach = np.maximum.accumulate(right)
+    found = [np.zeros((2, 0), dtype=int)]
     for step in range(1, len(order)):
         here = np.flatnonzero(left[step:] <= right[:-step])
-        if not len(here) and not np.any(left[step:] <= np.maximum.accumulate(right)[:-step]):
+        if not len(here) and not np.any(left[step:] <= reach[:-step]):
             break
-        one, other = order[here], order[here + step]
-        found.append(np.stack([np.minimum(one, other), np.maximum(one, other)])[:, _cross(start, way, one, other)])
-    firsts, seconds = np.concatenate(found, axis=1) if found else np.zeros((2, 0), dtype=int)
-    apart = (seconds - firsts > 1) & (seconds - firsts < len(start) - 1)
-    return firsts[apart], seconds[apart]
+        pair = np.sort(np.stack([order[here], order[here + step]]), axis=0)
+        found.append(pair[:, _cross(chords, *pair)])
+    firsts, seconds = np.concatenate(found, axis=1)
+    return firsts, seconds
 
 
-def _cross(start: Points, way: Points, one: np.ndarray, other: np.ndarray) -> np.ndarray:
-    base, across = start[other] - start[one], cross(way[one], way[other])
+def _cross(chords: Chords, one: np.ndarray, other: np.ndarray) -> np.ndarray:
+    """Tell which pairs cross and have no end in common."""
+    start, way = chords.start, chords.way
+    base, across = start[other] - start[one], np.asarray(cross(way[one], way[other]))
     with np.errstate(divide="ignore", invalid="ignore"):
         along, back = cross(base, way[other]) / across, cross(base, way[one]) / across
-    return np.asarray((along >= 0) & (along < 1) & (back >= 0) & (back < 1))
+    ends = np.minimum(np.abs(base - way[one]), np.abs(base + way[other]))
+    apart = ends > SAME * np.abs(way[one])
+    return np.asarray(apart & (along >= 0) & (along < 1) & (back >= 0) & (back < 1))
 
 
-def _closed(edge: Edge, first: float, second: float) -> Crossing:
-    """Close in on a crossing by Newton's method in both turns; on a corner it stays where the segments crossed."""
-    pair, near = np.array([first, second]), np.array([first, second])
-    far = edge.stretches.course.cam.turn / len(edge.stretches.edges) / 4
+def _closed(edge: Edge, chords: Chords, one: int, other: int) -> Crossing:
+    """Close in on a crossing by Newton's method, each turn on its own stretch; or else leave it to the chords."""
+    near, rows = chords.turned[[one, other]], chords.row[[one, other]]
+    low, high = edge.stretches.edges[rows], np.nextafter(edge.stretches.edges[rows + 1], 0.0)
+    pair, gap = near, np.inf
     for _ in range(STEPS):
         (a, b), (u, v) = edge.at(pair), edge.slope(pair)
-        turn = cross(u, v)
+        gap, turn = abs(a - b), np.asarray(cross(u, v))
         step = np.array([-cross(a - b, v), cross(u, a - b)]) / (turn or np.nan)
-        if not np.all(np.abs(pair + step - near) < far):
-            pair = near
+        if np.isnan(step).any() or np.all(np.abs(step) <= 2 * EPS * np.abs(pair)):
             break
-        pair = np.clip(pair + step, 0.0, edge.stretches.course.cam.turn)
-        if np.all(np.abs(step) <= 4 * EPS * np.abs(pair)):
-            break
-    return Crossing(float(pair[0]), float(pair[1]), complex(edge.at(pair).mean()))
+        pair = np.clip(pair + step, low, high)
+    good = gap <= SAME * np.abs(chords.way[[one, other]]).max() and pair[1] - pair[0] > SAME
+    first, second = (pair if good else near).tolist()
+    return Crossing(first, second, complex(edge.at(np.array([first, second])).mean()))

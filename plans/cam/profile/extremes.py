@@ -28,9 +28,10 @@ def pressure_slope(tip: Tip) -> Floats:
     if tip.cam.flat:
         return Touch(tip).pressure_slope
     _, first, second, _ = tip.orders
+    lever = abs(tip.turns) * first + 1j * tip.cam.sense * second
     turning = tip.cam.rising * tip.travel.slope if tip.cam.rocks else 0.0
     with np.errstate(divide="ignore", invalid="ignore"):
-        return np.asarray(tip.cam.sense * (((first + 1j * tip.cam.sense * second) / tip.lever).imag - turning))
+        return np.asarray(tip.cam.sense * ((lever / tip.lever).imag - turning))
 
 
 @dataclass(frozen=True)

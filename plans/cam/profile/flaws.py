@@ -88,9 +88,16 @@ class Search:
             return
         spans = self._hollows
         yield from (self._flaw("concave", span, lambda tip: -Touch(tip).radius, least=True) for span in spans)
+        yield from (Flaw("concave", one, one, Extreme(0.0, one)) for one in self._steps())
         least = self.extremes.sharpest
         if not spans and least and least.value < self.cam.limits.curvature * (1 - TOUCHES):
             yield Flaw("sharp", least.turned, least.turned, least)
+
+    def _steps(self) -> Iterator[float]:
+        """Give where a hard shock makes contact jump back along the face: an edge is left there."""
+        for one in self.stretches.course.shocks:
+            if one.order == 1 and one.jump < 0:
+                yield one.turned
 
     @property
     def _hollows(self) -> list[Span]:
