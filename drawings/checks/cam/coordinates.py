@@ -20,14 +20,13 @@ from plans.model.motion import Floats
 from plans.study import Study
 from plans.words.words import message
 
-PARTS = 360  # of the turn, or of the travel of a cam that translates
 ROUNDED = 0.5 * 10.0**-DIGITS
 # Of a value: what the arithmetic of either road moves, which a radius of curvature and an angle near a pole gather.
 SHARE = 1e-9
 
 
 def enclosures(study: Study) -> Iterator[Enclosure]:
-    """Give the coordinates of each cam's profile at every degree."""
+    """Give the coordinates of each cam's profile at equal parts of its turn, or of its travel."""
     drawings, theirs = study["cam"].drawings.values(), study.comparison("cam").analysis.cams
     for number, (drawing, found) in enumerate(zip(drawings, theirs, strict=True)):
         turned = turns(drawing.cam)
@@ -37,7 +36,7 @@ def enclosures(study: Study) -> Iterator[Enclosure]:
 
 def turns(cam: Cam) -> Floats:
     """Give the turns at which a profile is told, rad, (N,): the last is the first again."""
-    return np.linspace(0.0, cam.turn, PARTS + 1)
+    return np.linspace(0.0, cam.turn, cam.coordinates + 1)
 
 
 def faults(content: bytes, found: CamFound, name: str) -> Iterator[Wrong]:
