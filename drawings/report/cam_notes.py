@@ -6,8 +6,6 @@ import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
-import numpy as np
-
 from drawings.page.drafting import Drafting
 from drawings.report.phase_letters import phase_letter
 from plans.cam.tables import smoothing
@@ -36,7 +34,6 @@ class CamNotes(NamedTuple):
             *self.sizes(),
             *self.pressure(),
             *self.roller(),
-            *self.peaks(),
             *self.shocks(),
             *self.pressing(),
             *self.flaws(),
@@ -51,7 +48,13 @@ class CamNotes(NamedTuple):
         """Say what kind of cam it is."""
         cam, word = self.cam, self.drafting.word
         kind = word(f"cam {cam.follower.motion} {cam.follower.end}")
-        yield word("cam asked", follower=kind, closure=word(f"cam closed by {cam.closure}"), lift=self.way(cam.lift))
+        yield word(
+            "cam asked",
+            follower=kind,
+            closure=word(f"cam closed by {cam.closure}"),
+            lift=self.way(cam.lift),
+            letter="Ψ" if cam.rocks else "H",
+        )
         if cam.speed is not None:
             sense = word("counter-clockwise" if cam.sense > 0 else "clockwise")
             key = "cam speed of travel" if cam.translates else "cam speed"
@@ -115,16 +118,6 @@ class CamNotes(NamedTuple):
             yield word("cam roller by rule", roller=self._mm(found.roller))
         elif found.roller:
             yield word("cam roller given", roller=self._mm(found.roller))
-
-    def peaks(self) -> Iterator[str]:
-        """Say how fast the follower goes at the numbered positions, and how it is accelerated."""
-        cam, travel = self.cam, self.found.contour.travel
-        if cam.speed is None:
-            return
-        speed, rate = (float(np.max(np.abs(one), initial=0.0)) for one in (travel.slope, travel.bend))
-        units = ("rad/s", "rad/s2") if cam.rocks else ("m/s", "m/s2")
-        numbers = (self._of(speed * cam.speed, units[0]), self._of(rate * cam.speed**2, units[1]))
-        yield self.drafting.word("cam peaks", **dict(zip(("speed", "acceleration"), numbers, strict=True)))
 
     def shocks(self) -> Iterator[str]:
         """Say where it knocks, and how hard."""

@@ -115,7 +115,7 @@ def _conditions(drawing: CamDrawing, notes: CamNotes) -> Iterator[str]:
     language = notes.drafting.language
     yield word(language, "report.cam_found", name=notes.cam.name)
     yield ""
-    parts = (notes.smoothed, notes.sizes, notes.pressure, notes.roller, notes.peaks, notes.shocks, notes.flaws)
+    parts = (notes.smoothed, notes.sizes, notes.pressure, notes.roller, notes.shocks, notes.flaws)
     told = (line for part in parts for line in part())
     yield from (f"- {_plain(line)}" for line in told)
     shares = (drawing.diagrams.slope_departure.share, drawing.diagrams.travel_departure.share)

@@ -133,10 +133,10 @@ def travel(cam: Cam, turned: Floats, before: bool = False) -> Travel:
     if before:
         phi = np.where(phi == 0.0, 0.0 if cam.translates else cam.turn, phi)
     found = np.zeros((3, len(phi)))
-    for phase in cam.phases:
-        here = (phase.start < phi) & (phi <= phase.end) if before else (phase.start <= phi) & (phi < phase.end)
-        here |= (phi == phase.end) & (phase is cam.phases[-1])
-        here |= (phi == 0.0) & (phase is cam.phases[0])
+    # A phase ends where the next one starts: the sum of its start and its angle may be off that by a rounding.
+    own = np.searchsorted([one.start for one in cam.phases], phi, side="left" if before else "right") - 1
+    for number, phase in enumerate(cam.phases):
+        here = np.maximum(own, 0) == number
         found[:, here] = _within(phase, phi[here], before)
     return Travel(*found)
 

@@ -101,12 +101,10 @@ class Compared:
         """S' at the ends of the strips and S at their edges, as chords find them from the analysis's S''."""
         drawn, cam = self.drawing.diagrams, self.theirs.cam
         edges = drawn.strips.edges
-        gains, slope, before = _gains(cam, edges), np.empty(len(edges) - 1), np.empty(len(edges) - 1)
+        (gains, bends), slope = _gains(cam, edges), np.empty(len(edges) - 1)
         for run in drawn.runs:
-            start = float(travel(cam, edges[run.start : run.start + 1]).slope[0])
-            slope[run] = start + np.cumsum(gains[run])
-            before[run] = slope[run] - gains[run]
-        steps = (slope + before) / 2 * np.diff(edges)
+            slope[run] = travel(cam, edges[run.start : run.start + 1]).slope + np.cumsum(gains[run])
+        steps = (slope - gains / 2 + np.diff(edges) * bends / 12) * np.diff(edges)
         return slope, np.concatenate([[0.0], np.cumsum(steps)]) + float(travel(cam, edges[:1]).s[0])
 
     def sizes(self) -> Iterator[Finding]:
@@ -164,15 +162,18 @@ class Compared:
         return Finding(plan, name, unit, own, other, off, np.broadcast_to(allowed, off.shape), _most(own))
 
 
-def _gains(cam: Cam, edges: Floats) -> Floats:
-    """Give what S' gains over strips by the mean ordinates of S'': at mid-strip, of a law by points the true ones."""
-    middles = (edges[:-1] + edges[1:]) / 2
-    whole = travel(cam, edges[1:], before=True).slope - travel(cam, edges[:-1]).slope
+def _gains(cam: Cam, edges: Floats) -> tuple[Floats, Floats]:
+    """Give what S' gains over strips, and how much S'' falls over them.
+
+    A mean ordinate of S'' is read from three, at both ends and at mid-strip; of a law by points it is the true one.
+    """
+    middles, width = (edges[:-1] + edges[1:]) / 2, np.diff(edges)
+    first, last = travel(cam, edges[:-1]), travel(cam, edges[1:], before=True)
     by_points = [one for one in cam.moving() if one.law is not None and one.law.name in (TABLE, SHAPE)]
-    inside = [(one.start < middles) & (middles < one.end) for one in by_points]
-    return np.where(
-        np.any([np.zeros(len(middles), dtype=bool), *inside], axis=0), whole, travel(cam, middles).bend * np.diff(edges)
-    )
+    straight = [(one.start < middles) & (middles < one.end) for one in by_points]
+    read = (first.bend + 4 * travel(cam, middles).bend + last.bend) / 6 * width
+    exact = np.any([np.zeros(len(middles), dtype=bool), *straight], axis=0)
+    return np.where(exact, last.slope - first.slope, read), first.bend - last.bend
 
 
 def _most(values: Floats | Points) -> float:
