@@ -68,7 +68,7 @@ def path(cam: Cam, sizes: Sizes, away: float = 0.0, pieces: int = PIECES, exact:
     course = Course(cam)
     outline = Outline(course, sizes, away)
     parts: list[_Part] = []
-    spans = [(start, end, _rests(cam, start)) for start, end in pairwise(course.joints)]
+    spans = [(start, end, _rests(cam, (start + end) / 2)) for start, end in pairwise(course.joints)]
     parts += (_dwelt(outline, start, end) for start, end, rests in spans if rests)
     parts += _between(outline, [(start, end) for start, end, rests in spans if not rests], pieces, exact)
     turned, found, off = zip(*_joined(outline, sorted(parts, key=lambda part: part[0])), strict=True)
@@ -78,9 +78,9 @@ def path(cam: Cam, sizes: Sizes, away: float = 0.0, pieces: int = PIECES, exact:
 _Part = tuple[float, Piece, float]
 
 
-def _rests(cam: Cam, start: float) -> bool:
-    """Tell whether the follower rests on the piece of its course that begins at a joint."""
-    return cam.lift == 0 or any(one.kind == DWELL and one.start <= start < one.end for one in cam.phases)
+def _rests(cam: Cam, turned: float) -> bool:
+    """Tell whether the follower rests at a turn; at a joint itself the end of a phase is rounded."""
+    return cam.lift == 0 or any(one.kind == DWELL and one.start < turned < one.end for one in cam.phases)
 
 
 def _between(outline: Outline, spans: list[tuple[float, float]], pieces: int, exact: bool) -> Iterator[_Part]:
