@@ -161,8 +161,14 @@ def _shifted(data: str) -> str:
     ("change", "told"),
     [
         (_shifted, r"profile on profile, 0\.00\d+ mm off at [\d.]+° \(against the analysis\)"),
-        (lambda data: data.replace("Z", "").rsplit("C", 1)[0], r"the polygon profile does not close"),
-        (lambda data: data.replace(" 0 0 1 ", " 0 0 0 ", 1), r"profile on profile, .* mm off"),
+        pytest.param(
+            lambda data: data.replace("Z", "").rsplit("C", 1)[0],
+            r"the polygon profile does not close",
+            marks=pytest.mark.rest,
+        ),
+        pytest.param(
+            lambda data: data.replace(" 0 0 1 ", " 0 0 0 ", 1), r"profile on profile, .* mm off", marks=pytest.mark.rest
+        ),
     ],
 )
 def test_edited_profile_is_seen(change: Callable[[str], str], told: str) -> None:
