@@ -141,6 +141,7 @@ class Cam:
     divisions: int = 8  # parts of a phase that moves the follower
     load: Load | None = None
     angles: tuple[Fraction, ...] = ()  # of the phases in degrees, exact; empty of a cam that translates
+    coordinates: int = 360  # parts of the turn at which the profile is told by coordinates
     tolerance: float = 1e-7  # m: how far a drawn piece of the profile may be from the exact one
 
     @property

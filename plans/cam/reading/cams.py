@@ -98,6 +98,7 @@ def _cam(entry: Entry, window: Window | None) -> Cam | None:
         setting=_setting(entry, window, made),
         translates=entry.translates,
         divisions=form.divisions,
+        coordinates=form.coordinates,
         load=load,
         angles=() if entry.translates else turns,
     )

@@ -181,6 +181,11 @@ class CamTable(Table):
         'rotation; "cyclogram": with the window of the cyclogram.',
     )
     divisions: int = key(c.DIVISIONS, 8, meaning="Parts of each phase that moves the follower: numbered positions.")
+    coordinates: int = key(
+        c.COORDINATES,
+        360,
+        meaning="Parts of the turn at which the file beside the sheet profile tells the profile's coordinates.",
+    )
     follower: FollowerTable = key(
         table(FollowerTable),
         meaning="The follower (толкатель).",
