@@ -139,7 +139,9 @@ def _phase(entry: Entry, number: int, turn: Fraction, start: Fraction, way: Way)
 
 def _follower(entry: Entry) -> Follower:
     one = entry.form.follower
-    return Follower(one.motion, one.end, _float(one.length), -1 if one.turns == AGAINST else 1, float(one.face))
+    return Follower(
+        one.motion, one.end, _float(one.length), -1 if one.turns == AGAINST else 1, float(one.face), _float(one.reach)
+    )
 
 
 def _setting(entry: Entry, window: Window | None, phases: Sequence[Phase]) -> float:

@@ -69,6 +69,12 @@ class FollowerTable(Table):
         Decimal(0),
         meaning="Of a flat one that rocks: how far its face stands before its pivot, m, towards the cam above 0.",
     )
+    reach: Decimal | None = key(
+        f.LENGTH,
+        None,
+        meaning="Of a flat one: how far its face goes, m, from its axis to either side, from its pivot along the rocker.",
+        also=("width", "b"),
+    )
 
     @classmethod
     def misfits(cls, value: Mapping[str, Any]) -> Iterator[Wrong]:
