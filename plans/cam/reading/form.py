@@ -72,7 +72,7 @@ class FollowerTable(Table):
     reach: Decimal | None = key(
         f.LENGTH,
         None,
-        meaning="Of a flat one: how far its face goes, m, from its axis to either side, from its pivot along the rocker.",
+        meaning="Of a flat one: reach of its face, m, to either side of its axis, or along the rocker from its pivot.",
         also=("width", "b"),
     )
 
