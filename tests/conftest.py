@@ -23,6 +23,9 @@ if sys.dont_write_bytecode and "PYTEST_XDIST_WORKER" not in os.environ:
     os.environ.setdefault("PYTHONPYCACHEPREFIX", str(Path(__file__).parents[1] / ".pytest_cache" / "bytecode"))
 
 
+gc.set_threshold(50_000, 20, 20)  # garbage is looked for less often: what is imported and collected is none
+
+
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--whole", action="store_true", help="run whole, and alone, what the everyday run makes a part of")
 
@@ -42,7 +45,6 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 
 def pytest_collection_finish() -> None:
-    """Let the collector of garbage pass by what stays to the end, all modules and items, and come less often."""
+    """Let the collector of garbage pass by what stays to the end: all modules and items."""
     gc.collect()
     gc.freeze()
-    gc.set_threshold(50_000, 20, 20)

@@ -45,7 +45,7 @@ def dimensions(leaf: Leaf, found: Cyclogram, drafting: Drafting) -> Iterator[Wro
                 yield message("wrong.told", text=text)
 
 
-def angles(leaf: Leaf, rows: Sequence[Row], found: Cyclogram, drafting: Drafting) -> Iterator[Wrong]:
+def angles(leaf: Leaf, rows: Sequence[Row], drafting: Drafting) -> Iterator[Wrong]:
     """Read the angles that the charts tell back: each span's, where it has room for it, and no other."""
     exact = precise(drafting)
     for chart in (bar_chart.NAME, circular_chart.NAME):

@@ -2,31 +2,26 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 
 import numpy as np
 
-from drawings.checks import cyclogram_told, reading
+from drawings.checks import cyclogram_charts, cyclogram_told, reading
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.cyclogram import bar_chart, characteristic_plan, circular_chart
-from drawings.figures.cyclogram.bar_chart import HIGH, LOW, SETTING
-from drawings.figures.cyclogram.course import stretches
 from drawings.measure.measure import Measured
 from drawings.page.drafting import drafting_of
-from drawings.paper.strokes import Arc, Leaf
-from drawings.paper.walk import groups
+from drawings.paper.strokes import Leaf
 from plans.checks.compare import road_of
 from plans.checks.cyclogram_comparison import CyclogramComparison
 from plans.cyclogram.rows import rows_of
 from plans.cyclogram.study import CYCLOGRAM, CyclogramStudy
-from plans.model.cyclogram import Cyclogram, Row, within
+from plans.model.cyclogram import Cyclogram
 from plans.model.mechanism import FRAME
 from plans.model.order import POSITIONS
 from plans.study import Study
 
 FAR = 1e-9  # of the mechanism's size, or rad: both roads agree in a place far better
-ANGLE = 1e-9  # rad: an arc of a leaf is not rounded yet
 
 
 def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
@@ -42,11 +37,11 @@ def check(measured: Measured, leaf: Leaf, study: CyclogramStudy, comparison: Cyc
         yield from _places(measured, leaf, study, found)
         yield from cyclogram_told.dimensions(leaf, found, drafting)
     if bar_chart.NAME in leaf.metadata["figures"]:
-        yield from _bars(measured, rows, found)
+        yield from cyclogram_charts.bars(measured, rows, found.positions[0].turned)
     if circular_chart.NAME in leaf.metadata["figures"]:
-        yield from _rings(leaf, rows, found)
+        yield from cyclogram_charts.rings(leaf, rows, found.sense)
     yield from reading.marked_scales(leaf)
-    yield from cyclogram_told.angles(leaf, rows, found, drafting)
+    yield from cyclogram_told.angles(leaf, rows, drafting)
     yield from cyclogram_told.table(leaf, found, drafting)
     yield from cyclogram_told.notes(leaf, comparison, study.cams, drafting)
 
@@ -79,43 +74,3 @@ def _true(study: CyclogramStudy, found: Cyclogram, shown: int) -> dict[tuple[str
     places |= {(POSITIONS.plan, name): place for name, place in fixed.items() if name != mechanism.drive.pivot}
     numbered = (k for k in range(len(pins)) if k != shown)
     return places | {(characteristic_plan.NAME, f"{end}_{k}"): complex(pins[k]) for k in numbered}
-
-
-def _bars(measured: Measured, rows: tuple[Row, ...], found: Cyclogram) -> Iterator[Wrong]:
-    """Hold the line of every span, and every setting angle, against the analysis."""
-    true, begin = dict[str, complex](), found.positions[0].turned
-    for k, row in enumerate(rows, 1):
-        parts = [one for span in row.spans for one in stretches(span, begin)]
-        for number, one in enumerate(parts, 1):
-            true[f"{k}.{number}"] = complex(one.end - one.start, (HIGH - LOW) * (one.high - one.low))
-    for number, row in enumerate((row for row in rows if row.setting), 1):
-        zero, there = (within(turned - begin) for turned in (0.0, row.setting or 0.0))
-        true[f"{SETTING}{number}"] = complex(there - zero)
-    seen = {one.name: one for one in measured.vectors if one.plan == bar_chart.NAME}
-    for name in true.keys() | seen.keys():
-        if name not in true:
-            yield on("stranger_on", bar_chart.NAME, name=name)
-        elif name not in seen:
-            yield on("missing_on", bar_chart.NAME, name=name)
-        elif not abs(seen[name].value - true[name]) <= ANGLE + 2 * measured.quantum * seen[name].scale:
-            yield on("differs_on", bar_chart.NAME, name=name)
-
-
-def _rings(leaf: Leaf, rows: tuple[Row, ...], found: Cyclogram) -> Iterator[Wrong]:
-    """Hold the arcs of the rings against the analysis: each from where its span begins to where it ends."""
-    drawn = {one.name: one for one in groups(leaf.groups) if one.name.startswith(f"{circular_chart.RING_NAME}-")}
-    for k, row in enumerate(rows):
-        name = f"{circular_chart.RING_NAME}-{k}"
-        ring = drawn.get(name)
-        arcs = [stroke for stroke in ring.strokes if isinstance(stroke, Arc)] if ring else []
-        true = [sorted((found.sense * span.start, found.sense * span.end)) for span in row.spans]
-        if len(arcs) != len(true):
-            yield on("missing_on", circular_chart.NAME, name=name)
-        for arc, (low, high) in zip(arcs, true, strict=False):
-            off = max(_apart(arc.start_angle, low), _apart(arc.end_angle, high))
-            if not off <= ANGLE:
-                yield on("differs_on", circular_chart.NAME, name=name)
-
-
-def _apart(one: float, other: float) -> float:
-    return abs(math.remainder(one - other, math.tau))

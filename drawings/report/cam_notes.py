@@ -161,7 +161,7 @@ class CamNotes(NamedTuple):
         return self.drafting.word(f"cam flaw {one.kind}", worst=told, **ends)
 
     def _unit(self, one: Flaw) -> float:
-        return 1.0 if one.kind == "lift-off" else MM
+        return 1.0 if one.kind in ("lift-off", "outrun") else MM
 
     def way(self, value: float) -> str:
         """Write how far the follower goes: mm, or degrees of one that rocks."""

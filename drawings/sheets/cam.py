@@ -6,7 +6,8 @@ from collections.abc import Collection, Iterator
 from functools import partial
 from typing import Any
 
-from drawings.figures.cam import law_diagrams, profile_figure, size_diagram, sizes_table
+from drawings.figures.cam import law_diagrams, pressure_graph, profile_figure, size_diagram, sizes_table
+from drawings.figures.cam.pressure_graph import pressure_view
 from drawings.figures.cam.profile_view import profile_view
 from drawings.figures.cam.size_view import SizeView
 from drawings.layout.contents import Panel
@@ -55,11 +56,20 @@ def _shows(drawing: CamDrawing, exact: CamFound, drafting: Drafting) -> Iterator
         shown = SizeView(drawing.sizing)
         room = size_diagram.measure(shown, drafting)
         yield Exhibit(Panel(room), partial(size_diagram.draw, shown, room, drafting=drafting))
+    if not (drawing.cam.flat and not drawing.cam.rocks):
+        yield _pressure(drawing, drafting)
     view = profile_view(drawing.found)
     room = profile_figure.measure(view, drafting)
     yield Exhibit(Panel(room, FOREMOST), partial(profile_figure.draw, view, room, drafting=drafting))
     table = _results(drawing, exact, drafting)
     yield Caption(Panel(table.block(table.name)), partial(table.write, drafting=drafting))
+
+
+def _pressure(drawing: CamDrawing, drafting: Drafting) -> Exhibit:
+    """Show the pressure angle, which a flat face that translates has none of."""
+    shown = pressure_view(drawing.sizing.limits, drawing.curve, drawing.found)
+    room = pressure_graph.measure(shown, drafting)
+    return Exhibit(Panel(room), partial(pressure_graph.draw, shown, room, drafting=drafting))
 
 
 def _results(drawing: CamDrawing, exact: CamFound, drafting: Drafting) -> RuledTable:

@@ -24,10 +24,20 @@ DOUBTFUL = 1e-3  # less sharp than this, a dead centre may be as near as 1e-6 ra
 
 def least(blocks: Sequence[Block], jacobian: Floats, poses: Floats) -> Floats:
     """Give the sharpness of the bluntest block at N poses, (N,); above PLAIN it is a bound from below."""
+    return least_of(blocks, determinants(blocks, jacobian), jacobian, poses)
+
+
+def determinants(blocks: Sequence[Block], jacobian: Floats) -> Floats:
+    """Give the determinants of all blocks at N positions, (blocks, N)."""
+    return np.array([np.linalg.det(block.of(jacobian)) for block in blocks])
+
+
+def least_of(blocks: Sequence[Block], dets: Floats, jacobian: Floats, poses: Floats) -> Floats:
+    """Give the sharpness of the bluntest block, (N,), from the determinants of all blocks, (blocks, N)."""
     found = np.ones(len(poses))
-    for block in blocks:
+    for block, det in zip(blocks, dets, strict=True):
         own = block.of(jacobian)
-        sharp = np.abs(np.linalg.det(own)) / np.sqrt((own**2).sum(axis=1)).prod(axis=1)
+        sharp = np.abs(det) / np.sqrt((own**2).sum(axis=1)).prod(axis=1)
         doubtful = np.flatnonzero(sharp < PLAIN)
         if doubtful.size:
             sharp[doubtful] = sharpness(block, poses[doubtful])

@@ -18,7 +18,7 @@ from plans.analytic.blocks import Block
 from plans.analytic.closure import EPS, ROUNDINGS, SQRT_EPS, as_poses, close, closed, inverses, solutions
 from plans.analytic.constraints import Constraints
 from plans.analytic.ends import BESIDE, CLEAR, SHORTEST, End, Station, end_of
-from plans.analytic.sharpness import DOUBTFUL, MERGED, least
+from plans.analytic.sharpness import DOUBTFUL, MERGED, determinants, least_of
 from plans.model.motion import CHANGE_POINT, NOT_REACHABLE, Floats
 
 Blocks = Sequence[Block]
@@ -235,8 +235,8 @@ def _stations(constraints: Constraints, blocks: Blocks, poses: Floats, phi: Floa
     closed = poses - as_poses((inverse @ constraints.residual(at, phi)[..., None])[..., 0])
     first = as_poses(inverse[:, :, -1])
     second = as_poses(-(inverse @ constraints.convective(at, first)[..., None])[..., 0])
-    dets = np.array([np.linalg.det(block.of(jacobian)) for block in blocks]).T
-    sharp = least(blocks, jacobian, closed)
+    found = determinants(blocks, jacobian)
+    dets, sharp = found.T, least_of(blocks, found, jacobian, closed)
     return [Station(float(phi[k]), closed[k], first[k], second[k], dets[k], float(sharp[k])) for k in range(len(phi))]
 
 

@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from geometry.strips import SLIVER
 from plans.cam.laws import law_of
 from plans.cam.pieces import Pieces, bends
 from plans.model.cam import CUBICS, TABLE, Cam, Phase
@@ -134,4 +135,13 @@ def positions(cam: Cam) -> Floats:
     """Give the turns of the numbered positions, rad: each phase that moves in equal parts, a dwell by its ends."""
     edges = [np.linspace(one.start, one.end, cam.divisions + 1)[:-1] for one in cam.moving()]
     edges += [np.array([one.start]) for one in cam.phases if one.law is None]
-    return np.unique(np.concatenate([*edges, *([np.array([cam.turn])] if cam.translates else [])]))
+    found = np.unique(np.concatenate([*edges, *([np.array([cam.turn])] if cam.translates else [])]))
+    return settled(found, Course(cam))
+
+
+def settled(turned: Floats, course: Course) -> Floats:
+    """Put turns that are joints of phases or laws but for a rounding on them, (N,), rising."""
+    joints = np.array(course.joints)
+    near = joints[np.abs(turned[:, None] - joints).argmin(axis=1)]
+    width = float(np.diff(turned).min(initial=course.cam.turn))
+    return np.where(np.abs(turned - near) <= SLIVER * width, near, turned)

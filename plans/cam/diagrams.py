@@ -17,7 +17,7 @@ import numpy.typing as npt
 from geometry.board import Board
 from geometry.calculus import Derivative, Integral, derivative_by_chords, integral
 from geometry.strips import SLIVER, Departure, departure, middles, strips
-from plans.cam.course import Course, positions
+from plans.cam.course import Course, positions, settled
 from plans.model.cam import SHAPE, TABLE, Cam
 from plans.model.cam_motion import Travel
 from plans.model.motion import Floats
@@ -74,14 +74,7 @@ def strips_of(cam: Cam) -> Strips:
     for phase in (one for one in cam.phases if one.angle > 0):
         inside = [one for one in course.corners if phase.start < one < phase.end]
         edges.append(strips(phase.start, phase.end, cam.divisions if phase.law else 1, inside)[1:])
-    return Strips(course, _settled(np.concatenate(edges), course))
-
-
-def _settled(edges: Floats, course: Course) -> Floats:
-    """Put edges that are joints of phases or laws but for a rounding on them."""
-    joints = np.array(course.joints)
-    near = joints[np.abs(edges[:, None] - joints).argmin(axis=1)]
-    return np.where(np.abs(edges - near) <= SLIVER * np.diff(edges).min(), near, edges)
+    return Strips(course, settled(np.concatenate(edges), course))
 
 
 @dataclass(frozen=True)

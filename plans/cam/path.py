@@ -67,30 +67,39 @@ def path(cam: Cam, sizes: Sizes, away: float = 0.0, pieces: int = PIECES, exact:
     """
     course = Course(cam)
     outline = Outline(course, sizes, away)
-    parts = [part for start, end in pairwise(course.joints) for part in _between(outline, start, end, pieces, exact)]
-    turned, found, off = zip(*_joined(outline, parts), strict=True)
+    parts: list[_Part] = []
+    spans = [(start, end, _rests(cam, (start + end) / 2)) for start, end in pairwise(course.joints)]
+    parts += (_dwelt(outline, start, end) for start, end, rests in spans if rests)
+    parts += _between(outline, [(start, end) for start, end, rests in spans if not rests], pieces, exact)
+    turned, found, off = zip(*_joined(outline, sorted(parts, key=lambda part: part[0])), strict=True)
     return ProfilePath(found, turned, max(off), not cam.translates)
 
 
 _Part = tuple[float, Piece, float]
 
 
-def _between(outline: Outline, start: float, end: float, pieces: int, exact: bool) -> Iterator[_Part]:
-    """Give the pieces between two joints of the course."""
-    cam = outline.cam
-    if any(one.kind == DWELL and one.start <= start < one.end for one in cam.phases) or cam.lift == 0:
-        yield _dwelt(outline, start, end)
+def _rests(cam: Cam, turned: float) -> bool:
+    """Tell whether the follower rests at a turn; at a joint itself the end of a phase is rounded."""
+    return cam.lift == 0 or any(one.kind == DWELL and one.start < turned < one.end for one in cam.phases)
+
+
+def _between(outline: Outline, spans: list[tuple[float, float]], pieces: int, exact: bool) -> Iterator[_Part]:
+    """Give the cubics over spans between joints of the course."""
+    if not spans:
         return
-    count = max(math.ceil(round((end - start) / cam.turn * pieces, 9)), 1)
-    edges = np.linspace(start, end, count + 1)
-    cubics, off = _fitted(outline, edges)
+    tolerance, whole = outline.cam.tolerance, outline.cam.turn
+    counts = [max(math.ceil(round((end - start) / whole * pieces, 9)), 1) for start, end in spans]
+    edges = [np.linspace(*span, count + 1) for span, count in zip(spans, counts, strict=True)]
+    low, high = (np.concatenate([one[cut] for one in edges]) for cut in (np.s_[:-1], np.s_[1:]))
+    cubics, off = _fitted(outline, low, high)
     for _ in range(ROUNDS if exact else 0):
-        if not (wide := off > cam.tolerance).any():
+        if not (wide := off > tolerance).any():
             break
-        edges = np.sort(np.concatenate([edges, (edges[:-1] + edges[1:])[wide] / 2]))
-        cubics, off = _fitted(outline, edges)
+        middle = (low + high)[wide] / 2
+        low, high = (np.sort(np.concatenate([one, middle])) for one in (low, high))
+        cubics, off = _fitted(outline, low, high)
     found = (CubicPiece(*one) for one in zip(*(column.tolist() for column in cubics), strict=True))
-    yield from zip(edges[:-1].tolist(), found, off.tolist(), strict=True)
+    yield from zip(low.tolist(), found, off.tolist(), strict=True)
 
 
 def _dwelt(outline: Outline, start: float, end: float) -> _Part:
@@ -122,14 +131,14 @@ def _jump(outline: Outline, turned: float, start: complex, end: complex) -> Iter
     yield turned, RoundPiece(start, tip, float(np.angle((end - tip) / (start - tip)))), 0.0
 
 
-def _fitted(outline: Outline, edges: Floats) -> tuple[_Cubics, Floats]:
+def _fitted(outline: Outline, low: Floats, high: Floats) -> tuple[_Cubics, Floats]:
     """Give the cubics between turns, and how far each is from the outline, m."""
-    first, last = outline.at(edges[:-1]), outline.at(edges[1:], before=True)
+    first, last = outline.at(low), outline.at(high, before=True)
     shares = np.arange(1, SAMPLES + 1) / (SAMPLES + 1)
-    between = outline.at((edges[:-1, None] + np.diff(edges)[:, None] * shares).ravel())
+    between = outline.at((low[:, None] + (high - low)[:, None] * shares).ravel())
     points, tangents = between.at.reshape(-1, SAMPLES), between.tangent.reshape(-1, SAMPLES)
     handles = _Handles(first, last)
-    even = handles.even(np.diff(edges))
+    even = handles.even(high - low)
     either = [handles.cubics(*lengths) for lengths in (even, handles.nearest(*even, points, tangents, shares))]
     off = [np.abs(_apart(one, points, shares)[1]).max(axis=1) for one in either]
     better = off[1] < off[0]

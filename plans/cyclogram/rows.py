@@ -28,7 +28,7 @@ def _phases(cam: Cam) -> Iterator[Span]:
     """Give the phases; their labels are the indices of their letters, several of one kind numbered."""
     kinds = [REST if one.kind == DWELL and not one.level else one.kind for one in cam.phases]
     for k, (kind, one) in enumerate(zip(kinds, cam.phases, strict=True)):
-        label = kind if kinds.count(kind) == 1 else f"{kind} {kinds[: k + 1].count(kind)}"
+        label = kind if kinds.count(kind) == 1 else f"{kind}\N{NO-BREAK SPACE}{kinds[: k + 1].count(kind)}"
         yield Span(cam.setting + one.start, cam.setting + one.end, kind, label)
 
 

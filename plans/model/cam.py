@@ -66,11 +66,12 @@ class Phase(NamedTuple):
     level: float  # S at its start
     change: float  # of S: above 0 on a rise, below 0 on a return, 0 on a dwell
     law: Law | None = None  # None of a dwell
+    stop: float | None = None  # rad: where the next phase starts, if a rounding lies between that and start + angle
 
     @property
     def end(self) -> float:
         """Where it ends, rad."""
-        return self.start + self.angle
+        return self.start + self.angle if self.stop is None else self.stop
 
 
 class Follower(NamedTuple):
@@ -140,6 +141,7 @@ class Cam:
     divisions: int = 8  # parts of a phase that moves the follower
     load: Load | None = None
     angles: tuple[Fraction, ...] = ()  # of the phases in degrees, exact; empty of a cam that translates
+    coordinates: int = 360  # parts of the turn at which the profile is told by coordinates
     tolerance: float = 1e-7  # m: how far a drawn piece of the profile may be from the exact one
 
     @property

@@ -80,9 +80,10 @@ class Flaw(NamedTuple):
     Kinds: "undercut" (the roller is larger than the pitch curve's radius; a cusp or a corner where it ends at the turn
     at which it starts), "hollow" (likewise on the outer side of a groove), "crossing" (at both turns the profile is at
     one point), "concave" (under a flat face) and "sharp" (less than the radius asked for), "pressure" (angle beyond the
-    limit), "short face", "lift-off" (the spring does not hold). One that goes on over the end of the turn starts late
-    and ends early. The worst of the first two, of "concave" and of "sharp" is a radius, of a crossing how much of S is
-    lost where the loop is cut away, of a short face how far contact goes, of a lift-off a force.
+    limit), "short face", "lift-off" (the spring does not hold), "outrun" (a rocker's face turns as fast as the cam: the
+    worst is how many times as fast, and nothing else of the profile is told). One that goes on over the end of the turn
+    starts late and ends early. The worst of the first two, of "concave" and of "sharp" is a radius, of a crossing how
+    much of S is lost where the loop is cut away, of a short face how far contact goes, of a lift-off a force.
     """
 
     kind: str

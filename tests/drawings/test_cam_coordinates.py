@@ -9,18 +9,20 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from drawings.checks.cam.coordinates import PARTS, faults, turns
+from drawings.checks.cam.coordinates import faults, turns
 from drawings.checks.cam.rolling import apart
 from drawings.checks.verify import SelfCheckFailed
 from drawings.commands.draw import draw
 from drawings.figures.cam.coordinate_table import read, written
 from drawings.files.enclosure import Enclosure
 from drawings.sheets.table import SHEETS
+from geometry.errors import LimitError
 from plans.cam.course import Course
 from plans.cam.path import path
 from plans.cam.profile.profile import profile
 from plans.model.cam import GROOVE, ROLLER, TRANSLATING
 from plans.model.cam_motion import ANALYSIS, CamFound, Contour
+from plans.scene.scene import parse_scene
 from plans.study import Study
 from plans.techniques import named
 from plans.words.words import message
@@ -46,7 +48,7 @@ def told(content: bytes, case: Case) -> list[str]:
     return [str(one) for one in faults(content, found, "profile.csv")]
 
 
-@pytest.mark.parametrize("case", some(every(), every=12), ids=titled)
+@pytest.mark.parametrize("case", some(every(), every=18), ids=titled)
 def test_coordinates_are_those_of_the_analysis_and_on_the_drawn_path(case: Case) -> None:
     cam, sizes = case
     content = written(cam, drawn(case))
@@ -54,7 +56,7 @@ def test_coordinates_are_those_of_the_analysis_and_on_the_drawn_path(case: Case)
     found = read(content)
     spots = (np.array(found["x_mm"]) + 1j * np.array(found["y_mm"])) * MM
     own = path(cam, sizes, -roller_of(cam))
-    assert len(spots) == PARTS + 1
+    assert len(spots) == cam.coordinates + 1
     assert apart(own.pieces, own.closed, spots).max() <= own.deviation + LAST * MM
     if not cam.translates:
         assert abs(spots[-1] - spots[0]) <= 2 * LAST * MM
@@ -123,3 +125,19 @@ def test_nothing_is_written_where_an_enclosure_is_wrong(tmp_path: Path, monkeypa
     with pytest.raises(SelfCheckFailed, match="the column 1 of it"):
         draw(SHAFT, tmp_path)
     assert list(tmp_path.iterdir()) == []
+
+
+def test_as_many_coordinates_as_the_scene_asks_for_up_to_a_limit() -> None:
+    scene = """
+title = "a"
+[[cam]]
+coordinates = {count}
+follower = {{ motion = "translating", end = "pointed", lift = "30 mm" }}
+sizes = {{ base = "50 mm", offset = "5 mm" }}
+phases = [{{ kind = "rise", angle = 180, law = "sine" }}, {{ kind = "return", angle = 180, law = "sine" }}]
+"""
+    (cam,) = (one.cam for one in Study(parse_scene(scene.format(count=3600)))["cam"].drawings.values())
+    contour = profile(Course(cam), cases.sizes(cam), 0.0, turns(cam)).contour
+    assert written(cam, contour).count(b"\n") == 3602  # with its heading, and the first again at the end
+    with pytest.raises(LimitError, match=r"coordinates = 100000: more than COORDINATES_LIMIT = 36000"):
+        parse_scene(scene.format(count=100000))

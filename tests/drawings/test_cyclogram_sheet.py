@@ -20,6 +20,7 @@ from drawings.sheets.cyclogram import leaves
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from plans.words.words import said
+from tests.drawings.collisions import collisions
 from tests.drawings.slips import (
     Change,
     changed,
@@ -88,6 +89,7 @@ def test_other_linkages_are_drawn_too(name: str, tmp_path: Path) -> None:
     study = Study(parse_scene(scene_text(name)))
     for leaf in leaves(study):
         seen(study, leaf, tmp_path)
+        assert collisions(leaf) == []
 
 
 def turned_ring(name: str, by: float) -> Change:

@@ -10,8 +10,10 @@ import pytest
 from plans.bench import cyclogram as bench
 from plans.checks.cyclogram_comparison import compare_cyclogram
 from plans.cyclogram import rows as r
+from plans.cyclogram.marks import marks
 from plans.cyclogram.rows import row_of_feed, rows_of_cams, rows_of_machine
 from plans.cyclogram.study import NoCyclogram
+from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.model import cyclogram as c
 from plans.model.cyclogram import TURN, Cyclogram, Span, Window, pieces
 from plans.scene.faults import SceneError
@@ -230,3 +232,20 @@ def test_the_bench_judges_all_roads_by_the_notches_in_many_digits() -> None:
         assert bench.errors(run(), true).largest < 1e-15, name
     assert bench.errors([one + 1e-9 for one in true], true).largest > 1e-10
     assert bench.truth(cyclogram_of("walking-leg")) == []
+
+
+def test_explain_gives_the_notches_from_the_tool_to_the_crank() -> None:
+    study = study_of("shaper")
+    told = marks(study, 0, "phi_1")
+    assert isinstance(told, Explanation)
+    assert [mark.name for mark in told.steps if mark.step.op == "meet"] == ["B", "A"]
+    assert told.steps[-1].name == "OA"
+    arm = complex(np.ravel(told.steps[-1].point)[0])
+    assert math.isclose(math.atan2(arm.imag, arm.real), study["cyclogram"].cyclogram.positions[1].turned)
+    pressure = marks(study, 0, "φ_2")
+    assert isinstance(pressure, Explanation) and any(mark.step.op == "square" for mark in pressure.steps)
+    listed = marks(study, 0, "v_B")
+    assert isinstance(listed, NoMark) and "phi_1" in listed.names and "phi_0" not in listed.names
+    for name in ("phi_0", "phi_99"):
+        with pytest.raises(UnknownMark):
+            marks(study, 0, name)

@@ -12,7 +12,8 @@ import pytest
 from tests.plans.seeded import everyday, faults, verdicts
 
 CASES = Path(__file__).parents[1] / "cases"
-NAMES = ("rotor_faults", "machine_faults", "dynamics_analysis_faults", "run_faults", "cyclogram_faults")
+MACHINES = "machine_faults", "dynamics_analysis_faults", "run_faults"
+NAMES = ("rotor_faults", *MACHINES, "cyclogram_faults", "cam_profile_faults")
 TABLES = {name: faults(CASES / f"{name}.toml") for name in NAMES}
 
 

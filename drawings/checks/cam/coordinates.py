@@ -5,13 +5,13 @@ A row of the table of sheets: what is written is the construction, what it is he
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import partial
 
 import numpy as np
 
 from drawings.checks.wrong import Wrong
-from drawings.figures.cam.coordinate_table import DIGITS, columns, read, written
+from drawings.figures.cam.coordinate_table import CURVATURE, DIGITS, columns, read, written
 from drawings.files.enclosure import Enclosure
 from plans.analytic.cam.contour import contour
 from plans.model.cam import Cam
@@ -20,14 +20,13 @@ from plans.model.motion import Floats
 from plans.study import Study
 from plans.words.words import message
 
-PARTS = 360  # of the turn, or of the travel of a cam that translates
 ROUNDED = 0.5 * 10.0**-DIGITS
 # Of a value: what the arithmetic of either road moves, which a radius of curvature and an angle near a pole gather.
 SHARE = 1e-9
 
 
 def enclosures(study: Study) -> Iterator[Enclosure]:
-    """Give the coordinates of each cam's profile at every degree."""
+    """Give the coordinates of each cam's profile at equal parts of its turn, or of its travel."""
     drawings, theirs = study["cam"].drawings.values(), study.comparison("cam").analysis.cams
     for number, (drawing, found) in enumerate(zip(drawings, theirs, strict=True)):
         turned = turns(drawing.cam)
@@ -37,7 +36,7 @@ def enclosures(study: Study) -> Iterator[Enclosure]:
 
 def turns(cam: Cam) -> Floats:
     """Give the turns at which a profile is told, rad, (N,): the last is the first again."""
-    return np.linspace(0.0, cam.turn, PARTS + 1)
+    return np.linspace(0.0, cam.turn, cam.coordinates + 1)
 
 
 def faults(content: bytes, found: CamFound, name: str) -> Iterator[Wrong]:
@@ -47,7 +46,8 @@ def faults(content: bytes, found: CamFound, name: str) -> Iterator[Wrong]:
     for column in exact.keys() ^ seen.keys():
         yield message("wrong.column", name=column, file=name)
     for column in exact.keys() & seen.keys():
-        if (row := _first_off(np.array(seen[column]), exact[column])) is not None:
+        off = _bends_off if column == CURVATURE else _off
+        if (row := _first(off, np.array(seen[column]), exact[column])) is not None:
             yield message("wrong.coordinate", name=column, row=row + 1, file=name)
 
 
@@ -55,13 +55,24 @@ def _analysed(found: CamFound) -> Contour:
     return contour(found.cam, found.sizes, found.roller, turns(found.cam))
 
 
-def _first_off(seen: Floats, exact: Floats) -> int | None:
-    """Give the first row in which a number is another one."""
+def _first(off: Callable[[Floats, Floats], Floats], seen: Floats, exact: Floats) -> int | None:
+    """Give the first row in which a number is off by more than is allowed."""
     if seen.shape != exact.shape:
         return min(len(seen), len(exact))
-    with np.errstate(invalid="ignore"):  # infinite less infinite
-        right = (np.abs(seen - exact) <= ROUNDED + SHARE * np.abs(exact)) | (seen == exact)
+    right = off(seen, exact) <= 0
     return None if right.all() else int(np.argmin(right))
+
+
+def _off(seen: Floats, exact: Floats) -> Floats:
+    """Give how far numbers are off, less what is allowed."""
+    return np.abs(seen - exact) - ROUNDED - SHARE * np.abs(exact)
+
+
+def _bends_off(seen: Floats, exact: Floats) -> Floats:
+    """Give it for radii by how the curve bends: where it is nearly straight either road may have any large radius."""
+    with np.errstate(divide="ignore"):
+        bend, true = 1 / seen, 1 / exact
+    return np.asarray(np.abs(bend - true) - ROUNDED * true**2 - SHARE * np.abs(true).max())
 
 
 def _named(number: int) -> str:

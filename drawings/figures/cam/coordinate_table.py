@@ -14,6 +14,7 @@ from plans.model.cam_motion import Contour, Points
 from plans.model.motion import Floats
 
 DIGITS = 6  # after the point: a millionth of a millimetre or of a degree
+CURVATURE = "curvature_radius_mm"
 MM, DEGREES = 1e3, 180 / np.pi
 
 
@@ -26,7 +27,7 @@ def columns(cam: Cam, contour: Contour) -> Mapping[str, Floats]:
         found |= _placed("outer_", contour.outer, polar=not cam.translates)
     if contour.profile is not contour.pitch and not cam.flat:
         found |= _placed("pitch_", contour.pitch, polar=not cam.translates)
-    return found | {"pressure_deg": contour.pressure * DEGREES, "curvature_radius_mm": contour.radius * MM}
+    return found | {"pressure_deg": contour.pressure * DEGREES, CURVATURE: contour.radius * MM}
 
 
 def written(cam: Cam, contour: Contour) -> bytes:

@@ -5,7 +5,9 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+
+import numpy as np
 
 from drawings.figures.cam.size_rulers import rulers
 from drawings.figures.cam.size_view import NAME, QUANTITY, SizeView, direction
@@ -23,15 +25,17 @@ from drawings.symbols.dimension import Dimension
 from drawings.symbols.figure import Subject, heading, point
 from drawings.symbols.hatching import hatching
 from drawings.symbols.symbols import HINGE, TICK, hinge, pole
+from plans.cam.sizing import Tangent
 
-MARGINS = Margins(3.4, 3.0, 2.0)  # paper around it for letters, in their sizes
-LETTERS, MOST = 22.0, 44.0  # it is drawn at least so many letters large, and at most
+MARGINS = Margins(3.4, 4.6, 2.0)  # paper around it for letters, in their sizes
+LETTERS, MOST = 22.0, 64.0  # it is drawn at least so many letters large, and at most
 AXIS = 8.0  # mm that an axis goes past what is drawn on it
 DOT, TOUCH = 0.6, 1.1  # mm, radius of a numbered point, and of one that a ruler touches
 APART = 1.5  # sizes of a number from one numbered point to the next
 BESIDE = 1.0  # mm
-OFF = 2.6  # letters from the drawing to a dimension
+OFF, OFF_BELOW = 2.6, 1.4  # letters from the drawing to a dimension; from the region to that of e
 LEAST = 3.0  # mm: a shorter distance is told by the table alone
+SHOWN = 0.25  # rad to either side of O: of the arc of L
 SUBJECT = Subject(NAME, QUANTITY, None)
 
 
@@ -82,7 +86,7 @@ def draw(view: SizeView, room: Picture, spot: Spot, drafting: Drafting) -> SizeF
         *_curves(view, place, hand),
         *drawn,
         *(stroke for one in sizes for stroke in one.draw(hand)),
-        *_lengths(view, place, hand),
+        *_lengths(view, place, drafting),
         *_points(view, place, hand),
     )
     letters = (*angles, *_letters(view, place, drafting), *_numbers(view, place, hand))
@@ -95,30 +99,37 @@ def _title(view: SizeView, drafting: Drafting) -> str:
 
 
 def _axes(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:
-    """Draw the axes of S and S' through A; of a rocker the arc on which S is laid off, and its pivot's level."""
-    low, high = (place.on(one) for one in view.box)
-    zero = place.on(0j)
-    if not view.cam.rocks:
-        yield from arrow(
-            complex(zero.real, min(place.on(view.centre).imag, zero.imag)), zero.real + 1j * (high.imag + AXIS), hand
-        )
-        yield from arrow(complex(low.real - AXIS / 2, zero.imag), complex(high.real + AXIS, zero.imag), hand)
+    """Draw the axes of S and S' through A; of a rocker what S is laid off along."""
+    if view.cam.rocks:
+        yield from _beside_face(view, place, hand) if view.faced else _arc(view, place, hand)
         return
-    radius = place.length(view.cam.follower.length or abs(view.centre))
-    if len(view.tips):
-        ends = sorted(cmath.phase(place.on(one) - zero) % (2 * math.pi) for one in (view.tips[0], _top(view)))
-        start, end = ends if ends[1] - ends[0] < math.pi else ends[::-1]
-        yield Arc(zero, radius, start, end, hand.other)
-        for one in (view.start, _top(view)):
-            yield Line(zero, place.on(one), hand.other)
-    else:
-        away = cmath.phase(view.centre)
-        yield Arc(zero, place.length(abs(view.centre)), away - 0.25, away + 0.25, hand.drafted)
+    low, high, zero = (place.on(one) for one in (*view.box, 0j))
+    foot = complex(zero.real, min(place.on(view.centre).imag, zero.imag))
+    yield from arrow(foot, complex(zero.real, high.imag + AXIS), hand)
+    yield from arrow(complex(low.real - AXIS / 2, zero.imag), complex(high.real + AXIS, zero.imag), hand)
+
+
+def _arc(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:
+    """Draw the arc of a rocker's end, and the arm at both ends of it."""
+    zero = place.on(0j)
+    start, end = (place.on(one) - zero for one in (view.start, _top(view)))
+    low, high = (start, end) if view.cam.rising > 0 else (end, start)
+    yield Arc(zero, abs(start), cmath.phase(low), cmath.phase(high), hand.other)
+    for arm in (start, end):
+        yield Line(zero, zero + arm, hand.other)
+
+
+def _beside_face(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:
+    """Draw a piece of the arc of L, and the face of a rocker at the start."""
+    away = cmath.phase(view.centre)
+    yield Arc(place.on(0j), place.length(abs(view.centre)), away - SHOWN, away + SHOWN, hand.drafted)
+    root, end, _ = (place.on(one) for one in view.face)
+    yield Line(root, end, hand.result)
 
 
 def _top(view: SizeView) -> complex:
     """Give K where the follower is highest."""
-    return max(view.tips.tolist(), key=lambda one: one.imag)
+    return max((complex(one) for one in view.tips), key=lambda one: one.imag)
 
 
 def _construction(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:
@@ -127,7 +138,7 @@ def _construction(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:
         one, other = place.on(tip), place.on(end)
         if abs(other - one) > LEAST / 10:
             yield Line(one, other, hand.drafted)
-        across = tip / abs(tip) if view.cam.rocks else 1.0
+        across = tip / abs(tip) if view.cam.rocks else 1 + 0j
         yield Line(one - TICK * hand.symbol * across, one + TICK * hand.symbol * across, hand.drafted)
 
 
@@ -138,12 +149,13 @@ def _curves(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:
 
 def _points(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw the points that can be measured: D of each position, where rulers touch, A or O1, O."""
+    numbered = _numbered(view, place, hand)
     for k, end in enumerate(view.ends.tolist()):
-        yield point(SUBJECT._replace(position=k), "D", end, place, Circle(place.on(end), DOT * hand.symbol, INK))
-    for one in view.sizing.tangents:
-        if not (view.cam.flat and view.cam.rocks):
-            spot = complex(one.point.point)
-            yield point(SUBJECT, one.point.name, spot, place, Circle(place.on(spot), TOUCH * hand.symbol, hand.body))
+        dot = Circle(place.on(end), DOT * hand.symbol, INK)
+        yield _titled(point(SUBJECT._replace(position=k), "D", end, place, dot), str(k)) if k in numbered else dot
+    for one in _touched(view, place):
+        spot = complex(one.point.point)
+        yield point(SUBJECT, one.point.name, spot, place, Circle(place.on(spot), TOUCH * hand.symbol, hand.body))
     chord = view.sizing.chord
     if chord is not None:
         spot = complex(chord.centre.point)
@@ -153,15 +165,23 @@ def _points(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:
     yield point(SUBJECT, "O", view.centre, place, hinge(place.on(view.centre), hand)[0])
 
 
-def _lengths(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:
+def _lengths(view: SizeView, place: Place, drafting: Drafting) -> Iterator[Stroke]:
     """Draw R0 from O, and L of a rocker, as vectors that can be measured."""
-    centre = place.on(view.centre)
-    ends = [] if view.cam.flat else [("R_0", view.start)]
-    ends += [("L", 0j)] if view.cam.rocks else []
-    for name, end in ends:
+    centre, hand = place.on(view.centre), drafting.hand
+    for name, end, text in _reaches(view, drafting):
         style = hand.relative if name == "R_0" else fit(hand.axis, abs(place.on(end) - centre))
         data = SUBJECT.data("vector", name, end - view.centre, place.scale)
-        yield Group((Line(centre, place.on(end), style),), "", data, name)
+        yield Group((Line(centre, place.on(end), style),), "", data, text)
+
+
+def _reaches(view: SizeView, drafting: Drafting) -> Iterator[tuple[str, complex, str]]:
+    """Give what reaches from O: its name, its end, its letter with the value."""
+    own = view.sizing.sizes
+    if not view.bent:
+        end = view.face[2] if view.faced else view.start
+        yield "R_0", end, f"R_0 = {drafting.number(1000 * own.base)}"
+    if view.cam.rocks:
+        yield "L", 0j, f"L = {drafting.number(1000 * own.centre)}"
 
 
 def _sizes(view: SizeView, place: Place, drafting: Drafting) -> Iterator[Dimension]:
@@ -179,7 +199,8 @@ def _sizes(view: SizeView, place: Place, drafting: Drafting) -> Iterator[Dimensi
     level = abs(view.centre.imag)
     side = left * (1 if view.sizing.sizes.offset < 0 else -1)
     yield from _long("S_0", level, foot, zero, side * off + 0j, drafting)
-    yield from _long("e", abs(view.sizing.sizes.offset), centre, foot, -1j * off, drafting)
+    below = OFF_BELOW * drafting.hand.letter + place.length(view.centre.imag - view.box[0].imag)
+    yield from _long("e", abs(view.sizing.sizes.offset), centre, foot, -1j * below, drafting)
 
 
 def _long(
@@ -191,32 +212,60 @@ def _long(
 
 def _letters(view: SizeView, place: Place, drafting: Drafting) -> Iterator[Letter]:
     """Letter A or O1, O, the axes, R0 and L."""
-    size, number, low = drafting.hand.letter, drafting.hand.number, -math.pi / 2
+    size, number = drafting.hand.letter, drafting.hand.number
     gap = BESIDE + HINGE * drafting.hand.symbol
     zero, centre = place.on(0j), place.on(view.centre)
     yield Letter(centre, "O", size, -math.pi / 4, gap)
     yield Letter(zero, "O_1" if view.cam.rocks else "A", size, -math.pi / 4, gap if view.cam.rocks else BESIDE)
     if view.sizing.chord is not None:
         yield Letter(place.on(complex(view.sizing.chord.centre.point)), "O'", size, 0.0, BESIDE + TOUCH)
-    if view.cam.rocks:
-        lengths = [("L", 0j, view.sizing.sizes.centre)]
-        lengths += [] if view.cam.flat else [("R_0", view.start, view.sizing.sizes.base)]
-    else:
-        box = place.on(view.box[1])
-        yield Letter(complex(zero.real, box.imag + AXIS), "S", size, 0.0)
-        yield Letter(complex(box.real + AXIS, zero.imag), "S''" if view.bent else "S'", size, math.pi / 2)
-        lengths = [] if view.bent else [("R_0", 0j, view.sizing.sizes.base)]
-    for letter, end, true in lengths:
-        spot = (centre + place.on(end)) / 2
-        side = direction(centre, place.on(end)) + (math.pi / 2 if letter == "R_0" else low)
-        yield Letter(spot, f"{letter} = {drafting.number(1000 * true)}", number, side)
+    yield from _arm(view, place, drafting) if view.cam.rocks else _named(view, place, drafting)
+    for name, end, text in _reaches(view, drafting):
+        side = direction(centre, place.on(end)) + (math.pi / 2 if name == "R_0" else -math.pi / 2)
+        yield Letter((centre + place.on(end)) / 2, text, number, side)
+
+
+def _named(view: SizeView, place: Place, drafting: Drafting) -> Iterator[Letter]:
+    """Name the axes at their ends."""
+    size, zero, high = drafting.hand.letter, place.on(0j), place.on(view.box[1])
+    yield Letter(complex(zero.real, high.imag + AXIS), "S", size, 0.0)
+    yield Letter(complex(high.real + AXIS, zero.imag), "S''" if view.bent else "S'", size, math.pi / 2)
+
+
+def _arm(view: SizeView, place: Place, drafting: Drafting) -> Iterator[Letter]:
+    """Letter the start of the rocker's arc, and its arm."""
+    if len(view.tips):
+        hand, text = drafting.hand, f"l = {drafting.number(1000 * abs(view.start))}"
+        yield Letter(place.on(view.start), "A", hand.letter, math.pi / 2 * (1 - view.cam.rising), BESIDE)
+        yield Letter((place.on(0j) + place.on(_top(view))) / 2, text, hand.number, math.pi / 2)
 
 
 def _numbers(view: SizeView, place: Place, hand: Hand) -> Iterator[Letter]:
-    """Number the points of the diagram outward, those that have room."""
-    kept: list[complex] = []
-    for k, (tip, end) in enumerate(zip(view.tips.tolist(), view.ends.tolist(), strict=True)):
-        spot = place.on(end)
-        if abs(end - tip) and all(abs(spot - other) >= APART * hand.number for other in kept):
-            kept.append(spot)
-            yield Letter(spot, str(k), hand.number, direction(tip, end), BESIDE)
+    """Number the points of the diagram outward, and letter those that rulers touch."""
+    for k in _numbered(view, place, hand):
+        side = direction(complex(view.tips[k]), complex(view.ends[k]))
+        yield Letter(place.on(complex(view.ends[k])), str(k), hand.number, side, BESIDE)
+    for one in _touched(view, place):
+        spot = complex(one.point.point)
+        yield Letter(place.on(spot), one.point.name, hand.number, direction(view.centre, spot), BESIDE + TOUCH)
+
+
+def _numbered(view: SizeView, place: Place, hand: Hand) -> tuple[int, ...]:
+    """Give the positions whose numbers have room."""
+    kept: list[int] = []
+    spots = [place.on(one) for one in view.ends.tolist()]
+    for k, apart in enumerate(np.abs(view.ends - view.tips).tolist()):
+        if apart and all(abs(spots[k] - spots[other]) >= APART * hand.number for other in kept):
+            kept.append(k)
+    return tuple(kept)
+
+
+def _touched(view: SizeView, place: Place) -> Iterator[Tangent]:
+    """Give the tangents that touch the diagram elsewhere than at A."""
+    for one in () if view.faced else view.sizing.tangents:
+        if place.length(abs(complex(one.point.point))) >= LEAST:
+            yield one
+
+
+def _titled(group: Group, title: str) -> Group:
+    return replace(group, title=title)

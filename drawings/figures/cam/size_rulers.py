@@ -67,8 +67,8 @@ def _chord(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:
     chord = view.sizing.chord
     if chord is None:
         return
-    ends = [place.on(view.start), place.on(max(view.tips.tolist(), key=lambda one: one.imag))]
-    yield Line(*ends, fit(hand.path, abs(ends[1] - ends[0])))
+    start, end = place.on(view.start), place.on(max((complex(one) for one in view.tips), key=lambda one: one.imag))
+    yield Line(start, end, fit(hand.path, abs(end - start)))
     centre = place.on(complex(chord.centre.point))
     for one in chord.tangents:
         touched = place.on(complex(one.point.point))

@@ -21,6 +21,7 @@ from plans.model.cam_motion import Points
 
 NAME, QUANTITY = "sizes", "l"
 DEPTH = 0.3  # of the diagram's height: how far the region is shown below O
+SIDE = 0.25  # of the distance of centres: how far a rocker's face and the region under it are shown past O
 PAST = 0.12  # of the diagram's height: how far a tangent goes past the point that it touches
 
 
@@ -63,7 +64,7 @@ class SizeView:
     @cached_property
     def curves(self) -> tuple[Points, ...]:
         """The diagram densely, a row a smooth stretch; none under the face of a rocker."""
-        if self.cam.flat and self.cam.rocks:
+        if self.faced:
             return ()
         diagram = SlopeDiagram(self.cam)
         motions = [sampled(one)[1] for one in stretches(self.cam, (RISE, RETURN))]
@@ -72,10 +73,25 @@ class SizeView:
         return tuple(diagram.end(one) for one in motions)
 
     @property
+    def faced(self) -> bool:
+        """Whether it is under the face of a rocker."""
+        return self.cam.flat and self.cam.rocks
+
+    @property
+    def face(self) -> tuple[complex, complex, complex]:
+        """The face of a rocker at the start: its ends, and the foot on it of the perpendicular from O."""
+        arm = self.cam.rising * complex(SlopeDiagram(self.cam).leaning(np.zeros(1))[0])
+        up = 1j * self.cam.rising * arm
+        root = self.cam.follower.face * up
+        foot = self.centre + self.sizing.sizes.base * up
+        return root, foot + SIDE * (foot - root), foot
+
+    @property
     def points(self) -> list[complex]:
         """All that must be on the paper, but the ends of the tangents."""
         own = [self.centre, self.start, *self.tips.tolist(), *self.ends.tolist()]
         own += [0j] if self.cam.rocks else []
+        own += [*self.face, self.centre + SIDE * abs(self.centre)] if self.faced else []
         own += [one for curve in self.curves for one in curve.tolist()]
         chord = self.sizing.chord
         return own + ([_spot(chord.centre)] if chord else [])
@@ -95,12 +111,11 @@ class SizeView:
 
     @cached_property
     def region(self) -> tuple[complex, ...]:
-        """The corners of the part of the region that is shown: below O."""
+        """The corners of the part of the region that is shown."""
         if not self.shaded:
             return ()
         low, high = self.box
-        level = max(self.centre.imag, low.imag + (high.imag - low.imag) / 4)
-        outline = [low, complex(high.real, low.imag), complex(high.real, level), complex(low.real, level)]
+        outline = [low, complex(high.real, low.imag), high, complex(low.real, high.imag)]
         for bound in self.sizing.bounds:
             for stretch in bound.along:
                 lines = bound.lines(sampled(stretch)[1])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from drawings.figures.cyclogram import course
@@ -12,7 +12,7 @@ from drawings.figures.cyclogram.course import Stretch, stretches
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
-from drawings.lettering.lettering import text_width
+from drawings.lettering.lettering import text_reach, text_width
 from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Line, Stroke, Text
@@ -25,15 +25,14 @@ NAME, TITLE = "bars", "cyclogram bars"
 ROWS, SETTING = "rows", "set."  # the group of its bars; the names of setting angles begin so
 SYMBOL, UNIT = "φ", "rad"
 # In radians of the abscissa: a row, where in it the course runs, a level of setting angles.
-ROW, LOW, HIGH, LEVEL = 0.46, 0.04, 0.13, 0.2
+ROW, LOW, HIGH, LEVEL = 0.46, 0.04, 0.11, 0.2
 NAMES = 1.7  # of the turn: the column of names stands left of the rows
 MARGINS = Margins(3.0, 2.0, 3.2)  # paper around it in sizes of its letters
-LETTERS = 46.0  # it is drawn at least so many of its letters wide
 LARGER = 2.1  # times as large it is drawn at most: from one standard scale to the next is twice
 DEGREES = 30  # from one number of the abscissa to the next
 BESIDE = 0.8  # mm from a line to its letters
 OVER = 1.6  # mm from the upper end of a course to its letters
-STEP = 1.5  # sizes of the letters from line to line
+STEP = 1.7  # sizes of the letters from line to line
 PAST = 3.0  # mm that the abscissa goes past the turn
 
 
@@ -96,7 +95,7 @@ def measure(chart: Chart, drafting: Drafting) -> Picture:
     corners = (complex(-NAMES, low), complex(TURN, 0.0))
     title = text_width(Text(0j, drafting.word(TITLE), hand.title))
     widest = max(_wide(course.name(row, drafting), hand) for row in chart.rows)
-    least = max(LETTERS * hand.letter, (widest + 2 * BESIDE) * (TURN + NAMES) / NAMES)
+    least = (TURN + NAMES) * max((widest + 2 * BESIDE) / NAMES, _written(hand) / (ROW - HIGH))
     margins = Margins(side, below + 2 * hand.number, above + 2 * hand.title + hand.text)
     room = picture(NAME, corners, (SYMBOL, UNIT), margins, title, least)
     return room._replace(most=LARGER * least)
@@ -110,6 +109,11 @@ def draw(chart: Chart, room: Picture, spot: Spot, drafting: Drafting) -> BarFigu
     bars = Group(tuple(_bars(chart, place, drafting)), ROWS)
     settings = tuple(_settings(chart, place, drafting))
     return BarFigure(chart, place, (Group((title, frame, bars, *settings), NAME),), drafting)
+
+
+def _written(hand: Hand) -> float:
+    """Give the height, mm, of two lines of letters over a course, under the tick of a position."""
+    return OVER + (STEP + 1) * hand.number + BESIDE + TICK
 
 
 def _all(chart: Chart) -> Iterator[tuple[int, float, Stretch]]:
@@ -197,7 +201,9 @@ def _bar(name: str, ends: tuple[complex, complex], text: str, one: Stretch, plac
 
 def _settings(chart: Chart, place: Place, drafting: Drafting) -> Iterator[Stroke]:
     """Dimension the setting angles under the abscissa from where φ is 0, each on a level of its own."""
-    hand, down = drafting.hand, -2j * (drafting.hand.number + BESIDE)  # under the degrees
+    hand = drafting.hand
+    under = TICK + 2 * BESIDE + hand.number  # the degrees of the abscissa
+    down = -1j * (under + hand.number)
     for k, row in enumerate(chart.settings):
         level, zero = chart.bottom - LEVEL * (k + 1), chart.at(0.0)
         ends = complex(zero, level), complex(chart.at(row.setting or 0.0), level)
@@ -209,13 +215,14 @@ def _settings(chart: Chart, place: Place, drafting: Drafting) -> Iterator[Stroke
         yield from (head for head in heads if head is not None)
         yield _over(start, end, text, hand)
         for x, tip in zip((zero, ends[1].real), (start, end), strict=True):
-            yield Line(place.on(complex(x, chart.bottom)) + down / 2, tip - 1j, hand.drafted)
+            yield Line(place.on(complex(x, chart.bottom)) - 1j * under, tip - 1j, hand.drafted)
 
 
 def _over(start: complex, end: complex, text: str, hand: Hand) -> Text:
     """Write over the middle of a dimension, or where that is too short before it."""
     if _wide(text, hand) + 2 * BESIDE <= abs(end - start):
-        return Text((start + end) / 2 + 1j * BESIDE, text, hand.number, "middle", True)
+        own = Text((start + end) / 2, text, hand.number, "middle", True)
+        return replace(own, at=own.at + 1j * (BESIDE - text_reach(own)[0]))  # a comma hangs below its line
     left = complex(min(start.real, end.real) - 2 * BESIDE, start.imag - hand.number / 2)
     return Text(left, text, hand.number, "end", True)
 

@@ -16,10 +16,11 @@ from drawings.figures.linkage.stroke_dimension import clearest, length, stroke
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Picture, Spot
+from drawings.lettering.extent import bounds
 from drawings.lettering.lettering import text_width
 from drawings.page.drafting import Drafting
 from drawings.paper.formats import Field
-from drawings.paper.strokes import INK, Arc, Circle, Group, Stroke, Text
+from drawings.paper.strokes import INK, Arc, Circle, Group, Polyline, Stroke, Text
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.figure import Subject
 from drawings.symbols.trimming import trim
@@ -137,5 +138,11 @@ def _overruns(found: Cyclogram, pairs: Pairs, drafting: Drafting, ink: Ink) -> I
             one, other = found.of(role)[0], found.of(extreme)[0]
             text = length(abs(one.place - other.place), drafting.language)
             strokes = clearest((first, last), text, pairs.bones, pairs.place, pairs.hand, ink)
-            ink.draw(strokes)
+            ink.draw([*strokes, *(_frame(one) for one in strokes if isinstance(one, Text))])
             yield from strokes
+
+
+def _frame(text: Text) -> Stroke:
+    """Give the box of a lettering: no other dimension runs through it."""
+    left, bottom, right, top = bounds(text)
+    return Polyline((complex(left, bottom), complex(right, bottom), complex(right, top), complex(left, top)), True)

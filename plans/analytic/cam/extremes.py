@@ -28,9 +28,18 @@ class Extremes:
         return Turn(self.cam, self.sizes)
 
     @cached_property
+    def outrun(self) -> Extreme | None:
+        """The largest θ' of a rocker's face that is 1 or more: the cam no longer turns under it."""
+        if not (self.cam.flat and self.cam.rocks):
+            return None
+        most = self.turn.most(lambda curve: curve.rates[0])
+        return most if most and most.value >= 1 else None
+
+    @cached_property
     def pressure(self) -> dict[str, Extreme]:
         """The largest pressure angle by its size on every kind of phase that there is, rad, signed."""
-        found = {kind: self._largest(kind) for kind in dict.fromkeys(one.kind for one in self.cam.moving())}
+        kinds = () if self.outrun else dict.fromkeys(one.kind for one in self.cam.moving())
+        found = {kind: self._largest(kind) for kind in kinds}
         return {kind: one for kind, one in found.items() if one is not None}
 
     def _largest(self, kind: str) -> Extreme | None:
@@ -50,6 +59,8 @@ class Extremes:
     @cached_property
     def sharpest(self) -> Extreme | None:
         """The least convex radius; under a flat face the least, signed."""
+        if self.outrun:
+            return None
         if self.cam.flat:
             least = self.turn.most(lambda curve: -curve.radius, self.bends)
             return Extreme(-least.value, least.turned) if least else None
@@ -65,7 +76,7 @@ class Extremes:
     @cached_property
     def face(self) -> tuple[float, float]:
         """The least and the greatest place of contact on a flat face, m."""
-        if not self.cam.flat:
+        if not self.cam.flat or self.outrun:
             return 0.0, 0.0
         found = self.turn.read(lambda curve: curve.place, self.turn.places(lambda curve: curve.place))
         return float(found.min()), float(found.max())

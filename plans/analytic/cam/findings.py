@@ -30,7 +30,7 @@ def cam_found(cam: Cam, sizes: Sizes, turned: Floats) -> CamFound:
         face=extremes.face,
         flaws=Flaws(extremes, roller, forces).all(),
         rule=rule,
-        pressing=extremes.pressing(forces) if forces else None,
+        pressing=extremes.pressing(forces) if forces and not extremes.outrun else None,
         mending=extremes.mending,
     )
 

@@ -44,6 +44,9 @@ class Flaws:
 
     def all(self) -> tuple[Flaw, ...]:
         """Give all flaws, by their kinds, and those of a kind as the cam turns."""
+        fast = self.extremes.outrun
+        if fast:
+            return (Flaw("outrun", fast.turned, fast.turned, fast),)
         found = (
             *self._rolling("undercut", 1.0),
             *(self._rolling("hollow", -1.0) if self.cam.closure == GROOVE else ()),
@@ -64,7 +67,7 @@ class Flaws:
 
         def radius(curve: Curve) -> Floats:
             with np.errstate(divide="ignore"):
-                return np.abs(1 / curve.curvature)
+                return np.where(side * curve.curvature > 0, np.abs(1 / curve.curvature), np.inf)
 
         spans = list(self._beyond(kind, value, radius, self.extremes.bends))
         yield from spans

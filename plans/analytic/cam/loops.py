@@ -21,11 +21,12 @@ CHORDS: Final = 24  # of a piece
 ABOUT: Final = 32  # chords about what is undercut: its loop is closed within its own width to both sides
 TRIES: Final = 30  # of Newton's method
 DIFFERENCE: Final = 1e-6  # rad or m: the root of a rounding, and more
-SEARCHES: Final = 80  # of a golden section: more than a double has digits of a place
+SEARCHES: Final = 40  # of a golden section: where a value is greatest half the digits of the place give all of it
 GOLDEN: Final = (5**0.5 - 1) / 2
 SWEPT: Final = 512  # places of the ray that sweeps round a loop
 JOINED: Final = 1e-9  # of a chord: ends that are nearer are one
 MET: Final = 1e-9  # of the turn: by how much less two points are one
+LEAST: Final = 5e-6  # of the turn: a loop that is shorter is a cusp, undercut by less than 1e-9 of the radius
 APART: Final = 1e-9  # rad or m: two crossings that are nearer are one
 Pair = tuple[float, float]
 
@@ -72,7 +73,7 @@ class Loops:
         turned = np.delete(whole, np.cumsum([len(z) for _, z in pieces]) - 1)
         one, other = self._crossed(start, way)
         found = [self._newton(turned[[i, j]], own[[i, j]]) for i, j in zip(one, other, strict=True)]
-        return _distinct(sorted(found))
+        return _distinct(sorted(pair for pair in found if pair is not None))
 
     def _crossed(self, start: Points, way: Points) -> tuple[np.ndarray, np.ndarray]:
         """Give which chords cross, of all pairs that have no end in common."""
@@ -96,11 +97,10 @@ class Loops:
         last = self.edge(np.array([end]), before=True)
         return np.append(inner, end), np.append(self.edge(inner), last)
 
-    def _newton(self, begun: Floats, own: np.ndarray) -> Pair:
-        """Close in on a crossing, each turn within its own piece; where that fails it is where the chords crossed."""
+    def _newton(self, pair: Floats, own: np.ndarray) -> Pair | None:
+        """Close in on a crossing, each turn within its own piece; None about a cusp, where chords cross alone."""
         low, high = self.turn.pieces[:, own]
         high = np.nextafter(high, low)
-        pair = begun
         for _ in range(TRIES):
             ahead, behind = np.minimum(pair + DIFFERENCE, high), np.maximum(pair - DIFFERENCE, low)
             at = self.edge(np.concatenate([pair, ahead, behind]))
@@ -111,9 +111,8 @@ class Loops:
             step = np.array([-(np.conj(gap) * v).imag, (np.conj(u) * gap).imag]) / sine
             pair = np.clip(pair + step, low, high)
         close = abs(complex(np.subtract(*self.edge(pair)))) <= MET * self.turn.cam.turn
-        apart = np.diff(pair)[0] > MET * self.turn.cam.turn
-        first, second = (pair if close and apart else begun).tolist()
-        return first, second
+        first, second = pair.tolist()
+        return (first, second) if close and second - first > LEAST * self.turn.cam.turn else None
 
     def _loop(self, first: float, second: float) -> Pair:
         """Give where the loop starts and ends: it is the part round which the radius from the crossing sweeps less.
@@ -142,9 +141,11 @@ class Loops:
         for _ in range(SEARCHES):
             tried = np.array([high - GOLDEN * (high - low), low + GOLDEN * (high - low)])
             left, right = self._lost(corner, tried)
-            low, high = (low, tried[1]) if left >= right else (tried[0], high)
-        at = (low + high) / 2
-        return Extreme(float(self._lost(corner, np.array([at]))[0]), float(np.mod(at, self.turn.cam.turn)))
+            low, high = (low, tried[1]) if left >= right or np.isnan(right) else (tried[0], high)
+        ends = np.array([looks[best], (low + high) / 2])
+        most = self._lost(corner, ends)
+        at = int(np.nanargmax(most))
+        return Extreme(float(most[at]), float(np.mod(ends[at], self.turn.cam.turn)))
 
     def _lost(self, corner: complex, turned: Floats) -> Floats:
         """Give S less that with which the follower rests on a corner, NaN where it cannot."""

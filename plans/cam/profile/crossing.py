@@ -23,6 +23,8 @@ NEAR: Final = (
     40  # segments about an undercut: its loop crosses itself 1.7 times as far from its middle as it is half wide
 )
 STEPS: Final = 20  # of Newton's method, which needs about five
+# A loop that is shorter, in shares of the turn, is a cusp: a roller larger than the radius by 1e-9 leaves one as wide.
+CUSP: Final = 5e-6
 SAME: Final = 1e-9  # rad, or of a chord: what is nearer is one
 Pairs = tuple[np.ndarray, np.ndarray]
 
@@ -102,7 +104,7 @@ def _about(span: Span) -> Floats:
 def crossings(edge: Edge, spans: Sequence[Span] = ()) -> tuple[Crossing, ...]:
     """Find all crossings of the profile with itself."""
     chords = edge.chords(spans)
-    found = [_closed(edge, chords, *pair) for pair in zip(*_meetings(chords), strict=True)]
+    found = [one for pair in zip(*_meetings(chords), strict=True) if (one := _closed(edge, chords, *pair))]
     return tuple(_looped(edge, one, chords) for one in _once(sorted(found, key=lambda one: one[:2])))
 
 
@@ -161,11 +163,14 @@ def _cross(chords: Chords, one: np.ndarray, other: np.ndarray) -> np.ndarray:
     return np.asarray(apart & (along >= 0) & (along < 1) & (back >= 0) & (back < 1))
 
 
-def _closed(edge: Edge, chords: Chords, one: int, other: int) -> Crossing:
-    """Close in on a crossing by Newton's method, each turn on its own stretch; or else leave it to the chords."""
-    near, rows = chords.turned[[one, other]], chords.row[[one, other]]
+def _closed(edge: Edge, chords: Chords, one: int, other: int) -> Crossing | None:
+    """Close in on a crossing by Newton's method, each turn on its own stretch.
+
+    None where the chords cross and the curve does not: about a cusp.
+    """
+    pair, rows = chords.turned[[one, other]], chords.row[[one, other]]
     low, high = edge.stretches.edges[rows], np.nextafter(edge.stretches.edges[rows + 1], 0.0)
-    pair, gap = near, np.inf
+    gap = np.inf
     for _ in range(STEPS):
         (a, b), (u, v) = edge.at(pair), edge.slope(pair)
         gap, turn = abs(a - b), np.asarray(cross(u, v))
@@ -173,6 +178,7 @@ def _closed(edge: Edge, chords: Chords, one: int, other: int) -> Crossing:
         if np.isnan(step).any() or np.all(np.abs(step) <= 2 * EPS * np.abs(pair)):
             break
         pair = np.clip(pair + step, low, high)
-    good = gap <= SAME * np.abs(chords.way[[one, other]]).max() and pair[1] - pair[0] > SAME
-    first, second = (pair if good else near).tolist()
-    return Crossing(first, second, complex(edge.at(np.array([first, second])).mean()))
+    first, second = pair.tolist()
+    if gap > SAME * np.abs(chords.way[[one, other]]).max() or second - first < CUSP * edge.stretches.course.cam.turn:
+        return None
+    return Crossing(first, second, complex(edge.at(pair).mean()))

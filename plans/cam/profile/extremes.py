@@ -41,6 +41,16 @@ class Extremes:
     stretches: Stretches
 
     @cached_property
+    def outrun(self) -> Extreme | None:
+        """Where a rocker's face turns as fast as the cam, or faster, most of all: it touches nowhere then."""
+        cam = self.stretches.course.cam
+        if not (cam.flat and cam.rocks):
+            return None
+        places = self.stretches.places(lambda tip: tip.travel.bend)
+        most = self.stretches.most(lambda tip: 1 - Touch(tip).lead, places)
+        return most if most and most.value >= 1 else None
+
+    @cached_property
     def turning(self) -> tuple[Place, ...]:
         """Where the pressure angle can be largest."""
         return self.stretches.places(pressure_slope)
@@ -48,7 +58,7 @@ class Extremes:
     @cached_property
     def pressure(self) -> dict[str, Extreme]:
         """The largest pressure angle by its size on every kind of phase that there is, signed."""
-        kinds = dict.fromkeys(one.kind for one in self.stretches.course.cam.moving())
+        kinds = () if self.outrun else dict.fromkeys(one.kind for one in self.stretches.course.cam.moving())
         return {kind: found for kind in kinds if (found := self._largest(kind)) is not None}
 
     def _largest(self, kind: str) -> Extreme | None:
@@ -70,6 +80,8 @@ class Extremes:
     @cached_property
     def sharpest(self) -> Extreme | None:
         """The least convex radius of the theoretical profile; of the profile under a flat face the least, signed."""
+        if self.outrun:
+            return None
         if self.stretches.course.cam.flat:
             found = self.stretches.most(lambda tip: -Touch(tip).radius, self.bends)
             return found and Extreme(-found.value, found.turned)
@@ -87,7 +99,7 @@ class Extremes:
     @cached_property
     def face(self) -> tuple[float, float]:
         """Where contact on a flat face is farthest to both sides, m: the least and the greatest place."""
-        if not self.stretches.course.cam.flat:
+        if not self.stretches.course.cam.flat or self.outrun:
             return 0.0, 0.0
         places = self.stretches.places(lambda tip: Touch(tip).place_slope)
         found = self.stretches.read(lambda tip: Touch(tip).place, places)

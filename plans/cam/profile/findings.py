@@ -33,7 +33,7 @@ def cam_found(course: Course, sizes: Sizes, turned: Floats) -> CamFound:
         face=extremes.face,
         flaws=Search(extremes, roller, contact).flaws(),
         rule=rule,
-        pressing=pressing(contact, extremes.stretches) if contact else None,
+        pressing=pressing(contact, extremes.stretches) if contact and not extremes.outrun else None,
         mending=base_needed(extremes.stretches),
     )
 

@@ -47,6 +47,9 @@ class Search:
 
     def flaws(self) -> tuple[Flaw, ...]:
         """Give all flaws by their kinds, those of a kind as the cam turns."""
+        worst = self.extremes.outrun
+        if worst:
+            return (Flaw("outrun", worst.turned, worst.turned, worst),)
         ways = (self._undercut, self._concave, self._crossing, self._pressure, self._face, self._off)
         found = [flaw for way in ways for flaw in way()]
         found = found if self.cam.translates else round_the_turn(found, self.cam.turn)

@@ -13,7 +13,6 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from geometry.meet import EPS
 from plans.cam.course import Course
 from plans.cam.profile.tip import Tip
 from plans.model.cam_motion import Extreme, Sizes
@@ -21,6 +20,7 @@ from plans.model.motion import Floats
 
 PARTS: Final = 48  # of a stretch: a law has at most seven turning points on one, and what is made of it not many more
 CLOSINGS: Final = 60  # a false position whose standing end is halved needs about ten
+SETTLED: Final = 1e-12  # of what was begun with: the next step would be a rounding, as fast as they shrink
 Value = Callable[[Tip], Floats]
 
 
@@ -119,12 +119,14 @@ def closed_in(value: Callable[[Floats], Floats], near: Floats, far: Floats, firs
     array([1.41421356])
     """
     near, far, first, last = near.copy(), far.copy(), first.copy(), last.copy()
+    wide = np.abs(far - near)
     for _ in range(CLOSINGS if len(near) else 0):
         guess = np.where(first == last, near, far - last * (far - near) / np.where(first == last, 1.0, last - first))
         found = value(guess)
         turns = found * last < 0
         near, first = np.where(turns, far, near), np.where(turns, last, first / 2)
+        still = np.all((found == 0) | (np.abs(guess - far) <= SETTLED * wide))
         far, last = guess, found
-        if np.all((found == 0) | (np.abs(far - near) <= 2 * EPS * np.abs(far))):
+        if still:
             break
     return far

@@ -7,6 +7,7 @@ from decimal import Decimal
 from functools import partial
 from typing import Any, Final, NamedTuple
 
+from geometry.errors import LimitError
 from plans.model.cam import LAWS
 from plans.scene import fields as f
 from plans.scene import forms, units
@@ -14,9 +15,11 @@ from plans.scene.faults import wrong
 from plans.scene.forms import Form
 from plans.scene.readers import Field, one
 from plans.scene.units import Kind
+from plans.words.words import message, placed
 
 REST, CYCLOGRAM = "rest", "cyclogram"  # of an angle: what the others leave of the turn; what the cyclogram gives
 DIVISIONS_LEAST, DIVISIONS_MOST = 2, 360
+COORDINATES_LEAST, COORDINATES_LIMIT = 4, 36_000  # a hundredth of a degree: finer than any profile is made
 SWING_LIMIT = Decimal(180)  # degrees: a rocker that reaches it has gone through its line of centres
 PRESSURE_LIMIT = Decimal(90)  # degrees: there a follower jams without any friction
 
@@ -117,6 +120,17 @@ def divisions(value: object) -> int:
     return found
 
 
+COORDINATES_MANY = message("limit.more", name="COORDINATES_LIMIT", limit=COORDINATES_LIMIT)
+
+
+def coordinates(value: object) -> int:
+    """Read the number of parts of the turn at which the profile's coordinates are told."""
+    found = f.whole(value, COORDINATES_LEAST)
+    if found > COORDINATES_LIMIT:
+        raise LimitError(placed(f"coordinates = {found}", COORDINATES_MANY))
+    return found
+
+
 # What a law that is written otherwise is likely to mean, by letters that it has: names of other books.
 OTHERWISE: Final[Mapping[str, str]] = {
     "modified trap": "modified trapezoid",
@@ -172,6 +186,7 @@ LIMIT = one(
     kind="pressure_limit",
 )
 FIRST = one(first, lambda: forms.quantity(units.NUMBER, exclusiveMinimum=0, exclusiveMaximum=1), "share")
+COORDINATES = one(coordinates, lambda: forms.whole(COORDINATES_LEAST) | {"maximum": COORDINATES_LIMIT}, "number")
 DIVISIONS = one(divisions, lambda: forms.whole(DIVISIONS_LEAST) | {"maximum": DIVISIONS_MOST}, "number")
 SIZE = f.not_negative(units.LENGTH)
 LAW = f.words(*LAWS, likely=likely_law)

@@ -69,6 +69,12 @@ class FollowerTable(Table):
         Decimal(0),
         meaning="Of a flat one that rocks: how far its face stands before its pivot, m, towards the cam above 0.",
     )
+    reach: Decimal | None = key(
+        f.LENGTH,
+        None,
+        meaning="Of a flat one: reach of its face, m, to either side of its axis, or along the rocker from its pivot.",
+        also=("width", "b"),
+    )
 
     @classmethod
     def misfits(cls, value: Mapping[str, Any]) -> Iterator[Wrong]:
@@ -181,6 +187,11 @@ class CamTable(Table):
         'rotation; "cyclogram": with the window of the cyclogram.',
     )
     divisions: int = key(c.DIVISIONS, 8, meaning="Parts of each phase that moves the follower: numbered positions.")
+    coordinates: int = key(
+        c.COORDINATES,
+        360,
+        meaning="Parts of the turn at which the file beside the sheet profile tells the profile's coordinates.",
+    )
     follower: FollowerTable = key(
         table(FollowerTable),
         meaning="The follower (толкатель).",

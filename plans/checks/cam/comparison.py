@@ -67,7 +67,18 @@ class Compared:
     @cached_property
     def slack(self) -> Slack:
         """How far rounding can move it."""
-        return Slack(self.ours, self.drawing.sizing)
+        return Slack(self.ours, self.drawing.sizing, self.ours.contour)
+
+    def near(self, one: Extreme | None) -> tuple[Slack, ...]:
+        """How far rounding can move it at the place of an extreme, on either side of it."""
+        if one is None:
+            return (self.slack,)
+        sides = (self.drawing.profile(np.array([one.turned]), before).contour for before in (False, True))
+        return tuple(Slack(self.ours, self.drawing.sizing, contour) for contour in sides)
+
+    def bent(self, one: Extreme | None) -> float:
+        """How far rounding can move 1/ρ at the place of an extreme, 1/m."""
+        return max(float(np.max(slack.curvature)) for slack in self.near(one))
 
     def findings(self, plans: frozenset[str]) -> Iterator[Finding]:
         """Compare what is asked for."""
@@ -125,7 +136,7 @@ class Compared:
         elif not own.cam.flat and not own.cam.translates:
             yield self._one(SIZES, "e", "m", own.sizes.offset, other.sizes.offset, self.slack.centre)
         if own.roller:
-            radius = own.sharpest.value**2 * float(np.max(self.slack.curvature)) if own.sharpest else 0.0
+            radius = own.sharpest.value**2 * self.bent(own.sharpest) if own.sharpest else 0.0
             yield self._one(SIZES, "r_r", "m", own.roller, other.roller, radius + self.slack.centre)
 
     def profile(self) -> Iterator[Finding]:
@@ -143,14 +154,14 @@ class Compared:
 
     def extremes(self) -> Iterator[Finding]:
         """Compare the largest pressure angles and the sharpest places."""
-        own, other, slack = self.ours, self.theirs, self.slack
-        angle, bend = float(np.max(slack.angle)), float(np.max(slack.curvature))
+        own, other = self.ours, self.theirs
         for kind, one in own.pressure.items():
+            angle = max(float(np.max(slack.angle)) for slack in self.near(one))
             yield self._one(PROFILE, f"α_{kind}", "rad", abs(one.value), abs(other.pressure[kind].value), angle)
         for name, one_, its in (("ρ_min", own.sharpest, other.sharpest), ("ρ_hollow", own.hollow, other.hollow)):
-            yield self._one(PROFILE, name, "1/m", _bent(one_), _bent(its), bend)
+            yield self._one(PROFILE, name, "1/m", _bent(one_), _bent(its), self.bent(one_))
         for k, side in enumerate(("back", "front") if own.cam.flat else ()):
-            yield self._one(PROFILE, f"face_{side}", "m", own.face[k], other.face[k], slack.lever)
+            yield self._one(PROFILE, f"face_{side}", "m", own.face[k], other.face[k], self.slack.lever)
 
     @property
     def _units(self) -> Sequence[str]:

@@ -14,7 +14,7 @@ import numpy as np
 from plans.cam.laws import law_of
 from plans.cam.sizing import Sizing
 from plans.model.cam import TABLE, Law
-from plans.model.cam_motion import CamFound
+from plans.model.cam_motion import CamFound, Contour
 from plans.model.motion import Floats
 
 EPS = 2.0**-52
@@ -25,10 +25,11 @@ TERM = 16 * EPS
 
 @dataclass(frozen=True)
 class Slack:
-    """How far rounding can move the numbers of one cam by either road; (N,) at its numbered positions."""
+    """How far rounding can move the numbers of one cam by either road; (N,) at the turns of a contour."""
 
     found: CamFound
     sizing: Sizing
+    contour: Contour
 
     def travel(self, order: int) -> float:
         """Of S, S' or S''."""
@@ -69,7 +70,7 @@ class Slack:
     @property
     def angle(self) -> Floats:
         """Of the direction of OD, rad."""
-        return np.asarray(self.lever / np.abs(self.found.contour.lever) + TERM)
+        return np.asarray(self.lever / np.abs(self.contour.lever) + TERM)
 
     @property
     def profile(self) -> Floats:
@@ -79,7 +80,7 @@ class Slack:
     @property
     def curvature(self) -> Floats:
         """Of 1/ρ, 1/m: a quotient of the second derivative and the cube of the first, OD."""
-        contour = self.found.contour
+        contour = self.contour
         if self.found.cam.flat:
             return self._faced
         size, (first, second) = np.abs(contour.lever), (self.way(1), self.way(2))
@@ -90,7 +91,7 @@ class Slack:
     @property
     def _faced(self) -> Floats:
         """Of 1/ρ under a flat face: the radius is a sum of lengths, of a rocker over powers of 1 - θ'."""
-        cam, contour = self.found.cam, self.found.contour
+        cam, contour = self.found.cam, self.contour
         lead = 1 - cam.follower.sense * contour.travel.slope if cam.rocks else np.ones_like(contour.turned)
         moved = (self.point + self.way(1) + self.way(2)) / np.abs(lead) ** 3
         return np.asarray(moved / contour.radius**2)
@@ -101,7 +102,7 @@ def gross(law: Law, order: int) -> float:
 
     The slopes and bends of a table are differences of its points over its steps, all solved together.
     """
-    own = law_of(law).gross(order)
+    own = law_of(law).gross(order) + law_of(law).gross(order + 1)  # the share of the phase is rounded too
     if law.name != TABLE:
         return own
     step = min(b[0] - a[0] for a, b in pairwise(law.points))

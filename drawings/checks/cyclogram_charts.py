@@ -1,0 +1,57 @@
+"""The self-check of the charts of a cyclogram, with a main mechanism or of cams alone (проверка циклограммы)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+from drawings.checks.wrong import Wrong, on
+from drawings.figures.cyclogram import bar_chart, circular_chart
+from drawings.figures.cyclogram.bar_chart import HIGH, LOW, SETTING
+from drawings.figures.cyclogram.course import stretches
+from drawings.measure.measure import Measured
+from drawings.paper.strokes import Arc, Leaf
+from drawings.paper.walk import groups
+from plans.model.cyclogram import Row, within
+
+ANGLE = 1e-9  # rad: an arc of a leaf is not rounded yet
+
+
+def bars(measured: Measured, rows: Sequence[Row], begin: float = 0.0) -> Iterator[Wrong]:
+    """Hold the line of every span of the bar chart, and every setting angle, against the rows of the analysis."""
+    true = dict[str, complex]()
+    for k, row in enumerate(rows, 1):
+        parts = [one for span in row.spans for one in stretches(span, begin)]
+        for number, one in enumerate(parts, 1):
+            true[f"{k}.{number}"] = complex(one.end - one.start, (HIGH - LOW) * (one.high - one.low))
+    for number, row in enumerate((row for row in rows if row.setting), 1):
+        zero, there = (within(turned - begin) for turned in (0.0, row.setting or 0.0))
+        true[f"{SETTING}{number}"] = complex(there - zero)
+    seen = {one.name: one for one in measured.vectors if one.plan == bar_chart.NAME}
+    for name in true.keys() | seen.keys():
+        if name not in true:
+            yield on("stranger_on", bar_chart.NAME, name=name)
+        elif name not in seen:
+            yield on("missing_on", bar_chart.NAME, name=name)
+        elif not abs(seen[name].value - true[name]) <= ANGLE + 2 * measured.quantum * seen[name].scale:
+            yield on("differs_on", bar_chart.NAME, name=name)
+
+
+def rings(leaf: Leaf, rows: Sequence[Row], sense: int) -> Iterator[Wrong]:
+    """Hold the arcs of the rings against the rows of the analysis: each from where its span begins to its end."""
+    drawn = {one.name: one for one in groups(leaf.groups) if one.name.startswith(f"{circular_chart.RING_NAME}-")}
+    for k, row in enumerate(rows):
+        name = f"{circular_chart.RING_NAME}-{k}"
+        ring = drawn.get(name)
+        arcs = [stroke for stroke in ring.strokes if isinstance(stroke, Arc)] if ring else []
+        true = [sorted((sense * span.start, sense * span.end)) for span in row.spans]
+        if len(arcs) != len(true):
+            yield on("missing_on", circular_chart.NAME, name=name)
+        for arc, (low, high) in zip(arcs, true, strict=False):
+            off = max(_apart(arc.start_angle, low), _apart(arc.end_angle, high))
+            if not off <= ANGLE:
+                yield on("differs_on", circular_chart.NAME, name=name)
+
+
+def _apart(one: float, other: float) -> float:
+    return abs(math.remainder(one - other, math.tau))
