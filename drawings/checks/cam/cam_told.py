@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
 
 import numpy as np
@@ -189,20 +189,27 @@ def smoothed(law: Law) -> tuple[float, float]:
 
 
 def sizes(strokes: FigureStrokes, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:
-    """Read the sizes in the figure back: each letter with its number, none strange."""
+    """Read the sizes in the figure of the profile back."""
     own, cam = expected.sizes, expected.cam
     true = {"R_0": MM * own.base, "e": MM * abs(own.offset), "L": MM * own.centre}
     true |= {"ψ_0": math.degrees(abs(own.initial))}
     if expected.found.sharpest is not None:
         true["ρ_{min}"] = MM * expected.found.sharpest.value
-    due = {read(letter): value for letter, value in true.items()}
     phases = {read(phase_letter(cam, k, drafting)) for k in range(len(cam.phases))}
+    yield from numbers(strokes, {letter: (value,) for letter, value in true.items()}, drafting, phases)
+
+
+def numbers(
+    strokes: FigureStrokes, true: Mapping[str, Sequence[float]], drafting: Drafting, others: Set[str] = frozenset()
+) -> Iterator[Wrong]:
+    """Read the numbers that stand beside letters back: each is one that its letter has, none is of a strange letter."""
+    due = {read(letter): values for letter, values in true.items()}
     for text in strokes.texts:
         found = _SIZE.fullmatch(text)
-        if found is None or text in phases:
+        if found is None or text in others:
             continue
-        value = due.get(found["name"])
-        if value is None or not tells(found["value"], precise(drafting).number(value), DIGITS[:1], KNOWN):
+        exact = (precise(drafting).number(value) for value in due.get(found["name"], ()))
+        if not any(tells(found["value"], one, DIGITS[:1], KNOWN) for one in exact):
             yield message("wrong.told", text=text)
 
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from drawings.checks import reading
-from drawings.checks.cam import cam_charts, cam_law_poles, cam_laws, cam_told
+from drawings.checks.cam import cam_charts, cam_law_poles, cam_laws, cam_table, cam_told
+from drawings.checks.cam.cam_diagram import SizeDiagram
 from drawings.checks.cam.cam_expected import Expected
 from drawings.checks.cam.cam_lines import ProfileLines
 from drawings.checks.cam.cam_marks import marks
@@ -14,6 +15,7 @@ from drawings.checks.cam.profile_marks import wrong_marks
 from drawings.checks.cam.profiles import analysed, wrong
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.cam.profile_view import NAME as PROFILE
+from drawings.figures.cam.size_view import NAME as DIAGRAM
 from drawings.measure.measure import Measured
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Circle, Leaf
@@ -39,6 +41,9 @@ def check(measured: Measured, leaf: Leaf, expected: Expected, drafting: Drafting
     shown = leaf.metadata["figures"]
     if PROFILE in shown:
         yield from _profile(measured, leaf, expected, drafting)
+    if DIAGRAM in shown:
+        yield from _diagram(measured, leaf, expected, drafting)
+    yield from cam_table.results(leaf, expected, drafting)
     if cam_laws.named(expected.cam) in shown:
         yield from cam_laws.diagrams(measured, leaf, expected, drafting)
         yield from cam_law_poles.poles(leaf, cam_laws.graphs(measured, leaf, expected, drafting), expected)
@@ -61,6 +66,16 @@ def _profile(measured: Measured, leaf: Leaf, expected: Expected, drafting: Draft
     yield from ProfileLines(strokes, expected, origin, mu, drafting).faults()
     yield from cam_told.sizes(strokes, expected, drafting)
     yield from cam_told.headings(leaf, strokes, mu, expected, drafting)
+
+
+def _diagram(measured: Measured, leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:
+    """Hold the figure of the main sizes."""
+    strokes = figure(leaf, DIAGRAM)
+    pole = None if strokes is None else _pole(strokes)
+    if strokes is None or pole is None:
+        yield on("missing_on", DIAGRAM, name="O")
+        return
+    yield from SizeDiagram(strokes, measured, expected, *pole, drafting).faults()
 
 
 def _pole(strokes: FigureStrokes) -> tuple[complex, float] | None:
