@@ -20,14 +20,9 @@ from drawings.sheets.leaves import Caption, Draft, Exhibit, lay_out
 from plans.analytic.cam.laws import travel
 from plans.cam.study import CYCLOGRAM, CamDrawing
 from plans.model.cam_motion import CamFound
-from plans.scene.scene import Scene
 from plans.study import Study
 
 FOREMOST = 2.0  # weight of the profile, for which all the rest is drawn
-
-
-def admit(scene: Scene) -> None:
-    """See nothing more: whatever cam is read can be shown."""
 
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
