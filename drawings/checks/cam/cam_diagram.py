@@ -15,7 +15,6 @@ from drawings.checks.cam.cam_expected import Expected
 from drawings.checks.cam.cam_strokes import FigureStrokes, read
 from drawings.checks.cam.cam_told import numbers
 from drawings.checks.wrong import Wrong, on
-from drawings.figures.cam.size_diagram import LEAST
 from drawings.figures.cam.size_view import NAME
 from drawings.measure.measure import Measured
 from drawings.page.drafting import Drafting
@@ -132,7 +131,9 @@ class SizeDiagram:
             letter = self.drafting.letter(f"α_{{{one.kind}}}")
             if not lines:
                 yield on("touch", NAME, name=letter)
-            elif not self._lettered(one, lines, [other for k, own in found.items() if k.kind != one.kind for other in own]):
+            elif not self._lettered(
+                one, lines, [other for k, own in found.items() if k.kind != one.kind for other in own]
+            ):
                 yield on("letter", NAME, name=letter)
 
     def _lettered(self, one: Limit, lines: list[Line], others: list[Line]) -> bool:
@@ -184,9 +185,7 @@ class SizeDiagram:
         chains = [one for one in self.strokes.chains if one.style.width >= self.drafting.hand.main]
         drawn = np.array([spot for one in chains for spot in one.points])
         ends = self.origin + self._ends(self._dense) / self.mu
-        if not drawn.size:
-            yield on("curve", NAME)
-        elif np.abs(drawn[:, None] - ends).min(axis=1).max() > NEARBY * self._coarse(ends):
+        if not drawn.size or np.abs(drawn[:, None] - ends).min(axis=1).max() > NEARBY * self._coarse(ends):
             yield on("curve", NAME)
 
     @staticmethod

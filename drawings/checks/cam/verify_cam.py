@@ -20,7 +20,7 @@ from drawings.measure.measure import Measured
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Circle, Leaf
 from drawings.paper.walk import groups
-from drawings.sheets.cam_charts import EVERY
+from plans.cyclogram.rows import EVERY
 from plans.study import Study
 
 ROLLED = 180  # parts of a turn at which the written curves are held to the law
