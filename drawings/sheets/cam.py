@@ -16,7 +16,6 @@ from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.report.cam_notes import CamNotes
 from drawings.sheets.leaves import Caption, Draft, Exhibit, lay_out
-from plans.analytic.cam.laws import travel
 from plans.cam.study import CamDrawing
 from plans.model.cam_motion import CamFound
 from plans.study import Study
@@ -69,6 +68,4 @@ def _pressure(drawing: CamDrawing, drafting: Drafting) -> Exhibit:
 
 def _results(drawing: CamDrawing, exact: CamFound, drafting: Drafting) -> RuledTable:
     """Tell sizes, extremes and shocks by both roads."""
-    turned = drawing.curve.turned
-    own = sizes_table.quantities(drawing.found, drawing.curve.travel)
-    return sizes_table.sizes(own, sizes_table.quantities(exact, travel(exact.cam, turned)), drafting)
+    return sizes_table.sizes(sizes_table.quantities(drawing.found), sizes_table.quantities(exact), drafting)
