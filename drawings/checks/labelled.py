@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from drawings.checks.wrong import on
@@ -30,14 +30,26 @@ class Label(NamedTuple):
 
 def unlettered(leaf: Leaf) -> Iterator[Message]:
     """Name each mark of a sheet that no letter of its own stands beside."""
-    labels: dict[str, list[Label]] = {}
-    for label in _labels(leaf.groups):
-        for letter in label.text.plain.split(", "):
-            labels.setdefault(letter, []).append(label)
+    labels = labels_of(leaf.groups)
     for plan, name, letter, spots in _marks(leaf.groups):
         plain = Text(0j, letter if "{" in letter else with_index(letter)).plain
-        if not any(_distance(spot, label.place) <= NEAREST for label in labels.get(plain, ()) for spot in spots):
+        if not distance(labels.get(plain, ()), spots) <= NEAREST:
             yield on("letter", plan, name=name)
+
+
+def labels_of(strokes: tuple[Stroke, ...]) -> dict[str, list[Label]]:
+    """Give the labels of strokes by the letters that are read; one label may bear several."""
+    labels: dict[str, list[Label]] = {}
+    for label in _labels(strokes):
+        for letter in label.text.plain.split(", "):
+            labels.setdefault(letter, []).append(label)
+    return labels
+
+
+def distance(labels: Iterable[Label], spots: Iterable[complex]) -> float:
+    """Give how far the nearest of some labels is from the nearest of some spots, mm; infinity without any."""
+    places = tuple(spots)
+    return min((_distance(spot, label.place) for label in labels for spot in places), default=math.inf)
 
 
 def _labels(strokes: tuple[Stroke, ...]) -> Iterator[Label]:

@@ -11,6 +11,7 @@ from plans.model.cyclogram import BACK, BEGIN, END, ENTRY, EXIT, LEAVE, TURN, Cy
 # What a span is: of a cam its phases, of the main mechanism its strokes, of its tool what it does to the work.
 REST = "rest"  # a dwell of the follower where it began
 WORK, IDLE, CUT, OVERRUN, BACK_OVER, FREE = "work", "idle", "cut", "overrun", "back over", "free"
+EVERY = "*"  # what the data of a sheet of all cams say instead of one cam's name
 STROKES, TOOL, FEED = "strokes", "tool", "feed"  # the names of the rows of a main mechanism
 
 
@@ -28,7 +29,7 @@ def _phases(cam: Cam) -> Iterator[Span]:
     """Give the phases; their labels are the indices of their letters, several of one kind numbered."""
     kinds = [REST if one.kind == DWELL and not one.level else one.kind for one in cam.phases]
     for k, (kind, one) in enumerate(zip(kinds, cam.phases, strict=True)):
-        label = kind if kinds.count(kind) == 1 else f"{kind} {kinds[: k + 1].count(kind)}"
+        label = kind if kinds.count(kind) == 1 else f"{kind}\N{NO-BREAK SPACE}{kinds[: k + 1].count(kind)}"
         yield Span(cam.setting + one.start, cam.setting + one.end, kind, label)
 
 

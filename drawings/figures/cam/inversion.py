@@ -122,9 +122,9 @@ def _notch(centre: complex, spot: complex, hand: Hand) -> Arc:
 
 
 def _carried(view: ProfileView) -> int | None:
-    """Choose the position whose notch is drawn whole, from the initial frame on: the middle one of the first rise."""
-    first = next(view.cam.moving())
-    own = [k for k, turned in view.positions if first.start < turned < first.end]
+    """Choose the position whose notch is drawn whole, from the initial frame on: the middle one of the first motion."""
+    first = [*view.cam.moving()][:1]
+    own = [k for k, turned in view.positions for one in first if one.start < turned < one.end]
     return own[len(own) // 2] if own else None
 
 

@@ -18,7 +18,7 @@ from plans.cam.reading.pace import pace_of
 from plans.cam.reading.proportions import proportions
 from plans.cam.reading.turns import turns_of
 from plans.cam.reading.ways import Way, ways_of
-from plans.model.cam import DWELL, Cam, Follower, GivenSizes, Limits, Load, Phase
+from plans.model.cam import DWELL, NO_LIMITS, Cam, Follower, GivenSizes, Limits, Load, Phase
 from plans.model.cyclogram import Window
 from plans.scene import units
 from plans.scene.faults import Fault, Path, SceneError
@@ -92,7 +92,7 @@ def _cam(entry: Entry, window: Window | None) -> Cam | None:
         phases=made,
         follower=_follower(entry),
         closure=form.closure,
-        limits=Limits(_radians(form.limits.rise), _radians(form.limits.return_), float(form.limits.curvature)),
+        limits=_limits(entry) if entry.form.follower.lift or entry.form.follower.swing else NO_LIMITS,
         given=GivenSizes(_float(form.sizes.base), _float(form.sizes.offset), _float(form.sizes.centre)),
         roller=_float(form.sizes.roller),
         setting=_setting(entry, window, made),
@@ -131,15 +131,22 @@ def _phase(entry: Entry, number: int, turn: Fraction, start: Fraction, way: Way)
     def up(size: Fraction) -> float:
         return math.radians(float(size)) if entry.rocks else float(size)
 
-    kind = entry.form.phases[number].kind
+    kind = entry.form.phases[number].kind if way.change else DWELL  # a rise by nothing is a dwell
     law = law_of(entry, number, turn, way)
     own = None if kind == DWELL else law
     return Phase(kind, across(turn), across(start), up(way.level), up(way.change), own, across(start + turn))
 
 
+def _limits(entry: Entry) -> Limits:
+    one = entry.form.limits
+    return Limits(_radians(one.rise), _radians(one.return_), float(one.curvature))
+
+
 def _follower(entry: Entry) -> Follower:
     one = entry.form.follower
-    return Follower(one.motion, one.end, _float(one.length), -1 if one.turns == AGAINST else 1, float(one.face))
+    return Follower(
+        one.motion, one.end, _float(one.length), -1 if one.turns == AGAINST else 1, float(one.face), _float(one.reach)
+    )
 
 
 def _setting(entry: Entry, window: Window | None, phases: Sequence[Phase]) -> float:

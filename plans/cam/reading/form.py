@@ -69,6 +69,12 @@ class FollowerTable(Table):
         Decimal(0),
         meaning="Of a flat one that rocks: how far its face stands before its pivot, m, towards the cam above 0.",
     )
+    reach: Decimal | None = key(
+        f.LENGTH,
+        None,
+        meaning="Of a flat one: reach of its face, m, to either side of its axis, or along the rocker from its pivot.",
+        also=("width", "b"),
+    )
 
     @classmethod
     def misfits(cls, value: Mapping[str, Any]) -> Iterator[Wrong]:

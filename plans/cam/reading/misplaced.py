@@ -26,6 +26,8 @@ def _follower(entry: Entry) -> None:
         entry.spare(("length",), given, "pinned", "follower")
     else:
         entry.spare(("face",), given, "flat_rocking", "follower")
+    if not entry.flat:
+        entry.spare(("reach",), given, "flat", "follower")
 
 
 def _phases(entry: Entry) -> None:

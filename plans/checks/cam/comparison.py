@@ -121,6 +121,11 @@ class Compared:
         steps = (slope - gains / 2 + np.diff(edges) * bends / 12) * np.diff(edges)
         return slope, np.concatenate([[0.0], np.cumsum(steps)]) + float(travel(cam, edges[:1]).s[0])
 
+    @property
+    def gains(self) -> Floats:
+        """What S' gains over the strips by the mean ordinates of the analysis's S''."""
+        return _gains(self.theirs.cam, self.drawing.diagrams.strips.edges)[0]
+
     def sizes(self) -> Iterator[Finding]:
         """Compare the main sizes and the roller."""
         own, other = self.ours, self.theirs

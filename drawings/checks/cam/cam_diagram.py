@@ -1,0 +1,210 @@
+"""The diagram of the main sizes held to the analysis: D, rulers at their limits, O, R0, L (диаграмма S - S')."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from drawings.checks.cam.cam_expected import Expected
+from drawings.checks.cam.cam_strokes import FigureStrokes, read
+from drawings.checks.cam.cam_told import numbers
+from drawings.checks.wrong import Wrong, on
+from drawings.figures.cam.size_view import NAME
+from drawings.measure.measure import Measured
+from drawings.page.drafting import Drafting
+from drawings.paper.strokes import Line
+from plans.analytic.cam.contour import contour
+from plans.analytic.cam.stretches import peak, stretches
+from plans.model.cam import FORCE, RETURN, RISE, limits_of
+from plans.model.cam_motion import Contour
+from plans.model.motion import Complexes
+from plans.words.words import message
+
+FAR = 1e-9  # of the largest length: both roads agree far better
+RULED = 1e-3  # mm: a ruler is drawn so near to where it lies
+DENSE = 1441  # turns at which the diagram is known
+NEARBY = 0.1  # mm: of the drawn curve from the nearest of so many places of it
+AT_ONCE = 1e-9  # of R0: a limit that binds is met so exactly
+
+
+class Limit(NamedTuple):
+    """A limit of the pressure angle: on which kind of phase, to which side of 0, rad."""
+
+    kind: str
+    side: int
+    angle: float
+
+
+@dataclass(frozen=True)
+class SizeDiagram:
+    """The figure of the main sizes with what it must show."""
+
+    strokes: FigureStrokes
+    measured: Measured
+    expected: Expected
+    origin: complex  # A, or O1 of a rocker, on paper, mm
+    mu: float
+    drafting: Drafting
+
+    def faults(self) -> Iterator[Wrong]:
+        """Hold it whole."""
+        yield from self._marks()
+        if self.points:
+            yield from self._rulers()
+            yield from self._curve()
+        yield from numbers(self.strokes, self._due(), self.drafting)
+        kind = "flat" if self.expected.cam.flat else self.expected.cam.follower.motion
+        title = self.drafting.word(f"cam sizes by {kind}")
+        if read(title) not in self.strokes.texts:
+            yield message("wrong.missing", name=title)
+
+    @property
+    def points(self) -> bool:
+        """Whether it has a diagram: the face of a rocker has none."""
+        return not (self.expected.cam.flat and self.expected.cam.rocks)
+
+    @property
+    def zero(self) -> complex:
+        """The origin of the diagram, seen from O, m."""
+        cam, own = self.expected.cam, self.expected.sizes
+        if cam.rocks:
+            return own.pivot
+        return 1j * own.base if cam.flat else complex(self.expected.contour.tip[0])
+
+    def _ends(self, own: Contour) -> Complexes:
+        """Give D: on the line of OD, of a flat face S'' across from S."""
+        if self.expected.cam.flat:
+            return np.asarray(own.travel.bend + 1j * own.travel.s)
+        return np.asarray(own.lever - self.zero)
+
+    def _marks(self) -> Iterator[Wrong]:
+        """Hold D of every position, O, R0 and L; the points that rulers touch are held with the rulers."""
+        true = dict(self._true())
+        size = max(abs(value) for value in true.values())
+        own = {(one.name, one.position): one for one in self.measured.marks if one.plan == NAME}
+        slack = 2 * self.measured.quantum * self.mu + FAR * size
+        for key, value in true.items():
+            name = key[0] if key[1] is None else f"{key[0]} {key[1]}"
+            if key not in own:
+                yield on("missing_on", NAME, name=name)
+            elif not abs(own[key].value - value) <= slack:
+                yield on("differs_on", NAME, name=name)
+        for name, k in own.keys() - true.keys():
+            if not (name.startswith("T_") or (name == "O'" and self.expected.cam.rocks)):
+                yield on("stranger_on", NAME, name=name if k is None else f"{name} {k}")
+
+    def _true(self) -> Iterator[tuple[tuple[str, int | None], complex]]:
+        cam, own = self.expected.cam, self.expected.contour
+        yield ("O", None), -self.zero
+        if self.points:
+            yield from ((("D", k), end) for k, end in enumerate(self._ends(own).tolist()))
+        if not cam.flat:
+            yield ("R_0", None), complex(own.tip[0])
+        if cam.rocks:
+            yield ("L", None), self.zero
+
+    @cached_property
+    def limits(self) -> tuple[Limit, ...]:
+        """The limits that rulers are drawn at."""
+        cam = self.expected.cam
+        known, kinds = limits_of(cam), {one.kind for one in cam.moving()}
+        own = [Limit(RISE, 1, known.rise or 0.0), Limit(RETURN, -1, known.back or 0.0)]
+        own += [Limit(RISE, -1, known.rise or 0.0)] if cam.closure == FORCE else []
+        return () if cam.flat else tuple(one for one in own if one.angle and one.kind in kinds)
+
+    def _rulers(self) -> Iterator[Wrong]:
+        """Hold the rulers: one at each limit, that touches the diagram and has none of it beyond, with its angle."""
+        spots = [one.value for one in self.measured.points if one.plan == NAME and one.name.startswith("T_")]
+        if len(spots) != max(len(self.limits), self.expected.cam.flat):
+            yield on("touch", NAME, name=f"T_{len(spots)}")
+        if self.expected.cam.flat:
+            yield from self._convex(spots)
+            return
+        found = {one: [line for spot in spots for line in self._ruled(one, spot)] for one in self.limits}
+        for one, lines in found.items():
+            letter = self.drafting.letter(f"α_{{{one.kind}}}")
+            if not lines:
+                yield on("touch", NAME, name=letter)
+            elif not self._lettered(
+                one, lines, [other for k, own in found.items() if k.kind != one.kind for other in own]
+            ):
+                yield on("letter", NAME, name=letter)
+
+    def _lettered(self, one: Limit, lines: list[Line], others: list[Line]) -> bool:
+        """Tell whether the letter of a limit stands nearer to its rulers than to those of another kind."""
+        text = self.drafting.letter(f"α_{{{one.kind}}}") + f" = {self.drafting.number(math.degrees(one.angle))}°"
+        near, far = (self.strokes.far(text, [_upper(line) for line in some]) for some in (lines, others))
+        return near < far
+
+    def _ruled(self, one: Limit, spot: complex) -> Iterator[Line]:
+        """Give the rulers through a point of the diagram at a limit: against the follower's way there by its angle."""
+        cam = self.expected.cam
+        lean = cam.rising * spot / abs(spot) if cam.rocks else 1.0
+        way = 1j * lean * cmath.exp(1j * cam.sense * one.side * one.angle)
+        slack = RULED * self.mu
+        beyond = self._beyond(one, way, spot)
+        if abs(beyond) <= slack + FAR * abs(spot):
+            yield from self.strokes.through(self.origin + spot / self.mu, way, RULED)
+
+    def _beyond(self, one: Limit, way: complex, spot: complex) -> float:
+        """Give how far the diagram goes beyond a ruler, m: of a rocker at O's own level the pressure angle tells."""
+        cam = self.expected.cam
+        if cam.rocks:
+            ends = self._ends(self._dense)
+            return float(np.abs(ends - spot).min()) if len(ends) else math.inf
+        t = math.tan(one.angle)
+        most = peak(
+            stretches(cam, (one.kind,)),
+            lambda at: one.side * at.slope - t * at.s,
+            lambda at: one.side * at.bend - t * at.slope,
+        ).value
+        return (-one.side * cam.sense * spot.real - t * spot.imag - most) * math.cos(one.angle)
+
+    @cached_property
+    def _dense(self) -> Contour:
+        turned = np.linspace(0.0, self.expected.cam.turn, DENSE)
+        return contour(self.expected.cam, self.expected.sizes, self.expected.found.roller, turned)
+
+    def _convex(self, spots: list[complex]) -> Iterator[Wrong]:
+        """Hold the ruler of a flat face: on it S + S'' is the least, which is ρ_min less R0."""
+        own, sharpest = self.expected.sizes, self.expected.found.sharpest
+        for spot in spots:
+            least = 0.0 if sharpest is None else sharpest.value - own.base
+            lines = self.strokes.through(self.origin + spot / self.mu, 1 - 1j, RULED)
+            if not lines or abs(spot.real + spot.imag - least) > RULED * self.mu:
+                yield on("touch", NAME, name="T_1")
+
+    def _curve(self) -> Iterator[Wrong]:
+        """Hold the curve: each corner of it near a place of the diagram, and each D near a corner."""
+        chains = [one for one in self.strokes.chains if one.style.width >= self.drafting.hand.main]
+        drawn = np.array([spot for one in chains for spot in one.points])
+        ends = self.origin + self._ends(self._dense) / self.mu
+        if not drawn.size or np.abs(drawn[:, None] - ends).min(axis=1).max() > NEARBY * self._coarse(ends):
+            yield on("curve", NAME)
+
+    @staticmethod
+    def _coarse(ends: Complexes) -> float:
+        """Give how far places of the diagram are apart at the most, of the usual millimetre."""
+        steps = np.sort(np.abs(np.diff(ends)))
+        return max(1.0, float(steps[int(0.99 * len(steps))]) / NEARBY)
+
+    def _due(self) -> Mapping[str, tuple[float, ...]]:
+        """Give the numbers that may be written, by their letters; each has room or not."""
+        own, sharpest = self.expected.sizes, self.expected.found.sharpest
+        level = math.sqrt(own.base**2 - own.offset**2)
+        due = {"R_0": own.base, "S_0": level, "e": abs(own.offset), "L": own.centre}
+        due |= {"ρ_{min}": sharpest.value if sharpest else 0.0}
+        found = {letter: (1000 * value,) for letter, value in due.items()}
+        for one in self.limits:
+            found[self.drafting.letter(f"α_{{{one.kind}}}")] = (math.degrees(one.angle),)
+        return found
+
+
+def _upper(line: Line) -> complex:
+    return max(line.start, line.end, key=lambda end: end.imag)

@@ -1,0 +1,248 @@
+"""What a sheet of a cam tells, read back: notes, sizes in the figure, headings, scale (надписи листа кулачка).
+
+The notes are composed here a second time, of what the analysis found: each says what it must, and there is no other.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator, Mapping, Sequence, Set
+from dataclasses import dataclass
+
+import numpy as np
+
+from drawings.checks.cam.cam_expected import Expected
+from drawings.checks.cam.cam_strokes import FigureStrokes, read
+from drawings.checks.precise import precise, tells
+from drawings.checks.wrong import Wrong, within
+from drawings.lettering.words import number
+from drawings.page.drafting import Drafting
+from drawings.paper.strokes import Leaf
+from drawings.paper.walk import groups, texts
+from drawings.report.phase_letters import phase_letter
+from plans.analytic.cam.laws import LAWS
+from plans.model.cam import TABLE, Law
+from plans.model.cam_motion import CamFound, Extreme, Flaw
+from plans.words.words import message
+
+NOTES, BLOCK = "notes", "title-block"  # the names of their figures
+DIGITS = (4, 5)  # of the numbers of the notes; of the phases
+KNOWN = 1e-9  # of a number, that both roads may differ by
+MM = 1000.0
+_SIZE = re.compile(r"(?P<name>[^=]+?)\s=\s(?P<value>[−\d.,]+)°?")
+
+
+def notes(leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:
+    """Read the notes back, from the description of every sheet and from where they are written on the first."""
+    due = [read(one).split() for one in DueNotes(expected.settled(), precise(drafting)).all()]
+    yield from _compared(read(leaf.description.replace("\n", " ")).split(), due)
+    own = [one for one in groups(leaf.groups) if one.name == NOTES]
+    if own or leaf.metadata["number"] == 1:
+        yield from _compared([word for one in own for text in texts((one,)) for word in text.plain.split()], due)
+
+
+def _compared(words: list[str], due: list[list[str]]) -> Iterator[Wrong]:
+    """Give the first note that says something else than is due; what follows it may be out of step."""
+    place = 0
+    for one in due:
+        said = " ".join(words[place : place + len(one)])
+        if not tells(said, " ".join(one), DIGITS, KNOWN):
+            yield within("in", NOTES, text=said) if said else within("missing_from", NOTES, name=" ".join(one))
+            return
+        place += len(one)
+    if words[place:]:
+        yield within("stranger_in", NOTES, text=" ".join(words[place:]))
+
+
+@dataclass(frozen=True)
+class DueNotes:
+    """The notes that a cam must have, with all digits of their numbers."""
+
+    found: CamFound
+    drafting: Drafting
+
+    def all(self) -> Iterator[str]:
+        """Give them in their order."""
+        yield from self._task()
+        yield from self._smoothed()
+        if not self.found.cam.translates:
+            yield from self._sizes()
+        yield from map(self._pressure, self.found.pressure.items())
+        yield from self._curvature()
+        yield from map(self._shock, range(len(self.found.shocks)))
+        yield from self._pressing()
+        yield from map(self._flaw, self.found.flaws)
+        if self.found.mending is not None and any(one.kind == "pressure" for one in self.found.flaws):
+            yield self._word("cam mending", base=self._mm(self.found.mending), offset=self._mm(self.found.sizes.offset))
+
+    def _word(self, key: str, **parts: str) -> str:
+        return self.drafting.word(key, **parts)
+
+    def _number(self, value: float, unit: str = "") -> str:
+        return f"{self.drafting.number(value)} {self.drafting.word(unit)}" if unit else self.drafting.number(value)
+
+    def _mm(self, value: float) -> str:
+        return self._number(MM * value, "mm")
+
+    def _degrees(self, value: float) -> str:
+        return f"{self._number(math.degrees(value))}°"
+
+    def _turn(self, turned: float) -> str:
+        return (self._mm if self.found.cam.translates else self._degrees)(turned)
+
+    def _way(self, value: float) -> str:
+        return (self._degrees if self.found.cam.rocks else self._mm)(value)
+
+    def _task(self) -> Iterator[str]:
+        cam = self.found.cam
+        moves, held = f"cam {cam.follower.motion} {cam.follower.end}", f"cam closed by {cam.closure}"
+        lift = max(one.level + max(one.change, 0.0) for one in cam.phases)
+        parts = {"follower": self._word(moves), "closure": self._word(held), "letter": "Ψ" if cam.rocks else "H"}
+        yield self._word("cam asked", lift=self._way(lift), **parts)
+        if cam.speed is not None:
+            key = "cam speed of travel" if cam.translates else "cam speed"
+            sense = self._word("clockwise" if cam.sense < 0 else "counter-clockwise")
+            turns = self._number(cam.speed / math.tau * 60)
+            yield self._word(key, sense=sense, n=turns, omega=self._number(cam.speed))
+        laws = ("" if one.law is None else f" ({self._word(f'law {one.law.name}')})" for one in cam.phases)
+        letters = (phase_letter(cam, k, self.drafting) for k in range(len(cam.phases)))
+        yield self._word("cam phases", phases=";  ".join(map("".join, zip(letters, laws, strict=True))))
+
+    def _smoothed(self) -> Iterator[str]:
+        """Say how far the curve of a smoothed table is from its points: at one of those where it is farthest."""
+        for phase in self.found.cam.moving():
+            if phase.law is not None and phase.law.name == TABLE and phase.law.tolerance > 0:
+                off, share = smoothed(phase.law)
+                far, most = (self._way(one * abs(phase.change)) for one in (off, phase.law.tolerance))
+                at = self._turn(phase.start + share * phase.angle)
+                yield self._word(
+                    "cam smoothed", phase=self._word(f"cam on {phase.kind}"), phi=at, off=far, allowed=most
+                )
+
+    def _sizes(self) -> Iterator[str]:
+        cam, own = self.found.cam, self.found.sizes
+        told = {"R_0": self._mm(own.base)}
+        if cam.rocks:
+            told |= {"L": self._mm(own.centre), "ψ_0": self._degrees(own.initial)}
+        elif not cam.flat:
+            level = math.sqrt((own.base - own.offset) * (own.base + own.offset))
+            told |= {"e": self._mm(own.offset), "S_0": self._mm(level)}
+        yield self._word("cam sizes", sizes=",  ".join(f"{name} = {text}" for name, text in told.items()))
+        if cam.flat:
+            back, front = (self._mm(abs(one)) for one in self.found.face)
+            yield self._word("cam face", back=back, front=front)
+
+    def _pressure(self, one: tuple[str, Extreme]) -> str:
+        kind, found = one
+        limit = {"rise": self.found.cam.limits.rise, "return": self.found.cam.limits.back}[kind]
+        parts = {"phase": self._word(f"cam on {kind}"), "angle": self._number(math.degrees(found.value))}
+        key = "cam pressure" if limit is None else "cam pressure limit"
+        return self._word(key, phi=self._turn(found.turned), limit=self._number(math.degrees(limit or 0.0)), **parts)
+
+    def _curvature(self) -> Iterator[str]:
+        found, flat = self.found, self.found.cam.flat
+        for one, key in (
+            (found.sharpest, "cam profile sharpest" if flat else "cam sharpest"),
+            (None if flat else found.hollow, "cam hollow radius"),
+        ):
+            if one is not None:
+                size = one.value if one is found.sharpest else abs(one.value)
+                yield self._word(key, radius=self._mm(size), phi=self._turn(one.turned))
+        if found.roller:
+            key = "cam roller by rule" if found.cam.roller is None else "cam roller given"
+            yield self._word(key, roller=self._mm(found.roller))
+
+    def _shock(self, number: int) -> str:
+        one, cam = self.found.shocks[number], self.found.cam
+        way = "rad" if cam.rocks else "m"
+        per = ("/s", "/s2")[one.order - 1] if cam.speed is not None else ""
+        jump = one.jump * (1.0 if cam.speed is None else cam.speed**one.order)
+        key = ("cam hard shock", "cam soft shock")[one.order - 1]
+        return self._word(key, jump=self._number(jump, way + per), phi=self._turn(one.turned))
+
+    def _pressing(self) -> Iterator[str]:
+        own = self.found.pressing
+        if own is None:
+            return
+        least, most = (self._number(one.value, "N") for one in (own.least, own.most))
+        yield self._word("cam pressing", least=least, most=most, phi=self._turn(own.most.turned))
+        yield self._word("cam wear", wear=self._number(own.wear.value, "W"), phi=self._turn(own.wear.turned))
+        if own.least.value < 0:
+            unit = "N*m" if self.found.cam.rocks else "N"
+            yield self._word("cam preload", preload=self._number(own.preload, unit))
+
+    def _flaw(self, one: Flaw) -> str:
+        ends = {"start": self._turn(one.start), "end": self._turn(one.end), "phi": self._turn(one.worst.turned)}
+        worst, key = one.worst.value, f"cam flaw {one.kind}"
+        if one.kind == "crossing" and not math.isnan(worst):
+            return self._word("cam flaw crossing and loss", worst=self._way(worst), **ends)
+        units = {"pressure": math.degrees(worst), "lift-off": worst, "crossing": 0.0}
+        return self._word(key, worst=self._number(units.get(one.kind, MM * worst)), **ends)
+
+
+def smoothed(law: Law) -> tuple[float, float]:
+    """Give how far the analysis's curve of a table is from its points at the most, in shares, and at which."""
+    shares, s = np.array(law.points, dtype=float).T
+    off = np.abs(LAWS[law.name](law, shares, 0, False) - s)
+    return float(off.max()), float(shares[off.argmax()])
+
+
+def sizes(strokes: FigureStrokes, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:
+    """Read the sizes in the figure of the profile back."""
+    own, cam = expected.sizes, expected.cam
+    true = {"R_0": MM * own.base, "e": MM * abs(own.offset), "L": MM * own.centre}
+    true |= {"ψ_0": math.degrees(abs(own.initial))}
+    if expected.found.sharpest is not None:
+        true["ρ_{min}"] = MM * expected.found.sharpest.value
+    phases = {read(phase_letter(cam, k, drafting)) for k in range(len(cam.phases))}
+    yield from numbers(strokes, {letter: (value,) for letter, value in true.items()}, drafting, phases)
+
+
+def numbers(
+    strokes: FigureStrokes, true: Mapping[str, Sequence[float]], drafting: Drafting, others: Set[str] = frozenset()
+) -> Iterator[Wrong]:
+    """Read the numbers that stand beside letters back: each is one that its letter has, none is of a strange letter."""
+    due = {read(letter): values for letter, values in true.items()}
+    for text in strokes.texts:
+        found = _SIZE.fullmatch(text)
+        if found is None or text in others:
+            continue
+        exact = (precise(drafting).number(value) for value in due.get(found["name"], ()))
+        if not any(tells(found["value"], one, DIGITS[:1], KNOWN) for one in exact):
+            yield message("wrong.told", text=text)
+
+
+def headings(leaf: Leaf, strokes: FigureStrokes, mu: float, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:
+    """Hold the title of the figure with its ratio, the title of the sheet and its scale in the title block."""
+    written = [text.plain for one in groups(leaf.groups) if one.name == BLOCK for text in texts((one,))]
+    ratio = _ratio(mu, drafting)
+    if ratio not in written:
+        yield message("wrong.scale", text=ratio)
+    if drafting.notation == "mu" and not any(text.endswith(f"({ratio})") for text in strokes.texts):
+        yield message("wrong.scale", text=ratio)
+    if read(drafting.word("cam profile")) not in strokes.texts:
+        yield message("wrong.missing", name=drafting.word("cam profile"))
+    title = drafting.word("cam sheet title", name=expected.cam.name)
+    if title not in " ".join(written) or not leaf.title.endswith(title):
+        yield message("wrong.missing", name=title)
+
+
+def _ratio(mu: float, drafting: Drafting) -> str:
+    """Write a scale of lengths, m/mm, as a ratio."""
+    times = MM * mu
+    return f"1:{number(times, drafting.language)}" if times >= 1 else f"{number(1 / times, drafting.language)}:1"
+
+
+def decimals(leaf: Leaf, drafting: Drafting) -> Iterator[Wrong]:
+    """See that every number has the decimal mark of the sheet's language."""
+    strange = "." if drafting.number(0.5)[1] == "," else ","
+    for one in leaf.groups:
+        if one.name not in (BLOCK, "frame"):
+            yield from (
+                message("wrong.told", text=text.plain) for text in texts((one,)) if _marked(text.plain, strange)
+            )
+
+
+def _marked(text: str, mark: str) -> bool:
+    return re.search(rf"\d{re.escape(mark)}\d", text) is not None

@@ -1,0 +1,87 @@
+"""The self-check of a written sheet of a cam: every figure, table and note against the analysis (проверка листа)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from drawings.checks import reading
+from drawings.checks.cam import cam_charts, cam_law_poles, cam_laws, cam_table, cam_told
+from drawings.checks.cam.cam_diagram import SizeDiagram
+from drawings.checks.cam.cam_expected import Expected
+from drawings.checks.cam.cam_lines import ProfileLines
+from drawings.checks.cam.cam_marks import marks
+from drawings.checks.cam.cam_strokes import FigureStrokes, figure
+from drawings.checks.cam.profile_marks import wrong_marks
+from drawings.checks.cam.profiles import analysed, wrong
+from drawings.checks.wrong import Wrong, on
+from drawings.figures.cam.profile_view import NAME as PROFILE
+from drawings.figures.cam.size_view import NAME as DIAGRAM
+from drawings.measure.measure import Measured
+from drawings.page.drafting import Drafting, drafting_of
+from drawings.paper.strokes import Circle, Leaf
+from drawings.paper.walk import groups
+from plans.cyclogram.rows import EVERY
+from plans.study import Study
+
+ROLLED = 180  # parts of a turn at which the written curves are held to the law
+
+
+def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
+    """Hold all that one sheet of a cam shows against the analysis (row of the table of sheets)."""
+    cams = {one.cam.name: one for one in study.comparison("cam").analysis.cams}
+    name = leaf.metadata["cam"]
+    if name == EVERY:
+        yield from cam_charts.faults(measured, leaf, [one.cam for one in cams.values()], drafting_of(study.scene))
+        return
+    yield from check(measured, leaf, Expected(cams[name], study["cam"].drawings[name]), drafting_of(study.scene))
+
+
+def check(measured: Measured, leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:
+    """Hold what a sheet shows against what is expected: the figures that its data name, tables, notes, scales."""
+    shown = leaf.metadata["figures"]
+    if PROFILE in shown:
+        yield from _profile(measured, leaf, expected, drafting)
+    if DIAGRAM in shown:
+        yield from _diagram(measured, leaf, expected, drafting)
+    yield from cam_table.results(leaf, expected, drafting)
+    if cam_laws.named(expected.cam) in shown:
+        yield from cam_laws.diagrams(measured, leaf, expected, drafting)
+        yield from cam_law_poles.poles(leaf, cam_laws.graphs(measured, leaf, expected, drafting), expected)
+    yield from cam_told.notes(leaf, expected, drafting)
+    yield from reading.marked_scales(leaf)
+    yield from cam_told.decimals(leaf, drafting)
+
+
+def _profile(measured: Measured, leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:
+    """Hold the figure of the profile: curves, marks, lines, letters."""
+    strokes = figure(leaf, PROFILE)
+    pole = None if strokes is None else _pole(strokes)
+    if strokes is None or pole is None:
+        yield on("missing_on", PROFILE, name="O")
+        return
+    origin, mu = pole
+    yield from wrong(measured.profiles, PROFILE, analysed(expected.found, ROLLED))
+    yield from wrong_marks(measured, leaf, expected.found, drafting)
+    yield from marks(measured, expected, origin, mu, drafting.hand)
+    yield from ProfileLines(strokes, expected, origin, mu, drafting).faults()
+    yield from cam_told.sizes(strokes, expected, drafting)
+    yield from cam_told.headings(leaf, strokes, mu, expected, drafting)
+
+
+def _diagram(measured: Measured, leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:
+    """Hold the figure of the main sizes."""
+    strokes = figure(leaf, DIAGRAM)
+    pole = None if strokes is None else _pole(strokes)
+    if strokes is None or pole is None:
+        yield on("missing_on", DIAGRAM, name="O")
+        return
+    yield from SizeDiagram(strokes, measured, expected, *pole, drafting).faults()
+
+
+def _pole(strokes: FigureStrokes) -> tuple[complex, float] | None:
+    """Give where O is on paper, mm, and the scale, m/mm."""
+    poles = (one for one in groups((strokes.group,)) if one.data.get("kind") == "pole")
+    for one in poles:
+        circle = next(stroke for stroke in one.strokes if isinstance(stroke, Circle))
+        return circle.centre, float(one.data["scale"])
+    return None
