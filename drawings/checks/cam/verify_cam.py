@@ -10,10 +10,12 @@ from drawings.checks.cam.cam_diagram import SizeDiagram
 from drawings.checks.cam.cam_expected import Expected
 from drawings.checks.cam.cam_lines import ProfileLines
 from drawings.checks.cam.cam_marks import marks
+from drawings.checks.cam.cam_pressure import PressureGraph
 from drawings.checks.cam.cam_strokes import FigureStrokes, figure
 from drawings.checks.cam.profile_marks import wrong_marks
 from drawings.checks.cam.profiles import analysed, wrong
 from drawings.checks.wrong import Wrong, on
+from drawings.figures.cam.pressure_graph import NAME as PRESSURE
 from drawings.figures.cam.profile_view import NAME as PROFILE
 from drawings.figures.cam.size_view import NAME as DIAGRAM
 from drawings.measure.measure import Measured
@@ -43,6 +45,11 @@ def check(measured: Measured, leaf: Leaf, expected: Expected, drafting: Drafting
         yield from _profile(measured, leaf, expected, drafting)
     if DIAGRAM in shown:
         yield from _diagram(measured, leaf, expected, drafting)
+    strokes = figure(leaf, PRESSURE)
+    if strokes is not None:
+        yield from PressureGraph(strokes, measured, expected, drafting).faults()
+    elif PRESSURE in shown or (leaf.metadata["of"] == 1 and _pressed(expected)):
+        yield on("missing_on", PRESSURE, name="α")
     yield from cam_table.results(leaf, expected, drafting)
     if cam_laws.named(expected.cam) in shown:
         yield from cam_laws.diagrams(measured, leaf, expected, drafting)
@@ -76,6 +83,11 @@ def _diagram(measured: Measured, leaf: Leaf, expected: Expected, drafting: Draft
         yield on("missing_on", DIAGRAM, name="O")
         return
     yield from SizeDiagram(strokes, measured, expected, *pole, drafting).faults()
+
+
+def _pressed(expected: Expected) -> bool:
+    """Tell whether a cam has a pressure angle that is not 0 throughout."""
+    return not (expected.cam.flat and not expected.cam.rocks) and bool(expected.found.pressure)
 
 
 def _pole(strokes: FigureStrokes) -> tuple[complex, float] | None:

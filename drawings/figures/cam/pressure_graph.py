@@ -115,7 +115,7 @@ def draw(view: PressureView, room: Picture, spot: Spot, drafting: Drafting) -> P
     hand, (low, high) = drafting.hand, view.span
     up = fitting((high - low) or 1.0, room.high / spot.scale.mu, LETTER, UNIT, drafting.standard)
     axes = Axes(room.place(*spot).on(0j) + 1j * _lift(room, spot, up, low, high), spot.scale, up)
-    scales = f"{spot.scale.written(drafting.language)};  {up.written(drafting.language)}"
+    scales = f"{drafting.scale(up)};  {drafting.scale(spot.scale)}"
     lines = (
         heading(spot.box, drafting.word("cam pressure graph"), scales, hand),
         *axes.lines((0.0, view.length), (low, high), hand),
@@ -163,11 +163,12 @@ def _levels(view: PressureView, axes: Axes, hand: Hand) -> Iterator[Stroke]:
 
 
 def _stations(view: PressureView, axes: Axes, hand: Hand) -> Iterator[Stroke]:
-    """Draw the ordinates of the numbered positions, which can be measured."""
+    """Draw the ordinates of the positions that bear numbers, which can be measured, and the points of all."""
+    numbered = _roomy(view, axes, hand)
     for k, (turned, angle) in enumerate(zip(view.stations.tolist(), view.ordinates.tolist(), strict=True)):
         foot, tip = axes.on(view.across(turned)), axes.on(view.across(turned), angle)
         yield Line(foot - 1j * TICK, foot + 1j * TICK, hand.drafted)
-        if abs(tip - foot) > LEAST:
+        if k in numbered and abs(tip - foot) > LEAST:
             data = Subject(NAME, LETTER, k).data("vector", str(k), 1j * angle, axes.up)
             yield Group((Line(foot, tip, hand.drafted),), "", data, str(k))
         yield Circle(tip, DOT * hand.symbol, INK)
@@ -217,9 +218,17 @@ def _named(view: PressureView, axes: Axes, drafting: Drafting) -> Iterator[Lette
 
 def _numbers(view: PressureView, axes: Axes, hand: Hand) -> Iterator[Letter]:
     """Number the positions at the axis, each on the side away from its ordinate, those that have room."""
-    last = -np.inf
-    for k, (turned, angle) in enumerate(zip(view.stations.tolist(), view.ordinates.tolist(), strict=True)):
+    for k in _roomy(view, axes, hand):
+        side = math.pi / 2 if view.ordinates[k] < 0 else -math.pi / 2
+        yield Letter(axes.on(view.across(float(view.stations[k]))), str(k), hand.number, side, TICK + 0.6)
+
+
+def _roomy(view: PressureView, axes: Axes, hand: Hand) -> tuple[int, ...]:
+    """Choose the positions whose numbers have room."""
+    last, kept = -np.inf, list[int]()
+    for k, turned in enumerate(view.stations.tolist()):
         foot = axes.on(view.across(turned))
         if foot.real - last >= APART * hand.number:
             last = foot.real
-            yield Letter(foot, str(k), hand.number, math.pi / 2 if angle < 0 else -math.pi / 2, TICK + 0.6)
+            kept.append(k)
+    return tuple(kept)
