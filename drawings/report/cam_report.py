@@ -12,7 +12,7 @@ from drawings.report.cam_notes import MM, CamNotes
 from drawings.report.chapters import Chapters
 from drawings.report.markdown import header, row
 from drawings.report.subject import Subject
-from plans.cam.study import CamDrawing
+from plans.cam.study import LAWS, CamDrawing
 from plans.model.cam import ROCKING
 from plans.model.cam_motion import CamFound
 from plans.study import Study
@@ -58,7 +58,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     return Chapters(
         subject=[*chain.from_iterable(_task(notes) for _, notes in told)],
         values=[*chain.from_iterable(_values(notes.found, drafting) for _, notes in told)],
-        conditions=[*chain.from_iterable(_conditions(*one) for one in told)],
+        conditions=[*chain.from_iterable(_conditions(*one, LAWS in study.plans) for one in told)],
         left_out=[word(drafting.language, "report.cam_left_out")],
     )
 
@@ -110,18 +110,24 @@ def _cells(found: CamFound, drafting: Drafting) -> Iterator[list[str]]:
         yield [drafting.number(value, DIGITS) if math.isfinite(value) else "∞" for value in map(float, values)]
 
 
-def _conditions(drawing: CamDrawing, notes: CamNotes) -> Iterator[str]:
-    """Tell sizes, angles, roller, shocks, flaws, and what the chords of the diagrams leave out."""
+def _conditions(drawing: CamDrawing, notes: CamNotes, laws: bool) -> Iterator[str]:
+    """Tell sizes, angles, roller, shocks, flaws; of diagrams that are asked for what their chords leave out."""
     language = notes.drafting.language
     yield word(language, "report.cam_found", name=notes.cam.name)
     yield ""
     parts = (notes.smoothed, notes.sizes, notes.pressure, notes.roller, notes.shocks, notes.flaws)
     told = (line for part in parts for line in part())
     yield from (f"- {_plain(line)}" for line in told)
+    if laws:
+        yield f"- {_chords(drawing, notes.drafting)}"
+
+
+def _chords(drawing: CamDrawing, drafting: Drafting) -> str:
+    """Say by how much the chords of S' and S are off."""
     shares = (drawing.diagrams.slope_departure.share, drawing.diagrams.travel_departure.share)
-    slope, travel = (notes.drafting.number(100 * share, 3) for share in shares)
+    slope, travel = (drafting.number(100 * share, 3) for share in shares)
     strips = len(drawing.diagrams.strips.edges) - 1
-    yield f"- {word(language, 'report.cam_chords', count=strips, slope=slope, travel=travel)}"
+    return word(drafting.language, "report.cam_chords", count=strips, slope=slope, travel=travel)
 
 
 def _plain(note: str) -> str:

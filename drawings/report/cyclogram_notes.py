@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from drawings.page.drafting import Drafting
@@ -57,10 +57,7 @@ class CyclogramNotes(NamedTuple):
         """Tell the phases and the setting angle of each cam; without cams that of one which rises in the window."""
         if not self.cams:
             yield self.drafting.word("cyclogram set", setting=self._degrees(self.found.window.start))
-        for row in rows_of_cams(self.cams):
-            spans = (f"φ_{{{one.label}}} = {self._degrees(one.end - one.start)}°" for one in row.spans)
-            told = {"name": row.name, "setting": self._degrees(within(row.setting or 0.0))}
-            yield self.drafting.letter(self.drafting.word("cyclogram cam set", phases=",  ".join(spans), **told))
+        yield from settings_of(self.cams, self.drafting, self.digits)
 
     def reading(self) -> Iterator[str]:
         """Say from where angles are counted, how sharply they are known, and what was not notched."""
@@ -75,3 +72,13 @@ class CyclogramNotes(NamedTuple):
 
     def _number(self, value: float) -> str:
         return self.drafting.number(value, self.digits)
+
+
+def settings_of(cams: Sequence[Cam], drafting: Drafting, digits: int = 7) -> Iterator[str]:
+    """Tell the phases and the setting angle of each cam of a shaft."""
+    for row in rows_of_cams(cams):
+        angles = (drafting.number(math.degrees(one.end - one.start), digits) for one in row.spans)
+        spans = (f"φ_{{{one.label}}} = {angle}°" for one, angle in zip(row.spans, angles, strict=True))
+        setting = drafting.number(math.degrees(within(row.setting or 0.0)), digits)
+        said = drafting.word("cyclogram cam set", phases=",  ".join(spans), name=row.name, setting=setting)
+        yield drafting.letter(said)

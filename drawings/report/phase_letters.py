@@ -15,7 +15,8 @@ def phase_indices(cam: Cam) -> tuple[str, ...]:
     """Give the index of each phase: a dwell at the lowest level is a rest, several of one kind are numbered."""
     kinds = [_kind(cam, one) for one in cam.phases]
     return tuple(
-        kind if kinds.count(kind) == 1 else f"{kind}\N{NO-BREAK SPACE}{kinds[: k + 1].count(kind)}" for k, kind in enumerate(kinds)
+        kind if kinds.count(kind) == 1 else f"{kind}\N{NO-BREAK SPACE}{kinds[: k + 1].count(kind)}"
+        for k, kind in enumerate(kinds)
     )
 
 

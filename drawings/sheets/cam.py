@@ -15,25 +15,23 @@ from drawings.layout.table import RuledTable
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.report.cam_notes import CamNotes
+from drawings.sheets import cam_charts
 from drawings.sheets.leaves import Caption, Draft, Exhibit, lay_out
 from plans.analytic.cam.laws import travel
-from plans.cam.study import CamDrawing
+from plans.cam.study import CYCLOGRAM, CamDrawing
 from plans.model.cam_motion import CamFound
-from plans.scene.scene import Scene
 from plans.study import Study
 
 FOREMOST = 2.0  # weight of the profile, for which all the rest is drawn
-
-
-def admit(scene: Scene) -> None:
-    """See nothing more: whatever cam is read can be shown."""
 
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheets of a scene's cams, each on sheets of its own (row of the table of sheets)."""
     scene, cams = study.scene, study["cam"].drawings.values()
     pairs = zip(cams, study.comparison("cam").analysis.cams, strict=True)
-    return lay_out(scene, [_draft(*pair, drafting_of(scene)) for pair in pairs])
+    drafting = drafting_of(scene)
+    shared = [] if CYCLOGRAM in scene.sheets else cam_charts.drafts([one.cam for one in cams], drafting)
+    return lay_out(scene, [*(_draft(*pair, drafting) for pair in pairs), *shared])
 
 
 def _draft(drawing: CamDrawing, exact: CamFound, drafting: Drafting) -> Draft:

@@ -45,12 +45,12 @@ SHEETS: Final[Mapping[str, Sheet]] = {
         faults="drawings.checks.verify_rotor:faults",
     ),
     "cam": Sheet(
-        admit="drawings.sheets.cam:admit",
+        admit="drawings.sheets.cam_admission:of_cams",
         leaves="drawings.sheets.cam:leaves",
         faults="drawings.checks.cam.verify_cam:faults",
     ),
     "profile": Sheet(
-        admit="drawings.sheets.cam:admit",
+        admit="drawings.sheets.cam_admission:of_cams",
         leaves="drawings.sheets.cam_profile:leaves",
         faults="drawings.checks.cam.verify_profile:faults",
         enclosures="drawings.checks.cam.coordinates:enclosures",

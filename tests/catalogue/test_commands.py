@@ -46,9 +46,12 @@ def test_a_command_ends_as_the_header_of_its_scene_says(
     assert code == end.code, err
     said = {"err": err}
     drawn = end.command == "draw" and code in (0, 4)
-    assert {file.suffix for file in tmp_path.iterdir()} == ({".svg", ".md", ".json"} if drawn else set())
+    sheets = [*tmp_path.glob("*.svg")]
+    coordinates = {".csv"} if any(sheet.stem.endswith("-profile") for sheet in sheets) else set()
+    kept = {".svg", ".md", ".json"} | coordinates
+    assert {file.suffix for file in tmp_path.iterdir()} == (kept if drawn else set())
     if drawn:
-        sheet = tmp_path / f"{path.stem}-kinematics.svg"
+        (sheet,) = sheets
         ET.parse(sheet)
         assert check(measure_file(sheet)) == []
         said |= {"sheet": sheet.read_text("utf-8"), "report": (tmp_path / f"{path.stem}-report.md").read_text("utf-8")}

@@ -15,6 +15,7 @@ from drawings.checks.verify import SelfCheckFailed
 from drawings.commands.draw import draw
 from drawings.figures.cam.coordinate_table import read, written
 from drawings.files.enclosure import Enclosure
+from drawings.paper.strokes import SheetError
 from drawings.sheets.table import SHEETS
 from geometry.errors import LimitError
 from plans.cam.course import Course
@@ -22,7 +23,7 @@ from plans.cam.path import path
 from plans.cam.profile.profile import profile
 from plans.model.cam import GROOVE, ROLLER, TRANSLATING
 from plans.model.cam_motion import ANALYSIS, CamFound, Contour
-from plans.scene.scene import parse_scene
+from plans.scene.scene import parse_scene, read_scene
 from plans.study import Study
 from plans.techniques import named
 from plans.words.words import message
@@ -90,6 +91,25 @@ def test_lost_row_is_seen() -> None:
     content = written(USUAL, drawn(CASE))
     rows = content.splitlines(keepends=True)
     assert "x_mm in row 361 of profile.csv (against the analysis)" in told(b"".join(rows[:-1]), CASE)
+
+
+def test_row_on_a_jump_of_the_acceleration_is_of_one_side_for_both_roads() -> None:
+    """At 40 of 100 degrees the valve's acceleration jumps: 40 parts of 360 are a rounding beside 0.4 of the phase."""
+    study = Study(read_scene(GALLERY / "valve-cam.toml"))
+    (drawing,) = study["cam"].drawings.values()
+    joints = np.array(drawing.course.joints)
+    plain, own = np.linspace(0.0, drawing.cam.turn, 361), turns(drawing.cam)
+    assert np.isin(joints, own).all() and not np.isin(joints, plain).all()
+    assert [*faults(written(drawing.cam, drawing.profile(own).contour), drawing.found, "profile.csv")] == []
+
+
+@pytest.mark.parametrize("sheet", ["cam", "profile"])
+def test_name_that_cannot_be_lettered_is_refused_at_its_line(tmp_path: Path, sheet: str) -> None:
+    text = (GALLERY / "valve-cam.toml").read_text("utf-8").replace("[[cam]]", '[[cam]]\nname = "雪"')
+    scene = tmp_path / "cam.toml"
+    scene.write_text(text.replace('sheets = ["cam", "profile"]', f'sheets = ["{sheet}"]'), "utf-8")
+    with pytest.raises(SheetError, match=r"cam.toml:8:1: cam\.0\.name: .* lacks '雪'"):
+        draw(scene, tmp_path)
 
 
 SHAFT = GALLERY / "fan.toml"

@@ -14,6 +14,7 @@ from tests.gallery import GALLERY
 
 ROOT = Path(__file__).parent.parent.parent
 SHAPER = str(ROOT / "drawings/gallery/shaper.toml")
+CAMS = ("plans.cam", "plans.analytic.cam", "plans.checks.cam", "plans.cyclogram", "drawings.figures.cam")
 HEAVY = ("mpmath", "scipy", "shapely", "matplotlib")
 
 # Runs the command, then tells which modules it has imported and which plans each study has made.
@@ -159,13 +160,17 @@ def test_drawing_needs_one_pen_and_no_other_library(draw: Run) -> None:
     assert not draw.modules & set(HEAVY)
 
 
-def imported(*arguments: object) -> set[str]:
-    """Run a command with nothing watching it; give the modules that it imported."""
+def run(*arguments: object) -> tuple[set[str], str]:
+    """Run a command with nothing watching it; give the modules that it imported, and what it told on stderr."""
     lines = "import sys; from drawings.commands import cli; cli.main(sys.argv[1:]); print(*sys.modules)"
     command = [sys.executable, "-c", lines, *map(str, arguments)]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False, timeout=60)
     assert done.returncode == 0, done.stderr
-    return set(done.stdout.splitlines()[-1].split())
+    return set(done.stdout.splitlines()[-1].split()), done.stderr
+
+
+def imported(*arguments: object) -> set[str]:
+    return run(*arguments)[0]
 
 
 def test_measuring_a_sheet_needs_no_mechanism(draw: Run) -> None:
@@ -177,5 +182,22 @@ def test_a_rotor_is_drawn_without_any_linkage(tmp_path: Path) -> None:
     modules = imported("draw", GALLERY / "flywheel.toml", "-o", tmp_path)
     assert "plans.rotor.balancing" in modules
     assert not modules & set(HEAVY)
-    others = ("plans.linkage", "plans.forces", "drawings.figures.linkage", "drawings.figures.forces")
+    others = ("plans.linkage", "plans.forces", "drawings.figures.linkage", "drawings.figures.forces", *CAMS)
     assert [name for name in modules if name.startswith(others)] == []
+
+
+def test_a_linkage_is_drawn_without_any_cam(draw: Run) -> None:
+    assert [name for name in draw.modules if name.startswith(CAMS)] == []
+
+
+def test_a_profile_is_drawn_without_any_linkage_and_without_the_diagrams_of_its_law(tmp_path: Path) -> None:
+    scene = tmp_path / "cam.toml"
+    text = (GALLERY / "valve-cam.toml").read_text("utf-8")
+    scene.write_text(text.replace('sheets = ["cam", "profile"]', 'sheets = ["profile"]'), "utf-8")
+    modules, trace = run("draw", scene, "-o", tmp_path, "--trace")
+    assert "plans.cam.profile.profile" in modules
+    assert not modules & set(HEAVY)
+    others = ("plans.linkage", "plans.forces", "plans.dynamics", "plans.cyclogram", "drawings.figures.linkage")
+    laws = ("drawings.figures.cam.law", "drawings.figures.cam.size", "drawings.figures.graphs")
+    assert [name for name in modules if name.startswith((*others, *laws))] == []
+    assert "not made: laws" in trace.splitlines()

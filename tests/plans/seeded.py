@@ -147,6 +147,11 @@ def seeded(fault: Fault) -> Iterator[None]:
         settings.load_profile("same")
 
 
+def _no(raised: BaseException) -> bool:
+    """Tell whether a test says no: of one over many rows all that fail must."""
+    return isinstance(raised, SEEN) or (isinstance(raised, BaseExceptionGroup) and raised.split(SEEN)[1] is None)
+
+
 class _Verdicts:
     """What became of each test: passed, red, or what else was raised."""
 
@@ -160,7 +165,7 @@ class _Verdicts:
     def pytest_exception_interact(self, node: Any, call: pytest.CallInfo[Any], report: Any) -> None:
         assert call.excinfo is not None
         raised = call.excinfo.value
-        self.of[node.nodeid] = "red" if isinstance(raised, SEEN) else f"{type(raised).__name__}: {raised}"
+        self.of[node.nodeid] = "red" if _no(raised) else f"{type(raised).__name__}: {raised}"
 
 
 def verdicts(fault: Fault, nodes: Sequence[str]) -> dict[str, str]:

@@ -14,6 +14,7 @@ from drawings.checks.wrong import Wrong
 from drawings.figures.cam.coordinate_table import CURVATURE, DIGITS, columns, read, written
 from drawings.files.enclosure import Enclosure
 from plans.analytic.cam.contour import contour
+from plans.cam.course import Course, settled
 from plans.model.cam import Cam
 from plans.model.cam_motion import CamFound, Contour
 from plans.model.motion import Floats
@@ -35,8 +36,8 @@ def enclosures(study: Study) -> Iterator[Enclosure]:
 
 
 def turns(cam: Cam) -> Floats:
-    """Give the turns at which a profile is told, rad, (N,): the last is the first again."""
-    return np.linspace(0.0, cam.turn, cam.coordinates + 1)
+    """Give the turns at which a profile is told, rad, (N,): the last is the first again, none beside a joint."""
+    return settled(np.linspace(0.0, cam.turn, cam.coordinates + 1), Course(cam))
 
 
 def faults(content: bytes, found: CamFound, name: str) -> Iterator[Wrong]:

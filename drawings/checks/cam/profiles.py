@@ -62,7 +62,8 @@ def wrong(profiles: Sequence[MeasuredProfile], plan: str, analysed: Analysed) ->
     """Say what is wrong with the profiles of a cam on its plan; its own profile must be there."""
     own = [one for one in profiles if one.plan == plan]
     names = {one.name for one in own}
-    needed = {WORKING} | ({OUTER} if analysed.contour.outer is not None else set())
+    grooved = analysed.contour.outer is not None and analysed.roller > 0  # of a point both sides are one
+    needed = {WORKING} | ({OUTER} if grooved else set()) | ({PITCH} if analysed.roller > 0 else set())
     yield from (on("missing_on", plan, name=name) for name in sorted(needed - names))
     for one in own:
         exact = analysed.points(one.name)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from drawings.checks import reading
-from drawings.checks.cam import cam_law_poles, cam_laws, cam_table, cam_told
+from drawings.checks.cam import cam_charts, cam_law_poles, cam_laws, cam_table, cam_told
 from drawings.checks.cam.cam_diagram import SizeDiagram
 from drawings.checks.cam.cam_expected import Expected
 from drawings.checks.cam.cam_lines import ProfileLines
@@ -22,6 +22,7 @@ from drawings.measure.measure import Measured
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Circle, Leaf
 from drawings.paper.walk import groups
+from plans.cyclogram.rows import EVERY
 from plans.study import Study
 
 ROLLED = 180  # parts of a turn at which the written curves are held to the law
@@ -31,6 +32,9 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     """Hold all that one sheet of a cam shows against the analysis (row of the table of sheets)."""
     cams = {one.cam.name: one for one in study.comparison("cam").analysis.cams}
     name = leaf.metadata["cam"]
+    if name == EVERY:
+        yield from cam_charts.faults(measured, leaf, [one.cam for one in cams.values()], drafting_of(study.scene))
+        return
     yield from check(measured, leaf, Expected(cams[name], study["cam"].drawings[name]), drafting_of(study.scene))
 
 

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.figures.cam.profile_view import ProfileView, profile_view
-from plans.cam.course import Course
+from plans.cam.course import Course, settled
 from plans.cam.profile.profile import profile
 from plans.model.cam import DWELL, GROOVE, Cam, Phase
 from plans.model.cam_motion import CamFound, Contour, Points
@@ -25,9 +25,9 @@ MANTISSAS = (1.0, 2.0, 2.5, 5.0, 10.0)  # of the travel in mm from one to the ne
 def tabled(cam: Cam) -> Floats:
     """Give the turns of the cam that a sheet tells radii at, rad: every 5 degrees, or by a round length of travel."""
     if not cam.translates:
-        return np.linspace(0.0, cam.turn, COUNT + 1)[:-1]
+        return settled(np.linspace(0.0, cam.turn, COUNT + 1)[:-1], Course(cam))
     step = _step(cam.turn * 1000 / COUNT) / 1000
-    return np.append(np.arange(0.0, cam.turn - step / 2, step), cam.turn)
+    return settled(np.append(np.arange(0.0, cam.turn - step / 2, step), cam.turn), Course(cam))
 
 
 def _step(least: float) -> float:

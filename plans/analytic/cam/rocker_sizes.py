@@ -133,14 +133,21 @@ def _nearest(cam: Cam, start: complex) -> complex:
     if found is None:
         raise no_region(cam, limits_of(cam))
     at, own = found
-    seeds = _seeds(own, which, at)
+    seeds = _apart(_seeds(own, which, at))
 
     def foot(centre: complex, shares: Sequence[float]) -> float:
         """Of one line alone: O lies square to it from the start."""
         normal = complex(seeds[0].family.lines(np.array([shares[0]]))[0][0])
         return ((start - centre) / normal).imag
 
-    return _polished(seeds, at, cam, [] if len(own) == 2 else [foot])
+    return _polished(seeds, at, cam, [] if len(seeds) == 2 else [foot])
+
+
+def _apart(seeds: tuple[Seed, ...]) -> tuple[Seed, ...]:
+    """Leave one of two seeds that stand beside each other on one grid: between them one line of the family touches."""
+    first, last = seeds[0], seeds[-1]
+    between = np.diff(np.searchsorted(first.family.stretch.grid, [first.share, last.share]))
+    return seeds[:1] if first.family is last.family and abs(int(between[0])) <= 1 else seeds
 
 
 def _on_circle(cam: Cam, start: complex, radius: float) -> complex:
