@@ -195,7 +195,7 @@ def test_a_linkage_is_drawn_without_any_cam(draw: Run) -> None:
 
 
 @pytest.mark.parametrize(
-    ("sheet", "left_out", "unmade"),
+    "case",
     some(
         [
             ("cam", (), "nothing"),
@@ -204,7 +204,8 @@ def test_a_linkage_is_drawn_without_any_cam(draw: Run) -> None:
         2,
     ),
 )
-def test_a_cam_is_drawn_without_any_linkage(sheet: str, left_out: tuple[str, ...], unmade: str, tmp_path: Path) -> None:
+def test_a_cam_is_drawn_without_any_linkage(case: tuple[str, tuple[str, ...], str], tmp_path: Path) -> None:
+    sheet, left_out, unmade = case
     scene = tmp_path / "cam.toml"
     text = (GALLERY / "valve-cam.toml").read_text("utf-8")
     scene.write_text(text.replace('sheets = ["cam", "profile"]', f'sheets = ["{sheet}"]'), "utf-8")
