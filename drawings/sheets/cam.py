@@ -25,7 +25,6 @@ from drawings.paper.strokes import Leaf
 from drawings.report.cam_notes import CamNotes
 from drawings.sheets import cam_charts
 from drawings.sheets.leaves import Caption, Draft, Exhibit, cost, lay_out
-from plans.analytic.cam.laws import travel
 from plans.cam.study import CYCLOGRAM, CamDrawing
 from plans.model.cam import Cam
 from plans.model.cam_motion import CamFound
@@ -95,6 +94,4 @@ def _exhibit(figure: Any, shown: object, drafting: Drafting, weight: float = EVE
 
 def _results(drawing: CamDrawing, exact: CamFound, drafting: Drafting) -> RuledTable:
     """Tell sizes, extremes and shocks by both roads."""
-    turned = drawing.curve.turned
-    own = sizes_table.quantities(drawing.found, drawing.curve.travel)
-    return sizes_table.sizes(own, sizes_table.quantities(exact, travel(exact.cam, turned)), drafting)
+    return sizes_table.sizes(sizes_table.quantities(drawing.found), sizes_table.quantities(exact), drafting)

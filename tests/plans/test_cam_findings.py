@@ -204,6 +204,13 @@ def test_a_flat_face_cannot_follow_a_hollow(road):
     assert not road(replace(ALL["flat"][0], limits=Limits(curvature=0.005)), ALL["flat"][1]).flaws
 
 
+@BOTH
+def test_a_hard_shock_leaves_an_edge_under_a_flat_face(road):
+    """Where S' falls at once contact jumps back along the face; where it grows at once the profile goes straight on."""
+    flaws = road(cam(phases(*STEADY), end="flat", closure=FORCE), Sizes(0.2)).flaws
+    assert [one.start for one in flaws if one.kind == "concave"] == pytest.approx([math.radians(120)])
+
+
 @ROADS
 def test_a_rocker_that_outruns_the_cam_is_told(road):
     own = rocker("flat", parts=phases((RISE, 30, 0.4, "sine"), (RETURN, 90, -0.4, "sine")), closure=FORCE)
@@ -222,6 +229,14 @@ def test_what_would_mend_a_pressure_angle(road):
     assert "pressure" in {one.kind for one in found.flaws}
     assert road(cam(limits=limits), Sizes(found.mending)).flaws == ()
     assert road(cam(limits=limits), Sizes(found.mending * 0.999)).flaws
+
+
+@BOTH
+def test_what_would_mend_a_pressure_angle_leaves_the_offset_as_it_is(road):
+    own, offset = cam(limits=Limits(math.radians(30), math.radians(40))), -0.006
+    least = road(own, offset_sizes(offset, 0.02)).mending
+    assert road(own, Sizes(least, offset)).flaws == ()
+    assert road(own, Sizes(least * 0.999, offset)).flaws
 
 
 @ROADS

@@ -9,6 +9,7 @@ from functools import cached_property
 
 import numpy as np
 
+from drawings.page.drafting import Drafting
 from plans.analytic.cam.contour import Curve, contour
 from plans.analytic.cam.laws import travel
 from plans.cam.study import CamDrawing
@@ -17,6 +18,7 @@ from plans.model.cam import Cam
 from plans.model.cam_motion import CamFound, Contour, Extreme, Sizes, Travel
 from plans.model.motion import Complexes, Floats
 
+DIGITS = 5  # of the angle of a phase
 EQUAL = 1e-9  # of an extreme value: what is as large is another place of the same extreme
 Value = Callable[[Curve], Floats]
 
@@ -130,3 +132,15 @@ class Expected:
             if math.isclose(abs(there), abs(own.value), rel_tol=EQUAL) and there * ours.value > 0:
                 return Extreme(there, ours.turned)
         return own
+
+
+def phase_name(cam: Cam, number: int, drafting: Drafting) -> str:
+    """Letter a phase with its angle in degrees or its travel in mm: a dwell at the lowest level is a rest."""
+    lowest = min(level for one in cam.phases for level in (one.level, one.level + one.change))
+    kinds = ["rest" if one.change == 0 and one.level == lowest else one.kind for one in cam.phases]
+    own, phase = kinds[number], cam.phases[number]
+    index = own if kinds.count(own) == 1 else f"{own}\N{NO-BREAK SPACE}{kinds[: number + 1].count(own)}"
+    size = phase.end - phase.start
+    if cam.translates:
+        return drafting.letter(f"x_{{{index}}} = {drafting.number(1000 * size, DIGITS)}")
+    return drafting.letter(f"φ_{{{index}}} = {drafting.number(math.degrees(size), DIGITS)}°")

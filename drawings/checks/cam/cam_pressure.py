@@ -9,7 +9,7 @@ from functools import cached_property
 
 import numpy as np
 
-from drawings.checks.cam.cam_expected import Expected
+from drawings.checks.cam.cam_expected import Expected, phase_name
 from drawings.checks.cam.cam_laws import scales
 from drawings.checks.cam.cam_strokes import FigureStrokes, read
 from drawings.checks.labelled import NEAREST
@@ -17,7 +17,6 @@ from drawings.checks.wrong import Wrong, on
 from drawings.figures.cam.pressure_graph import LEAST, NAME
 from drawings.measure.measure import Measured
 from drawings.page.drafting import Drafting
-from drawings.report.phase_letters import phase_letter
 from plans.analytic.cam.contour import Curve
 from plans.model.cam import RETURN, RISE, limits_of
 from plans.model.cam_motion import Extreme
@@ -166,7 +165,7 @@ class PressureGraph:
         upright = {round(one.start.real, 3) for one in self.strokes.lines if abs((one.end - one.start).real) <= FLUSH}
         for k, phase in enumerate(cam.phases):
             start, middle = self.on(phase.start).real, self.on(phase.start + phase.angle / 2).real
-            letter = phase_letter(cam, k, self.drafting)
+            letter = phase_name(cam, k, self.drafting)
             labels = self.strokes.labels.get(read(letter), ())
             near = any(one.place[0] - NEAREST <= middle <= one.place[2] + NEAREST for one in labels)
             if not near or not any(abs(one - start) <= FLUSH for one in upright):

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from drawings.checks.cam.cam_expected import Expected
+from drawings.checks.cam.cam_expected import Expected, phase_name
 from drawings.checks.cam.cam_strokes import FigureStrokes, read
 from drawings.checks.precise import precise, tells
 from drawings.checks.wrong import Wrong, within
@@ -20,7 +20,6 @@ from drawings.lettering.words import number
 from drawings.page.drafting import Drafting
 from drawings.paper.strokes import Leaf
 from drawings.paper.walk import groups, texts
-from drawings.report.phase_letters import phase_letter
 from plans.analytic.cam.laws import LAWS
 from plans.model.cam import TABLE, Law
 from plans.model.cam_motion import CamFound, Extreme, Flaw
@@ -106,7 +105,7 @@ class DueNotes:
             turns = self._number(cam.speed / math.tau * 60)
             yield self._word(key, sense=sense, n=turns, omega=self._number(cam.speed))
         laws = ("" if one.law is None else f" ({self._word(f'law {one.law.name}')})" for one in cam.phases)
-        letters = (phase_letter(cam, k, self.drafting) for k in range(len(cam.phases)))
+        letters = (phase_name(cam, k, self.drafting) for k in range(len(cam.phases)))
         yield self._word("cam phases", phases=";  ".join(map("".join, zip(letters, laws, strict=True))))
 
     def _smoothed(self) -> Iterator[str]:
@@ -195,7 +194,7 @@ def sizes(strokes: FigureStrokes, expected: Expected, drafting: Drafting) -> Ite
     true |= {"ψ_0": math.degrees(abs(own.initial))}
     if expected.found.sharpest is not None:
         true["ρ_{min}"] = MM * expected.found.sharpest.value
-    phases = {read(phase_letter(cam, k, drafting)) for k in range(len(cam.phases))}
+    phases = {read(phase_name(cam, k, drafting)) for k in range(len(cam.phases))}
     yield from numbers(strokes, {letter: (value,) for letter, value in true.items()}, drafting, phases)
 
 
