@@ -16,7 +16,7 @@ from drawings.checks.cam.cam_expected import Expected
 from drawings.checks.cam.cam_strokes import FigureStrokes, read
 from drawings.checks.cam.cam_told import numbers
 from drawings.checks.wrong import Wrong, on
-from drawings.figures.cam.size_diagram import APART
+from drawings.figures.cam.size_diagram import APART, LEAST
 from drawings.figures.cam.size_view import NAME
 from drawings.measure.measure import Measured
 from drawings.measure.measured import MeasuredMark
@@ -24,7 +24,7 @@ from drawings.page.drafting import Drafting
 from drawings.paper.strokes import Line
 from plans.analytic.cam.contour import contour
 from plans.analytic.cam.laws import travel
-from plans.analytic.cam.stretches import peak, stretches
+from plans.analytic.cam.stretches import Peak, peak, stretches
 from plans.model.cam import FORCE, RETURN, RISE, limits_of
 from plans.model.cam_motion import Contour
 from plans.model.motion import Complexes, Floats
@@ -145,7 +145,7 @@ class SizeDiagram:
             return
         if len(spots) > len(self.limits):
             yield on("touch", NAME, name=f"T_{len(spots)}")
-        spots += [] if self.expected.cam.rocks else [0j]  # a ruler that touches A has no letter of its own
+        spots += [] if self.expected.cam.rocks else [*self._near_start()]
         found = {one: [line for spot in spots for line in self._ruled(one, spot)] for one in self.limits}
         for one, lines in found.items():
             letter = self.drafting.letter(f"α_{{{one.kind}}}")
@@ -174,13 +174,23 @@ class SizeDiagram:
         cam = self.expected.cam
         if cam.rocks:
             return 0.0 if self._off(np.array([spot]))[0] <= NEARBY else math.inf
-        t = math.tan(one.angle)
-        most = peak(
-            stretches(cam, (one.kind,)),
-            lambda at: one.side * at.slope - t * at.s,
-            lambda at: one.side * at.bend - t * at.slope,
-        ).value
+        t, most = math.tan(one.angle), self._touch(one).value
         return (-one.side * cam.sense * spot.real - t * spot.imag - most) * math.cos(one.angle) / self.mu
+
+    def _touch(self, one: Limit) -> Peak:
+        """Give where a ruler touches the diagram of a follower that translates: side*S' - S tan α is the greatest."""
+        t = math.tan(one.angle)
+        along = stretches(self.expected.cam, (one.kind,))
+        return peak(along, lambda at: one.side * at.slope - t * at.s, lambda at: one.side * at.bend - t * at.slope)
+
+    def _near_start(self) -> Iterator[complex]:
+        """Give the touches that are too near to A for letters of their own."""
+        for one in self.limits:
+            touch = self._touch(one)
+            at = touch.stretch.at(np.array([touch.share]))
+            spot = complex(-self.expected.cam.sense * at.slope[0], at.s[0])
+            if abs(spot) <= LEAST * self.mu + RULED * self.mu:
+                yield spot
 
     def _convex(self, spots: list[complex]) -> Iterator[Wrong]:
         """Hold the ruler of a flat face: on it S + S'' is the least, which is ρ_min less R0."""
