@@ -59,6 +59,11 @@ def test_textbook_flat_face():
     assert printed(high, -low) == (0.02864788976, 0.0358098622)
 
 
+def test_where_the_axis_of_a_flat_face_stands_plays_no_part():
+    one, other = (at(cam(end="flat"), Sizes(FLAT_BASE, offset), 50, 200).contour for offset in (0.0, 0.012))
+    assert (one.profile == other.profile).all() and (one.radius == other.radius).all()
+
+
 def test_textbook_pitch_profile_of_a_translating_follower():
     """M2.11, figure 5.53."""
     found = at(cam(), offset_sizes(), 0, 50, 190).contour

@@ -106,6 +106,7 @@ def test_a_cam_that_translates_goes_by_its_travels() -> None:
     ).replace('kind = "rise"\n', 'kind = "rise"\nlift = "15 mm"\n')
     cam = cam_of(FOLLOWER, phases, head='speed = "-0.2 m/s"')
     assert (cam.translates, cam.sense, cam.speed, cam.angles) == (True, -1, 0.2, ())
+    assert cam_of(FOLLOWER, phases, head='speed = "200 mm/s"').speed == pytest.approx(0.2, rel=1e-15)
     assert cam.turn == pytest.approx(0.12, rel=1e-15)
     assert [one.start for one in cam.phases] == [0, 0.06, 0.08]
     assert cam.lift == pytest.approx(0.03)  # it need not come back: the cam itself does

@@ -93,10 +93,13 @@ class Compared:
             yield from self.extremes()
 
     def laws(self) -> Iterator[Finding]:
-        """Compare S, S', S'' at the numbered positions."""
+        """Compare S, S', S'' at the numbered positions, and the largest S' and S'' of all."""
         own, other = self.ours.contour.travel, self.theirs.contour.travel
         for order, name in enumerate(("S", "S'", "S''")):
             yield self._row(LAWS, name, self._units[order], own[order], other[order], self.slack.travel(order))
+        for order, (name, one) in enumerate(self.ours.peaks.items(), 1):
+            size, its = abs(one.value), abs(self.theirs.peaks[name].value)
+            yield self._one(LAWS, f"{name}_max", self._units[order], size, its, self.slack.travel(order))
 
     def diagrams(self) -> Iterator[Finding]:
         """Compare the chords with the same chords by the ordinates of the analysis."""
