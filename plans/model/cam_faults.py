@@ -66,6 +66,12 @@ def fast_face(cam: Cam, turned: float) -> CamError:
     return CamError(message("refused.cam_fast_face", name=cam.name, turned=f"{math.degrees(turned):.6g}"))
 
 
+def pivot_inside(cam: Cam, base: float) -> CamError:
+    """Say that the pivot of a rocker with a face would stand within the least circle of the cam."""
+    sizes = {"base": _mm(base), "centre": _mm(cam.given.centre or 0.0)}
+    return CamError(message("refused.cam_pivot_inside", name=cam.name, **sizes))
+
+
 def no_radius(cam: Cam) -> CamError:
     """Say that no radius is the least."""
     return CamError(message("refused.cam_no_radius", name=cam.name))

@@ -63,7 +63,7 @@ def wrong(profiles: Sequence[MeasuredProfile], plan: str, analysed: Analysed) ->
     own = [one for one in profiles if one.plan == plan]
     names = {one.name for one in own}
     grooved = analysed.contour.outer is not None and analysed.roller > 0  # of a point both sides are one
-    needed = {WORKING} | ({OUTER} if grooved else set())
+    needed = {WORKING} | ({OUTER} if grooved else set()) | ({PITCH} if analysed.roller > 0 else set())
     yield from (on("missing_on", plan, name=name) for name in sorted(needed - names))
     for one in own:
         exact = analysed.points(one.name)

@@ -15,6 +15,8 @@ from plans.model.cam import GROOVE, RETURN, RISE, Cam
 from plans.model.cam_motion import BEND, SLOPE, Extreme, Pressing, Sizes
 from plans.model.motion import Floats
 
+ALIKE = 1e-9  # of the largest: sizes that were found by a limit touch it twice, alike but for rounding
+
 
 @dataclass(frozen=True)
 class Extremes:
@@ -113,11 +115,12 @@ class Extremes:
 
 
 def _largest(turn: Turn, value: Value) -> Extreme:
-    """Give the largest of a value by its size, signed."""
+    """Give the largest of a value by its size, signed: of two alike the one above 0, and the earlier."""
     places = turn.places(value)
-    signed = turn.read(value, places)
-    best = int(np.argmax(np.abs(signed)))
-    return Extreme(float(signed[best]), places[best].turned)
+    pairs = [*zip(turn.read(value, places).tolist(), (one.turned for one in places), strict=True)]
+    most = max(abs(size) for size, _ in pairs)
+    alike = [(size, turned) for size, turned in pairs if abs(size) >= most * (1 - ALIKE)]
+    return Extreme(*min(alike, key=lambda pair: (pair[0] < 0, pair[1])))
 
 
 def _height(offset: float, side: int, limit: float, curve: Curve) -> Floats:

@@ -17,7 +17,7 @@ from plans.cam.centre.support import touch
 from plans.cam.course import Course, positions
 from plans.cam.sizing import SIZES, Sizing, Tangent
 from plans.model.cam import Cam
-from plans.model.cam_faults import fast_face, hard_face, no_distance, no_level, no_radius, no_region
+from plans.model.cam_faults import fast_face, hard_face, no_distance, no_level, no_radius, no_region, pivot_inside
 from plans.model.cam_motion import Sizes
 from plans.model.motion import Floats
 from plans.words.words import because
@@ -112,6 +112,8 @@ def rocking_face_sizing(course: Course) -> Sizing:
     base = cam.follower.face - float(dot(place_of, up))
     if base <= 0:
         raise no_radius(cam)
+    if base >= cam.given.centre:
+        raise pivot_inside(cam, base)
     sizes = rocker_sizes(cam, place_of, arm, base)
     turned = positions(cam)
     return Sizing(cam, cam.limits, sizes, board, turned, pivot, pivot, centre=centre, tangents=lines, bounds=(bound,))

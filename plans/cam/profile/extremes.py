@@ -34,6 +34,9 @@ def pressure_slope(tip: Tip) -> Floats:
         return np.asarray(tip.cam.sense * ((lever / tip.lever).imag - turning))
 
 
+ALIKE = 1e-9  # of the largest: sizes that were found by a limit touch it twice, alike but for rounding
+
+
 @dataclass(frozen=True)
 class Extremes:
     """The extremes of a cam's profile, each with its place; corners of the law and ends of dwells are legal places."""
@@ -78,13 +81,14 @@ class Extremes:
         return tuple(one for one in self.turning if any(within(one, phase) for phase in phases))
 
     def _largest(self, value: Value, places: tuple[Place, ...]) -> Extreme | None:
-        """Give the largest of a value by its size, signed."""
+        """Give the largest of a value by its size, signed: of two alike the one above 0, and the earlier."""
         found = self.stretches.most(lambda tip: np.abs(value(tip)), places)
         if found is None:
             return None
-        own = tuple(one for one in places if one.turned == found.turned)
-        signed = self.stretches.read(value, own)
-        return Extreme(float(signed[int(np.argmax(np.abs(signed)))]), found.turned)
+        signed = self.stretches.read(value, places)
+        alike = np.flatnonzero(np.abs(signed) >= found.value * (1 - ALIKE))
+        best = min(alike.tolist(), key=lambda k: (signed[k] < 0, places[k].turned))
+        return Extreme(float(signed[best]), places[best].turned)
 
     @cached_property
     def bends(self) -> tuple[Place, ...]:

@@ -111,6 +111,18 @@ class Tip:
         """OD of the book, square to the curve, out of the cam; its size is how fast the tip goes along it, m/rad."""
         return np.asarray(1j * self.cam.sense * self.trail[0])
 
+    def on_cam(self, place: Points) -> Points:
+        """Give the points of the cam, m, that are at places in the frame, (N,)."""
+        if self.cam.translates:
+            return np.asarray(place + self.cam.sense * self.turned)
+        return np.asarray(place * np.exp(-1j * self.turns * self.turned))
+
+    def in_frame(self, point: complex) -> Points:
+        """Give where a point of the cam is in the frame at each turn, (N,) m."""
+        if self.cam.translates:
+            return np.asarray(point - self.cam.sense * self.turned)
+        return np.asarray(point * np.exp(1j * self.turns * self.turned))
+
 
 def _points(*orders: Vectors) -> tuple[Points, Points, Points, Points]:
     return cast(tuple[Points, Points, Points, Points], orders)
