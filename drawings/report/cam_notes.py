@@ -104,7 +104,8 @@ class CamNotes(NamedTuple):
 
     def pressure(self) -> Iterator[str]:
         """Say how large the pressure angle grows on each kind of phase, and where."""
-        for kind, found in self.found.pressure.items():
+        pressed = self.cam.rocks or not self.cam.flat  # under a flat face that translates it is 0 throughout
+        for kind, found in self.found.pressure.items() if pressed else ():
             limit = self.cam.limits.of(kind)
             parts = {"phase": self.drafting.word(f"cam on {kind}"), **self._place(found)}
             told = {"angle": self._number(math.degrees(found.value)), **parts}

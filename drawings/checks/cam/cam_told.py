@@ -75,7 +75,8 @@ class DueNotes:
         yield from self._smoothed()
         if not self.found.cam.translates:
             yield from self._face()
-        yield from map(self._pressure, self.found.pressure.items())
+        if self.found.cam.rocks or not self.found.cam.flat:
+            yield from map(self._pressure, self.found.pressure.items())
         yield from self._roller()
         yield from map(self._shock, range(len(self.found.shocks)))
         yield from self._pressing()
