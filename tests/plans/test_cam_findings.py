@@ -34,6 +34,10 @@ ALL = {
     "limits": (cam(end="roller", roller=0.01, limits=Limits(0.4, 0.3)), offset_sizes()),
     "loaded": (cam(end="roller", roller=0.01, closure=FORCE, speed=60.0, load=LOAD), offset_sizes()),
     "rocker": (rocker("roller"), pivot(rocker())),
+    "rocker loaded": (
+        rocker("roller", roller=0.01, closure=FORCE, speed=20.0, load=Load(0.02, 3.0, 1.0, 2.0)),
+        pivot(rocker()),
+    ),
     "rocker against": (rocker("roller", -1, -1), pivot(rocker("roller", -1, -1), complex(0.12, -0.07))),
     "rocker undercut": (rocker("roller", roller=0.04, closure=FORCE), pivot(rocker())),
     "hollow": (rocker("roller", roller=0.019), pivot(rocker())),
@@ -233,10 +237,10 @@ def test_what_would_mend_a_pressure_angle(road):
 
 @BOTH
 def test_what_would_mend_a_pressure_angle_leaves_the_offset_as_it_is(road):
-    own, offset = cam(limits=Limits(math.radians(30), math.radians(40))), -0.006
-    least = road(own, offset_sizes(offset, 0.02)).mending
-    assert road(own, Sizes(least, offset)).flaws == ()
-    assert road(own, Sizes(least * 0.999, offset)).flaws
+    limits, offset = Limits(math.radians(30), math.radians(40)), 0.03
+    least = road(cam(limits=limits), offset_sizes(offset, 0.02)).mending
+    most = road(cam(), Sizes(least, offset)).pressure
+    assert max(abs(most[kind].value) / limits.of(kind) for kind in most) == pytest.approx(1, abs=1e-12)
 
 
 @ROADS
@@ -250,7 +254,7 @@ def test_a_face_that_is_too_short_is_told(road):
     assert not road(replace(own, follower=own.follower._replace(reach=0.036)), sizes).flaws
 
 
-@ROADS
+@BOTH
 def test_a_pressure_angle_beyond_its_limit_is_told_on_its_own_phase(road):
     own, sizes = ALL["limits"]
     rise, back = road(own, sizes).flaws
@@ -264,7 +268,7 @@ def test_a_pressure_angle_beyond_its_limit_is_told_on_its_own_phase(road):
     assert road(exact, sizes).flaws == ()
 
 
-@ROADS
+@BOTH
 def test_a_weak_spring_lets_the_follower_off(road):
     """The inertia pulls it off where the force along its way would have to be below 0; the preload told just holds."""
     own, sizes = ALL["loaded"]
@@ -277,10 +281,19 @@ def test_a_weak_spring_lets_the_follower_off(road):
     assert road(replace(own, load=LOAD._replace(preload=found.pressing.preload * 1.001)), sizes).flaws == ()
 
 
-@ROADS
+@BOTH
+def test_wear_goes_by_the_speed(road):
+    """Without a mass the force is the same at any speed; what wears in a second is as much more as the speed."""
+    (own, sizes), load = ALL["loaded"], LOAD._replace(mass=0.0)
+    slow, fast = (road(replace(own, load=load, speed=speed), sizes).pressing for speed in (5.0, 15.0))
+    assert fast.most.value == pytest.approx(slow.most.value)
+    assert fast.wear.value == pytest.approx(3 * slow.wear.value)
+
+
+@BOTH
 def test_the_contact_drives_the_load(road):
     """By power: the force times the speed of the point of contact along the normal is what goes into the load."""
-    for name in ("loaded", "flat rocker loaded"):
+    for name in ("loaded", "rocker loaded", "flat rocker loaded"):
         own, sizes = ALL[name]
         found = road(own, sizes)
         assert found.pressing is not None and own.speed is not None

@@ -202,7 +202,7 @@ def test_the_working_profile_is_the_exact_envelope(name, road):
 
 @pytest.mark.parametrize("name", list(ENVELOPES))
 def test_on_the_point_where_it_touches_the_follower_rests_as_it_should(name):
-    """What rests on a corner of the cam is found by its own geometry; on the profile itself it gives the law back."""
+    """What rests on a corner is found by a geometry of its own; on the profile itself it gives the law back."""
     own, sizes = ENVELOPES[name]
     roller, turned = 0.0 if own.flat else 0.01, np.linspace(0.3, 4.1, 7)
     found = profile(Course(own), sizes, roller, turned).contour

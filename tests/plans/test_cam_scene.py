@@ -203,6 +203,11 @@ def test_a_straight_piece_through_zero_has_an_area_on_either_side() -> None:
     assert (shape.above, shape.below) == (Fraction(1, 8), Fraction(9, 8))
 
 
+def test_a_shape_lifts_by_what_two_integrations_give() -> None:
+    """Of 1 - 2k that is k - k2, then k2/2 - k3/3."""
+    assert Shape(((Fraction(0), Fraction(1)), (Fraction(1), Fraction(-1)))).lift == Fraction(1, 6)
+
+
 def test_a_cam_on_the_shaft_of_a_linkage_turns_as_its_drive_does() -> None:
     drive = '[mechanism.frame]\nO = [0, 0]\n[mechanism.links]\n1 = "OA"\n[mechanism.lengths]\nOA = 1\n'
     scene = scene_of(FOLLOWER, PHASES, drive, "[drive]\nlink = 1\nspeed = -7\n")

@@ -224,8 +224,21 @@ def held(cam: Cam, own: Sizes) -> bool:
     )
 
 
-@over("cam", [translating(), translating(-1), rocking(1, 1), rocking(1, -1), rocking(-1, 1), rocking(-1, -1)])
+EVERY_SENSE = [translating(), translating(-1), *(rocking(s, t) for s, t in product(BOTH, BOTH))]
+
+
+@over("cam", EVERY_SENSE[1::2])
 def test_the_pressure_angle_goes_to_its_limits_and_no_farther(cam: Cam) -> None:
+    reaches_its_limits(cam)
+
+
+@pytest.mark.rest
+@over("cam", EVERY_SENSE)
+def test_the_pressure_angle_goes_to_its_limits_and_no_farther_in_every_sense(cam: Cam) -> None:
+    reaches_its_limits(cam)
+
+
+def reaches_its_limits(cam: Cam) -> None:
     own = construction(cam).sizes
     assert held(cam, own)
     most = greatest(cam, own)

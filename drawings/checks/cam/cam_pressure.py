@@ -25,12 +25,11 @@ from plans.words.words import message
 
 KNOWN = 1e-9  # of an angle: both roads agree far better
 FLUSH = 1e-3  # mm: what is so near to its place is on it
-MM = 1000.0
 
 
 @dataclass(frozen=True)
 class PressureGraph:
-    """The graph with what it must show; along it degrees of the cam's turn, or mm of its travel."""
+    """The graph with what it must show; along it the cam's turn, rad, or its travel, m."""
 
     strokes: FigureStrokes
     measured: Measured
@@ -69,8 +68,8 @@ class PressureGraph:
     def on(self, turned: float, angle: float = 0.0) -> complex:
         """Give the place on paper of an angle in degrees at a turn of the cam, mm."""
         cam = self.expected.cam
-        across, letter = (MM * turned, "x") if cam.translates else (math.degrees(turned), "φ")
-        return complex(self.zero + across / self.written.get(letter, math.nan) + 1j * angle / self.mu)
+        letter = "x" if cam.translates else "φ"
+        return complex(self.zero + turned / self.written.get(letter, math.nan) + 1j * angle / self.mu)
 
     @property
     def slack(self) -> float:
@@ -102,7 +101,7 @@ class PressureGraph:
 
     def _extremes(self) -> Iterator[Wrong]:
         """Hold the extremes: each with its ordinate where it is, and its value beside its point."""
-        true = {kind: one for kind, one in self.expected.settled().pressure.items() if one.value}
+        true = {kind: one for kind, one in self.expected.found.pressure.items() if one.value}
         seen = {one.name: one for one in self.measured.vectors if one.plan == NAME and one.position is None}
         for kind, extreme in true.items():
             one, angle = seen.get(kind), math.degrees(extreme.value)

@@ -30,6 +30,11 @@ LARGER = 1 + 1e-9  # times an extent that fits: no two standard scales lie so ne
 COARSER = 4  # scales tried beyond the largest: they differ by ten times
 
 
+def name_of(cam: Cam) -> str:
+    """Give the name of the figure of a cam's law."""
+    return f"{NAME}-{cam.name}"
+
+
 @dataclass(frozen=True)
 class LawPlate:
     """Diagrams of a law to be drafted: their rows and the paper about them."""
@@ -54,7 +59,7 @@ class LawPlate:
 
     def named(self, key: str) -> str:
         """Name a part of the figure."""
-        return f"{NAME}-{self.cam.name}-{key}"
+        return f"{name_of(self.cam)}-{key}"
 
     @property
     def beside(self) -> float:
@@ -82,8 +87,10 @@ class LawPlate:
         margins = Margins(self.beside, self.below, len(self.rows) * (self.over + self.under))
         high = turn * HIGH
         unit = "m" if self.cam.translates else "rad"
-        name, letter = f"{NAME}-{self.cam.name}", letters(self.cam)[1]
-        return Picture(name, turn, high, complex(turn, high) / 2, letter, unit, margins, heading, LONG * size)
+        letter = letters(self.cam)[1]
+        return Picture(
+            name_of(self.cam), turn, high, complex(turn, high) / 2, letter, unit, margins, heading, LONG * size
+        )
 
 
 @dataclass(frozen=True)
