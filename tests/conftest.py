@@ -3,12 +3,14 @@
 import gc
 import os
 import sys
+from collections.abc import Generator
 from pathlib import Path
 
 import pytest
+from _pytest.doctest import DoctestModule
 from hypothesis import settings
 
-from tests import parts
+from tests import homes, parts
 from tests.parts import SEEDED
 
 settings.register_profile("same", derandomize=True, deadline=None)
@@ -44,7 +46,16 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     items[:] = kept[True]
 
 
+@pytest.hookimpl(wrapper=True)
+def pytest_collect_file(file_path: Path) -> Generator[None, list[pytest.Collector], list[pytest.Collector]]:
+    """Look for doctests in no file without one: finding none costs as much as finding some."""
+    found = yield
+    text = file_path.read_bytes() if any(isinstance(one, DoctestModule) for one in found) else b">>>"
+    return [one for one in found if b">>>" in text or not isinstance(one, DoctestModule)]
+
+
 def pytest_collection_finish() -> None:
     """Let the collector of garbage pass by what stays to the end: all modules and items."""
+    homes.keep()
     gc.collect()
     gc.freeze()

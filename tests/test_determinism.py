@@ -44,7 +44,7 @@ class Surroundings(NamedTuple):
     folder: str = "here"
 
 
-PLAIN = Surroundings({"PYTHONHASHSEED": "0", "LC_ALL": "C.UTF-8", "TZ": "UTC"})
+PLAIN = Surroundings({"PYTHONHASHSEED": "0", "LC_ALL": "C.UTF-8", "TZ": "UTC"}, umask="027")
 ODD = {
     "C locale, no UTF-8 mode, another seed and zone, private files": Surroundings(
         {"PYTHONHASHSEED": "1", "LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0", "TZ": "Asia/Tokyo"},
@@ -99,8 +99,13 @@ def run(
 
 
 @pytest.fixture(scope="module")
-def reference(tmp_path_factory: pytest.TempPathFactory, locales: str) -> tuple[dict[str, bytes], bytes]:
-    return run(tmp_path_factory.mktemp("reference"), PLAIN, locales)
+def home(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("reference")
+
+
+@pytest.fixture(scope="module")
+def reference(home: Path, locales: str) -> tuple[dict[str, bytes], bytes]:
+    return run(home, PLAIN, locales)
 
 
 @pytest.mark.skipif(os.name != "posix", reason="locales of another kind")
@@ -117,9 +122,9 @@ def test_the_same_scene_gives_the_same_bytes_in_any_surroundings(
     assert printed == expected
 
 
-def test_files_have_the_mode_of_the_mask(tmp_path: Path, locales: str) -> None:
-    run(tmp_path, PLAIN._replace(umask="027"), locales, COMMANDS[:1])
-    assert {path.stat().st_mode & 0o777 for path in (tmp_path / "here/out").iterdir()} == {0o640}
+def test_files_have_the_mode_of_the_mask(home: Path, reference: tuple[dict[str, bytes], bytes]) -> None:
+    modes = {path.name: path.stat().st_mode & 0o777 for path in (home / PLAIN.folder / "out").iterdir()}
+    assert modes == dict.fromkeys(reference[0], 0o640)
 
 
 def test_files_end_their_lines_with_lf_and_are_utf_8(reference: tuple[dict[str, bytes], bytes]) -> None:

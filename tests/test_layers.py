@@ -79,6 +79,8 @@ def within(module: str, package: str) -> bool:
 def imports(node: ast.AST, late: bool = False) -> Iterator[tuple[str, int, bool]]:
     """Give the imports of a file: module, line, and whether it waits for a function or only serves the types."""
     for child in ast.iter_child_nodes(node):
+        if isinstance(child, ast.expr):  # no statement stands within an expression
+            continue
         if isinstance(child, ast.Import):
             yield from ((name.name, child.lineno, late) for name in child.names)
         elif isinstance(child, ast.ImportFrom):

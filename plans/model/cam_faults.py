@@ -66,10 +66,13 @@ def fast_face(cam: Cam, turned: float) -> CamError:
     return CamError(message("refused.cam_fast_face", name=cam.name, turned=f"{math.degrees(turned):.6g}"))
 
 
-def pivot_inside(cam: Cam, base: float) -> CamError:
-    """Say that the pivot of a rocker with a face would stand within the least circle of the cam."""
-    sizes = {"base": _mm(base), "centre": _mm(cam.given.centre or 0.0)}
-    return CamError(message("refused.cam_pivot_inside", name=cam.name, **sizes))
+LOOKS = 720  # turns of a cam at which it is seen whether it passes a pivot
+
+
+def pivot_passed(cam: Cam, farthest: float) -> CamError:
+    """Say that the profile under the face of a rocker passes its pivot: how far it goes from O, m."""
+    sizes = {"farthest": _mm(farthest), "centre": _mm(cam.given.centre or 0.0)}
+    return CamError(message("refused.cam_pivot_passed", name=cam.name, **sizes))
 
 
 def no_radius(cam: Cam) -> CamError:

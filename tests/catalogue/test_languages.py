@@ -8,7 +8,7 @@ import re
 import shutil
 import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import pytest
@@ -23,6 +23,17 @@ PART = re.compile(r"(\{[^{}]*\})")
 # What is no phrase: the grammar of a language, and names of letters and units, which a sheet must have room for.
 LIBRARIES = {*KNOWN}
 GRAMMAR = ("plural", "number", "join", "placed", "unit", "index", "text_unit")
+
+BETWEEN = "\0"  # what two commands say on stdout
+# Runs commands one after the other, up to one that fails.
+RUNNER = """
+import json, sys
+from drawings.commands import cli
+for place, command in enumerate(json.loads(sys.argv[1])):
+    print(end="\\0" if place else "")
+    if code := cli.main(command):
+        sys.exit(code)
+"""
 
 
 def marked(phrase: str) -> str:
@@ -49,10 +60,11 @@ def tongue(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., subprocess
     words = translated(json.loads((FOLDER / "en.json").read_text("utf-8")))
     (home / "plans/words/xx.json").write_text(json.dumps(words, ensure_ascii=False), "utf-8")
 
-    def run(*arguments: object) -> subprocess.CompletedProcess[str]:
-        command = [sys.executable, "-m", "drawings.commands.process", *map(str, arguments)]
+    def run(*commands: Sequence[object]) -> subprocess.CompletedProcess[str]:
+        ordered = json.dumps([[str(word) for word in command] for command in commands])
         settings = {**os.environ, "PYTHONPATH": str(home), "PYTHONIOENCODING": "utf-8"}
-        return subprocess.run(command, cwd=home, env=settings, capture_output=True, text=True, check=False)
+        line = [sys.executable, "-c", RUNNER, ordered]
+        return subprocess.run(line, cwd=home, env=settings, capture_output=True, text=True, check=False)
 
     return run
 
@@ -78,7 +90,7 @@ def untranslated(text: str) -> set[str]:
 
 
 def test_a_sheet_and_a_report_speak_it(tongue: Callable[..., subprocess.CompletedProcess[str]], scene: Path) -> None:
-    done = tongue("draw", scene, "-o", scene.parent)
+    done = tongue(("draw", scene, "-o", scene.parent))
     assert (done.returncode, done.stderr) == (0, "")
     report = (scene.parent / "scene-report.md").read_text("utf-8")
     assert f"## {MARK}Structure" in report
@@ -88,15 +100,16 @@ def test_a_sheet_and_a_report_speak_it(tongue: Callable[..., subprocess.Complete
 
 
 def test_comparison_and_explain_speak_it(tongue: Callable[..., subprocess.CompletedProcess[str]], scene: Path) -> None:
-    for arguments in (("compare", scene), ("explain", scene, "a_B"), ("explain", scene, "M_bal", "--all")):
-        done = tongue(*arguments)
-        assert (done.returncode, done.stderr) == (0, "")
-        assert untranslated(done.stdout) == set()
+    done = tongue(("compare", scene), ("explain", scene, "a_B"), ("explain", scene, "M_bal", "--all"))
+    assert (done.returncode, done.stderr) == (0, "")
+    told = done.stdout.split(BETWEEN)
+    assert len(told) == 3 and all(MARK in text for text in told)
+    assert untranslated(done.stdout) == set()
 
 
 def test_a_message_speaks_it(tongue: Callable[..., subprocess.CompletedProcess[str]], scene: Path) -> None:
     scene.write_text(scene.read_text("utf-8").replace('"60 rpm"', '"60 rmp"').replace("speed", "speet"), "utf-8")
-    done = tongue("draw", scene, "-o", scene.parent)
+    done = tongue(("draw", scene, "-o", scene.parent))
     assert done.returncode == 3
     assert f"{MARK}Fix: {MARK}did {MARK}you {MARK}mean" in done.stderr
 
@@ -104,10 +117,12 @@ def test_a_message_speaks_it(tongue: Callable[..., subprocess.CompletedProcess[s
 def test_json_is_english_in_every_language(
     tongue: Callable[..., subprocess.CompletedProcess[str]], scene: Path
 ) -> None:
-    for arguments in (("compare", scene, "--json"), ("explain", scene, "a_B", "--json"), ("solve", scene)):
-        done = tongue(*arguments)
-        assert done.returncode == 0 and MARK not in done.stdout
-        json.loads(done.stdout)
+    done = tongue(("compare", scene, "--json"), ("explain", scene, "a_B", "--json"), ("solve", scene))
+    assert done.returncode == 0 and MARK not in done.stdout
+    told = done.stdout.split(BETWEEN)
+    assert len(told) == 3
+    for text in told:
+        json.loads(text)
 
 
 # Words that only English text has: keys of the scene, letters and units are the same in every language.

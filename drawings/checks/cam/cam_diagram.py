@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import product
 from typing import NamedTuple
 
 import numpy as np
@@ -15,24 +16,24 @@ from drawings.checks.cam.cam_expected import Expected
 from drawings.checks.cam.cam_strokes import FigureStrokes, read
 from drawings.checks.cam.cam_told import numbers
 from drawings.checks.wrong import Wrong, on
-from drawings.figures.cam.size_diagram import APART
+from drawings.figures.cam.size_diagram import APART, LEAST
 from drawings.figures.cam.size_view import NAME
 from drawings.measure.measure import Measured
 from drawings.measure.measured import MeasuredMark
 from drawings.page.drafting import Drafting
 from drawings.paper.strokes import Line
 from plans.analytic.cam.contour import contour
-from plans.analytic.cam.stretches import peak, stretches
+from plans.analytic.cam.laws import travel
+from plans.analytic.cam.stretches import Peak, peak, stretches
 from plans.model.cam import FORCE, RETURN, RISE, limits_of
 from plans.model.cam_motion import Contour
-from plans.model.motion import Complexes
+from plans.model.motion import Complexes, Floats
 from plans.words.words import message
 
 FAR = 1e-9  # of the largest length: both roads agree far better
 RULED = 1e-3  # mm: a ruler is drawn so near to where it lies
-DENSE = 1441  # turns at which the diagram is known
-NEARBY = 0.1  # mm: of the drawn curve from the nearest of so many places of it
-USUAL = 0.99  # of the steps from one place to the next: the rest may be jumps
+DENSE = 1441  # turns of a phase at which the diagram is known
+NEARBY = 0.1  # mm: what looking S up between so many turns may miss
 
 
 class Limit(NamedTuple):
@@ -144,7 +145,7 @@ class SizeDiagram:
             return
         if len(spots) > len(self.limits):
             yield on("touch", NAME, name=f"T_{len(spots)}")
-        spots += [] if self.expected.cam.rocks else [0j]  # a ruler that touches A has no letter of its own
+        spots += [] if self.expected.cam.rocks else [*self._near_start()]
         found = {one: [line for spot in spots for line in self._ruled(one, spot)] for one in self.limits}
         for one, lines in found.items():
             letter = self.drafting.letter(f"α_{{{one.kind}}}")
@@ -172,20 +173,24 @@ class SizeDiagram:
         """Give how far the diagram goes beyond a ruler on paper, mm; of a rocker whether it is touched at all."""
         cam = self.expected.cam
         if cam.rocks:
-            off = float(np.abs(self._ends(self._dense) - spot).min()) / self.mu
-            return 0.0 if off <= NEARBY * self._coarse else math.inf
-        t = math.tan(one.angle)
-        most = peak(
-            stretches(cam, (one.kind,)),
-            lambda at: one.side * at.slope - t * at.s,
-            lambda at: one.side * at.bend - t * at.slope,
-        ).value
+            return 0.0 if self._off(np.array([spot]))[0] <= NEARBY else math.inf
+        t, most = math.tan(one.angle), self._touch(one).value
         return (-one.side * cam.sense * spot.real - t * spot.imag - most) * math.cos(one.angle) / self.mu
 
-    @cached_property
-    def _dense(self) -> Contour:
-        turned = np.linspace(0.0, self.expected.cam.turn, DENSE)
-        return contour(self.expected.cam, self.expected.sizes, self.expected.found.roller, turned)
+    def _touch(self, one: Limit) -> Peak:
+        """Give where a ruler touches the diagram of a follower that translates: side*S' - S tan α is the greatest."""
+        t = math.tan(one.angle)
+        along = stretches(self.expected.cam, (one.kind,))
+        return peak(along, lambda at: one.side * at.slope - t * at.s, lambda at: one.side * at.bend - t * at.slope)
+
+    def _near_start(self) -> Iterator[complex]:
+        """Give the touches that are too near to A for letters of their own."""
+        for one in self.limits:
+            touch = self._touch(one)
+            at = touch.stretch.at(np.array([touch.share]))
+            spot = complex(-self.expected.cam.sense * at.slope[0], at.s[0])
+            if abs(spot) <= LEAST * self.mu + RULED * self.mu:
+                yield spot
 
     def _convex(self, spots: list[complex]) -> Iterator[Wrong]:
         """Hold the ruler of a flat face: on it S + S'' is the least, which is ρ_min less R0."""
@@ -197,25 +202,34 @@ class SizeDiagram:
                 yield on("touch", NAME, name="T_1")
 
     def _curve(self) -> Iterator[Wrong]:
-        """Hold the curve: each corner of it near a place of the diagram, and each D near a corner."""
+        """Hold the curve: each corner of it is on the diagram."""
         chains = [one for one in self.strokes.chains if one.style.width >= self.drafting.hand.main]
         drawn = np.array([spot for one in chains for spot in one.points])
-        ends = self.origin + self._ends(self._dense) / self.mu
-        if not drawn.size or np.abs(drawn[:, None] - ends).min(axis=1).max() > NEARBY * self._coarse:
+        if not drawn.size or self._off((drawn - self.origin) * self.mu).max() > NEARBY:
             yield on("curve", NAME)
 
-    @cached_property
-    def _coarse(self) -> float:
-        """How far places of the diagram are apart at the most, of the usual millimetre; where S' jumps they are far."""
-        steps = np.sort(np.abs(np.diff(self._ends(self._dense)))) / self.mu
-        return max(1.0, float(steps[int(USUAL * len(steps))]) / NEARBY)
+    def _off(self, spots: Complexes) -> Floats:
+        """Give how far places are on paper from where the diagram has their S, mm, (N,)."""
+        cam, found = self.expected.cam, [np.full(len(spots), np.inf)]
+        lean = spots * (cam.rising if cam.rocks else 1)
+        s = cam.rising * np.angle(lean) + cam.lift / 2 if cam.rocks else spots.imag
+        for phase in cam.moving():
+            turned = np.linspace(phase.start, phase.end, DENSE)
+            known = travel(cam, turned, before=True).s
+            order = np.argsort(known)
+            own, step = np.interp(s, known[order], turned[order]), turned[1] - turned[0]
+            for shift, before in product((-step, 0.0, step), (False, True)):
+                there = np.clip(own + shift, phase.start, phase.end)
+                at = contour(cam, self.expected.sizes, self.expected.found.roller, there, before)
+                found.append(np.abs(self._ends(at) - spots) / self.mu)
+        return np.asarray(np.min(found, axis=0))
 
     def _due(self) -> Mapping[str, tuple[float, ...]]:
         """Give the numbers that may be written, by their letters; each has room or not."""
         own, sharpest = self.expected.sizes, self.expected.found.sharpest
         level = math.sqrt(own.base**2 - own.offset**2)
         due = {"R_0": own.base, "S_0": level, "e": abs(own.offset), "L": own.centre}
-        due |= {"ρ_{min}": sharpest.value if sharpest else 0.0, "l": self.expected.cam.follower.length or 0.0}
+        due |= {"ρ_{min}": abs(sharpest.value) if sharpest else 0.0, "l": self.expected.cam.follower.length or 0.0}
         found = {letter: (1000 * value,) for letter, value in due.items()}
         for one in self.limits:
             found[self.drafting.letter(f"α_{{{one.kind}}}")] = (math.degrees(one.angle),)

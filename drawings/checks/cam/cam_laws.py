@@ -178,7 +178,8 @@ class LawGraph:
         for foot, up in due:
             if not any(abs(one.start - foot) <= FLUSH and (one.tip - one.start).imag * up > 0 for one in arrows):
                 yield on("missing_on", self.name, name="∞")
-        if len(arrows) > len(due):
+        feet = [self.zero, *(foot for foot, _ in due)]  # the axis of ordinates points upward from the first of them
+        if any(min(abs(one.start.real - foot.real) for foot in feet) > FLUSH for one in arrows):
             yield on("stranger_on", self.name, name="∞")
 
     def _caption(self) -> Iterator[Wrong]:

@@ -101,7 +101,7 @@ class PressureGraph:
 
     def _extremes(self) -> Iterator[Wrong]:
         """Hold the extremes: each with its ordinate where it is, and its value beside its point."""
-        true = {kind: one for kind, one in self.expected.settled().pressure.items() if one.value}
+        true = {kind: one for kind, one in self.expected.found.pressure.items() if one.value}
         seen = {one.name: one for one in self.measured.vectors if one.plan == NAME and one.position is None}
         for kind, extreme in true.items():
             one, angle = seen.get(kind), math.degrees(extreme.value)

@@ -89,7 +89,7 @@ def _holds(text: str, true: float) -> bool:
 
 def rows(expected: Expected) -> Iterator[Row]:
     """Give the rows that there must be, in their order."""
-    found = expected.settled()
+    found = expected.found
     yield from _sizes(found)
     yield from _extremes(found)
     yield from _motion(found)

@@ -34,7 +34,7 @@ _SIZE = re.compile(r"(?P<name>[^=]+?)\s=\s(?P<value>[−\d.,]+)°?")
 
 def notes(leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:
     """Read the notes back, from the description of every sheet and from where they are written on the first."""
-    due = [read(one).split() for one in DueNotes(expected.settled(), precise(drafting)).all()]
+    due = [read(one).split() for one in DueNotes(expected.found, precise(drafting)).all()]
     yield from _compared(read(leaf.description.replace("\n", " ")).split(), due)
     own = [one for one in groups(leaf.groups) if one.name == NOTES]
     if own or leaf.metadata["number"] == 1:

@@ -17,6 +17,7 @@ from drawings.checks.cam.profiles import analysed, wrong
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.cam.pressure_graph import NAME as PRESSURE
 from drawings.figures.cam.profile_view import NAME as PROFILE
+from drawings.figures.cam.profile_view import PITCH
 from drawings.figures.cam.size_view import NAME as DIAGRAM
 from drawings.measure.measure import Measured
 from drawings.page.drafting import Drafting, drafting_of
@@ -68,6 +69,8 @@ def _profile(measured: Measured, leaf: Leaf, expected: Expected, drafting: Draft
         return
     origin, mu = pole
     yield from wrong(measured.profiles, PROFILE, analysed(expected.found, ROLLED))
+    if expected.found.roller and all(one.name != PITCH for one in measured.profiles if one.plan == PROFILE):
+        yield on("missing_on", PROFILE, name=PITCH)
     yield from wrong_marks(measured, leaf, expected.found, drafting)
     yield from marks(measured, expected, origin, mu, drafting.hand)
     yield from ProfileLines(strokes, expected, origin, mu, drafting).faults()

@@ -120,7 +120,7 @@ def _circle(view: ProfileView, turned: float, radius: float, place: Place, hand:
 
 def rocking(view: ProfileView, place: Place, drafting: Drafting) -> Iterator[AngleArc]:
     """Give the initial angle of a rocker, from the line of centres to its arm."""
-    if view.cam.rocks and not view.cam.flat:
+    if view.cam.rocks and not (view.cam.flat or view.cam.translates):
         pivot, tip = place.on(view.sizes.pivot), place.on(complex(view.curve.tip[0]))
         start, end = cmath.phase(place.on(0j) - pivot), cmath.phase(tip - pivot)
         off = cmath.phase(cmath.rect(1.0, end - start))

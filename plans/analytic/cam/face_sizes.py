@@ -8,7 +8,7 @@ import numpy as np
 
 from plans.analytic.cam.stretches import Stretch, golden, peak, stretches
 from plans.model.cam import Cam
-from plans.model.cam_faults import fast_face, no_distance, no_level, no_radius, no_region, pivot_inside
+from plans.model.cam_faults import fast_face, no_distance, no_level, no_radius, no_region
 from plans.model.cam_motion import Sizes, Travel
 from plans.model.motion import Floats
 
@@ -24,8 +24,6 @@ def face_sizes(cam: Cam) -> Sizes:
     own = cam.follower.face + centre * math.sin(initial) if base is None else base
     if own <= 0:
         raise no_radius(cam)
-    if own >= centre:
-        raise pivot_inside(cam, own)
     line = complex(math.cos(cam.lift / 2 + initial), -math.sin(cam.lift / 2 + initial))  # O1O where the rise is so
     mirrored = line if cam.rising > 0 else -line.conjugate()
     return Sizes(own, 0.0, centre, -centre * mirrored, initial)

@@ -13,6 +13,7 @@ from plans.analytic.cam.findings import cam_found
 from plans.analytic.cam.laws import travel
 from plans.analytic.cam.sizes import sizes
 from plans.cam.study import LAWS, PROFILE, SIZES, CamDrawing, CamStudy
+from plans.checks.cam.settled import settled
 from plans.checks.cam.slack import TERM, Slack
 from plans.checks.comparison import Comparison, Finding
 from plans.model.cam import SHAPE, TABLE, Cam
@@ -44,7 +45,7 @@ def comparison_of(study: Study) -> Comparison:
 def compare_cams(cams: CamStudy, plans: frozenset[str] = frozenset({LAWS, SIZES, PROFILE})) -> Comparison:
     """Find each cam by analysis too, and put every quantity beside that of the construction."""
     drawings = [*cams.drawings.values()]
-    theirs = tuple(cam_found(one.cam, sizes(one.cam), one.turned) for one in drawings)
+    theirs = tuple(settled(cam_found(one.cam, sizes(one.cam), one.turned), one.found) for one in drawings)
     pairs = zip(drawings, theirs, strict=True)
     lone = len(drawings) == 1
     findings = [finding for one, other in pairs for finding in Compared(one, other, lone).findings(plans)]
