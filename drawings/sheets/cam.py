@@ -13,7 +13,6 @@ from drawings.figures.cam import (
     profile_figure,
     size_diagram,
     sizes_table,
-    turn_column,
 )
 from drawings.figures.cam.pressure_graph import pressure_view
 from drawings.figures.cam.profile_view import profile_view
@@ -23,7 +22,7 @@ from drawings.layout.table import RuledTable
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.report.cam_notes import CamNotes
-from drawings.sheets import cam_charts
+from drawings.sheets import cam_charts, cam_column
 from drawings.sheets.leaves import Caption, Draft, Exhibit, cost, lay_out
 from plans.cam.study import CYCLOGRAM, CamDrawing
 from plans.model.cam import Cam
@@ -68,7 +67,7 @@ def _shows(drawing: CamDrawing, exact: CamFound, joined: bool, drafting: Draftin
     """Show the law, the sizes that follow from it, the profile foremost, and what both roads found of it."""
     angle = pressure_view(drawing.sizing.limits, drawing.curve, drawing.found)
     yield (
-        _exhibit(turn_column, (drawing.diagrams, angle), drafting)
+        _exhibit(cam_column, (drawing.diagrams, angle), drafting)
         if joined
         else _exhibit(law_diagrams, drawing.diagrams, drafting)
     )
