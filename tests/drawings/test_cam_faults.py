@@ -68,7 +68,7 @@ def test_what_is_drawn_agrees_with_the_analysis(case: tuple[str, str, str, str],
         checked(leaf, "cam", study, tmp_path)
 
 
-@pytest.mark.parametrize("fault", some(FAULTS, 11), ids=lambda fault: fault.name)
+@pytest.mark.parametrize("fault", some(FAULTS, 12), ids=lambda fault: fault.name)
 def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path) -> None:
     study = study_of(fault.scene)
     assert study.comparison("cam").worst <= 1.0
