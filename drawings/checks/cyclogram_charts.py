@@ -5,28 +5,25 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
+from drawings.checks.precise import precise, tells
 from drawings.checks.wrong import Wrong, on
-from drawings.figures.cyclogram import bar_chart, circular_chart
+from drawings.figures.cyclogram import bar_chart, circular_chart, course
 from drawings.figures.cyclogram.bar_chart import HIGH, LOW, SETTING
 from drawings.figures.cyclogram.course import stretches
 from drawings.measure.measure import Measured
+from drawings.page.drafting import Drafting
 from drawings.paper.strokes import Arc, Leaf
-from drawings.paper.walk import groups
+from drawings.paper.walk import groups, texts
 from plans.model.cyclogram import Row, within
+from plans.words.words import message
 
 ANGLE = 1e-9  # rad: an arc of a leaf is not rounded yet
+SHARE = 1e-9  # of a number, that the two roads may differ by
 
 
 def bars(measured: Measured, rows: Sequence[Row], begin: float = 0.0) -> Iterator[Wrong]:
     """Hold the line of every span of the bar chart, and every setting angle, against the rows of the analysis."""
-    true = dict[str, complex]()
-    for k, row in enumerate(rows, 1):
-        parts = [one for span in row.spans for one in stretches(span, begin)]
-        for number, one in enumerate(parts, 1):
-            true[f"{k}.{number}"] = complex(one.end - one.start, (HIGH - LOW) * (one.high - one.low))
-    for number, row in enumerate((row for row in rows if row.setting), 1):
-        zero, there = (within(turned - begin) for turned in (0.0, row.setting or 0.0))
-        true[f"{SETTING}{number}"] = complex(there - zero)
+    true = dict(_true(rows, begin))
     seen = {one.name: one for one in measured.vectors if one.plan == bar_chart.NAME}
     for name in true.keys() | seen.keys():
         if name not in true:
@@ -35,6 +32,17 @@ def bars(measured: Measured, rows: Sequence[Row], begin: float = 0.0) -> Iterato
             yield on("missing_on", bar_chart.NAME, name=name)
         elif not abs(seen[name].value - true[name]) <= ANGLE + 2 * measured.quantum * seen[name].scale:
             yield on("differs_on", bar_chart.NAME, name=name)
+
+
+def _true(rows: Sequence[Row], begin: float) -> Iterator[tuple[str, complex]]:
+    """Give the lines that there must be, by their names: across rad, upwards shares of a row."""
+    for k, row in enumerate(rows, 1):
+        parts = [one for span in row.spans for one in stretches(span, begin)]
+        for number, one in enumerate(parts, 1):
+            yield f"{k}.{number}", complex(one.end - one.start, (HIGH - LOW) * (one.high - one.low))
+    for number, row in enumerate((row for row in rows if row.setting), 1):
+        zero, there = (within(turned - begin) for turned in (0.0, row.setting or 0.0))
+        yield f"{SETTING}{number}", complex(there - zero)
 
 
 def rings(leaf: Leaf, rows: Sequence[Row], sense: int) -> Iterator[Wrong]:
@@ -51,6 +59,22 @@ def rings(leaf: Leaf, rows: Sequence[Row], sense: int) -> Iterator[Wrong]:
             off = max(_apart(arc.start_angle, low), _apart(arc.end_angle, high))
             if not off <= ANGLE:
                 yield on("differs_on", circular_chart.NAME, name=name)
+
+
+def angles(leaf: Leaf, rows: Sequence[Row], drafting: Drafting) -> Iterator[Wrong]:
+    """Read the angles that the charts tell back: each span's, where it has room for it, and no other."""
+    exact = precise(drafting)
+    for chart in (bar_chart.NAME, circular_chart.NAME):
+        due = [course.angle(span, exact) for row in rows for span in row.spans]
+        due += [course.setting(row, exact) for row in rows if row.setting is not None]
+        for text in (text.plain for group in leaf.groups if group.name.startswith(chart) for text in texts((group,))):
+            told = text.rsplit(" ", 1)[-1] if text.endswith("°") else ""
+            if (
+                told[:1].isdigit()
+                and "−" not in text
+                and not any(tells(told, one, (course.DIGITS,), SHARE) for one in due)
+            ):
+                yield message("wrong.told", text=text)
 
 
 def _apart(one: float, other: float) -> float:

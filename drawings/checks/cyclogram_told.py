@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import replace
 from typing import NamedTuple
 
 from drawings.checks import reading
+from drawings.checks.cyclogram_charts import SHARE
 from drawings.checks.precise import precise, tells
 from drawings.checks.reading import reads
 from drawings.checks.wrong import Wrong
-from drawings.figures.cyclogram import bar_chart, characteristic_table, circular_chart, course
+from drawings.figures.cyclogram import characteristic_table
 from drawings.figures.cyclogram.characteristic_plan import OVERRUNS, STROKE
 from drawings.page.drafting import Drafting
 from drawings.paper.strokes import Group, Leaf, Text
@@ -20,13 +21,12 @@ from drawings.paper.walk import groups, texts
 from drawings.report.cyclogram_notes import CyclogramNotes
 from plans.checks.cyclogram_comparison import CyclogramComparison
 from plans.model.cam import Cam
-from plans.model.cyclogram import BEGIN, END, ENTRY, EXIT, Cyclogram, Position, Row
+from plans.model.cyclogram import BEGIN, END, ENTRY, EXIT, Cyclogram, Position
 from plans.words.words import message
 
 NOTES = "notes"  # the name of their figure
 DIGITS = 7  # of the numbers of the notes
 CELLS = 4  # of a row of the table
-SHARE = 1e-9  # of a number, that the two roads may differ by
 
 
 def dimensions(leaf: Leaf, found: Cyclogram, drafting: Drafting) -> Iterator[Wrong]:
@@ -42,22 +42,6 @@ def dimensions(leaf: Leaf, found: Cyclogram, drafting: Drafting) -> Iterator[Wro
             yield message("wrong.missing", name=name)
         for text, size in zip(seen, sizes, strict=False):
             if not reads(text, 1000 * size, SHARE * size):
-                yield message("wrong.told", text=text)
-
-
-def angles(leaf: Leaf, rows: Sequence[Row], drafting: Drafting) -> Iterator[Wrong]:
-    """Read the angles that the charts tell back: each span's, where it has room for it, and no other."""
-    exact = precise(drafting)
-    for chart in (bar_chart.NAME, circular_chart.NAME):
-        due = [course.angle(span, exact) for row in rows for span in row.spans]
-        due += [course.setting(row, exact) for row in rows if row.setting is not None]
-        for text in (text.plain for group in leaf.groups if group.name.startswith(chart) for text in texts((group,))):
-            told = text.rsplit(" ", 1)[-1] if text.endswith("°") else ""
-            if (
-                told[:1].isdigit()
-                and "−" not in text
-                and not any(tells(told, one, (course.DIGITS,), SHARE) for one in due)
-            ):
                 yield message("wrong.told", text=text)
 
 

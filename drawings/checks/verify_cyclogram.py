@@ -41,7 +41,7 @@ def check(measured: Measured, leaf: Leaf, study: CyclogramStudy, comparison: Cyc
     if circular_chart.NAME in leaf.metadata["figures"]:
         yield from cyclogram_charts.rings(leaf, rows, found.sense)
     yield from reading.marked_scales(leaf)
-    yield from cyclogram_told.angles(leaf, rows, drafting)
+    yield from cyclogram_charts.angles(leaf, rows, drafting)
     yield from cyclogram_told.table(leaf, found, drafting)
     yield from cyclogram_told.notes(leaf, comparison, study.cams, drafting)
 

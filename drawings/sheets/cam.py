@@ -6,23 +6,33 @@ from collections.abc import Collection, Iterator
 from functools import partial
 from typing import Any
 
-from drawings.figures.cam import law_diagrams, pressure_graph, profile_figure, size_diagram, sizes_table
+from drawings.figures.cam import (
+    law_diagrams,
+    law_frame,
+    pressure_graph,
+    profile_figure,
+    size_diagram,
+    sizes_table,
+)
 from drawings.figures.cam.pressure_graph import pressure_view
 from drawings.figures.cam.profile_view import profile_view
 from drawings.figures.cam.size_view import SizeView
-from drawings.layout.contents import Panel
+from drawings.layout.contents import EVEN, Panel
 from drawings.layout.table import RuledTable
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.report.cam_notes import CamNotes
-from drawings.sheets import cam_charts
-from drawings.sheets.leaves import Caption, Draft, Exhibit, lay_out
-from plans.analytic.cam.laws import travel
+from drawings.sheets import cam_charts, cam_column
+from drawings.sheets.leaves import Caption, Draft, Exhibit, cost, lay_out
 from plans.cam.study import CYCLOGRAM, CamDrawing
+from plans.model.cam import Cam
 from plans.model.cam_motion import CamFound
+from plans.scene.scene import Scene
 from plans.study import Study
 
 FOREMOST = 2.0  # weight of the profile, for which all the rest is drawn
+TALL = 1.5  # of diagrams that are four one under another
+ALONE = (0, 1)  # the cost of one sheet on which every figure can be read
 
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
@@ -31,47 +41,56 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
     pairs = zip(cams, study.comparison("cam").analysis.cams, strict=True)
     drafting = drafting_of(scene)
     shared = [] if CYCLOGRAM in scene.sheets else cam_charts.drafts([one.cam for one in cams], drafting)
-    return lay_out(scene, [*(_draft(*pair, drafting) for pair in pairs), *shared])
+    return lay_out(scene, [*(_draft(*pair, drafting, scene) for pair in pairs), *shared])
 
 
-def _draft(drawing: CamDrawing, exact: CamFound, drafting: Drafting) -> Draft:
+def _draft(drawing: CamDrawing, exact: CamFound, drafting: Drafting, scene: Scene) -> Draft:
+    """Give the draft that keeps one axis of the turn, unless its figures would be read worse or take more sheets."""
     said = CamNotes(drawing.found, drafting).all
     title = drafting.word("cam sheet title", name=drawing.cam.name)
-    shows = tuple(_shows(drawing, exact, drafting))
-    return Draft("cam", title, shows, (), said, partial(_facts, drawing.cam.name))
+    drafts: list[Draft] = []
+    for joined in (True, False) if _pressed(drawing.cam) else (False,):
+        shows = tuple(_shows(drawing, exact, joined, drafting))
+        drafts.append(Draft("cam", title, shows, (), said, partial(_facts, drawing.cam, joined)))
+        if cost(scene, drafts[-1]) == ALONE:
+            break
+    return min(drafts, key=partial(cost, scene))
 
 
-def _facts(name: str, figures: Collection[str]) -> dict[str, Any]:
+def _facts(cam: Cam, joined: bool, figures: Collection[str]) -> dict[str, Any]:
     """Say in the data of a sheet which cam it is of, and which figures it shows."""
-    return {"cam": name, "figures": list(figures)}
+    under = [pressure_graph.NAME] if joined and law_frame.name_of(cam) in figures else []
+    return {"cam": cam.name, "figures": [*figures, *under]}
 
 
-def _shows(drawing: CamDrawing, exact: CamFound, drafting: Drafting) -> Iterator[Exhibit | Caption]:
+def _shows(drawing: CamDrawing, exact: CamFound, joined: bool, drafting: Drafting) -> Iterator[Exhibit | Caption]:
     """Show the law, the sizes that follow from it, the profile foremost, and what both roads found of it."""
-    law = law_diagrams.measure(drawing.diagrams, drafting)
-    yield Exhibit(Panel(law), partial(law_diagrams.draw, drawing.diagrams, law, drafting=drafting))
+    angle = pressure_view(drawing.sizing.limits, drawing.curve, drawing.found)
+    yield (
+        _exhibit(cam_column, (drawing.diagrams, angle), drafting)
+        if joined
+        else _exhibit(law_diagrams, drawing.diagrams, drafting)
+    )
     if not drawing.cam.translates:
-        shown = SizeView(drawing.sizing)
-        room = size_diagram.measure(shown, drafting)
-        yield Exhibit(Panel(room), partial(size_diagram.draw, shown, room, drafting=drafting))
-    if not (drawing.cam.flat and not drawing.cam.rocks):
-        yield _pressure(drawing, drafting)
-    view = profile_view(drawing.found)
-    room = profile_figure.measure(view, drafting)
-    yield Exhibit(Panel(room, FOREMOST), partial(profile_figure.draw, view, room, drafting=drafting))
+        yield _exhibit(size_diagram, SizeView(drawing.sizing), drafting)
+    if _pressed(drawing.cam) and not joined:
+        yield _exhibit(pressure_graph, angle, drafting)
+    yield _exhibit(profile_figure, profile_view(drawing.found), drafting, FOREMOST)
     table = _results(drawing, exact, drafting)
     yield Caption(Panel(table.block(table.name)), partial(table.write, drafting=drafting))
 
 
-def _pressure(drawing: CamDrawing, drafting: Drafting) -> Exhibit:
-    """Show the pressure angle, which a flat face that translates has none of."""
-    shown = pressure_view(drawing.sizing.limits, drawing.curve, drawing.found)
-    room = pressure_graph.measure(shown, drafting)
-    return Exhibit(Panel(room), partial(pressure_graph.draw, shown, room, drafting=drafting))
+def _pressed(cam: Cam) -> bool:
+    """Tell whether a cam has a pressure angle: under a flat face that translates there is none."""
+    return cam.rocks or not cam.flat
+
+
+def _exhibit(figure: Any, shown: object, drafting: Drafting, weight: float = EVEN) -> Exhibit:
+    """Show a figure, given by its module and by what it shows."""
+    room = figure.measure(shown, drafting)
+    return Exhibit(Panel(room, weight), partial(figure.draw, shown, room, drafting=drafting))
 
 
 def _results(drawing: CamDrawing, exact: CamFound, drafting: Drafting) -> RuledTable:
     """Tell sizes, extremes and shocks by both roads."""
-    turned = drawing.curve.turned
-    own = sizes_table.quantities(drawing.found, drawing.curve.travel)
-    return sizes_table.sizes(own, sizes_table.quantities(exact, travel(exact.cam, turned)), drafting)
+    return sizes_table.sizes(sizes_table.quantities(drawing.found), sizes_table.quantities(exact), drafting)

@@ -12,10 +12,8 @@ from drawings.layout.contents import Panel
 from drawings.page.drafting import Drafting
 from drawings.report.cyclogram_notes import settings_of
 from drawings.sheets.leaves import Draft, Exhibit
-from plans.cyclogram.rows import rows_of_cams
+from plans.cyclogram.rows import EVERY, rows_of_cams
 from plans.model.cam import Cam
-
-EVERY = "*"  # what the data of the sheet say instead of one cam's name
 
 
 def drafts(cams: Sequence[Cam], drafting: Drafting) -> list[Draft]:

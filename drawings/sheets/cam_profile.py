@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from functools import partial
 from typing import Any
 
 from drawings.figures.cam import manufacturing_figure, manufacturing_notes, radius_table
 from drawings.figures.cam.manufacturing import Manufacture, manufacture
+from drawings.figures.cam.manufacturing_figure import TRUE
 from drawings.layout.contents import Panel
+from drawings.layout.picture import SMALLER, Picture
 from drawings.page.drafting import Drafting, drafting_of
-from drawings.paper.strokes import Leaf
-from drawings.sheets.leaves import Draft, Exhibit, cost, lay_out
+from drawings.paper.formats import SIZES
+from drawings.paper.strokes import Leaf, SheetError
+from drawings.sheets.leaves import Draft, Exhibit, compositions, cost, lay_out_each
 from plans.scene.scene import Scene
 from plans.study import Study
 
@@ -26,14 +29,39 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
 
 def sheets(scene: Scene, parts: Sequence[Manufacture]) -> tuple[Leaf, ...]:
     """Lay out the sheets of cams whose profiles are found."""
-    drafting = drafting_of(scene)
-    return lay_out(scene, [_draft(scene, one, len(parts) > 1, drafting) for one in parts])
+    return lay_out_each([_draft(scene, one, len(parts) > 1) for one in parts])
 
 
-def _draft(scene: Scene, shown: Manufacture, several: bool, drafting: Drafting) -> Draft:
-    """Give the draft whose figure can be read on the fewest sheets, with as many rows of the table as it takes."""
-    drafts = [_told(shown, every, several, drafting) for every in EVERY]
-    return min(drafts, key=partial(cost, scene))
+def _draft(scene: Scene, shown: Manufacture, several: bool) -> tuple[Scene, Draft]:
+    """Give the smallest format on which the profile stands at its own size with the whole table, and the draft.
+
+    Where none takes that, the scene's own: with the draft whose figure can be read on the fewest sheets, and of its
+    table as many rows as they take.
+    """
+    for small in _formats(scene):
+        draft = _told(shown, EVERY[0], several, drafting_of(small))
+        if _true(small, draft):
+            return small, draft
+    drafts = [_told(shown, every, several, drafting_of(scene)) for every in EVERY]
+    return scene, min(drafts, key=partial(cost, scene))
+
+
+def _formats(scene: Scene) -> Iterator[Scene]:
+    """Give a scene by formats up to its own, the smallest first."""
+    names = [*reversed(SIZES)]
+    for name in names[: names.index(scene.sheet.format) + 1]:
+        yield scene.changed(sheet=scene.sheet.changed(format=name))
+
+
+def _true(scene: Scene, draft: Draft) -> bool:
+    """Tell whether one sheet takes a draft with its figure at its own size, or larger."""
+    try:
+        composed, *further = compositions(scene, draft)
+    except SheetError:  # there is not even room for its heading
+        return False
+    (room,) = (one.panel.item for one in draft.shows if isinstance(one.panel.item, Picture))
+    natural = max(room.wide, room.high) * TRUE
+    return not further and room.extent(composed.spots[room.name].scale) >= max(natural, room.least) * SMALLER
 
 
 def _told(shown: Manufacture, every: int, several: bool, drafting: Drafting) -> Draft:
@@ -48,6 +76,7 @@ def _told(shown: Manufacture, every: int, several: bool, drafting: Drafting) -> 
         (table,),
         tuple(manufacturing_notes.notes(shown.table, drafting)),
         partial(_facts, shown, every),
+        room.name,
     )
 
 

@@ -43,6 +43,7 @@ class Draft:
     """What the sheets of one kind show: figures and lettering in their order, tables, notes.
 
     `facts` gives what the data of a sheet say of it beside title and number, by the names of the figures that it bears.
+    `scaled` is the figure whose scale the title block states: the foremost one, unless it is named.
     """
 
     kind: str
@@ -51,23 +52,34 @@ class Draft:
     tables: tuple[RuledTable, ...]
     notes: tuple[str, ...]
     facts: Callable[[Collection[str]], Mapping[str, Any]]
+    scaled: str = ""
 
 
 def lay_out(scene: Scene, drafts: Sequence[Draft]) -> tuple[Leaf, ...]:
     """Lay out the sheets of drafts, and as many following ones as their figures need to stay readable."""
-    own = [_Leaves(scene, draft) for draft in drafts]
+    return lay_out_each([(scene, draft) for draft in drafts])
+
+
+def lay_out_each(drafts: Sequence[tuple[Scene, Draft]]) -> tuple[Leaf, ...]:
+    """Lay out drafts whose sheets differ in what their scene says of them, such as the format."""
+    own = [_Leaves(scene, draft) for scene, draft in drafts]
     composed = [(one, sheet) for one in own for sheet in compose(one.contents, one.page)]
     return tuple(one.leaf(sheet, k + 1, len(composed)) for k, (one, sheet) in enumerate(composed))
 
 
 def cost(scene: Scene, draft: Draft) -> tuple[int, int]:
     """Count the figures of a draft that are too small for their letters, and its sheets, before any is drawn."""
-    own = _Leaves(scene, draft)
-    composed = compose(own.contents, own.page)
+    composed = compositions(scene, draft)
     spots = {name: spot for one in composed for name, spot in one.spots.items()}
-    pictures = (panel.item for panel in own.contents.panels if isinstance(panel.item, Picture))
+    pictures = (one.panel.item for one in draft.shows if isinstance(one.panel.item, Picture))
     small = [one for one in pictures if 0 < one.extent(spots[one.name].scale) < one.least * SMALLER]
     return len(small), len(composed)
+
+
+def compositions(scene: Scene, draft: Draft) -> Sequence[Composition]:
+    """Give where all that a draft shows would stand, sheet by sheet, before anything is drawn."""
+    own = _Leaves(scene, draft)
+    return compose(own.contents, own.page)
 
 
 @dataclass(frozen=True)
@@ -135,9 +147,9 @@ class _Leaves:
                 yield one.draw(composed.spots[one.panel.item.name])
 
     def _entries(self, composed: Composition, number: int, count: int) -> dict[str, str]:
-        """Fill the title block; it states the scale of the foremost figure."""
+        """Fill the title block."""
         foremost = self.contents.foremost
-        spot = composed.spots.get(foremost.item.name) if foremost is not None else None
+        spot = composed.spots.get(self.draft.scaled or (foremost.item.name if foremost is not None else ""))
         return {
             "title": self.title,
             "subtitle": self.draft.title,

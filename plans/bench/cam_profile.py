@@ -113,18 +113,10 @@ def rows(
     times = interleaved([run for *_, run in runs], rounds, budget)
     taken = {(name, count): time for (_, count, name, _), time in zip(runs, times, strict=True)}
     made = [Row(name, n, n, one.errors(name), times=taken[name, n]) for one, n, name, _ in runs]
-    if not find_spec("shapely"):
-        made.append(Row(OFFSET, None, note=NOT_INSTALLED))
-    most = counts[-1]
-    ratio = Ratio(
-        f"{ENVELOPE} / {OFFSET}",
-        most,
-        taken[ENVELOPE, most],
-        taken.get((OFFSET, most)),
-        GOAL,
-        "" if find_spec("shapely") else NOT_INSTALLED,
-    )
-    return made, [ratio], [DEFINED]
+    note, most = "" if find_spec("shapely") else NOT_INSTALLED, counts[-1]
+    made += [Row(OFFSET, None, note=note)] if note else []
+    ends = taken[ENVELOPE, most], taken.get((OFFSET, most))
+    return made, [Ratio(f"{ENVELOPE} / {OFFSET}", most, *ends, GOAL, note)], [DEFINED]
 
 
 def _pairs(points: Points) -> Floats:

@@ -122,15 +122,6 @@ def _follow(phase: Phase, pieces: Pieces, turned: Floats, shares: Floats) -> Flo
     return np.array([phase.level + rows[0], *rows[1:]])
 
 
-def knock(shock: Shock, speed: float) -> float:
-    """Give the size of a shock in time at a steady speed of the cam, rad/s: a jump of velocity or of acceleration.
-
-    >>> knock(Shock(0.0, 2, 0.5), 10.0)
-    50.0
-    """
-    return shock.jump * speed**shock.order
-
-
 def positions(cam: Cam) -> Floats:
     """Give the turns of the numbered positions, rad: each phase that moves in equal parts, a dwell by its ends."""
     edges = [np.linspace(one.start, one.end, cam.divisions + 1)[:-1] for one in cam.moving()]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
@@ -14,11 +15,11 @@ from plans.cam.centre.region import Choice, Place, nearest, on_line, place
 from plans.cam.centre.rocker_sizes import rocker_sizing
 from plans.cam.centre.slope_diagram import SlopeDiagram
 from plans.cam.centre.support import Touch, touch
-from plans.cam.centre.tangents import bound_by, met, tangents, touched
+from plans.cam.centre.tangents import axis, bound_by, met, required, tangents, touched
 from plans.cam.course import Course, positions
 from plans.cam.sizing import SIZES, Sizing, Tangent
 from plans.model.cam import Cam, limits_of
-from plans.model.cam_faults import no_region, still, too_far
+from plans.model.cam_faults import still, too_far
 from plans.model.cam_motion import Sizes
 from plans.model.motion import Floats
 from plans.words.words import because
@@ -53,22 +54,12 @@ def _unsized(course: Course) -> Sizing:
 def _translating(course: Course) -> Sizing:
     """Draw the diagram on the follower's way, push the rulers, and find O (figures 5.49, 5.50)."""
     cam, board, diagram = course.cam, Board(SIZES), SlopeDiagram(course.cam)
-    start = board.given("A", 0j, because("cam_start"))
-    way = board.given("S", 1j, because("cam_way"))
-    board.parallel("AS", start, way, because("cam_way"))
-    turned = positions(cam)
-    travel = course.at(turned)
-    tip, end = _laid(board, diagram, start, (travel.s, travel.slope), "")
-    limits = limits_of(cam)
+    limits, turned = limits_of(cam), positions(cam)
+    start, way, _ = axis(board)
+    tip, end = _laid(board, diagram, start, course.at(turned)[:2], "")
     bounds = tuple(pressure_bounds(diagram, limits))
-    found = Place(0j, ()) if cam.sized else place(bounds, 0j, _choice(cam), cam.lift)
-    if found is None:
-        raise no_region(cam, limits)
-
-    def laid(one: Touch, name: str) -> tuple[Mark, Mark]:
-        at = one.instant
-        return _laid(board, diagram, start, (at.s[0], at.slope[0]), name)[1], way
-
+    found = required(cam, limits, Place(0j, ()) if cam.sized else place(bounds, 0j, _choice(cam), cam.lift))
+    laid = partial(_touching, board, diagram, (start, way))
     lines = tangents(board, diagram, touched(bounds, found), found.limits, laid)
     centre = _centre(board, cam, start, way, lines[: len(found.limits)])
     sizes = _sizes(cam, complex(centre.point))
@@ -85,6 +76,13 @@ def _laid(
     slope = board.given(f"S'{low}", 1j * motion[1], because("cam_slope"))
     turned = board.turn(f"KD{low}", slope, 1j * diagram.cam.sense, because("cam_turned"))
     return tip, board.lay_off(f"T{low}" if name else "D", tip, turned, because("cam_slope_end"))
+
+
+def _touching(board: Board, diagram: SlopeDiagram, ends: tuple[Mark, Mark], one: Touch, name: str) -> tuple[Mark, Mark]:
+    """Lay off D where a ruler touches; the way of K is the same everywhere."""
+    start, way = ends
+    at = one.instant
+    return _laid(board, diagram, start, (at.s[0], at.slope[0]), name)[1], way
 
 
 def _choice(cam: Cam) -> Choice:

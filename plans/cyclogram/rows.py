@@ -11,6 +11,7 @@ from plans.model.cyclogram import BACK, BEGIN, END, ENTRY, EXIT, LEAVE, TURN, Cy
 # What a span is: of a cam its phases, of the main mechanism its strokes, of its tool what it does to the work.
 REST = "rest"  # a dwell of the follower where it began
 WORK, IDLE, CUT, OVERRUN, BACK_OVER, FREE = "work", "idle", "cut", "overrun", "back over", "free"
+EVERY = "*"  # what the data of a sheet of all cams say instead of one cam's name
 STROKES, TOOL, FEED = "strokes", "tool", "feed"  # the names of the rows of a main mechanism
 
 

@@ -66,6 +66,12 @@ def fast_face(cam: Cam, turned: float) -> CamError:
     return CamError(message("refused.cam_fast_face", name=cam.name, turned=f"{math.degrees(turned):.6g}"))
 
 
+def pivot_passed(cam: Cam, farthest: float, centre: float) -> CamError:
+    """Say that the profile under the face of a rocker passes its pivot: how far it goes from O, and L, m."""
+    sizes = {"farthest": _mm(farthest), "centre": _mm(centre)}
+    return CamError(message("refused.cam_pivot_passed", name=cam.name, **sizes))
+
+
 def no_radius(cam: Cam) -> CamError:
     """Say that no radius is the least."""
     return CamError(message("refused.cam_no_radius", name=cam.name))

@@ -12,6 +12,7 @@ from plans.model.cam import Cam
 from plans.model.motion import Floats
 
 Points = npt.NDArray[np.complex128]
+SLOPE, BEND = "S'", "S''"  # names of the peaks of a law
 CONSTRUCTION, ANALYSIS = "construction", "analysis"
 
 
@@ -115,6 +116,7 @@ class CamFound:
     roller: float  # m; 0 of a pointed or flat follower
     contour: Contour  # at the numbered positions
     shocks: tuple[Shock, ...] = ()
+    peaks: dict[str, Extreme] = field(default_factory=dict)  # largest S' and S'' by size, signed; S'' of no hard shock
     pressure: dict[str, Extreme] = field(default_factory=dict)  # largest on a kind of phase, by its size, rad, signed
     sharpest: Extreme | None = None  # least convex radius of the pitch curve (of the profile under a flat face), m
     hollow: Extreme | None = None  # smallest concave one by size, m, below 0; None: convex throughout

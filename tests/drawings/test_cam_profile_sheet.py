@@ -15,7 +15,6 @@ from drawings.measure.measure import Measured
 from drawings.page.drafting import drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.sheets.cam_profile import sheets
-from plans.cam.course import Course
 from plans.scene.scene import Scene, parse_scene
 from tests.drawings.cam_contours import EVERY, levers, view_of
 from tests.drawings.collisions import collisions
@@ -99,6 +98,22 @@ def test_it_is_drawn_at_its_own_size_where_it_can_be() -> None:
     assert scales == {0.001}
 
 
+@pytest.mark.parametrize(("name", "format_", "wide"), [("groove", "A1", 420.0), ("rocker", "A1", 594.0)])
+def test_it_lies_on_the_smallest_format_that_takes_it_at_its_own_size(name: str, format_: str, wide: float) -> None:
+    """The format of the scene is the largest: what stands at 1:1 with its whole table on A3 lies on A3."""
+    (leaf,) = made(name, format_)[1]
+    assert leaf.width == wide
+    assert {one.scale for one in read_back(leaf).vectors} == {0.001}
+    assert "1:1" in [text for group in leaf.groups if group.name == "title-block" for text in said(group)]
+    assert len(table(name, format_)) == 72
+
+
+def test_where_nothing_takes_it_at_its_own_size_it_lies_on_the_format_of_the_scene() -> None:
+    (leaf,) = made("rocker", "A3")[1]
+    assert leaf.width == 420.0
+    assert {one.scale for one in read_back(leaf).vectors} == {0.002}
+
+
 @pytest.mark.parametrize(
     ("name", "language", "notes"),
     [
@@ -145,8 +160,7 @@ def test_several_cams_have_a_sheet_each() -> None:
 def test_sizes_are_told_as_the_book_has_them(name: str, rows: dict[str, str]) -> None:
     """Numbers of M2.7, M2.9 and M2.13."""
     found = view_of(name).found
-    travel = Course(found.cam).at(np.linspace(0.0, found.cam.turn, 721))
-    own = sizes_table.quantities(found, travel)
+    own = sizes_table.quantities(found)
     block = sizes_table.sizes(own, own, drafting_of(scene()))
     told = {line.name.replace("_", "").replace("{", "").replace("}", ""): line.cells for line in block.lines}
     assert {name: told[name][0] for name in rows} == rows
@@ -156,8 +170,7 @@ def test_sizes_are_told_as_the_book_has_them(name: str, rows: dict[str, str]) ->
 def test_shocks_are_told_with_their_places() -> None:
     """M2.5: under constant acceleration the jump in the middle is twice that at the ends."""
     found = view_of("radial").found
-    travel = Course(found.cam).at(np.linspace(0.0, found.cam.turn, 721))
-    own = {one.letter + one.where: one.value for one in sizes_table.quantities(found, travel)}
+    own = {one.letter + one.where: one.value for one in sizes_table.quantities(found)}
     omega, angle = 10.0, math.radians(120)
     end = 4 * 0.03 / angle**2 * omega**2
     assert own["Δa_{1}"] == pytest.approx(end)

@@ -14,6 +14,7 @@ from drawings.figures.cam.pressure_graph import PressureView, pressure_view
 from drawings.figures.cam.size_view import SizeView
 from drawings.measure.measure import Measured
 from drawings.paper.strokes import Leaf
+from drawings.sheets import cam_column
 from plans.analytic.cam.laws import travel
 from plans.analytic.cam.pressure import greatest, pressure
 from plans.analytic.cam.sizes import sizes
@@ -113,4 +114,21 @@ def test_the_view_of_the_construction_is_that_of_the_formulas() -> None:
     assert {kind: one.value for kind, one in found.marked} == pytest.approx(
         {kind: one.value for kind, one in true.marked}, abs=1e-12
     )
-    assert (found.span, found.length) == (pytest.approx(true.span), true.length)
+    assert found.span == pytest.approx(true.span)
+
+
+@pytest.mark.parametrize("name", some([one for one in CAMS if one != "flat"], 3))
+def test_the_graph_stands_under_the_diagrams_of_the_law_over_one_axis(name: str) -> None:
+    drawing = CamDrawing(CAMS[name])
+    view = pressure_view(drawing.sizing.limits, drawing.curve, drawing.found)
+    leaf = exhibited([(cam_column, (drawing.diagrams, view))], "A2", "ru")
+    vectors = read_back(leaf).vectors
+    assert collisions(leaf) == []
+    assert list(unlettered(leaf)) == []
+    law = {one.name: one.start.real for one in vectors if one.plan == f"law-{CAMS[name].name}-velocity"}
+    angle = {
+        one.name: one.start.real for one in vectors if one.plan == pressure_graph.NAME and one.position is not None
+    }
+    shared = law.keys() & angle.keys()
+    assert len(shared) > 2
+    assert {k: angle[k] for k in shared} == pytest.approx({k: law[k] for k in shared}, abs=1e-3)

@@ -10,7 +10,11 @@ from typing import NamedTuple
 
 import pytest
 
+from drawings.report.cam_report import chapters
+from plans.scene.scene import parse_scene
+from plans.study import Study
 from tests.gallery import GALLERY
+from tests.parts import some
 
 ROOT = Path(__file__).parent.parent.parent
 SHAPER = str(ROOT / "drawings/gallery/shaper.toml")
@@ -190,14 +194,32 @@ def test_a_linkage_is_drawn_without_any_cam(draw: Run) -> None:
     assert [name for name in draw.modules if name.startswith(CAMS)] == []
 
 
-def test_a_profile_is_drawn_without_any_linkage_and_without_the_diagrams_of_its_law(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    "case",
+    some(
+        [
+            ("cam", (), "nothing"),
+            ("profile", ("drawings.figures.cam.law", "drawings.figures.cam.size", "drawings.figures.graphs"), "laws"),
+        ],
+        2,
+    ),
+)
+def test_a_cam_is_drawn_without_any_linkage(case: tuple[str, tuple[str, ...], str], tmp_path: Path) -> None:
+    sheet, left_out, unmade = case
     scene = tmp_path / "cam.toml"
     text = (GALLERY / "valve-cam.toml").read_text("utf-8")
-    scene.write_text(text.replace('sheets = ["cam", "profile"]', 'sheets = ["profile"]'), "utf-8")
+    scene.write_text(text.replace('sheets = ["cam", "profile"]', f'sheets = ["{sheet}"]'), "utf-8")
     modules, trace = run("draw", scene, "-o", tmp_path, "--trace")
     assert "plans.cam.profile.profile" in modules
     assert not modules & set(HEAVY)
-    others = ("plans.linkage", "plans.forces", "plans.dynamics", "plans.cyclogram", "drawings.figures.linkage")
-    laws = ("drawings.figures.cam.law", "drawings.figures.cam.size", "drawings.figures.graphs")
-    assert [name for name in modules if name.startswith((*others, *laws))] == []
-    assert "not made: laws" in trace.splitlines()
+    others = ("plans.linkage", "plans.forces", "plans.dynamics", "plans.cyclogram.study", "drawings.figures.linkage")
+    assert [name for name in modules if name.startswith((*others, *left_out))] == []
+    assert f"not made: {unmade}" in trace.splitlines()
+
+
+def test_a_profile_alone_makes_no_diagrams_of_its_law() -> None:
+    text = (GALLERY / "valve-cam.toml").read_text("utf-8")
+    study = Study(parse_scene(text.replace('sheets = ["cam", "profile"]', 'sheets = ["profile"]')))
+    study.construct()
+    chapters(study, {})
+    assert study.made == {"sizes", "profile"}

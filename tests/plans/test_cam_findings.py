@@ -34,6 +34,10 @@ ALL = {
     "limits": (cam(end="roller", roller=0.01, limits=Limits(0.4, 0.3)), offset_sizes()),
     "loaded": (cam(end="roller", roller=0.01, closure=FORCE, speed=60.0, load=LOAD), offset_sizes()),
     "rocker": (rocker("roller"), pivot(rocker())),
+    "rocker loaded": (
+        rocker("roller", roller=0.01, closure=FORCE, speed=20.0, load=Load(0.02, 3.0, 1.0, 2.0)),
+        pivot(rocker()),
+    ),
     "rocker against": (rocker("roller", -1, -1), pivot(rocker("roller", -1, -1), complex(0.12, -0.07))),
     "rocker undercut": (rocker("roller", roller=0.04, closure=FORCE), pivot(rocker())),
     "hollow": (rocker("roller", roller=0.019), pivot(rocker())),
@@ -204,6 +208,13 @@ def test_a_flat_face_cannot_follow_a_hollow(road):
     assert not road(replace(ALL["flat"][0], limits=Limits(curvature=0.005)), ALL["flat"][1]).flaws
 
 
+@BOTH
+def test_a_hard_shock_leaves_an_edge_under_a_flat_face(road):
+    """Where S' falls at once contact jumps back along the face; where it grows at once the profile goes straight on."""
+    flaws = road(cam(phases(*STEADY), end="flat", closure=FORCE), Sizes(0.2)).flaws
+    assert [one.start for one in flaws if one.kind == "concave"] == pytest.approx([math.radians(120)])
+
+
 @ROADS
 def test_a_rocker_that_outruns_the_cam_is_told(road):
     own = rocker("flat", parts=phases((RISE, 30, 0.4, "sine"), (RETURN, 90, -0.4, "sine")), closure=FORCE)
@@ -224,6 +235,14 @@ def test_what_would_mend_a_pressure_angle(road):
     assert road(cam(limits=limits), Sizes(found.mending * 0.999)).flaws
 
 
+@BOTH
+def test_what_would_mend_a_pressure_angle_leaves_the_offset_as_it_is(road):
+    limits, offset = Limits(math.radians(30), math.radians(40)), 0.03
+    least = road(cam(limits=limits), offset_sizes(offset, 0.02)).mending
+    most = road(cam(), Sizes(least, offset)).pressure
+    assert max(abs(most[kind].value) / limits.of(kind) for kind in most) == pytest.approx(1, abs=1e-12)
+
+
 @ROADS
 def test_a_face_that_is_too_short_is_told(road):
     own, sizes = ALL["flat"]
@@ -235,7 +254,7 @@ def test_a_face_that_is_too_short_is_told(road):
     assert not road(replace(own, follower=own.follower._replace(reach=0.036)), sizes).flaws
 
 
-@ROADS
+@BOTH
 def test_a_pressure_angle_beyond_its_limit_is_told_on_its_own_phase(road):
     own, sizes = ALL["limits"]
     rise, back = road(own, sizes).flaws
@@ -249,7 +268,7 @@ def test_a_pressure_angle_beyond_its_limit_is_told_on_its_own_phase(road):
     assert road(exact, sizes).flaws == ()
 
 
-@ROADS
+@BOTH
 def test_a_weak_spring_lets_the_follower_off(road):
     """The inertia pulls it off where the force along its way would have to be below 0; the preload told just holds."""
     own, sizes = ALL["loaded"]
@@ -262,10 +281,19 @@ def test_a_weak_spring_lets_the_follower_off(road):
     assert road(replace(own, load=LOAD._replace(preload=found.pressing.preload * 1.001)), sizes).flaws == ()
 
 
-@ROADS
+@BOTH
+def test_wear_goes_by_the_speed(road):
+    """Without a mass the force is the same at any speed; what wears in a second is as much more as the speed."""
+    (own, sizes), load = ALL["loaded"], LOAD._replace(mass=0.0)
+    slow, fast = (road(replace(own, load=load, speed=speed), sizes).pressing for speed in (5.0, 15.0))
+    assert fast.most.value == pytest.approx(slow.most.value)
+    assert fast.wear.value == pytest.approx(3 * slow.wear.value)
+
+
+@BOTH
 def test_the_contact_drives_the_load(road):
     """By power: the force times the speed of the point of contact along the normal is what goes into the load."""
-    for name in ("loaded", "flat rocker loaded"):
+    for name in ("loaded", "rocker loaded", "flat rocker loaded"):
         own, sizes = ALL[name]
         found = road(own, sizes)
         assert found.pressing is not None and own.speed is not None

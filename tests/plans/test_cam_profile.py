@@ -55,8 +55,16 @@ def test_textbook_flat_face():
     own, sizes = cam(end="flat"), Sizes(FLAT_BASE)
     found = at(own, sizes, 50).contour
     assert printed(found.profile[0], found.radius[0]) == (0.06119346145 + 0.0164553818j, 0.07894014394)
-    low, high = Extremes(Stretches(Course(own), sizes)).face
+    extremes = Extremes(Stretches(Course(own), sizes))
+    low, high = extremes.face
     assert printed(high, -low) == (0.02864788976, 0.0358098622)
+    assert extremes.sharpest is not None
+    assert printed(extremes.sharpest.value, math.degrees(extremes.sharpest.turned) - 150) == (0.005, 19.99470798)
+
+
+def test_where_the_axis_of_a_flat_face_stands_plays_no_part():
+    one, other = (at(cam(end="flat"), Sizes(FLAT_BASE, offset), 50, 200).contour for offset in (0.0, 0.012))
+    assert (one.profile == other.profile).all() and (one.radius == other.radius).all()
 
 
 def test_textbook_pitch_profile_of_a_translating_follower():

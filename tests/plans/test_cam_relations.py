@@ -19,6 +19,8 @@ from plans.analytic.cam.findings import cam_found as analysed
 from plans.cam.course import Course, positions
 from plans.cam.profile.findings import cam_found
 from plans.cam.profile.profile import profile
+from plans.cam.profile.resting import resting
+from plans.cam.profile.stretches import Stretches
 from plans.model.cam import FLAT, LAWS, RETURN, RISE, ROLLER, Cam, Follower, Load
 from plans.model.cam_motion import Contour, Sizes
 from tests.parts import examples
@@ -196,6 +198,17 @@ def test_the_working_profile_is_the_exact_envelope(name, road):
     points = (found or contour(own, sizes, radius, turned)).profile
     true = [envelope(own, sizes, MP.mpf(phi), MP.mpf(radius)) for phi in turned.tolist()]
     assert max(float(abs(MP.mpc(one) - exactly)) for one, exactly in zip(points.tolist(), true, strict=True)) <= 1e-15
+
+
+@pytest.mark.parametrize("name", list(ENVELOPES))
+def test_on_the_point_where_it_touches_the_follower_rests_as_it_should(name):
+    """What rests on a corner is found by a geometry of its own; on the profile itself it gives the law back."""
+    own, sizes = ENVELOPES[name]
+    roller, turned = 0.0 if own.flat else 0.01, np.linspace(0.3, 4.1, 7)
+    found = profile(Course(own), sizes, roller, turned).contour
+    for k, corner in enumerate(found.profile.tolist()):
+        s = resting(Stretches(Course(own), sizes), roller, corner, turned[k : k + 1])
+        assert s == pytest.approx(found.travel.s[k : k + 1], abs=1e-14)
 
 
 @pytest.mark.parametrize("name", list(ENVELOPES))

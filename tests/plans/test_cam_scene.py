@@ -106,6 +106,7 @@ def test_a_cam_that_translates_goes_by_its_travels() -> None:
     ).replace('kind = "rise"\n', 'kind = "rise"\nlift = "15 mm"\n')
     cam = cam_of(FOLLOWER, phases, head='speed = "-0.2 m/s"')
     assert (cam.translates, cam.sense, cam.speed, cam.angles) == (True, -1, 0.2, ())
+    assert cam_of(FOLLOWER, phases, head='speed = "200 mm/s"').speed == pytest.approx(0.2, rel=1e-15)
     assert cam.turn == pytest.approx(0.12, rel=1e-15)
     assert [one.start for one in cam.phases] == [0, 0.06, 0.08]
     assert cam.lift == pytest.approx(0.03)  # it need not come back: the cam itself does
@@ -200,6 +201,11 @@ def test_the_areas_of_a_shape_are_its_whole_area_and_its_factor_cancels_them(pie
 def test_a_straight_piece_through_zero_has_an_area_on_either_side() -> None:
     shape = Shape(((Fraction(0), Fraction(1)), (Fraction(1), Fraction(-3))))
     assert (shape.above, shape.below) == (Fraction(1, 8), Fraction(9, 8))
+
+
+def test_a_shape_lifts_by_what_two_integrations_give() -> None:
+    """Of 1 - 2k that is k - k2, then k2/2 - k3/3."""
+    assert Shape(((Fraction(0), Fraction(1)), (Fraction(1), Fraction(-1)))).lift == Fraction(1, 6)
 
 
 def test_a_cam_on_the_shaft_of_a_linkage_turns_as_its_drive_does() -> None:

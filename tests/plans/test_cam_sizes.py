@@ -78,6 +78,31 @@ def test_radial_follower(sense: int) -> None:
     assert same(construction(cam).sizes, sizes(cam))
 
 
+@over("cam, most", [(translating(limits=NO_LIMITS), 30), (rocking(limits=NO_LIMITS), 45)])
+def test_without_limits_those_of_the_book_are_kept(cam: Cam, most: int) -> None:
+    """5.9.3: 30 degrees of a follower that translates, 45 of one that rocks."""
+    for own in (construction(cam).sizes, sizes(cam)):
+        assert abs(extreme(cam, own, RISE, 1).value - math.radians(most)) < 1e-12
+        assert abs(extreme(cam, own, RETURN, -1).value + math.radians(most)) < 1e-12
+
+
+def test_beside_a_loose_limit_the_other_alone_binds() -> None:
+    """O is the foot of the perpendicular from A on the line S0 tan α + e = Q: R0 = Q cos α, Q by a dense look."""
+    cam, limit = translating(limits=degrees(60, 80)), math.radians(60)
+    at = travel(cam, np.linspace(0, cam.phases[0].angle, 20001))
+    least = float((at.slope - at.s * math.tan(limit)).max()) * math.cos(limit)
+    assert all(abs(own.base - least) < 1e-9 for own in (construction(cam).sizes, sizes(cam)))
+
+
+@over("sense, offset", product(BOTH, (0.009, -0.004)))
+def test_with_a_given_offset_one_limit_is_reached_and_the_other_kept(sense: int, offset: float) -> None:
+    cam = translating(sense, given=GivenSizes(offset=offset))
+    own = construction(cam).sizes
+    assert own.offset == offset and held(cam, own)
+    rise, back = extreme(cam, own, RISE, 1).value, -extreme(cam, own, RETURN, -1).value
+    assert abs(max(rise / math.radians(30), back / math.radians(40)) - 1) < 1e-12
+
+
 @over("sense", BOTH)
 def test_force_closure_by_a_ray_through_the_start(sense: int) -> None:
     cam = translating(sense, closure=FORCE, limits=degrees(30))
@@ -199,8 +224,21 @@ def held(cam: Cam, own: Sizes) -> bool:
     )
 
 
-@over("cam", [translating(), translating(-1), rocking(1, 1), rocking(1, -1), rocking(-1, 1), rocking(-1, -1)])
+EVERY_SENSE = [translating(), translating(-1), *(rocking(s, t) for s, t in product(BOTH, BOTH))]
+
+
+@over("cam", EVERY_SENSE[1::2])
 def test_the_pressure_angle_goes_to_its_limits_and_no_farther(cam: Cam) -> None:
+    reaches_its_limits(cam)
+
+
+@pytest.mark.rest
+@over("cam", EVERY_SENSE)
+def test_the_pressure_angle_goes_to_its_limits_and_no_farther_in_every_sense(cam: Cam) -> None:
+    reaches_its_limits(cam)
+
+
+def reaches_its_limits(cam: Cam) -> None:
     own = construction(cam).sizes
     assert held(cam, own)
     most = greatest(cam, own)

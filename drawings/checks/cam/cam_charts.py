@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from drawings.checks import cyclogram_charts, cyclogram_told, reading
+from drawings.checks import cyclogram_charts, reading
 from drawings.checks.wrong import Wrong, within
 from drawings.figures.cyclogram import bar_chart, circular_chart
 from drawings.measure.measure import Measured
@@ -24,6 +24,6 @@ def faults(measured: Measured, leaf: Leaf, cams: Sequence[Cam], drafting: Drafti
     if circular_chart.NAME in leaf.metadata["figures"]:
         yield from cyclogram_charts.rings(leaf, rows, turning[0].sense)
     yield from reading.marked_scales(leaf)
-    yield from cyclogram_told.angles(leaf, rows, drafting)
+    yield from cyclogram_charts.angles(leaf, rows, drafting)
     if leaf.metadata["number"] == leaf.metadata["of"] and leaf.description != " ".join(settings_of(turning, drafting)):
         yield within("in", "notes", text=leaf.description)

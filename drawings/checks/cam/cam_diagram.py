@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import product
 from typing import NamedTuple
 
 import numpy as np
@@ -15,23 +16,24 @@ from drawings.checks.cam.cam_expected import Expected
 from drawings.checks.cam.cam_strokes import FigureStrokes, read
 from drawings.checks.cam.cam_told import numbers
 from drawings.checks.wrong import Wrong, on
-from drawings.figures.cam.size_diagram import LEAST
+from drawings.figures.cam.size_diagram import APART, LEAST
 from drawings.figures.cam.size_view import NAME
 from drawings.measure.measure import Measured
+from drawings.measure.measured import MeasuredMark
 from drawings.page.drafting import Drafting
 from drawings.paper.strokes import Line
 from plans.analytic.cam.contour import contour
-from plans.analytic.cam.stretches import peak, stretches
+from plans.analytic.cam.laws import travel
+from plans.analytic.cam.stretches import Peak, peak, stretches
 from plans.model.cam import FORCE, RETURN, RISE, limits_of
 from plans.model.cam_motion import Contour
-from plans.model.motion import Complexes
+from plans.model.motion import Complexes, Floats
 from plans.words.words import message
 
 FAR = 1e-9  # of the largest length: both roads agree far better
 RULED = 1e-3  # mm: a ruler is drawn so near to where it lies
-DENSE = 1441  # turns at which the diagram is known
-NEARBY = 0.1  # mm: of the drawn curve from the nearest of so many places of it
-AT_ONCE = 1e-9  # of R0: a limit that binds is met so exactly
+DENSE = 1441  # turns of a phase at which the diagram is known
+NEARBY = 0.1  # mm: what looking S up between so many turns may miss
 
 
 class Limit(NamedTuple):
@@ -85,20 +87,34 @@ class SizeDiagram:
         return np.asarray(own.lever - self.zero)
 
     def _marks(self) -> Iterator[Wrong]:
-        """Hold D of every position, O, R0 and L; the points that rulers touch are held with the rulers."""
+        """Hold the points D that have room for a number, O, R0 and L; what rulers touch is held with the rulers."""
         true = dict(self._true())
         size = max(abs(value) for value in true.values())
         own = {(one.name, one.position): one for one in self.measured.marks if one.plan == NAME}
         slack = 2 * self.measured.quantum * self.mu + FAR * size
-        for key, value in true.items():
-            name = key[0] if key[1] is None else f"{key[0]} {key[1]}"
-            if key not in own:
-                yield on("missing_on", NAME, name=name)
-            elif not abs(own[key].value - value) <= slack:
-                yield on("differs_on", NAME, name=name)
+        for (name, k), value in true.items():
+            called = name if k is None else f"{name} {k}"
+            if (name, k) in own and not abs(own[name, k].value - value) <= slack:
+                yield on("differs_on", NAME, name=called)
+            elif (name, k) not in own and (name != "D" or self._roomy(own, value, k or 0)):
+                yield on("missing_on", NAME, name=called)
+            if name == "D" and not self._dotted(value):
+                yield on("edge", NAME, name=called)
         for name, k in own.keys() - true.keys():
             if not (name.startswith("T_") or (name == "O'" and self.expected.cam.rocks)):
                 yield on("stranger_on", NAME, name=name if k is None else f"{name} {k}")
+
+    def _roomy(self, own: Mapping[tuple[str, int | None], MeasuredMark], value: complex, k: int) -> bool:
+        """Tell whether a point that is none of the follower's way has room for its number."""
+        travel = self.expected.contour.travel
+        off = abs((travel.bend if self.expected.cam.flat else travel.slope)[k]) > FAR
+        crowd = APART * self.drafting.hand.number * self.mu
+        others = (one.value for (name, _), one in own.items() if name == "D")
+        return bool(off) and all(abs(one - value) > crowd for one in others)
+
+    def _dotted(self, value: complex) -> bool:
+        spot = self.origin + value / self.mu
+        return any(abs(one.centre - spot) <= RULED for one in self.strokes.circles)
 
     def _true(self) -> Iterator[tuple[tuple[str, int | None], complex]]:
         cam, own = self.expected.cam, self.expected.contour
@@ -107,6 +123,8 @@ class SizeDiagram:
             yield from ((("D", k), end) for k, end in enumerate(self._ends(own).tolist()))
         if not cam.flat:
             yield ("R_0", None), complex(own.tip[0])
+        elif cam.rocks:
+            yield ("R_0", None), complex(own.lever[0]) * self.expected.sizes.base
         if cam.rocks:
             yield ("L", None), self.zero
 
@@ -122,23 +140,25 @@ class SizeDiagram:
     def _rulers(self) -> Iterator[Wrong]:
         """Hold the rulers: one at each limit, that touches the diagram and has none of it beyond, with its angle."""
         spots = [one.value for one in self.measured.points if one.plan == NAME and one.name.startswith("T_")]
-        if len(spots) != max(len(self.limits), self.expected.cam.flat):
-            yield on("touch", NAME, name=f"T_{len(spots)}")
         if self.expected.cam.flat:
             yield from self._convex(spots)
             return
+        if len(spots) > len(self.limits):
+            yield on("touch", NAME, name=f"T_{len(spots)}")
+        spots += [] if self.expected.cam.rocks else [*self._near_start()]
         found = {one: [line for spot in spots for line in self._ruled(one, spot)] for one in self.limits}
         for one, lines in found.items():
             letter = self.drafting.letter(f"α_{{{one.kind}}}")
             if not lines:
                 yield on("touch", NAME, name=letter)
-            elif not self._lettered(one, lines, [other for k, own in found.items() if k.kind != one.kind for other in own]):
+            elif not self._lettered(one, found):
                 yield on("letter", NAME, name=letter)
 
-    def _lettered(self, one: Limit, lines: list[Line], others: list[Line]) -> bool:
+    def _lettered(self, one: Limit, found: Mapping[Limit, list[Line]]) -> bool:
         """Tell whether the letter of a limit stands nearer to its rulers than to those of another kind."""
+        others = [line for other, lines in found.items() if other.kind != one.kind for line in lines]
         text = self.drafting.letter(f"α_{{{one.kind}}}") + f" = {self.drafting.number(math.degrees(one.angle))}°"
-        near, far = (self.strokes.far(text, [_upper(line) for line in some]) for some in (lines, others))
+        near, far = (self.strokes.far(text, map(_upper, lines)) for lines in (found[one], others))
         return near < far
 
     def _ruled(self, one: Limit, spot: complex) -> Iterator[Line]:
@@ -146,29 +166,31 @@ class SizeDiagram:
         cam = self.expected.cam
         lean = cam.rising * spot / abs(spot) if cam.rocks else 1.0
         way = 1j * lean * cmath.exp(1j * cam.sense * one.side * one.angle)
-        slack = RULED * self.mu
-        beyond = self._beyond(one, way, spot)
-        if abs(beyond) <= slack + FAR * abs(spot):
+        if abs(self._beyond(one, spot)) <= RULED:
             yield from self.strokes.through(self.origin + spot / self.mu, way, RULED)
 
-    def _beyond(self, one: Limit, way: complex, spot: complex) -> float:
-        """Give how far the diagram goes beyond a ruler, m: of a rocker at O's own level the pressure angle tells."""
+    def _beyond(self, one: Limit, spot: complex) -> float:
+        """Give how far the diagram goes beyond a ruler on paper, mm; of a rocker whether it is touched at all."""
         cam = self.expected.cam
         if cam.rocks:
-            ends = self._ends(self._dense)
-            return float(np.abs(ends - spot).min()) if len(ends) else math.inf
-        t = math.tan(one.angle)
-        most = peak(
-            stretches(cam, (one.kind,)),
-            lambda at: one.side * at.slope - t * at.s,
-            lambda at: one.side * at.bend - t * at.slope,
-        ).value
-        return (-one.side * cam.sense * spot.real - t * spot.imag - most) * math.cos(one.angle)
+            return 0.0 if self._off(np.array([spot]))[0] <= NEARBY else math.inf
+        t, most = math.tan(one.angle), self._touch(one).value
+        return (-one.side * cam.sense * spot.real - t * spot.imag - most) * math.cos(one.angle) / self.mu
 
-    @cached_property
-    def _dense(self) -> Contour:
-        turned = np.linspace(0.0, self.expected.cam.turn, DENSE)
-        return contour(self.expected.cam, self.expected.sizes, self.expected.found.roller, turned)
+    def _touch(self, one: Limit) -> Peak:
+        """Give where a ruler touches the diagram of a follower that translates: side*S' - S tan α is the greatest."""
+        t = math.tan(one.angle)
+        along = stretches(self.expected.cam, (one.kind,))
+        return peak(along, lambda at: one.side * at.slope - t * at.s, lambda at: one.side * at.bend - t * at.slope)
+
+    def _near_start(self) -> Iterator[complex]:
+        """Give the touches that are too near to A for letters of their own."""
+        for one in self.limits:
+            touch = self._touch(one)
+            at = touch.stretch.at(np.array([touch.share]))
+            spot = complex(-self.expected.cam.sense * at.slope[0], at.s[0])
+            if abs(spot) <= LEAST * self.mu + RULED * self.mu:
+                yield spot
 
     def _convex(self, spots: list[complex]) -> Iterator[Wrong]:
         """Hold the ruler of a flat face: on it S + S'' is the least, which is ρ_min less R0."""
@@ -180,27 +202,41 @@ class SizeDiagram:
                 yield on("touch", NAME, name="T_1")
 
     def _curve(self) -> Iterator[Wrong]:
-        """Hold the curve: each corner of it near a place of the diagram, and each D near a corner."""
+        """Hold the curve: each corner of it is on the diagram."""
         chains = [one for one in self.strokes.chains if one.style.width >= self.drafting.hand.main]
         drawn = np.array([spot for one in chains for spot in one.points])
-        ends = self.origin + self._ends(self._dense) / self.mu
-        if not drawn.size:
-            yield on("curve", NAME)
-        elif np.abs(drawn[:, None] - ends).min(axis=1).max() > NEARBY * self._coarse(ends):
+        if not drawn.size or self._off((drawn - self.origin) * self.mu).max() > NEARBY:
             yield on("curve", NAME)
 
-    @staticmethod
-    def _coarse(ends: Complexes) -> float:
-        """Give how far places of the diagram are apart at the most, of the usual millimetre."""
-        steps = np.sort(np.abs(np.diff(ends)))
-        return max(1.0, float(steps[int(0.99 * len(steps))]) / NEARBY)
+    def _off(self, spots: Complexes) -> Floats:
+        """Give how far places are on paper from where the diagram has their S, mm, (N,)."""
+        cam = self.expected.cam
+        if not cam.rocks:
+            return self._off_level(spots, spots.imag)
+        # A rocker that turns faster than the cam has its D beyond O1, on the other side of it than K.
+        ways = (cam.rising * np.angle(side * cam.rising * spots) + cam.lift / 2 for side in (1, -1))
+        return np.asarray(np.min([self._off_level(spots, s) for s in ways], axis=0))
+
+    def _off_level(self, spots: Complexes, s: Floats) -> Floats:
+        """Give how far places are from where the diagram has some S, by the phase that comes nearest."""
+        cam, found = self.expected.cam, [np.full(len(spots), np.inf)]
+        for phase in cam.moving():
+            turned = np.linspace(phase.start, phase.end, DENSE)
+            known = travel(cam, turned, before=True).s
+            order = np.argsort(known)
+            own, step = np.interp(s, known[order], turned[order]), turned[1] - turned[0]
+            for shift, before in product((-step, 0.0, step), (False, True)):
+                there = np.clip(own + shift, phase.start, phase.end)
+                at = contour(cam, self.expected.sizes, self.expected.found.roller, there, before)
+                found.append(np.abs(self._ends(at) - spots) / self.mu)
+        return np.asarray(np.min(found, axis=0))
 
     def _due(self) -> Mapping[str, tuple[float, ...]]:
         """Give the numbers that may be written, by their letters; each has room or not."""
         own, sharpest = self.expected.sizes, self.expected.found.sharpest
         level = math.sqrt(own.base**2 - own.offset**2)
         due = {"R_0": own.base, "S_0": level, "e": abs(own.offset), "L": own.centre}
-        due |= {"ρ_{min}": sharpest.value if sharpest else 0.0}
+        due |= {"ρ_{min}": abs(sharpest.value) if sharpest else 0.0, "l": self.expected.cam.follower.length or 0.0}
         found = {letter: (1000 * value,) for letter, value in due.items()}
         for one in self.limits:
             found[self.drafting.letter(f"α_{{{one.kind}}}")] = (math.degrees(one.angle),)

@@ -3,22 +3,22 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
-from plans.analytic.cam.contour import Curve, contour
+from drawings.page.drafting import Drafting
+from plans.analytic.cam.contour import contour
 from plans.analytic.cam.laws import travel
 from plans.cam.study import CamDrawing
 from plans.checks.cam.comparison import Compared
 from plans.model.cam import Cam
-from plans.model.cam_motion import CamFound, Contour, Extreme, Sizes, Travel
+from plans.model.cam_motion import CamFound, Contour, Sizes, Travel
 from plans.model.motion import Complexes, Floats
 
-EQUAL = 1e-9  # of an extreme value: what is as large is another place of the same extreme
-Value = Callable[[Curve], Floats]
+DIGITS = 5  # of the angle of a phase
+EQUAL = 1e-9  # of a turn: what is so near to an edge is on it
 
 
 @dataclass(frozen=True)
@@ -105,28 +105,14 @@ class Expected:
         """S, S', S'' at the edges, before what jumps there."""
         return travel(self.cam, self.edges, before=True)
 
-    def settled(self) -> CamFound:
-        """Give what is found with each extreme at the place where the construction has it, if it is as large there."""
-        own, ours = self.found, self.drawing.found
-        pressure = {
-            kind: self._settled(one, ours.pressure.get(kind), lambda curve: curve.pressure)
-            for kind, one in own.pressure.items()
-        }
-        sharpest = self._settled(own.sharpest, ours.sharpest, lambda curve: curve.radius)
-        hollow = self._settled(own.hollow, ours.hollow, lambda curve: curve.radius)
-        return replace(
-            own,
-            pressure={kind: one for kind, one in pressure.items() if one is not None},
-            sharpest=sharpest,
-            hollow=hollow,
-        )
 
-    def _settled(self, own: Extreme | None, ours: Extreme | None, value: Value) -> Extreme | None:
-        """Give an extreme where the construction has it, if it is as large there, of a pressure angle with its sign."""
-        if own is None or ours is None:
-            return own
-        for before in (False, True):
-            there = float(value(Curve(self.cam, self.sizes, np.array([ours.turned]), before))[0])
-            if math.isclose(abs(there), abs(own.value), rel_tol=EQUAL) and there * ours.value > 0:
-                return Extreme(there, ours.turned)
-        return own
+def phase_name(cam: Cam, number: int, drafting: Drafting) -> str:
+    """Letter a phase with its angle in degrees or its travel in mm: a dwell at the lowest level is a rest."""
+    lowest = min(level for one in cam.phases for level in (one.level, one.level + one.change))
+    kinds = ["rest" if one.change == 0 and one.level == lowest else one.kind for one in cam.phases]
+    own, phase = kinds[number], cam.phases[number]
+    index = own if kinds.count(own) == 1 else f"{own}\N{NO-BREAK SPACE}{kinds[: number + 1].count(own)}"
+    size = phase.end - phase.start
+    if cam.translates:
+        return drafting.letter(f"x_{{{index}}} = {drafting.number(1000 * size, DIGITS)}")
+    return drafting.letter(f"φ_{{{index}}} = {drafting.number(math.degrees(size), DIGITS)}°")

@@ -14,11 +14,11 @@ from drawings.checks.cam.cam_laws import FLUSH, LawGraph, named
 from drawings.checks.cam.cam_strokes import NEAR, FigureStrokes, figure, read
 from drawings.checks.reading import reads
 from drawings.checks.wrong import Wrong, on
+from drawings.figures.cam.law_pole import APART
 from drawings.paper.strokes import Leaf
 from plans.words.words import message
 
 DIGITS = 4
-LEAST = 0.1  # mm: a mean ordinate that is shorter need have no ray
 _DISTANCE = re.compile(r"(H\d) = (\d+(?:[.,]\d+)?)\s")
 
 
@@ -70,5 +70,5 @@ def _rays(strokes: FigureStrokes, pole: complex, above: LawGraph, ordinates: np.
         carried = feet[np.abs(tips - one.end) <= FLUSH].tolist()
         if not any(strokes.joins(one.end, foot, FLUSH) for foot in carried):
             yield on("ray", above.name)
-    if not rays and np.abs(tips - above.zero).max() > LEAST:
+    if not rays and np.abs(tips - above.zero).max() > APART * above.drafting.hand.letter + FLUSH:
         yield message("wrong.missing", name="P")

@@ -10,7 +10,7 @@ from functools import cached_property
 
 import numpy as np
 
-from drawings.checks.cam.cam_expected import Expected
+from drawings.checks.cam.cam_expected import Expected, phase_name
 from drawings.checks.cam.cam_law_rows import Course, ExpectedRow, expected_rows
 from drawings.checks.cam.cam_strokes import NEAR, FigureStrokes, figure, read
 from drawings.checks.precise import tells
@@ -21,7 +21,6 @@ from drawings.measure.measure import Measured
 from drawings.measure.measured import MeasuredVector
 from drawings.page.drafting import Drafting
 from drawings.paper.strokes import Leaf, Line, Polyline
-from drawings.report.phase_letters import phase_letter
 from plans.model.cam import Cam
 from plans.model.motion import Floats
 from plans.words.words import message
@@ -179,7 +178,8 @@ class LawGraph:
         for foot, up in due:
             if not any(abs(one.start - foot) <= FLUSH and (one.tip - one.start).imag * up > 0 for one in arrows):
                 yield on("missing_on", self.name, name="∞")
-        if len(arrows) > len(due):
+        feet = [self.zero, *(foot for foot, _ in due)]  # the axis of ordinates points upward from the first of them
+        if any(min(abs(one.start.real - foot.real) for foot in feet) > FLUSH for one in arrows):
             yield on("stranger_on", self.name, name="∞")
 
     def _caption(self) -> Iterator[Wrong]:
@@ -230,7 +230,7 @@ def _phases(leaf: Leaf, last: LawGraph, expected: Expected, drafting: Drafting) 
     sizes, bounds = (figure(leaf, named(cam, key)) for key in ("phases", "bounds"))
     for k, phase in enumerate(cam.phases):
         ends = [last.on(turned).real for turned in (phase.start, phase.end)]
-        letter = phase_letter(cam, k, drafting)
+        letter = phase_name(cam, k, drafting)
         lines = [] if sizes is None else [one for one in sizes.lines if _level(one, ends)]
         if sizes is None or not any(sizes.lettered(letter, [(one.start + one.end) / 2]) for one in lines):
             yield on("phase", plan, name=letter)

@@ -10,14 +10,14 @@ from functools import cached_property
 
 import numpy as np
 
-from drawings.checks.cam.cam_expected import Expected
+from drawings.checks.cam.cam_expected import Expected, phase_name
 from drawings.checks.cam.cam_strokes import NEAR, FigureStrokes, Turning
 from drawings.checks.labelled import NEAREST
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.cam.profile_view import NAME
 from drawings.page.drafting import Drafting
 from drawings.paper.strokes import Line
-from drawings.report.phase_letters import phase_letter
+from drawings.symbols.symbols import HEAD
 from plans.model.cam import POINTED
 from plans.model.motion import Complexes
 
@@ -155,18 +155,22 @@ class ProfileLines:
     def _phases(self) -> Iterator[Wrong]:
         """Hold the arcs of the phases: an arrow's tip at either end of each, its letter beside its middle."""
         cam, ring = self.expected.cam, self._ring
-        tips = [one.tip for one in self._turnings if one.radius >= ring - NEAR]
+        arrows = [one for one in self._turnings if one.radius >= ring - NEAR]
         for number, phase in enumerate(cam.phases):
-            ends = [self._crossing(turned, ring) for turned in (phase.start, phase.end)]
-            letter = phase_letter(cam, number, self.drafting)
-            if not all(any(abs(tip - end) <= NEAR for tip in tips) for end in ends):
+            start, end = (self._crossing(turned, ring) for turned in (phase.start, phase.end))
+            middle = self.origin + (start - self.origin) * cmath.rect(1.0, -cam.sense * phase.angle / 2)
+            letter = phase_name(cam, number, self.drafting)
+            if not all(any(self._leads(one, middle, tip) for one in arrows) for tip in (start, end)):
                 yield on("phase", NAME, name=letter)
-            middle = self._crossing(phase.start, ring) - self.origin
-            middle = self.origin + middle * cmath.rect(1.0, -cam.sense * phase.angle / 2)
             if not self.strokes.lettered(letter, [middle]):
                 yield on("letter", NAME, name=letter)
-        if len(tips) != 2 * len(cam.phases):
+        if len(arrows) != 2 * len(cam.phases):
             yield on("phase", NAME, name="φ")
+
+    def _leads(self, one: Turning, middle: complex, tip: complex) -> bool:
+        """Tell whether an arrow leads from the middle of a phase to an end of it; of a short one the tip is held."""
+        short = abs(tip - middle) < 2 * HEAD[0] * self.drafting.hand.symbol
+        return abs(one.tip - tip) <= NEAR and (short or abs(one.start - middle) <= NEAR)
 
     def _crossing(self, turned: float, radius: float) -> complex:
         """Give where a turned axis, or the ray through a turned pivot, meets a circle about O on paper."""
@@ -196,7 +200,7 @@ class ProfileLines:
             yield on("sense", NAME, name="v")
         for number, phase in enumerate(cam.phases):
             ends = [self.on(complex(self.expected.back(0j, turned))).real for turned in (phase.start, phase.end)]
-            letter = phase_letter(cam, number, self.drafting)
+            letter = phase_name(cam, number, self.drafting)
             lines = [one for one in self.strokes.lines if _spans(one.start, one.end, ends)]
             if not any(self.strokes.lettered(letter, [(one.start + one.end) / 2]) for one in lines):
                 yield on("phase", NAME, name=letter)

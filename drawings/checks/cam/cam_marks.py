@@ -132,7 +132,7 @@ def _from_centre(ends: tuple[complex, complex], size: float, slack: float) -> bo
 
 def _osculates(one: MeasuredVector, ends: tuple[complex, complex], expected: Expected, slack: float) -> bool:
     """Tell whether a least radius is that of the analysis, and goes to the pitch curve where it is so."""
-    least = expected.settled().sharpest
-    if least is None or not abs(abs(one.value) - least.value) <= slack:
+    least = expected.found.sharpest
+    if least is None or not abs(abs(one.value) - abs(least.value)) <= slack:
         return False
     return abs(ends[1] - expected.at(least.turned)) <= slack + CHORDED * one.scale

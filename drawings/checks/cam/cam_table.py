@@ -6,19 +6,17 @@ import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
-import numpy as np
-
 from drawings.checks import reading
 from drawings.checks.cam.cam_expected import Expected
 from drawings.checks.cam.cam_strokes import read
+from drawings.checks.cam.cam_told import BARE
 from drawings.checks.reading import reads
 from drawings.checks.wrong import Wrong, within
 from drawings.page.drafting import Drafting
 from drawings.paper.strokes import Group, Leaf, Text
 from drawings.paper.walk import groups
-from plans.analytic.cam.laws import travel
 from plans.model.cam import RETURN, RISE, Cam
-from plans.model.cam_motion import CamFound, Shock
+from plans.model.cam_motion import BEND, SLOPE, CamFound, Shock
 
 NAME = "sizes"
 DIGITS = 5  # of a value
@@ -92,10 +90,10 @@ def _holds(text: str, true: float) -> bool:
 
 def rows(expected: Expected) -> Iterator[Row]:
     """Give the rows that there must be, in their order."""
-    found = expected.settled()
+    found = expected.found
     yield from _sizes(found)
     yield from _extremes(found)
-    yield from _motion(found, expected)
+    yield from _motion(found)
     for k, one in enumerate(found.shocks, 1):
         yield from _shock(found.cam, one, k)
 
@@ -136,21 +134,21 @@ def _place(cam: Cam, letter: str, turned: float) -> Row:
     return Row(letter, "°", math.degrees(turned), place="cam angle at")
 
 
-def _motion(found: CamFound, expected: Expected) -> Iterator[Row]:
-    """Give the largest velocity and acceleration at the turns that the table is made of."""
+def _motion(found: CamFound) -> Iterator[Row]:
+    """Give the largest velocity and acceleration; at a hard shock the acceleration has no largest value."""
     cam = found.cam
     if cam.speed is None:
         return
-    own = travel(cam, expected.drawing.curve.turned)
     velocity, acceleration = (("ω", "rad/s"), ("ε", "rad/s2")) if cam.rocks else (("v", "m/s"), ("a", "m/s2"))
-    yield Row(f"{velocity[0]}_{{max}}", velocity[1], float(np.abs(own.slope).max()) * cam.speed)
+    yield Row(f"{velocity[0]}_{{max}}", velocity[1], abs(found.peaks[SLOPE].value) * cam.speed)
     if all(one.order != 1 for one in found.shocks):
-        yield Row(f"{acceleration[0]}_{{max}}", acceleration[1], float(np.abs(own.bend).max()) * cam.speed**2)
+        yield Row(f"{acceleration[0]}_{{max}}", acceleration[1], abs(found.peaks[BEND].value) * cam.speed**2)
 
 
 def _shock(cam: Cam, one: Shock, k: int) -> Iterator[Row]:
-    way = ("S'", "S''") if cam.speed is None else ("ω", "ε") if cam.rocks else ("v", "a")
-    units = ("", "") if cam.speed is None else ("rad/s", "rad/s2") if cam.rocks else ("m/s", "m/s2")
+    way, units = (("ω", "ε"), ("rad/s", "rad/s2")) if cam.rocks else (("v", "a"), ("m/s", "m/s2"))
+    if cam.speed is None:
+        way, units = ("ψ'", "ψ''") if cam.rocks else ("S'", "S''"), BARE[cam.rocks, cam.translates]
     letter = f"Δ{way[one.order - 1]}_{{{k}}}"
     yield Row(letter, units[one.order - 1], one.jump * (cam.speed or 1.0) ** one.order)
     yield _place(cam, letter, one.turned)

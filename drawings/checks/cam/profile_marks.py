@@ -61,7 +61,7 @@ def _sizes(measured: Measured, found: CamFound) -> Iterator[Wrong]:
     """Hold the sizes that are drawn, and a rocker's pivot, which must be."""
     sizes, sharpest = found.sizes, found.sharpest
     true = {"R_0": complex(sizes.base), "e": complex(found.cam.sense * sizes.offset), "L": sizes.pivot}
-    true |= {"O_1": sizes.pivot} | ({"ρ_min": complex(sharpest.value)} if sharpest else {})
+    true |= {"O_1": sizes.pivot} | ({"ρ_min": complex(abs(sharpest.value))} if sharpest else {})
     own = {one.name: one for one in measured.marks if one.plan == NAME and one.position is None}
     for name, one in own.items():
         value = abs(one.value) if name in LENGTHS else one.value

@@ -54,6 +54,8 @@ def analysed(found: CamFound, parts: int = TURNS) -> Analysed:
     """Look at a cam that the analysis found at equal parts of its turn."""
     cam, sizes, roller = found.cam, found.sizes, found.roller
     turned = np.linspace(0.0, cam.turn, parts, endpoint=cam.translates)
+    if cam.translates and cam.rocks:  # its tip goes across: over the very ends it may miss the profile
+        turned = turned[1:-1]
     flawed = any(one.kind in FLAWS for one in found.flaws)
     return Analysed(cam, sizes, roller, contour(cam, sizes, roller, turned), flawed)
 

@@ -140,7 +140,9 @@ def _lift(spot: Points, cam: Cam, sizes: Sizes, roller: float, sign: int) -> Flo
     """Give S at which a follower touches points from above (sign +1), or from below, turned round (-1)."""
     way = _way(spot, cam, sizes)
     if cam.flat:
-        return way.level - (np.arcsin(cam.follower.face / np.abs(spot - sizes.pivot)) if cam.rocks else 0.0)
+        with np.errstate(invalid="ignore"):  # what is nearer to the pivot than the face is never touched
+            far = np.arcsin(cam.follower.face / np.abs(spot - sizes.pivot)) if cam.rocks else 0.0
+        return np.asarray(np.where(np.isnan(far), NOWHERE, way.level - far))
     with np.errstate(invalid="ignore"):  # a roller does not come to what is too far aside
         if cam.rocks:
             length = cam.follower.length or 0.0

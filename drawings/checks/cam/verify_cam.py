@@ -10,17 +10,20 @@ from drawings.checks.cam.cam_diagram import SizeDiagram
 from drawings.checks.cam.cam_expected import Expected
 from drawings.checks.cam.cam_lines import ProfileLines
 from drawings.checks.cam.cam_marks import marks
+from drawings.checks.cam.cam_pressure import PressureGraph
 from drawings.checks.cam.cam_strokes import FigureStrokes, figure
 from drawings.checks.cam.profile_marks import wrong_marks
 from drawings.checks.cam.profiles import analysed, wrong
 from drawings.checks.wrong import Wrong, on
+from drawings.figures.cam.pressure_graph import NAME as PRESSURE
 from drawings.figures.cam.profile_view import NAME as PROFILE
+from drawings.figures.cam.profile_view import PITCH
 from drawings.figures.cam.size_view import NAME as DIAGRAM
 from drawings.measure.measure import Measured
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Circle, Leaf
 from drawings.paper.walk import groups
-from drawings.sheets.cam_charts import EVERY
+from plans.cyclogram.rows import EVERY
 from plans.study import Study
 
 ROLLED = 180  # parts of a turn at which the written curves are held to the law
@@ -43,6 +46,11 @@ def check(measured: Measured, leaf: Leaf, expected: Expected, drafting: Drafting
         yield from _profile(measured, leaf, expected, drafting)
     if DIAGRAM in shown:
         yield from _diagram(measured, leaf, expected, drafting)
+    strokes = figure(leaf, PRESSURE)
+    if strokes is not None:
+        yield from PressureGraph(strokes, measured, expected, drafting).faults()
+    elif PRESSURE in shown or (leaf.metadata["of"] == 1 and _pressed(expected)):
+        yield on("missing_on", PRESSURE, name="α")
     yield from cam_table.results(leaf, expected, drafting)
     if cam_laws.named(expected.cam) in shown:
         yield from cam_laws.diagrams(measured, leaf, expected, drafting)
@@ -61,6 +69,8 @@ def _profile(measured: Measured, leaf: Leaf, expected: Expected, drafting: Draft
         return
     origin, mu = pole
     yield from wrong(measured.profiles, PROFILE, analysed(expected.found, ROLLED))
+    if expected.found.roller and all(one.name != PITCH for one in measured.profiles if one.plan == PROFILE):
+        yield on("missing_on", PROFILE, name=PITCH)
     yield from wrong_marks(measured, leaf, expected.found, drafting)
     yield from marks(measured, expected, origin, mu, drafting.hand)
     yield from ProfileLines(strokes, expected, origin, mu, drafting).faults()
@@ -76,6 +86,11 @@ def _diagram(measured: Measured, leaf: Leaf, expected: Expected, drafting: Draft
         yield on("missing_on", DIAGRAM, name="O")
         return
     yield from SizeDiagram(strokes, measured, expected, *pole, drafting).faults()
+
+
+def _pressed(expected: Expected) -> bool:
+    """Tell whether a cam has a pressure angle that is not 0 throughout."""
+    return not (expected.cam.flat and not expected.cam.rocks) and bool(expected.found.pressure)
 
 
 def _pole(strokes: FigureStrokes) -> tuple[complex, float] | None:

@@ -73,7 +73,7 @@ def _rocker(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw the arm, the stand of its pivot, and of a flat one what holds its face before the pivot."""
     pivot, tip = place.on(view.sizes.pivot), place.on(complex(view.curve.tip[0]))
     radius = HINGE * hand.symbol
-    yield from fixed_hinge(pivot, hand, radius, _downward(pivot - place.on(0j), tip - pivot))
+    yield from fixed_hinge(pivot, hand, radius, _downward(pivot - place.on(0j) or -1j, tip - pivot))
     if view.cam.flat:
         held = place.on(view.sizes.pivot + view.cam.follower.face * complex(view.curve.lever[0]))
         yield Line(held, tip, hand.result)

@@ -7,13 +7,14 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise, product
 
-from drawings.figures.cam.law_rows import ACCELERATION, TRAVEL, VELOCITY, LawRow, letters, rows
+from drawings.figures.cam.law_rows import LawRow, rows
 from drawings.figures.graphs.axes import BEYOND, Axes
 from drawings.layout.picture import Margins, Picture, Spot
 from drawings.page.drafting import Drafting
 from drawings.page.scale import Scale, fitting
 from drawings.paper.formats import Field
 from drawings.paper.hand import Hand
+from drawings.report.cam_letters import ACCELERATION, TRAVEL, VELOCITY, letters
 from plans.cam.diagrams import LawDiagrams
 from plans.model.cam import Cam
 
@@ -28,6 +29,11 @@ LEVEL = 3.4  # sizes of a number from the lowest row to the dimensions of the ph
 BELOW = 2.0  # and from these to the end
 LARGER = 1 + 1e-9  # times an extent that fits: no two standard scales lie so near
 COARSER = 4  # scales tried beyond the largest: they differ by ten times
+
+
+def name_of(cam: Cam) -> str:
+    """Give the name of the figure of a cam's law."""
+    return f"{NAME}-{cam.name}"
 
 
 @dataclass(frozen=True)
@@ -54,7 +60,7 @@ class LawPlate:
 
     def named(self, key: str) -> str:
         """Name a part of the figure."""
-        return f"{NAME}-{self.cam.name}-{key}"
+        return f"{name_of(self.cam)}-{key}"
 
     @property
     def beside(self) -> float:
@@ -82,8 +88,10 @@ class LawPlate:
         margins = Margins(self.beside, self.below, len(self.rows) * (self.over + self.under))
         high = turn * HIGH
         unit = "m" if self.cam.translates else "rad"
-        name, letter = f"{NAME}-{self.cam.name}", letters(self.cam)[1]
-        return Picture(name, turn, high, complex(turn, high) / 2, letter, unit, margins, heading, LONG * size)
+        letter = letters(self.cam)[1]
+        return Picture(
+            name_of(self.cam), turn, high, complex(turn, high) / 2, letter, unit, margins, heading, LONG * size
+        )
 
 
 @dataclass(frozen=True)

@@ -26,8 +26,8 @@ from plans.model.cam_motion import CamFound, Contour, Extreme
 from plans.model.motion import Floats
 
 NAME, LETTER, UNIT = "pressure", "α", "°"
-RATIO = 2.4  # it is drawn so many times as long as high
-MARGINS = Margins(3.2, 5.4, 1.6)  # paper around it for letters and the row of phases, in sizes of a letter
+RATIO = 3.4  # it is drawn so many times as long as high
+MARGINS = Margins(3.2, 5.2, 0.8)  # paper around it for letters and the row of phases, in sizes of a letter
 LETTERS = 24.0  # it is drawn at least so many letters long
 UNDER = 3.2  # letters from the graph to the row of phases
 DOT = 0.7  # mm, radius of a point
@@ -37,7 +37,7 @@ APART = 2.0  # sizes of a number from one numbered position to the next
 
 @dataclass(frozen=True)
 class PressureView:
-    """The pressure angle of a cam: densely, at its numbered positions, at its extremes; degrees, against rad or m."""
+    """The pressure angle of a cam: densely, at its numbered positions, at its extremes; degrees, over rad or m."""
 
     cam: Cam
     limits: Limits  # rad
@@ -46,15 +46,6 @@ class PressureView:
     stations: Floats  # of the numbered positions
     ordinates: Floats  # degrees
     extremes: Mapping[str, Extreme]  # rad: on each kind of phase
-
-    @property
-    def length(self) -> float:
-        """The whole turn in degrees, or the whole travel in mm."""
-        return self.across(self.cam.turn)
-
-    def across(self, turned: float) -> float:
-        """Give a turn of the cam in degrees, or its travel in mm."""
-        return 1000 * turned if self.cam.translates else math.degrees(turned)
 
     @property
     def levels(self) -> tuple[tuple[str, float], ...]:
@@ -101,13 +92,13 @@ class PressureFigure:
 
 def measure(view: PressureView, drafting: Drafting) -> Picture:
     """Measure the room of the graph: its scale is that of the cam's turn, the angle's own follows from the height."""
-    hand, high = drafting.hand, view.length / RATIO
+    hand, high = drafting.hand, view.cam.turn / RATIO
     side, below, above = (share * hand.letter for share in MARGINS)
     margins = Margins(side + BEYOND / 2, below, above + BEYOND + 2 * hand.title + hand.text)
     title = text_width(Text(0j, drafting.word("cam pressure graph"), hand.title))
-    letter, unit = ("x", "mm") if view.cam.translates else ("φ", "°")
-    middle = complex(view.length, high) / 2
-    return Picture(NAME, view.length, high, middle, letter, unit, margins, title, LETTERS * hand.letter)
+    letter, unit = ("x", "m") if view.cam.translates else ("φ", "rad")
+    middle = complex(view.cam.turn, high) / 2
+    return Picture(NAME, view.cam.turn, high, middle, letter, unit, margins, title, LETTERS * hand.letter)
 
 
 def draw(view: PressureView, room: Picture, spot: Spot, drafting: Drafting) -> PressureFigure:
@@ -115,10 +106,10 @@ def draw(view: PressureView, room: Picture, spot: Spot, drafting: Drafting) -> P
     hand, (low, high) = drafting.hand, view.span
     up = fitting((high - low) or 1.0, room.high / spot.scale.mu, LETTER, UNIT, drafting.standard)
     axes = Axes(room.place(*spot).on(0j) + 1j * _lift(room, spot, up, low, high), spot.scale, up)
-    scales = f"{spot.scale.written(drafting.language)};  {up.written(drafting.language)}"
+    scales = f"{drafting.scale(up)};  {drafting.scale(spot.scale)}"
     lines = (
         heading(spot.box, drafting.word("cam pressure graph"), scales, hand),
-        *axes.lines((0.0, view.length), (low, high), hand),
+        *axes.lines((0.0, view.cam.turn), (low, high), hand),
         *_phases(view, axes, hand),
         *_levels(view, axes, hand),
         *_stations(view, axes, hand),
@@ -136,8 +127,7 @@ def _lift(room: Picture, spot: Spot, up: Scale, low: float, high: float) -> floa
 
 
 def _curve(view: PressureView) -> Iterator[tuple[float, float]]:
-    for turned, angle in zip(view.turned.tolist(), view.angles.tolist(), strict=True):
-        yield view.across(turned), angle
+    yield from zip(view.turned.tolist(), view.angles.tolist(), strict=True)
 
 
 def _bottom(view: PressureView, axes: Axes, hand: Hand) -> float:
@@ -149,7 +139,7 @@ def _phases(view: PressureView, axes: Axes, hand: Hand) -> Iterator[Stroke]:
     """Part the phases by thin lines down to their row."""
     level = _bottom(view, axes, hand)
     for turned in (*(one.start for one in view.cam.phases), view.cam.turn):
-        at = axes.on(view.across(turned)).real
+        at = axes.on(turned).real
         yield Line(complex(at, axes.on(0.0, view.span[1]).imag), complex(at, level - TICK), hand.drafted)
 
 
@@ -158,16 +148,17 @@ def _levels(view: PressureView, axes: Axes, hand: Hand) -> Iterator[Stroke]:
     for kind, level in view.levels:
         for one in view.cam.phases:
             if one.kind == kind:
-                start, end = (axes.on(view.across(at), level) for at in (one.start, one.end))
+                start, end = (axes.on(at, level) for at in (one.start, one.end))
                 yield Line(start, end, fit(hand.path, abs(end - start)))
 
 
 def _stations(view: PressureView, axes: Axes, hand: Hand) -> Iterator[Stroke]:
-    """Draw the ordinates of the numbered positions, which can be measured."""
+    """Draw the ordinates of the positions that bear numbers, which can be measured, and the points of all."""
+    numbered = _roomy(view, axes, hand)
     for k, (turned, angle) in enumerate(zip(view.stations.tolist(), view.ordinates.tolist(), strict=True)):
-        foot, tip = axes.on(view.across(turned)), axes.on(view.across(turned), angle)
+        foot, tip = axes.on(turned), axes.on(turned, angle)
         yield Line(foot - 1j * TICK, foot + 1j * TICK, hand.drafted)
-        if abs(tip - foot) > LEAST:
+        if k in numbered and abs(tip - foot) > LEAST:
             data = Subject(NAME, LETTER, k).data("vector", str(k), 1j * angle, axes.up)
             yield Group((Line(foot, tip, hand.drafted),), "", data, str(k))
         yield Circle(tip, DOT * hand.symbol, INK)
@@ -181,8 +172,8 @@ def _marks(view: PressureView, axes: Axes, drafting: Drafting) -> Iterator[Strok
     """Draw the extremes, which can be measured from the axis."""
     hand = drafting.hand
     for kind, one in view.marked:
-        foot = axes.on(view.across(one.turned))
-        tip = axes.on(view.across(one.turned), math.degrees(one.value))
+        foot = axes.on(one.turned)
+        tip = axes.on(one.turned, math.degrees(one.value))
         data = Subject(NAME, LETTER, None).data("vector", kind, 1j * math.degrees(one.value), axes.up)
         yield Group((Line(foot, tip, hand.other),), "", data, _degrees(one, drafting))
         yield Circle(tip, 1.5 * DOT * hand.symbol, hand.body)
@@ -192,9 +183,9 @@ def _letters(view: PressureView, axes: Axes, drafting: Drafting) -> Iterator[Let
     """Letter the axes, the limits and the extremes."""
     hand = drafting.hand
     yield Letter(axes.on(0.0, view.span[1]) + BEYOND * 1j, f"{LETTER}, {UNIT}", hand.letter, 0.0)
-    yield Letter(axes.on(view.length) + BEYOND, "x" if view.cam.translates else "φ", hand.letter, math.pi / 2)
+    yield Letter(axes.on(view.cam.turn) + BEYOND, "x" if view.cam.translates else "φ", hand.letter, math.pi / 2)
     for _, one in view.marked:
-        at = axes.on(view.across(one.turned), math.degrees(one.value))
+        at = axes.on(one.turned, math.degrees(one.value))
         side = math.copysign(math.pi / 2, one.value)
         yield Letter(at, _degrees(one, drafting), hand.number, side, 1.6)
     for kind, level in view.levels:
@@ -202,14 +193,14 @@ def _letters(view: PressureView, axes: Axes, drafting: Drafting) -> Iterator[Let
         if own is not None:
             text = drafting.letter(f"[α_{{{kind}}}] = {drafting.number(abs(level))}°")
             side = math.pi / 2 if kind == RISE else -math.pi / 2
-            yield Letter(axes.on(view.across(own.start + 0.8 * own.angle), level), text, hand.number, side)
+            yield Letter(axes.on(own.start + 0.8 * own.angle, level), text, hand.number, side)
 
 
 def _named(view: PressureView, axes: Axes, drafting: Drafting) -> Iterator[Letter]:
     """Name the phases in their row."""
     level = _bottom(view, axes, drafting.hand)
     for k, one in enumerate(view.cam.phases):
-        middle = axes.on(view.across(one.start + one.angle / 2)).real
+        middle = axes.on(one.start + one.angle / 2).real
         yield Letter(
             complex(middle, level), phase_letter(view.cam, k, drafting), drafting.hand.number, -math.pi / 2, 0.0
         )
@@ -217,9 +208,17 @@ def _named(view: PressureView, axes: Axes, drafting: Drafting) -> Iterator[Lette
 
 def _numbers(view: PressureView, axes: Axes, hand: Hand) -> Iterator[Letter]:
     """Number the positions at the axis, each on the side away from its ordinate, those that have room."""
-    last = -np.inf
-    for k, (turned, angle) in enumerate(zip(view.stations.tolist(), view.ordinates.tolist(), strict=True)):
-        foot = axes.on(view.across(turned))
+    for k in _roomy(view, axes, hand):
+        side = math.pi / 2 if view.ordinates[k] < 0 else -math.pi / 2
+        yield Letter(axes.on(float(view.stations[k])), str(k), hand.number, side, TICK + 0.6)
+
+
+def _roomy(view: PressureView, axes: Axes, hand: Hand) -> tuple[int, ...]:
+    """Choose the positions whose numbers have room."""
+    last, kept = -np.inf, list[int]()
+    for k, turned in enumerate(view.stations.tolist()):
+        foot = axes.on(turned)
         if foot.real - last >= APART * hand.number:
             last = foot.real
-            yield Letter(foot, str(k), hand.number, math.pi / 2 if angle < 0 else -math.pi / 2, TICK + 0.6)
+            kept.append(k)
+    return tuple(kept)

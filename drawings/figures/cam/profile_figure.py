@@ -98,7 +98,8 @@ class ProfileFigure:
                 high = inversion.highest(view, self.place, self.drafting.hand)
                 yield k, complex(self.place.on(complex(view.contour.pitch[k])).real, high), math.pi / 2
             else:
-                off = rings.crossing(turned, rings.ends)
+                pivot = self.place.on(view.back(view.sizes.pivot, turned)) - self.place.on(0j)
+                off = pivot if view.cam.rocks and k else rings.crossing(turned, rings.ends)
                 yield k, self.place.on(0j) + off, math.atan2(off.imag, off.real)
 
     def _divisions(self, labels: Labels) -> Iterator[Stroke]:

@@ -13,7 +13,7 @@ CLEAR = 2.0  # mm between a follower at its highest and its guide
 GUIDE = 9.0  # mm, length of a guide
 PAST = 2.0  # mm that an axis goes past its guide
 NUMBER = 2.4  # sizes of a number from the ends of the axes to the arcs of the phases
-PHASE = 3.2  # sizes of a letter beyond the arcs of the phases
+PHASE = 1.2  # sizes of a letter beyond the arcs of the phases
 BODY_GUIDE = 8.0  # mm under a cam that translates, for its guide
 
 

@@ -85,10 +85,10 @@ def _sharpest(view: ProfileView, place: Place, drafting: Drafting) -> Iterator[S
 
 
 def _seen(view: ProfileView, one: Extreme, place: Place, hand: Hand) -> bool:
-    """Tell whether the circle of the least radius is drawn: it is not the one of a dwell, nor larger than the cam."""
+    """Tell whether the circle of the least radius is drawn: not one of a dwell, of a hollow, or larger than the cam."""
     turns = one.turned, one.turned + view.cam.turn  # a dwell that ends the turn ends where it begins
     still = any(own.kind == DWELL and own.start <= turn <= own.end for own in view.cam.phases for turn in turns)
-    return not still and place.length(one.value) < place.length(view.reach) + LARGE * hand.letter
+    return not still and 0 < place.length(one.value) < place.length(view.reach) + LARGE * hand.letter
 
 
 def _mark(name: str, start: complex, end: complex, size: float, place: Place, drafting: Drafting) -> SizeMark:
@@ -120,7 +120,7 @@ def _circle(view: ProfileView, turned: float, radius: float, place: Place, hand:
 
 def rocking(view: ProfileView, place: Place, drafting: Drafting) -> Iterator[AngleArc]:
     """Give the initial angle of a rocker, from the line of centres to its arm."""
-    if view.cam.rocks and not view.cam.flat:
+    if view.cam.rocks and not (view.cam.flat or view.cam.translates):
         pivot, tip = place.on(view.sizes.pivot), place.on(complex(view.curve.tip[0]))
         start, end = cmath.phase(place.on(0j) - pivot), cmath.phase(tip - pivot)
         off = cmath.phase(cmath.rect(1.0, end - start))

@@ -11,9 +11,10 @@ import numpy as np
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.layout.value_table import COLUMNS, row
 from drawings.page.drafting import Drafting
+from drawings.report.cam_letters import ACCELERATION, RATIO, VELOCITY, letters, units
 from plans.checks.comparison import Finding
 from plans.model.cam import RETURN, RISE, Cam
-from plans.model.cam_motion import CamFound, Shock, Travel
+from plans.model.cam_motion import CamFound, Shock
 
 NAME = "sizes"
 MM = 1000.0  # of a metre
@@ -29,9 +30,9 @@ class Quantity(NamedTuple):
     where: str = ""  # the word for the place of a value, of one that is a place
 
 
-def quantities(found: CamFound, travel: Travel) -> tuple[Quantity, ...]:
-    """List what one road found; `travel` is S and its derivatives at many turns by the same road."""
-    return (*_sizes(found), *_curvature(found), *_pressure(found), *_motion(found, travel), *_shocks(found))
+def quantities(found: CamFound) -> tuple[Quantity, ...]:
+    """List what one road found."""
+    return (*_sizes(found), *_curvature(found), *_pressure(found), *_motion(found), *_shocks(found))
 
 
 def sizes(own: tuple[Quantity, ...], exact: tuple[Quantity, ...], drafting: Drafting) -> RuledTable:
@@ -98,14 +99,12 @@ def _where(cam: Cam, letter: str, turned: float) -> Quantity:
     return Quantity(letter, "°", math.degrees(turned), where="cam angle at")
 
 
-def _motion(found: CamFound, travel: Travel) -> Iterator[Quantity]:
+def _motion(found: CamFound) -> Iterator[Quantity]:
     """Give the follower's largest velocity and acceleration; at a hard shock the acceleration has no largest value."""
-    cam = found.cam
-    if cam.speed is not None:
-        names = ("ω_{max}", "rad/s", "ε_{max}", "rad/s2") if cam.rocks else ("v_{max}", "m/s", "a_{max}", "m/s2")
-        yield Quantity(*names[:2], float(np.abs(travel.slope).max()) * cam.speed)
-        if not any(one.order == 1 for one in found.shocks):
-            yield Quantity(*names[2:], float(np.abs(travel.bend).max()) * cam.speed**2)
+    if found.cam.speed is not None:
+        letters = ("ω_{max}", "ε_{max}") if found.cam.rocks else ("v_{max}", "a_{max}")
+        for order, peak in enumerate(found.peaks.values(), 1):
+            yield Quantity(letters[order - 1], _units(found.cam)[order - 1], abs(peak.value) * found.cam.speed**order)
 
 
 def _shocks(found: CamFound) -> Iterator[Quantity]:
@@ -119,11 +118,17 @@ def _shocks(found: CamFound) -> Iterator[Quantity]:
 def _jumps(cam: Cam, shock: Shock) -> str:
     """Name what jumps."""
     if cam.speed is None:
-        return "S'" if shock.order == 1 else "S''"
+        return letters(cam)[0] + "'" * shock.order
     return ("ωε" if cam.rocks else "va")[shock.order - 1]
 
 
 def _unit(cam: Cam, shock: Shock) -> str:
     if cam.speed is None:
-        return ""
-    return (("rad/s", "rad/s2") if cam.rocks else ("m/s", "m/s2"))[shock.order - 1]
+        bare = units(cam)[VELOCITY if shock.order == 1 else ACCELERATION]
+        return "" if bare == RATIO else bare
+    return _units(cam)[shock.order - 1]
+
+
+def _units(cam: Cam) -> tuple[str, str]:
+    """Give the units of velocity and acceleration."""
+    return ("rad/s", "rad/s2") if cam.rocks else ("m/s", "m/s2")

@@ -9,10 +9,13 @@ import numpy as np
 
 from plans.analytic.cam.contact import Forces
 from plans.analytic.cam.contour import Curve
-from plans.analytic.cam.series import Place, Turn
+from plans.analytic.cam.series import Place, Turn, Value
+from plans.analytic.cam.shocks import shocks
 from plans.model.cam import GROOVE, RETURN, RISE, Cam
-from plans.model.cam_motion import Extreme, Pressing, Sizes
+from plans.model.cam_motion import BEND, SLOPE, Extreme, Pressing, Sizes
 from plans.model.motion import Floats
+
+ALIKE = 1e-9  # of the largest: sizes that were found by a limit touch it twice, alike but for rounding
 
 
 @dataclass(frozen=True)
@@ -36,18 +39,18 @@ class Extremes:
         return most if most and most.value >= 1 else None
 
     @cached_property
+    def peaks(self) -> dict[str, Extreme]:
+        """The largest S' and S'' by their size, signed; at a hard shock S'' has none."""
+        found = {SLOPE: _largest(self.turn, lambda curve: curve.travel.slope)}
+        if all(one.order == 2 for one in shocks(self.cam)):
+            found[BEND] = _largest(self.turn, lambda curve: curve.travel.bend)
+        return found
+
+    @cached_property
     def pressure(self) -> dict[str, Extreme]:
         """The largest pressure angle by its size on every kind of phase that there is, rad, signed."""
         kinds = () if self.outrun else dict.fromkeys(one.kind for one in self.cam.moving())
-        found = {kind: self._largest(kind) for kind in kinds}
-        return {kind: one for kind, one in found.items() if one is not None}
-
-    def _largest(self, kind: str) -> Extreme | None:
-        turn = Turn(self.cam, self.sizes, (kind,))
-        places = turn.places(lambda curve: curve.pressure)
-        signed = turn.read(lambda curve: curve.pressure, places)
-        best = int(np.argmax(np.abs(signed)))
-        return Extreme(float(signed[best]), places[best].turned)
+        return {kind: _largest(Turn(self.cam, self.sizes, (kind,)), lambda curve: curve.pressure) for kind in kinds}
 
     @cached_property
     def bends(self) -> tuple[Place, ...]:
@@ -109,6 +112,15 @@ class Extremes:
             wear=turn.most(forces.wear, signed) or nothing,
             preload=forces.load.preload + max(0.0, lack.value if lack else 0.0),
         )
+
+
+def _largest(turn: Turn, value: Value) -> Extreme:
+    """Give the largest of a value by its size, signed: of two alike the one above 0, and the earlier."""
+    places = turn.places(value)
+    pairs = [*zip(turn.read(value, places).tolist(), (one.turned for one in places), strict=True)]
+    most = max(abs(size) for size, _ in pairs)
+    alike = [(size, turned) for size, turned in pairs if abs(size) >= most * (1 - ALIKE)]
+    return Extreme(*min(alike, key=lambda pair: (pair[0] < 0, pair[1])))
 
 
 def _height(offset: float, side: int, limit: float, curve: Curve) -> Floats:

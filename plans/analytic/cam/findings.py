@@ -24,6 +24,7 @@ def cam_found(cam: Cam, sizes: Sizes, turned: Floats) -> CamFound:
         roller=roller,
         contour=contour(cam, sizes, roller, turned),
         shocks=shocks(cam),
+        peaks=extremes.peaks,
         pressure=extremes.pressure,
         sharpest=extremes.sharpest,
         hollow=extremes.hollow,

@@ -156,14 +156,22 @@ class Loops:
 
 
 def _rest(curve: Curve, corner: complex, roller: float) -> Floats:
-    cam, angle = curve.cam, np.exp(1j * curve.turned)
-    place = corner - curve.turned if cam.translates else corner * angle
-    if not cam.rocks:
-        if cam.flat:
-            return np.asarray(place.imag - curve.sizes.base)
-        aside = np.abs(place.real - curve.sizes.offset)
-        lift = place.imag + np.sqrt((roller - aside) * (roller + aside))
-        return np.asarray(lift - (curve.height - curve.travel.s))
+    """Give S with which the follower rests on a corner of the cam, (N,), m or rad."""
+    place = np.asarray(corner - curve.turned if curve.cam.translates else corner * np.exp(1j * curve.turned))
+    return _rocked(curve, place, roller) if curve.cam.rocks else _lifted(curve, place, roller)
+
+
+def _lifted(curve: Curve, place: Points, roller: float) -> Floats:
+    if curve.cam.flat:
+        return np.asarray(place.imag - curve.sizes.base)
+    aside = np.abs(place.real - curve.sizes.offset)
+    lift = place.imag + np.sqrt((roller - aside) * (roller + aside))
+    return np.asarray(lift - (curve.height - curve.travel.s))
+
+
+def _rocked(curve: Curve, place: Points, roller: float) -> Floats:
+    """Give it for a rocker: by the triangle of its pivot, its pin and the corner, or of the foot under its face."""
+    cam = curve.cam
     centre, direction = curve.pivot
     way = place - centre * np.exp(1j * direction)
     size, sense = np.abs(way), cam.follower.sense

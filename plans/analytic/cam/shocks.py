@@ -31,11 +31,6 @@ def shocks(cam: Cam) -> tuple[Shock, ...]:
     return tuple(shock for seam in seams for shock in _shock(seam, most))
 
 
-def knock(shock: Shock, speed: float) -> float:
-    """Give the jump of the follower's velocity or acceleration at a steady speed of the cam, rad/s."""
-    return shock.jump * (speed if shock.order == 1 else speed * speed)
-
-
 def _usual(cam: Cam, order: int) -> float:
     """Give the mean S' of the steepest phase, or what it comes to once more by its angle."""
     return max((abs(one.change) / one.angle**order for one in cam.phases if one.change), default=0.0)

@@ -9,7 +9,7 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 
 from plans.analytic.cam.laws import LAWS, breaks
-from plans.model.cam import Cam, Phase
+from plans.model.cam import Cam, Law, Phase
 from plans.model.cam_motion import Travel
 from plans.model.motion import Floats
 
@@ -30,13 +30,13 @@ class Stretch(NamedTuple):
         k, phase = np.clip(share, self.start, self.end), self.phase
         if phase.law is None:
             return Travel(np.full_like(k, phase.level), np.zeros_like(k), np.zeros_like(k))
-        closed, law = LAWS[phase.law.name], phase.law
-        rows = [
-            np.where(k < self.end, closed(law, k, order, False), closed(law, k, order, True))
-            * (phase.change / phase.angle**order)
-            for order in range(3)
-        ]
+        rows = [self._closed(phase.law, k, order) * (phase.change / phase.angle**order) for order in range(3)]
         return Travel(phase.level + rows[0], *rows[1:])
+
+    def _closed(self, law: Law, k: Floats, order: int) -> Floats:
+        """Give a derivative of the law in shares of phase and lift."""
+        found, last = LAWS[law.name](law, k, order, False), k >= self.end
+        return np.where(last, LAWS[law.name](law, k, order, True), found) if last.any() else found
 
     def turned(self, share: float) -> float:
         """Give the cam's turn at a share of the phase."""

@@ -162,6 +162,12 @@ class CurvatureBound:
         rest = (turn * motion.bend + motion.jerk + 3 * dm * motion.bend / (1 - m)) * arm / (1 - m) ** 3
         return Lines(own - rest, np.zeros_like(motion.s))
 
+    @property
+    def upright(self) -> tuple[complex, complex]:
+        """The face's normal and the direction along the arm at the start."""
+        leaning = complex(self.diagram.leaning(np.zeros(1))[0])
+        return 1j * leaning, self.diagram.cam.rising * leaning
+
     def axes(self, motion: Instant) -> tuple[Points, Points]:
         """Give the face's normal, out of the cam, and the direction along the arm."""
         leaning = self.diagram.leaning(motion.s)

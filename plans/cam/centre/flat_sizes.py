@@ -14,6 +14,7 @@ from plans.cam.centre.region import on_circle, place
 from plans.cam.centre.rocker_sizes import rocker_sizes
 from plans.cam.centre.slope_diagram import SlopeDiagram
 from plans.cam.centre.support import touch
+from plans.cam.centre.tangents import axis
 from plans.cam.course import Course, positions
 from plans.cam.sizing import SIZES, Sizing, Tangent
 from plans.model.cam import Cam
@@ -56,28 +57,37 @@ def flat_sizing(course: Course) -> Sizing:
     cam, board = course.cam, Board(SIZES)
     if cam.given.base is None:
         _smooth(course)
-    start = board.given("A", 0j, because("cam_start"))
-    way = board.given("S", 1j, because("cam_way"))
-    axis = board.parallel("AS", start, way, because("cam_way"))
+    start, _, along = axis(board)
     turned = positions(cam)
     travel = course.at(turned)
     tip, end = _laid(board, start, (travel.s, travel.bend), "")
+    tangent = _fallen(board, cam, start)
+    centre = _least(board, cam, along, tangent.line)
+    sizes = Sizes(-complex(centre.point).imag if cam.given.base is None else cam.given.base, cam.given.offset or 0.0)
+    if sizes.base <= 0:
+        raise no_radius(cam)
+    bounds = (tangent.bound,)
+    return Sizing(cam, cam.limits, sizes, board, turned, start, start, tip, end, centre, (tangent,), bounds)
+
+
+def _fallen(board: Board, cam: Cam, start: Mark) -> Tangent:
+    """Draw the ruler where it touches the curve of S over S''."""
     bound: Bound = FallBound(stretches(cam, {one.kind for one in cam.phases}))
     found = touch(bound.along, _rule)
     at = found.instant
     point = _laid(board, start, (at.s[0], at.bend[0]), "1")[1]
     direction = board.given("t_1", DOWN, because("cam_convex"))
     line = board.parallel("τ_1", point, direction, because("cam_ruler"))
-    cut = board.meet("B", axis, line, why=because("cam_cut"))
+    return Tangent(bound, found, point, direction, line, cam.given.base is None)
+
+
+def _least(board: Board, cam: Cam, along: Mark, line: Mark) -> Mark:
+    """Find O below the cut of the ruler with the axis by the least radius; with R0 given beside that."""
+    base = cam.given.base
+    cut = board.meet("B", along, line, why=because("cam_cut"))
     below = board.given("ρ", -1j * cam.limits.curvature, because("cam_least_radius"))
-    least = board.lay_off("O" if cam.given.base is None else "O'", cut, below, because("cam_face_centre"))
-    base = -complex(least.point).imag if cam.given.base is None else cam.given.base
-    if base <= 0:
-        raise no_radius(cam)
-    centre = least if cam.given.base is None else board.given("O", -1j * base, because("cam_given_centre"))
-    tangent = Tangent(bound, found, point, direction, line, cam.given.base is None)
-    sizes = Sizes(base, cam.given.offset or 0.0)
-    return Sizing(cam, cam.limits, sizes, board, turned, start, start, tip, end, centre, (tangent,), (bound,))
+    least = board.lay_off("O" if base is None else "O'", cut, below, because("cam_face_centre"))
+    return least if base is None else board.given("O", -1j * base, because("cam_given_centre"))
 
 
 def _laid(board: Board, start: Mark, motion: tuple[Floats, Floats], name: str) -> tuple[Mark, Mark]:
@@ -95,26 +105,27 @@ def rocking_face_sizing(course: Course) -> Sizing:
         raise no_distance(cam)
     pivot = board.given("O_1", 0j, because("cam_pivot"))
     arc = board.arc("L", pivot, cam.given.centre, because("cam_distance"))
-    leaning = complex(diagram.leaning(np.zeros(1))[0])
-    up, arm = 1j * leaning, cam.rising * leaning
     bound = CurvatureBound(diagram, cam.limits.curvature)
+    up, arm = bound.upright
     lines: tuple[Tangent, ...] = ()
     if cam.given.base is not None:
         centre = _level(board, cam, (pivot, arc), up, arm)
     else:
-        _smooth(course)
-        _slower(cam)
-        line, near = _convex(board, cam, bound, up, arm)
-        lines = (line,)
-        side = 1 if (near / complex(line.direction.point)).real > 0 else -1
-        centre = board.meet("O", line.line, arc, side=side, why=because("cam_on_arc"))
-    place_of = complex(centre.point)
-    base = cam.follower.face - float(dot(place_of, up))
+        lines, centre = _lowest(course, board, bound, arc)
+    base = cam.follower.face - float(dot(complex(centre.point), up))
     if base <= 0:
         raise no_radius(cam)
-    sizes = rocker_sizes(cam, place_of, arm, base)
-    turned = positions(cam)
-    return Sizing(cam, cam.limits, sizes, board, turned, pivot, pivot, centre=centre, tangents=lines, bounds=(bound,))
+    sizes, own = rocker_sizes(cam, complex(centre.point), arm, base), (bound,)
+    return Sizing(cam, cam.limits, sizes, board, positions(cam), pivot, pivot, None, None, centre, lines, own)
+
+
+def _lowest(course: Course, board: Board, bound: CurvatureBound, arc: Mark) -> tuple[tuple[Tangent, ...], Mark]:
+    """Find O where the line of least curvature cuts the arc of L."""
+    _smooth(course)
+    _slower(course.cam)
+    line, near = _convex(board, course.cam, bound, *bound.upright)
+    side = 1 if (near / complex(line.direction.point)).real > 0 else -1
+    return (line,), board.meet("O", line.line, arc, side=side, why=because("cam_on_arc"))
 
 
 def _slower(cam: Cam) -> None:

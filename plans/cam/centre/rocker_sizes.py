@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
@@ -16,11 +17,11 @@ from plans.cam.centre.bounds import Bound, pressure_bounds
 from plans.cam.centre.region import Choice, Place, nearest, on_circle, place
 from plans.cam.centre.slope_diagram import SlopeDiagram
 from plans.cam.centre.support import Touch
-from plans.cam.centre.tangents import Laid, bound_by, met, tangents, touched
+from plans.cam.centre.tangents import Laid, bound_by, met, required, tangents, touched
 from plans.cam.course import Course, positions
 from plans.cam.sizing import SIZES, Chord, Sizing, Tangent
 from plans.model.cam import Cam, Limits, limits_of
-from plans.model.cam_faults import no_region, no_triangle
+from plans.model.cam_faults import no_triangle
 from plans.model.cam_motion import Points, Sizes
 from plans.model.motion import Floats
 from plans.words.words import because
@@ -30,22 +31,14 @@ def rocker_sizing(course: Course) -> Sizing:
     """Draw the diagram on the rocker's arc, push the rulers, and find O."""
     cam, board, diagram = course.cam, Board(SIZES), SlopeDiagram(course.cam)
     limits, turned = limits_of(cam), positions(course.cam)
-    travel = course.at(turned)
     pivot = board.given("O_1", 0j, because("cam_pivot"))
     circle = board.arc("l", pivot, diagram.length, because("cam_arm"))
-    tip, end = _laid(board, diagram, circle, (travel.s, travel.slope), "")
+    tip, end = _laid(board, diagram, circle, course.at(turned)[:2], "")
     start, _ = _laid(board, diagram, circle, (0.0, 0.0), "0")
     first = complex(start.point)
     bounds = tuple(pressure_bounds(diagram, limits))
-    found = Place(first, ()) if cam.sized else place(bounds, *_choice(cam, first), diagram.length)
-    if found is None:
-        raise no_region(cam, limits)
-
-    def laid(one: Touch, name: str) -> tuple[Mark, Mark]:
-        at = one.instant
-        _, far = _laid(board, diagram, circle, (at.s[0], at.slope[0]), name)
-        return far, board.turn(f"u_{name}", board[f"ψ_{name}"], 1j * cam.rising, because("cam_way"))
-
+    sought = Place(first, ()) if cam.sized else place(bounds, *_choice(cam, first), diagram.length)
+    found, laid = required(cam, limits, sought), partial(_touching, board, diagram, circle)
     lines = tangents(board, diagram, touched(bounds, found), found.limits, laid)
     centre = _centre(board, cam, (pivot, start), lines[: len(found.limits)], found.centre)
     chord = _chord(board, diagram, limits, (pivot, start), centre, laid) if found.limits else None
@@ -66,6 +59,13 @@ def _laid(
     arm = board.join(f"r{low}", circle.step.inputs[0], tip)
     turned = board.turn(f"KD{low}", arm, _settled(-cam.follower.sense * slope + 0j), because("cam_turned"))
     return tip, board.lay_off(f"T{low}" if name else "D", tip, turned, because("cam_slope_end"))
+
+
+def _touching(board: Board, diagram: SlopeDiagram, circle: Mark, one: Touch, name: str) -> tuple[Mark, Mark]:
+    """Lay off D where a ruler touches, and the way of K there: square to the rocker."""
+    at = one.instant
+    _, far = _laid(board, diagram, circle, (at.s[0], at.slope[0]), name)
+    return far, board.turn(f"u_{name}", board[f"ψ_{name}"], 1j * diagram.cam.rising, because("cam_way"))
 
 
 def _settled(value: Points) -> Points | complex:

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from plans.cam.centre.instants import Instant
+from plans.cam.profile.tip import arm
 from plans.model.cam import RISE, Cam
 from plans.model.cam_motion import Points
 from plans.model.motion import Floats
@@ -33,7 +34,7 @@ class SlopeDiagram:
         """Give how the way of K leans at some S: a unit vector, 1 where it goes straight up."""
         if not self.cam.rocks:
             return np.ones_like(s, dtype=complex)
-        return np.asarray(np.exp(1j * self.cam.rising * (s - self.cam.lift / 2)))
+        return self.cam.rising * arm(self.cam, s)
 
     def tip(self, motion: Instant) -> Points:
         """Give K: (N,) complex, m."""

@@ -8,12 +8,11 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 
 from plans.cam.centre.instants import Instant, Stretch, sampled
+from plans.cam.false_position import closed_in
 from plans.model.motion import Floats
 
 # What is sought along a law: how far each place of it goes beyond a line, and the derivative of that by the cam's turn.
 Rule: TypeAlias = Callable[[Instant], tuple[Floats, Floats]]
-EPS = float(np.finfo(np.float64).eps)  # of a whole phase: a place is known no better
-STEPS = 80  # of a root's search, which takes about ten; halving alone needs 52
 
 
 class Touch(NamedTuple):
@@ -60,27 +59,5 @@ def _refined(stretch: Stretch, rule: Rule, share: Floats, slope: Floats, k: int)
     other = k + 1 if slope[k] > 0 else k - 1
     if slope[k] == 0 or not 0 <= other < len(share) or slope[k] * slope[other] > 0:
         return float(share[k])
-    low, high = sorted((k, other))
-
-    def derivative(at: float) -> float:
-        return float(rule(stretch.at(np.array([at])))[1][0])
-
-    return root(derivative, (float(share[low]), float(share[high])), (float(slope[low]), float(slope[high])))
-
-
-def root(of: Callable[[float], float], ends: tuple[float, float], values: tuple[float, float]) -> float:
-    """Give the root between two places of different sign, within 0 and 1 or so (Illinois's rule of false position).
-
-    >>> root(lambda x: x**2 - 2, (1.0, 2.0), (-1.0, 2.0))
-    1.414213562373095
-    """
-    (a, b), (fa, fb) = ends, values
-    before = np.inf
-    for _ in range(STEPS):
-        if fb == 0 or min(abs(b - a), abs(b - before)) <= EPS:
-            return b
-        before, c = b, b - fb * (b - a) / (fb - fa)
-        fc = of(c)
-        a, fa = (b, fb) if fc * fb < 0 else (a, fa / 2)
-        b, fb = c, fc
-    return b
+    ends = (row[[one]] for row in (share, slope) for one in (other, k))
+    return float(closed_in(lambda at: rule(stretch.at(at))[1], *ends)[0])

@@ -12,7 +12,8 @@ from plans.cam.centre.region import Place
 from plans.cam.centre.slope_diagram import SlopeDiagram, side_of
 from plans.cam.centre.support import Touch
 from plans.cam.sizing import Tangent
-from plans.model.cam import Cam
+from plans.model.cam import Cam, Limits
+from plans.model.cam_faults import no_region
 from plans.words.words import because
 
 # A touch and its number -> on the board D there, and the way of K there.
@@ -30,6 +31,20 @@ def tangents(
 
 def _rise_first(one: Limit) -> int:
     return -side_of(one.touch.stretch.phase.kind)
+
+
+def axis(board: Board) -> tuple[Mark, Mark, Mark]:
+    """Draw the way of a follower that translates: its start A, the way's direction, the axis of S through A."""
+    start = board.given("A", 0j, because("cam_start"))
+    way = board.given("S", 1j, because("cam_way"))
+    return start, way, board.parallel("AS", start, way, because("cam_way"))
+
+
+def required(cam: Cam, limits: Limits, found: Place | None) -> Place:
+    """Give the place that was found for O; raises CamError where the limits leave none."""
+    if found is None:
+        raise no_region(cam, limits)
+    return found
 
 
 def touched(bounds: Sequence[Bound], found: Place) -> list[Limit]:

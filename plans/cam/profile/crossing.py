@@ -12,16 +12,13 @@ from typing import Final, NamedTuple
 import numpy as np
 
 from geometry.meet import EPS, cross
-from plans.cam.profile.curvature import curvature
+from plans.cam.profile.outline import Outline
 from plans.cam.profile.stretches import Span, Stretches
-from plans.cam.profile.tip import Tip
-from plans.cam.profile.touch import Touch
 from plans.model.cam_motion import Points
 from plans.model.motion import Floats
 
-NEAR: Final = (
-    40  # segments about an undercut: its loop crosses itself 1.7 times as far from its middle as it is half wide
-)
+# Segments about an undercut: its loop crosses itself 1.7 times as far from its middle as it is half wide.
+NEAR: Final = 40
 STEPS: Final = 20  # of Newton's method, which needs about five
 # A loop that is shorter, in shares of the turn, is a cusp: a roller larger than the radius by 1e-9 leaves one as wide.
 CUSP: Final = 5e-6
@@ -53,21 +50,18 @@ class Edge:
     stretches: Stretches
     roller: float  # m
 
+    @property
+    def _outline(self) -> Outline:
+        return Outline(self.stretches.course, self.stretches.sizes, -self.roller)
+
     def at(self, turned: Floats, before: bool = False) -> Points:
         """Give its points, m."""
-        tip = Tip(self.stretches.course, self.stretches.sizes, turned, before)
-        place = Touch(tip).contact if tip.cam.flat else tip.orders[0] - self.roller * tip.lever / np.abs(tip.lever)
-        return on_cam(tip, place)
+        return self._outline.at(turned, before).at
 
     def slope(self, turned: Floats) -> Points:
         """Give its derivative by the turn, m/rad."""
-        tip = Tip(self.stretches.course, self.stretches.sizes, turned)
-        if tip.cam.flat:
-            touch = Touch(tip)
-            along = -1j * tip.cam.sense * touch.normal * touch.sweep
-        else:
-            along = tip.trail[0] * (1 - self.roller * curvature(tip))
-        return np.asarray(along * np.exp(-1j * tip.turns * turned))
+        spot = self._outline.at(turned)
+        return np.asarray(spot.tangent * spot.speed)
 
     def chords(self, spans: Iterable[Span]) -> Chords:
         """Divide it into chords, fine about an undercut; none goes from one side of a joint to the other."""
@@ -80,20 +74,6 @@ class Edge:
         turned = np.unique(np.concatenate([row[:-1], *fine]))
         points = np.append(self.at(turned), self.at(row[-1:], before=True))
         return Chords(turned, points[:-1], np.diff(points), np.full(len(turned), number))
-
-
-def on_cam(tip: Tip, place: Points) -> Points:
-    """Give the points of the cam that are at places in the frame."""
-    if tip.cam.translates:
-        return np.asarray(place + tip.cam.sense * tip.turned)
-    return np.asarray(place * np.exp(-1j * tip.turns * tip.turned))
-
-
-def in_frame(tip: Tip, point: complex) -> Points:
-    """Give where a point of the cam is in the frame at each turn."""
-    if tip.cam.translates:
-        return np.asarray(point - tip.cam.sense * tip.turned)
-    return np.asarray(point * np.exp(1j * tip.turns * tip.turned))
 
 
 def _about(span: Span) -> Floats:

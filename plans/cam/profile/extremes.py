@@ -8,11 +8,11 @@ from functools import cached_property
 import numpy as np
 
 from plans.cam.profile.curvature import curvature, curvature_slope
-from plans.cam.profile.stretches import Place, Stretches
+from plans.cam.profile.stretches import Place, Stretches, Value
 from plans.cam.profile.tip import Tip
 from plans.cam.profile.touch import Touch
 from plans.model.cam import Phase
-from plans.model.cam_motion import Extreme
+from plans.model.cam_motion import BEND, SLOPE, Extreme
 from plans.model.motion import Floats
 
 
@@ -34,6 +34,9 @@ def pressure_slope(tip: Tip) -> Floats:
         return np.asarray(tip.cam.sense * ((lever / tip.lever).imag - turning))
 
 
+ALIKE = 1e-9  # of the largest: sizes that were found by a limit touch it twice, alike but for rounding
+
+
 @dataclass(frozen=True)
 class Extremes:
     """The extremes of a cam's profile, each with its place; corners of the law and ends of dwells are legal places."""
@@ -51,6 +54,18 @@ class Extremes:
         return most if most and most.value >= 1 else None
 
     @cached_property
+    def peaks(self) -> dict[str, Extreme]:
+        """The largest S' and S'' by their size, signed; at a hard shock S'' has none."""
+        rows: dict[str, tuple[Value, Value]] = {
+            SLOPE: (lambda tip: tip.travel.slope, lambda tip: tip.travel.bend),
+            BEND: (lambda tip: tip.travel.bend, lambda tip: tip.jerk),
+        }
+        if any(one.order == 1 for one in self.stretches.course.shocks):
+            del rows[BEND]
+        found = {name: self._largest(value, self.stretches.places(slope)) for name, (value, slope) in rows.items()}
+        return {name: one for name, one in found.items() if one is not None}
+
+    @cached_property
     def turning(self) -> tuple[Place, ...]:
         """Where the pressure angle can be largest."""
         return self.stretches.places(pressure_slope)
@@ -59,17 +74,21 @@ class Extremes:
     def pressure(self) -> dict[str, Extreme]:
         """The largest pressure angle by its size on every kind of phase that there is, signed."""
         kinds = () if self.outrun else dict.fromkeys(one.kind for one in self.stretches.course.cam.moving())
-        return {kind: found for kind in kinds if (found := self._largest(kind)) is not None}
+        return {kind: found for kind in kinds if (found := self._largest(pressure, self._turning_on(kind))) is not None}
 
-    def _largest(self, kind: str) -> Extreme | None:
+    def _turning_on(self, kind: str) -> tuple[Place, ...]:
         phases = [one for one in self.stretches.course.cam.phases if one.kind == kind]
-        places = tuple(one for one in self.turning if any(within(one, phase) for phase in phases))
-        found = self.stretches.most(lambda tip: np.abs(pressure(tip)), places)
+        return tuple(one for one in self.turning if any(within(one, phase) for phase in phases))
+
+    def _largest(self, value: Value, places: tuple[Place, ...]) -> Extreme | None:
+        """Give the largest of a value by its size, signed: of two alike the one above 0, and the earlier."""
+        found = self.stretches.most(lambda tip: np.abs(value(tip)), places)
         if found is None:
             return None
-        own = tuple(one for one in places if one.turned == found.turned)
-        signed = self.stretches.read(pressure, own)
-        return Extreme(float(signed[int(np.argmax(np.abs(signed)))]), found.turned)
+        signed = self.stretches.read(value, places)
+        alike = np.flatnonzero(np.abs(signed) >= found.value * (1 - ALIKE))
+        best = min(alike.tolist(), key=lambda k: (signed[k] < 0, places[k].turned))
+        return Extreme(float(signed[best]), places[best].turned)
 
     @cached_property
     def bends(self) -> tuple[Place, ...]:
@@ -115,9 +134,3 @@ def within(place: Place, phase: Phase) -> bool:
     if place.before:
         return phase.start < place.turned <= phase.end
     return phase.start <= place.turned < phase.end
-
-
-def within_all(tip: Tip, start: float, end: float) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
-    """Tell which turns lie between two joints: on one by the side that is taken."""
-    phi = tip.turned
-    return np.asarray((start < phi) & (phi <= end) if tip.before else (start <= phi) & (phi < end))

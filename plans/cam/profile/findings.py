@@ -27,6 +27,7 @@ def cam_found(course: Course, sizes: Sizes, turned: Floats) -> CamFound:
         roller=roller,
         contour=profile(course, sizes, roller, turned).contour,
         shocks=course.shocks,
+        peaks=extremes.peaks,
         pressure=extremes.pressure,
         sharpest=extremes.sharpest,
         hollow=extremes.hollow,

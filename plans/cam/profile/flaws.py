@@ -64,12 +64,15 @@ class Search:
     def _sharp(self, kind: str, side: float) -> Iterator[Flaw]:
         if self.roller == 0 or self.cam.flat:
             return
-        value: Value = lambda tip: side * self.roller * curvature(tip) - 1  # noqa: E731  (a value as others are)
-        spans = list(self.stretches.spans(value, self.extremes.bends))
+        spans = self._too_sharp(side)
         yield from (self._flaw(kind, span, lambda tip: side * curvature(tip), 1 / side) for span in spans)
         yield from self._cusp(kind, side, spans)
         for turned in self.corners(side):
             yield Flaw(kind, turned, turned, Extreme(0.0, turned))
+
+    def _too_sharp(self, side: float) -> list[Span]:
+        """Give where the curve is bent more than the roller, to one side."""
+        return list(self.stretches.spans(lambda tip: side * self.roller * curvature(tip) - 1, self.extremes.bends))
 
     def _cusp(self, kind: str, side: float, spans: Sequence[Span]) -> Iterator[Flaw]:
         own = self.extremes.sharpest if side > 0 else self.extremes.hollow
@@ -108,13 +111,9 @@ class Search:
 
     def _crossing(self) -> Iterator[Flaw]:
         """Find where the profile crosses itself, and what is lost where the loop is cut away."""
-        spans = self._hollows if self.cam.flat else self._loops
+        spans = self._hollows if self.cam.flat else self._too_sharp(1.0)
         for one in crossings(Edge(self.stretches, self.roller), spans):
             yield Flaw("crossing", one.start, one.end, loss(self.stretches, self.roller, one))
-
-    @property
-    def _loops(self) -> list[Span]:
-        return list(self.stretches.spans(lambda tip: self.roller * curvature(tip) - 1, self.extremes.bends))
 
     def _pressure(self) -> Iterator[Flaw]:
         """Find where the pressure angle is beyond its limit; a spring drives the return, which has none then."""
@@ -124,8 +123,10 @@ class Search:
                 yield from self._beyond(kind, limit)
 
     def _beyond(self, kind: str, limit: float) -> Iterator[Flaw]:
-        value: Value = lambda tip: np.where(on(tip, kind), np.abs(pressure(tip)) - limit * (1 + TOUCHES), -1.0)  # noqa: E731
-        for span in self.stretches.spans(value, self.extremes.turning):
+        def beyond(tip: Tip) -> Floats:
+            return np.where(on(tip, kind), np.abs(pressure(tip)) - limit * (1 + TOUCHES), -1.0)
+
+        for span in self.stretches.spans(beyond, self.extremes.turning):
             yield self._flaw("pressure", span, lambda tip: np.where(on(tip, kind), np.abs(pressure(tip)), 0.0))
 
     def _face(self) -> Iterator[Flaw]:
@@ -134,8 +135,8 @@ class Search:
         if not self.cam.flat or reach is None:
             return
         places = self.stretches.places(lambda tip: Touch(tip).place_slope)
-        value: Value = lambda tip: np.abs(Touch(tip).place) - reach * (1 + TOUCHES)  # noqa: E731
-        for span in self.stretches.spans(value, places):
+        off = self.stretches.spans(lambda tip: np.abs(Touch(tip).place) - reach * (1 + TOUCHES), places)
+        for span in off:
             yield self._flaw("short face", span, lambda tip: np.abs(Touch(tip).place))
 
     def _off(self) -> Iterator[Flaw]:

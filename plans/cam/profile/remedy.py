@@ -7,7 +7,6 @@ from typing import Final
 
 import numpy as np
 
-from plans.cam.profile.extremes import within_all
 from plans.cam.profile.stretches import Stretches
 from plans.cam.profile.tip import Tip
 from plans.model.cam import GROOVE, RETURN, RISE
@@ -45,5 +44,5 @@ def _height(stretches: Stretches, kind: str, slope: float) -> float:
 
 def on(tip: Tip, kind: str) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
     """Tell which turns are on a kind of phase: on a joint by the side that is taken."""
-    sides = [within_all(tip, one.start, one.end) for one in tip.cam.phases if one.kind == kind]
+    sides = [tip.within(one) for one in tip.cam.phases if one.kind == kind]
     return np.any(sides, axis=0) if sides else np.zeros(len(tip.turned), dtype=bool)

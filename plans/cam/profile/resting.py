@@ -9,7 +9,7 @@ from typing import Final
 
 import numpy as np
 
-from plans.cam.profile.crossing import Crossing, in_frame
+from plans.cam.profile.crossing import Crossing
 from plans.cam.profile.stretches import Stretches
 from plans.cam.profile.tip import Tip, guide_start
 from plans.model.cam_motion import Extreme
@@ -22,7 +22,7 @@ ROUNDS: Final = 5
 def resting(stretches: Stretches, roller: float, corner: complex, turned: Floats) -> Floats:
     """Give S with which the follower rests on a corner of the cam, (N,); NaN where it cannot."""
     tip = Tip(stretches.course, stretches.sizes, turned)
-    place = in_frame(tip, corner)
+    place = tip.in_frame(corner)
     with np.errstate(invalid="ignore"):
         return _rocker(tip, place, roller) if tip.cam.rocks else _upright(tip, place, roller)
 

@@ -14,13 +14,12 @@ from typing import Final, NamedTuple
 import numpy as np
 
 from plans.cam.course import Course
+from plans.cam.false_position import closed_in
 from plans.cam.profile.tip import Tip
 from plans.model.cam_motion import Extreme, Sizes
 from plans.model.motion import Floats
 
 PARTS: Final = 48  # of a stretch: a law has at most seven turning points on one, and what is made of it not many more
-CLOSINGS: Final = 60  # a false position whose standing end is halved needs about ten
-SETTLED: Final = 1e-12  # of what was begun with: the next step would be a rounding, as fast as they shrink
 Value = Callable[[Tip], Floats]
 
 
@@ -53,8 +52,14 @@ class Stretches:
 
     @cached_property
     def grid(self) -> Floats:
-        """Where a value is looked at: a row a stretch, its ends among them."""
-        return np.linspace(self.edges[:-1], self.edges[1:], PARTS + 1, axis=1)
+        """Where a value is looked at: a row a stretch, its ends among them, and closer towards those.
+
+        At an end a law begins so gently that a derivative vanishes there; its last change of sign lies close by.
+        """
+        shares = (1 - np.cos(np.linspace(0.0, np.pi, PARTS + 1))) / 2
+        found = self.edges[:-1, None] + np.diff(self.edges)[:, None] * shares
+        found[:, -1] = self.edges[1:]
+        return np.asarray(found)
 
     def at(self, value: Value, turned: Floats) -> Floats:
         """Give a value within stretches; at a joint after it."""
@@ -110,23 +115,3 @@ class Stretches:
         end = np.flatnonzero(above & ~np.concatenate([above[1:], [False]]))
         for one, other in zip(cuts[start].tolist(), cuts[end + 1].tolist(), strict=True):
             yield Span(one, other, tuple(place for place in places if one <= place.turned <= other))
-
-
-def closed_in(value: Callable[[Floats], Floats], near: Floats, far: Floats, first: Floats, last: Floats) -> Floats:
-    """Close in on changes of sign between two places each, whose values are known: false position, a half each time.
-
-    >>> closed_in(lambda x: x**2 - 2, np.array([1.0]), np.array([2.0]), np.array([-1.0]), np.array([2.0])).round(9)
-    array([1.41421356])
-    """
-    near, far, first, last = near.copy(), far.copy(), first.copy(), last.copy()
-    wide = np.abs(far - near)
-    for _ in range(CLOSINGS if len(near) else 0):
-        guess = np.where(first == last, near, far - last * (far - near) / np.where(first == last, 1.0, last - first))
-        found = value(guess)
-        turns = found * last < 0
-        near, first = np.where(turns, far, near), np.where(turns, last, first / 2)
-        still = np.all((found == 0) | (np.abs(guess - far) <= SETTLED * wide))
-        far, last = guess, found
-        if still:
-            break
-    return far

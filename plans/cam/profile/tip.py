@@ -12,11 +12,12 @@ from functools import cached_property
 from typing import cast
 
 import numpy as np
+import numpy.typing as npt
 
 from geometry.meet import Vectors
 from plans.cam.course import Course
 from plans.cam.laws import law_of
-from plans.model.cam import Cam
+from plans.model.cam import Cam, Phase
 from plans.model.cam_motion import Points, Sizes, Travel
 from plans.model.motion import Floats
 
@@ -56,13 +57,20 @@ class Tip:
     @cached_property
     def jerk(self) -> Floats:
         """S''', m/rad3."""
-        phi, found = self.turned, np.zeros_like(self.turned)
+        found = np.zeros_like(self.turned)
         for one in self.cam.moving():
-            here = (one.start < phi) & (phi <= one.end) if self.before else (one.start <= phi) & (phi < one.end)
+            here = self.within(one)
             if one.law is not None:
-                share = np.clip((phi[here] - one.start) / one.angle, 0.0, 1.0)
+                share = np.clip((self.turned[here] - one.start) / one.angle, 0.0, 1.0)
                 found[here] = one.change / one.angle**3 * law_of(one.law).at(share, 3, self.before)
         return found
+
+    def within(self, phase: Phase) -> npt.NDArray[np.bool_]:
+        """Tell which turns lie in a phase, (N,): at its ends by the side that is taken."""
+        phi = self.turned
+        if self.before:
+            return np.asarray((phase.start < phi) & (phi <= phase.end))
+        return np.asarray((phase.start <= phi) & (phi < phase.end))
 
     @cached_property
     def heading(self) -> Points:
@@ -102,6 +110,18 @@ class Tip:
     def lever(self) -> Points:
         """OD of the book, square to the curve, out of the cam; its size is how fast the tip goes along it, m/rad."""
         return np.asarray(1j * self.cam.sense * self.trail[0])
+
+    def on_cam(self, place: Points) -> Points:
+        """Give the points of the cam, m, that are at places in the frame, (N,)."""
+        if self.cam.translates:
+            return np.asarray(place + self.cam.sense * self.turned)
+        return np.asarray(place * np.exp(-1j * self.turns * self.turned))
+
+    def in_frame(self, point: complex) -> Points:
+        """Give where a point of the cam is in the frame at each turn, (N,) m."""
+        if self.cam.translates:
+            return np.asarray(point - self.cam.sense * self.turned)
+        return np.asarray(point * np.exp(1j * self.turns * self.turned))
 
 
 def _points(*orders: Vectors) -> tuple[Points, Points, Points, Points]:

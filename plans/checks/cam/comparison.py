@@ -13,6 +13,7 @@ from plans.analytic.cam.findings import cam_found
 from plans.analytic.cam.laws import travel
 from plans.analytic.cam.sizes import sizes
 from plans.cam.study import LAWS, PROFILE, SIZES, CamDrawing, CamStudy
+from plans.checks.cam.settled import settled
 from plans.checks.cam.slack import TERM, Slack
 from plans.checks.comparison import Comparison, Finding
 from plans.model.cam import SHAPE, TABLE, Cam
@@ -44,7 +45,7 @@ def comparison_of(study: Study) -> Comparison:
 def compare_cams(cams: CamStudy, plans: frozenset[str] = frozenset({LAWS, SIZES, PROFILE})) -> Comparison:
     """Find each cam by analysis too, and put every quantity beside that of the construction."""
     drawings = [*cams.drawings.values()]
-    theirs = tuple(cam_found(one.cam, sizes(one.cam), one.turned) for one in drawings)
+    theirs = tuple(settled(cam_found(one.cam, sizes(one.cam), one.turned), one.found) for one in drawings)
     pairs = zip(drawings, theirs, strict=True)
     lone = len(drawings) == 1
     findings = [finding for one, other in pairs for finding in Compared(one, other, lone).findings(plans)]
@@ -92,10 +93,13 @@ class Compared:
             yield from self.extremes()
 
     def laws(self) -> Iterator[Finding]:
-        """Compare S, S', S'' at the numbered positions."""
+        """Compare S, S', S'' at the numbered positions, and the largest S' and S'' of all."""
         own, other = self.ours.contour.travel, self.theirs.contour.travel
         for order, name in enumerate(("S", "S'", "S''")):
             yield self._row(LAWS, name, self._units[order], own[order], other[order], self.slack.travel(order))
+        for order, (name, one) in enumerate(self.ours.peaks.items(), 1):
+            size, its = abs(one.value), abs(self.theirs.peaks[name].value)
+            yield self._one(LAWS, f"{name}_max", self._units[order], size, its, self.slack.travel(order))
 
     def diagrams(self) -> Iterator[Finding]:
         """Compare the chords with the same chords by the ordinates of the analysis."""

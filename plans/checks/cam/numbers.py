@@ -38,6 +38,7 @@ class CamNumbers:
         if LAWS in self.plans:
             travel = contour.travel
             data |= {"S": plain(travel.s), "S'": plain(travel.slope), "S''": plain(travel.bend)}
+            data["peaks"] = {name: _extreme(found) for name, found in one.peaks.items()}
             data["shocks"] = [_shock(shock) for shock in one.shocks]
         if SIZES in self.plans:
             data["sizes"] = _sizes(one.sizes, one)

@@ -8,7 +8,6 @@ from typing import NamedTuple
 import numpy as np
 
 from plans.cam.course import Course
-from plans.cam.profile.crossing import on_cam
 from plans.cam.profile.curvature import curvature
 from plans.cam.profile.tip import Tip
 from plans.cam.profile.touch import Touch
@@ -53,9 +52,9 @@ class Outline:
 
     def _spot(self, tip: Tip, place: Points, normal: Points, speed: Floats) -> Spot:
         tangent = -1j * self.cam.sense * normal * np.exp(-1j * tip.turns * tip.turned)
-        return Spot(on_cam(tip, place), np.asarray(tangent), speed)
+        return Spot(tip.on_cam(place), np.asarray(tangent), speed)
 
     def tip(self, turned: float) -> complex:
         """Give the place of the follower's tip in the cam at one turn, m."""
         tip = Tip(self.course, self.sizes, np.array([turned]))
-        return complex(on_cam(tip, tip.orders[0])[0])
+        return complex(tip.on_cam(tip.orders[0])[0])

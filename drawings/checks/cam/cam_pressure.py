@@ -1,0 +1,172 @@
+"""The graph of the pressure angle held to the analysis: curve, ordinates, extremes, limits (диаграмма угла)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from drawings.checks.cam.cam_expected import Expected, phase_name
+from drawings.checks.cam.cam_laws import scales
+from drawings.checks.cam.cam_strokes import FigureStrokes, read
+from drawings.checks.labelled import NEAREST
+from drawings.checks.wrong import Wrong, on
+from drawings.figures.cam.pressure_graph import LEAST, NAME
+from drawings.measure.measure import Measured
+from drawings.page.drafting import Drafting
+from plans.analytic.cam.contour import Curve
+from plans.model.cam import RETURN, RISE, limits_of
+from plans.model.cam_motion import Extreme
+from plans.model.motion import Floats
+from plans.words.words import message
+
+KNOWN = 1e-9  # of an angle: both roads agree far better
+FLUSH = 1e-3  # mm: what is so near to its place is on it
+
+
+@dataclass(frozen=True)
+class PressureGraph:
+    """The graph with what it must show; along it the cam's turn, rad, or its travel, m."""
+
+    strokes: FigureStrokes
+    measured: Measured
+    expected: Expected
+    drafting: Drafting
+
+    def faults(self) -> Iterator[Wrong]:
+        """Hold it whole."""
+        yield from self._scales()
+        yield from self._ordinates()
+        yield from self._extremes()
+        yield from self._curve()
+        yield from self._limits()
+        yield from self._phases()
+        title = self.drafting.word("cam pressure graph")
+        if read(title) not in self.strokes.texts:
+            yield message("wrong.missing", name=title)
+
+    @cached_property
+    def zero(self) -> complex:
+        """The beginning of the axis of the cam's turn on paper, mm."""
+        axis = (one for one in self.strokes.pointings if abs((one.tip - one.start).imag) <= FLUSH)
+        return next((one.start for one in axis), complex("nan"))
+
+    @cached_property
+    def written(self) -> dict[str, float]:
+        """The written scales by their letters."""
+        return scales(self.strokes)
+
+    @cached_property
+    def mu(self) -> float:
+        """The scale of the angles, degrees a mm."""
+        stated = (one.scale for one in self.measured.vectors if one.plan == NAME)
+        return next(stated, self.written.get("α", math.nan))
+
+    def on(self, turned: float, angle: float = 0.0) -> complex:
+        """Give the place on paper of an angle in degrees at a turn of the cam, mm."""
+        cam = self.expected.cam
+        letter = "x" if cam.translates else "φ"
+        return complex(self.zero + turned / self.written.get(letter, math.nan) + 1j * angle / self.mu)
+
+    @property
+    def slack(self) -> float:
+        """How far a measured angle may be off, degrees."""
+        return 2 * self.measured.quantum * self.mu + KNOWN * 90.0
+
+    def _scales(self) -> Iterator[Wrong]:
+        """Hold the written scale of the angles to that of the ordinates."""
+        if not math.isclose(self.written.get("α", math.nan), self.mu, rel_tol=KNOWN):
+            yield message("wrong.scale", text="μ_α")
+
+    def _ordinates(self) -> Iterator[Wrong]:
+        """Hold the ordinates and points of the numbered positions."""
+        own = self.expected.contour
+        angles = np.degrees(own.pressure)
+        seen = {one.position: one for one in self.measured.vectors if one.plan == NAME and one.position is not None}
+        dots = np.array([one.centre for one in self.strokes.circles])
+        for k, (turned, angle) in enumerate(zip(own.turned.tolist(), angles.tolist(), strict=True)):
+            foot, one = self.on(turned), seen.pop(k, None)
+            if one is not None and not abs(one.value - 1j * angle) <= self.slack:
+                yield on("differs_at", NAME, name="α", position=k)
+            elif one is not None and not abs(one.start - foot) <= FLUSH:
+                yield on("foot", NAME, name=str(k))
+            elif one is None and self.strokes.lettered(str(k), [foot]) and abs(angle) > LEAST * self.mu + self.slack:
+                yield on("missing_at", NAME, name="α", position=k)
+            if not (dots.size and np.abs(dots - self.on(turned, angle)).min() <= FLUSH):
+                yield on("edge", NAME, name=str(k))
+        yield from (on("stranger_on", NAME, name=str(k)) for k in seen)
+
+    def _extremes(self) -> Iterator[Wrong]:
+        """Hold the extremes: each with its ordinate where it is, and its value beside its point."""
+        true = {kind: one for kind, one in self.expected.found.pressure.items() if one.value}
+        seen = {one.name: one for one in self.measured.vectors if one.plan == NAME and one.position is None}
+        for kind, extreme in true.items():
+            one, angle = seen.get(kind), math.degrees(extreme.value)
+            if one is None:
+                yield on("missing_on", NAME, name=kind)
+            elif not abs(one.value - 1j * angle) <= self.slack or not self._there(one.start, extreme):
+                yield on("differs_on", NAME, name=kind)
+            elif not self.strokes.lettered(f"{self.drafting.number(angle)}°", [one.end]):
+                yield on("letter", NAME, name=kind)
+        yield from (on("stranger_on", NAME, name=kind) for kind in seen.keys() - true.keys())
+
+    def _there(self, foot: complex, extreme: Extreme) -> bool:
+        """Tell whether an ordinate stands where an extreme is: a smooth one is known to half of the digits."""
+        return abs(foot - self.on(extreme.turned)) <= FLUSH
+
+    def _pressure(self, turned: Floats) -> tuple[Floats, Floats]:
+        own = (Curve(self.expected.cam, self.expected.sizes, turned, before).pressure for before in (False, True))
+        after, before = (np.degrees(one) for one in own)
+        return after, before
+
+    def _curve(self) -> Iterator[Wrong]:
+        """Hold the curve: corner by corner, from end to end."""
+        chains = [one for one in self.strokes.chains if one.style.width >= self.drafting.hand.main]
+        spots = np.array([spot for one in chains for spot in one.points])
+        ends = [self.on(turned).real for turned in (0.0, self.expected.cam.turn)]
+        if not spots.size or abs(spots.real.min() - ends[0]) > FLUSH or abs(spots.real.max() - ends[1]) > FLUSH:
+            yield on("curve", NAME)
+            return
+        turned = np.clip((spots.real - ends[0]) / (ends[1] - ends[0]), 0.0, 1.0) * self.expected.cam.turn
+        turned = self._settled(turned)
+        level = (spots.imag - self.zero.imag) * self.mu
+        off = np.min([np.abs(level - one) for one in self._pressure(turned)], axis=0)
+        if not (off <= FLUSH * self.mu + self.slack).all():
+            yield on("curve", NAME)
+
+    def _settled(self, turned: Floats) -> Floats:
+        """Put turns that are those of edges but for roundings on them."""
+        edges = self.expected.edges
+        near = edges[np.abs(turned[:, None] - edges).argmin(axis=1)]
+        return np.where(np.abs(turned - near) <= KNOWN * self.expected.cam.turn, near, turned)
+
+    def _limits(self) -> Iterator[Wrong]:
+        """Hold the limits: a line over each phase of their kind, their letters with their values at one of them."""
+        known = limits_of(self.expected.cam)
+        for kind, limit in ((RISE, known.rise), (RETURN, -known.back if known.back is not None else None)):
+            own = [one for one in self.expected.cam.phases if one.kind == kind]
+            if limit is None or not own:
+                continue
+            level = math.degrees(limit)
+            ends = [(self.on(one.start, level), self.on(one.end, level)) for one in own]
+            if not all(self.strokes.joins(*pair, near=FLUSH) for pair in ends):
+                yield on("limit", NAME, name=kind)
+            text = self.drafting.letter(f"[α_{{{kind}}}] = {self.drafting.number(abs(level))}°")
+            spots = [pair[0] + (pair[1] - pair[0]) * share / 4 for pair in ends for share in range(5)]
+            if not self.strokes.lettered(text, spots):
+                yield on("letter", NAME, name=text)
+
+    def _phases(self) -> Iterator[Wrong]:
+        """Hold the row of phases: an upright line at each bound, each letter under its own phase."""
+        cam = self.expected.cam
+        upright = {round(one.start.real, 3) for one in self.strokes.lines if abs((one.end - one.start).real) <= FLUSH}
+        for k, phase in enumerate(cam.phases):
+            start, middle = self.on(phase.start).real, self.on(phase.start + phase.angle / 2).real
+            letter = phase_name(cam, k, self.drafting)
+            labels = self.strokes.labels.get(read(letter), ())
+            near = any(one.place[0] - NEAREST <= middle <= one.place[2] + NEAREST for one in labels)
+            if not near or not any(abs(one - start) <= FLUSH for one in upright):
+                yield on("phase", NAME, name=letter)

@@ -1,0 +1,109 @@
+"""The sheets of a cam are held to the analysis: what is drawn passes, faults planted into the drawing withhold it.
+
+The table is tests/cases/cam_drawing_faults.toml.
+"""
+
+from __future__ import annotations
+
+from functools import cache, partial
+from pathlib import Path
+
+import pytest
+
+from drawings.checks.cam import verify_cam, verify_profile
+from drawings.checks.verify import SelfCheckFailed, verify
+from drawings.lettering.lettering import lettered
+from drawings.paper.strokes import Leaf
+from drawings.pens.svg import svg
+from drawings.sheets import cam, cam_profile
+from plans.scene.scene import parse_scene
+from plans.study import Study
+from plans.words.words import said
+from tests.drawings.planting import ROOT, DrawingFault, drawing_faults, planted
+from tests.parts import some
+
+GALLERY = ROOT / "drawings" / "gallery"
+CAMS = ("feed-cam", "rocker-cam", "valve-cam", "tappet-cam", "copying-cam", "table-cam", "flat-rocker-cam", "automaton")
+FAULTS = drawing_faults(ROOT / "tests" / "cases" / "cam_drawing_faults.toml")
+SHEETS = {"cam": (cam.leaves, verify_cam.faults), "profile": (cam_profile.leaves, verify_profile.faults)}
+
+
+@cache
+def study_of(name: str, size: str = "", language: str = "", standard: str = "") -> Study:
+    """Study a scene of the gallery, on other paper, in another language."""
+    lines = (GALLERY / f"{name}.toml").read_text(encoding="utf-8").splitlines()
+    asked = {"format": size, "language": language, "standard": standard}
+    given = [f'{key} = "{value}"' for key, value in asked.items() if value]
+    kept = [one for one in lines if not one.startswith(tuple(f"{key} = " for key, value in asked.items() if value))]
+    place = kept.index("[sheet]") + 1
+    return Study(parse_scene("\n".join([*kept[:place], *given, *kept[place:]])))
+
+
+def checked(leaf: Leaf, sheet: str, study: Study, folder: Path) -> None:
+    path = folder / "sheet.svg"
+    path.write_bytes(svg(lettered(leaf)))
+    verify(path, leaf, partial(SHEETS[sheet][1], study=study))
+
+
+@pytest.mark.parametrize(
+    "case",
+    some(
+        [
+            (name, size, language, standard)
+            for size, language, standard in (
+                ("A3", "ru", "GOST"),
+                ("A1", "en", "ISO"),
+                ("A4", "en", "GOST"),
+                ("A2", "ru", "ISO"),
+                ("A1", "ru", "GOST"),
+            )
+            for name in CAMS
+        ],
+        100,
+    ),
+)
+def test_what_is_drawn_agrees_with_the_analysis(case: tuple[str, str, str, str], tmp_path: Path) -> None:
+    study = study_of(*case)
+    for leaf in cam.leaves(study):
+        checked(leaf, "cam", study, tmp_path)
+
+
+@pytest.mark.parametrize(
+    "case",
+    some(
+        [
+            ("tappet-cam", "[cam.limits]", '[cam.sizes]\nbase = "35 mm"\n[cam.limits]', "{min} = −"),
+            ("rocker-cam", 'speed = "240 rpm"', "", ""),
+            ("rocker-cam", 'law = "sine"', 'law = "constant velocity"', "a corner there"),
+            ("copying-cam", 'speed = "0.4 m/s"', "", "Soft shock at x = 100 mm: S'' jumps by"),
+        ],
+        5,
+    ),
+)
+def test_a_cam_that_is_at_fault_or_has_no_speed_is_drawn_as_well(
+    case: tuple[str, str, str, str], tmp_path: Path
+) -> None:
+    """Its flaws are told, in the letters and units that its motion has; what is drawn agrees with the analysis."""
+    name, old, new, told = case
+    text = (GALLERY / f"{name}.toml").read_text(encoding="utf-8").replace('language = "ru"', "")
+    assert old in text
+    study = Study(parse_scene(text.replace(old, new, 1)))
+    leaves = cam.leaves(study)
+    for leaf in leaves:
+        checked(leaf, "cam", study, tmp_path)
+    assert told in leaves[0].description or any(told in str(leaf.groups) for leaf in leaves)
+
+
+@pytest.mark.parametrize("fault", some(FAULTS, 11), ids=lambda fault: fault.name)
+def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path) -> None:
+    study = study_of(fault.scene)
+    assert study.comparison("cam").worst <= 1.0
+    with planted(fault), pytest.raises(SelfCheckFailed) as told:
+        checked(SHEETS[fault.sheet][0](study)[0], fault.sheet, study, tmp_path)
+    assert fault.says in str(told.value)
+    assert "against the analysis" not in said(told.value, "ru")
+
+
+def test_every_fault_still_finds_the_text_that_it_replaces() -> None:
+    for fault in FAULTS:
+        assert fault.text
