@@ -210,9 +210,16 @@ class SizeDiagram:
 
     def _off(self, spots: Complexes) -> Floats:
         """Give how far places are on paper from where the diagram has their S, mm, (N,)."""
+        cam = self.expected.cam
+        if not cam.rocks:
+            return self._off_level(spots, spots.imag)
+        # A rocker that turns faster than the cam has its D beyond O1, on the other side of it than K.
+        ways = (cam.rising * np.angle(side * cam.rising * spots) + cam.lift / 2 for side in (1, -1))
+        return np.asarray(np.min([self._off_level(spots, s) for s in ways], axis=0))
+
+    def _off_level(self, spots: Complexes, s: Floats) -> Floats:
+        """Give how far places are from where the diagram has some S, by the phase that comes nearest."""
         cam, found = self.expected.cam, [np.full(len(spots), np.inf)]
-        lean = spots * (cam.rising if cam.rocks else 1)
-        s = cam.rising * np.angle(lean) + cam.lift / 2 if cam.rocks else spots.imag
         for phase in cam.moving():
             turned = np.linspace(phase.start, phase.end, DENSE)
             known = travel(cam, turned, before=True).s
