@@ -35,6 +35,7 @@ from plans.scene.scene import Scene
 from plans.study import Study
 
 FOREMOST = 2.0  # weight of the profile, for which all the rest is drawn
+JOINED, TURN = "joined", "turn"  # the pressure angle under the law over one axis; both apart with one scale of the turn
 
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
@@ -47,9 +48,12 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
 
 
 def _draft(drawing: CamDrawing, exact: CamFound, drafting: Drafting, scene: Scene) -> Draft:
-    """Give the draft that keeps one axis of the turn, unless its figures would be read worse or take more sheets."""
-    ways = (True, False) if _pressed(drawing.cam) else (False,)
-    drafts = (_level(scene, partial(_told, drawing, exact, drafting, joined)) for joined in ways)
+    """Give the draft that keeps one axis of the turn, unless its figures would be read worse or take more sheets.
+
+    Then the turn has one scale at least, if that costs nothing either.
+    """
+    ways = (JOINED, TURN, "") if _pressed(drawing.cam) else ("",)
+    drafts = (_level(scene, partial(_told, drawing, exact, drafting, way)) for way in ways)
     return min(drafts, key=partial(_lack, scene))
 
 
@@ -76,11 +80,11 @@ def _lack(scene: Scene, draft: Draft) -> tuple[float, int]:
     return lack, len(compositions(scene, draft))
 
 
-def _told(drawing: CamDrawing, exact: CamFound, drafting: Drafting, joined: bool, finest: float) -> Draft:
+def _told(drawing: CamDrawing, exact: CamFound, drafting: Drafting, way: str, finest: float) -> Draft:
     said = CamNotes(drawing.found, drafting).all
     title = drafting.word("cam sheet title", name=drawing.cam.name)
-    shows = tuple(_shows(drawing, exact, joined, finest, drafting))
-    return Draft("cam", title, shows, (), said, partial(_facts, drawing.cam, joined))
+    shows = tuple(_shows(drawing, exact, way, finest, drafting))
+    return Draft("cam", title, shows, (), said, partial(_facts, drawing.cam, way == JOINED))
 
 
 def _facts(cam: Cam, joined: bool, figures: Collection[str]) -> dict[str, Any]:
@@ -90,20 +94,19 @@ def _facts(cam: Cam, joined: bool, figures: Collection[str]) -> dict[str, Any]:
 
 
 def _shows(
-    drawing: CamDrawing, exact: CamFound, joined: bool, finest: float, drafting: Drafting
+    drawing: CamDrawing, exact: CamFound, way: str, finest: float, drafting: Drafting
 ) -> Iterator[Exhibit | Caption]:
     """Show the law, the sizes that follow from it, the profile foremost, and what both roads found of it."""
     angle = pressure_view(drawing.sizing.limits, drawing.curve, drawing.found)
-    yield (
-        _exhibit(cam_column, (drawing.diagrams, angle), drafting)
-        if joined
-        else _exhibit(law_diagrams, drawing.diagrams, drafting)
-    )
+    if way == JOINED:
+        yield _exhibit(cam_column, (drawing.diagrams, angle), drafting)
+    else:
+        yield _exhibit(law_diagrams, drawing.diagrams, drafting, scale=way)
     if not drawing.cam.translates:
         yield _exhibit(size_diagram, SizeView(drawing.sizing), drafting, finest=finest)
-    if _pressed(drawing.cam) and not joined:
-        yield _exhibit(pressure_graph, angle, drafting)
-    yield _exhibit(profile_figure, profile_view(drawing.found), drafting, FOREMOST)
+    if _pressed(drawing.cam) and way != JOINED:
+        yield _exhibit(pressure_graph, angle, drafting, scale=way)
+    yield _exhibit(profile_figure, profile_view(drawing.found), drafting, weight=FOREMOST)
     table = _results(drawing, exact, drafting)
     yield Caption(Panel(table.block(table.name)), partial(table.write, drafting=drafting))
 
@@ -113,10 +116,12 @@ def _pressed(cam: Cam) -> bool:
     return cam.rocks or not cam.flat
 
 
-def _exhibit(figure: Any, shown: object, drafting: Drafting, weight: float = EVEN, finest: float = 0.0) -> Exhibit:
+def _exhibit(
+    figure: Any, shown: object, drafting: Drafting, weight: float = EVEN, finest: float = 0.0, scale: str = ""
+) -> Exhibit:
     """Show a figure, given by its module and by what it shows."""
     room = figure.measure(shown, drafting)._replace(finest=finest)
-    return Exhibit(Panel(room, weight), partial(figure.draw, shown, room, drafting=drafting))
+    return Exhibit(Panel(room, weight, "", scale), partial(figure.draw, shown, room, drafting=drafting))
 
 
 def _results(drawing: CamDrawing, exact: CamFound, drafting: Drafting) -> RuledTable:
