@@ -155,7 +155,7 @@ class CamNotes(NamedTuple):
         """Say one flaw."""
         ends = {"start": self.turn(one.start), "end": self.turn(one.end), "phi": self.turn(one.worst.turned)}
         value = one.worst.value
-        if one.kind == "crossing" and not math.isnan(value):
+        if one.kind == "crossing" and value > 0:
             return self.drafting.word("cam flaw crossing and loss", worst=self.way(value), **ends)
         told = self._number(math.degrees(value)) if one.kind == "pressure" else self._number(value * self._unit(one))
         return self.drafting.word(f"cam flaw {one.kind}", worst=told, **ends)

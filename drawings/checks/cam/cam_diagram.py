@@ -23,7 +23,6 @@ from drawings.measure.measured import MeasuredMark
 from drawings.page.drafting import Drafting
 from drawings.paper.strokes import Line
 from plans.analytic.cam.contour import contour
-from plans.analytic.cam.laws import travel
 from plans.analytic.cam.stretches import Peak, peak, stretches
 from plans.model.cam import FORCE, RETURN, RISE, limits_of
 from plans.model.cam_motion import Contour
@@ -33,7 +32,8 @@ from plans.words.words import message
 FAR = 1e-9  # of the largest length: both roads agree far better
 RULED = 1e-3  # mm: a ruler is drawn so near to where it lies
 DENSE = 1441  # turns of a phase at which the diagram is known
-NEARBY = 0.1  # mm: what looking S up between so many turns may miss
+CLOSER = np.linspace(-1.0, 1.0, 17)  # of the way to its neighbours: where it is looked at closer
+NEARBY = 0.1  # mm: what looking between so many turns may miss
 
 
 class Limit(NamedTuple):
@@ -78,7 +78,19 @@ class SizeDiagram:
         cam, own = self.expected.cam, self.expected.sizes
         if cam.rocks:
             return own.pivot
-        return 1j * own.base if cam.flat else complex(self.expected.contour.tip[0])
+        return 1j * own.base if cam.flat else self._lowest
+
+    @property
+    def _back(self) -> complex:
+        """What turns a rocker back from where it stands at the start to S = 0; a cam may begin at its top."""
+        return cmath.rect(1.0, -self.expected.cam.rising * float(self.expected.contour.travel.s[0]))
+
+    @property
+    def _lowest(self) -> complex:
+        """Where the tip is at S = 0, seen from O, m."""
+        own, pivot = self.expected.contour, self.expected.sizes.pivot
+        start, s = complex(own.tip[0]), own.travel.s[0]
+        return pivot + (start - pivot) * self._back if self.expected.cam.rocks else complex(start - 1j * s)
 
     def _ends(self, own: Contour) -> Complexes:
         """Give D: on the line of OD, of a flat face S'' across from S."""
@@ -122,9 +134,9 @@ class SizeDiagram:
         if self.points:
             yield from ((("D", k), end) for k, end in enumerate(self._ends(own).tolist()))
         if not cam.flat:
-            yield ("R_0", None), complex(own.tip[0])
+            yield ("R_0", None), self._lowest
         elif cam.rocks:
-            yield ("R_0", None), complex(own.lever[0]) * self.expected.sizes.base
+            yield ("R_0", None), complex(own.lever[0]) * self._back * self.expected.sizes.base
         if cam.rocks:
             yield ("L", None), self.zero
 
@@ -209,27 +221,20 @@ class SizeDiagram:
             yield on("curve", NAME)
 
     def _off(self, spots: Complexes) -> Floats:
-        """Give how far places are on paper from where the diagram has their S, mm, (N,)."""
-        cam = self.expected.cam
-        if not cam.rocks:
-            return self._off_level(spots, spots.imag)
-        # A rocker that turns faster than the cam has its D beyond O1, on the other side of it than K.
-        ways = (cam.rising * np.angle(side * cam.rising * spots) + cam.lift / 2 for side in (1, -1))
-        return np.asarray(np.min([self._off_level(spots, s) for s in ways], axis=0))
-
-    def _off_level(self, spots: Complexes, s: Floats) -> Floats:
-        """Give how far places are from where the diagram has some S, by the phase that comes nearest."""
+        """Give how far places are on paper from the nearest point of the diagram, mm, (N,)."""
         cam, found = self.expected.cam, [np.full(len(spots), np.inf)]
-        for phase in cam.moving():
+        for phase, before in product(cam.moving(), (False, True)):
             turned = np.linspace(phase.start, phase.end, DENSE)
-            known = travel(cam, turned, before=True).s
-            order = np.argsort(known)
-            own, step = np.interp(s, known[order], turned[order]), turned[1] - turned[0]
-            for shift, before in product((-step, 0.0, step), (False, True)):
-                there = np.clip(own + shift, phase.start, phase.end)
-                at = contour(cam, self.expected.sizes, self.expected.found.roller, there, before)
-                found.append(np.abs(self._ends(at) - spots) / self.mu)
+            known, step = self._known(turned, before), turned[1] - turned[0]
+            nearest = turned[np.abs(known - spots[:, None]).argmin(axis=1), None]
+            there = np.clip(nearest + step * CLOSER, phase.start, phase.end)
+            closer = self._known(there.ravel(), before).reshape(there.shape)
+            found.append(np.abs(closer - spots[:, None]).min(axis=1) / self.mu)
         return np.asarray(np.min(found, axis=0))
+
+    def _known(self, turned: Floats, before: bool) -> Complexes:
+        own = self.expected
+        return self._ends(contour(own.cam, own.sizes, own.found.roller, turned, before))
 
     def _due(self) -> Mapping[str, tuple[float, ...]]:
         """Give the numbers that may be written, by their letters; each has room or not."""

@@ -174,7 +174,7 @@ class DueNotes:
     def _flaw(self, one: Flaw) -> str:
         ends = {"start": self._turn(one.start), "end": self._turn(one.end), "phi": self._turn(one.worst.turned)}
         worst, key = one.worst.value, f"cam flaw {one.kind}"
-        if one.kind == "crossing" and not math.isnan(worst):
+        if one.kind == "crossing" and worst > 0:
             return self._word("cam flaw crossing and loss", worst=self._way(worst), **ends)
         units = {"pressure": math.degrees(worst), "lift-off": worst, "crossing": 0.0}
         return self._word(key, worst=self._number(units.get(one.kind, MM * worst)), **ends)
