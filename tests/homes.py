@@ -1,39 +1,48 @@
-"""Assemblies from the sketch kept within a worker: of two tests of one mechanism the second finds it assembled.
+"""Assemblies from the sketch and marches from there kept in a worker: two tests of one mechanism share them.
 
-They are kept here and not in the program: its bench times that road. A run on a planted fault, whose packages are
-imported afresh, keeps assemblies of its own.
+They are kept here and not in the program: its bench times these roads. A run on a planted fault, whose packages are
+imported afresh, keeps its own.
 """
 
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Hashable
 from functools import wraps
 from typing import Any
 
-ASKED_BY = ("kinematics", "extremes", "cyclogram")  # files of plans/analytic that assemble from the sketch
+import numpy as np
+
+# What is kept: the function of plans/analytic, and the files there that ask for it.
+KEPT = {"home": ("kinematics", "extremes", "cyclogram"), "survey": ("positions",)}
 
 
 def keep() -> None:
-    """Keep assemblies from now on, in the packages that are imported."""
-    asking = [module for file in ASKED_BY if (module := sys.modules.get(f"plans.analytic.{file}"))]
-    if asking:
-        kept = _kept(asking[0].home)
-        for module in asking:
-            module.home = kept
+    """Keep assemblies and marches from now on, in the packages that are imported."""
+    for name, files in KEPT.items():
+        for asking in [sys.modules[file] for file in map("plans.analytic.{}".format, files) if file in sys.modules]:
+            if not hasattr(getattr(asking, name), "__wrapped__"):
+                setattr(asking, name, _kept(getattr(asking, name)))
 
 
-def _kept(home: Callable[..., Any]) -> Callable[..., Any]:
-    """Remember assemblies by all that tells one mechanism, its first angle and the others from the next."""
-    known: dict[tuple[str, float | None, bytes], Any] = {}
+def _kept(asked: Callable[..., Any]) -> Callable[..., Any]:
+    """Remember answers by all that tells one mechanism and what is asked of it from the next."""
+    known: dict[Hashable, Any] = {}
 
-    @wraps(home)
-    def remembered(shape: Any, first: float | None, looks: Any) -> Any:
-        key = (repr(shape.mechanism), first, looks.tobytes())
+    @wraps(asked)
+    def remembered(shape: Any, *given: Any) -> Any:
+        key = (repr(shape.mechanism), *map(_told, given))
         if key not in known:
-            known[key] = home(shape, first, looks)
-            if known[key] is not None:
+            known[key] = asked(shape, *given)
+            if hasattr(known[key], "poses"):
                 known[key].poses.setflags(write=False)  # one is handed to many
         return known[key]
 
     return remembered
+
+
+def _told(given: Any) -> Hashable:
+    """Tell what is given to the last bit: arrays, and pairs with an array."""
+    if isinstance(given, tuple):
+        return tuple(map(_told, given))
+    return given.tobytes() if isinstance(given, np.ndarray) else given

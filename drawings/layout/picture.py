@@ -35,6 +35,7 @@ class Picture(NamedTuple):
     heading: float  # mm, width of the heading
     least: float  # mm: lines drawn smaller are hidden by their letters
     most: float = math.inf  # mm: lines drawn larger would be out of proportion
+    finest: float = 0.0  # mu: it is drawn at no larger scale
 
     def size(self, scale: Scale) -> tuple[float, float]:
         """Give width and height on paper, mm, margins and heading included."""
@@ -56,7 +57,8 @@ class Picture(NamedTuple):
         rungs: list[Rung] = []
         while len(rungs) < RUNGS and room > 0:
             scale = fitting(extent, room, self.letter, self.unit, standard)
-            rungs.append(Rung(scale, *self.size(scale), self.extent(scale)))
+            if scale.mu >= self.finest * SMALLER:
+                rungs.append(Rung(scale, *self.size(scale), self.extent(scale)))
             room = extent / scale.mu * SMALLER
         return Ladder(self.name, tuple(rungs), self.least, weight)
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from drawings.page.drafting import Drafting
+from drawings.report.cam_letters import ACCELERATION, RATIO, VELOCITY, letters, units
 from drawings.report.phase_letters import phase_letter
 from plans.cam.tables import smoothing
 from plans.model.cam import TABLE, Cam, Phase
@@ -15,6 +16,8 @@ from plans.model.cam_motion import CamFound, Extreme, Flaw, Shock
 MM = 1000.0  # of a metre
 RPM = 30 / math.pi  # of a rad/s
 HARD = 1  # order of a shock that jumps the speed
+CORNERED = ("undercut", "hollow")  # flaws that a corner of the pitch curve has
+SHARP = 1e-9  # m: so small a radius is that of a corner
 
 
 class CamNotes(NamedTuple):
@@ -26,14 +29,14 @@ class CamNotes(NamedTuple):
 
     @property
     def all(self) -> tuple[str, ...]:
-        """What is asked, over which phases, what sizes do it, how it runs, and what is wrong with it."""
+        """What is asked, over which phases, how it runs, what is wrong with it; the sizes are in the table."""
         return (
             *self.asked(),
             *self.phases(),
             *self.smoothed(),
-            *self.sizes(),
+            *self.face(),
             *self.pressure(),
-            *self.roller(),
+            *self.rolling(),
             *self.shocks(),
             *self.pressing(),
             *self.flaws(),
@@ -76,7 +79,7 @@ class CamNotes(NamedTuple):
             if phase.law is not None and phase.law.name == TABLE and phase.law.tolerance > 0:
                 off, at = smoothing(phase.law)
                 far, most = (self.way(share * abs(phase.change)) for share in (off, phase.law.tolerance))
-                on, phi = self.drafting.word(f"cam on {phase.kind}"), self.turn(phase.start + at * phase.angle)
+                on, phi = self.drafting.word(f"cam on {phase.kind}"), self.place(phase.start + at * phase.angle)
                 yield self.drafting.word("cam smoothed", phase=on, phi=phi, off=far, allowed=most)
 
     def sizes(self) -> Iterator[str]:
@@ -91,13 +94,18 @@ class CamNotes(NamedTuple):
         elif not cam.flat:
             parts += [f"e = {self._mm(sizes.offset)}", f"S_0 = {self._mm(math.sqrt(sizes.base**2 - sizes.offset**2))}"]
         yield self.drafting.word("cam sizes", sizes=",  ".join(parts))
-        if cam.flat:
+        yield from self.face()
+
+    def face(self) -> Iterator[str]:
+        """Say how far contact goes on a flat face."""
+        if self.cam.flat and not self.cam.translates:
             sides = (self._mm(abs(one)) for one in self.found.face)
             yield self.drafting.word("cam face", **dict(zip(("back", "front"), sides, strict=True)))
 
     def pressure(self) -> Iterator[str]:
         """Say how large the pressure angle grows on each kind of phase, and where."""
-        for kind, found in self.found.pressure.items():
+        pressed = self.cam.rocks or not self.cam.flat  # under a flat face that translates it is 0 throughout
+        for kind, found in self.found.pressure.items() if pressed else ():
             limit = self.cam.limits.of(kind)
             parts = {"phase": self.drafting.word(f"cam on {kind}"), **self._place(found)}
             told = {"angle": self._number(math.degrees(found.value)), **parts}
@@ -114,23 +122,38 @@ class CamNotes(NamedTuple):
             yield word(key, radius=self._mm(found.sharpest.value), **self._place(found.sharpest))
         if found.hollow is not None and not self.cam.flat:
             yield word("cam hollow radius", radius=self._mm(-found.hollow.value), **self._place(found.hollow))
-        if found.roller and self.cam.roller is None:
-            yield word("cam roller by rule", roller=self._mm(found.roller))
-        elif found.roller:
-            yield word("cam roller given", roller=self._mm(found.roller))
+        yield from self._radius()
+
+    def rolling(self) -> Iterator[str]:
+        """Say how large the roller is, and which line shows where its centre goes."""
+        yield from self._radius()
+        if self.found.roller:
+            yield self.drafting.word("cam lines")
+
+    def _radius(self) -> Iterator[str]:
+        if self.found.roller:
+            key = "cam roller by rule" if self.cam.roller is None else "cam roller given"
+            yield self.drafting.word(key, roller=self._mm(self.found.roller))
 
     def shocks(self) -> Iterator[str]:
         """Say where it knocks, and how hard."""
         for one in self.found.shocks:
             key = "cam hard shock" if one.order == HARD else "cam soft shock"
-            yield self.drafting.word(key, jump=self._jump(one), phi=self.turn(one.turned))
+            yield self.drafting.word(key, what=self._jumping(one), jump=self._jump(one), phi=self.place(one.turned))
+
+    def _jumping(self, one: Shock) -> str:
+        """Name what jumps: without a speed the derivative by the cam's turn."""
+        if self.cam.speed is None:
+            return letters(self.cam)[0] + "'" * one.order
+        return self.drafting.word("cam velocity" if one.order == HARD else "cam acceleration")
 
     def _jump(self, one: Shock) -> str:
         cam = self.cam
-        of_angle = cam.speed is None
-        unit = ("rad" if cam.rocks else "m") + ("" if of_angle else "/s" if one.order == HARD else "/s2")
-        value = one.jump if cam.speed is None else one.jump * cam.speed**one.order
-        return self._of(value, unit)
+        if cam.speed is None:
+            unit = units(cam)[VELOCITY if one.order == HARD else ACCELERATION]
+            return self._number(one.jump) if unit == RATIO else self._of(one.jump, unit)
+        unit = ("rad" if cam.rocks else "m") + ("/s" if one.order == HARD else "/s2")
+        return self._of(one.jump * cam.speed**one.order, unit)
 
     def flaws(self) -> Iterator[str]:
         """Say what is wrong from where to where, and what would help."""
@@ -145,18 +168,20 @@ class CamNotes(NamedTuple):
         if found is None:
             return
         ends = {"least": self._of(found.least.value, "N"), "most": self._of(found.most.value, "N")}
-        yield self.drafting.word("cam pressing", **ends, phi=self.turn(found.most.turned))
-        yield self.drafting.word("cam wear", wear=self._of(found.wear.value, "W"), phi=self.turn(found.wear.turned))
+        yield self.drafting.word("cam pressing", **ends, phi=self.place(found.most.turned))
+        yield self.drafting.word("cam wear", wear=self._of(found.wear.value, "W"), phi=self.place(found.wear.turned))
         if found.least.value < 0:
             preload = self._of(found.preload, "N*m" if self.cam.rocks else "N")
             yield self.drafting.word("cam preload", preload=preload)
 
     def flaw(self, one: Flaw) -> str:
         """Say one flaw."""
-        ends = {"start": self.turn(one.start), "end": self.turn(one.end), "phi": self.turn(one.worst.turned)}
+        ends = {"start": self.place(one.start), "end": self.turn(one.end), "phi": self.place(one.worst.turned)}
         value = one.worst.value
         if one.kind == "crossing" and value > 0:
             return self.drafting.word("cam flaw crossing and loss", worst=self.way(value), **ends)
+        if one.kind in CORNERED and abs(value) < SHARP:
+            return self.drafting.word(f"cam flaw {one.kind} corner", phi=ends["phi"])
         told = self._number(math.degrees(value)) if one.kind == "pressure" else self._number(value * self._unit(one))
         return self.drafting.word(f"cam flaw {one.kind}", worst=told, **ends)
 
@@ -171,8 +196,12 @@ class CamNotes(NamedTuple):
         """Write how far the cam goes: degrees, or mm of one that translates."""
         return self._mm(value) if self.cam.translates else f"{self._number(math.degrees(value))}°"
 
+    def place(self, value: float) -> str:
+        """Write where the cam is, with the letter of its turn or of its travel."""
+        return f"{letters(self.cam)[1]} = {self.turn(value)}"
+
     def _place(self, found: Extreme) -> dict[str, str]:
-        return {"phi": self.turn(found.turned)}
+        return {"phi": self.place(found.turned)}
 
     def _mm(self, value: float) -> str:
         return self._of(MM * value, "mm")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Callable, Collection, Iterator
 from functools import partial
 from typing import Any
 
@@ -13,18 +13,21 @@ from drawings.figures.cam import (
     profile_figure,
     size_diagram,
     sizes_table,
-    turn_column,
 )
 from drawings.figures.cam.pressure_graph import pressure_view
+from drawings.figures.cam.profile_view import NAME as PROFILE
 from drawings.figures.cam.profile_view import profile_view
+from drawings.figures.cam.size_view import NAME as DIAGRAM
 from drawings.figures.cam.size_view import SizeView
 from drawings.layout.contents import EVEN, Panel
+from drawings.layout.picture import SMALLER, Picture
 from drawings.layout.table import RuledTable
 from drawings.page.drafting import Drafting, drafting_of
+from drawings.page.scale import Scale
 from drawings.paper.strokes import Leaf
 from drawings.report.cam_notes import CamNotes
-from drawings.sheets import cam_charts
-from drawings.sheets.leaves import Caption, Draft, Exhibit, cost, lay_out
+from drawings.sheets import cam_charts, cam_column
+from drawings.sheets.leaves import Caption, Draft, Exhibit, compositions, lay_out
 from plans.cam.study import CYCLOGRAM, CamDrawing
 from plans.model.cam import Cam
 from plans.model.cam_motion import CamFound
@@ -32,8 +35,7 @@ from plans.scene.scene import Scene
 from plans.study import Study
 
 FOREMOST = 2.0  # weight of the profile, for which all the rest is drawn
-TALL = 1.5  # of diagrams that are four one under another
-ALONE = (0, 1)  # the cost of one sheet on which every figure can be read
+JOINED, TURN = "joined", "turn"  # the pressure angle under the law over one axis; both apart with one scale of the turn
 
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
@@ -46,16 +48,43 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
 
 
 def _draft(drawing: CamDrawing, exact: CamFound, drafting: Drafting, scene: Scene) -> Draft:
-    """Give the draft that keeps one axis of the turn, unless its figures would be read worse or take more sheets."""
+    """Give the draft that keeps one axis of the turn, unless its figures would be read worse or take more sheets.
+
+    Then the turn has one scale at least, if that costs nothing either.
+    """
+    ways = (JOINED, TURN, "") if _pressed(drawing.cam) else ("",)
+    drafts = (_level(scene, partial(_told, drawing, exact, drafting, way)) for way in ways)
+    return min(drafts, key=partial(_lack, scene))
+
+
+def _level(scene: Scene, told: Callable[[float], Draft]) -> Draft:
+    """Draw the diagram of the sizes, whose O is the profile's, no larger than the profile if it can be read so."""
+    own = told(0.0)
+    drawn = _scales(scene, own)
+    diagram, profile = drawn.get(DIAGRAM), drawn[PROFILE]
+    if diagram is None or diagram.mu >= profile.mu:
+        return own
+    return min(told(profile.mu), own, key=partial(_lack, scene))
+
+
+def _scales(scene: Scene, draft: Draft) -> dict[str, Scale]:
+    return {name: spot.scale for one in compositions(scene, draft) for name, spot in one.spots.items()}
+
+
+def _lack(scene: Scene, draft: Draft) -> tuple[float, int]:
+    """Tell by what shares of what their letters need the figures of a draft are too small, and count its sheets."""
+    scales = _scales(scene, draft)
+    rooms = (one.panel.item for one in draft.shows if isinstance(one.panel.item, Picture))
+    extents = ((one.extent(scales[one.name]), one.least) for one in rooms)
+    lack = sum(1 - extent / least for extent, least in extents if 0 < extent < least * SMALLER)
+    return lack, len(compositions(scene, draft))
+
+
+def _told(drawing: CamDrawing, exact: CamFound, drafting: Drafting, way: str, finest: float) -> Draft:
     said = CamNotes(drawing.found, drafting).all
     title = drafting.word("cam sheet title", name=drawing.cam.name)
-    drafts: list[Draft] = []
-    for joined in (True, False) if _pressed(drawing.cam) else (False,):
-        shows = tuple(_shows(drawing, exact, joined, drafting))
-        drafts.append(Draft("cam", title, shows, (), said, partial(_facts, drawing.cam, joined)))
-        if cost(scene, drafts[-1]) == ALONE:
-            break
-    return min(drafts, key=partial(cost, scene))
+    shows = tuple(_shows(drawing, exact, way, finest, drafting))
+    return Draft("cam", title, shows, (), said, partial(_facts, drawing.cam, way == JOINED))
 
 
 def _facts(cam: Cam, joined: bool, figures: Collection[str]) -> dict[str, Any]:
@@ -64,19 +93,20 @@ def _facts(cam: Cam, joined: bool, figures: Collection[str]) -> dict[str, Any]:
     return {"cam": cam.name, "figures": [*figures, *under]}
 
 
-def _shows(drawing: CamDrawing, exact: CamFound, joined: bool, drafting: Drafting) -> Iterator[Exhibit | Caption]:
+def _shows(
+    drawing: CamDrawing, exact: CamFound, way: str, finest: float, drafting: Drafting
+) -> Iterator[Exhibit | Caption]:
     """Show the law, the sizes that follow from it, the profile foremost, and what both roads found of it."""
     angle = pressure_view(drawing.sizing.limits, drawing.curve, drawing.found)
-    yield (
-        _exhibit(turn_column, (drawing.diagrams, angle), drafting)
-        if joined
-        else _exhibit(law_diagrams, drawing.diagrams, drafting)
-    )
+    if way == JOINED:
+        yield _exhibit(cam_column, (drawing.diagrams, angle), drafting)
+    else:
+        yield _exhibit(law_diagrams, drawing.diagrams, drafting, scale=way)
     if not drawing.cam.translates:
-        yield _exhibit(size_diagram, SizeView(drawing.sizing), drafting)
-    if _pressed(drawing.cam) and not joined:
-        yield _exhibit(pressure_graph, angle, drafting)
-    yield _exhibit(profile_figure, profile_view(drawing.found), drafting, FOREMOST)
+        yield _exhibit(size_diagram, SizeView(drawing.sizing), drafting, finest=finest)
+    if _pressed(drawing.cam) and way != JOINED:
+        yield _exhibit(pressure_graph, angle, drafting, scale=way)
+    yield _exhibit(profile_figure, profile_view(drawing.found), drafting, weight=FOREMOST)
     table = _results(drawing, exact, drafting)
     yield Caption(Panel(table.block(table.name)), partial(table.write, drafting=drafting))
 
@@ -86,10 +116,12 @@ def _pressed(cam: Cam) -> bool:
     return cam.rocks or not cam.flat
 
 
-def _exhibit(figure: Any, shown: object, drafting: Drafting, weight: float = EVEN) -> Exhibit:
+def _exhibit(
+    figure: Any, shown: object, drafting: Drafting, weight: float = EVEN, finest: float = 0.0, scale: str = ""
+) -> Exhibit:
     """Show a figure, given by its module and by what it shows."""
-    room = figure.measure(shown, drafting)
-    return Exhibit(Panel(room, weight), partial(figure.draw, shown, room, drafting=drafting))
+    room = figure.measure(shown, drafting)._replace(finest=finest)
+    return Exhibit(Panel(room, weight, "", scale), partial(figure.draw, shown, room, drafting=drafting))
 
 
 def _results(drawing: CamDrawing, exact: CamFound, drafting: Drafting) -> RuledTable:

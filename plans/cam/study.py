@@ -16,7 +16,8 @@ from plans.cam.reading.cams import cams_of
 from plans.cam.sizes import sizing
 from plans.cam.sizing import Sizing
 from plans.model.cam import Cam
-from plans.model.cam_motion import CamFound, Contour
+from plans.model.cam_faults import pivot_passed
+from plans.model.cam_motion import CamFound, Contour, Sizes
 from plans.model.motion import Floats
 
 if TYPE_CHECKING:
@@ -55,7 +56,17 @@ class CamDrawing:
     def found(self) -> CamFound:
         """Profile, extremes and flaws at the numbered positions."""
         self.made.setdefault(PROFILE)
-        return cam_found(self.course, self.sizing.sizes, self.turned)
+        found = cam_found(self.course, self.sizing.sizes, self.turned)
+        if self.cam.flat and self.cam.rocks and not found.flaws:
+            self._clear(found.sizes)
+        return found
+
+    def _clear(self, sizes: Sizes) -> None:
+        """Refuse a rocker whose pivot the profile under its face passes."""
+        turned = np.linspace(0.0, self.cam.turn, CLOSE + 1)
+        farthest = float(np.abs(profile(self.course, sizes, 0.0, turned).contour.profile).max())
+        if farthest >= sizes.centre:
+            raise pivot_passed(self.cam, farthest, sizes.centre)
 
     @cached_property
     def curve(self) -> Contour:

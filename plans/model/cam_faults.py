@@ -66,12 +66,9 @@ def fast_face(cam: Cam, turned: float) -> CamError:
     return CamError(message("refused.cam_fast_face", name=cam.name, turned=f"{math.degrees(turned):.6g}"))
 
 
-LOOKS = 720  # turns of a cam at which it is seen whether it passes a pivot
-
-
-def pivot_passed(cam: Cam, farthest: float) -> CamError:
-    """Say that the profile under the face of a rocker passes its pivot: how far it goes from O, m."""
-    sizes = {"farthest": _mm(farthest), "centre": _mm(cam.given.centre or 0.0)}
+def pivot_passed(cam: Cam, farthest: float, centre: float) -> CamError:
+    """Say that the profile under the face of a rocker passes its pivot: how far it goes from O, and L, m."""
+    sizes = {"farthest": _mm(farthest), "centre": _mm(centre)}
     return CamError(message("refused.cam_pivot_passed", name=cam.name, **sizes))
 
 

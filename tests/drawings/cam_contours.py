@@ -23,13 +23,14 @@ from plans.model.cam import (
     ROCKING,
     ROLLER,
     TRANSLATING,
+    TURN,
     Cam,
     Follower,
     Law,
-    Phase,
 )
 from plans.model.cam_motion import Sizes
 from plans.model.motion import Complexes, Floats
+from tests.plans import cam_phases
 
 LIFT = 0.03
 SWING = math.radians(25)
@@ -45,14 +46,8 @@ def cam(
     translates: bool = False,
 ) -> Cam:
     """Make a cam of a rise, a dwell, a return and a dwell; of one that translates the angles are millimetres."""
-    own = [angle / 1000 if translates else math.radians(angle) for angle in angles]
-    starts = [sum(own[:k]) for k in range(4)]
-    phases = (
-        Phase(RISE, own[0], starts[0], 0.0, lift, Law(laws[0])),
-        Phase(DWELL, own[1], starts[1], lift, 0.0),
-        Phase(RETURN, own[2], starts[2], lift, -lift, Law(laws[1])),
-        Phase(DWELL, own[3], starts[3], 0.0, 0.0),
-    )
+    kinds = zip((RISE, DWELL, RETURN, DWELL), angles, (Law(laws[0]), None, Law(laws[1]), None), strict=True)
+    phases = cam_phases.phases(kinds, lift, 0.360 if translates else TURN)
     return Cam("K1", sense, 10.0, phases, follower, closure, translates=translates)
 
 

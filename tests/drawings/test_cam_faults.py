@@ -68,7 +68,33 @@ def test_what_is_drawn_agrees_with_the_analysis(case: tuple[str, str, str, str],
         checked(leaf, "cam", study, tmp_path)
 
 
-@pytest.mark.parametrize("fault", some(FAULTS, 11), ids=lambda fault: fault.name)
+@pytest.mark.parametrize(
+    "case",
+    some(
+        [
+            ("tappet-cam", "[cam.limits]", '[cam.sizes]\nbase = "35 mm"\n[cam.limits]', "{min} = −"),
+            ("rocker-cam", 'speed = "240 rpm"', "", ""),
+            ("rocker-cam", 'law = "sine"', 'law = "constant velocity"', "a corner there"),
+            ("copying-cam", 'speed = "0.4 m/s"', "", "Soft shock at x = 100 mm: S'' jumps by"),
+        ],
+        5,
+    ),
+)
+def test_a_cam_that_is_at_fault_or_has_no_speed_is_drawn_as_well(
+    case: tuple[str, str, str, str], tmp_path: Path
+) -> None:
+    """Its flaws are told, in the letters and units that its motion has; what is drawn agrees with the analysis."""
+    name, old, new, told = case
+    text = (GALLERY / f"{name}.toml").read_text(encoding="utf-8").replace('language = "ru"', "")
+    assert old in text
+    study = Study(parse_scene(text.replace(old, new, 1)))
+    leaves = cam.leaves(study)
+    for leaf in leaves:
+        checked(leaf, "cam", study, tmp_path)
+    assert told in leaves[0].description or any(told in str(leaf.groups) for leaf in leaves)
+
+
+@pytest.mark.parametrize("fault", some(FAULTS, 12), ids=lambda fault: fault.name)
 def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path) -> None:
     study = study_of(fault.scene)
     assert study.comparison("cam").worst <= 1.0

@@ -9,11 +9,12 @@ import numpy as np
 import pytest
 
 from drawings.checks.labelled import unlettered
-from drawings.figures.cam import pressure_graph, size_diagram, turn_column
+from drawings.figures.cam import pressure_graph, size_diagram
 from drawings.figures.cam.pressure_graph import PressureView, pressure_view
 from drawings.figures.cam.size_view import SizeView
 from drawings.measure.measure import Measured
 from drawings.paper.strokes import Leaf
+from drawings.sheets import cam_column
 from plans.analytic.cam.laws import travel
 from plans.analytic.cam.pressure import greatest, pressure
 from plans.analytic.cam.sizes import sizes
@@ -120,7 +121,7 @@ def test_the_view_of_the_construction_is_that_of_the_formulas() -> None:
 def test_the_graph_stands_under_the_diagrams_of_the_law_over_one_axis(name: str) -> None:
     drawing = CamDrawing(CAMS[name])
     view = pressure_view(drawing.sizing.limits, drawing.curve, drawing.found)
-    leaf = exhibited([(turn_column, (drawing.diagrams, view))], "A2", "ru")
+    leaf = exhibited([(cam_column, (drawing.diagrams, view))], "A2", "ru")
     vectors = read_back(leaf).vectors
     assert collisions(leaf) == []
     assert list(unlettered(leaf)) == []

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from decimal import Decimal
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -27,10 +29,18 @@ NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
 SEAL = '<metadata id="seal">'  # a digest of all the rest
 ROUNDINGS = re.compile(r"## Comparison.*?(?=^## )", re.MULTILINE | re.DOTALL)  # another processor rounds otherwise
 BY_ANALYSIS = re.compile(r"<br>[^|]*")  # shown where the last of ten digits differs
+# Scenes whose mechanisms others of the gallery draw too (the automaton has all three followers); `--whole` draws them.
+ALIKE = ("rocker-cam", "feed-cam", "tappet-cam", "conveyor", "whitworth")
 LINE = 0.4  # mm: half a thick line, by which a stroke on the frame reaches over it
 
 
-@pytest.fixture(scope="session", params=ENTRIES, ids=lambda entry: entry.name)
+def everyday(entries: Sequence[Entry]) -> list[Any]:
+    """Leave to the rest the scenes that are like others."""
+    assert {*ALIKE} <= {entry.name for entry in entries}
+    return [pytest.param(e, id=e.name, marks=pytest.mark.rest if e.name in ALIKE else ()) for e in entries]
+
+
+@pytest.fixture(scope="session", params=everyday(ENTRIES))
 def entry(request: pytest.FixtureRequest) -> Entry:
     """One scene after the other, so that all tests of a scene follow each other."""
     found: Entry = request.param

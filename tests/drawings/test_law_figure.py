@@ -14,7 +14,7 @@ from drawings.figures.cam import law_diagrams
 from drawings.figures.cam.law_frame import POLE, LawFrame, LawPlate
 from drawings.figures.cam.law_graph import graph_part
 from drawings.figures.cam.law_pole import pole_part
-from drawings.figures.cam.law_rows import ACCELERATION, TRAVEL, VELOCITY, rows
+from drawings.figures.cam.law_rows import rows
 from drawings.layout.picture import Spot
 from drawings.page.drafting import Drafting
 from drawings.page.page import Field
@@ -22,6 +22,7 @@ from drawings.page.scale import Scale
 from drawings.paper.hand import hand_of
 from drawings.paper.strokes import INK, Circle, Leaf, Line
 from drawings.paper.walk import texts
+from drawings.report.cam_letters import ACCELERATION, TRAVEL, VELOCITY
 from drawings.report.cam_notes import CamNotes
 from plans.cam.diagrams import LawDiagrams
 from plans.cam.diagrams import law_diagrams as diagrams_of

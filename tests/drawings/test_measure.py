@@ -108,6 +108,7 @@ def moves(draw: st.DrawFn) -> list[tuple[str, Affine]]:
     return [similarity(draw) for _ in range(draw(st.integers(1, 6)))]
 
 
+@examples(25)
 @given(places, places, moves())
 def test_a_sheet_moved_as_a_whole_keeps_its_values(a: complex, b: complex, moved: list[tuple[str, Affine]]) -> None:
     source = sheet(vector(a, b, 0.01), point(a, b, 0.01), point(b, b, 0.01, "p", "pole"))
@@ -119,6 +120,7 @@ def test_a_sheet_moved_as_a_whole_keeps_its_values(a: complex, b: complex, moved
     assert measured.vectors[0].name == "B"
 
 
+@examples(25)
 @given(places, places, moves())
 def test_a_group_moved_there_and_back_keeps_its_values(a: complex, b: complex, moved: list[tuple[str, Affine]]) -> None:
     there = " ".join(text for text, _ in moved)

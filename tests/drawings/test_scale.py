@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from drawings.lettering.words import fixed, number, word
 from drawings.page.scale import Scale, fitting
 from drawings.paper.strokes import SheetError
+from tests.parts import examples
 
 SERIES = {"GOST": (1, 2, 2.5, 4, 5), "ISO": (1, 2, 5)}
 # GOST 2.302-68 and ISO 5455: a of the enlargements a:1, b of the reductions 1:b.
@@ -26,6 +27,7 @@ ISO_LENGTHS = [f"{a}:1" for a in (50, 20, 10, 5, 2, 1)] + [
 ]
 
 
+@examples(25)
 @given(st.floats(1e-8, 1e8), st.floats(20, 800), st.sampled_from(["v", "a", "F"]), st.sampled_from(["GOST", "ISO"]))
 def test_the_chosen_scale_is_standard_fits_and_is_the_largest_that_does(
     extent: float, room: float, letter: str, standard: str
@@ -46,6 +48,7 @@ def test_a_length_that_fits_a_scale_of_the_standard_exactly_takes_it(standard: s
         assert fitting(extent, 300.0, "l", "m", standard).ratio("en") == ratio
 
 
+@examples(25)
 @given(st.floats(1e-4, 4e4), st.floats(20, 800), st.sampled_from(["GOST", "ISO"]))
 def test_a_picture_of_lengths_takes_the_first_scale_of_the_table_in_which_it_fits(
     extent: float, room: float, standard: str

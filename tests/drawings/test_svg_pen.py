@@ -41,7 +41,7 @@ from drawings.paper.strokes import (
 )
 from drawings.pens import svg as pen
 from plans.model.motion import Complexes, Floats
-from tests.parts import some
+from tests.parts import examples, some
 from tests.rows import over
 
 NS = "{http://www.w3.org/2000/svg}"
@@ -128,6 +128,7 @@ def test_a_mark_without_its_bearer_is_refused(kind: str) -> None:
         drawn(Group((), data={"kind": kind}))
 
 
+@examples(25)
 @given(points, st.floats(0.1, 100), st.floats(-10, 10), st.floats(0, math.tau))
 def test_arcs_turn_counter_clockwise_in_quarters(centre: complex, radius: float, start: float, sweep: float) -> None:
     arc = Arc(centre, radius, start, start + sweep)
@@ -406,6 +407,7 @@ def test_svgwrite_itself_finds_no_fault() -> None:
     checked.write(io.StringIO())
 
 
+@examples(25)
 @given(points, st.floats(0.1, 100), st.floats(-10, 10), st.floats(0, math.tau))
 def test_the_box_of_an_arc_is_tight(centre: complex, radius: float, start: float, sweep: float) -> None:
     arc = Arc(centre, radius, start, start + sweep)

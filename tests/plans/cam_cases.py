@@ -22,6 +22,7 @@ from plans.model.cam import (
     Phase,
 )
 from plans.model.cam_motion import Sizes
+from tests.plans import cam_phases
 
 USUAL = ((RISE, 120.0, "sine"), (DWELL, 30.0, ""), (RETURN, 90.0, "3-4-5"), (DWELL, 120.0, ""))
 FLAT_USUAL = ((RISE, 140.0, "sine"), (DWELL, 20.0, ""), (RETURN, 140.0, "cosine"), (DWELL, 60.0, ""))
@@ -33,12 +34,7 @@ Case: TypeAlias = tuple[Cam, Sizes]
 
 def phases(listed: tuple[tuple[str, float, str], ...], lift: float, whole: float = 2 * math.pi) -> tuple[Phase, ...]:
     """Give phases one after another: kind, angle in degrees (360 to the whole turn), name of the law."""
-    found, start, level = [], 0.0, 0.0
-    for kind, degrees, name in listed:
-        change = {RISE: lift, RETURN: -lift}.get(kind, 0.0)
-        found.append(Phase(kind, degrees / 360 * whole, start, level, change, Law(name) if name else None))
-        start, level = start + degrees / 360 * whole, level + change
-    return tuple(found)
+    return cam_phases.phases(((kind, angle, Law(name) if name else None) for kind, angle, name in listed), lift, whole)
 
 
 def cam(motion: str = TRANSLATING, end: str = ROLLER, sense: int = 1, with_cam: int = 1, **given: object) -> Cam:

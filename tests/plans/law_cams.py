@@ -20,6 +20,7 @@ from plans.model.cam import (
     Law,
     Phase,
 )
+from tests.plans import cam_phases
 
 LIFT, RISING = 0.03, math.radians(120)  # of the worked examples
 SPEED = 300 * TURN / 60
@@ -37,12 +38,7 @@ EVERY = (*NAMED, STEADY, LINES, RULER, SMOOTH, BLOCKS)
 
 def phases(*listed: tuple[str, float, Law | None], lift: float = LIFT, whole: float = TURN) -> tuple[Phase, ...]:
     """Give phases one after another, each by its kind, its angle in degrees (360 to the whole turn), its law."""
-    found, start, level = [], 0.0, 0.0
-    for kind, degrees, law in listed:
-        change = {RISE: lift, RETURN: -lift}.get(kind, 0.0)
-        found.append(Phase(kind, degrees / 360 * whole, start, level, change, law))
-        start, level = found[-1].end, level + change
-    return tuple(found)
+    return cam_phases.phases(listed, lift, whole)
 
 
 def law_cam(*listed: tuple[str, float, Law | None], lift: float = LIFT, divisions: int = 8, **more: object) -> Cam:

@@ -21,6 +21,7 @@ from plans.model.cam import (
     Limits,
     Phase,
 )
+from tests.plans import cam_phases
 
 SINE, POLYNOMIAL = Law("sine"), Law("3-4-5")
 LIFT, SWING, ARM = 0.03, math.radians(25), 0.12
@@ -28,12 +29,7 @@ LIFT, SWING, ARM = 0.03, math.radians(25), 0.12
 
 def phases(lift: float = LIFT, rise: Law = SINE, back: Law = POLYNOMIAL) -> tuple[Phase, ...]:
     """Give the phases of the examples."""
-    rows = ((RISE, 120, lift, rise), (DWELL, 30, 0.0, None), (RETURN, 90, -lift, back), (DWELL, 120, 0.0, None))
-    found, start, level = [], 0, 0.0
-    for kind, angle, change, law in rows:
-        found.append(Phase(kind, math.radians(angle), math.radians(start), level, change, law))
-        start, level = start + angle, level + change
-    return tuple(found)
+    return cam_phases.phases(((RISE, 120, rise), (DWELL, 30, None), (RETURN, 90, back), (DWELL, 120, None)), lift)
 
 
 def degrees(rise: float | None = None, back: float | None = None, curvature: float = 0.0) -> Limits:

@@ -48,7 +48,7 @@ def cams(draw) -> tuple[Cam, Sizes]:
         return made, Sizes(0.09) if flat else offset_sizes(draw(st.floats(-0.03, 0.03)), 0.07)
     follower = Follower("rocking", end, LENGTH, turns, draw(st.floats(-0.01, 0.01)) if flat else 0.0)
     made = cam(parts, end, sense, follower=follower)
-    return made, pivot(made, complex(0.06, -0.15) if flat else complex(0.12, -0.09))
+    return made, pivot(made, complex(0.16, -0.2) if flat else complex(0.12, -0.09))
 
 
 def drawn_by(own: Cam, sizes: Sizes, turned) -> Contour:

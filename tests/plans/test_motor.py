@@ -13,6 +13,7 @@ from plans.linkage.reading.linkage import mechanism_of
 from plans.model.motor import Constant, Kloss, Law, Linear, Motor, Tabled
 from plans.scene.faults import SceneError
 from plans.scene.scene import parse_scene
+from tests.parts import examples
 from tests.plans.dynamics_scenes import text
 
 POINTS = Tabled((0.0, 50.0, 100.0, 150.0), (40.0, 30.0, 60.0, 10.0))
@@ -37,6 +38,7 @@ def test_a_slope_is_that_of_the_moment(law: Law) -> None:
 
 
 @pytest.mark.parametrize("law", LAWS)
+@examples(25)
 @given(moment=st.floats(0.0, 59.0))
 def test_the_speed_that_bears_a_moment_has_it_and_is_stable_and_the_greatest(law: Law, moment: float) -> None:
     speed = law.speed(moment)

@@ -7,7 +7,7 @@ import time
 from decimal import Decimal
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from geometry.errors import LimitError
@@ -19,7 +19,7 @@ from plans.model.mechanism import Drive, Mechanism, Output, StructureError
 from plans.scene.faults import SHOWN, Fault, SceneError
 from plans.scene.scene import parse_scene
 from plans.words.words import said
-from tests.parts import some
+from tests.parts import examples, some
 
 SHAPER = """title = "Crank shaper"
 sheets = ["kinematics"]
@@ -372,7 +372,7 @@ def test_a_wrong_value_is_one_fault_whatever_it_is(line: str) -> None:
             assert len(about) <= 1 or value in ("[1, 2, 3]", "{}", "{ a = 1 }"), str(error)
 
 
-@settings(deadline=None)
+@examples(25)
 @given(st.data())
 def test_any_scene_is_read_or_refused_in_words(data: st.DataObject) -> None:
     lines = SHAPER.splitlines()

@@ -12,6 +12,7 @@ import numpy as np
 from plans.model.cam import DWELL, GROOVE, POINTED, RISE, ROCKING, TRANSLATING, TURN, Cam, Follower, Law, Phase
 from plans.model.cam import RETURN as BACK
 from plans.model.cam_motion import Sizes
+from tests.plans.cam_phases import parted
 
 LIFT, LENGTH, SWING = 0.03, 0.12, math.radians(25)
 # M2.7, M2.9, M2.10: what the figures of M2.11 to M2.14 are worked out from; mpmath from the conditions, to 17 digits.
@@ -22,15 +23,11 @@ FLAT_BASE = 0.047341550773669612
 
 def phases(*parts: tuple[str, float, float, str], turn: float = TURN) -> tuple[Phase, ...]:
     """Make phases of their kind, angle in degrees, change of S and law; a last dwell fills the turn."""
-    made: list[Phase] = []
-    start = level = 0.0
-    for kind, degrees, change, law in parts:
-        angle = math.radians(degrees)
-        made.append(Phase(kind, angle, start, level, change, Law(law) if law else None))
-        start, level = start + angle, level + change
-    if start < turn - 1e-12:
-        made.append(Phase(DWELL, turn - start, start, level, 0.0))
-    return tuple(made)
+    made = parted((kind, degrees, change, Law(law) if law else None) for kind, degrees, change, law in parts)
+    last = made[-1]
+    if last.end >= turn - 1e-12:
+        return made
+    return (*made, Phase(DWELL, turn - last.end, last.end, last.level + last.change, 0.0))
 
 
 def usual(lift: float, up: str = "sine", down: str = "3-4-5") -> tuple[Phase, ...]:

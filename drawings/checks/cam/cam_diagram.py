@@ -241,7 +241,7 @@ class SizeDiagram:
         own, sharpest = self.expected.sizes, self.expected.found.sharpest
         level = math.sqrt(own.base**2 - own.offset**2)
         due = {"R_0": own.base, "S_0": level, "e": abs(own.offset), "L": own.centre}
-        due |= {"ρ_{min}": abs(sharpest.value) if sharpest else 0.0, "l": self.expected.cam.follower.length or 0.0}
+        due |= {"ρ_{min}": sharpest.value if sharpest else 0.0, "l": self.expected.cam.follower.length or 0.0}
         found = {letter: (1000 * value,) for letter, value in due.items()}
         for one in self.limits:
             found[self.drafting.letter(f"α_{{{one.kind}}}")] = (math.degrees(one.angle),)

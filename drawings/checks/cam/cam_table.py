@@ -9,6 +9,7 @@ from typing import NamedTuple
 from drawings.checks import reading
 from drawings.checks.cam.cam_expected import Expected
 from drawings.checks.cam.cam_strokes import read
+from drawings.checks.cam.cam_told import BARE
 from drawings.checks.reading import reads
 from drawings.checks.wrong import Wrong, within
 from drawings.page.drafting import Drafting
@@ -145,8 +146,9 @@ def _motion(found: CamFound) -> Iterator[Row]:
 
 
 def _shock(cam: Cam, one: Shock, k: int) -> Iterator[Row]:
-    way = ("S'", "S''") if cam.speed is None else ("ω", "ε") if cam.rocks else ("v", "a")
-    units = ("", "") if cam.speed is None else ("rad/s", "rad/s2") if cam.rocks else ("m/s", "m/s2")
+    way, units = (("ω", "ε"), ("rad/s", "rad/s2")) if cam.rocks else (("v", "a"), ("m/s", "m/s2"))
+    if cam.speed is None:
+        way, units = ("ψ'", "ψ''") if cam.rocks else ("S'", "S''"), BARE[cam.rocks, cam.translates]
     letter = f"Δ{way[one.order - 1]}_{{{k}}}"
     yield Row(letter, units[one.order - 1], one.jump * (cam.speed or 1.0) ** one.order)
     yield _place(cam, letter, one.turned)

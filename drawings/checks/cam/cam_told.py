@@ -29,6 +29,14 @@ NOTES, BLOCK = "notes", "title-block"  # the names of their figures
 DIGITS = (4, 5)  # of the numbers of the notes; of the phases
 KNOWN = 1e-9  # of a number, that both roads may differ by
 MM = 1000.0
+CORNER = 1e-9  # m: so small a radius is that of a corner
+# Units of S' and S'' by whether the follower rocks and whether the cam translates.
+BARE = {
+    (False, False): ("m/rad", "m/rad2"),
+    (False, True): ("", "1/m"),
+    (True, False): ("", "1/rad"),
+    (True, True): ("rad/m", "rad/m2"),
+}
 _SIZE = re.compile(r"(?P<name>[^=]+?)\s=\s(?P<value>[−\d.,]+)°?")
 
 
@@ -66,9 +74,10 @@ class DueNotes:
         yield from self._task()
         yield from self._smoothed()
         if not self.found.cam.translates:
-            yield from self._sizes()
-        yield from map(self._pressure, self.found.pressure.items())
-        yield from self._curvature()
+            yield from self._face()
+        if self.found.cam.rocks or not self.found.cam.flat:
+            yield from map(self._pressure, self.found.pressure.items())
+        yield from self._roller()
         yield from map(self._shock, range(len(self.found.shocks)))
         yield from self._pressing()
         yield from map(self._flaw, self.found.flaws)
@@ -93,6 +102,9 @@ class DueNotes:
     def _way(self, value: float) -> str:
         return (self._degrees if self.found.cam.rocks else self._mm)(value)
 
+    def _at(self, turned: float) -> str:
+        return f"{'x' if self.found.cam.translates else 'φ'} = {self._turn(turned)}"
+
     def _task(self) -> Iterator[str]:
         cam = self.found.cam
         moves, held = f"cam {cam.follower.motion} {cam.follower.end}", f"cam closed by {cam.closure}"
@@ -114,21 +126,13 @@ class DueNotes:
             if phase.law is not None and phase.law.name == TABLE and phase.law.tolerance > 0:
                 off, share = smoothed(phase.law)
                 far, most = (self._way(one * abs(phase.change)) for one in (off, phase.law.tolerance))
-                at = self._turn(phase.start + share * phase.angle)
+                at = self._at(phase.start + share * phase.angle)
                 yield self._word(
                     "cam smoothed", phase=self._word(f"cam on {phase.kind}"), phi=at, off=far, allowed=most
                 )
 
-    def _sizes(self) -> Iterator[str]:
-        cam, own = self.found.cam, self.found.sizes
-        told = {"R_0": self._mm(own.base)}
-        if cam.rocks:
-            told |= {"L": self._mm(own.centre), "ψ_0": self._degrees(own.initial)}
-        elif not cam.flat:
-            level = math.sqrt((own.base - own.offset) * (own.base + own.offset))
-            told |= {"e": self._mm(own.offset), "S_0": self._mm(level)}
-        yield self._word("cam sizes", sizes=",  ".join(f"{name} = {text}" for name, text in told.items()))
-        if cam.flat:
+    def _face(self) -> Iterator[str]:
+        if self.found.cam.flat:
             back, front = (self._mm(abs(one)) for one in self.found.face)
             yield self._word("cam face", back=back, front=front)
 
@@ -137,45 +141,45 @@ class DueNotes:
         limit = {"rise": self.found.cam.limits.rise, "return": self.found.cam.limits.back}[kind]
         parts = {"phase": self._word(f"cam on {kind}"), "angle": self._number(math.degrees(found.value))}
         key = "cam pressure" if limit is None else "cam pressure limit"
-        return self._word(key, phi=self._turn(found.turned), limit=self._number(math.degrees(limit or 0.0)), **parts)
+        return self._word(key, phi=self._at(found.turned), limit=self._number(math.degrees(limit or 0.0)), **parts)
 
-    def _curvature(self) -> Iterator[str]:
-        found, flat = self.found, self.found.cam.flat
-        for one, key in (
-            (found.sharpest, "cam profile sharpest" if flat else "cam sharpest"),
-            (None if flat else found.hollow, "cam hollow radius"),
-        ):
-            if one is not None:
-                size = one.value if one is found.sharpest else abs(one.value)
-                yield self._word(key, radius=self._mm(size), phi=self._turn(one.turned))
+    def _roller(self) -> Iterator[str]:
+        found = self.found
         if found.roller:
             key = "cam roller by rule" if found.cam.roller is None else "cam roller given"
             yield self._word(key, roller=self._mm(found.roller))
+            yield self._word("cam lines")
 
     def _shock(self, number: int) -> str:
         one, cam = self.found.shocks[number], self.found.cam
-        way = "rad" if cam.rocks else "m"
-        per = ("/s", "/s2")[one.order - 1] if cam.speed is not None else ""
-        jump = one.jump * (1.0 if cam.speed is None else cam.speed**one.order)
-        key = ("cam hard shock", "cam soft shock")[one.order - 1]
-        return self._word(key, jump=self._number(jump, way + per), phi=self._turn(one.turned))
+        key, place = ("cam hard shock", "cam soft shock")[one.order - 1], self._at(one.turned)
+        if cam.speed is None:
+            what = ("ψ" if cam.rocks else "S") + ("'", "''")[one.order - 1]
+            return self._word(
+                key, what=what, jump=self._number(one.jump, BARE[cam.rocks, cam.translates][one.order - 1]), phi=place
+            )
+        unit = ("rad" if cam.rocks else "m") + ("/s", "/s2")[one.order - 1]
+        what = self._word(("cam velocity", "cam acceleration")[one.order - 1])
+        return self._word(key, what=what, jump=self._number(one.jump * cam.speed**one.order, unit), phi=place)
 
     def _pressing(self) -> Iterator[str]:
         own = self.found.pressing
         if own is None:
             return
         least, most = (self._number(one.value, "N") for one in (own.least, own.most))
-        yield self._word("cam pressing", least=least, most=most, phi=self._turn(own.most.turned))
-        yield self._word("cam wear", wear=self._number(own.wear.value, "W"), phi=self._turn(own.wear.turned))
+        yield self._word("cam pressing", least=least, most=most, phi=self._at(own.most.turned))
+        yield self._word("cam wear", wear=self._number(own.wear.value, "W"), phi=self._at(own.wear.turned))
         if own.least.value < 0:
             unit = "N*m" if self.found.cam.rocks else "N"
             yield self._word("cam preload", preload=self._number(own.preload, unit))
 
     def _flaw(self, one: Flaw) -> str:
-        ends = {"start": self._turn(one.start), "end": self._turn(one.end), "phi": self._turn(one.worst.turned)}
+        ends = {"start": self._at(one.start), "end": self._turn(one.end), "phi": self._at(one.worst.turned)}
         worst, key = one.worst.value, f"cam flaw {one.kind}"
         if one.kind == "crossing" and worst > 0:
             return self._word("cam flaw crossing and loss", worst=self._way(worst), **ends)
+        if one.kind in ("undercut", "hollow") and abs(worst) < CORNER:
+            return self._word(f"{key} corner", phi=ends["phi"])
         units = {"pressure": math.degrees(worst), "lift-off": worst, "crossing": 0.0}
         return self._word(key, worst=self._number(units.get(one.kind, MM * worst)), **ends)
 

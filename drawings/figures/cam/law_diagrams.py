@@ -9,7 +9,7 @@ from functools import cached_property
 from drawings.figures.cam.law_frame import LEFT, LEVEL, LawFrame, LawPlate
 from drawings.figures.cam.law_graph import graph_part, numbered_edges
 from drawings.figures.cam.law_pole import POLES, pole_part
-from drawings.figures.cam.law_rows import ACCELERATION, VELOCITY, LawRow, letters
+from drawings.figures.cam.law_rows import LawRow
 from drawings.figures.graphs.part import Part, caption, wide
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Picture, Spot
@@ -18,6 +18,7 @@ from drawings.lettering.lettering import text_width
 from drawings.page.drafting import Drafting
 from drawings.page.scale import Scale
 from drawings.paper.strokes import Group, Line, Polyline, Stroke, Text
+from drawings.report.cam_letters import ACCELERATION, VELOCITY, letters
 from drawings.report.phase_letters import phase_letter
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.dimension import Dimension

@@ -7,13 +7,14 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise, product
 
-from drawings.figures.cam.law_rows import ACCELERATION, TRAVEL, VELOCITY, LawRow, letters, rows
+from drawings.figures.cam.law_rows import LawRow, rows
 from drawings.figures.graphs.axes import BEYOND, Axes
 from drawings.layout.picture import Margins, Picture, Spot
 from drawings.page.drafting import Drafting
 from drawings.page.scale import Scale, fitting
 from drawings.paper.formats import Field
 from drawings.paper.hand import Hand
+from drawings.report.cam_letters import ACCELERATION, TRAVEL, VELOCITY, letters
 from plans.cam.diagrams import LawDiagrams
 from plans.model.cam import Cam
 

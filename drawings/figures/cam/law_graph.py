@@ -10,10 +10,11 @@ from itertools import pairwise
 import numpy as np
 
 from drawings.figures.cam.law_frame import LawPlate
-from drawings.figures.cam.law_rows import RATIO, Curve, LawRow, letters
+from drawings.figures.cam.law_rows import Curve, LawRow
 from drawings.figures.graphs.axes import BEYOND, Axes, every
 from drawings.figures.graphs.part import Letter, Part
 from drawings.paper.strokes import INK, Circle, Group, Line, LineStyle, Polyline, Stroke
+from drawings.report.cam_letters import RATIO, letters
 from drawings.symbols.figure import Subject
 from drawings.symbols.symbols import TICK, arrowhead
 from plans.cam.diagrams import Strips

@@ -7,10 +7,11 @@ from collections.abc import Iterator
 import numpy as np
 
 from drawings.figures.cam.law_frame import LawPlate
-from drawings.figures.cam.law_rows import ACCELERATION, LawRow
+from drawings.figures.cam.law_rows import LawRow
 from drawings.figures.graphs.axes import Axes, chosen
 from drawings.figures.graphs.part import LEFT, OVER, Letter, Part
 from drawings.paper.strokes import Line, Stroke
+from drawings.report.cam_letters import ACCELERATION
 from drawings.symbols.dimension import Dimension
 from drawings.symbols.symbols import pole
 from geometry.strips import middles

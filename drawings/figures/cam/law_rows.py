@@ -8,18 +8,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from drawings.report.cam_letters import ACCELERATION, TRAVEL, VELOCITY, letters, units
 from plans.cam.diagrams import LawDiagrams
 from plans.model.cam import TABLE, Cam
 from plans.model.motion import Floats
 
-ACCELERATION, VELOCITY, TRAVEL = "acceleration", "velocity", "travel"
-RATIO = "1"  # the unit of what has none
-UNITS = {  # whether the follower rocks and whether the cam translates
-    (False, False): ("m", "m/rad", "m/rad2"),
-    (False, True): ("m", RATIO, "1/m"),
-    (True, False): ("rad", RATIO, "1/rad"),
-    (True, True): ("rad", "rad/m", "rad/m2"),
-}
 LETTERS = {ACCELERATION: "''", VELOCITY: "'", TRAVEL: ""}
 STEPS = 360  # of a turn at least: a degree, of which no curve on paper shows the corners
 IMPULSE = 0.3  # of the height of a diagram: how far the arrow of an impulse goes beyond it
@@ -62,17 +55,6 @@ class LawRow(NamedTuple):
     def flat(self) -> bool:
         """Whether it shows nothing that a scale could be told of."""
         return not self.result.y.any()
-
-
-def letters(cam: Cam) -> tuple[str, str]:
-    """Give the letter of the follower's travel and that of the cam's turn."""
-    return "ψ" if cam.rocks else "S", "x" if cam.translates else "φ"
-
-
-def units(cam: Cam) -> dict[str, str]:
-    """Give the units of the rows: of travel, then once and twice over that of the cam's turn."""
-    own = UNITS[cam.rocks, cam.translates]
-    return dict(zip((TRAVEL, VELOCITY, ACCELERATION), own, strict=True))
 
 
 def rows(shown: LawDiagrams) -> tuple[LawRow, ...]:

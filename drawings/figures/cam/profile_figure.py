@@ -21,7 +21,7 @@ from drawings.symbols.dashes import fit
 from drawings.symbols.figure import Subject, heading, point
 from drawings.symbols.symbols import HINGE, fixed_hinge, hinge, pole
 
-LETTERS, MOST = 26.0, 80.0  # it is drawn at least so many letters large, and at most
+LETTERS, MOST = 21.0, 80.0  # it is drawn at least so many letters large, and at most
 BESIDE = 1.0  # mm from a point to its number
 END = 0.9  # mm from the end of an axis to its number
 AXIS = 6.0  # mm that the axes of the shaft go past it

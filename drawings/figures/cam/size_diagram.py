@@ -194,7 +194,7 @@ def _sizes(view: SizeView, place: Place, drafting: Drafting) -> Iterator[Dimensi
     if view.bent:
         yield from _long("R_0", view.sizing.sizes.base, zero, centre, off + 0j, drafting)
         cut = complex(view.sizing.board["B"].point)
-        yield from _long("ρ_{min}", abs(view.centre - cut), place.on(cut), centre, -off + 0j, drafting)
+        yield from _long("ρ_{min}", (cut - view.centre).imag, place.on(cut), centre, -off + 0j, drafting)
         return
     level = abs(view.centre.imag)
     side = left * (1 if view.sizing.sizes.offset < 0 else -1)

@@ -85,10 +85,10 @@ def _sharpest(view: ProfileView, place: Place, drafting: Drafting) -> Iterator[S
 
 
 def _seen(view: ProfileView, one: Extreme, place: Place, hand: Hand) -> bool:
-    """Tell whether the circle of the least radius is drawn: it is not the one of a dwell, nor larger than the cam."""
+    """Tell whether the circle of the least radius is drawn: not one of a dwell, of a hollow, or larger than the cam."""
     turns = one.turned, one.turned + view.cam.turn  # a dwell that ends the turn ends where it begins
     still = any(own.kind == DWELL and own.start <= turn <= own.end for own in view.cam.phases for turn in turns)
-    return not still and place.length(one.value) < place.length(view.reach) + LARGE * hand.letter
+    return not still and 0 < place.length(one.value) < place.length(view.reach) + LARGE * hand.letter
 
 
 def _mark(name: str, start: complex, end: complex, size: float, place: Place, drafting: Drafting) -> SizeMark:

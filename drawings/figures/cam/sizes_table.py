@@ -11,6 +11,7 @@ import numpy as np
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.layout.value_table import COLUMNS, row
 from drawings.page.drafting import Drafting
+from drawings.report.cam_letters import ACCELERATION, RATIO, VELOCITY, letters, units
 from plans.checks.comparison import Finding
 from plans.model.cam import RETURN, RISE, Cam
 from plans.model.cam_motion import CamFound, Shock
@@ -117,13 +118,14 @@ def _shocks(found: CamFound) -> Iterator[Quantity]:
 def _jumps(cam: Cam, shock: Shock) -> str:
     """Name what jumps."""
     if cam.speed is None:
-        return "S'" if shock.order == 1 else "S''"
+        return letters(cam)[0] + "'" * shock.order
     return ("ωε" if cam.rocks else "va")[shock.order - 1]
 
 
 def _unit(cam: Cam, shock: Shock) -> str:
     if cam.speed is None:
-        return ""
+        bare = units(cam)[VELOCITY if shock.order == 1 else ACCELERATION]
+        return "" if bare == RATIO else bare
     return _units(cam)[shock.order - 1]
 
 

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from plans.analytic.cam.contact import forces_of
 from plans.analytic.cam.contour import contour
 from plans.analytic.cam.extremes import Extremes
 from plans.analytic.cam.flaws import Flaws
 from plans.analytic.cam.shocks import shocks
 from plans.model.cam import ROLLER, Cam
-from plans.model.cam_faults import LOOKS, pivot_passed
 from plans.model.cam_motion import ANALYSIS, CamFound, Extreme, Sizes
 from plans.model.motion import Floats
 
@@ -20,8 +17,6 @@ def cam_found(cam: Cam, sizes: Sizes, turned: Floats) -> CamFound:
     extremes = Extremes(cam, sizes)
     roller, rule = roller_radius(cam, extremes.sharpest, sizes.base)
     forces = forces_of(cam, roller)
-    if cam.flat and cam.rocks and not extremes.outrun:
-        _clear(cam, sizes)
     return CamFound(
         by=ANALYSIS,
         cam=cam,
@@ -39,13 +34,6 @@ def cam_found(cam: Cam, sizes: Sizes, turned: Floats) -> CamFound:
         pressing=extremes.pressing(forces) if forces and not extremes.outrun else None,
         mending=extremes.mending,
     )
-
-
-def _clear(cam: Cam, sizes: Sizes) -> None:
-    """Refuse a rocker whose pivot the profile under its face passes."""
-    farthest = float(np.abs(contour(cam, sizes, 0.0, np.linspace(0.0, cam.turn, LOOKS + 1)).profile).max())
-    if farthest >= sizes.centre:
-        raise pivot_passed(cam, farthest)
 
 
 def roller_radius(cam: Cam, sharpest: Extreme | None, base: float) -> tuple[float, str]:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from plans.cam.course import Course
 from plans.cam.profile.contact import contact_of, pressing
 from plans.cam.profile.extremes import Extremes
@@ -13,7 +11,6 @@ from plans.cam.profile.remedy import base_needed
 from plans.cam.profile.roller import Roller, roller_of
 from plans.cam.profile.stretches import Stretches
 from plans.model.cam import ROLLER
-from plans.model.cam_faults import LOOKS, pivot_passed
 from plans.model.cam_motion import CONSTRUCTION, CamFound, Sizes
 from plans.model.motion import Floats
 
@@ -23,8 +20,6 @@ def cam_found(course: Course, sizes: Sizes, turned: Floats) -> CamFound:
     extremes = Extremes(Stretches(course, sizes))
     roller, rule = roller_for(extremes)
     contact = contact_of(course.cam, roller)
-    if course.cam.flat and course.cam.rocks and not extremes.outrun:
-        _clear(course, sizes)
     return CamFound(
         by=CONSTRUCTION,
         cam=course.cam,
@@ -42,14 +37,6 @@ def cam_found(course: Course, sizes: Sizes, turned: Floats) -> CamFound:
         pressing=pressing(contact, extremes.stretches) if contact and not extremes.outrun else None,
         mending=base_needed(extremes.stretches),
     )
-
-
-def _clear(course: Course, sizes: Sizes) -> None:
-    """Refuse a rocker whose pivot the profile under its face passes."""
-    turned = np.linspace(0.0, course.cam.turn, LOOKS + 1)
-    farthest = float(np.abs(profile(course, sizes, 0.0, turned).contour.profile).max())
-    if farthest >= sizes.centre:
-        raise pivot_passed(course.cam, farthest)
 
 
 def roller_for(extremes: Extremes) -> Roller:
