@@ -7,7 +7,6 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import product
 from typing import NamedTuple
 
 import numpy as np
@@ -15,24 +14,23 @@ import numpy as np
 from drawings.checks.cam.cam_expected import Expected
 from drawings.checks.cam.cam_strokes import FigureStrokes, read
 from drawings.checks.cam.cam_told import numbers
+from drawings.checks.cam.known_diagram import KnownDiagram
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.cam.size_diagram import APART, LEAST
+from drawings.figures.cam.size_rulers import ARM
 from drawings.figures.cam.size_view import NAME
 from drawings.measure.measure import Measured
 from drawings.measure.measured import MeasuredMark
 from drawings.page.drafting import Drafting
+from drawings.paper.hand import Hand
 from drawings.paper.strokes import Line
-from plans.analytic.cam.contour import contour
 from plans.analytic.cam.stretches import Peak, peak, stretches
 from plans.model.cam import FORCE, RETURN, RISE, limits_of
-from plans.model.cam_motion import Contour
-from plans.model.motion import Complexes, Floats
 from plans.words.words import message
 
 FAR = 1e-9  # of the largest length: both roads agree far better
 RULED = 1e-3  # mm: a ruler is drawn so near to where it lies
-DENSE = 1441  # turns of a phase at which the diagram is known
-CLOSER = np.linspace(-1.0, 1.0, 17)  # of the way to its neighbours: where it is looked at closer
+LONGEST = 500.0  # mm: no ruler of a figure is longer
 NEARBY = 0.1  # mm: what looking between so many turns may miss
 
 
@@ -72,31 +70,10 @@ class SizeDiagram:
         """Whether it has a diagram: the face of a rocker has none."""
         return not (self.expected.cam.flat and self.expected.cam.rocks)
 
-    @property
-    def zero(self) -> complex:
-        """The origin of the diagram, seen from O, m."""
-        cam, own = self.expected.cam, self.expected.sizes
-        if cam.rocks:
-            return own.pivot
-        return 1j * own.base if cam.flat else self._lowest
-
-    @property
-    def _back(self) -> complex:
-        """What turns a rocker back from where it stands at the start to S = 0; a cam may begin at its top."""
-        return cmath.rect(1.0, -self.expected.cam.rising * float(self.expected.contour.travel.s[0]))
-
-    @property
-    def _lowest(self) -> complex:
-        """Where the tip is at S = 0, seen from O, m."""
-        own, pivot = self.expected.contour, self.expected.sizes.pivot
-        start, s = complex(own.tip[0]), own.travel.s[0]
-        return pivot + (start - pivot) * self._back if self.expected.cam.rocks else complex(start - 1j * s)
-
-    def _ends(self, own: Contour) -> Complexes:
-        """Give D: on the line of OD, of a flat face S'' across from S."""
-        if self.expected.cam.flat:
-            return np.asarray(own.travel.bend + 1j * own.travel.s)
-        return np.asarray(own.lever - self.zero)
+    @cached_property
+    def known(self) -> KnownDiagram:
+        """Where the analysis has it."""
+        return KnownDiagram(self.expected, self.mu)
 
     def _marks(self) -> Iterator[Wrong]:
         """Hold the points D that have room for a number, O, R0 and L; what rulers touch is held with the rulers."""
@@ -130,15 +107,15 @@ class SizeDiagram:
 
     def _true(self) -> Iterator[tuple[tuple[str, int | None], complex]]:
         cam, own = self.expected.cam, self.expected.contour
-        yield ("O", None), -self.zero
+        yield ("O", None), -self.known.zero
         if self.points:
-            yield from ((("D", k), end) for k, end in enumerate(self._ends(own).tolist()))
+            yield from ((("D", k), end) for k, end in enumerate(self.known.ends(own).tolist()))
         if not cam.flat:
-            yield ("R_0", None), self._lowest
+            yield ("R_0", None), self.known.lowest
         elif cam.rocks:
-            yield ("R_0", None), complex(own.lever[0]) * self._back * self.expected.sizes.base
+            yield ("R_0", None), complex(own.lever[0]) * self.known.back * self.expected.sizes.base
         if cam.rocks:
-            yield ("L", None), self.zero
+            yield ("L", None), self.known.zero
 
     @cached_property
     def limits(self) -> tuple[Limit, ...]:
@@ -167,11 +144,15 @@ class SizeDiagram:
                 yield on("letter", NAME, name=letter)
 
     def _lettered(self, one: Limit, found: Mapping[Limit, list[Line]]) -> bool:
-        """Tell whether the letter of a limit stands nearer to its rulers than to those of another kind."""
-        others = [line for other, lines in found.items() if other.kind != one.kind for line in lines]
+        """Tell whether the letter of a limit stands nearer to the arcs of its angle than to those of another kind."""
+        own = self._arcs(one, found[one])
+        others = [spot for other in found if other.kind != one.kind for spot in self._arcs(other, found[other])]
         text = self.drafting.letter(f"α_{{{one.kind}}}") + f" = {self.drafting.number(math.degrees(one.angle))}°"
-        near, far = (self.strokes.far(text, map(_upper, lines)) for lines in (found[one], others))
-        return near < far
+        return self.strokes.far(text, own) < self.strokes.far(text, others)
+
+    def _arcs(self, one: Limit, lines: list[Line]) -> list[complex]:
+        """Give the middles of the arcs of an angle: between a ruler and the follower's way, from its upper end."""
+        return [_between(line, self.expected.cam.sense * one.side * one.angle, self.drafting.hand) for line in lines]
 
     def _ruled(self, one: Limit, spot: complex) -> Iterator[Line]:
         """Give the rulers through a point of the diagram at a limit: against the follower's way there by its angle."""
@@ -179,13 +160,15 @@ class SizeDiagram:
         lean = cam.rising * spot / abs(spot) if cam.rocks else 1.0
         way = 1j * lean * cmath.exp(1j * cam.sense * one.side * one.angle)
         if abs(self._beyond(one, spot)) <= RULED:
-            yield from self.strokes.through(self.origin + spot / self.mu, way, RULED)
+            # Near O1 the rounding of the point turns the way of K: along a ruler it is off by so much.
+            turned = self.measured.quantum / (abs(spot) / self.mu) * LONGEST if cam.rocks else 0.0
+            yield from self.strokes.through(self.origin + spot / self.mu, way, RULED + turned)
 
     def _beyond(self, one: Limit, spot: complex) -> float:
         """Give how far the diagram goes beyond a ruler on paper, mm; of a rocker whether it is touched at all."""
         cam = self.expected.cam
         if cam.rocks:
-            return 0.0 if self._off(np.array([spot]))[0] <= NEARBY else math.inf
+            return 0.0 if self.known.off(np.array([spot]))[0] <= NEARBY else math.inf
         t, most = math.tan(one.angle), self._touch(one).value
         return (-one.side * cam.sense * spot.real - t * spot.imag - most) * math.cos(one.angle) / self.mu
 
@@ -217,24 +200,8 @@ class SizeDiagram:
         """Hold the curve: each corner of it is on the diagram."""
         chains = [one for one in self.strokes.chains if one.style.width >= self.drafting.hand.main]
         drawn = np.array([spot for one in chains for spot in one.points])
-        if not drawn.size or self._off((drawn - self.origin) * self.mu).max() > NEARBY:
+        if not drawn.size or self.known.off((drawn - self.origin) * self.mu).max() > NEARBY:
             yield on("curve", NAME)
-
-    def _off(self, spots: Complexes) -> Floats:
-        """Give how far places are on paper from the nearest point of the diagram, mm, (N,)."""
-        cam, found = self.expected.cam, [np.full(len(spots), np.inf)]
-        for phase, before in product(cam.moving(), (False, True)):
-            turned = np.linspace(phase.start, phase.end, DENSE)
-            known, step = self._known(turned, before), turned[1] - turned[0]
-            nearest = turned[np.abs(known - spots[:, None]).argmin(axis=1), None]
-            there = np.clip(nearest + step * CLOSER, phase.start, phase.end)
-            closer = self._known(there.ravel(), before).reshape(there.shape)
-            found.append(np.abs(closer - spots[:, None]).min(axis=1) / self.mu)
-        return np.asarray(np.min(found, axis=0))
-
-    def _known(self, turned: Floats, before: bool) -> Complexes:
-        own = self.expected
-        return self._ends(contour(own.cam, own.sizes, own.found.roller, turned, before))
 
     def _due(self) -> Mapping[str, tuple[float, ...]]:
         """Give the numbers that may be written, by their letters; each has room or not."""
@@ -248,5 +215,12 @@ class SizeDiagram:
         return found
 
 
-def _upper(line: Line) -> complex:
-    return max(line.start, line.end, key=lambda end: end.imag)
+def _between(line: Line, angle: float, hand: Hand) -> complex:
+    """Give the middle of the arc between a ruler and a way that it leans from by an angle, both produced upward."""
+    up = _upward(line.end - line.start)
+    middle = up + _upward(up * cmath.rect(1.0, -angle))
+    return max(line.start, line.end, key=lambda end: end.imag) - ARM * hand.letter * middle / abs(middle)
+
+
+def _upward(way: complex) -> complex:
+    return math.copysign(1.0, way.imag) * way / abs(way)

@@ -172,6 +172,8 @@ def _way(spot: Points, cam: Cam, sizes: Sizes) -> _Way:
             arm = cam.rising * np.maximum(cam.rising * arm.real, 0.0) + 1j * arm.imag
         level = cam.rising * (np.angle(arm / towards) + np.angle(cam.rising * towards)) + cam.lift / 2
         return _Way(np.abs(arm) - (cam.follower.length or 0.0), level)
+    if cam.flat:  # its base is how far the face is from O, wherever its axis is
+        return _Way(spot.real, spot.imag - sizes.base)
     axis = 0.0 if cam.translates else cam.sense * sizes.offset
     return _Way(spot.real - axis, spot.imag - math.sqrt(sizes.base**2 - sizes.offset**2))
 
@@ -234,7 +236,9 @@ def _met(track: _Track, way: Callable[[Floats], _Way], count: int) -> Floats:
     for _ in range(CLOSER):
         near = start[:, None] + reach * np.arange(LOOKED + 1) / LOOKED
         aside = way(near).aside
-        start = near[np.arange(count), (aside[:, :-1] * aside[:, 1:] <= 0).argmax(axis=1)]
+        # Where it is met at the very end of a part, rounding may leave no change of sign: it is where it is nearest.
+        off = np.where(aside[:, :-1] * aside[:, 1:] <= 0, -1.0, np.minimum(*np.abs([aside[:, :-1], aside[:, 1:]])))
+        start = near[np.arange(count), off.argmin(axis=1)]
         reach /= LOOKED
     first, last = way(start[:, None]), way(start[:, None] + reach)
     run = last.aside - first.aside
