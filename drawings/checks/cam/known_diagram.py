@@ -1,4 +1,4 @@
-"""The diagram of the main sizes where the analysis alone has it: A or O1, D at any turn (диаграмма S - S', ожидаемая)."""
+"""The diagram of the main sizes where the analysis has it: A or O1, D at any turn (диаграмма S - S', ожидаемая)."""
 
 from __future__ import annotations
 
