@@ -252,5 +252,5 @@ def test_a_roller_smaller_than_the_steps_of_looking_finds_a_long_straight_profil
 
 def test_a_place_beside_two_strands_is_nearest_to_its_own() -> None:
     long, back = straight(0j, 1 + 0j), straight(1 + 0j, 0.9 + 0.003j)
-    spots = np.linspace(0.9, 1.0, 53) + 0j
+    spots = np.linspace(0.9, 1.0, 53).astype(np.complex128)
     assert apart((long, back, straight(back.end, 0.9 + 1j)), False, spots) == pytest.approx(np.zeros(53), abs=1e-9)

@@ -72,4 +72,4 @@ def _nearest(known: Complexes, spots: Complexes) -> npt.NDArray[np.intp]:
     """Give which chord is nearest to each of some places, (N,)."""
     way, run = spots[:, None] - known[:-1], np.diff(known)
     share = np.clip((way * run.conj()).real / np.maximum(np.abs(run) ** 2, np.finfo(float).tiny), 0.0, 1.0)
-    return np.abs(way - share * run).argmin(axis=1)
+    return np.asarray(np.abs(way - share * run).argmin(axis=1))
