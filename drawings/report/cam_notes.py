@@ -179,7 +179,7 @@ class CamNotes(NamedTuple):
         """Say one flaw."""
         ends = {"start": self.place(one.start), "end": self.turn(one.end), "phi": self.place(one.worst.turned)}
         value = one.worst.value
-        if one.kind == "crossing" and not math.isnan(value):
+        if one.kind == "crossing" and value > 0:
             return self.drafting.word("cam flaw crossing and loss", worst=self.way(value), **ends)
         if one.kind in CORNERED and abs(value) < SHARP:
             return self.drafting.word(f"cam flaw {one.kind} corner", phi=ends["phi"])

@@ -1,0 +1,67 @@
+"""The diagram of the main sizes where the analysis alone has it: A or O1, D at any turn (диаграмма S - S', ожидаемая)."""
+
+from __future__ import annotations
+
+import cmath
+from dataclasses import dataclass
+from itertools import product
+
+import numpy as np
+
+from drawings.checks.cam.cam_expected import Expected
+from plans.analytic.cam.contour import contour
+from plans.model.cam_motion import Contour
+from plans.model.motion import Complexes, Floats
+
+DENSE = 1441  # turns of a phase at which the diagram is known
+CLOSER = np.linspace(-1.0, 1.0, 17)  # of the way to its neighbours: where it is looked at closer
+
+
+@dataclass(frozen=True)
+class KnownDiagram:
+    """The diagram of one cam, in m, and how far on paper something is from it."""
+
+    expected: Expected
+    mu: float
+
+    @property
+    def zero(self) -> complex:
+        """The origin of the diagram, seen from O, m."""
+        cam, own = self.expected.cam, self.expected.sizes
+        if cam.rocks:
+            return own.pivot
+        return 1j * own.base if cam.flat else self.lowest
+
+    @property
+    def back(self) -> complex:
+        """What turns a rocker back from where it stands at the start to S = 0; a cam may begin at its top."""
+        return cmath.rect(1.0, -self.expected.cam.rising * float(self.expected.contour.travel.s[0]))
+
+    @property
+    def lowest(self) -> complex:
+        """Where the tip is at S = 0, seen from O, m."""
+        own, pivot = self.expected.contour, self.expected.sizes.pivot
+        start, s = complex(own.tip[0]), own.travel.s[0]
+        return pivot + (start - pivot) * self.back if self.expected.cam.rocks else complex(start - 1j * s)
+
+    def ends(self, own: Contour) -> Complexes:
+        """Give D: on the line of OD, of a flat face S'' across from S."""
+        if self.expected.cam.flat:
+            return np.asarray(own.travel.bend + 1j * own.travel.s)
+        return np.asarray(own.lever - self.zero)
+
+    def off(self, spots: Complexes) -> Floats:
+        """Give how far places are on paper from the nearest point of the diagram, mm, (N,)."""
+        cam, found = self.expected.cam, [np.full(len(spots), np.inf)]
+        for phase, before in product(cam.moving(), (False, True)):
+            turned = np.linspace(phase.start, phase.end, DENSE)
+            known, step = self._known(turned, before), turned[1] - turned[0]
+            nearest = turned[np.abs(known - spots[:, None]).argmin(axis=1), None]
+            there = np.clip(nearest + step * CLOSER, phase.start, phase.end)
+            closer = self._known(there.ravel(), before).reshape(there.shape)
+            found.append(np.abs(closer - spots[:, None]).min(axis=1) / self.mu)
+        return np.asarray(np.min(found, axis=0))
+
+    def _known(self, turned: Floats, before: bool) -> Complexes:
+        own = self.expected
+        return self.ends(contour(own.cam, own.sizes, own.found.roller, turned, before))
