@@ -7,8 +7,9 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from drawings.page.drafting import Drafting
-from drawings.report.cam_letters import ACCELERATION, RATIO, VELOCITY, letters, units
+from drawings.report.cam_letters import ACCELERATION, VELOCITY, letters, units
 from drawings.report.phase_letters import phase_letter
+from plans.cam.dimensions import RATIO
 from plans.cam.tables import smoothing
 from plans.model.cam import GROOVE, TABLE, Cam, Phase, interval_of
 from plans.model.cam_motion import CamFound, Extreme, Flaw, Shock, Sizes
