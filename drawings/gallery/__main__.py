@@ -20,7 +20,7 @@ from plans.words.words import message
 
 FILES = 7
 ALPHABET = "alphabet.svg"
-WRITTEN = (".svg", ".md")  # what draw writes beside a scene
+WRITTEN = (".svg", ".md", ".csv")  # what draw writes beside a scene
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -7,8 +7,9 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from drawings.page.drafting import Drafting
-from drawings.report.cam_letters import ACCELERATION, RATIO, VELOCITY, letters, units
+from drawings.report.cam_letters import ACCELERATION, VELOCITY, letters, units
 from drawings.report.phase_letters import phase_letter
+from plans.cam.dimensions import RATIO
 from plans.cam.tables import smoothing
 from plans.model.cam import GROOVE, TABLE, Cam, Phase, interval_of
 from plans.model.cam_motion import CamFound, Extreme, Flaw, Shock, Sizes
@@ -189,7 +190,7 @@ class CamNotes(NamedTuple):
         """Say one flaw."""
         ends = {"start": self.place(one.start), "end": self.turn(one.end), "phi": self.place(one.worst.turned)}
         value = one.worst.value
-        if one.kind == "crossing" and not math.isnan(value):
+        if one.kind == "crossing" and value > 0:
             return self.drafting.word("cam flaw crossing and loss", worst=self.way(value), **ends)
         if one.kind in CORNERED and abs(value) < SHARP:
             return self.drafting.word(f"cam flaw {one.kind} corner", phi=ends["phi"])

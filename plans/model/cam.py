@@ -78,8 +78,9 @@ class Follower(NamedTuple):
     """The follower (толкатель): how it moves, what touches the cam, its sizes m.
 
     `sense` of one that rocks is +1 where it turns on the rise as the cam does, -1 against it. `length` is from its
-    pivot to its tip or its roller's centre. `face` is how far a flat one that rocks stands before its pivot. `reach` is
-    how far a flat face goes to both sides of its axis, of one that rocks from under its pivot; None: as far as need be.
+    pivot to its tip or its roller's centre. `face` is how far a flat one that rocks stands off its pivot, above 0 away
+    from the cam. `reach` is how far a flat face goes to both sides of its axis, of one that rocks from under its pivot;
+    None: as far as need be.
     """
 
     motion: str

@@ -184,7 +184,7 @@ class DueNotes:
     def _flaw(self, one: Flaw) -> str:
         ends = {"start": self._at(one.start), "end": self._turn(one.end), "phi": self._at(one.worst.turned)}
         worst, key = one.worst.value, f"cam flaw {one.kind}"
-        if one.kind == "crossing" and not math.isnan(worst):
+        if one.kind == "crossing" and worst > 0:
             return self._word("cam flaw crossing and loss", worst=self._way(worst), **ends)
         if one.kind in ("undercut", "hollow") and abs(worst) < CORNER:
             return self._word(f"{key} corner", phi=ends["phi"])

@@ -70,7 +70,7 @@ class BarFigure:
     def letter(self, labels: Labels) -> tuple[Group, ...]:
         """Give the whole chart, what is too long for its bar lettered beside it."""
         letters = (*self._numbers(labels), *self._long(labels))
-        return *self.lines, Group(letters, f"{NAME}-letters")
+        return *self.lines, *([Group(letters, f"{NAME}-letters")] if letters else [])
 
     def _numbers(self, labels: Labels) -> Iterator[Stroke]:
         ends = [self.chart.at(turned) for turned in self.chart.numbered]
