@@ -42,12 +42,11 @@ def _pressing(theirs: CamFound, ours: CamFound) -> Pressing | None:
     forces = forces_of(theirs.cam, theirs.roller)
     if own is None or other is None or forces is None:
         return own
-    values = {"least": forces.normal, "most": forces.normal, "wear": forces.wear}
-    found = {
-        name: _settled(theirs, getattr(own, name), getattr(other, name), value) or getattr(own, name)
-        for name, value in values.items()
-    }
-    return own._replace(**found)
+    return own._replace(
+        least=_settled(theirs, own.least, other.least, forces.normal) or own.least,
+        most=_settled(theirs, own.most, other.most, forces.normal) or own.most,
+        wear=_settled(theirs, own.wear, other.wear, forces.wear) or own.wear,
+    )
 
 
 def _settled(found: CamFound, own: Extreme | None, ours: Extreme | None, value: Value) -> Extreme | None:
