@@ -18,7 +18,7 @@ from plans.cam.reading.cams import cams_of
 from plans.cam.sizes import sizing
 from plans.cam.sizing import Sizing
 from plans.model.cam import Cam
-from plans.model.cam_faults import CamError, pivot_passed
+from plans.model.cam_faults import CamError, large_roller, pivot_passed
 from plans.model.cam_motion import CamFound, Contour, Sizes
 from plans.model.motion import Floats
 from plans.scene.faults import Path, dotted
@@ -64,10 +64,17 @@ class CamDrawing:
         """Profile, extremes and flaws at the numbered positions."""
         self.made.setdefault(PROFILE)
         found = cam_found(self.course, self.sizing.sizes, self.turned)
-        if self.cam.flat and self.cam.rocks and not found.flaws:
-            with self._placing():
-                self._clear(found.sizes)
+        with self._placing():
+            self._refuse(found)
         return found
+
+    def _refuse(self, found: CamFound) -> None:
+        """Refuse a roller that is larger than the cam, and a rocker whose pivot the profile passes."""
+        if not self.cam.translates and found.roller >= found.sizes.base:
+            bears = [found.sizes.base, *(one.value for one in (found.sharpest,) if one)]
+            raise large_roller(self.cam, found.roller, found.sizes.base, min(bears))
+        if self.cam.flat and self.cam.rocks and not found.flaws:
+            self._clear(found.sizes)
 
     @contextmanager
     def _placing(self) -> Iterator[None]:

@@ -91,6 +91,13 @@ class Follower(NamedTuple):
     reach: float | None = None
 
 
+class Interval(NamedTuple):
+    """The least and the greatest pressure angle that are permitted, rad, the least below 0 (5.30)."""
+
+    low: float
+    high: float
+
+
 class Limits(NamedTuple):
     """What the sizes must keep to: the pressure angle on rise and return, rad above 0, the least curvature radius m."""
 
@@ -101,6 +108,19 @@ class Limits(NamedTuple):
     def of(self, kind: str) -> float | None:
         """Give the limit of the pressure angle on a kind of phase."""
         return {RISE: self.rise, RETURN: self.back}.get(kind)
+
+    def interval(self, kind: str, closure: str) -> Interval | None:
+        """Give what is permitted on a kind of phase: in a groove from -back to rise on both kinds of phase (5.30).
+
+        A spring drives the return, which nothing limits; on the rise it is held to both sides alike. A limit that
+        stands alone is of its own phases, to both sides.
+        """
+        own = self.of(kind)
+        if own is None or (closure == FORCE and kind == RETURN):
+            return None
+        if closure == FORCE or self.rise is None or self.back is None:
+            return Interval(-own, own)
+        return Interval(-self.back, self.rise)
 
 
 class GivenSizes(NamedTuple):
@@ -199,3 +219,8 @@ def limits_of(cam: Cam) -> Limits:
         return own
     usual = BOOK_LIMITS[cam.follower.motion]
     return own._replace(rise=own.rise or usual, back=None if cam.closure == FORCE else own.back or usual)
+
+
+def interval_of(cam: Cam, kind: str) -> Interval | None:
+    """Give what a cam's pressure angle is held to on a kind of phase; None where the scene limits nothing there."""
+    return None if cam.unlimited else limits_of(cam).interval(kind, cam.closure)
