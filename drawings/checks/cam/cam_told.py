@@ -215,7 +215,7 @@ def smoothed(law: Law) -> tuple[float, float]:
 def sizes(strokes: FigureStrokes, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:
     """Read the sizes in the figure of the profile back."""
     own, cam = expected.sizes, expected.cam
-    true = {"R_0": MM * own.base, "e": MM * abs(own.offset), "L": MM * own.centre}
+    true = {"R_0": MM * own.base, "e": MM * own.offset, "L": MM * own.centre}
     true |= {"ψ_0": math.degrees(abs(own.initial))}
     if expected.found.sharpest is not None:
         true["ρ_{min}"] = MM * expected.found.sharpest.value
