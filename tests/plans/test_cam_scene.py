@@ -305,6 +305,12 @@ def test_what_the_form_refuses_is_told_beside_what_the_cams_mean() -> None:
     assert kinds(refused(FOLLOWER, limits, PHASES.replace('"rest"', "90"))) == ["pressure_limit", "phases_short"]
 
 
+def test_a_roller_is_smaller_than_the_least_radius() -> None:
+    sizes = '[cam.sizes]\nbase = "16 mm"\nroller = "15.9 mm"\n'
+    assert cam_of(FOLLOWER, sizes, PHASES).roller == 0.0159
+    assert kinds(refused(FOLLOWER, sizes.replace("15.9", "16"), PHASES)) == ["roller_beyond"]
+
+
 def test_of_doubtful_phases_no_sum_is_told() -> None:
     assert kinds(refused(FOLLOWER, PHASES.replace("angle = 120", 'angle = "120 mm"'))) == ["wrong_unit"]
 
