@@ -96,8 +96,8 @@ class CamNotes(NamedTuple):
     def face(self) -> Iterator[str]:
         """Say how far contact goes on a flat face, and how far that reaches if the scene says it."""
         if self.cam.flat and not self.cam.translates:
-            sides = (self._mm(abs(one)) for one in self.found.face)
-            key = "cam face" if self.cam.follower.reach is None else "cam face reach"
+            sides = (self._mm(one if self.cam.rocks else abs(one)) for one in self.found.face)
+            key = ("cam face rocking" if self.cam.rocks else "cam face") + (" reach" if self._reach() else "")
             yield self.drafting.word(key, **dict(zip(("back", "front"), sides, strict=True)), **self._reach())
 
     def _reach(self) -> dict[str, str]:

@@ -15,6 +15,7 @@ from plans.model.cam_motion import Extreme, Flaw
 from plans.scene.scene import parse_scene, read_scene
 from plans.study import Study
 from tests.drawings.conftest import Run
+from tests.gallery import GALLERY
 from tests.plans.test_cam_marks import SIZES, SLIDE, TURNING, one
 
 LOAD = "[cam.load]\nmass = 2\nforce = 100\n"
@@ -90,3 +91,12 @@ def test_the_head_of_the_comparison_stands_over_its_columns(run: Run, tmp_path: 
     _, out, _ = run("compare", scene)
     head, first, *_ = out.splitlines()
     assert head.index(" difference") > first.index("0.03") > head.index("quantity") + len("S the other one")
+
+
+def test_contact_under_a_rocker_is_counted_from_under_its_pivot() -> None:
+    """It stays to one side of the pivot, near the foot of the cam's centre."""
+    study = Study(read_scene(GALLERY / "flat-rocker-cam.toml"))
+    (said,) = notes_of(study).face()
+    near, far = study["cam"].found[0].face
+    assert 0 < near < 0.11 < far
+    assert said.startswith(f"Contact goes from {1000 * near:.4g} mm to {1000 * far:.4g} mm along the face")

@@ -144,9 +144,10 @@ class DueNotes:
 
     def _face(self) -> Iterator[str]:
         if self.found.cam.flat:
-            back, front = (self._mm(abs(one)) for one in self.found.face)
+            rocks = self.found.cam.rocks
+            back, front = (self._mm(one if rocks else abs(one)) for one in self.found.face)
             reach = self.found.cam.follower.reach
-            key = "cam face" if reach is None else "cam face reach"
+            key = f"cam face{' rocking' if rocks else ''}{'' if reach is None else ' reach'}"
             yield self._word(key, back=back, front=front, reach=self._mm(reach or 0.0))
 
     def _pressure(self, one: tuple[str, Extreme]) -> str:
