@@ -41,9 +41,9 @@ def headline(study: Study) -> str:
 
 
 def remarks(study: Study) -> list[Message]:
-    """Say what is wrong with the cams."""
-    notes = ((notes, flaw) for notes in _all(study, 5) for flaw in notes.found.flaws)
-    return [message("cam.flaw", cam=one.cam.name, flaw=_plain(one.flaw(flaw))) for one, flaw in notes]
+    """Say what is wrong with the cams, and what would help."""
+    told = ((notes.cam.name, line) for notes in _all(study, 5) for line in notes.flaws())
+    return [message("cam.flaw", cam=name, flaw=_plain(line)) for name, line in told]
 
 
 def faults(text: str, study: Study) -> Iterator[Message]:

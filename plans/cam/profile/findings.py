@@ -7,7 +7,7 @@ from plans.cam.profile.contact import contact_of, pressing
 from plans.cam.profile.extremes import Extremes
 from plans.cam.profile.flaws import Search
 from plans.cam.profile.profile import profile
-from plans.cam.profile.remedy import base_needed
+from plans.cam.profile.remedy import base_convex, base_needed
 from plans.cam.profile.roller import Roller, roller_of
 from plans.cam.profile.stretches import Stretches
 from plans.model.cam import ROLLER
@@ -35,7 +35,7 @@ def cam_found(course: Course, sizes: Sizes, turned: Floats) -> CamFound:
         flaws=Search(extremes, roller, contact).flaws(),
         rule=rule,
         pressing=pressing(contact, extremes.stretches) if contact and not extremes.outrun else None,
-        mending=base_needed(extremes.stretches),
+        mending=base_needed(extremes.stretches) or base_convex(extremes),
     )
 
 
