@@ -7,11 +7,12 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from drawings.page.drafting import Drafting
-from drawings.report.cam_letters import ACCELERATION, RATIO, VELOCITY, letters, units
+from drawings.report.cam_letters import ACCELERATION, VELOCITY, letters, units
 from drawings.report.phase_letters import phase_letter
+from plans.cam.dimensions import RATIO
 from plans.cam.tables import smoothing
-from plans.model.cam import TABLE, Cam, Phase
-from plans.model.cam_motion import CamFound, Extreme, Flaw, Shock
+from plans.model.cam import GROOVE, TABLE, Cam, Phase, interval_of
+from plans.model.cam_motion import CamFound, Extreme, Flaw, Shock, Sizes
 
 MM = 1000.0  # of a metre
 RPM = 30 / math.pi  # of a rad/s
@@ -106,13 +107,14 @@ class CamNotes(NamedTuple):
         """Say how large the pressure angle grows on each kind of phase, and where."""
         pressed = self.cam.rocks or not self.cam.flat  # under a flat face that translates it is 0 throughout
         for kind, found in self.found.pressure.items() if pressed else ():
-            limit = self.cam.limits.of(kind)
+            permitted = interval_of(self.cam, kind)
             parts = {"phase": self.drafting.word(f"cam on {kind}"), **self._place(found)}
             told = {"angle": self._number(math.degrees(found.value)), **parts}
-            if limit is None:
+            if permitted is None:
                 yield self.drafting.word("cam pressure", **told)
             else:
-                yield self.drafting.word("cam pressure limit", limit=self._number(math.degrees(limit)), **told)
+                low, high = (self._number(math.degrees(one)) for one in permitted)
+                yield self.drafting.word("cam pressure limit", low=low, high=high, **told)
 
     def roller(self) -> Iterator[str]:
         """Say how sharply the pitch curve is bent, and how large the roller is."""
@@ -132,7 +134,9 @@ class CamNotes(NamedTuple):
 
     def _radius(self) -> Iterator[str]:
         if self.found.roller:
-            key = "cam roller by rule" if self.cam.roller is None else "cam roller given"
+            groove = self.found.hollow is not None and self.cam.closure == GROOVE
+            by_rule = "cam roller in a groove by" if groove else "cam roller by"
+            key = f"{by_rule} {self.found.rule}" if self.cam.roller is None else "cam roller given"
             yield self.drafting.word(key, roller=self._mm(self.found.roller))
 
     def shocks(self) -> Iterator[str]:
@@ -163,6 +167,14 @@ class CamNotes(NamedTuple):
             yield self.drafting.word("cam mending", base=self._mm(mending), offset=self._mm(self.found.sizes.offset))
         if mending is not None and kinds & {"concave", "sharp"}:
             yield self.drafting.word("cam mending radius", base=self._mm(mending))
+        if self.found.advised is not None:
+            yield self._advised(self.found.advised)
+
+    def _advised(self, one: Sizes) -> str:
+        """Say which main sizes would keep the pressure angle to its limits."""
+        if self.cam.rocks:
+            return self.drafting.word("cam advised rocking", base=self._mm(one.base), centre=self._mm(one.centre))
+        return self.drafting.word("cam advised translating", base=self._mm(one.base), offset=self._mm(one.offset))
 
     def pressing(self) -> Iterator[str]:
         """Say how hard the follower is pressed on the cam, where it wears most, and what spring would just hold it."""
@@ -185,7 +197,8 @@ class CamNotes(NamedTuple):
         if one.kind in CORNERED and abs(value) < SHARP:
             return self.drafting.word(f"cam flaw {one.kind} corner", phi=ends["phi"])
         told = self._number(math.degrees(value)) if one.kind == "pressure" else self._number(value * self._unit(one))
-        return self.drafting.word(f"cam flaw {one.kind}", worst=told, **ends)
+        most = {"most": self._number(MM * abs(value))} if one.kind in CORNERED else {}
+        return self.drafting.word(f"cam flaw {one.kind}", worst=told, **most, **ends)
 
     def _unit(self, one: Flaw) -> float:
         return 1.0 if one.kind in ("lift-off", "outrun") else MM

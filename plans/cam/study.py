@@ -16,7 +16,7 @@ from plans.cam.reading.cams import cams_of
 from plans.cam.sizes import sizing
 from plans.cam.sizing import Sizing
 from plans.model.cam import Cam
-from plans.model.cam_faults import pivot_passed
+from plans.model.cam_faults import large_roller, pivot_passed
 from plans.model.cam_motion import CamFound, Contour, Sizes
 from plans.model.motion import Floats
 
@@ -57,6 +57,9 @@ class CamDrawing:
         """Profile, extremes and flaws at the numbered positions."""
         self.made.setdefault(PROFILE)
         found = cam_found(self.course, self.sizing.sizes, self.turned)
+        if not self.cam.translates and found.roller >= found.sizes.base:
+            bears = [found.sizes.base, *(one.value for one in (found.sharpest,) if one)]
+            raise large_roller(self.cam, found.roller, found.sizes.base, min(bears))
         if self.cam.flat and self.cam.rocks and not found.flaws:
             self._clear(found.sizes)
         return found

@@ -76,6 +76,12 @@ def pivot_passed(cam: Cam, farthest: float, centre: float) -> CamError:
     return CamError(message("refused.cam_pivot_passed", name=cam.name, **sizes))
 
 
+def large_roller(cam: Cam, roller: float, base: float, most: float) -> CamError:
+    """Say that the roller reaches over the cam's centre, and which one the curvature bears, m."""
+    sizes = {"roller": _mm(roller), "base": _mm(base), "most": _mm(most)}
+    return CamError(message("refused.cam_roller", name=cam.name, **sizes))
+
+
 def no_radius(cam: Cam) -> CamError:
     """Say that no radius is the least."""
     return CamError(message("refused.cam_no_radius", name=cam.name))

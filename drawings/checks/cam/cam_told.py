@@ -21,7 +21,7 @@ from drawings.page.drafting import Drafting
 from drawings.paper.strokes import Leaf
 from drawings.paper.walk import groups, texts
 from plans.analytic.cam.laws import LAWS
-from plans.model.cam import TABLE, Law
+from plans.model.cam import TABLE, Law, interval_of
 from plans.model.cam_motion import CamFound, Extreme, Flaw
 from plans.words.words import message
 
@@ -89,6 +89,11 @@ class DueNotes:
             yield self._word("cam mending radius", base=self._mm(base))
         elif base is not None and "pressure" in told:
             yield self._word("cam mending", base=self._mm(base), offset=self._mm(self.found.sizes.offset))
+        own = self.found.advised
+        if own is not None and self.found.cam.rocks:
+            yield self._word("cam advised rocking", base=self._mm(own.base), centre=self._mm(own.centre))
+        elif own is not None:
+            yield self._word("cam advised translating", base=self._mm(own.base), offset=self._mm(own.offset))
 
     def _word(self, key: str, **parts: str) -> str:
         return self.drafting.word(key, **parts)
@@ -144,15 +149,18 @@ class DueNotes:
 
     def _pressure(self, one: tuple[str, Extreme]) -> str:
         kind, found = one
-        limit = {"rise": self.found.cam.limits.rise, "return": self.found.cam.limits.back}[kind]
+        limits = interval_of(self.found.cam, kind)
         parts = {"phase": self._word(f"cam on {kind}"), "angle": self._number(math.degrees(found.value))}
-        key = "cam pressure" if limit is None else "cam pressure limit"
-        return self._word(key, phi=self._at(found.turned), limit=self._number(math.degrees(limit or 0.0)), **parts)
+        if limits is None:
+            return self._word("cam pressure", phi=self._at(found.turned), **parts)
+        ends = {"low": self._number(math.degrees(limits.low)), "high": self._number(math.degrees(limits.high))}
+        return self._word("cam pressure limit", phi=self._at(found.turned), **ends, **parts)
 
     def _roller(self) -> Iterator[str]:
         found = self.found
         if found.roller:
-            key = "cam roller by rule" if found.cam.roller is None else "cam roller given"
+            hollow = " in a groove" if found.cam.closure == "groove" and found.hollow is not None else ""
+            key = f"cam roller{hollow} by {found.rule}" if found.cam.roller is None else "cam roller given"
             yield self._word(key, roller=self._mm(found.roller))
             yield self._word("cam lines")
 
@@ -187,6 +195,8 @@ class DueNotes:
         if one.kind in ("undercut", "hollow") and abs(worst) < CORNER:
             return self._word(f"{key} corner", phi=ends["phi"])
         units = {"pressure": math.degrees(worst), "lift-off": worst, "crossing": 0.0}
+        if one.kind in ("undercut", "hollow"):
+            ends["most"] = self._number(MM * abs(worst))
         return self._word(key, worst=self._number(units.get(one.kind, MM * worst)), **ends)
 
 

@@ -1,4 +1,4 @@
-"""The diagram of the main sizes where the analysis alone has it: A or O1, D at any turn (диаграмма S - S', ожидаемая)."""
+"""The diagram of the main sizes where the analysis has it: A or O1, D at any turn (диаграмма S - S', ожидаемая)."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from itertools import product
 
 import numpy as np
+import numpy.typing as npt
 
 from drawings.checks.cam.cam_expected import Expected
 from plans.analytic.cam.contour import contour
@@ -14,7 +15,7 @@ from plans.model.cam_motion import Contour
 from plans.model.motion import Complexes, Floats
 
 DENSE = 1441  # turns of a phase at which the diagram is known
-CLOSER = np.linspace(-1.0, 1.0, 17)  # of the way to its neighbours: where it is looked at closer
+CLOSER = np.linspace(0.0, 1.0, 65)  # of the way to the next one: where it is looked at closer
 
 
 @dataclass(frozen=True)
@@ -55,9 +56,9 @@ class KnownDiagram:
         cam, found = self.expected.cam, [np.full(len(spots), np.inf)]
         for phase, before in product(cam.moving(), (False, True)):
             turned = np.linspace(phase.start, phase.end, DENSE)
-            known, step = self._known(turned, before), turned[1] - turned[0]
-            nearest = turned[np.abs(known - spots[:, None]).argmin(axis=1), None]
-            there = np.clip(nearest + step * CLOSER, phase.start, phase.end)
+            known = self._known(turned, before)
+            nearest = _nearest(known, spots)[:, None]
+            there = turned[nearest] + (turned[1] - turned[0]) * CLOSER
             closer = self._known(there.ravel(), before).reshape(there.shape)
             found.append(np.abs(closer - spots[:, None]).min(axis=1) / self.mu)
         return np.asarray(np.min(found, axis=0))
@@ -65,3 +66,10 @@ class KnownDiagram:
     def _known(self, turned: Floats, before: bool) -> Complexes:
         own = self.expected
         return self.ends(contour(own.cam, own.sizes, own.found.roller, turned, before))
+
+
+def _nearest(known: Complexes, spots: Complexes) -> npt.NDArray[np.intp]:
+    """Give which chord is nearest to each of some places, (N,)."""
+    way, run = spots[:, None] - known[:-1], np.diff(known)
+    share = np.clip((way * run.conj()).real / np.maximum(np.abs(run) ** 2, np.finfo(float).tiny), 0.0, 1.0)
+    return np.asarray(np.abs(way - share * run).argmin(axis=1))

@@ -66,7 +66,7 @@ def _turned(view: ProfileView, rings: Rings) -> Iterator[Stroke]:
         if view.cam.rocks:
             yield from _arm(view, place, hand, k, turned)
         elif view.cam.translates:
-            foot = complex(spot.real, place.on(0j).imag)
+            foot = complex(spot.real, min(spot.imag, place.on(0j).imag))
             yield Line(foot, complex(spot.real, highest(view, place, hand)), hand.drafted)
         else:
             foot = place.on(view.back(complex(view.axis), turned))

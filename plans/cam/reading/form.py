@@ -67,7 +67,7 @@ class FollowerTable(Table):
     face: Decimal = key(
         f.COORDINATE,
         Decimal(0),
-        meaning="Of a flat one that rocks: how far its face stands before its pivot, m, towards the cam above 0.",
+        meaning="Of a flat one that rocks: how far its face stands off its pivot, m, above 0 away from the cam.",
     )
     reach: Decimal | None = key(
         f.LENGTH,
@@ -178,7 +178,11 @@ class CamTable(Table):
         missing=Missing("angular speed", 'speed = "300 rpm"'),
     )
     closure: str = key(
-        f.words(FORCE, GROOVE), FORCE, meaning="What holds the follower: force (силовое замыкание) or groove (пазовое)."
+        f.words(FORCE, GROOVE),
+        FORCE,
+        meaning="What holds the follower: force (силовое замыкание) or groove (пазовое).",
+        missing=Missing("closure", 'closure = "groove"'),
+        also=("closing", "closed", "lock"),
     )
     setting: Decimal | str = key(
         c.SETTING,

@@ -91,6 +91,8 @@ def _limits(entry: Entry) -> Iterator[Fault]:
         yield from (_note(entry, ("limits", name), "level_face") for name in ("rise", "return") if name in given)
         if "offset" in sizes.given:
             yield _note(entry, ("sizes", "offset"), "spare_offset")
+    if entry.flat and sizes.base is None and not entry.form.limits.curvature:
+        yield _note(entry, (), "sharp_face", name=entry.name)
     if entry.flat or entry.translates or _sized(entry):
         return
     most = f"{math.degrees(BOOK_LIMITS[entry.form.follower.motion]):g}"
