@@ -6,8 +6,9 @@ Black and white: every technique has its own marker and line. A marker grows wit
 from __future__ import annotations
 
 import io
+import itertools
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -24,7 +25,14 @@ from plans.bench.truth import NotInstalled
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-SIZE = (9.6, 6.6)  # inches: two thirds of an A4 page across
+SIZE = (9.6, 5.0)  # inches: two thirds of an A4 page across; the legend and the foot stand below
+TITLE, FOOT, UNDER, LINE = (
+    0.46,
+    1.6,
+    0.36,
+    0.17,
+)  # inches above the axes, below them, from them to the legend, of a line
+COLUMNS, LEGEND = 3, 3  # of the legend, and its lines that the foot has room for
 GREY = "#707070"
 LOWEST, HIGHEST = 1e-17, 1.0  # from under a rounding of float64, where the truth stands, to no likeness at all
 SMALLEST, GROWTH = 3.5, 1.7  # points, of the markers
@@ -35,6 +43,7 @@ ERROR = (
     "each relative to the largest of its plan."
 )
 OF_FORCES = "Of forces: of reactions and moments; F: by hand. "
+OF_OTHERS = "Of other techniques: as the words beside the bench's table define it. "
 
 
 class Series(NamedTuple):
@@ -70,6 +79,11 @@ LOOKS = {
     POWER: Series(">", False, "--"),
     ENERGY: Series("d", False, "-."),
 }
+# Looks of the techniques that have none of their own, in the order of their rows.
+SPARE = (
+    *(Series(marker, True, "-") for marker in "Pp*<>dh"),
+    *(Series(marker, False, ":") for marker in "Xp*h+x"),
+)
 STYLE: Any = {  # matplotlib's own settings, named as it names them
     "svg.hashsalt": "plandraft",  # the same numbers, the same bytes
     "svg.fonttype": "path",
@@ -96,30 +110,33 @@ def svg(bench: Bench) -> bytes:
 
     counts = sorted({row.positions for row in bench.rows if row.positions})
     with mpl.rc_context(STYLE):
-        figure = Figure(figsize=SIZE)
+        looks = looks_of(bench.rows)
+        foot = FOOT + LINE * max(math.ceil(_shown(bench.rows, looks) / COLUMNS) - LEGEND, 0)
+        whole = SIZE[1] + foot
+        figure = Figure(figsize=(SIZE[0], whole))
         FigureCanvasSVG(figure)
         timed, untimed = figure.subplots(1, 2, sharey=True, width_ratios=(7, 1))
-        _timed(timed, bench, counts)
+        _timed(timed, bench, counts, looks)
         _untimed(untimed, bench.rows)
         title = bench.title.replace("$", r"\$")  # matplotlib would set formulas between them
-        figure.suptitle(f"{title}: error against run time", x=0.08, ha="left", fontsize=11)
+        figure.suptitle(f"{title}: error against run time", x=0.08, y=1 - 0.13 / whole, ha="left", fontsize=11)
         figure.legend(
-            *timed.get_legend_handles_labels(), loc="upper left", bbox_to_anchor=(0.07, 0.185), ncols=4, frameon=False,
-            handlelength=4.5,
+            *timed.get_legend_handles_labels(), loc="upper left", bbox_to_anchor=(0.07, (foot - UNDER) / whole),
+            ncols=COLUMNS, frameon=False, handlelength=4.5,
         )  # fmt: skip
-        figure.text(0.08, 0.02, _foot(bench, counts), fontsize=7, va="bottom")
-        figure.subplots_adjust(left=0.08, right=0.985, top=0.93, bottom=0.24, wspace=0.03)
+        figure.text(0.08, 0.13 / whole, _foot(bench, counts), fontsize=7, va="bottom")
+        figure.subplots_adjust(left=0.08, right=0.985, top=1 - TITLE / whole, bottom=foot / whole, wspace=0.03)
         out = io.BytesIO()
         figure.savefig(out, format="svg", metadata={"Date": None, "Title": bench.title})
     return out.getvalue()
 
 
-def _timed(axes: Axes, bench: Bench, counts: Sequence[int]) -> None:
+def _timed(axes: Axes, bench: Bench, counts: Sequence[int], looks: Mapping[str, Series]) -> None:
     """Draw the techniques that have a time, one line each through its numbers of positions."""
     axes.set_xscale("log")
     axes.set_yscale("log")
     axes.set_ylim(LOWEST, HIGHEST)
-    for name, look in LOOKS.items():
+    for name, look in looks.items():
         if spots := _spots(bench.rows, name):
             _series(axes, name, look, spots, counts)
     _truth(axes, [row.each for row in bench.rows if row.technique == REPLAY and row.each])
@@ -131,6 +148,17 @@ def _timed(axes: Axes, bench: Bench, counts: Sequence[int]) -> None:
     axes.set_ylabel("largest error, share of the plan's largest")
     axes.grid(True, which="major", color="#dcdcdc", linewidth=0.5)
     axes.set_axisbelow(True)
+
+
+def looks_of(rows: Sequence[Row]) -> dict[str, Series]:
+    """Give how every technique is drawn: those of linkages alike on every plot, others as they come."""
+    known = {*LOOKS, REPLAY}  # the truth has no place: an arrow points to it
+    others = dict.fromkeys(row.technique for row in rows if row.technique not in known and row.each)
+    return LOOKS | dict(zip(others, itertools.cycle(SPARE), strict=False))
+
+
+def _shown(rows: Sequence[Row], looks: Mapping[str, Series]) -> int:
+    return sum(bool(_spots(rows, name)) for name in looks)
 
 
 def _series(axes: Axes, name: str, look: Series, spots: Sequence[PlotPoint], counts: Sequence[int]) -> None:
@@ -192,7 +220,10 @@ def _spots(rows: Sequence[Row], name: str) -> list[PlotPoint]:
 
 def _foot(bench: Bench, counts: Sequence[int]) -> str:
     told = ", ".join(f"{count:,}".replace(",", " ") for count in counts)
-    forces = OF_FORCES if any(row.technique == FORCES_CONSTRUCTED for row in bench.rows) else ""
+    techniques = {row.technique for row in bench.rows if row.each}
+    forces = OF_FORCES if FORCES_CONSTRUCTED in techniques else ""
+    if not techniques <= {*LOOKS, REPLAY}:
+        forces += OF_OTHERS
     return (
         f"{ERROR}\nMarkers from small to large: {told} positions. By hand: the median of chance drawings, and the bar "
         f"that 95 of 100 keep under.\n{forces}Machine: {bench.machine.written()}"

@@ -168,9 +168,11 @@ class CamNotes(NamedTuple):
     def flaws(self) -> Iterator[str]:
         """Say what is wrong from where to where, and what would help."""
         yield from map(self.flaw, self.found.flaws)
-        if self.found.mending is not None and any(one.kind == "pressure" for one in self.found.flaws):
-            offset = self._mm(self.found.sizes.offset)
-            yield self.drafting.word("cam mending", base=self._mm(self.found.mending), offset=offset)
+        mending, kinds = self.found.mending, {one.kind for one in self.found.flaws}
+        if mending is not None and "pressure" in kinds:
+            yield self.drafting.word("cam mending", base=self._mm(mending), offset=self._mm(self.found.sizes.offset))
+        if mending is not None and kinds & {"concave", "sharp"}:
+            yield self.drafting.word("cam mending radius", base=self._mm(mending))
         if self.found.advised is not None:
             yield self._advised(self.found.advised)
 

@@ -12,7 +12,7 @@ from plans.bench.error import Errors
 from plans.bench.truth import digits
 from plans.cyclogram.stations import Stations, crank
 from plans.cyclogram.study import CyclogramStudy
-from plans.model.cyclogram import TURN, Position
+from plans.model.cyclogram import TURN, Position, Stop
 
 NOTCHED, TRIED, ANALYSED = "construction: notches from the tool", "trial on the travel", "analysis: roots of the travel"
 KIND = "φ"
@@ -48,7 +48,7 @@ def _anew(study: CyclogramStudy) -> Stations:
 
 
 def _notched(study: CyclogramStudy) -> list[float]:
-    return _in_order(study, _anew(study).cyclogram.positions)
+    return in_order(study, _anew(study).cyclogram.positions)
 
 
 def _tried(study: CyclogramStudy) -> list[float]:
@@ -59,10 +59,14 @@ def _analysed(study: CyclogramStudy) -> list[float]:
     linkage = study.linkage
     road = Analysis(linkage.mechanism, first=linkage.form.drive.first is not None, looks=linkage.looks.phi)
     found = cyclogram(road, study.task, study.output, None)
-    return [] if found is None else _in_order(study, found.positions)
+    return [] if found is None else in_order(study, found.positions)
 
 
-def _in_order(study: CyclogramStudy, positions: Sequence[Position]) -> list[float]:
-    """Give the turns at the tool's places in the order in which they are asked for."""
-    turned = {(one.role, one.share, one.back): one.turned for one in positions}
-    return [turned[stop.role, stop.share, stop.back] for stop in study.stations.asked]
+def in_order(study: CyclogramStudy, positions: Sequence[Position]) -> list[float]:
+    """Give the turns at the tool's places in the order in which they are asked for; a share is known to a rounding."""
+    return [_nearest(stop, positions).turned for stop in study.stations.asked]
+
+
+def _nearest(stop: Stop, positions: Sequence[Position]) -> Position:
+    alike = (one for one in positions if (one.role, one.back) == (stop.role, stop.back))
+    return min(alike, key=lambda one: abs(one.share - stop.share))

@@ -140,6 +140,7 @@ class Load(NamedTuple):
     stiffness: float = 0.0
 
 
+LEAST_BASE = 1e-3  # of the follower's way: where the limits ask for a smaller R0, they ask for no cam
 NO_LIMITS, NO_SIZES = Limits(), GivenSizes()
 BOOK_LIMITS = {TRANSLATING: math.radians(30), ROCKING: math.radians(45)}  # 5.9.3
 
@@ -174,6 +175,11 @@ class Cam:
     def lift(self) -> float:
         """The greatest S, m or rad (ход толкателя)."""
         return max(max(one.level, one.level + one.change) for one in self.phases)
+
+    @property
+    def way(self) -> float:
+        """How far the follower's tip goes, m."""
+        return self.lift * (self.follower.length or 0.0) if self.rocks else self.lift
 
     @property
     def rocks(self) -> bool:

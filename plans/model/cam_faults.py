@@ -36,8 +36,12 @@ def no_region(cam: Cam, limits: Limits) -> CamError:
     """Say that the limits leave no place for the centre; with L given, that none is on its arc."""
     if cam.given.centre is not None:
         return CamError(message("refused.cam_circle", name=cam.name, centre=_mm(cam.given.centre)), "sizes", "centre")
-    angles = " / ".join(f"{math.degrees(one):.4g}" for one in (limits.rise, limits.back) if one is not None)
-    return CamError(message("refused.cam_region", name=cam.name, limits=angles), "limits")
+    return CamError(message("refused.cam_region", name=cam.name, limits=_angles(limits)), "limits")
+
+
+def vanishing(cam: Cam, limits: Limits) -> CamError:
+    """Say that the limits are so large that hardly anything is left of the cam."""
+    return CamError(message("refused.cam_vanishing", name=cam.name, limits=_angles(limits)), "limits")
 
 
 def too_far(cam: Cam, offset: float, base: float) -> CamError:
@@ -88,6 +92,10 @@ def large_roller(cam: Cam, roller: float, base: float, most: float) -> CamError:
 def no_radius(cam: Cam) -> CamError:
     """Say that no radius is the least."""
     return CamError(message("refused.cam_no_radius", name=cam.name), "limits")
+
+
+def _angles(limits: Limits) -> str:
+    return " / ".join(f"{math.degrees(one):.4g}" for one in (limits.rise, limits.back) if one is not None)
 
 
 def _mm(size: float) -> str:

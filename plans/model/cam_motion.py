@@ -125,5 +125,7 @@ class CamFound:
     flaws: tuple[Flaw, ...] = ()
     rule: str = "given"  # that the roller was taken by: "given", "curvature", "hollow", "wear"
     pressing: Pressing | None = None  # None: no load or no speed
-    mending: float | None = None  # R0, m, that would keep the pressure angle to its limits with the offset as it is
+    # R0, m, that would keep the pressure angle to its limits with the offset as it is, under a flat face the radius of
+    # curvature.
+    mending: float | None = None
     advised: Sizes | None = None  # that would keep it to them, where it does not; None: it does, or no sizes do

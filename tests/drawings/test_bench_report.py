@@ -10,6 +10,7 @@ from dataclasses import replace
 from xml.etree import ElementTree
 
 from drawings.bench import plot, record, sheet, table
+from plans.bench import cam_laws, cam_path, cam_profile, cyclogram
 from plans.bench.clock import Times
 from plans.bench.computer import Computer
 from plans.bench.error import Errors
@@ -21,6 +22,10 @@ from plans.bench.truth import KINDS
 SVG = "{http://www.w3.org/2000/svg}"
 MACHINE = Computer("Abacus 9", 4, 0.5, "Linux x86_64", "3.11.7", "2.4.6")
 TECHNIQUES = (*CONSTRUCTION, REPLAY, *map(newton, TOLERANCES), ROUNDING, sheet.MEASURED, sheet.PRINTED)
+
+
+OTHERS = (*cam_laws.WAYS.values(), cam_profile.INVERSION, cam_profile.OFFSET, cam_path.PIECES, cyclogram.NOTCHED)
+ONCE = Times((1e-3,))
 
 
 def invented() -> Bench:
@@ -108,6 +113,16 @@ def test_no_two_techniques_look_alike() -> None:
     assert len(set(plot.LOOKS.values())) == len(plot.LOOKS)
     assert {(look.marker, look.filled) for look in plot.LOOKS.values()} >= {("o", True), ("o", False)}
     assert len({(look.marker, look.filled) for look in plot.LOOKS.values()}) == len(plot.LOOKS)
+
+
+def test_the_plot_shows_techniques_that_are_not_of_linkages() -> None:
+    own = replace(invented(), rows=tuple(Row(name, 8, 8, Errors({"Q": 1e-3}, "Q"), times=ONCE) for name in OTHERS))
+    content = plot.svg(own).decode("utf-8")
+    assert all(f"<!-- {name} -->" in content for name in OTHERS)
+    looks = plot.looks_of(own.rows)
+    assert len({(look.marker, look.filled) for look in looks.values()}) == len(looks)
+    assert plot.OF_OTHERS.strip() in content
+    assert plot.OF_OTHERS.strip() not in plot.svg(invented()).decode("utf-8")
 
 
 def test_a_plot_of_gaps_alone_is_still_a_plot() -> None:

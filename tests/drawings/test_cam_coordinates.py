@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from drawings.checks.cam.coordinates import faults, turns
+from drawings.checks.cam.coordinates import enclosures, faults, turns
 from drawings.checks.cam.rolling import apart
 from drawings.checks.verify import SelfCheckFailed
 from drawings.commands.draw import draw
@@ -163,3 +163,29 @@ phases = [{{ kind = "rise", angle = 180, law = "sine" }}, {{ kind = "return", an
     assert written(cam, contour).count(b"\n") == 3602  # with its heading, and the first again at the end
     with pytest.raises(LimitError, match=r"coordinates = 100000: more than COORDINATES_LIMIT = 36000"):
         parse_scene(scene.format(count=100000))
+
+
+EDGE = """
+title = "a"
+[[cam]]
+follower = { motion = "translating", end = "flat", lift = "30 mm" }
+limits = { curvature = 0 }
+phases = [{ kind = "rise", angle = 120, law = "sine" }, { kind = "dwell", angle = 30 },
+    { kind = "return", angle = 90, law = "cosine" }, { kind = "dwell", angle = "rest" }]
+"""
+
+
+def test_a_profile_with_an_edge_at_a_numbered_position_is_held_too() -> None:
+    """There the radius of curvature is 0 but for rounding: both roads and the coordinates are held by ρ itself."""
+    study = Study(parse_scene(EDGE))
+    compared = study.comparison("cam")
+    (own,) = compared.construction.cams
+    assert np.abs(own.contour.radius).min() < 1e-15
+    assert compared.worst <= 1
+    assert own.flaws == compared.analysis.cams[0].flaws == ()
+    (told,) = enclosures(study)
+    assert [*told.faults(told.content)] == []
+    text = told.content.decode()
+    (row, *_) = (line for line in text.splitlines() if ",0.000000" in line and line.startswith("150.0"))
+    wrong = text.replace(row, ",".join([*row.split(",")[:-1], "0.000002"]))
+    assert [*told.faults(wrong.encode())] != []

@@ -257,6 +257,16 @@ def test_what_would_mend_a_pressure_angle_leaves_the_offset_as_it_is(road):
 
 
 @ROADS
+def test_what_would_make_the_profile_under_a_flat_face_convex(road):
+    """With that R0 the least radius is just the one asked for: R0 is added to it everywhere (M2.12)."""
+    own = replace(ALL["flat hollow"][0], limits=Limits(curvature=0.004))
+    mending = road(own, Sizes(0.03)).mending
+    assert road(own, Sizes(mending)).sharpest.value == pytest.approx(0.004, abs=1e-15)
+    assert {one.kind for one in road(own, Sizes(mending * 0.999)).flaws} == {"sharp"}
+    assert road(cam(phases(*STEADY), end="flat", closure=FORCE), Sizes(0.2)).mending is None
+
+
+@ROADS
 def test_a_face_that_is_too_short_is_told(road):
     own, sizes = ALL["flat"]
     short = replace(own, follower=own.follower._replace(reach=0.03))

@@ -17,7 +17,7 @@ from plans.analytic.cam.sizes import sizes
 from plans.cam.course import Course
 from plans.cam.sizes import sizing
 from plans.cam.sizing import Sizing
-from plans.model.cam import DWELL, FORCE, NO_LIMITS, RETURN, RISE, Cam, GivenSizes, Law
+from plans.model.cam import DWELL, FORCE, NO_LIMITS, RETURN, RISE, Cam, GivenSizes, Law, Limits
 from plans.model.cam_faults import CamError
 from plans.model.cam_motion import Sizes
 from tests.parts import examples
@@ -318,6 +318,11 @@ def test_both_roads_over_random_rockers(
     assert same(own, sizes(cam), 1e-11 * max(1.0, own.base / ARM))
 
 
+def steep(most: float) -> Limits:
+    """Give limits, degrees, that hardly bound anything."""
+    return Limits(math.radians(most), math.radians(most))
+
+
 # What cannot be.
 FAULTS = [
     ("no centre keeps", rocking(phases=phases(math.radians(200)))),
@@ -328,6 +333,9 @@ FAULTS = [
     ("base below 125 mm", flat_rocker(given=GivenSizes(base=0.3, centre=0.12))),
     ("S' falls at once", flat(phases=phases(LIFT, Law("constant velocity")))),
     ("as fast as the cam", flat_rocker(swing=100, given=GivenSizes(centre=0.12))),
+    ("the cam vanishes", translating(limits=steep(89.9))),
+    ("the cam vanishes", translating(limits=steep(89))),
+    ("the cam vanishes", rocking(limits=steep(89.9))),
     ("does not move", translating(phases=(phases()[1]._replace(angle=2 * math.pi, start=0.0, level=0.0),))),
 ]
 

@@ -234,6 +234,13 @@ def test_the_bench_judges_all_roads_by_the_notches_in_many_digits() -> None:
     assert bench.truth(cyclogram_of("walking-leg")) == []
 
 
+def test_the_bench_knows_the_places_of_an_overrun_that_is_a_length() -> None:
+    """Either road divides the length by the stroke that it has found itself: the shares differ by a rounding."""
+    study = cyclogram_of("shaper", 'overrun = ["48 mm", 0.05]')
+    moved = [one._replace(share=math.nextafter(one.share, 1)) for one in study.stations.cyclogram.positions]
+    assert bench.in_order(study, moved) == bench.in_order(study, study.stations.cyclogram.positions)
+
+
 def test_explain_gives_the_notches_from_the_tool_to_the_crank() -> None:
     study = study_of("shaper")
     told = marks(study, 0, "phi_1")

@@ -81,8 +81,14 @@ class DueNotes:
         yield from map(self._shock, range(len(self.found.shocks)))
         yield from self._pressing()
         yield from map(self._flaw, self.found.flaws)
-        if self.found.mending is not None and any(one.kind == "pressure" for one in self.found.flaws):
-            yield self._word("cam mending", base=self._mm(self.found.mending), offset=self._mm(self.found.sizes.offset))
+        yield from self._mending()
+
+    def _mending(self) -> Iterator[str]:
+        base, told = self.found.mending, [one.kind for one in self.found.flaws]
+        if base is not None and self.found.cam.flat and ("concave" in told or "sharp" in told):
+            yield self._word("cam mending radius", base=self._mm(base))
+        elif base is not None and "pressure" in told:
+            yield self._word("cam mending", base=self._mm(base), offset=self._mm(self.found.sizes.offset))
         own = self.found.advised
         if own is not None and self.found.cam.rocks:
             yield self._word("cam advised rocking", base=self._mm(own.base), centre=self._mm(own.centre))

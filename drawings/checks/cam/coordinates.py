@@ -70,10 +70,14 @@ def _off(seen: Floats, exact: Floats) -> Floats:
 
 
 def _bends_off(seen: Floats, exact: Floats) -> Floats:
-    """Give it for radii by how the curve bends: where it is nearly straight either road may have any large radius."""
-    with np.errstate(divide="ignore"):
-        bend, true = 1 / seen, 1 / exact
-    return np.asarray(np.abs(bend - true) - ROUNDED * true**2 - SHARE * np.abs(true).max())
+    """Give it for radii by how the curve bends: where it is nearly straight either road may have any large radius.
+
+    An edge, whose radius is no more than the rounding, bends by that: there it is the radii that are compared.
+    """
+    bend, true = (np.copysign(1 / np.maximum(np.abs(one), ROUNDED), one) for one in (seen, exact))
+    bent = np.abs(bend - true) - ROUNDED * true**2 - SHARE * np.abs(true).max()
+    edge = np.abs(exact) <= ROUNDED
+    return np.where(edge, np.abs(seen) - ROUNDED - np.abs(exact), bent)
 
 
 def _named(number: int) -> str:

@@ -86,10 +86,12 @@ class Extremes:
 
     @property
     def mending(self) -> float | None:
-        """R0 that keeps the angle to its limits at the offset as it is: the largest of the positions' own, m."""
+        """R0, m, that mends: keeps the angle to its limits at the offset as it is; of a flat face the radius."""
         cam, offset = self.cam, self.sizes.offset
+        if cam.flat:
+            return self._convex
         intervals = {kind: interval for kind in (RISE, RETURN) if (interval := interval_of(cam, kind))}
-        if cam.rocks or cam.flat or cam.translates or not intervals:
+        if cam.rocks or cam.translates or not intervals:
             return None
         heights = [
             Turn(cam, self.sizes, (kind,)).most(partial(_height, offset, limit))
@@ -98,6 +100,13 @@ class Extremes:
         ]
         least = max(0.0, *(one.value for one in heights if one))
         return float((least * least + offset * offset) ** 0.5)
+
+    @property
+    def _convex(self) -> float | None:
+        """R0 = ρ_min - min(S + S'') under a flat face; None of a rocker, and where S' falls at once, m."""
+        falls = any(one.order == 1 and one.jump < 0 for one in shocks(self.cam))
+        most = None if self.cam.rocks or falls else self.turn.most(lambda curve: -curve.travel.s - curve.travel.bend)
+        return most and self.cam.limits.curvature + most.value
 
     def pressing(self, forces: Forces) -> Pressing:
         """Give the extremes of the contact's force and wear, and the preload that holds."""

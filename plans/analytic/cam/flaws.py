@@ -99,8 +99,8 @@ class Flaws:
         yield from spans
         falls = [one.turned for one in shocks(self.cam) if one.order == 1 and one.jump < 0]
         yield from (Flaw("concave", one, one, Extreme(0.0, one)) for one in falls)
-        least = self.extremes.sharpest
-        if least and not spans and least.value < self.cam.limits.curvature * (1 - NEAR):
+        least, asked = self.extremes.sharpest, self.cam.limits.curvature
+        if least and not spans and asked > 0 and least.value < asked * (1 - NEAR):
             yield Flaw("sharp", least.turned, least.turned, least)
 
     def _pressed(self) -> Iterator[Flaw]:

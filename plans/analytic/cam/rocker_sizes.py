@@ -17,8 +17,8 @@ import numpy as np
 
 from plans.analytic.cam.half_planes import nearest, on_circle
 from plans.analytic.cam.stretches import Stretch, stretches
-from plans.model.cam import FORCE, RETURN, RISE, Cam, limits_of
-from plans.model.cam_faults import no_region, no_triangle
+from plans.model.cam import FORCE, LEAST_BASE, RETURN, RISE, Cam, limits_of
+from plans.model.cam_faults import no_region, no_triangle, vanishing
 from plans.model.cam_motion import Points, Sizes, Travel
 from plans.model.motion import Floats
 
@@ -78,6 +78,8 @@ def rocker_sizes(cam: Cam) -> Sizes:
         initial = _notched(cam, length, given.base, given.centre)
         return _sizes(cam, start, given.centre * start / length * cmath.exp(-1j * f * initial))
     place = _nearest(cam, start) if given.centre is None else _on_circle(cam, start, given.centre)
+    if given.base is None and abs(place - start) < LEAST_BASE * cam.way:
+        raise vanishing(cam, limits_of(cam))
     if given.base is not None:
         place = start + given.base * (place - start) / abs(place - start)
     return _sizes(cam, start, place)
@@ -134,6 +136,8 @@ def _nearest(cam: Cam, start: complex) -> complex:
     if found is None:
         raise no_region(cam, limits_of(cam))
     at, own = found
+    if not own:
+        raise vanishing(cam, limits_of(cam))
     seeds = _apart(_seeds(own, which, at))
 
     def foot(centre: complex, shares: Sequence[float]) -> float:

@@ -12,8 +12,8 @@ import numpy as np
 from plans.analytic.cam.face_sizes import face_sizes
 from plans.analytic.cam.rocker_sizes import rocker_sizes
 from plans.analytic.cam.stretches import golden, peak, stretches
-from plans.model.cam import FORCE, RETURN, RISE, Cam, limits_of
-from plans.model.cam_faults import hard_face, no_radius, still, too_far
+from plans.model.cam import FORCE, LEAST_BASE, RETURN, RISE, Cam, limits_of
+from plans.model.cam_faults import hard_face, no_radius, still, too_far, vanishing
 from plans.model.cam_motion import Sizes
 
 
@@ -56,6 +56,8 @@ def _guided(cam: Cam) -> Sizes:
         return Sizes(math.hypot(level, given.offset), given.offset)
     offset, level = _least(sides)
     base = math.hypot(offset, level)
+    if given.base is None and base < LEAST_BASE * cam.way:
+        raise vanishing(cam, limits_of(cam))
     return Sizes(base, offset) if given.base is None else Sizes(given.base, offset * given.base / base)
 
 

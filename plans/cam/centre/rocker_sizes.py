@@ -38,7 +38,7 @@ def rocker_sizing(course: Course) -> Sizing:
     first = complex(start.point)
     bounds = tuple(pressure_bounds(diagram, limits))
     sought = Place(first, ()) if cam.sized else place(bounds, *_choice(cam, first), diagram.length)
-    found, laid = required(cam, limits, sought), partial(_touching, board, diagram, circle)
+    found, laid = required(cam, limits, sought, first), partial(_touching, board, diagram, circle)
     lines = tangents(board, diagram, touched(bounds, found), found.limits, laid)
     centre = _centre(board, cam, (pivot, start), lines[: len(found.limits)], found.centre)
     chord = _chord(board, diagram, limits, (pivot, start), centre, laid) if found.limits else None

@@ -12,8 +12,8 @@ from plans.cam.centre.region import Place
 from plans.cam.centre.slope_diagram import SlopeDiagram, side_of
 from plans.cam.centre.support import Touch
 from plans.cam.sizing import Tangent
-from plans.model.cam import Cam, Limits
-from plans.model.cam_faults import no_region
+from plans.model.cam import LEAST_BASE, Cam, Limits
+from plans.model.cam_faults import no_region, vanishing
 from plans.words.words import because
 
 # A touch and its number -> on the board D there, and the way of K there.
@@ -40,10 +40,13 @@ def axis(board: Board) -> tuple[Mark, Mark, Mark]:
     return start, way, board.parallel("AS", start, way, because("cam_way"))
 
 
-def required(cam: Cam, limits: Limits, found: Place | None) -> Place:
-    """Give the place that was found for O; raises CamError where the limits leave none."""
+def required(cam: Cam, limits: Limits, found: Place | None, start: complex = 0j) -> Place:
+    """Give the place that was found for O; raises CamError where the limits leave none, or one at the start of K."""
     if found is None:
         raise no_region(cam, limits)
+    free = not found.limits and (cam.rocks or cam.given.base is None) and not cam.sized
+    if free or (cam.given.base is None and abs(found.centre - start) < LEAST_BASE * cam.way):
+        raise vanishing(cam, limits)
     return found
 
 

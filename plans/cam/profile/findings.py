@@ -7,7 +7,7 @@ from plans.cam.profile.contact import contact_of, pressing
 from plans.cam.profile.extremes import Extremes
 from plans.cam.profile.flaws import Search
 from plans.cam.profile.profile import profile
-from plans.cam.profile.remedy import base_needed, sizes_advised
+from plans.cam.profile.remedy import base_convex, base_needed, sizes_advised
 from plans.cam.profile.roller import Roller, roller_of
 from plans.cam.profile.stretches import Stretches
 from plans.model.cam import GROOVE, ROLLER
@@ -36,7 +36,7 @@ def cam_found(course: Course, sizes: Sizes, turned: Floats) -> CamFound:
         flaws=flaws,
         rule=rule,
         pressing=pressing(contact, extremes.stretches) if contact and not extremes.outrun else None,
-        mending=base_needed(extremes.stretches),
+        mending=base_needed(extremes.stretches) or base_convex(extremes),
         advised=sizes_advised(course.cam) if any(one.kind == "pressure" for one in flaws) else None,
     )
 

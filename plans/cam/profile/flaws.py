@@ -95,8 +95,8 @@ class Search:
         spans = self._hollows
         yield from (self._flaw("concave", span, lambda tip: -Touch(tip).radius, least=True) for span in spans)
         yield from (Flaw("concave", one, one, Extreme(0.0, one)) for one in self._steps())
-        least = self.extremes.sharpest
-        if not spans and least and least.value < self.cam.limits.curvature * (1 - TOUCHES):
+        least, asked = self.extremes.sharpest, self.cam.limits.curvature
+        if not spans and least and asked > 0 and least.value < asked * (1 - TOUCHES):
             yield Flaw("sharp", least.turned, least.turned, least)
 
     def _steps(self) -> Iterator[float]:

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from plans.cam.course import Course
+from plans.cam.profile.extremes import Extremes
 from plans.cam.profile.stretches import Stretches
 from plans.cam.profile.tip import Tip
 from plans.cam.sizes import sizing
@@ -29,6 +30,18 @@ def base_needed(stretches: Stretches) -> float | None:
         return None
     asked = [_height(stretches, kind, 1 / math.tan(end)) for kind, interval in intervals.items() for end in interval]
     return math.hypot(max(0.0, *asked), stretches.sizes.offset)
+
+
+def base_convex(extremes: Extremes) -> float | None:
+    """Give R0, m, with which the profile under a flat face is convex and as its limit asks; None where none does.
+
+    R0 is added to the radius of curvature everywhere. A rocker's is not, and where S' falls at once no R0 helps.
+    """
+    course, sharpest = extremes.stretches.course, extremes.sharpest
+    falls = any(one.order == 1 and one.jump < 0 for one in course.shocks)
+    if course.cam.rocks or not course.cam.flat or sharpest is None or falls:
+        return None
+    return extremes.stretches.sizes.base - sharpest.value + course.cam.limits.curvature
 
 
 def sizes_advised(cam: Cam) -> Sizes | None:

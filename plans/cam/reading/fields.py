@@ -21,6 +21,7 @@ REST, CYCLOGRAM = "rest", "cyclogram"  # of an angle: what the others leave of t
 DIVISIONS_LEAST, DIVISIONS_MOST = 2, 360
 COORDINATES_LEAST, COORDINATES_LIMIT = 4, 36_000  # a hundredth of a degree: finer than any profile is made
 SWING_LIMIT = Decimal(180)  # degrees: a rocker that reaches it has gone through its line of centres
+PRESSURE_LEAST = Decimal(1)  # degrees: less leaves the diagram of sizes no width; limits in radians are less
 PRESSURE_LIMIT = Decimal(90)  # degrees: there a follower jams without any friction
 
 VELOCITY = Kind(
@@ -101,6 +102,14 @@ def below(value: object, most: Decimal, kind: str, least: bool = False) -> Decim
     found = units.quantity(value, units.ANGLE)
     if not (0 < found < most or (least and found == 0)):
         raise wrong(kind, most=f"{most}")
+    return found
+
+
+def limit(value: object) -> Decimal:
+    """Read a limit of the pressure angle in degrees."""
+    found = below(value, PRESSURE_LIMIT, "pressure_limit")
+    if found < PRESSURE_LEAST:
+        raise wrong("pressure_limit_tiny", least=f"{PRESSURE_LEAST}", example=f"{found}")
     return found
 
 
@@ -202,11 +211,9 @@ SWING = one(
     least=True,
 )
 LIMIT = one(
-    below,
-    lambda: forms.quantity(units.ANGLE, exclusiveMinimum=0, exclusiveMaximum=float(PRESSURE_LIMIT)),
+    limit,
+    lambda: forms.quantity(units.ANGLE, minimum=float(PRESSURE_LEAST), exclusiveMaximum=float(PRESSURE_LIMIT)),
     "degrees",
-    most=PRESSURE_LIMIT,
-    kind="pressure_limit",
 )
 FIRST = one(first, lambda: forms.quantity(units.NUMBER, exclusiveMinimum=0, exclusiveMaximum=1), "share")
 COORDINATES = one(coordinates, lambda: forms.whole(COORDINATES_LEAST) | {"maximum": COORDINATES_LIMIT}, "number")

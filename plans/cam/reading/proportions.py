@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from decimal import Decimal
+from fractions import Fraction
 
 from plans.cam.reading.entry import Entry, shown
 from plans.words.words import message
+
+METRE, HUNDREDS = 1, 100  # m, and of the way of the follower: so large a roller is one in millimetres
+DEGREE = Fraction(math.radians(1))
 
 
 def proportions(entry: Entry) -> None:
@@ -16,7 +21,9 @@ def proportions(entry: Entry) -> None:
         entry.fault(("sizes", "centre"), "missing_for", **stated, why=message("why.flat_rocker"))
     if sizes.base is not None and sizes.offset is not None and abs(sizes.offset) >= sizes.base:
         entry.fault(("sizes", "offset"), "offset_beyond", base=_mm(sizes.base), offset=_mm(abs(sizes.offset)))
-    if sizes.base is not None and sizes.roller is not None and sizes.roller >= sizes.base and not entry.translates:
+    if sizes.roller is not None and sizes.roller >= METRE and sizes.roller >= HUNDREDS * _way(entry):
+        entry.fault(("sizes", "roller"), "huge_roller", way=shown(1000 * _way(entry)), example=shown(sizes.roller))
+    elif sizes.base is not None and sizes.roller is not None and sizes.roller >= sizes.base and not entry.translates:
         entry.fault(("sizes", "roller"), "roller_beyond", base=_mm(sizes.base), roller=_mm(sizes.roller))
     if entry.rocks and None not in (three := (sizes.base, sizes.centre, follower.length)):
         _reach(entry, *three)  # type: ignore[arg-type]
@@ -27,6 +34,11 @@ def _reach(entry: Entry, base: Decimal, centre: Decimal, length: Decimal) -> Non
     least, most = abs(centre - length), centre + length
     if not least < base < most:
         entry.fault(("sizes", "base"), "rocker_reach", least=_mm(least), most=_mm(most))
+
+
+def _way(entry: Entry) -> Fraction:
+    """Give how far the follower's end goes, m."""
+    return Fraction(entry.form.follower.length or 0) * entry.lift * DEGREE if entry.rocks else entry.lift
 
 
 def _mm(size: Decimal) -> str:

@@ -154,8 +154,16 @@ class Compared:
         if own.outer is not None and other.outer is not None:
             yield self._row(PROFILE, "Q'", "m", own.outer, other.outer, slack.profile)
         yield self._row(PROFILE, "α", "rad", own.pressure, other.pressure, slack.angle)
-        yield self._row(PROFILE, "1/ρ", "1/m", _over(own.radius), _over(other.radius), slack.curvature)
+        yield self._row(PROFILE, "1/ρ", "1/m", *self._bends, slack.curvature)
+        if self.ours.cam.flat:
+            yield self._row(PROFILE, "ρ", "m", own.radius, other.radius, slack.radius)
         yield self._row(PROFILE, "v_sl/ω", "m", own.sliding, other.sliding, slack.lever)
+
+    @property
+    def _bends(self) -> tuple[Floats, Floats]:
+        """1/ρ by both roads; of an edge under a flat face 0, for there ρ itself is compared."""
+        edge = 0.0 if self.ours.cam.flat else np.nan
+        return _over(self.ours.contour.radius, edge), _over(self.theirs.contour.radius, edge)
 
     def extremes(self) -> Iterator[Finding]:
         """Compare the largest pressure angles and the sharpest places."""
@@ -201,9 +209,10 @@ def _most(values: Floats | Points) -> float:
     return float(np.max(np.abs(values), initial=0.0))
 
 
-def _over(radius: Floats) -> Floats:
-    """Give 1/ρ; of a straight place 0."""
-    return np.where(np.isinf(radius), 0.0, 1 / np.where(radius == 0, np.nan, radius))
+def _over(radius: Floats, edge: float) -> Floats:
+    """Give 1/ρ; of a straight place 0, and what is said of an edge."""
+    bent = np.where(np.isinf(radius), 0.0, 1 / np.where(radius == 0, np.nan, radius))
+    return np.where(radius == 0, edge, bent)
 
 
 def _bent(one: Extreme | None) -> float:

@@ -82,7 +82,8 @@ class Slack:
         """Of 1/ρ, 1/m: a quotient of the second derivative and the cube of the first, OD."""
         contour = self.contour
         if self.found.cam.flat:
-            return self._faced
+            with np.errstate(divide="ignore"):  # where ρ is 0, 1/ρ is anything: there ρ itself is held
+                return np.asarray(self.radius / contour.radius**2)
         size, (first, second) = np.abs(contour.lever), (self.way(1), self.way(2))
         slope = np.abs(contour.travel.slope)
         bend = np.abs(contour.travel.bend) + 2 * slope + (slope**2 if self.found.cam.rocks else 0.0)
@@ -91,12 +92,11 @@ class Slack:
         return np.asarray((moved + 3 * self.lever * bend / size) / size**2)
 
     @property
-    def _faced(self) -> Floats:
-        """Of 1/ρ under a flat face: the radius is a sum of lengths, of a rocker over powers of 1 - θ'."""
+    def radius(self) -> Floats:
+        """Of ρ under a flat face, m: a sum of lengths, of a rocker over powers of 1 - θ'."""
         cam, contour = self.found.cam, self.contour
         lead = 1 - cam.follower.sense * contour.travel.slope if cam.rocks else np.ones_like(contour.turned)
-        moved = (self.point + self.way(1) + self.way(2)) / np.abs(lead) ** 3
-        return np.asarray(moved / contour.radius**2)
+        return np.asarray((self.point + self.way(1) + self.way(2)) / np.abs(lead) ** 3)
 
 
 def gross(law: Law, order: int) -> float:
