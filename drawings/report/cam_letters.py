@@ -2,16 +2,24 @@
 
 from __future__ import annotations
 
+import math
+from typing import NamedTuple
+
+from plans.cam.dimensions import RATIO, dimensions
 from plans.model.cam import Cam
 
 ACCELERATION, VELOCITY, TRAVEL = "acceleration", "velocity", "travel"
-RATIO = "1"  # the unit of what has none
-UNITS = {  # whether the follower rocks and whether the cam translates
-    (False, False): ("m", "m/rad", "m/rad2"),
-    (False, True): ("m", RATIO, "1/m"),
-    (True, False): ("rad", RATIO, "1/rad"),
-    (True, True): ("rad", "rad/m", "rad/m2"),
-}
+
+
+class Told(NamedTuple):
+    """The unit that a table tells a quantity in, "" of what has none, and how many of it are one of SI."""
+
+    unit: str
+    size: float
+
+
+TOLD = {"m": Told("mm", 1000.0), "rad": Told("°", math.degrees(1)), RATIO: Told("", 1.0), "1/rad": Told("", 1.0)}
+TOLD |= {"m/rad": TOLD["m"], "m/rad2": TOLD["m"]}
 
 
 def letters(cam: Cam) -> tuple[str, str]:
@@ -21,5 +29,9 @@ def letters(cam: Cam) -> tuple[str, str]:
 
 def units(cam: Cam) -> dict[str, str]:
     """Give the units of the rows: of travel, then once and twice over that of the cam's turn."""
-    own = UNITS[cam.rocks, cam.translates]
-    return dict(zip((TRAVEL, VELOCITY, ACCELERATION), own, strict=True))
+    return dict(zip((TRAVEL, VELOCITY, ACCELERATION), dimensions(cam), strict=True))
+
+
+def ways_told(cam: Cam) -> tuple[Told, ...]:
+    """Give how a table tells S, S' and S''."""
+    return tuple(TOLD.get(unit, Told(unit, 1.0)) for unit in dimensions(cam))

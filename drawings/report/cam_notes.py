@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from drawings.page.drafting import Drafting
-from drawings.report.cam_letters import ACCELERATION, RATIO, VELOCITY, letters, units
+from drawings.report.cam_letters import ACCELERATION, VELOCITY, letters, units
 from drawings.report.phase_letters import phase_letter
+from plans.cam.dimensions import RATIO
 from plans.cam.tables import smoothing
-from plans.model.cam import TABLE, Cam, Phase
-from plans.model.cam_motion import CamFound, Extreme, Flaw, Shock
+from plans.model.cam import GROOVE, ROLLER, TABLE, Cam, Phase, interval_of
+from plans.model.cam_motion import CamFound, Extreme, Flaw, Shock, Sizes
 
 MM = 1000.0  # of a metre
 RPM = 30 / math.pi  # of a rad/s
@@ -51,13 +52,9 @@ class CamNotes(NamedTuple):
         """Say what kind of cam it is."""
         cam, word = self.cam, self.drafting.word
         kind = word(f"cam {cam.follower.motion} {cam.follower.end}")
-        yield word(
-            "cam asked",
-            follower=kind,
-            closure=word(f"cam closed by {cam.closure}"),
-            lift=self.way(cam.lift),
-            letter="Ψ" if cam.rocks else "H",
-        )
+        parts = {"lift": self.way(cam.lift), "letter": "Ψ" if cam.rocks else "H"}
+        key = "cam asked" if cam.follower.reach is None else "cam asked reach"
+        yield word(key, follower=kind, closure=word(f"cam closed by {cam.closure}"), **parts, **self._reach())
         if cam.speed is not None:
             sense = word("counter-clockwise" if cam.sense > 0 else "clockwise")
             key = "cam speed of travel" if cam.translates else "cam speed"
@@ -97,22 +94,33 @@ class CamNotes(NamedTuple):
         yield from self.face()
 
     def face(self) -> Iterator[str]:
-        """Say how far contact goes on a flat face."""
+        """Say how far contact goes on a flat face, and how far that reaches if the scene says it."""
         if self.cam.flat and not self.cam.translates:
             sides = (self._mm(abs(one)) for one in self.found.face)
-            yield self.drafting.word("cam face", **dict(zip(("back", "front"), sides, strict=True)))
+            key = "cam face" if self.cam.follower.reach is None else "cam face reach"
+            yield self.drafting.word(key, **dict(zip(("back", "front"), sides, strict=True)), **self._reach())
+
+    def _reach(self) -> dict[str, str]:
+        reach = self.cam.follower.reach
+        return {} if reach is None else {"reach": self._mm(reach)}
+
+    def setting(self) -> Iterator[str]:
+        """Say how the cam stands on the main shaft."""
+        if self.cam.setting:
+            yield self.drafting.word("cam setting", angle=self._number(math.degrees(self.cam.setting)))
 
     def pressure(self) -> Iterator[str]:
         """Say how large the pressure angle grows on each kind of phase, and where."""
         pressed = self.cam.rocks or not self.cam.flat  # under a flat face that translates it is 0 throughout
         for kind, found in self.found.pressure.items() if pressed else ():
-            limit = self.cam.limits.of(kind)
+            permitted = interval_of(self.cam, kind)
             parts = {"phase": self.drafting.word(f"cam on {kind}"), **self._place(found)}
             told = {"angle": self._number(math.degrees(found.value)), **parts}
-            if limit is None:
+            if permitted is None:
                 yield self.drafting.word("cam pressure", **told)
             else:
-                yield self.drafting.word("cam pressure limit", limit=self._number(math.degrees(limit)), **told)
+                low, high = (self._number(math.degrees(one)) for one in permitted)
+                yield self.drafting.word("cam pressure limit", low=low, high=high, **told)
 
     def roller(self) -> Iterator[str]:
         """Say how sharply the pitch curve is bent, and how large the roller is."""
@@ -132,7 +140,9 @@ class CamNotes(NamedTuple):
 
     def _radius(self) -> Iterator[str]:
         if self.found.roller:
-            key = "cam roller by rule" if self.cam.roller is None else "cam roller given"
+            groove = self.found.hollow is not None and self.cam.closure == GROOVE
+            by_rule = "cam roller in a groove by" if groove else "cam roller by"
+            key = f"{by_rule} {self.found.rule}" if self.cam.roller is None else "cam roller given"
             yield self.drafting.word(key, roller=self._mm(self.found.roller))
 
     def shocks(self) -> Iterator[str]:
@@ -161,15 +171,29 @@ class CamNotes(NamedTuple):
         if self.found.mending is not None and any(one.kind == "pressure" for one in self.found.flaws):
             offset = self._mm(self.found.sizes.offset)
             yield self.drafting.word("cam mending", base=self._mm(self.found.mending), offset=offset)
+        if self.found.advised is not None:
+            yield self._advised(self.found.advised)
+
+    def _advised(self, one: Sizes) -> str:
+        """Say which main sizes would keep the pressure angle to its limits."""
+        if self.cam.rocks:
+            return self.drafting.word("cam advised rocking", base=self._mm(one.base), centre=self._mm(one.centre))
+        return self.drafting.word("cam advised translating", base=self._mm(one.base), offset=self._mm(one.offset))
 
     def pressing(self) -> Iterator[str]:
-        """Say how hard the follower is pressed on the cam, where it wears most, and what spring would just hold it."""
+        """Say how hard the follower is pressed on the cam, where it wears most, and what spring would just hold it.
+
+        A roller rolls: what it would wear stuck on its pin is not told.
+        """
         found = self.found.pressing
         if found is None:
             return
         ends = {"least": self._of(found.least.value, "N"), "most": self._of(found.most.value, "N")}
         yield self.drafting.word("cam pressing", **ends, phi=self.place(found.most.turned))
-        yield self.drafting.word("cam wear", wear=self._of(found.wear.value, "W"), phi=self.place(found.wear.turned))
+        if self.cam.follower.end != ROLLER:
+            yield self.drafting.word(
+                "cam wear", wear=self._of(found.wear.value, "W"), phi=self.place(found.wear.turned)
+            )
         if found.least.value < 0:
             preload = self._of(found.preload, "N*m" if self.cam.rocks else "N")
             yield self.drafting.word("cam preload", preload=preload)
@@ -178,12 +202,20 @@ class CamNotes(NamedTuple):
         """Say one flaw."""
         ends = {"start": self.place(one.start), "end": self.turn(one.end), "phi": self.place(one.worst.turned)}
         value = one.worst.value
-        if one.kind == "crossing" and not math.isnan(value):
-            return self.drafting.word("cam flaw crossing and loss", worst=self.way(value), **ends)
         if one.kind in CORNERED and abs(value) < SHARP:
             return self.drafting.word(f"cam flaw {one.kind} corner", phi=ends["phi"])
+        if one.kind == "crossing":
+            return self._crossing(value, ends)
         told = self._number(math.degrees(value)) if one.kind == "pressure" else self._number(value * self._unit(one))
-        return self.drafting.word(f"cam flaw {one.kind}", worst=told, **ends)
+        most = {"most": self._number(MM * abs(value))} if one.kind in CORNERED else {}
+        return self.drafting.word(f"cam flaw {one.kind}", worst=told, **most, **ends)
+
+    def _crossing(self, lost: float, ends: Mapping[str, str]) -> str:
+        """Say what a loop that is cut away costs, where the follower rests on what is left at all."""
+        if math.isnan(lost):
+            return self.drafting.word("cam flaw crossing", **ends)
+        key = "cam flaw crossing and loss" if lost > 0 else "cam flaw crossing and no loss"
+        return self.drafting.word(key, worst=self.way(lost), **ends)
 
     def _unit(self, one: Flaw) -> float:
         return 1.0 if one.kind in ("lift-off", "outrun") else MM

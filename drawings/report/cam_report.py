@@ -7,14 +7,17 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from drawings.page.drafting import Drafting, drafting_of
+from drawings.report.cam_letters import letters, ways_told
 from drawings.report.cam_notes import MM, CamNotes
 from drawings.report.chapters import Chapters
 from drawings.report.markdown import header, row
 from drawings.report.subject import Subject
 from plans.cam.study import LAWS, CamDrawing
-from plans.model.cam import ROCKING
 from plans.model.cam_motion import CamFound
+from plans.model.motion import Floats
 from plans.study import Study
 from plans.words.words import Message, message, word
 
@@ -22,6 +25,8 @@ if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
 
 DIGITS = 10
+DEGREES = math.degrees(1)
+ROUNDING = 2.0**-40  # of the largest of a column: some thousand roundings, far below the digits that are printed
 ENGLISH = "en"  # of the gallery's page
 
 
@@ -41,9 +46,9 @@ def headline(study: Study) -> str:
 
 
 def remarks(study: Study) -> list[Message]:
-    """Say what is wrong with the cams."""
-    notes = ((notes, flaw) for notes in _all(study, 5) for flaw in notes.found.flaws)
-    return [message("cam.flaw", cam=one.cam.name, flaw=_plain(one.flaw(flaw))) for one, flaw in notes]
+    """Say what is wrong with the cams, and what would help."""
+    lines = ((notes.cam.name, line) for notes in _all(study, 5) for line in notes.flaws())
+    return [message("cam.flaw", cam=name, flaw=_plain(line)) for name, line in lines]
 
 
 def faults(text: str, study: Study) -> Iterator[Message]:
@@ -71,7 +76,7 @@ def _all(study: Study, digits: int) -> Iterator[CamNotes]:
 def _task(notes: CamNotes) -> Iterator[str]:
     yield word(notes.drafting.language, "report.cam", name=notes.cam.name)
     yield ""
-    yield from (f"- {_plain(line)}" for line in (*notes.asked(), *notes.phases()))
+    yield from (f"- {_plain(line)}" for line in (*notes.asked(), *notes.phases(), *notes.setting()))
     yield ""
 
 
@@ -84,30 +89,39 @@ def _values(found: CamFound, drafting: Drafting) -> Iterator[str]:
 
 
 def _head(name: str, found: CamFound, drafting: Drafting) -> str:
-    """Head a column: the first bears the number of the position beside the turn."""
-    rocking = found.cam.follower.motion == ROCKING
-    across = "mm" if found.cam.translates else "°"
-    units = {"φ": across, "S": "°" if rocking else "mm", "α": "°", "x_P": "mm", "y_P": "mm", "ρ": "mm"}
-    unit = units.get(name, "" if rocking else "mm")
-    said = f"{name}, {drafting.word(unit)}" if unit else name
+    """Head a column: the first bears the number of the position beside the turn, or the travel."""
+    turn = letters(found.cam)[1]
+    ways = dict(zip(("S", "S'", "S''"), ways_told(found.cam), strict=True))
+    units = {"φ": "mm" if found.cam.translates else "°", "α": "°", **{one: ways[one].unit for one in ways}}
+    unit = units.get(name, "mm")
+    said = f"{name.replace('φ', turn)}, {drafting.word(unit)}" if unit else name
     return f"i | {said}" if name == "φ" else said
 
 
 def _cells(found: CamFound, drafting: Drafting) -> Iterator[list[str]]:
     contour, cam = found.contour, found.cam
-    turns, angles = (MM if cam.translates else math.degrees(1)), math.degrees(1)
-    ways = (angles, 1.0, 1.0) if cam.rocks else (MM, MM, MM)
-    rows = zip(
-        turns * contour.turned,
-        *(by * one for by, one in zip(ways, contour.travel, strict=True)),
+    columns = (
+        contour.turned * (MM if cam.translates else DEGREES),
+        *(way.size * one for way, one in zip(ways_told(cam), contour.travel, strict=True)),
         MM * contour.pitch.real,
         MM * contour.pitch.imag,
-        angles * contour.pressure,
-        MM * contour.radius,
-        strict=True,
+        DEGREES * contour.pressure,
+        MM * _radius(contour.radius),
     )
-    for values in rows:
+    for values in zip(*map(without_rounding, columns), strict=True):
         yield [drafting.number(value, DIGITS) if math.isfinite(value) else "∞" for value in map(float, values)]
+
+
+def without_rounding(values: Floats) -> Floats:
+    """Give a column with 0 for what is nothing but rounding beside its largest number."""
+    finite = np.abs(values[np.isfinite(values)])
+    return np.asarray(np.where(np.abs(values) <= ROUNDING * np.max(finite, initial=0.0), 0.0, values))
+
+
+def _radius(radius: Floats) -> Floats:
+    """Give radii of curvature, infinite where 1/ρ is nothing but rounding."""
+    with np.errstate(divide="ignore"):
+        return np.asarray(1 / without_rounding(1 / radius))
 
 
 def _conditions(drawing: CamDrawing, notes: CamNotes, laws: bool) -> Iterator[str]:
@@ -115,7 +129,7 @@ def _conditions(drawing: CamDrawing, notes: CamNotes, laws: bool) -> Iterator[st
     language = notes.drafting.language
     yield word(language, "report.cam_found", name=notes.cam.name)
     yield ""
-    parts = (notes.smoothed, notes.sizes, notes.pressure, notes.roller, notes.shocks, notes.flaws)
+    parts = (notes.smoothed, notes.sizes, notes.pressure, notes.roller, notes.shocks, notes.pressing, notes.flaws)
     told = (line for part in parts for line in part())
     yield from (f"- {_plain(line)}" for line in told)
     if laws:
@@ -125,7 +139,7 @@ def _conditions(drawing: CamDrawing, notes: CamNotes, laws: bool) -> Iterator[st
 def _chords(drawing: CamDrawing, drafting: Drafting) -> str:
     """Say by how much the chords of S' and S are off."""
     shares = (drawing.diagrams.slope_departure.share, drawing.diagrams.travel_departure.share)
-    slope, travel = (drafting.number(100 * share, 3) for share in shares)
+    slope, travel = (drafting.number(100 * share if share > ROUNDING else 0.0, 3) for share in shares)
     strips = len(drawing.diagrams.strips.edges) - 1
     return word(drafting.language, "report.cam_chords", count=strips, slope=slope, travel=travel)
 

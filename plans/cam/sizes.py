@@ -44,7 +44,7 @@ def _unsized(course: Course) -> Sizing:
     """Give what a cam that translates has instead of sizes: how much longer it would have to be (tan α = S')."""
     cam, longer = course.cam, 1.0
     for one in cam.moving():
-        most = cam.limits.of(one.kind)
+        most = limits_of(cam).of(one.kind)
         if most is not None and not cam.rocks:
             steepest = touch(stretches(cam, (one.kind,)), lambda at: (np.abs(at.slope), np.sign(at.slope) * at.bend))
             longer = max(longer, steepest.beyond / float(np.tan(most)))

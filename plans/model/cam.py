@@ -78,8 +78,9 @@ class Follower(NamedTuple):
     """The follower (толкатель): how it moves, what touches the cam, its sizes m.
 
     `sense` of one that rocks is +1 where it turns on the rise as the cam does, -1 against it. `length` is from its
-    pivot to its tip or its roller's centre. `face` is how far a flat one that rocks stands before its pivot. `reach` is
-    how far a flat face goes to both sides of its axis, of one that rocks from under its pivot; None: as far as need be.
+    pivot to its tip or its roller's centre. `face` is how far a flat one that rocks stands off its pivot, above 0 away
+    from the cam. `reach` is how far a flat face goes to both sides of its axis, of one that rocks from under its pivot;
+    None: as far as need be.
     """
 
     motion: str
@@ -88,6 +89,13 @@ class Follower(NamedTuple):
     sense: int = 1
     face: float = 0.0
     reach: float | None = None
+
+
+class Interval(NamedTuple):
+    """The least and the greatest pressure angle that are permitted, rad, the least below 0 (5.30)."""
+
+    low: float
+    high: float
 
 
 class Limits(NamedTuple):
@@ -100,6 +108,19 @@ class Limits(NamedTuple):
     def of(self, kind: str) -> float | None:
         """Give the limit of the pressure angle on a kind of phase."""
         return {RISE: self.rise, RETURN: self.back}.get(kind)
+
+    def interval(self, kind: str, closure: str) -> Interval | None:
+        """Give what is permitted on a kind of phase: in a groove from -back to rise on both kinds of phase (5.30).
+
+        A spring drives the return, which nothing limits; on the rise it is held to both sides alike. A limit that
+        stands alone is of its own phases, to both sides.
+        """
+        own = self.of(kind)
+        if own is None or (closure == FORCE and kind == RETURN):
+            return None
+        if closure == FORCE or self.rise is None or self.back is None:
+            return Interval(-own, own)
+        return Interval(-self.back, self.rise)
 
 
 class GivenSizes(NamedTuple):
@@ -198,3 +219,8 @@ def limits_of(cam: Cam) -> Limits:
         return own
     usual = BOOK_LIMITS[cam.follower.motion]
     return own._replace(rise=own.rise or usual, back=None if cam.closure == FORCE else own.back or usual)
+
+
+def interval_of(cam: Cam, kind: str) -> Interval | None:
+    """Give what a cam's pressure angle is held to on a kind of phase; None where the scene limits nothing there."""
+    return None if cam.unlimited else limits_of(cam).interval(kind, cam.closure)

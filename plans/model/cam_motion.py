@@ -80,11 +80,12 @@ class Flaw(NamedTuple):
 
     Kinds: "undercut" (the roller is larger than the pitch curve's radius; a cusp or a corner where it ends at the turn
     at which it starts), "hollow" (likewise on the outer side of a groove), "crossing" (at both turns the profile is at
-    one point), "concave" (under a flat face) and "sharp" (less than the radius asked for), "pressure" (angle beyond the
-    limit), "short face", "lift-off" (the spring does not hold), "outrun" (a rocker's face turns as fast as the cam: the
-    worst is how many times as fast, and nothing else of the profile is told). One that goes on over the end of the turn
-    starts late and ends early. The worst of the first two, of "concave" and of "sharp" is a radius, of a crossing how
-    much of S is lost where the loop is cut away, of a short face how far contact goes, of a lift-off a force.
+    one point), "concave" (under a flat face) and "sharp" (less than the radius asked for), "pressure" (angle beyond
+    a limit, signed), "short face", "lift-off" (the spring does not hold), "outrun" (a rocker's face turns as fast as
+    the cam: the worst is how many times as fast, and nothing else of the profile is told). One that goes on over the
+    end of the turn starts late and ends early. The worst of the first two, of "concave" and of "sharp" is a radius, of
+    a crossing how much of S is lost where the loop is cut away, of a short face how far contact goes, of a lift-off a
+    force.
     """
 
     kind: str
@@ -122,6 +123,7 @@ class CamFound:
     hollow: Extreme | None = None  # smallest concave one by size, m, below 0; None: convex throughout
     face: tuple[float, float] = (0.0, 0.0)  # m: how far contact goes to both sides of a flat follower's axis or pin
     flaws: tuple[Flaw, ...] = ()
-    rule: str = "given"  # that the roller was taken by: "given", "curvature", "wear"
+    rule: str = "given"  # that the roller was taken by: "given", "curvature", "hollow", "wear"
     pressing: Pressing | None = None  # None: no load or no speed
     mending: float | None = None  # R0, m, that would keep the pressure angle to its limits with the offset as it is
+    advised: Sizes | None = None  # that would keep it to them, where it does not; None: it does, or no sizes do

@@ -27,7 +27,7 @@ from plans.analytic.cam.contour import contour
 from plans.analytic.cam.laws import travel
 from plans.cam.path import ProfilePath, path
 from plans.model.cam import GROOVE, ROLLER, TRANSLATING
-from plans.model.cam_motion import ANALYSIS, CamFound, Extreme, Flaw
+from plans.model.cam_motion import ANALYSIS, CamFound, Extreme, Flaw, Sizes
 from tests.parts import some
 from tests.plans import cam_cases as cases
 from tests.plans.cam_cases import Case, every, roller_of, titled
@@ -240,3 +240,17 @@ def test_fault_of_placing_is_seen() -> None:
     assert faults(sheet_of(), (PLAIN, SIZES)) == "profile on profile is missing"
     other = profile_curve(drawn, PLACE, PLAN, OUTER, LineStyle())
     assert "outer on profile (the analysis has none)" in faults(sheet_of(other), (PLAIN, SIZES))
+
+
+def test_a_roller_smaller_than_the_steps_of_looking_finds_a_long_straight_profile() -> None:
+
+    whole = replace(USUAL, translates=True)
+    turned = np.linspace(0.3, 0.35, 7)
+    level = rolled((straight(0j, whole.sense + 0j),), whole, Sizes(0.0), 1e-4, turned)
+    assert level == pytest.approx(np.full(7, 1e-4), abs=1e-12)
+
+
+def test_a_place_beside_two_strands_is_nearest_to_its_own() -> None:
+    long, back = straight(0j, 1 + 0j), straight(1 + 0j, 0.9 + 0.003j)
+    spots = np.linspace(0.9, 1.0, 53).astype(np.complex128)
+    assert apart((long, back, straight(back.end, 0.9 + 1j)), False, spots) == pytest.approx(np.zeros(53), abs=1e-9)

@@ -119,11 +119,23 @@ def test_textbook_least_radius_and_roller(road):
 @ROADS
 def test_a_small_base_lets_the_curvature_choose_the_roller(road):
     found = road(
-        cam(phases((RISE, 40, LIFT, "sine"), (RETURN, 40, -LIFT, "sine")), end="roller"), offset_sizes(0.0, 0.05)
+        cam(phases((RISE, 40, LIFT, "sine"), (RETURN, 40, -LIFT, "sine")), end="roller", closure=FORCE),
+        offset_sizes(0.0, 0.05),
     )
     assert found.sharpest is not None
     assert (found.rule, found.roller) == ("curvature", pytest.approx(0.7 * found.sharpest.value))
     assert found.roller < 0.4 * 0.05
+
+
+@BOTH
+def test_a_hollow_chooses_the_roller_of_a_groove(road):
+    """Its outer side is not undercut by the roller of the rule; closed by force the hollow bounds nothing."""
+    own = cam(phases((RISE, 40, LIFT, "sine"), (RETURN, 60, -LIFT, "sine")), end="roller")
+    found = road(own, offset_sizes(0.0, 0.05))
+    assert found.hollow is not None
+    assert (found.rule, found.roller) == ("hollow", pytest.approx(-0.7 * found.hollow.value))
+    assert "hollow" not in {one.kind for one in found.flaws}
+    assert road(replace(own, closure=FORCE), offset_sizes(0.0, 0.05)).roller > found.roller
 
 
 @BOTH

@@ -338,7 +338,7 @@ def test_what_cannot_be_is_said_with_advice_by_both_roads(said: str, cam: Cam) -
         with pytest.raises(CamError, match="Fix: ") as error:
             road(cam)
         assert said in str(error.value)
-        assert "Исправление: " in error.value.message.worded("ru")
+        assert "Исправьте: " in error.value.message.worded("ru")
 
 
 def test_a_cam_that_translates_has_no_sizes_but_may_be_too_short() -> None:

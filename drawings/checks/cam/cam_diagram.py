@@ -7,7 +7,6 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import product
 from typing import NamedTuple
 
 import numpy as np
@@ -15,25 +14,24 @@ import numpy as np
 from drawings.checks.cam.cam_expected import Expected
 from drawings.checks.cam.cam_strokes import FigureStrokes, read
 from drawings.checks.cam.cam_told import numbers
+from drawings.checks.cam.known_diagram import KnownDiagram
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.cam.size_diagram import APART, LEAST
+from drawings.figures.cam.size_rulers import ARM
 from drawings.figures.cam.size_view import NAME
 from drawings.measure.measure import Measured
 from drawings.measure.measured import MeasuredMark
 from drawings.page.drafting import Drafting
+from drawings.paper.hand import Hand
 from drawings.paper.strokes import Line
-from plans.analytic.cam.contour import contour
-from plans.analytic.cam.laws import travel
 from plans.analytic.cam.stretches import Peak, peak, stretches
 from plans.model.cam import FORCE, RETURN, RISE, limits_of
-from plans.model.cam_motion import Contour
-from plans.model.motion import Complexes, Floats
 from plans.words.words import message
 
 FAR = 1e-9  # of the largest length: both roads agree far better
 RULED = 1e-3  # mm: a ruler is drawn so near to where it lies
-DENSE = 1441  # turns of a phase at which the diagram is known
-NEARBY = 0.1  # mm: what looking S up between so many turns may miss
+LONGEST = 500.0  # mm: no ruler of a figure is longer
+NEARBY = 0.1  # mm: what looking between so many turns may miss
 
 
 class Limit(NamedTuple):
@@ -72,19 +70,10 @@ class SizeDiagram:
         """Whether it has a diagram: the face of a rocker has none."""
         return not (self.expected.cam.flat and self.expected.cam.rocks)
 
-    @property
-    def zero(self) -> complex:
-        """The origin of the diagram, seen from O, m."""
-        cam, own = self.expected.cam, self.expected.sizes
-        if cam.rocks:
-            return own.pivot
-        return 1j * own.base if cam.flat else complex(self.expected.contour.tip[0])
-
-    def _ends(self, own: Contour) -> Complexes:
-        """Give D: on the line of OD, of a flat face S'' across from S."""
-        if self.expected.cam.flat:
-            return np.asarray(own.travel.bend + 1j * own.travel.s)
-        return np.asarray(own.lever - self.zero)
+    @cached_property
+    def known(self) -> KnownDiagram:
+        """Where the analysis has it."""
+        return KnownDiagram(self.expected, self.mu)
 
     def _marks(self) -> Iterator[Wrong]:
         """Hold the points D that have room for a number, O, R0 and L; what rulers touch is held with the rulers."""
@@ -118,15 +107,15 @@ class SizeDiagram:
 
     def _true(self) -> Iterator[tuple[tuple[str, int | None], complex]]:
         cam, own = self.expected.cam, self.expected.contour
-        yield ("O", None), -self.zero
+        yield ("O", None), -self.known.zero
         if self.points:
-            yield from ((("D", k), end) for k, end in enumerate(self._ends(own).tolist()))
+            yield from ((("D", k), end) for k, end in enumerate(self.known.ends(own).tolist()))
         if not cam.flat:
-            yield ("R_0", None), complex(own.tip[0])
+            yield ("R_0", None), self.known.lowest
         elif cam.rocks:
-            yield ("R_0", None), complex(own.lever[0]) * self.expected.sizes.base
+            yield ("R_0", None), complex(own.lever[0]) * self.known.back * self.expected.sizes.base
         if cam.rocks:
-            yield ("L", None), self.zero
+            yield ("L", None), self.known.zero
 
     @cached_property
     def limits(self) -> tuple[Limit, ...]:
@@ -163,12 +152,16 @@ class SizeDiagram:
         return ("−" if self._lower(one) else "") + self.drafting.letter(f"α_{{{one.kind}}}")
 
     def _lettered(self, one: Limit, found: Mapping[Limit, list[Line]]) -> bool:
-        """Tell whether the letter of a limit stands nearer to its rulers than to those of another."""
-        others = [line for other, lines in found.items() if other != one for line in lines]
+        """Tell whether the letter of a limit stands nearer to the arcs of its angle than to those of another."""
+        own = self._arcs(one, found[one])
+        others = [spot for other in found if other != one for spot in self._arcs(other, found[other])]
         angle = -one.angle if self._lower(one) else one.angle
         text = f"{self._letter(one)} = {self.drafting.number(math.degrees(angle))}°"
-        near, far = (self.strokes.far(text, map(_upper, lines)) for lines in (found[one], others))
-        return near < far
+        return self.strokes.far(text, own) < self.strokes.far(text, others)
+
+    def _arcs(self, one: Limit, lines: list[Line]) -> list[complex]:
+        """Give the middles of the arcs of an angle: between a ruler and the follower's way, from its upper end."""
+        return [_between(line, self.expected.cam.sense * one.side * one.angle, self.drafting.hand) for line in lines]
 
     def _ruled(self, one: Limit, spot: complex) -> Iterator[Line]:
         """Give the rulers through a point of the diagram at a limit: against the follower's way there by its angle."""
@@ -176,13 +169,15 @@ class SizeDiagram:
         lean = cam.rising * spot / abs(spot) if cam.rocks else 1.0
         way = 1j * lean * cmath.exp(1j * cam.sense * one.side * one.angle)
         if abs(self._beyond(one, spot)) <= RULED:
-            yield from self.strokes.through(self.origin + spot / self.mu, way, RULED)
+            # Near O1 the rounding of the point turns the way of K: along a ruler it is off by so much.
+            turned = self.measured.quantum / (abs(spot) / self.mu) * LONGEST if cam.rocks else 0.0
+            yield from self.strokes.through(self.origin + spot / self.mu, way, RULED + turned)
 
     def _beyond(self, one: Limit, spot: complex) -> float:
         """Give how far the diagram goes beyond a ruler on paper, mm; of a rocker whether it is touched at all."""
         cam = self.expected.cam
         if cam.rocks:
-            return 0.0 if self._off(np.array([spot]))[0] <= NEARBY else math.inf
+            return 0.0 if self.known.off(np.array([spot]))[0] <= NEARBY else math.inf
         t, most = math.tan(one.angle), self._touch(one).value
         return (-one.side * cam.sense * spot.real - t * spot.imag - most) * math.cos(one.angle) / self.mu
 
@@ -214,31 +209,8 @@ class SizeDiagram:
         """Hold the curve: each corner of it is on the diagram."""
         chains = [one for one in self.strokes.chains if one.style.width >= self.drafting.hand.main]
         drawn = np.array([spot for one in chains for spot in one.points])
-        if not drawn.size or self._off((drawn - self.origin) * self.mu).max() > NEARBY:
+        if not drawn.size or self.known.off((drawn - self.origin) * self.mu).max() > NEARBY:
             yield on("curve", NAME)
-
-    def _off(self, spots: Complexes) -> Floats:
-        """Give how far places are on paper from where the diagram has their S, mm, (N,)."""
-        cam = self.expected.cam
-        if not cam.rocks:
-            return self._off_level(spots, spots.imag)
-        # A rocker that turns faster than the cam has its D beyond O1, on the other side of it than K.
-        ways = (cam.rising * np.angle(side * cam.rising * spots) + cam.lift / 2 for side in (1, -1))
-        return np.asarray(np.min([self._off_level(spots, s) for s in ways], axis=0))
-
-    def _off_level(self, spots: Complexes, s: Floats) -> Floats:
-        """Give how far places are from where the diagram has some S, by the phase that comes nearest."""
-        cam, found = self.expected.cam, [np.full(len(spots), np.inf)]
-        for phase in cam.moving():
-            turned = np.linspace(phase.start, phase.end, DENSE)
-            known = travel(cam, turned, before=True).s
-            order = np.argsort(known)
-            own, step = np.interp(s, known[order], turned[order]), turned[1] - turned[0]
-            for shift, before in product((-step, 0.0, step), (False, True)):
-                there = np.clip(own + shift, phase.start, phase.end)
-                at = contour(cam, self.expected.sizes, self.expected.found.roller, there, before)
-                found.append(np.abs(self._ends(at) - spots) / self.mu)
-        return np.asarray(np.min(found, axis=0))
 
     def _due(self) -> Mapping[str, tuple[float, ...]]:
         """Give the numbers that may be written, by their letters; each has room or not."""
@@ -252,5 +224,12 @@ class SizeDiagram:
         return found
 
 
-def _upper(line: Line) -> complex:
-    return max(line.start, line.end, key=lambda end: end.imag)
+def _between(line: Line, angle: float, hand: Hand) -> complex:
+    """Give the middle of the arc between a ruler and a way that it leans from by an angle, both produced upward."""
+    up = _upward(line.end - line.start)
+    middle = up + _upward(up * cmath.rect(1.0, -angle))
+    return max(line.start, line.end, key=lambda end: end.imag) - ARM * hand.letter * middle / abs(middle)
+
+
+def _upward(way: complex) -> complex:
+    return math.copysign(1.0, way.imag) * way / abs(way)

@@ -144,20 +144,24 @@ class PressureGraph:
         return np.where(np.abs(turned - near) <= KNOWN * self.expected.cam.turn, near, turned)
 
     def _limits(self) -> Iterator[Wrong]:
-        """Hold the limits: a line over each phase of their kind, their letters with their values at one of them."""
-        known = limits_of(self.expected.cam)
-        for kind, limit in ((RISE, known.rise), (RETURN, -known.back if known.back is not None else None)):
-            own = [one for one in self.expected.cam.phases if one.kind == kind]
-            if limit is None or not own:
-                continue
-            level = math.degrees(limit)
-            ends = [(self.on(one.start, level), self.on(one.end, level)) for one in own]
-            if not all(self.strokes.joins(*pair, near=FLUSH) for pair in ends):
-                yield on("limit", NAME, name=kind)
-            text = self.drafting.letter(f"[α_{{{kind}}}] = {self.drafting.number(abs(level))}°")
-            spots = [pair[0] + (pair[1] - pair[0]) * share / 4 for pair in ends for share in range(5)]
-            if not self.strokes.lettered(text, spots):
-                yield on("letter", NAME, name=text)
+        """Hold the limits: two lines over each phase that has them, the letter of its own at one of them."""
+        cam = self.expected.cam
+        known, kinds = limits_of(cam), {one.kind for one in cam.moving()}
+        for kind, side in ((RISE, 1), (RETURN, -1)):
+            interval = known.interval(kind, cam.closure) if kind in kinds else None
+            if interval is not None:
+                yield from self._limit(kind, math.degrees(interval.low), side < 0)
+                yield from self._limit(kind, math.degrees(interval.high), side > 0)
+
+    def _limit(self, kind: str, level: float, lettered: bool) -> Iterator[Wrong]:
+        own = [one for one in self.expected.cam.phases if one.kind == kind]
+        ends = [(self.on(one.start, level), self.on(one.end, level)) for one in own]
+        if not all(self.strokes.joins(*pair, near=FLUSH) for pair in ends):
+            yield on("limit", NAME, name=kind)
+        text = self.drafting.letter(f"[α_{{{kind}}}] = {self.drafting.number(abs(level))}°")
+        spots = [pair[0] + (pair[1] - pair[0]) * share / 4 for pair in ends for share in range(5)]
+        if lettered and not self.strokes.lettered(text, spots):
+            yield on("letter", NAME, name=text)
 
     def _phases(self) -> Iterator[Wrong]:
         """Hold the row of phases: an upright line at each bound, each letter under its own phase."""

@@ -21,7 +21,7 @@ from drawings.page.drafting import Drafting
 from drawings.paper.strokes import Leaf
 from drawings.paper.walk import groups, texts
 from plans.analytic.cam.laws import LAWS
-from plans.model.cam import TABLE, Law
+from plans.model.cam import ROLLER, TABLE, Law, interval_of
 from plans.model.cam_motion import CamFound, Extreme, Flaw
 from plans.words.words import message
 
@@ -83,6 +83,11 @@ class DueNotes:
         yield from map(self._flaw, self.found.flaws)
         if self.found.mending is not None and any(one.kind == "pressure" for one in self.found.flaws):
             yield self._word("cam mending", base=self._mm(self.found.mending), offset=self._mm(self.found.sizes.offset))
+        own = self.found.advised
+        if own is not None and self.found.cam.rocks:
+            yield self._word("cam advised rocking", base=self._mm(own.base), centre=self._mm(own.centre))
+        elif own is not None:
+            yield self._word("cam advised translating", base=self._mm(own.base), offset=self._mm(own.offset))
 
     def _word(self, key: str, **parts: str) -> str:
         return self.drafting.word(key, **parts)
@@ -110,7 +115,13 @@ class DueNotes:
         moves, held = f"cam {cam.follower.motion} {cam.follower.end}", f"cam closed by {cam.closure}"
         lift = max(one.level + max(one.change, 0.0) for one in cam.phases)
         parts = {"follower": self._word(moves), "closure": self._word(held), "letter": "Ψ" if cam.rocks else "H"}
-        yield self._word("cam asked", lift=self._way(lift), **parts)
+        reach = cam.follower.reach
+        yield self._word(
+            "cam asked" if reach is None else "cam asked reach",
+            lift=self._way(lift),
+            reach=self._mm(reach or 0.0),
+            **parts,
+        )
         if cam.speed is not None:
             key = "cam speed of travel" if cam.translates else "cam speed"
             sense = self._word("clockwise" if cam.sense < 0 else "counter-clockwise")
@@ -134,19 +145,24 @@ class DueNotes:
     def _face(self) -> Iterator[str]:
         if self.found.cam.flat:
             back, front = (self._mm(abs(one)) for one in self.found.face)
-            yield self._word("cam face", back=back, front=front)
+            reach = self.found.cam.follower.reach
+            key = "cam face" if reach is None else "cam face reach"
+            yield self._word(key, back=back, front=front, reach=self._mm(reach or 0.0))
 
     def _pressure(self, one: tuple[str, Extreme]) -> str:
         kind, found = one
-        limit = {"rise": self.found.cam.limits.rise, "return": self.found.cam.limits.back}[kind]
+        limits = interval_of(self.found.cam, kind)
         parts = {"phase": self._word(f"cam on {kind}"), "angle": self._number(math.degrees(found.value))}
-        key = "cam pressure" if limit is None else "cam pressure limit"
-        return self._word(key, phi=self._at(found.turned), limit=self._number(math.degrees(limit or 0.0)), **parts)
+        if limits is None:
+            return self._word("cam pressure", phi=self._at(found.turned), **parts)
+        ends = {"low": self._number(math.degrees(limits.low)), "high": self._number(math.degrees(limits.high))}
+        return self._word("cam pressure limit", phi=self._at(found.turned), **ends, **parts)
 
     def _roller(self) -> Iterator[str]:
         found = self.found
         if found.roller:
-            key = "cam roller by rule" if found.cam.roller is None else "cam roller given"
+            hollow = " in a groove" if found.cam.closure == "groove" and found.hollow is not None else ""
+            key = f"cam roller{hollow} by {found.rule}" if found.cam.roller is None else "cam roller given"
             yield self._word(key, roller=self._mm(found.roller))
             yield self._word("cam lines")
 
@@ -168,7 +184,8 @@ class DueNotes:
             return
         least, most = (self._number(one.value, "N") for one in (own.least, own.most))
         yield self._word("cam pressing", least=least, most=most, phi=self._at(own.most.turned))
-        yield self._word("cam wear", wear=self._number(own.wear.value, "W"), phi=self._at(own.wear.turned))
+        if self.found.cam.follower.end != ROLLER:
+            yield self._word("cam wear", wear=self._number(own.wear.value, "W"), phi=self._at(own.wear.turned))
         if own.least.value < 0:
             unit = "N*m" if self.found.cam.rocks else "N"
             yield self._word("cam preload", preload=self._number(own.preload, unit))
@@ -177,10 +194,14 @@ class DueNotes:
         ends = {"start": self._at(one.start), "end": self._turn(one.end), "phi": self._at(one.worst.turned)}
         worst, key = one.worst.value, f"cam flaw {one.kind}"
         if one.kind == "crossing" and not math.isnan(worst):
-            return self._word("cam flaw crossing and loss", worst=self._way(worst), **ends)
+            return self._word(
+                f"cam flaw crossing and {'loss' if worst > 0 else 'no loss'}", worst=self._way(worst), **ends
+            )
         if one.kind in ("undercut", "hollow") and abs(worst) < CORNER:
             return self._word(f"{key} corner", phi=ends["phi"])
         units = {"pressure": math.degrees(worst), "lift-off": worst, "crossing": 0.0}
+        if one.kind in ("undercut", "hollow"):
+            ends["most"] = self._number(MM * abs(worst))
         return self._word(key, worst=self._number(units.get(one.kind, MM * worst)), **ends)
 
 

@@ -45,9 +45,13 @@ class Analysed(NamedTuple):
         return known.get(name)
 
     def rate(self) -> Floats:
-        """Give what S changes by over the way of the profile along its normal, (N,): 1, or 1/m of a rocker."""
+        """Give what S changes by over the way of the profile along its normal, (N,): 1, or 1/m of a rocker.
+
+        At a corner of the profile it is that of its steeper side.
+        """
         arm = np.abs(self.contour.tip - self.sizes.pivot) if self.cam.rocks else 1.0
-        return np.asarray(1 / (arm * np.cos(self.contour.pressure)))
+        before = contour(self.cam, self.sizes, self.roller, self.contour.turned, before=True).pressure
+        return np.asarray(1 / (arm * np.minimum(np.cos(self.contour.pressure), np.cos(before))))
 
 
 def analysed(found: CamFound, parts: int = TURNS) -> Analysed:

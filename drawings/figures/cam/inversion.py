@@ -14,7 +14,7 @@ from drawings.paper.strokes import INK, TURN, Arc, Circle, Group, Line, LineStyl
 from drawings.symbols.dashes import fit
 from drawings.symbols.figure import Subject, point
 from drawings.symbols.symbols import HATCH, HINGE, STAND
-from drawings.symbols.trimming import Mask, trim
+from drawings.symbols.trimming import Mask, holds, trim
 
 NOTCH = 3.0  # mm, half the arc of a notch
 POINT = 0.6  # mm, radius of a found point
@@ -28,15 +28,17 @@ def construction(view: ProfileView, rings: Rings) -> Iterator[Stroke]:
     """Draw all thin lines: circles, turned axes, notches, faces, rollers; nothing of them within the shaft."""
     place, hand = rings.place, rings.hand
     lines = [*_circles(view, place, hand), *_turned(view, rings), *_notches(view, place, hand)]
-    yield from trim(lines, () if view.cam.translates else _shaft(place.on(0j), hand))
+    yield from trim(lines, () if view.cam.translates else _shaft(view, place, hand))
     yield from _rollers(view, place, hand)
 
 
-def _shaft(zero: complex, hand: Hand) -> tuple[Mask, ...]:
-    """Give the outlines of the shaft and of its stand: no thin line enters them."""
-    high, half, more = (size * hand.symbol for size in STAND)
+def _shaft(view: ProfileView, place: Place, hand: Hand) -> tuple[Mask, ...]:
+    """Give the outlines of the shaft and of its stand that no thin line enters: none hides a point of the profile."""
+    zero, (high, half, more) = place.on(0j), (size * hand.symbol for size in STAND)
     wide, low = half + more, zero - 1j * (high + HATCH * hand.symbol)
-    return Circle(zero, HINGE * hand.symbol), Polyline((zero, low - wide, low + wide), True)
+    outlines = (Circle(zero, HINGE * hand.symbol), Polyline((zero, low - wide, low + wide), True))
+    spots = [place.on(one) for one in view.contour.pitch.tolist()]
+    return tuple(one for one in outlines if not any(holds(one, spot) for spot in spots))
 
 
 def _circles(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
@@ -66,7 +68,7 @@ def _turned(view: ProfileView, rings: Rings) -> Iterator[Stroke]:
         if view.cam.rocks:
             yield from _arm(view, place, hand, k, turned)
         elif view.cam.translates:
-            foot = complex(spot.real, place.on(0j).imag)
+            foot = complex(spot.real, min(spot.imag, place.on(0j).imag))
             yield Line(foot, complex(spot.real, highest(view, place, hand)), hand.drafted)
         else:
             foot = place.on(view.back(complex(view.axis), turned))

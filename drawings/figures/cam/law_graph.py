@@ -14,10 +14,11 @@ from drawings.figures.cam.law_rows import Curve, LawRow
 from drawings.figures.graphs.axes import BEYOND, Axes, every
 from drawings.figures.graphs.part import Letter, Part
 from drawings.paper.strokes import INK, Circle, Group, Line, LineStyle, Polyline, Stroke
-from drawings.report.cam_letters import RATIO, letters
+from drawings.report.cam_letters import letters
 from drawings.symbols.figure import Subject
 from drawings.symbols.symbols import TICK, arrowhead
 from plans.cam.diagrams import Strips
+from plans.cam.dimensions import RATIO
 
 DOT = 0.6  # mm, radius of a point of a curve
 GIVEN, CLEAR = 1.1, 2.5  # mm, radius of a given point; least distance of two, in radii

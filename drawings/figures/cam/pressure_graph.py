@@ -21,7 +21,7 @@ from drawings.report.phase_letters import phase_letter
 from drawings.symbols.dashes import fit
 from drawings.symbols.figure import Subject, heading
 from drawings.symbols.symbols import TICK
-from plans.model.cam import DWELL, RISE, Cam, Limits
+from plans.model.cam import DWELL, RETURN, RISE, Cam, Limits
 from plans.model.cam_motion import CamFound, Contour, Extreme
 from plans.model.motion import Floats
 
@@ -49,9 +49,14 @@ class PressureView:
 
     @property
     def levels(self) -> tuple[tuple[str, float], ...]:
-        """The limits with the phases that they are of, degrees, signed."""
-        rows = (("rise", self.limits.rise, 1), ("return", self.limits.back, -1))
-        return tuple((kind, sign * math.degrees(most)) for kind, most, sign in rows if most is not None)
+        """The limits with the kinds of phases that they hold on, degrees, signed: two on each that is limited."""
+        held = {kind: self.limits.interval(kind, self.cam.closure) for kind in (RISE, RETURN)}
+        return tuple((kind, math.degrees(end)) for kind, interval in held.items() if interval for end in interval)
+
+    @property
+    def named(self) -> Iterator[tuple[str, float]]:
+        """The limits that are lettered, on the phases that they are of: above on a rise, below on a return."""
+        return ((kind, level) for kind, level in self.levels if (level > 0) == (kind == RISE))
 
     @property
     def span(self) -> tuple[float, float]:
@@ -188,7 +193,7 @@ def _letters(view: PressureView, axes: Axes, drafting: Drafting) -> Iterator[Let
         at = axes.on(one.turned, math.degrees(one.value))
         side = math.copysign(math.pi / 2, one.value)
         yield Letter(at, _degrees(one, drafting), hand.number, side, 1.6)
-    for kind, level in view.levels:
+    for kind, level in view.named:
         own = next((one for one in view.cam.phases if one.kind == kind), None)
         if own is not None:
             text = drafting.letter(f"[α_{{{kind}}}] = {drafting.number(abs(level))}°")

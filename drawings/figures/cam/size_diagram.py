@@ -269,9 +269,9 @@ def _numbered(view: SizeView, place: Place, hand: Hand) -> tuple[int, ...]:
 
 
 def _touched(view: SizeView, place: Place) -> Iterator[Tangent]:
-    """Give the tangents that touch the diagram elsewhere than at A."""
+    """Give the tangents that touch the diagram elsewhere than at A; of a rocker all."""
     for one in () if view.faced else view.sizing.tangents:
-        if place.length(abs(complex(one.point.point))) >= LEAST:
+        if view.cam.rocks or place.length(abs(complex(one.point.point))) >= LEAST:
             yield one
 
 

@@ -125,8 +125,8 @@ def _circle(view: ProfileView, turned: float, radius: float, place: Place, hand:
 
 
 def rocking(view: ProfileView, place: Place, drafting: Drafting) -> Iterator[AngleArc]:
-    """Give the initial angle of a rocker, from the line of centres to its arm."""
-    if view.cam.rocks and not (view.cam.flat or view.cam.translates):
+    """Give the initial angle of a rocker, from the line of centres to its arm: where the cam begins with S = 0."""
+    if view.cam.rocks and not (view.cam.flat or view.cam.translates or view.contour.travel.s[0]):
         pivot, tip = place.on(view.sizes.pivot), place.on(complex(view.curve.tip[0]))
         start, end = cmath.phase(place.on(0j) - pivot), cmath.phase(tip - pivot)
         off = cmath.phase(cmath.rect(1.0, end - start))

@@ -11,7 +11,8 @@ import numpy as np
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.layout.value_table import COLUMNS, row
 from drawings.page.drafting import Drafting
-from drawings.report.cam_letters import ACCELERATION, RATIO, VELOCITY, letters, units
+from drawings.report.cam_letters import ACCELERATION, VELOCITY, letters, units
+from plans.cam.dimensions import RATIO
 from plans.checks.comparison import Finding
 from plans.model.cam import RETURN, RISE, Cam
 from plans.model.cam_motion import CamFound, Shock

@@ -11,7 +11,7 @@ from plans.analytic.cam.contact import Forces
 from plans.analytic.cam.contour import Curve
 from plans.analytic.cam.series import Place, Turn, Value
 from plans.analytic.cam.shocks import shocks
-from plans.model.cam import GROOVE, RETURN, RISE, Cam
+from plans.model.cam import RETURN, RISE, Cam, interval_of
 from plans.model.cam_motion import BEND, SLOPE, Extreme, Pressing, Sizes
 from plans.model.motion import Floats
 
@@ -88,13 +88,13 @@ class Extremes:
     def mending(self) -> float | None:
         """R0 that keeps the angle to its limits at the offset as it is: the largest of the positions' own, m."""
         cam, offset = self.cam, self.sizes.offset
-        kinds = [kind for kind in (RISE, RETURN) if cam.limits.of(kind) and (kind == RISE or cam.closure == GROOVE)]
-        if cam.rocks or cam.flat or cam.translates or not kinds:
+        intervals = {kind: interval for kind in (RISE, RETURN) if (interval := interval_of(cam, kind))}
+        if cam.rocks or cam.flat or cam.translates or not intervals:
             return None
         heights = [
-            Turn(cam, self.sizes, (kind,)).most(partial(_height, offset, side, cam.limits.of(kind) or 0.0))
-            for kind in kinds
-            for side in (1, -1)
+            Turn(cam, self.sizes, (kind,)).most(partial(_height, offset, limit))
+            for kind, interval in intervals.items()
+            for limit in interval
         ]
         least = max(0.0, *(one.value for one in heights if one))
         return float((least * least + offset * offset) ** 0.5)
@@ -123,6 +123,6 @@ def _largest(turn: Turn, value: Value) -> Extreme:
     return Extreme(*min(alike, key=lambda pair: (pair[0] < 0, pair[1])))
 
 
-def _height(offset: float, side: int, limit: float, curve: Curve) -> Floats:
-    """Give S0 with which (5.28) is just the limit, on one side."""
-    return np.asarray(side * (curve.travel.slope - offset) / np.tan(limit) - curve.travel.s)
+def _height(offset: float, limit: float, curve: Curve) -> Floats:
+    """Give S0 with which (5.28) is just the limit, signed."""
+    return np.asarray((curve.travel.slope - offset) / np.tan(limit) - curve.travel.s)

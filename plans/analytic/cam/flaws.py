@@ -16,7 +16,7 @@ from plans.analytic.cam.extremes import Extremes
 from plans.analytic.cam.loops import Loops
 from plans.analytic.cam.series import Place, Turn, Value
 from plans.analytic.cam.shocks import shocks
-from plans.model.cam import FORCE, GROOVE, RETURN, RISE, Cam
+from plans.model.cam import FORCE, GROOVE, RETURN, RISE, Cam, interval_of
 from plans.model.cam_motion import Extreme, Flaw
 from plans.model.motion import Floats
 
@@ -104,14 +104,15 @@ class Flaws:
             yield Flaw("sharp", least.turned, least.turned, least)
 
     def _pressed(self) -> Iterator[Flaw]:
-        for kind in (RISE, RETURN) if self.cam.closure == GROOVE else (RISE,):
-            limit = self.cam.limits.of(kind)
-            if limit is not None:
+        for kind in (RISE, RETURN):
+            interval = interval_of(self.cam, kind)
+            if interval is not None:
                 turn = Turn(self.cam, self.extremes.sizes, (kind,))
                 places = turn.places(lambda curve: curve.pressure)
-                for side in (1.0, -1.0):
+                for side, limit in ((1.0, interval.high), (-1.0, -interval.low)):
                     value = partial(_excess, side, limit)
-                    yield from self._beyond("pressure", value, lambda curve: np.abs(curve.pressure), places, turn)
+                    for one in self._beyond("pressure", value, lambda curve: np.abs(curve.pressure), places, turn):
+                        yield one._replace(worst=one.worst._replace(value=side * one.worst.value))
 
     def _short(self) -> Iterator[Flaw]:
         reach = self.cam.follower.reach

@@ -27,6 +27,7 @@ SWEPT: Final = 512  # places of the ray that sweeps round a loop
 JOINED: Final = 1e-9  # of a chord: ends that are nearer are one
 MET: Final = 1e-9  # of the turn: by how much less two points are one
 LEAST: Final = 5e-6  # of the turn: a loop that is shorter is a cusp, undercut by less than 1e-9 of the radius
+ROUNDING: Final = 1e-9  # of the lift: less than this is not lost
 APART: Final = 1e-9  # rad or m: two crossings that are nearer are one
 Pair = tuple[float, float]
 
@@ -112,7 +113,9 @@ class Loops:
             pair = np.clip(pair + step, low, high)
         close = abs(complex(np.subtract(*self.edge(pair)))) <= MET * self.turn.cam.turn
         first, second = pair.tolist()
-        return (first, second) if close and second - first > LEAST * self.turn.cam.turn else None
+        least, most = LEAST * self.turn.cam.turn, (1 - LEAST) * self.turn.cam.turn
+        loops = least < second - first < most or (self.turn.cam.translates and second - first >= most)
+        return (first, second) if close and loops else None
 
     def _loop(self, first: float, second: float) -> Pair:
         """Give where the loop starts and ends: it is the part round which the radius from the crossing sweeps less.
@@ -145,6 +148,8 @@ class Loops:
         ends = np.array([looks[best], (low + high) / 2])
         most = self._lost(corner, ends)
         at = int(np.nanargmax(most))
+        if most[at] <= ROUNDING * self.turn.cam.lift:
+            return Extreme(0.0, looks[0].item())
         return Extreme(float(most[at]), float(np.mod(ends[at], self.turn.cam.turn)))
 
     def _lost(self, corner: complex, turned: Floats) -> Floats:

@@ -14,6 +14,7 @@ import numpy as np
 from geometry.meet import EPS, cross
 from plans.cam.profile.outline import Outline
 from plans.cam.profile.stretches import Span, Stretches
+from plans.model.cam import Cam
 from plans.model.cam_motion import Points
 from plans.model.motion import Floats
 
@@ -159,6 +160,11 @@ def _closed(edge: Edge, chords: Chords, one: int, other: int) -> Crossing | None
             break
         pair = np.clip(pair + step, low, high)
     first, second = pair.tolist()
-    if gap > SAME * np.abs(chords.way[[one, other]]).max() or second - first < CUSP * edge.stretches.course.cam.turn:
+    if gap > SAME * np.abs(chords.way[[one, other]]).max() or _short(edge.stretches.course.cam, second - first):
         return None
     return Crossing(first, second, complex(edge.at(pair).mean()))
+
+
+def _short(cam: Cam, wide: float) -> bool:
+    """Tell whether what is between two turns is a cusp; of a cam that turns the other part of the turn may be one."""
+    return min(wide, wide if cam.translates else cam.turn - wide) < CUSP * cam.turn

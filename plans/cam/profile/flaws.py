@@ -17,7 +17,7 @@ from plans.cam.profile.resting import loss
 from plans.cam.profile.stretches import Place, Span, Stretches, Value
 from plans.cam.profile.tip import Tip
 from plans.cam.profile.touch import Touch
-from plans.model.cam import FORCE, GROOVE, RETURN, RISE, Cam
+from plans.model.cam import FORCE, GROOVE, RETURN, RISE, Cam, interval_of
 from plans.model.cam_motion import Extreme, Flaw
 from plans.model.motion import Floats
 
@@ -117,17 +117,20 @@ class Search:
 
     def _pressure(self) -> Iterator[Flaw]:
         """Find where the pressure angle is beyond its limit; a spring drives the return, which has none then."""
-        for kind in (RISE, RETURN) if self.cam.closure == GROOVE else (RISE,):
-            limit = self.cam.limits.of(kind)
-            if limit is not None:
-                yield from self._beyond(kind, limit)
+        for kind in (RISE, RETURN):
+            interval = interval_of(self.cam, kind)
+            if interval is not None:
+                yield from self._beyond(kind, 1, interval.high)
+                yield from self._beyond(kind, -1, -interval.low)
 
-    def _beyond(self, kind: str, limit: float) -> Iterator[Flaw]:
+    def _beyond(self, kind: str, side: int, limit: float) -> Iterator[Flaw]:
         def beyond(tip: Tip) -> Floats:
-            return np.where(on(tip, kind), np.abs(pressure(tip)) - limit * (1 + TOUCHES), -1.0)
+            return np.where(on(tip, kind), side * pressure(tip) - limit * (1 + TOUCHES), -1.0)
 
         for span in self.stretches.spans(beyond, self.extremes.turning):
-            yield self._flaw("pressure", span, lambda tip: np.where(on(tip, kind), np.abs(pressure(tip)), 0.0))
+            yield self._flaw(
+                "pressure", span, lambda tip: np.where(on(tip, kind), side * pressure(tip), 0.0), least=side < 0
+            )
 
     def _face(self) -> Iterator[Flaw]:
         """Find where contact goes off a face that is too short."""

@@ -1,32 +1,44 @@
-"""What least radius would mend a pressure angle beyond its limit, the offset as it is (потребный радиус R0, 5.9.4)."""
+"""What would mend a pressure angle beyond its limits: R0 with the offset as it is, or other sizes (размеры, 5.9.4)."""
 
 from __future__ import annotations
 
 import math
-from typing import Final
+from dataclasses import replace
 
 import numpy as np
 
+from plans.cam.course import Course
 from plans.cam.profile.stretches import Stretches
 from plans.cam.profile.tip import Tip
-from plans.model.cam import GROOVE, RETURN, RISE
+from plans.cam.sizes import sizing
+from plans.model.cam import NO_SIZES, RETURN, RISE, Cam, interval_of
+from plans.model.cam_faults import CamError
+from plans.model.cam_motion import Sizes
 from plans.model.motion import Floats
-
-SIDES: Final = (1.0, -1.0)  # the limit holds to both sides of the follower's way
 
 
 def base_needed(stretches: Stretches) -> float | None:
     """Give R0, m, with which the pressure angle keeps to its limits; None of a rocker, a flat face, a cam on a bar.
 
-    Every position asks for S0 >= |S' - e|/tan α - S: the lines of the S-S' diagram through O at the offset e.
+    Every position asks for S0 >= (S' - e)/tan α - S with both limits α: the lines of the S-S' diagram through O at the
+    offset e.
     """
     cam = stretches.course.cam
-    kinds = (RISE, RETURN) if cam.closure == GROOVE else (RISE,)
-    limits = {kind: limit for kind in kinds if (limit := cam.limits.of(kind)) is not None}
-    if cam.rocks or cam.flat or cam.translates or not limits:
+    intervals = {kind: interval for kind in (RISE, RETURN) if (interval := interval_of(cam, kind)) is not None}
+    if cam.rocks or cam.flat or cam.translates or not intervals:
         return None
-    asked = [_height(stretches, kind, side / math.tan(limit)) for kind, limit in limits.items() for side in SIDES]
+    asked = [_height(stretches, kind, 1 / math.tan(end)) for kind, interval in intervals.items() for end in interval]
     return math.hypot(max(0.0, *asked), stretches.sizes.offset)
+
+
+def sizes_advised(cam: Cam) -> Sizes | None:
+    """Give the sizes that the limits alone would give; None where there are none, of a flat face, of a cam on a bar."""
+    if cam.flat or cam.translates:
+        return None
+    try:
+        return sizing(Course(replace(cam, given=NO_SIZES))).sizes
+    except CamError:
+        return None
 
 
 def _height(stretches: Stretches, kind: str, slope: float) -> float:

@@ -17,6 +17,7 @@ from plans.model.motion import Floats
 
 LOOKS: Final = 129  # turns over a loop, looked at again between the neighbours of the greatest
 ROUNDS: Final = 5
+NOTHING: Final = 1e-9  # of the lift: a loss so small is what rounding makes of a corner on which nothing is lost
 
 
 def resting(stretches: Stretches, roller: float, corner: complex, turned: Floats) -> Floats:
@@ -61,4 +62,4 @@ def loss(stretches: Stretches, roller: float, crossing: Crossing) -> Extreme:
         place = int(np.nanargmax(lost))
         best = max(best, Extreme(float(lost[place]), float(own[place])))
         start, end = turned[max(place - 1, 0)], turned[min(place + 1, LOOKS - 1)]
-    return best
+    return best if best.value > NOTHING * cam.lift else Extreme(0.0, crossing.start)

@@ -12,7 +12,7 @@ from plans.words.words import because
 
 OF_RADIUS: Final = 0.7  # of the least radius of curvature: the profile does not cross itself
 OF_BASE: Final = 0.4  # of the least radius R0: the roller wears as the cam does
-CURVATURE, WEAR, GIVEN = "curvature", "wear", "given"
+CURVATURE, HOLLOW, WEAR, GIVEN = "curvature", "hollow", "wear", "given"
 
 
 class Roller(NamedTuple):
@@ -22,8 +22,8 @@ class Roller(NamedTuple):
     rule: str
 
 
-def roller_of(given: float | None, sharpest: float | None, base: float) -> Roller:
-    """Take the roller that is given, or the larger one that both rules allow (5.30).
+def roller_of(given: float | None, sharpest: float | None, base: float, hollow: float | None = None) -> Roller:
+    """Take the roller that is given, or the largest that all rules allow (5.30); in a groove a hollow bounds it too.
 
     >>> roller_of(None, 0.02960986148, 0.03266494437).rule
     'wear'
@@ -31,6 +31,7 @@ def roller_of(given: float | None, sharpest: float | None, base: float) -> Rolle
     if given is not None:
         return Roller(given, GIVEN)
     rules = [Roller(OF_RADIUS * sharpest, CURVATURE)] if sharpest is not None else []
+    rules += [Roller(OF_RADIUS * hollow, HOLLOW)] if hollow is not None else []
     rules += [Roller(OF_BASE * base, WEAR)] if base > 0 else []
     return min(rules, default=Roller(0.0, CURVATURE))
 

@@ -8,7 +8,7 @@ from functools import partial
 from typing import Any, Final, NamedTuple
 
 from geometry.errors import LimitError
-from plans.model.cam import LAWS
+from plans.model.cam import DWELL, LAWS, RETURN, RISE
 from plans.scene import fields as f
 from plans.scene import forms, units
 from plans.scene.faults import wrong
@@ -160,6 +160,29 @@ def likely_law(value: object) -> str:
     """
     written = str(value).casefold()
     return next((law for letters, law in OTHERWISE.items() if letters in written), "")
+
+
+# Beginnings of what a phase is called in other books and languages.
+KINDS: Final[Mapping[str, str]] = {
+    "удал": RISE,
+    "подъ": RISE,
+    "forward": RISE,
+    "высто": DWELL,
+    "rest": DWELL,
+    "возвр": RETURN,
+    "опуск": RETURN,
+    "fall": RETURN,
+}
+
+
+def likely_kind(value: object) -> str:
+    """Give the kind of phase that a text is likely to mean.
+
+    >>> likely_kind("дальний выстой"), likely_kind("Возвращение")
+    ('dwell', 'return')
+    """
+    written = str(value).casefold()
+    return next((kind for letters, kind in KINDS.items() if letters in written), "")
 
 
 SPEED = measure(units.SPEED, VELOCITY)

@@ -67,7 +67,7 @@ class FollowerTable(Table):
     face: Decimal = key(
         f.COORDINATE,
         Decimal(0),
-        meaning="Of a flat one that rocks: how far its face stands before its pivot, m, towards the cam above 0.",
+        meaning="Of a flat one that rocks: how far its face stands off its pivot, m, above 0 away from the cam.",
     )
     reach: Decimal | None = key(
         f.LENGTH,
@@ -112,12 +112,14 @@ class LimitsTable(Table):
     rise: Decimal | None = key(
         c.LIMIT,
         None,
-        meaning="Largest pressure angle (угол давления) on the rise, degrees; the book has 30, of a rocker 45.",
+        meaning="Largest pressure angle (угол давления), degrees: on the rise, in a groove on the return too; the book "
+        "has 30, of a rocker 45.",
     )
     return_: Decimal | None = key(
         c.LIMIT,
         None,
-        meaning="Largest size of the pressure angle on the return, degrees; with closure by force none is kept to.",
+        meaning="Largest size of the pressure angle below 0, degrees: on the return, in a groove on the rise too; with "
+        "closure by force none is kept to.",
     )
     curvature: Decimal = key(
         c.SIZE, Decimal(0), meaning="Least radius of curvature of the profile under a flat face, m."
@@ -146,8 +148,8 @@ class SizesTable(Table):
     roller: Decimal | None = key(
         c.SIZE,
         None,
-        meaning="Radius of the roller (радиус ролика), m; default: the smaller of 0.7 of the least radius of curvature "
-        "and 0.4 R0.",
+        meaning="Radius of the roller (радиус ролика), m; default: the least of 0.7 of the radius of curvature, in a "
+        "groove of the hollow too, and of 0.4 R0.",
         also=("r", "r_r", "radius"),
     )
 
@@ -178,7 +180,11 @@ class CamTable(Table):
         missing=Missing("angular speed", 'speed = "300 rpm"'),
     )
     closure: str = key(
-        f.words(FORCE, GROOVE), FORCE, meaning="What holds the follower: force (силовое замыкание) or groove (пазовое)."
+        f.words(FORCE, GROOVE),
+        FORCE,
+        meaning="What holds the follower: force (силовое замыкание) or groove (пазовое).",
+        missing=Missing("closure", 'closure = "groove"'),
+        also=("closing", "closed", "lock"),
     )
     setting: Decimal | str = key(
         c.SETTING,

@@ -34,7 +34,7 @@ def _phases(entry: Entry) -> None:
     part, owner = ("lift", "translating") if entry.rocks else ("swing", "rocking")
     for number, phase in enumerate(entry.form.phases):
         entry.spare((part,), phase.given, owner, "phases", number)
-        if phase.kind == DWELL:
+        if phase.kind == DWELL and entry.path("phases", number, "kind") not in entry.doubts:
             entry.spare({"law", "lift", "swing"} - {part}, phase.given, "moving", "phases", number)
 
 

@@ -20,7 +20,7 @@ class PhaseTable(Table):
     """A phase of the cam: its kind, its angle, or its travel of a cam that translates, and its law."""
 
     kind: str = key(
-        f.words(RISE, DWELL, RETURN),
+        f.words(RISE, DWELL, RETURN, likely=c.likely_kind),
         meaning="Rise (удаление), dwell (выстой) or return (возвращение).",
         missing=Missing("kind of the phase", 'kind = "rise"', DWELL),
     )

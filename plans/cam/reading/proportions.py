@@ -1,4 +1,4 @@
-"""Given sizes that no cam has together: an offset beyond the least radius, a rocker that does not reach (размеры)."""
+"""Given sizes that no cam has together: offset or roller beyond the least radius, a rocker too short (размеры)."""
 
 from __future__ import annotations
 
@@ -16,6 +16,8 @@ def proportions(entry: Entry) -> None:
         entry.fault(("sizes", "centre"), "missing_for", **stated, why=message("why.flat_rocker"))
     if sizes.base is not None and sizes.offset is not None and abs(sizes.offset) >= sizes.base:
         entry.fault(("sizes", "offset"), "offset_beyond", base=_mm(sizes.base), offset=_mm(abs(sizes.offset)))
+    if sizes.base is not None and sizes.roller is not None and sizes.roller >= sizes.base and not entry.translates:
+        entry.fault(("sizes", "roller"), "roller_beyond", base=_mm(sizes.base), roller=_mm(sizes.roller))
     if entry.rocks and None not in (three := (sizes.base, sizes.centre, follower.length)):
         _reach(entry, *three)  # type: ignore[arg-type]
 

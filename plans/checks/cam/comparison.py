@@ -12,6 +12,7 @@ import numpy as np
 from plans.analytic.cam.findings import cam_found
 from plans.analytic.cam.laws import travel
 from plans.analytic.cam.sizes import sizes
+from plans.cam.dimensions import dimensions
 from plans.cam.study import LAWS, PROFILE, SIZES, CamDrawing, CamStudy
 from plans.checks.cam.settled import settled
 from plans.checks.cam.slack import TERM, Slack
@@ -169,7 +170,7 @@ class Compared:
 
     @property
     def _units(self) -> Sequence[str]:
-        return ("rad", "1", "1/rad") if self.ours.cam.rocks else ("m", "m/rad", "m/rad2")
+        return dimensions(self.ours.cam)
 
     def _one(self, plan: str, name: str, unit: str, own: complex, other: complex, allowed: float) -> Finding:
         return self._row(plan, name, unit, np.array([own]), np.array([other]), allowed)

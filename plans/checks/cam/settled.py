@@ -8,8 +8,9 @@ from dataclasses import replace
 
 import numpy as np
 
+from plans.analytic.cam.contact import forces_of
 from plans.analytic.cam.contour import Curve
-from plans.model.cam_motion import CamFound, Extreme, Flaw
+from plans.model.cam_motion import CamFound, Extreme, Flaw, Pressing
 from plans.model.motion import Floats
 
 EQUAL = 1e-9  # of an extreme value: what is as large is another place of the same extreme
@@ -31,6 +32,20 @@ def settled(theirs: CamFound, ours: CamFound) -> CamFound:
         sharpest=_settled(theirs, theirs.sharpest, ours.sharpest, lambda curve: curve.radius),
         hollow=_settled(theirs, theirs.hollow, ours.hollow, lambda curve: curve.radius),
         flaws=tuple(_flaw(theirs, *pair) for pair in pairs) if same else theirs.flaws,
+        pressing=_pressing(theirs, ours),
+    )
+
+
+def _pressing(theirs: CamFound, ours: CamFound) -> Pressing | None:
+    """Give the contact's forces so: under a steady load they are as large in many places of a dwell."""
+    own, other = theirs.pressing, ours.pressing
+    forces = forces_of(theirs.cam, theirs.roller)
+    if own is None or other is None or forces is None:
+        return own
+    return own._replace(
+        least=_settled(theirs, own.least, other.least, forces.normal) or own.least,
+        most=_settled(theirs, own.most, other.most, forces.normal) or own.most,
+        wear=_settled(theirs, own.wear, other.wear, forces.wear) or own.wear,
     )
 
 

@@ -84,9 +84,11 @@ class Slack:
         if self.found.cam.flat:
             return self._faced
         size, (first, second) = np.abs(contour.lever), (self.way(1), self.way(2))
-        bend = np.abs(contour.travel.bend) + 2 * np.abs(contour.travel.slope)
+        slope = np.abs(contour.travel.slope)
+        bend = np.abs(contour.travel.bend) + 2 * slope + (slope**2 if self.found.cam.rocks else 0.0)
         bend = bend * (self.found.cam.follower.length or 1.0) + np.abs(contour.tip)
-        return np.asarray((second + 2 * first + self.point + 3 * self.lever * bend / size) / size**2)
+        moved = second + 2 * (1 + slope) * first + self.point  # of the second derivative: S'', S' and its square, S
+        return np.asarray((moved + 3 * self.lever * bend / size) / size**2)
 
     @property
     def _faced(self) -> Floats:

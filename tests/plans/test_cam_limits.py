@@ -1,0 +1,134 @@
+"""Limits of the pressure angle: an interval for both phases in a groove (5.30); sizes that are found keep to it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from itertools import product
+
+import numpy as np
+import pytest
+
+from plans.analytic.cam.findings import cam_found as analysed
+from plans.analytic.cam.pressure import pressure
+from plans.analytic.cam.sizes import sizes
+from plans.cam.course import Course, positions
+from plans.cam.profile.findings import cam_found
+from plans.cam.sizes import sizing
+from plans.cam.study import CamStudy
+from plans.model.cam import (
+    DWELL,
+    FORCE,
+    GROOVE,
+    RETURN,
+    RISE,
+    ROCKING,
+    TRANSLATING,
+    Cam,
+    GivenSizes,
+    Limits,
+    interval_of,
+)
+from plans.model.cam_faults import CamError
+from plans.model.cam_motion import CamFound, Sizes
+from tests.parts import some
+from tests.plans.cam_cases import LIFT, SWING, cam, phases
+
+SHORT = ((RISE, 60.0, "sine"), (DWELL, 20.0, ""), (RETURN, 100.0, "cosine"), (DWELL, 180.0, ""))
+ANGLES = ((15, 40), (40, 15), (30, 30), (20, 60), (25, 45))
+
+
+def limited(motion: str, closure: str, rise: float, back: float, sense: int = 1) -> Cam:
+    """Give a cam whose rise is short, with limits in degrees."""
+    limits = Limits(math.radians(rise), math.radians(back) if closure == GROOVE else None)
+    own = phases(SHORT, SWING if motion == ROCKING else LIFT)
+    return cam(motion, sense=sense, with_cam=sense, closure=closure, limits=limits, phases=own)
+
+
+def draw(one: Cam, own: Sizes) -> CamFound:
+    return cam_found(Course(one), own, positions(one))
+
+
+def analyse(one: Cam, own: Sizes) -> CamFound:
+    return analysed(one, own, positions(one))
+
+
+BOTH = pytest.mark.parametrize("road", [draw, analyse])
+CASES = [
+    (motion, closure, *angles, sense)
+    for motion, closure, angles, sense in product((TRANSLATING, ROCKING), (GROOVE, FORCE), ANGLES, (1, -1))
+]
+
+
+@pytest.mark.parametrize("case", some(CASES, 7))
+def test_sizes_that_are_found_keep_to_the_limits(case):
+    one = limited(*case)
+    for found in (draw(one, sizing(Course(one)).sizes), analyse(one, sizes(one))):
+        assert "pressure" not in {flaw.kind for flaw in found.flaws} and found.advised is None
+
+
+def test_what_a_limit_permits():
+    """(5.30): in a groove both limits on both phases; a spring holds the rise to both sides, and the return to none."""
+    limits = Limits(0.3, 0.5)
+    assert limits.interval(RISE, GROOVE) == limits.interval(RETURN, GROOVE) == (-0.5, 0.3)
+    assert (limits.interval(RISE, FORCE), limits.interval(RETURN, FORCE)) == ((-0.3, 0.3), None)
+    assert limits.interval(DWELL, GROOVE) is None
+    alone = Limits(rise=0.3)
+    assert (alone.interval(RISE, GROOVE), alone.interval(RETURN, GROOVE)) == ((-0.3, 0.3), None)
+
+
+def test_limits_of_the_book_stand_beside_one_that_is_given():
+    """The return of a groove is sized by the book's 30 degrees, which the rise is held to below as well."""
+    one = cam(closure=GROOVE, limits=Limits(0.2))
+    assert interval_of(one, RISE) == pytest.approx((-math.radians(30), 0.2))
+    assert interval_of(cam(closure=GROOVE), RISE) is None
+
+
+@BOTH
+@pytest.mark.parametrize("closure", [GROOVE, FORCE])
+def test_flaws_are_where_a_scan_leaves_the_interval(road, closure):
+    """An offset that leans the angle below 0 on the rise: told with its sign, by formula (5.28) of any other road."""
+    one = limited(TRANSLATING, closure, 40, 15)
+    own = Sizes(0.05, 0.025)
+    flaws = [flaw for flaw in road(one, own).flaws if flaw.kind == "pressure"]
+    turned = np.linspace(0, 2 * math.pi, 1441)[:-1]
+    alpha = pressure(one, own, turned)
+    beyond = np.zeros(len(turned), dtype=bool)
+    for phase in one.moving():
+        interval = interval_of(one, phase.kind)
+        if interval is not None:
+            on = (turned > phase.start) & (turned < phase.end)
+            beyond |= on & ((alpha < interval.low) | (alpha > interval.high))
+    told = np.any([(flaw.start < turned) & (turned < flaw.end) for flaw in flaws] or [turned < 0], axis=0)
+    assert (told == beyond).all()
+    for flaw in flaws:
+        assert flaw.worst.value == pytest.approx(float(pressure(one, own, np.array([flaw.worst.turned]))[0]), rel=1e-9)
+
+
+@BOTH
+def test_the_flaw_comes_with_sizes_that_would_do(road):
+    one = replace(limited(TRANSLATING, GROOVE, 20, 40), given=GivenSizes(0.02, 0.0))
+    advised = road(one, Sizes(0.02)).advised
+    assert advised is not None
+    assert "pressure" not in {flaw.kind for flaw in road(replace(one, given=GivenSizes(*advised[:2])), advised).flaws}
+    free = sizes(replace(one, given=GivenSizes()))
+    assert (advised.base, advised.offset) == pytest.approx((free.base, free.offset), rel=1e-12)
+
+
+@BOTH
+def test_rockers_are_advised_and_radial_bases_mend(road):
+    one = limited(ROCKING, FORCE, 30, 30)
+    own = sizes(replace(one, limits=Limits(math.radians(60))))
+    found = road(one, own)
+    assert "pressure" in {flaw.kind for flaw in found.flaws} and found.mending is None
+    assert found.advised is not None and found.advised.centre == pytest.approx(sizes(one).centre)
+
+
+def test_a_roller_over_the_centre_is_refused():
+    """It is told which roller the curvature bears."""
+    one = replace(cam(), given=GivenSizes(0.05, 0.0), roller=0.05)
+    with pytest.raises(CamError) as refused:
+        CamStudy([one]).found  # noqa: B018
+    least = draw(replace(one, roller=0.01), Sizes(0.05)).sharpest
+    assert least is not None and dict(refused.value.message.parts)["most"] == f"{1000 * min(least.value, 0.05):.6g}"
+    assert CamStudy([replace(one, roller=0.049)]).found
