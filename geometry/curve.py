@@ -7,6 +7,9 @@ import math
 from itertools import pairwise
 from typing import NamedTuple, TypeAlias
 
+NEARER = 6  # steps of Newton's method to a foot
+TINY = 1e-300  # keeps them from dividing by the speed at a cusp
+
 
 class CubicPiece(NamedTuple):
     """A cubic from `start` to `end`, which leaves towards `first` and comes from `second` (кривая Безье)."""
@@ -26,6 +29,32 @@ class CubicPiece(NamedTuple):
         ends = left**3 * self.start + share**3 * self.end
         return ends + 3 * left * share * (left * self.first + share * self.second)
 
+    def part(self, low: float, high: float) -> CubicPiece:
+        """Give what of it lies between two shares of its parameter.
+
+        >>> CubicPiece(0j, 1 + 0j, 2 + 0j, 3 + 0j).part(0.5, 1.0)
+        CubicPiece(start=(1.5+0j), first=(2+0j), second=(2.5+0j), end=(3+0j))
+        """
+        third = (high - low) / 3
+        start, end = self.at(low), self.at(high)
+        return CubicPiece(start, start + third * self._rate(low), end - third * self._rate(high), end)
+
+    def nearest(self, spot: complex, share: float) -> float:
+        """Give the share at which it is nearest to a place, from one that is near; Newton's method on the foot.
+
+        >>> CubicPiece(0j, 1 + 0j, 2 + 0j, 3 + 0j).nearest(0.75 + 1j, 0.2)
+        0.25
+        """
+        for _ in range(NEARER):
+            rate = self._rate(share)
+            share += ((spot - self.at(share)) * rate.conjugate()).real / max(abs(rate) ** 2, TINY)
+        return min(max(share, 0.0), 1.0)
+
+    def _rate(self, share: float) -> complex:
+        left = 1 - share
+        ends = left**2 * (self.first - self.start) + share**2 * (self.end - self.second)
+        return 3 * ends + 6 * left * share * (self.second - self.first)
+
     def placed(self, factor: complex, shift: complex) -> CubicPiece:
         """Give it turned and enlarged by a factor, then shifted."""
         return CubicPiece(*(factor * point + shift for point in self))
@@ -41,6 +70,14 @@ class RoundPiece(NamedTuple):
     def at(self, share: float) -> complex:
         """Give the point after a share, from 0 to 1, of its sweep."""
         return self.centre + (self.start - self.centre) * cmath.exp(1j * share * self.sweep)
+
+    def nearest(self, spot: complex, share: float) -> float:
+        """Give the share of its sweep towards a place: it is gone through evenly, and the share is known."""
+        return share
+
+    def part(self, low: float, high: float) -> RoundPiece:
+        """Give what of it lies between two shares of its sweep."""
+        return RoundPiece(self.at(low), self.centre, (high - low) * self.sweep)
 
     @property
     def end(self) -> complex:

@@ -12,7 +12,7 @@ from drawings.figures.cyclogram.bar_chart import HIGH, LOW, SETTING
 from drawings.figures.cyclogram.course import stretches
 from drawings.measure.measure import Measured
 from drawings.page.drafting import Drafting
-from drawings.paper.strokes import Arc, Leaf
+from drawings.paper.strokes import Arc, Leaf, Text
 from drawings.paper.walk import groups, texts
 from plans.model.cyclogram import Row, within
 from plans.words.words import message
@@ -59,6 +59,16 @@ def rings(leaf: Leaf, rows: Sequence[Row], sense: int) -> Iterator[Wrong]:
             off = max(_apart(arc.start_angle, low), _apart(arc.end_angle, high))
             if not off <= ANGLE:
                 yield on("differs_on", circular_chart.NAME, name=name)
+
+
+def names(leaf: Leaf, rows: Sequence[Row], drafting: Drafting) -> Iterator[Wrong]:
+    """See that every ring bears its own name: within it, or beside it where it has no room."""
+    rings = {one.name: one for one in groups(leaf.groups) if one.name.startswith(f"{circular_chart.RING_NAME}-")}
+    beside = [rings[one] for one in (circular_chart.BESIDE_RINGS,) if one in rings]
+    for k, row in enumerate(rows):
+        name, number = Text(0j, course.name(row, drafting)).plain, f"{circular_chart.RING_NAME}-{k}"
+        if not any(text.plain == name for text in texts([*beside, *(rings[one] for one in (number,) if one in rings)])):
+            yield on("missing_on", circular_chart.NAME, name=name)
 
 
 def angles(leaf: Leaf, rows: Sequence[Row], drafting: Drafting) -> Iterator[Wrong]:

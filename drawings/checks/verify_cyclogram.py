@@ -40,6 +40,7 @@ def check(measured: Measured, leaf: Leaf, study: CyclogramStudy, comparison: Cyc
         yield from cyclogram_charts.bars(measured, rows, found.positions[0].turned)
     if circular_chart.NAME in leaf.metadata["figures"]:
         yield from cyclogram_charts.rings(leaf, rows, found.sense)
+        yield from cyclogram_charts.names(leaf, rows, drafting)
     yield from reading.marked_scales(leaf)
     yield from cyclogram_charts.angles(leaf, rows, drafting)
     yield from cyclogram_told.table(leaf, found, drafting)

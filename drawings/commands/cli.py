@@ -22,7 +22,8 @@ BUG, SCENE, STOPPED = 1, 3, 130
 TRACED = "tell on stderr what was made, imported and left out, and how long each stage took"
 EPILOG = """\
 exit codes: 0 written and verified; 1 a bug of plandraft; 2 wrong command line; 3 the scene is wrong;
-4 drawn, but with gaps, marks too near a dead centre, or a machine that stops; 5 a self-check failed, sheet withheld;
+4 drawn, but with gaps, marks too near a dead centre, a machine that stops, or a cam beyond its limit, undercut, not
+held by its spring, or with too short a face; 5 a self-check failed, sheet withheld;
 7 cannot read or write; 8 a named limit was exceeded.
 
 a scene is one TOML file: what is studied, a linkage or a rotor, and what is asked of it.
@@ -64,7 +65,7 @@ def parser() -> argparse.ArgumentParser:
     compare = _command(commands, "compare", "compare construction and analysis, quantity by quantity")
     compare.add_argument("--json", action="store_true", help="as JSON")
     explain = _command(commands, "explain", "print the drafting steps behind a mark")
-    explain.add_argument("mark", metavar="MARK", help="a letter of a plan, such as B, v_B, omega_3, R_12, m_1D_1")
+    explain.add_argument("mark", metavar="MARK", help="a letter of a plan, such as B, v_B, omega_3, R_12, m_1D_1, K2:P")
     explain.add_argument("--position", type=int, default=0, metavar="K", help="number of the position (default: 0)")
     explain.add_argument("--all", action="store_true", help="of a force also the plans that it rests on")
     explain.add_argument("--json", action="store_true", help="as JSON")

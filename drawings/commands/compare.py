@@ -18,6 +18,7 @@ from plans.study import Study
 from plans.words.words import term, word
 
 GAPS, FAILED = 4, 5
+NAMED = 10  # letters of a quantity's name at the least
 
 
 def run(options: argparse.Namespace) -> int:
@@ -54,8 +55,9 @@ def _table(comparisons: Sequence[Comparison], language: str) -> Iterator[str]:
     findings = together(comparisons)
     wide = plan_width((finding.plan for finding in findings), language)
     heads = [word(language, f"table.{head}") for head in ("plan", "quantity", "of_plan", "difference", "allowed_short")]
-    yield f"{heads[0]:<{wide}} {heads[1]:<10} {heads[2]:>14} {heads[3]:>17} {'%':>10} {heads[4]:>11}"
-    yield from (f"{term(language, 'plan', one.plan):<{wide}} {_line(one, language)}" for one in findings)
+    named = max([NAMED, *(len(quantity(one.name, language)) for one in findings)])
+    yield f"{heads[0]:<{wide}} {heads[1]:<{named}} {heads[2]:>14} {heads[3]:>17} {'%':>10} {heads[4]:>11}"
+    yield from (f"{term(language, 'plan', one.plan):<{wide}} {_line(one, named, language)}" for one in findings)
     yield from left_out(comparisons, language)
     for lone in (lone for comparison in comparisons for lone in comparison.alone):
         parts = {"position": lone.gap.position, "plan": lone.gap.plan, "reason": lone.gap.reason}
@@ -65,11 +67,11 @@ def _table(comparisons: Sequence[Comparison], language: str) -> Iterator[str]:
     yield word(language, f"compare.{verdict}", worst=decimal(f"{worst:.3f}", language))
 
 
-def _line(finding: Finding, language: str) -> str:
+def _line(finding: Finding, named: int, language: str) -> str:
     name, unit = quantity(finding.name, language), term(language, "text_unit", finding.unit)
     sizes = f"{finding.largest:>14.6g} {_worst(finding):>12.2e}"
     shares = f"{finding.per_cent:>8.1e} {float(finding.excess.max()):>11.3f}"
-    return f"{name:<10} {decimal(sizes, language)} {unit:<6}{decimal(shares, language)}"
+    return f"{name:<{named}} {decimal(sizes, language)} {unit:<6}{decimal(shares, language)}"
 
 
 def _plain_finding(finding: Finding) -> dict[str, object]:

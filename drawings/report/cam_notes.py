@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from drawings.page.drafting import Drafting
@@ -11,7 +11,7 @@ from drawings.report.cam_letters import ACCELERATION, VELOCITY, letters, units
 from drawings.report.phase_letters import phase_letter
 from plans.cam.dimensions import RATIO
 from plans.cam.tables import smoothing
-from plans.model.cam import GROOVE, TABLE, Cam, Phase, interval_of
+from plans.model.cam import GROOVE, ROLLER, TABLE, Cam, Phase, interval_of
 from plans.model.cam_motion import CamFound, Extreme, Flaw, Shock, Sizes
 
 MM = 1000.0  # of a metre
@@ -52,13 +52,9 @@ class CamNotes(NamedTuple):
         """Say what kind of cam it is."""
         cam, word = self.cam, self.drafting.word
         kind = word(f"cam {cam.follower.motion} {cam.follower.end}")
-        yield word(
-            "cam asked",
-            follower=kind,
-            closure=word(f"cam closed by {cam.closure}"),
-            lift=self.way(cam.lift),
-            letter="Ψ" if cam.rocks else "H",
-        )
+        parts = {"lift": self.way(cam.lift), "letter": "Ψ" if cam.rocks else "H"}
+        key = "cam asked" if cam.follower.reach is None else "cam asked reach"
+        yield word(key, follower=kind, closure=word(f"cam closed by {cam.closure}"), **parts, **self._reach())
         if cam.speed is not None:
             sense = word("counter-clockwise" if cam.sense > 0 else "clockwise")
             key = "cam speed of travel" if cam.translates else "cam speed"
@@ -98,10 +94,20 @@ class CamNotes(NamedTuple):
         yield from self.face()
 
     def face(self) -> Iterator[str]:
-        """Say how far contact goes on a flat face."""
+        """Say how far contact goes on a flat face, and how far that reaches if the scene says it."""
         if self.cam.flat and not self.cam.translates:
-            sides = (self._mm(abs(one)) for one in self.found.face)
-            yield self.drafting.word("cam face", **dict(zip(("back", "front"), sides, strict=True)))
+            sides = (self._mm(one if self.cam.rocks else abs(one)) for one in self.found.face)
+            key = ("cam face rocking" if self.cam.rocks else "cam face") + (" reach" if self._reach() else "")
+            yield self.drafting.word(key, **dict(zip(("back", "front"), sides, strict=True)), **self._reach())
+
+    def _reach(self) -> dict[str, str]:
+        reach = self.cam.follower.reach
+        return {} if reach is None else {"reach": self._mm(reach)}
+
+    def setting(self) -> Iterator[str]:
+        """Say how the cam stands on the main shaft."""
+        if self.cam.setting:
+            yield self.drafting.word("cam setting", angle=self._number(math.degrees(self.cam.setting)))
 
     def pressure(self) -> Iterator[str]:
         """Say how large the pressure angle grows on each kind of phase, and where."""
@@ -177,13 +183,19 @@ class CamNotes(NamedTuple):
         return self.drafting.word("cam advised translating", base=self._mm(one.base), offset=self._mm(one.offset))
 
     def pressing(self) -> Iterator[str]:
-        """Say how hard the follower is pressed on the cam, where it wears most, and what spring would just hold it."""
+        """Say how hard the follower is pressed on the cam, where it wears most, and what spring would just hold it.
+
+        A roller rolls: what it would wear stuck on its pin is not told.
+        """
         found = self.found.pressing
         if found is None:
             return
         ends = {"least": self._of(found.least.value, "N"), "most": self._of(found.most.value, "N")}
         yield self.drafting.word("cam pressing", **ends, phi=self.place(found.most.turned))
-        yield self.drafting.word("cam wear", wear=self._of(found.wear.value, "W"), phi=self.place(found.wear.turned))
+        if self.cam.follower.end != ROLLER:
+            yield self.drafting.word(
+                "cam wear", wear=self._of(found.wear.value, "W"), phi=self.place(found.wear.turned)
+            )
         if found.least.value < 0:
             preload = self._of(found.preload, "N*m" if self.cam.rocks else "N")
             yield self.drafting.word("cam preload", preload=preload)
@@ -192,13 +204,20 @@ class CamNotes(NamedTuple):
         """Say one flaw."""
         ends = {"start": self.place(one.start), "end": self.turn(one.end), "phi": self.place(one.worst.turned)}
         value = one.worst.value
-        if one.kind == "crossing" and value > 0:
-            return self.drafting.word("cam flaw crossing and loss", worst=self.way(value), **ends)
         if one.kind in CORNERED and abs(value) < SHARP:
             return self.drafting.word(f"cam flaw {one.kind} corner", phi=ends["phi"])
+        if one.kind == "crossing":
+            return self._crossing(value, ends)
         told = self._number(math.degrees(value)) if one.kind == "pressure" else self._number(value * self._unit(one))
         most = {"most": self._number(MM * abs(value))} if one.kind in CORNERED else {}
         return self.drafting.word(f"cam flaw {one.kind}", worst=told, **most, **ends)
+
+    def _crossing(self, lost: float, ends: Mapping[str, str]) -> str:
+        """Say what a loop that is cut away costs, where the follower rests on what is left at all."""
+        if math.isnan(lost):
+            return self.drafting.word("cam flaw crossing", **ends)
+        key = "cam flaw crossing and loss" if lost > 0 else "cam flaw crossing and no loss"
+        return self.drafting.word(key, worst=self.way(lost), **ends)
 
     def _unit(self, one: Flaw) -> float:
         return 1.0 if one.kind in ("lift-off", "outrun") else MM

@@ -76,7 +76,7 @@ def _all(study: Study, digits: int) -> Iterator[CamNotes]:
 def _task(notes: CamNotes) -> Iterator[str]:
     yield word(notes.drafting.language, "report.cam", name=notes.cam.name)
     yield ""
-    yield from (f"- {_plain(line)}" for line in (*notes.asked(), *notes.phases()))
+    yield from (f"- {_plain(line)}" for line in (*notes.asked(), *notes.phases(), *notes.setting()))
     yield ""
 
 

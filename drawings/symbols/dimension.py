@@ -38,10 +38,15 @@ class Dimension(NamedTuple):
 
     def draw(self, hand: Hand) -> tuple[Stroke, ...]:
         """Draw its lines, its arrows within or, where there is no room, outside."""
-        start, end = self.lines[0]
-        along = (end - start) / self.length * ARROW_LENGTH * hand.symbol
-        tails = (end, start) if self.length > 3 * abs(along) else (start - 2 * along, end + 2 * along)
-        heads = (arrowhead(tail, tip, hand.symbol) for tail, tip in zip(tails, (start, end), strict=True))
-        outer = () if tails[0] == end else (Line(tails[0], tails[1], hand.drafted),)
-        lines = (Line(*ends, hand.drafted) for ends in self.lines)
-        return *lines, *outer, *(head for head in heads if head is not None)
+        line, *others = arrows(*self.lines[0], hand)
+        extensions = (Line(*ends, hand.drafted) for ends in self.lines[1:])
+        return line, *extensions, *others
+
+
+def arrows(start: complex, end: complex, hand: Hand) -> tuple[Stroke, ...]:
+    """Draw a dimension line with arrows at both ends: within or, where there is no room, outside."""
+    along = (end - start) / abs(end - start) * ARROW_LENGTH * hand.symbol
+    tails = (end, start) if abs(end - start) > 3 * abs(along) else (start - 2 * along, end + 2 * along)
+    heads = (arrowhead(tail, tip, hand.symbol) for tail, tip in zip(tails, (start, end), strict=True))
+    outer = () if tails[0] == end else (Line(tails[0], tails[1], hand.drafted),)
+    return Line(start, end, hand.drafted), *outer, *(head for head in heads if head is not None)

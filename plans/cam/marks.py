@@ -3,24 +3,31 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from geometry.board import GIVEN, Board, Mark
 from geometry.meet import Meeting
 from geometry.steps import behind
+from plans.cam.dimensions import dimensions
+from plans.cam.sizing import Sizing
 from plans.cam.study import PROFILE, SIZES, CamDrawing, CamStudy
 from plans.explanation import Explanation, NoMark, UnknownMark
-from plans.words.words import message
+from plans.model.cam import Cam
+from plans.words.words import Message, because, message
 
 if TYPE_CHECKING:
     from plans.study import Study
 
+LAW = "law"  # the board of the diagrams
 OF = ":"  # between the name of a cam and the name of a mark
-UNITS = {SIZES: "m", PROFILE: "m", "law": ""}
-EXAMPLES = ("P", "Q", "D")
+UNITS = {SIZES: "m", PROFILE: "m", LAW: ""}
+WAYS = {"S": "cam_travel", "S'": "cam_law_slope", "S''": "cam_law_bend"}
+POLES = {"P_1": ("S'", "S'_1"), "P_2": ("S",)}  # of the diagrams, by whose curve they are drawn to
+PRESSURE = ("alpha", "α")
+EXAMPLES = ("P", "Q", "D", "R_0", "S''", "alpha", "P_1")
 
 
 def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
@@ -30,13 +37,77 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     count = len(drawing.turned)
     if not 0 <= position < count:
         raise UnknownMark(message("mark.position", position=position, last=count - 1))
-    found = [one for board in _boards(drawing, position) for one in board if one.name == own]
-    mark = min(found, key=lambda one: one.role == GIVEN, default=None)  # what one board is given another may construct
-    if mark is None:
-        return NoMark(tuple(dict.fromkeys(_names(drawing))), None, EXAMPLES)
-    angle = f"{math.degrees(drawing.turned[position]):.4f}"
-    steps = tuple(_in(one, position, count) for one in behind(mark))
-    return Explanation(message("explain.title", mark=name, position=position, angle=angle), steps, UNITS)
+    found = _explained(drawing, position, own)
+    if found is None:
+        return _none(cams, drawing)
+    steps = tuple(_in(one, position, count) for one in behind(*found.marks))
+    title = _title(drawing.cam, float(drawing.turned[position]), mark=name, position=position)
+    return Explanation(title, steps, {**UNITS, **found.units}, found.notes)
+
+
+class Found(NamedTuple):
+    """The marks that explain a name, with what is told after their steps."""
+
+    marks: tuple[Mark, ...]
+    notes: tuple[Message, ...] = ()
+    units: Mapping[str, str] = {}
+
+
+def _title(cam: Cam, turned: float, **parts: object) -> Message:
+    """Head the steps with the turn of the cam, or with the travel of one that translates."""
+    if cam.translates:
+        return message("explain.along_way", way=f"{1000 * turned:.7g}", **parts)
+    return message("explain.title", angle=f"{math.degrees(turned):.4f}", **parts)
+
+
+def _none(cams: CamStudy, drawing: CamDrawing) -> NoMark:
+    """Say which marks there are: some of a cam, and how those of another cam are asked for."""
+    named = (*dict.fromkeys(_names(drawing)), *WAYS, *POLES, *PRESSURE[:1])
+    examples = tuple(one for one in EXAMPLES if _explained(drawing, 0, one) is not None)
+    other = [*cams.drawings][1:2]
+    listed = message("mark.of_cam", example=f"{other[0]}{OF}P") if other else None
+    return NoMark(named, listed, examples)
+
+
+def _explained(drawing: CamDrawing, position: int, name: str) -> Found | None:
+    """Find what explains a name: a quantity of the law, an angle, a radius, a pole, or a mark of that name."""
+    if name in WAYS:
+        return _way(drawing, position, name)
+    if name in PRESSURE:
+        return _pressure(drawing, position)
+    own = [one for board in _boards(drawing, position) for one in board if one.name in _called(name)]
+    mark = min(own, key=lambda one: one.role == GIVEN, default=None)  # what one board is given another may construct
+    if mark is not None:
+        return Found((mark,))
+    return _radius(drawing.sizing) if name == "R_0" else None
+
+
+def _called(name: str) -> tuple[str, ...]:
+    """Give what the boards call a mark: a pole bears the name of its curve."""
+    return tuple(f"{curve}:P" for curve in POLES.get(name, ())) or (name,)
+
+
+def _way(drawing: CamDrawing, position: int, name: str) -> Found:
+    """Give S, S' or S'' in a position, upwards where it is above 0."""
+    order, at = [*WAYS].index(name), drawing.turned[position : position + 1]
+    mark = Board(LAW).given(name, 1j * float(drawing.course.at(at)[order][0]), because(WAYS[name]))
+    return Found((mark,), units={LAW: dimensions(drawing.cam)[order]})
+
+
+def _pressure(drawing: CamDrawing, position: int) -> Found:
+    """Give the normal of the profile in a position, with the angle that it makes with the follower's way."""
+    board = drawing.profile(drawing.turned[position : position + 1]).drawing.board
+    angle = math.degrees(float(drawing.found.contour.pressure[position]))
+    lines = tuple(one for one in board if one.name == ("n" if drawing.cam.flat else "OD"))
+    return Found(lines, (message("explain.pressure", angle=f"{angle:.10g}"),))
+
+
+def _radius(sizing: Sizing) -> Found | None:
+    """Give the least radius as it is found: from the centre to where the tip starts."""
+    if sizing.start is None or sizing.centre is None:
+        return None
+    mark = Board(SIZES).join("R_0", sizing.centre, sizing.start, because("cam_base"))
+    return Found((mark,), (message("explain.least_radius", size=f"{sizing.sizes.base:.10g}"),))
 
 
 def _in(mark: Mark, position: int, count: int) -> Mark:
@@ -59,9 +130,9 @@ def _of(value: Any, position: int, count: int) -> Any:
 
 def _asked(cams: CamStudy, name: str) -> tuple[CamDrawing, str]:
     """Tell which cam's mark is asked for: without a cam's name the first one's."""
-    cam, found, own = name.rpartition(OF)
-    drawings = [*cams.drawings.values()]
-    return (cams.drawings[cam], own) if found and cam in cams.drawings else (drawings[0], name)
+    named = (one for one in cams.drawings if name.startswith(one + OF))
+    cam = next(named, "")
+    return (cams.drawings[cam], name[len(cam + OF) :]) if cam else (next(iter(cams.drawings.values())), name)
 
 
 def _boards(drawing: CamDrawing, position: int) -> Iterator[Board]:

@@ -31,6 +31,13 @@ TINY = 1e-300  # keeps a cubic of one point from being divided by its speed
 CLOSED = 1e-9  # of R0: what the outline's ends may miss each other by through rounding, and is no jump
 
 
+class Bound(NamedTuple):
+    """Where a path is cut: the turn, rad, and the point of the outline there, m."""
+
+    turned: float
+    spot: complex
+
+
 @dataclass(frozen=True)
 class ProfilePath:
     """A path in the cam (профиль кусками): pieces m, the turns at which they begin, how far off they are measured."""
@@ -39,6 +46,12 @@ class ProfilePath:
     starts: tuple[float, ...]  # rad
     deviation: float  # m
     closed: bool
+
+    def between(self, low: Bound, high: Bound, turn: float) -> tuple[Piece, ...]:
+        """Give its pieces between two turns of the whole `turn`, rad."""
+        ends = (*self.starts[1:], turn)
+        cut = (_cut(*one, low, high) for one in zip(self.pieces, self.starts, ends, strict=True))
+        return tuple(one for one in cut if one is not None)
 
 
 class _Cubics(NamedTuple):
@@ -73,6 +86,21 @@ def path(cam: Cam, sizes: Sizes, away: float = 0.0, pieces: int = PIECES, exact:
     parts += _between(outline, [(start, end) for start, end, rests in spans if not rests], pieces, exact)
     turned, found, off = zip(*_joined(outline, sorted(parts, key=lambda part: part[0])), strict=True)
     return ProfilePath(found, turned, max(off), not cam.translates)
+
+
+def _cut(piece: Piece, start: float, end: float, low: Bound, high: Bound) -> Piece | None:
+    """Cut a piece to what lies between two turns; None: nothing of it does."""
+    if start == end:
+        return piece if low.turned < start <= high.turned else None
+    first, last = (_share(piece, start, end, one) for one in (low, high))
+    return piece.part(first, last) if first < last else None
+
+
+def _share(piece: Piece, start: float, end: float, one: Bound) -> float:
+    """Give the share of a piece at a turn, 0 or 1 of one beyond it."""
+    if not start < one.turned < end:
+        return float(one.turned >= end)
+    return piece.nearest(one.spot, (one.turned - start) / (end - start))
 
 
 _Part = tuple[float, Piece, float]

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
-from functools import cached_property
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from functools import cached_property, partial
+from itertools import repeat
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
@@ -16,23 +18,27 @@ from plans.cam.reading.cams import cams_of
 from plans.cam.sizes import sizing
 from plans.cam.sizing import Sizing
 from plans.model.cam import Cam
-from plans.model.cam_faults import large_roller, pivot_passed
+from plans.model.cam_faults import CamError, large_roller, pivot_passed
 from plans.model.cam_motion import CamFound, Contour, Sizes
 from plans.model.motion import Floats
+from plans.scene.faults import Path, dotted
+from plans.scene.scene import Scene
+from plans.words.words import placed
 
 if TYPE_CHECKING:
     from plans.study import Study
 
 LAWS, SIZES, PROFILE = "laws", "sizes", "profile"
 CYCLOGRAM = "cyclogram"
+Place: TypeAlias = Callable[[Path], str]  # a key of a cam -> where the file has it
 CLOSE = 720  # turns of a curve that is drawn: half a degree from one to the next
 
 
 class CamDrawing:
     """One cam, and what is constructed of it."""
 
-    def __init__(self, cam: Cam, made: dict[str, None] | None = None) -> None:
-        self.cam, self.course = cam, Course(cam)
+    def __init__(self, cam: Cam, made: dict[str, None] | None = None, place: Place | None = None) -> None:
+        self.cam, self.course, self.place = cam, Course(cam), place
         self.made: dict[str, None] = {} if made is None else made
 
     @cached_property
@@ -50,19 +56,35 @@ class CamDrawing:
     def sizing(self) -> Sizing:
         """The main sizes."""
         self.made.setdefault(SIZES)
-        return sizing(self.course)
+        with self._placing():
+            return sizing(self.course)
 
     @cached_property
     def found(self) -> CamFound:
         """Profile, extremes and flaws at the numbered positions."""
         self.made.setdefault(PROFILE)
         found = cam_found(self.course, self.sizing.sizes, self.turned)
+        with self._placing():
+            self._refuse(found)
+        return found
+
+    def _refuse(self, found: CamFound) -> None:
+        """Refuse a roller that is larger than the cam, and a rocker whose pivot the profile passes."""
         if not self.cam.translates and found.roller >= found.sizes.base:
             bears = [found.sizes.base, *(one.value for one in (found.sharpest,) if one)]
             raise large_roller(self.cam, found.roller, found.sizes.base, min(bears))
         if self.cam.flat and self.cam.rocks and not found.flaws:
             self._clear(found.sizes)
-        return found
+
+    @contextmanager
+    def _placing(self) -> Iterator[None]:
+        """Say of a cam that cannot be made where the file asks for it."""
+        try:
+            yield
+        except CamError as error:
+            if self.place is None:
+                raise
+            raise CamError(placed(self.place(error.key), error.message), *error.key) from error
 
     def _clear(self, sizes: Sizes) -> None:
         """Refuse a rocker whose pivot the profile under its face passes."""
@@ -85,9 +107,10 @@ class CamDrawing:
 class CamStudy:
     """The cams of a scene."""
 
-    def __init__(self, cams: Collection[Cam]) -> None:
+    def __init__(self, cams: Collection[Cam], places: Iterable[Place | None] = repeat(None)) -> None:
         self.made: dict[str, None] = {}
-        self.drawings: Mapping[str, CamDrawing] = {one.name: CamDrawing(one, self.made) for one in cams}
+        drawings = (CamDrawing(cam, self.made, place) for cam, place in zip(cams, places, strict=False))
+        self.drawings: Mapping[str, CamDrawing] = {one.cam.name: one for one in drawings}
 
     def construct(self, plans: Collection[str]) -> None:
         """Make what is asked for."""
@@ -106,4 +129,12 @@ def study_of(study: Study) -> CamStudy:
     """Make the study of a scene's cams (row of the table of techniques); some take their phases from the cyclogram."""
     scene = study.scene
     window = study[CYCLOGRAM].window if scene.meaning["cam"].waiting else None
-    return CamStudy(cams_of(scene, window))
+    cams = cams_of(scene, window)
+    return CamStudy(cams, [partial(_place, scene, number) for number in range(len(cams))])
+
+
+def _place(scene: Scene, number: int, key: Path) -> str:
+    """Give file, line and column of a key of a cam, and the key; of one that is not there the table's."""
+    path = "cam", number, *key
+    line, column = scene.place(path)
+    return f"{scene.file}:{line}:{column}: {dotted(path)}"

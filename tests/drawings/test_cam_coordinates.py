@@ -63,6 +63,8 @@ def test_coordinates_are_those_of_the_analysis_and_on_the_drawn_path(case: Case)
         assert abs(spots[-1] - spots[0]) <= 2 * LAST * MM
         assert found["turned_deg"][-1] == 360
         assert found["angle_deg"][-1] - found["angle_deg"][0] == pytest.approx(-360 * cam.sense, abs=2 * LAST)
+        assert found["theta_deg"][0] == 0  # θ of the sheet is counted against the rotation
+        assert found["theta_deg"][-1] == pytest.approx(360, abs=2 * LAST)
 
 
 def test_columns_are_told_by_what_there_is() -> None:

@@ -74,10 +74,13 @@ def test_what_is_drawn_agrees_with_the_analysis(case: tuple[str, str, str, str],
         [
             ("tappet-cam", "[cam.limits]", '[cam.sizes]\nbase = "35 mm"\n[cam.limits]', "{min} = −"),
             ("rocker-cam", 'speed = "240 rpm"', "", ""),
+            ("tappet-cam", 'end = "flat"', 'end = "flat"\nreach = "20 mm"', "off the face"),
+            ("feed-cam", "[cam.limits]", '[cam.sizes]\nbase = "50 mm"\noffset = "-8 mm"\n[cam.limits]', "e = −8"),
+            ("feed-cam", "[cam.limits]", '[cam.sizes]\nbase = "50 mm"\noffset = "0.4 mm"\n[cam.limits]', "e = 0.4"),
             ("rocker-cam", 'law = "sine"', 'law = "constant velocity"', "a corner there"),
             ("copying-cam", 'speed = "0.4 m/s"', "", "Soft shock at x = 100 mm: S'' jumps by"),
         ],
-        5,
+        4,
     ),
 )
 def test_a_cam_that_is_at_fault_or_has_no_speed_is_drawn_as_well(
@@ -102,6 +105,23 @@ def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path
         checked(SHEETS[fault.sheet][0](study)[0], fault.sheet, study, tmp_path)
     assert fault.says in str(told.value)
     assert "against the analysis" not in said(told.value, "ru")
+
+
+@pytest.mark.parametrize(
+    "fault",
+    [
+        ("inversion.py", "middle = sum(ends) / 2\n", "return\n    middle = 0j\n", "the turned face 4 on profile"),
+        ("profile_view.py", "return -reach, reach", "return -reach, 1.1 * reach", "the turned face 0 on profile"),
+    ],
+)
+def test_a_face_has_its_reach_and_contact_beyond_it_is_ringed(fault: tuple[str, str, str, str], tmp_path: Path) -> None:
+    file, right, wrong, says = fault
+    text = (GALLERY / "tappet-cam.toml").read_text(encoding="utf-8").replace('language = "ru"', "")
+    study = Study(parse_scene(text.replace('end = "flat"', 'end = "flat"\nreach = "20 mm"')))
+    one = DrawingFault("face", "tappet-cam", f"drawings/figures/cam/{file}", right, wrong, says)
+    with planted(one), pytest.raises(SelfCheckFailed) as told:
+        checked(cam.leaves(study)[0], "cam", study, tmp_path)
+    assert says in str(told.value)
 
 
 def test_every_fault_still_finds_the_text_that_it_replaces() -> None:

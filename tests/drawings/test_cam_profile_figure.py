@@ -120,18 +120,25 @@ def test_lines_are_those_of_their_roles() -> None:
 
 
 def test_an_undercut_is_drawn_through_and_named() -> None:
-    """Nothing is trimmed: the whole curve is there, thin, and its stretch is heavier and dashed over it."""
+    """Nothing is trimmed: the whole curve is there, thin and dashed, the contour between its loops in main lines."""
     view, leaf, measured = exhibit("undercut")
     assert {one.kind for one in view.found.flaws} >= {"undercut", "crossing"}
     told = [text.plain for text in texts(leaf.groups)]
     assert told.count("undercut") == told.count("crosses itself") == 2
-    heavy = [one for one in flat(leaf.groups) if isinstance(one, Polyline) and one.style.width > hand_of("A1").main]
-    assert len(heavy) == 2
+    curves = [one for one in flat(leaf.groups) if isinstance(one, Curve)]
+    contour = [one.pieces for one in curves if one.style.width == hand_of("A1").main]
+    ends = sorted((one[0].start for one in contour), key=abs), sorted((one[-1].end for one in contour), key=abs)
+    assert len(contour) > 2
+    assert all(abs(start - end) < 0.02 for start, end in zip(*ends, strict=True))  # mm: it goes on over each crossing
+    (dashed,) = (one for one in curves if one.style.width == hand_of("A1").thin)
+    assert dashed.style.dash
+    assert sum(map(len, contour)) < len(dashed.pieces) + len(contour)
     (profile,) = (one for one in measured.profiles if one.name == "profile")
     assert profile.gap < PAPER
     assert {one.style.width for one in flat(leaf.groups) if isinstance(one, Curve)} == {
         hand_of("A1").thin,
         hand_of("A1").construction,
+        hand_of("A1").main,
     }
     sound = [one for one in flat(exhibit("groove")[1].groups) if isinstance(one, Polyline)]
     assert not [one for one in sound if one.style.width > hand_of("A1").main]

@@ -305,6 +305,12 @@ def test_what_the_form_refuses_is_told_beside_what_the_cams_mean() -> None:
     assert kinds(refused(FOLLOWER, limits, PHASES.replace('"rest"', "90"))) == ["pressure_limit", "phases_short"]
 
 
+def test_a_roller_is_smaller_than_the_least_radius() -> None:
+    sizes = '[cam.sizes]\nbase = "16 mm"\nroller = "15.9 mm"\n'
+    assert cam_of(FOLLOWER, sizes, PHASES).roller == 0.0159
+    assert kinds(refused(FOLLOWER, sizes.replace("15.9", "16"), PHASES)) == ["roller_beyond"]
+
+
 def test_of_doubtful_phases_no_sum_is_told() -> None:
     assert kinds(refused(FOLLOWER, PHASES.replace("angle = 120", 'angle = "120 mm"'))) == ["wrong_unit"]
 
@@ -410,3 +416,26 @@ def test_a_key_by_another_name(old: str, new: str, meant: str) -> None:
     assert old in whole
     told = refused(whole.replace(old, new, 1))
     assert any(fault.kind == "unknown_key" and meant in fault.advice for fault in told)
+
+
+def test_what_was_taken_in_silence_is_noted() -> None:
+    """A table that goes back within its phase, and a flat face in a groove."""
+    law = '{ name = "table", points = [[0, 0], [40, "20 mm"], [80, "15 mm"], [120, "30 mm"]] }'
+    (one,) = [one for one in notes(FOLLOWER, PHASES.replace('"sine"', law), LIMITS) if one.kind == "table_falls"]
+    assert one.path == ("cam", 0, "phases", 0, "law", "points", 2, 1)
+    flat = FOLLOWER.replace("roller", "flat")
+    assert "flat_groove" in kinds(notes(flat, PHASES, head='closure = "groove"'))
+    assert not {"flat_groove", "table_falls"} & {*kinds(notes(FOLLOWER, PHASES, head='closure = "groove"'))}
+
+
+def test_a_wrong_kind_of_phase_and_a_closure_by_another_name_are_told_once() -> None:
+    (one,) = refused(FOLLOWER, PHASES.replace('"return"', '"возвращение"'))
+    assert 'write "return"' in str(one)
+    (one,) = refused(FOLLOWER, PHASES, head='closing = "groove"')
+    assert "did you mean closure" in str(one)
+
+
+def test_numbers_of_a_message_have_the_mark_of_its_language() -> None:
+    (one,) = refused(FOLLOWER, PHASES.replace("angle = 30", "angle = 300.5"))
+    assert "510.5" in str(one)
+    assert "510,5" in one.worded("ru")

@@ -23,6 +23,7 @@ def faults(measured: Measured, leaf: Leaf, cams: Sequence[Cam], drafting: Drafti
         yield from cyclogram_charts.bars(measured, rows)
     if circular_chart.NAME in leaf.metadata["figures"]:
         yield from cyclogram_charts.rings(leaf, rows, turning[0].sense)
+        yield from cyclogram_charts.names(leaf, rows, drafting)
     yield from reading.marked_scales(leaf)
     yield from cyclogram_charts.angles(leaf, rows, drafting)
     if leaf.metadata["number"] == leaf.metadata["of"] and leaf.description != " ".join(settings_of(turning, drafting)):

@@ -137,17 +137,26 @@ class SizeDiagram:
         spots += [] if self.expected.cam.rocks else [*self._near_start()]
         found = {one: [line for spot in spots for line in self._ruled(one, spot)] for one in self.limits}
         for one, lines in found.items():
-            letter = self.drafting.letter(f"α_{{{one.kind}}}")
+            letter = self._letter(one)
             if not lines:
                 yield on("touch", NAME, name=letter)
             elif not self._lettered(one, found):
                 yield on("letter", NAME, name=letter)
 
+    def _lower(self, one: Limit) -> bool:
+        """Tell whether a limit is that below 0 of a rise."""
+        return one.kind == RISE and one.side < 0
+
+    def _letter(self, one: Limit) -> str:
+        """Write the letter of a limit, with its sign where a rise has two."""
+        return ("−" if self._lower(one) else "") + self.drafting.letter(f"α_{{{one.kind}}}")
+
     def _lettered(self, one: Limit, found: Mapping[Limit, list[Line]]) -> bool:
-        """Tell whether the letter of a limit stands nearer to the arcs of its angle than to those of another kind."""
+        """Tell whether the letter of a limit stands nearer to the arcs of its angle than to those of another."""
         own = self._arcs(one, found[one])
-        others = [spot for other in found if other.kind != one.kind for spot in self._arcs(other, found[other])]
-        text = self.drafting.letter(f"α_{{{one.kind}}}") + f" = {self.drafting.number(math.degrees(one.angle))}°"
+        others = [spot for other in found if other != one for spot in self._arcs(other, found[other])]
+        angle = -one.angle if self._lower(one) else one.angle
+        text = f"{self._letter(one)} = {self.drafting.number(math.degrees(angle))}°"
         return self.strokes.far(text, own) < self.strokes.far(text, others)
 
     def _arcs(self, one: Limit, lines: list[Line]) -> list[complex]:
@@ -207,11 +216,11 @@ class SizeDiagram:
         """Give the numbers that may be written, by their letters; each has room or not."""
         own, sharpest = self.expected.sizes, self.expected.found.sharpest
         level = math.sqrt(own.base**2 - own.offset**2)
-        due = {"R_0": own.base, "S_0": level, "e": abs(own.offset), "L": own.centre}
+        due = {"R_0": own.base, "S_0": level, "e": own.offset, "L": own.centre}
         due |= {"ρ_{min}": sharpest.value if sharpest else 0.0, "l": self.expected.cam.follower.length or 0.0}
         found = {letter: (1000 * value,) for letter, value in due.items()}
         for one in self.limits:
-            found[self.drafting.letter(f"α_{{{one.kind}}}")] = (math.degrees(one.angle),)
+            found[self._letter(one)] = (math.degrees(one.side * one.angle if self._lower(one) else one.angle),)
         return found
 
 

@@ -14,6 +14,7 @@ from drawings.checks.cam.cam_expected import Expected, phase_name
 from drawings.checks.cam.cam_strokes import NEAR, FigureStrokes, Turning
 from drawings.checks.labelled import NEAREST
 from drawings.checks.wrong import Wrong, on
+from drawings.figures.cam.inversion import MISSED
 from drawings.figures.cam.profile_view import NAME
 from drawings.page.drafting import Drafting
 from drawings.paper.strokes import Line
@@ -89,10 +90,30 @@ class ProfileLines:
                 yield on("letter", NAME, name=str(k))
 
     def _faces(self) -> Iterator[Wrong]:
-        """Hold the turned faces."""
+        """Hold the turned faces: as long as they reach, contact beyond the end of one ringed."""
         for k, (spot, normal) in enumerate(zip(self.spots.tolist(), self.expected.normals.tolist(), strict=True)):
-            if not self.strokes.through(spot, -1j * normal, CHORDED):
+            if self.expected.cam.follower.reach is None:
+                right = bool(self.strokes.through(spot, -1j * normal, CHORDED))
+            else:
+                right = self._reaching(k, spot)
+            if not right:
                 yield on("face", NAME, name=str(k))
+
+    def _reaching(self, k: int, spot: complex) -> bool:
+        """Tell whether a turned face ends where it must, and contact that is beyond is ringed."""
+        start, end = (self.on(one) for one in self._face(k))
+        off = abs(spot - (start + end) / 2) - abs(end - start) / 2
+        ringed = self.strokes.circled(spot, MISSED * self.drafting.hand.symbol)
+        return self.strokes.joins(start, end, CHORDED) and (ringed == (off > 0) or abs(off) <= CHORDED)
+
+    def _face(self, k: int) -> tuple[complex, complex]:
+        """Give the ends of the face of a position, m: its reach to both sides of the axis, or from the pivot on."""
+        own, reach = self.expected.contour, self.expected.cam.follower.reach or 0.0
+        along = -1j * self.expected.normals
+        feet = self.expected.back(np.full_like(own.pitch, self.expected.axis), own.turned)
+        off = ((own.pitch - feet) * along.conj()).real
+        low, high = (0.0, math.copysign(reach, off.sum())) if self.expected.cam.rocks else (-reach, reach)
+        return complex(own.pitch[k] + (low - off[k]) * along[k]), complex(own.pitch[k] + (high - off[k]) * along[k])
 
     def _numbered(self, k: int, spot: complex, lines: Iterable[Line]) -> bool:
         """Tell whether an axis bears the number of its position at an end beyond its place."""
@@ -135,6 +156,8 @@ class ProfileLines:
         if not thick and not (cam.flat and cam.rocks):
             yield on("follower", NAME)
         normal = complex(self.expected.normals[0])
+        if cam.follower.reach is not None:  # contact may be beyond it
+            tip = self.on(sum(self._face(0)) / 2)
         faces = self.strokes.through(tip, -1j * normal, CHORDED) if cam.flat else []
         if cam.flat and not any(one.style.width >= hand.main for one in faces):
             yield on("follower", NAME)

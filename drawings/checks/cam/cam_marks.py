@@ -86,7 +86,7 @@ def _due_sizes(expected: Expected, mu: float, hand: Hand) -> Iterator[Key]:
         return
     if sizes.base >= size_marks.ROOM * hand.symbol * mu / LOOSE:
         yield "R_0", None
-    if not cam.rocks and abs(sizes.offset) >= least:
+    if not cam.rocks and abs(sizes.offset) > size_marks.ROUNDED * sizes.base:
         yield "e", None
     if sizes.pivot:
         yield "L", None

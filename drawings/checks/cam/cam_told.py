@@ -21,7 +21,7 @@ from drawings.page.drafting import Drafting
 from drawings.paper.strokes import Leaf
 from drawings.paper.walk import groups, texts
 from plans.analytic.cam.laws import LAWS
-from plans.model.cam import TABLE, Law, interval_of
+from plans.model.cam import ROLLER, TABLE, Law, interval_of
 from plans.model.cam_motion import CamFound, Extreme, Flaw
 from plans.words.words import message
 
@@ -121,7 +121,13 @@ class DueNotes:
         moves, held = f"cam {cam.follower.motion} {cam.follower.end}", f"cam closed by {cam.closure}"
         lift = max(one.level + max(one.change, 0.0) for one in cam.phases)
         parts = {"follower": self._word(moves), "closure": self._word(held), "letter": "Ψ" if cam.rocks else "H"}
-        yield self._word("cam asked", lift=self._way(lift), **parts)
+        reach = cam.follower.reach
+        yield self._word(
+            "cam asked" if reach is None else "cam asked reach",
+            lift=self._way(lift),
+            reach=self._mm(reach or 0.0),
+            **parts,
+        )
         if cam.speed is not None:
             key = "cam speed of travel" if cam.translates else "cam speed"
             sense = self._word("clockwise" if cam.sense < 0 else "counter-clockwise")
@@ -144,8 +150,11 @@ class DueNotes:
 
     def _face(self) -> Iterator[str]:
         if self.found.cam.flat:
-            back, front = (self._mm(abs(one)) for one in self.found.face)
-            yield self._word("cam face", back=back, front=front)
+            rocks = self.found.cam.rocks
+            back, front = (self._mm(one if rocks else abs(one)) for one in self.found.face)
+            reach = self.found.cam.follower.reach
+            key = f"cam face{' rocking' if rocks else ''}{'' if reach is None else ' reach'}"
+            yield self._word(key, back=back, front=front, reach=self._mm(reach or 0.0))
 
     def _pressure(self, one: tuple[str, Extreme]) -> str:
         kind, found = one
@@ -182,7 +191,8 @@ class DueNotes:
             return
         least, most = (self._number(one.value, "N") for one in (own.least, own.most))
         yield self._word("cam pressing", least=least, most=most, phi=self._at(own.most.turned))
-        yield self._word("cam wear", wear=self._number(own.wear.value, "W"), phi=self._at(own.wear.turned))
+        if self.found.cam.follower.end != ROLLER:
+            yield self._word("cam wear", wear=self._number(own.wear.value, "W"), phi=self._at(own.wear.turned))
         if own.least.value < 0:
             unit = "N*m" if self.found.cam.rocks else "N"
             yield self._word("cam preload", preload=self._number(own.preload, unit))
@@ -190,8 +200,10 @@ class DueNotes:
     def _flaw(self, one: Flaw) -> str:
         ends = {"start": self._at(one.start), "end": self._turn(one.end), "phi": self._at(one.worst.turned)}
         worst, key = one.worst.value, f"cam flaw {one.kind}"
-        if one.kind == "crossing" and worst > 0:
-            return self._word("cam flaw crossing and loss", worst=self._way(worst), **ends)
+        if one.kind == "crossing" and not math.isnan(worst):
+            return self._word(
+                f"cam flaw crossing and {'loss' if worst > 0 else 'no loss'}", worst=self._way(worst), **ends
+            )
         if one.kind in ("undercut", "hollow") and abs(worst) < CORNER:
             return self._word(f"{key} corner", phi=ends["phi"])
         units = {"pressure": math.degrees(worst), "lift-off": worst, "crossing": 0.0}
@@ -210,7 +222,7 @@ def smoothed(law: Law) -> tuple[float, float]:
 def sizes(strokes: FigureStrokes, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:
     """Read the sizes in the figure of the profile back."""
     own, cam = expected.sizes, expected.cam
-    true = {"R_0": MM * own.base, "e": MM * abs(own.offset), "L": MM * own.centre}
+    true = {"R_0": MM * own.base, "e": MM * own.offset, "L": MM * own.centre}
     true |= {"ψ_0": math.degrees(abs(own.initial))}
     if expected.found.sharpest is not None:
         true["ρ_{min}"] = MM * expected.found.sharpest.value

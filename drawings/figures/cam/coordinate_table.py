@@ -15,14 +15,21 @@ from plans.model.motion import Floats
 
 DIGITS = 6  # after the point: a millionth of a millimetre or of a degree
 CURVATURE = "curvature_radius_mm"
+THETA = "theta_deg"  # from the zero ray through the first point, against the rotation, as on the sheet
 MM, DEGREES = 1e3, 180 / np.pi
 
 
 def columns(cam: Cam, contour: Contour) -> Mapping[str, Floats]:
-    """Give the columns, (N,) each, by their names with their units; an infinite radius is that of a straight piece."""
+    """Give the columns, (N,) each, by their names with their units; an infinite radius is that of a straight piece.
+
+    Angles are counted from the x axis counter-clockwise, but for θ.
+    """
     turned, s = ("travel_mm", MM) if cam.translates else ("turned_deg", DEGREES), DEGREES if cam.rocks else MM
-    found = {turned[0]: contour.turned * turned[1], "s_deg" if cam.rocks else "s_mm": contour.travel.s * s}
+    found: dict[str, Floats] = {turned[0]: contour.turned * turned[1]}
+    found["s_deg" if cam.rocks else "s_mm"] = contour.travel.s * s
     found |= _placed("", contour.profile, polar=not cam.translates)
+    if not cam.translates:
+        found[THETA] = -cam.sense * (found["angle_deg"] - found["angle_deg"][0]) + 0.0
     if contour.outer is not None:
         found |= _placed("outer_", contour.outer, polar=not cam.translates)
     if contour.profile is not contour.pitch and not cam.flat:

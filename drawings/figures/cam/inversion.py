@@ -18,6 +18,8 @@ from drawings.symbols.trimming import Mask, holds, trim
 
 NOTCH = 3.0  # mm, half the arc of a notch
 POINT = 0.6  # mm, radius of a found point
+MISSED = 1.2  # mm, radius of the ring about contact that a face does not reach
+TOUCHES = 1e-6  # of a face: contact so near to its end is at it
 APART = 1.8  # sizes of a number from one marked point to the next
 FEW = 2.2  # radii of the roller from one drawn roller to the next
 
@@ -73,6 +75,7 @@ def _turned(view: ProfileView, rings: Rings) -> Iterator[Stroke]:
             yield Line(foot, place.on(0j) + rings.crossing(turned, rings.ends), hand.drafted)
         if view.cam.flat:
             yield Line(*face(view, place, turned), hand.other)
+            yield from _missed(place.on(complex(view.contour.pitch[k])), face(view, place, turned), hand)
 
 
 def highest(view: ProfileView, place: Place, hand: Hand) -> float:
@@ -98,6 +101,15 @@ def face(view: ProfileView, place: Place, turned: float) -> tuple[complex, compl
     low, high = view.face
     off = ((spot - foot) * along.conjugate()).real
     return place.on(spot + (low - off) * along), place.on(spot + (high - off) * along)
+
+
+def _missed(spot: complex, ends: tuple[complex, complex], hand: Hand) -> Iterator[Stroke]:
+    """Mark contact beyond the end of a face that is too short: a ring about it, a dashed line from the face to it."""
+    nearest = min(ends, key=lambda end: abs(end - spot))
+    middle = sum(ends) / 2
+    if abs(spot - middle) > abs(nearest - middle) * (1 + TOUCHES):
+        yield Line(nearest, spot, fit(hand.path, abs(spot - nearest)))
+        yield Circle(spot, MISSED * hand.symbol, hand.other)
 
 
 def _notches(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:

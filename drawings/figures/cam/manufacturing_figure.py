@@ -46,7 +46,11 @@ class ManufacturingFigure:
 
     def letter(self, labels: Labels) -> tuple[Group, ...]:
         """Give the whole figure: datum and radii lettered."""
-        letters = (*self._datum(labels), *self._rays(labels))
+        letters = (
+            *self._datum(labels),
+            *self._rays(labels),
+            *outlines.lettered(self.shown.view, self.place, self.drafting, labels),
+        )
         return (Group((*self.lines, Group(letters)), PLAN),)
 
     @cached_property

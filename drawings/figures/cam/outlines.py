@@ -2,25 +2,32 @@
 
 from __future__ import annotations
 
+import cmath
 from collections.abc import Iterator
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
 from drawings.figures.cam.profile_curve import profile_curve
-from drawings.figures.cam.profile_view import OUTER, PITCH, WORKING, ProfileView
+from drawings.figures.cam.profile_view import OUTER, PITCH, WORKING, ProfileView, ShownCurve
+from drawings.layout.labels import Labels
 from drawings.layout.place import Place
+from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import LineStyle, Polyline, Stroke
+from drawings.paper.strokes import Curve, LineStyle, Polyline, Stroke
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.symbols import ground
+from plans.cam.path import Bound
 from plans.model.cam_motion import Flaw
 from plans.model.motion import Complexes
 
 # Flaws of a curve's own shape, and the curve that has them.
 SHOWN = {"undercut": WORKING, "crossing": WORKING, "concave": WORKING, "sharp": WORKING, "hollow": OUTER}
-HEAVY = 1.4  # times a main line: a stretch with a flaw
+LOOPS = ("undercut", "crossing", "hollow")  # what the follower never touches
+BESIDE_CURVE = {**SHOWN, "short face": WORKING}  # all that is lettered at a place of a curve
+HEAVY = 1.4  # times a main line: a stretch that is touched and has a flaw
+BESIDE = 1.0  # mm from a place to its letters
 SIDE = 30.0  # mm of ground under a cam that translates
 UNDER = 1.2  # mm from its body to the ground
 
@@ -33,25 +40,53 @@ class FlawMark(NamedTuple):
 
 
 def curves(view: ProfileView, plan: str, place: Place, hand: Hand) -> Iterator[Stroke]:
-    """Draw pitch curve and profile, of a groove both sides; stretches with a flaw heavier and dashed."""
+    """Draw pitch curve and profile, of a groove both sides.
+
+    Loops are thin and dashed, the contour that is left stands in main lines. A stretch
+    that is touched and has a flaw is heavier and dashed.
+    """
     for one in sorted(view.curves, key=lambda one: one.name != PITCH):
-        flawed = _flawed(view, one.name)
-        style = hand.axis if one.name == PITCH else hand.other if flawed.any() else hand.result
+        flawed = any(SHOWN.get(flaw.kind) == one.name for flaw in view.found.flaws)
+        style = hand.axis if one.name == PITCH else hand.path if flawed else hand.result
         yield profile_curve(one.path, place, plan, one.name, style)
-        if flawed.any():
-            points = _points(view, one.name)
-            yield from _stretches(points, ~flawed, hand.result, place)
-            yield from _stretches(points, flawed, LineStyle(HEAVY * hand.main, hand.dashed), place)
+        if flawed:
+            yield from _contour(view, one, place, hand)
     if view.cam.translates:
         yield from _body(view, place, hand)
+
+
+def _contour(view: ProfileView, one: ShownCurve, place: Place, hand: Hand) -> Iterator[Stroke]:
+    """Draw what of a curve with flaws lies between its loops."""
+    own = [flaw for flaw in view.found.flaws if SHOWN.get(flaw.kind) == one.name]
+    turns = {0.0, view.cam.turn, *(end for flaw in own for end in (flaw.start, flaw.end))}
+    bounds = [Bound(turned, _spot(view, one, turned)) for turned in sorted(turns)]
+    for low, high in pairwise(bounds):
+        kinds = [flaw.kind for flaw in own if _holds(flaw, (low.turned + high.turned) / 2)]
+        pieces = one.path.between(low, high, view.cam.turn)
+        if pieces and not any(kind in LOOPS for kind in kinds):
+            style = LineStyle(HEAVY * hand.main, hand.dashed) if kinds else hand.result
+            placed = tuple(piece.placed(1 / place.scale.mu, place.on(0j)) for piece in pieces)
+            yield from fit_dashes([Curve(placed, False, style)])
+
+
+def _spot(view: ProfileView, one: ShownCurve, turned: float) -> complex:
+    """Give the point of a curve at a turn, m."""
+    return complex(np.interp(turned, view.curve.turned, _points(view, one.name)))
 
 
 def flaws(view: ProfileView, place: Place) -> Iterator[FlawMark]:
     """Give the flaws of the curves' shapes, each at its worst place."""
     for one in view.found.flaws:
-        if one.kind in SHOWN:
+        if one.kind in BESIDE_CURVE:
             nearest = int(np.argmin(abs(view.curve.turned - one.worst.turned)))
-            yield FlawMark(one.kind, place.on(complex(_points(view, SHOWN[one.kind])[nearest])))
+            yield FlawMark(one.kind, place.on(complex(_points(view, BESIDE_CURVE[one.kind])[nearest])))
+
+
+def lettered(view: ProfileView, place: Place, drafting: Drafting, labels: Labels) -> Iterator[Stroke]:
+    """Name the flaws at their worst places, outside the curve."""
+    for one in flaws(view, place):
+        towards = cmath.phase(one.spot - place.on(0j))
+        yield labels.beside(one.spot, drafting.word(f"cam {one.kind}"), drafting.hand.number, BESIDE, towards)
 
 
 def _points(view: ProfileView, name: str) -> Complexes:
@@ -60,29 +95,11 @@ def _points(view: ProfileView, name: str) -> Complexes:
     return view.curve.profile if name == WORKING or outer is None else outer
 
 
-def _flawed(view: ProfileView, name: str) -> npt.NDArray[np.bool_]:
-    """Tell of each place of a curve whether a flaw of its shape is there."""
-    own = np.zeros(len(view.curve.turned), dtype=bool)
-    for one in view.found.flaws:
-        if SHOWN.get(one.kind) == name:
-            own |= _within(view, one)
-    return own
-
-
-def _within(view: ProfileView, one: Flaw) -> npt.NDArray[np.bool_]:
-    """Tell of each place whether a flaw's stretch holds it; one may run over the beginning of the turn."""
-    turns = view.curve.turned
-    inside = (turns >= one.start) & (turns <= one.end)
-    return inside if one.start <= one.end else (turns >= one.start) | (turns <= one.end)
-
-
-def _stretches(outline: Complexes, chosen: npt.NDArray[np.bool_], style: LineStyle, place: Place) -> Iterator[Stroke]:
-    """Draw the pieces of an outline between chosen places, solid ones as far as the dashed ones begin."""
-    pieces = chosen[:-1] & chosen[1:] if style.dash else chosen[:-1] | chosen[1:]
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], pieces, [False]])))
-    for start, end in zip(edges[::2], edges[1::2], strict=True):
-        points = tuple(place.on(complex(spot)) for spot in outline[start : end + 1])
-        yield from fit_dashes([Polyline(points, False, style)])
+def _holds(one: Flaw, turned: float) -> bool:
+    """Tell whether a flaw's stretch holds a turn; one may run over the beginning of the turn."""
+    if one.start <= one.end:
+        return one.start <= turned <= one.end
+    return not one.end < turned < one.start
 
 
 def _body(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:

@@ -50,7 +50,7 @@ class ProfileFigure:
             *self._sizes(labels),
             *self._numbers(labels),
             *self._divisions(labels),
-            *self._flaws(labels),
+            *outlines.lettered(self.view, self.place, self.drafting, labels),
         )
         return (Group((*self.lines, Group(letters)), NAME),)
 
@@ -105,13 +105,6 @@ class ProfileFigure:
     def _divisions(self, labels: Labels) -> Iterator[Stroke]:
         for one in follower.divisions(self.view, self.place, self.drafting.hand):
             yield labels.beside(one.spot, str(one.position), self.drafting.hand.number, BESIDE, one.towards)
-
-    def _flaws(self, labels: Labels) -> Iterator[Stroke]:
-        hand, zero = self.drafting.hand, self.place.on(0j)
-        for one in outlines.flaws(self.view, self.place):
-            off = one.spot - zero
-            text = self.drafting.word(f"cam {one.kind}")
-            yield labels.beside(one.spot, text, hand.number, BESIDE, math.atan2(off.imag, off.real))
 
 
 def measure(view: ProfileView, drafting: Drafting) -> Picture:

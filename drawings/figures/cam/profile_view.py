@@ -95,15 +95,27 @@ class ProfileView(NamedTuple):
         own = self.curve
         if self.cam.flat and not self.cam.rocks:
             return float(abs(own.tip.imag + 1j * max(map(abs, self.face))).max())
-        return float(max(abs(own.pitch).max() + self.found.roller, *(abs(one).max() for one in self.outlines)))
+        far = [abs(own.pitch).max() + self.found.roller, *(abs(one).max() for one in self.outlines)]
+        if self.cam.follower.reach is not None:  # the end of a rocker's face
+            end = self.sizes.pivot - 1j * own.lever * max(self.face, key=abs) + self.cam.follower.face * own.lever
+            far.append(abs(end).max())
+        return float(max(far))
 
     @property
     def face(self) -> tuple[float, float]:
-        """How far a face is drawn from its follower's axis or pivot to either side, m: a little past all contact."""
+        """How far a face is drawn from its follower's axis or pivot to either side, m.
+
+        As far as it reaches, of a rocker from its pivot on; where that is not said a little past all contact.
+        """
         foot = self.sizes.pivot if self.cam.rocks else complex(self.axis)
         off = ((self.curve.tip - foot) * (-1j * self.curve.lever).conj()).real
         low, high = float(off.min()), float(off.max())
-        return low - BEYOND * (high - low), high + BEYOND * (high - low)
+        reach = self.cam.follower.reach
+        if reach is None:
+            return low - BEYOND * (high - low), high + BEYOND * (high - low)
+        if not self.cam.rocks:
+            return -reach, reach
+        return (0.0, reach) if low + high > 0 else (-reach, 0.0)
 
     @property
     def body(self) -> tuple[complex, complex]:

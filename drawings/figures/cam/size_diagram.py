@@ -9,7 +9,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from drawings.figures.cam.size_rulers import rulers
+from drawings.figures.cam.size_marks import offset_seen
+from drawings.figures.cam.size_rulers import region, rulers
 from drawings.figures.cam.size_view import NAME, QUANTITY, SizeView, direction
 from drawings.figures.graphs.axes import arrow
 from drawings.figures.graphs.part import Letter
@@ -23,7 +24,6 @@ from drawings.paper.strokes import INK, Arc, Circle, Group, Line, Polyline, Stro
 from drawings.symbols.dashes import fit
 from drawings.symbols.dimension import Dimension
 from drawings.symbols.figure import Subject, heading, point
-from drawings.symbols.hatching import hatching
 from drawings.symbols.symbols import HINGE, TICK, hinge, pole
 from plans.cam.sizing import Tangent
 
@@ -34,7 +34,7 @@ DOT, TOUCH = 0.6, 1.1  # mm, radius of a numbered point, and of one that a ruler
 APART = 1.5  # sizes of a number from one numbered point to the next
 BESIDE = 1.0  # mm
 OFF, OFF_BELOW = 2.6, 1.4  # letters from the drawing to a dimension; from the region to that of e
-LEAST = 3.0  # mm: a shorter distance is told by the table alone
+LEAST = 3.0  # mm: a shorter distance, but e, is told by the table alone
 SHOWN = 0.25  # rad to either side of O: of the arc of L
 SUBJECT = Subject(NAME, QUANTITY, None)
 
@@ -80,7 +80,7 @@ def draw(view: SizeView, room: Picture, spot: Spot, drafting: Drafting) -> SizeF
     sizes = tuple(_sizes(view, place, drafting))
     lines = (
         title,
-        *(hatching([place.on(one) for one in view.region], hand) if len(view.region) > 2 else ()),
+        *region(view, place, hand),
         *_axes(view, place, hand),
         *_construction(view, place, hand),
         *_curves(view, place, hand),
@@ -200,14 +200,20 @@ def _sizes(view: SizeView, place: Place, drafting: Drafting) -> Iterator[Dimensi
     side = left * (1 if view.sizing.sizes.offset < 0 else -1)
     yield from _long("S_0", level, foot, zero, side * off + 0j, drafting)
     below = OFF_BELOW * drafting.hand.letter + place.length(view.centre.imag - view.box[0].imag)
-    yield from _long("e", abs(view.sizing.sizes.offset), centre, foot, -1j * below, drafting)
+    own = view.sizing.sizes
+    if offset_seen(own):
+        yield _dimension("e", own.offset, centre, foot, -1j * below, drafting)
 
 
 def _long(
     letter: str, size: float, start: complex, end: complex, off: complex, drafting: Drafting
 ) -> Iterator[Dimension]:
     if abs(end - start) >= LEAST:
-        yield Dimension(f"{letter} = {drafting.number(1000 * size)}", start, end, off)
+        yield _dimension(letter, size, start, end, off, drafting)
+
+
+def _dimension(letter: str, size: float, start: complex, end: complex, off: complex, drafting: Drafting) -> Dimension:
+    return Dimension(f"{letter} = {drafting.number(1000 * size)}", start, end, off)
 
 
 def _letters(view: SizeView, place: Place, drafting: Drafting) -> Iterator[Letter]:
@@ -215,10 +221,12 @@ def _letters(view: SizeView, place: Place, drafting: Drafting) -> Iterator[Lette
     size, number = drafting.hand.letter, drafting.hand.number
     gap = BESIDE + HINGE * drafting.hand.symbol
     zero, centre = place.on(0j), place.on(view.centre)
-    yield Letter(centre, "O", size, -math.pi / 4, gap)
+    chord = view.sizing.chord
+    beside = complex(1, -1) if chord is None else view.centre - complex(chord.centre.point)
+    yield Letter(centre, "O", size, cmath.phase(beside), gap)
     yield Letter(zero, "O_1" if view.cam.rocks else "A", size, -math.pi / 4, gap if view.cam.rocks else BESIDE)
-    if view.sizing.chord is not None:
-        yield Letter(place.on(complex(view.sizing.chord.centre.point)), "O'", size, 0.0, BESIDE + TOUCH)
+    if chord is not None:
+        yield Letter(place.on(complex(chord.centre.point)), "O'", size, cmath.phase(-beside), BESIDE + TOUCH)
     yield from _arm(view, place, drafting) if view.cam.rocks else _named(view, place, drafting)
     for name, end, text in _reaches(view, drafting):
         side = direction(centre, place.on(end)) + (math.pi / 2 if name == "R_0" else -math.pi / 2)

@@ -14,13 +14,15 @@ from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Arc, Circle, Group, Line, Stroke
 from drawings.symbols.dashes import fit
+from drawings.symbols.dimension import arrows
 from drawings.symbols.figure import Subject
 from drawings.symbols.symbols import arrowhead
 from plans.model.cam import DWELL
-from plans.model.cam_motion import Extreme
+from plans.model.cam_motion import Extreme, Sizes
 
 OFFSET = 0.55  # of the room under the follower: where the offset is dimensioned
-LEAST = 4.0  # mm: a shorter size is told by the table alone
+LEAST = 4.0  # mm: a shorter size, but the offset, is told by the table alone
+ROUNDED = 1e-9  # of R0: a smaller offset is one of rounding
 SHOWN = math.radians(35)  # half the arc of the circle through three points
 NEARBY = math.radians(5)  # of the cam's turn: from the sharpest place to the other two points
 LARGE = 4.0  # letters by which a circle of curvature may be larger than the cam
@@ -42,19 +44,18 @@ class SizeMark(NamedTuple):
     def draw(self, place: Place, hand: Hand) -> Group:
         """Draw its line with its arrows; it can be measured."""
         data = Subject(NAME, QUANTITY, None).data("vector", self.name, self.value, place.scale)
-        return Group((Line(self.start, self.end, hand.drafted), *self._heads(hand)), "", data, self.letter)
-
-    def _heads(self, hand: Hand) -> Iterator[Stroke]:
-        ends = [(self.start, self.end), (self.end, self.start)]
-        for start, tip in ends if self.both else ends[:1]:
-            head = arrowhead(start, tip, hand.symbol)
-            yield from () if head is None else (head,)
+        if self.both:
+            line, *others = arrows(self.start, self.end, hand)
+            return Group((line, *others), "", data, self.letter)
+        head = arrowhead(self.start, self.end, hand.symbol)
+        line = Line(self.start, self.end, hand.drafted)
+        return Group((line,) if head is None else (line, head), "", data, self.letter)
 
 
 def size_marks(view: ProfileView, place: Place, drafting: Drafting) -> tuple[SizeMark, ...]:
     """Give the sizes that are long enough on paper to bear a letter."""
     every = (*_main(view, place, drafting), *_sharpest(view, place, drafting))
-    return tuple(one for one in every if abs(one.end - one.start) >= LEAST)
+    return tuple(one for one in every if one.both or abs(one.end - one.start) >= LEAST)
 
 
 def _main(view: ProfileView, place: Place, drafting: Drafting) -> Iterator[SizeMark]:
@@ -64,11 +65,16 @@ def _main(view: ProfileView, place: Place, drafting: Drafting) -> Iterator[SizeM
     ray = cmath.rect(sizes.base, view.quiet)
     if place.length(sizes.base) >= ROOM * drafting.hand.symbol:
         yield _mark("R_0", 0j, ray, sizes.base, place, drafting)
-    if sizes.offset:
+    if offset_seen(sizes):
         level = 1j * _level(view)
-        yield _mark("e", level, level + view.axis, abs(sizes.offset), place, drafting)._replace(both=True)
+        yield _mark("e", level, level + view.axis, sizes.offset, place, drafting)._replace(both=True)
     if sizes.pivot:
         yield _mark("L", 0j, sizes.pivot, abs(sizes.pivot), place, drafting)
+
+
+def offset_seen(sizes: Sizes) -> bool:
+    """Tell whether there is an offset, which is dimensioned however short it is: not one left by rounding."""
+    return abs(sizes.offset) > ROUNDED * sizes.base
 
 
 def _level(view: ProfileView) -> float:
@@ -98,7 +104,7 @@ def _mark(name: str, start: complex, end: complex, size: float, place: Place, dr
 
 def thin(view: ProfileView, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw what the sizes stand by: the line of centres' axis, the level of the offset, the circle by three points."""
-    if view.sizes.offset and place.length(abs(view.sizes.offset)) >= LEAST:
+    if offset_seen(view.sizes) and not view.cam.translates:
         top = place.on(1j * _level(view))
         yield Line(place.on(0j), top + 2j * hand.symbol, hand.drafted)
     one = view.found.sharpest

@@ -6,13 +6,14 @@ import cmath
 import math
 from collections.abc import Iterator
 
-from drawings.figures.cam.size_view import SizeView, leaning
+from drawings.figures.cam.size_view import SizeView, leaning, lower
 from drawings.figures.graphs.part import Letter
 from drawings.layout.place import Place
 from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Arc, Line, Stroke
+from drawings.paper.strokes import Arc, Line, Polyline, Stroke
 from drawings.symbols.dashes import fit
+from drawings.symbols.hatching import hatching
 from plans.cam.sizing import Tangent
 
 ARM = 3.6  # letters: radius of the arc of an angle
@@ -59,7 +60,9 @@ def _lettered(view: SizeView, one: Tangent, past: complex, drafting: Drafting) -
     line *= math.copysign(1.0, line.imag) / abs(line)
     middle = -(line + way) / abs(line + way)
     text = drafting.letter(f"α_{{{one.bound.kind}}}") if hasattr(one.bound, "kind") else "α"
-    yield Letter(past + arm * middle, f"{text} = {drafting.number(math.degrees(angle))}°", size, cmath.phase(middle))
+    sign = -1 if lower(one) else 1
+    told = f"{'−' if sign < 0 else ''}{text} = {drafting.number(sign * math.degrees(angle))}°"
+    yield Letter(past + arm * middle, told, size, cmath.phase(middle))
 
 
 def _chord(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:
@@ -73,3 +76,14 @@ def _chord(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:
     for one in chord.tangents:
         touched = place.on(complex(one.point.point))
         yield Line(touched, centre, fit(hand.path, abs(centre - touched)))
+
+
+def region(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:
+    """Hatch the region that is left to O, and draw its edge where it does not go on beyond what is shown."""
+    corners = view.region
+    if len(corners) < 3:
+        return
+    yield from hatching([place.on(one) for one in corners], hand)
+    for start, end in zip(corners, (*corners[1:], corners[0]), strict=True):
+        if not view.ends_at(start, end):
+            yield Polyline((place.on(start), place.on(end)), False, hand.drafted)

@@ -123,6 +123,12 @@ class SizeView:
                     outline = cut(outline, normal, reach)
         return tuple(outline)
 
+    def ends_at(self, start: complex, end: complex) -> bool:
+        """Tell whether an edge of the region lies where no more of it is shown."""
+        low, high = self.box
+        levels = ((start.real, end.real, low.real, high.real), (start.imag, end.imag, low.imag, high.imag))
+        return any(one == other and one in sides for one, other, *sides in levels)
+
     def ruler(self, one: Tangent) -> tuple[complex, complex]:
         """Give the ends of a tangent: past the point that it touches, and down to the region's end."""
         touched, line = _spot(one.point), one.line.value
@@ -172,6 +178,12 @@ def leaning(one: Tangent, view: SizeView) -> tuple[float, complex] | None:
         return None
     diagram = SlopeDiagram(view.cam)
     return one.bound.angle, 1j * complex(diagram.leaning(one.touch.instant.s)[0])
+
+
+def lower(one: Tangent) -> bool:
+    """Tell whether a tangent is at the limit below 0 of a rise, which is held to both of its limits then."""
+    own = one.bound
+    return isinstance(own, PressureBound) and own.kind == RISE and own.side < 0
 
 
 def direction(start: complex, end: complex) -> float:

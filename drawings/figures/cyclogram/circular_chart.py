@@ -21,6 +21,7 @@ from drawings.symbols.symbols import TICK, turning_arrow
 from plans.model.cyclogram import Row, Span
 
 NAME, TITLE, RING_NAME = "circle", "cyclogram circle", "ring"
+BESIDE_RINGS = f"{RING_NAME}-names"  # the names that have no room in their rings
 SYMBOL, UNIT = "φ", "rad"  # it has no scale: its angles are true
 HUB, RING = 0.5, 0.3  # the innermost circle, and the breadth of a ring
 BAND = 0.12  # of a ring: how far over its inner circle the line of what is done stands
@@ -42,7 +43,14 @@ class CircleFigure:
 
     def letter(self, labels: Labels) -> tuple[Group, ...]:
         """Give the whole chart: positions numbered outside, what is too long for its ring lettered beside it."""
-        return *self.lines, Group((*self._numbers(labels), *self._long(labels), *self._centre(labels)))
+        return *self.lines, Group(
+            (
+                *self._numbers(labels),
+                Group((*self._names(labels),), BESIDE_RINGS),
+                *self._long(labels),
+                *self._centre(labels),
+            )
+        )
 
     def _numbers(self, labels: Labels) -> Iterator[Stroke]:
         outer = HUB + RING * len(self.chart.rows)
@@ -51,11 +59,20 @@ class CircleFigure:
             spot = self.place.on(outer * ray) + TICK * ray
             yield labels.beside(spot, str(number), self.drafting.hand.number, BESIDE, self.sense * turned)
 
+    def _names(self, labels: Labels) -> Iterator[Stroke]:
+        """Name the rings that have no room for their names where they begin."""
+        for k, row in enumerate(self.chart.rows):
+            if _named(row, _radius(self.chart, k), self.place, self.drafting) is None:
+                turn = self.sense * row.spans[0].start
+                spot, name = self.place.on(cmath.rect(_radius(self.chart, k), turn)), course.name(row, self.drafting)
+                yield labels.beside(spot, name, self.drafting.hand.number, BESIDE, turn)
+
     def _long(self, labels: Labels) -> Iterator[Stroke]:
         for k, row in enumerate(self.chart.rows):
             for span in row.spans:
                 text = course.label(span, self.drafting)
-                if not _fits(span, text, _radius(self.chart, k), self.place, self.drafting.hand):
+                shown = _told(row, span, _radius(self.chart, k), self.place, self.drafting)
+                if not _fits(shown, text, _radius(self.chart, k), self.place, self.drafting.hand):
                     middle = self.sense * (span.start + span.end) / 2
                     spot = self.place.on(cmath.rect(_radius(self.chart, k), middle))
                     yield labels.beside(spot, text, self.drafting.hand.number, BESIDE, middle)
@@ -103,6 +120,20 @@ def _fits(span: Span, text: str, radius: float, place: Place, hand: Hand) -> boo
     return wide + 4 * BESIDE <= room and off + hand.number / 2 <= place.length(RING) / 2 - 2 * BESIDE
 
 
+def _named(row: Row, radius: float, place: Place, drafting: Drafting) -> Span | None:
+    """Give the part of the longest span that bears the name of its ring; None: it has no room for it."""
+    longest = max(row.spans, key=lambda span: span.end - span.start)
+    half = longest._replace(end=(longest.start + longest.end) / 2)
+    name = course.name(row, drafting)
+    return half if _fits(half, name, radius, place, drafting.hand) else None
+
+
+def _told(row: Row, span: Span, radius: float, place: Place, drafting: Drafting) -> Span:
+    """Give the part of a span that bears its angle: what the name of its ring leaves."""
+    named = _named(row, radius, place, drafting)
+    return span._replace(start=named.end) if named is not None and named.start == span.start else span
+
+
 def _still(chart: Chart, sense: int, place: Place, hand: Hand) -> Iterator[Stroke]:
     centre, outer = place.on(0j), HUB + RING * len(chart.rows)
     for k in range(len(chart.rows) + 1):
@@ -125,9 +156,14 @@ def _ring(row: Row, radius: float, sense: int, place: Place, drafting: Drafting)
         low, high = sorted((sense * span.start, sense * span.end))
         style = hand.result if course.moves(span) else hand.drafted
         yield Arc(centre, place.length(inner + BAND * RING), low, high, style)
-        text = course.label(span, drafting)
-        if _fits(span, text, radius, place, hand):
-            yield _along(text, sense * (span.start + span.end) / 2, place.length(radius), centre, hand)
+        text, own = course.label(span, drafting), _told(row, span, radius, place, drafting)
+        if _fits(own, text, radius, place, hand):
+            yield _along(text, sense * (own.start + own.end) / 2, place.length(radius), centre, hand)
+    named = _named(row, radius, place, drafting)
+    if named is not None:
+        yield _along(
+            course.name(row, drafting), sense * (named.start + named.end) / 2, place.length(radius), centre, hand
+        )
 
 
 def _along(text: str, turn: float, radius: float, centre: complex, hand: Hand) -> Text:

@@ -24,6 +24,7 @@ from plans.model.motion import Floats
 
 STEPS = 12  # of Newton's method, which takes about four
 Condition: TypeAlias = Callable[[complex, Sequence[float]], float]  # on O and the shares of the touches, m: 0
+EXACT = 1e-13  # of a length: what is farther beyond a line than its rounding
 STEP = 1e-6  # of a difference, in shares of a phase and of the rocker: it makes the Jacobian alone, no result
 
 
@@ -144,7 +145,18 @@ def _nearest(cam: Cam, start: complex) -> complex:
         normal = complex(seeds[0].family.lines(np.array([shares[0]]))[0][0])
         return ((start - centre) / normal).imag
 
-    return _polished(seeds, at, cam, [] if len(seeds) == 2 else [foot])
+    place = _polished(seeds, at, cam, [] if len(seeds) == 2 else [foot])
+    broken = _broken(place, normals, bounds) if len(seeds) == 1 else None
+    if broken is None or len(both := _apart((*seeds, _seed(*which[broken], place)))) == 1:
+        return place
+    return _polished(both, place, cam, [])
+
+
+def _broken(place: complex, normals: Points, bounds: Floats) -> int | None:
+    """Give the line that a place lies beyond, if there is one: closing in on one touch may go over another line."""
+    beyond = ((normals.conj() * place).real - bounds) / np.abs(normals)
+    worst = int(np.argmax(beyond))
+    return worst if beyond[worst] > EXACT * abs(place) else None
 
 
 def _apart(seeds: tuple[Seed, ...]) -> tuple[Seed, ...]:

@@ -66,7 +66,7 @@ def _guide(start: Start) -> Inversion:
     board, centre, back, tip = start
     offset = tip.cam.sense * tip.sizes.offset
     foot = board.lay_off("A", centre, board.given("e", complex(offset), because("cam_offset")), because("cam_offset"))
-    divisions = board.given("S", 1j * (guide_start(tip.sizes) + tip.travel.s), because("cam_divisions"))
+    divisions = board.given("S_0+S", 1j * (guide_start(tip.sizes) + tip.travel.s), because("cam_divisions"))
     tip_mark = board.lay_off("K", foot, divisions, because("cam_divisions"))
     circle = board.arc("(e)", centre, abs(offset), because("cam_offset_circle"))
     towards = board.turn("t", back, math.copysign(1.0, offset), because("cam_back"))

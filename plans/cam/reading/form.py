@@ -112,12 +112,14 @@ class LimitsTable(Table):
     rise: Decimal | None = key(
         c.LIMIT,
         None,
-        meaning="Largest pressure angle (угол давления) on the rise, degrees; the book has 30, of a rocker 45.",
+        meaning="Largest pressure angle (угол давления), degrees: on the rise, in a groove on the return too; the book "
+        "has 30, of a rocker 45.",
     )
     return_: Decimal | None = key(
         c.LIMIT,
         None,
-        meaning="Largest size of the pressure angle on the return, degrees; with closure by force none is kept to.",
+        meaning="Largest size of the pressure angle below 0, degrees: on the return, in a groove on the rise too; with "
+        "closure by force none is kept to.",
     )
     curvature: Decimal = key(
         c.SIZE, Decimal(0), meaning="Least radius of curvature of the profile under a flat face, m."
@@ -146,8 +148,8 @@ class SizesTable(Table):
     roller: Decimal | None = key(
         c.SIZE,
         None,
-        meaning="Radius of the roller (радиус ролика), m; default: the smaller of 0.7 of the least radius of curvature "
-        "and 0.4 R0.",
+        meaning="Radius of the roller (радиус ролика), m; default: the least of 0.7 of the radius of curvature, in a "
+        "groove of the hollow too, and of 0.4 R0.",
         also=("r", "r_r", "radius"),
     )
 

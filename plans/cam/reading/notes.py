@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from decimal import Decimal
 from fractions import Fraction
+from itertools import pairwise
 
 from plans.cam.reading.cams import entries_of
 from plans.cam.reading.entry import Entry, shown
@@ -13,7 +14,7 @@ from plans.cam.reading.fields import CYCLOGRAM, REST
 from plans.cam.reading.law_form import LawTable
 from plans.cam.reading.pace import pace_of
 from plans.cam.reading.turns import WHOLE
-from plans.model.cam import BOOK_LIMITS, DWELL, FORCE, GROOVE, TABLE
+from plans.model.cam import BOOK_LIMITS, DWELL, FORCE, GROOVE, RISE, TABLE
 from plans.scene import units
 from plans.scene.faults import Fault, Path
 from plans.scene.lengths import odd_lengths
@@ -114,15 +115,27 @@ def _laws(entry: Entry) -> Iterator[Fault]:
         law, path = phase.law, ("phases", number, "law")
         if not isinstance(law, LawTable) or law.name != TABLE:
             continue
+        yield from _backward(entry, (*path, "points"), phase.kind, law)
         if len(law.points) <= FEW_POINTS:
             yield _note(entry, (*path, "points"), "sparse_table", count=len(law.points))
         if law.tolerance is not None and law.tolerance.of(units.ANGLE if entry.rocks else units.LENGTH):
             yield _note(entry, (*path, "tolerance"), "smoothed")
 
 
+def _backward(entry: Entry, path: Path, kind: str, law: LawTable) -> Iterator[Fault]:
+    """Tell where a table first goes back within its phase."""
+    levels = [s.of(units.ANGLE if entry.rocks else units.LENGTH) for _, s in law.points]
+    way = 1 if kind == RISE else -1
+    back = [at for at, (one, other) in enumerate(pairwise(levels), 1) if way * (other - one) < 0]
+    if back and kind != DWELL:
+        yield _note(entry, (*path, back[0], 1), "table_falls" if kind == RISE else "table_rises")
+
+
 def _unused(entry: Entry) -> Iterator[Fault]:
-    """Find a spring beside a groove, and a mass that needs a speed."""
+    """Find a spring or a flat face beside a groove, and a mass that needs a speed."""
     if entry.form.closure == GROOVE:
+        if entry.flat:
+            yield _note(entry, ("closure",), "flat_groove")
         yield from _each(entry, "idle_spring", "preload", "stiffness")
     if entry.form.speed is None and (entry.translates or not entry.scene.has(("drive",))):
         yield from _each(entry, "still_cam", "mass", "inertia")

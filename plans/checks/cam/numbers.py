@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 from plans.cam.study import LAWS, PROFILE, SIZES, CamStudy
 from plans.checks.plain_numbers import pairs, plain
-from plans.model.cam_motion import CONSTRUCTION, CamFound, Contour, Extreme, Flaw, Shock, Sizes
+from plans.model.cam import ROLLER
+from plans.model.cam_motion import CONSTRUCTION, CamFound, Contour, Extreme, Flaw, Pressing, Shock, Sizes
 
 if TYPE_CHECKING:
     from plans.study import Study
@@ -46,6 +47,8 @@ class CamNumbers:
         if PROFILE in self.plans:
             data |= _profile(contour)
             data["sharpest"], data["hollow"] = _extreme(one.sharpest), _extreme(one.hollow)
+            if one.pressing is not None:
+                data["forces"] = _forces(one.pressing, one.cam.follower.end == ROLLER)
             data["flaws"] = [_flaw(flaw) for flaw in one.flaws]
         return data
 
@@ -80,6 +83,12 @@ def _profile(contour: Contour) -> dict[str, Any]:
         "sliding": plain(contour.sliding),
     }
     return data if contour.outer is None else data | {"outer": pairs(contour.outer)}
+
+
+def _forces(one: Pressing, rolls: bool) -> dict[str, Any]:
+    """Give what presses the follower on the cam; what a roller would wear, stuck on its pin, is not told."""
+    data = {"least": _extreme(one.least), "most": _extreme(one.most), "preload": one.preload}
+    return data if rolls else data | {"wear": _extreme(one.wear)}
 
 
 def _shock(one: Shock) -> dict[str, Any]:
