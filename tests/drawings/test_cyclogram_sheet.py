@@ -121,7 +121,7 @@ def turned_ring(name: str, by: float) -> Change:
             (stretched("set.1", "bars", 0.999), "set.1 on bars (against the analysis)"),
             (turned_ring("ring-2", 0.001), "ring-2 on circle (against the analysis)"),
             (without("ring-1"), "ring-1 on circle is missing"),
-            (without("ring-names"), "on circle is missing"),
+            (reworded("Cam K1", "Cam K2"), "Cam K1 on circle is missing"),
             (reworded("21.45904", "21.45914"), "21.45914 in the row 1"),
             (reworded("48.000", "47.000"), "47.000 in the row 1"),
             (reworded("0.415", "0.514"), "0.514 in the row 8"),

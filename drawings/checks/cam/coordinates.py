@@ -77,7 +77,8 @@ def _bends_off(seen: Floats, exact: Floats) -> Floats:
     bend, true = (np.copysign(1 / np.maximum(np.abs(one), ROUNDED), one) for one in (seen, exact))
     bent = np.abs(bend - true) - ROUNDED * true**2 - SHARE * np.abs(true).max()
     edge = np.abs(exact) <= ROUNDED
-    return np.where(edge, np.abs(seen) - ROUNDED - np.abs(exact), bent)
+    with np.errstate(invalid="ignore"):  # of a straight place both are infinite
+        return np.where(edge, np.abs(seen) - ROUNDED - np.abs(exact), bent)
 
 
 def _named(number: int) -> str:

@@ -43,14 +43,9 @@ class CircleFigure:
 
     def letter(self, labels: Labels) -> tuple[Group, ...]:
         """Give the whole chart: positions numbered outside, what is too long for its ring lettered beside it."""
-        return *self.lines, Group(
-            (
-                *self._numbers(labels),
-                Group((*self._names(labels),), BESIDE_RINGS),
-                *self._long(labels),
-                *self._centre(labels),
-            )
-        )
+        numbers, names = tuple(self._numbers(labels)), tuple(self._names(labels))
+        beside = [Group(names, BESIDE_RINGS)] if names else []
+        return *self.lines, Group((*numbers, *beside, *self._long(labels), *self._centre(labels)))
 
     def _numbers(self, labels: Labels) -> Iterator[Stroke]:
         outer = HUB + RING * len(self.chart.rows)
