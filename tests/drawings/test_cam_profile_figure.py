@@ -35,7 +35,7 @@ def near(found: complex, true: complex, scale: float) -> bool:
     return abs(found - true) <= 3e-4 * scale
 
 
-@pytest.mark.parametrize("name", some(EVERY, 4))
+@pytest.mark.parametrize("name", some(EVERY, 6))
 def test_marks_lie_where_formulas_put_them(name: str) -> None:
     """P and Q in the cam, K in the frame, O1 turned back; the curves begin where the first of them are."""
     view, _, measured = exhibit(name)

@@ -38,7 +38,7 @@ def seen(leaf: Leaf, found: CamFound) -> list[str]:
     return [str(one) for one in wrong_marks(measure(svg(lettered(leaf))), leaf, found, DRAFTING)]
 
 
-@pytest.mark.parametrize("name", some(EVERY, 4))
+@pytest.mark.parametrize("name", some(EVERY, 6))
 def test_what_is_drawn_agrees_with_the_analysis(name: str) -> None:
     assert seen(*made(name)) == []
 

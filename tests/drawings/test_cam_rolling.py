@@ -35,7 +35,7 @@ from tests.plans.cam_cases import Case, every, roller_of, titled
 MM = 1e-3
 PLAN, MU = "profile", 0.5 * MM
 PLACE = Place(210.3 + 190.7j, 0j, Scale(MU, "l", "m"))
-CASES = some(every(), every=13)
+CASES = some(every(), every=20)
 USUAL = cases.cam(TRANSLATING, ROLLER, 1, closure=GROOVE)
 
 
