@@ -97,7 +97,7 @@ def test_a_cam_that_is_at_fault_or_has_no_speed_is_drawn_as_well(
     assert told in leaves[0].description or any(told in str(leaf.groups) for leaf in leaves)
 
 
-@pytest.mark.parametrize("fault", some(FAULTS, 12), ids=lambda fault: fault.name)
+@pytest.mark.parametrize("fault", some(FAULTS, 24), ids=lambda fault: fault.name)
 def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path) -> None:
     study = study_of(fault.scene)
     assert study.comparison("cam").worst <= 1.0

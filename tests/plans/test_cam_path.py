@@ -19,7 +19,7 @@ from tests.plans import cam_cases as cases
 from tests.plans.cam_cases import Case, every, roller_of, titled
 
 MM = 1e-3
-CASES = some(every(), every=20)
+CASES = some(every(), every=13)
 SMALL = 1e-6  # of a turn: differences are then good to about nine digits
 
 
