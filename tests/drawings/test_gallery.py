@@ -29,7 +29,7 @@ NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
 SEAL = '<metadata id="seal">'  # a digest of all the rest
 ROUNDINGS = re.compile(r"## Comparison.*?(?=^## )", re.MULTILINE | re.DOTALL)  # another processor rounds otherwise
 BY_ANALYSIS = re.compile(r"<br>[^|]*")  # shown where the last of ten digits differs
-# Scenes whose mechanisms others of the gallery draw too (the automaton has all three followers); `--whole` draws them.
+# Scenes whose mechanisms or sheets others of the gallery have too; `--whole` draws them.
 ALIKE = (
     *("rocker-cam", "feed-cam", "tappet-cam", "valve-cam", "flat-rocker-cam", "automaton"),
     *("conveyor", "whitworth", "jaw-crusher", "tangent", "toggle-press", "scotch-yoke", "compressor"),
