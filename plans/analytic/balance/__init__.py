@@ -1,0 +1,1 @@
+"""Balancing by direct sums, least squares and harmonic analysis (аналитический путь)."""

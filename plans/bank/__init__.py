@@ -1,0 +1,1 @@
+"""Mutual balancing of equal mechanisms on one shaft (взаимоуравновешивание; book 8.2.3)."""

@@ -1,0 +1,1 @@
+"""Balancing by both roads beside each other (сравнение двух путей)."""

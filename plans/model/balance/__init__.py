@@ -1,0 +1,1 @@
+"""What balancing asks and finds, whichever road found it (уравновешивание)."""
