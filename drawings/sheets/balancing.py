@@ -15,7 +15,7 @@ from drawings.figures.balance import (
     share_graph,
     static_polygon,
 )
-from drawings.figures.balance.scheme import AFTER, BEFORE, BalanceScheme, placed_weight
+from drawings.figures.balance.scheme import AFTER, BEFORE, SCHEME, BalanceScheme, placed_weight
 from drawings.figures.graphs import curve_graph
 from drawings.figures.linkage.skeleton import Skeletons
 from drawings.layout.contents import Panel
@@ -31,8 +31,7 @@ from plans.scene.scene import Scene
 
 SCHEMES = "schemes"  # the schemes are drawn at one scale
 TOLD = "told"  # what stands in one column: static moments and tables
-FOREMOST = 1.5  # the schemes are larger than what belongs to them
-LARGEST = 1.8  # times the least size at which it is legible: no polygon or graph is drawn larger than the schemes
+LARGEST = 2.2  # times the least size at which it is legible: no polygon or graph is drawn larger than the schemes
 
 
 @dataclass(frozen=True)
@@ -84,15 +83,15 @@ class _BalancingSheet:
             *self._rocking(),
             *self._shares(),
         )
-        first = balance_scheme.measure(self._scheme(BEFORE), self.drafting).name
-        return Draft("balancing", title, shows, (), self.shown.notes, _facts, first)
+        return Draft("balancing", title, shows, (), self.shown.notes, _facts, SCHEME + BEFORE)
 
     def _schemes(self) -> Iterator[Exhibit]:
-        for state in self.shown.states:
-            shown = self._scheme(state)
-            room = balance_scheme.measure(shown, self.drafting)
+        schemes = [self._scheme(state) for state in self.shown.states]
+        points = [spot for one in schemes for spot in one.points]
+        for shown in schemes:
+            room = balance_scheme.measure(shown, points, self.drafting)
             draw = partial(balance_scheme.draw, shown, room, drafting=self.drafting)
-            yield Exhibit(Panel(room, FOREMOST, scale=SCHEMES), draw)
+            yield Exhibit(Panel(room, scale=SCHEMES), draw)
 
     def _scheme(self, state: str) -> BalanceScheme:
         """Show the links before or after; what stands still has no path."""

@@ -6,7 +6,7 @@ Main-point vectors that lie along links are drawn in lanes beside them.
 from __future__ import annotations
 
 import cmath
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -193,13 +193,16 @@ def title_of(shown: BalanceScheme, drafting: Drafting) -> str:
     return f"{drafting.word(key)}, {drafting.word('position', position=shown.shown)}"
 
 
-def measure(shown: BalanceScheme, drafting: Drafting) -> Picture:
-    """Measure the room that a scheme needs: all its points, letters around them, its heading above."""
+def measure(shown: BalanceScheme, points: Sequence[complex], drafting: Drafting) -> Picture:
+    """Measure the room of a scheme: of the points of all that stand beside it, letters around them, its heading above.
+
+    Schemes of the same points are of one size, and their links lie alike.
+    """
     hand = drafting.hand
     side, below, above = (size * hand.letter for size in MARGINS)
     margins = Margins(side, below, above + 2 * hand.title + hand.text)
     title = text_width(Text(0j, title_of(shown, drafting), hand.title)) + 2 * LEAN * hand.title
-    return picture(shown.name, shown.points, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
+    return picture(shown.name, points, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
 
 
 def draw(shown: BalanceScheme, room: Picture, spot: Spot, drafting: Drafting) -> SchemeFigure:
