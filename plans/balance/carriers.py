@@ -14,13 +14,16 @@ from plans.words.words import Message, message
 
 def carriers(mechanism: Mechanism, aim: str) -> list[int]:
     """Give the links that would do for an aim: the crank, and one of each group that needs one."""
-    return [mechanism.drive.link, *(link for group in _groups(mechanism) for link in _of_group(group, aim))]
+    return [mechanism.drive.link, *(link for group in _groups(mechanism) or () for link in _of_group(group, aim))]
 
 
 def reciprocating(mechanism: Mechanism) -> bool:
-    """Tell whether a slider on the frame has its rod on the crank: it is the crank that balances its share."""
-    groups = (group for group in _groups(mechanism) if isinstance(group, Dyad) and group.kind == "RRP")
-    return any(group.hosts == (mechanism.drive.link, FRAME) for group in groups)
+    """Tell whether a slider on the frame has its rod on the crank, so that the crank can balance a share of it.
+
+    Of links that form no groups nothing is told against it: what studies the linkage says so.
+    """
+    groups, hosts = _groups(mechanism), (mechanism.drive.link, FRAME)
+    return groups is None or any(isinstance(one, Dyad) and (one.kind, one.hosts) == ("RRP", hosts) for one in groups)
 
 
 def guided(mechanism: Mechanism) -> bool:
@@ -30,14 +33,16 @@ def guided(mechanism: Mechanism) -> bool:
 
 def told(links: Sequence[int]) -> Message:
     """Say which links would do; of a mechanism that is not known yet, which of any."""
-    return message("advice.carriers", links=tuple(map(str, links))) if links else message("advice.any_carriers")
+    written = tuple(f"on = {link}" for link in links)
+    return message("advice.carriers", links=written) if links else message("advice.any_carriers")
 
 
-def _groups(mechanism: Mechanism) -> tuple[Group, ...]:
+def _groups(mechanism: Mechanism) -> tuple[Group, ...] | None:
+    """Give the groups; None of links that form none."""
     try:
-        return decompose(mechanism)
-    except StructureError:  # it is told by what studies the linkage
-        return ()
+        return decompose(mechanism) if mechanism.mobility == 1 else None
+    except StructureError:
+        return None
 
 
 def _of_group(group: Group, aim: str) -> Iterator[int]:

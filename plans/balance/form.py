@@ -11,7 +11,7 @@ from plans.linkage.reading import fields as g
 from plans.model.balance.linkage import DISC, FORCE, FULL, NONE, PARTIAL, REACTION, SECTOR, SHARE
 from plans.scene import fields as f
 from plans.scene import forms, units
-from plans.scene.faults import Wrong, wrong
+from plans.scene.faults import Wrong, nearest, wrong
 from plans.scene.forms import Form
 from plans.scene.readers import Check, many, one
 from plans.scene.scene import TechniqueForm
@@ -20,6 +20,7 @@ from plans.words.words import message
 
 STRAIGHT = Decimal(180)  # degrees: a sector of twice as many is a disc about its corner, and has no static moment
 SIZES = ("mass", "radius", "at")  # of a disc: one is given, the others follow
+AIMS = (NONE, FULL, PARTIAL, SHARE)
 LEASTS = (FORCE, REACTION)
 # A line that would do for a counterweight.
 COUNTERWEIGHT = '[[balance.counterweights]] with on = 1 and mass = "2 kg"'
@@ -31,9 +32,9 @@ def share(value: object) -> Decimal | str:
     >>> share(Decimal("0.5")), share("50 %"), share("force")
     (Decimal('0.5'), Decimal('0.50'), 'force')
     """
+    if isinstance(value, str) and value[:1].isalpha():
+        return f.choice(value, LEASTS, "share_of_mass")
     per_cent = PER_CENT.fullmatch(value) if isinstance(value, str) else None
-    if isinstance(value, str) and not per_cent:
-        return f.choice(value, LEASTS, "share_of_mass", likely=lambda _: FORCE)
     found = units.quantity(Decimal(per_cent[1]).scaleb(-2) if per_cent else value, units.NUMBER)
     if not 0 <= found <= 1:
         raise wrong("share_of_mass", choices=", ".join(LEASTS), suggestion=message("advice.share_of_mass"))
@@ -44,7 +45,7 @@ def half_angle(value: object) -> Decimal:
     """Read half the angle of a sector, degrees."""
     found = units.quantity(value, units.ANGLE)
     if not 0 < found < STRAIGHT:
-        raise wrong("out_of_range", kind="angle", least="0", most=str(STRAIGHT), unit="deg")
+        raise wrong("wide_sector")
     return found
 
 
@@ -54,6 +55,11 @@ def distance(value: object) -> Decimal:
     if found == 0:
         raise wrong("at_beginning")
     return found
+
+
+def _likely_aim(value: object) -> str:
+    """Give the aim that another word is likely to mean: one that is spelt nearly so, else the whole of it."""
+    return (nearest(str(value), AIMS) or [FULL])[0]
 
 
 _PART: Form = {"type": "number", "minimum": 0, "maximum": 1}
@@ -71,9 +77,17 @@ class CounterweightTable(Table):
     """A link that may carry a counterweight: what is given of it kg, m, and the body that it is made as."""
 
     on: int = key(
-        g.MOVING_LINK, meaning="The link that may carry it.", missing=Missing("number of a moving link", "on = 1")
+        g.MOVING_LINK,
+        meaning="The link that may carry it.",
+        missing=Missing("number of a moving link", "on = 1"),
+        also=("link",),
     )
-    mass: Decimal | None = key(MASS, None, meaning="Mass of the counterweight; its place is found.")
+    mass: Decimal | None = key(
+        MASS,
+        None,
+        meaning="Mass of the counterweight; its place is found.",
+        missing=Missing("mass", 'mass = "2 kg"'),
+    )
     radius: Decimal | None = key(
         f.LENGTH,
         None,
@@ -103,7 +117,7 @@ class CounterweightTable(Table):
             yield from (wrong("sector_size", at=(name,)) for name in sizes)
             return
         if not sizes:
-            yield wrong("no_size", at=("mass",))
+            yield wrong("missing", at=("mass",), why=message("why.one_size"))
         yield from (wrong("two_sizes", first=sizes[0], at=(name,)) for name in sizes[1:])
         if "half_angle" in value:
             yield wrong("half_angle", at=("half_angle",))
@@ -131,7 +145,7 @@ class BalanceTable(Table):
     """The balancing that is asked for: aim, share of the reciprocating mass, links that may carry counterweights."""
 
     aim: str = key(
-        f.words(NONE, FULL, PARTIAL, SHARE),
+        f.words(*AIMS, likely=_likely_aim),
         NONE,
         meaning=(
             "What is aimed at: nothing, the mass centre and the shaking force alone; a mass centre that stands still "
@@ -157,7 +171,7 @@ class BalanceTable(Table):
     @classmethod
     def misfits(cls, value: Mapping[str, Any]) -> Iterator[Wrong]:
         """See that counterweights have an aim, and a share the aim that needs one."""
-        if "share" in value and value.get("aim") != SHARE:
+        if "share" in value and value.get("aim", NONE) in (NONE, FULL, PARTIAL):
             yield wrong("share_aim", at=("share",))
         elif value.get("counterweights") and "aim" not in value:
             yield wrong("missing", at=("aim",), why=message("why.counterweights"))

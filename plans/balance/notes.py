@@ -41,5 +41,5 @@ def _heavy(scene: Scene, form: BalanceTable) -> Iterator[Fault]:
     whole = sum((mass for _, mass in masses(scene)), Decimal(0))
     for number, one in enumerate(form.counterweights):
         if one.mass is not None and whole and one.mass >= HUNDREDS * whole:
-            ratio = f"{WORKING.divide(one.mass, whole):.3g}"
+            ratio = f"{WORKING.divide(one.mass, whole):.0f}"
             yield scene.fault(("balance", "counterweights", number, "mass"), "heavy_counterweight", ratio=ratio)

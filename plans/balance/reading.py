@@ -82,13 +82,13 @@ def _check_carrier(survey: Survey, path: Path, one: CounterweightTable) -> None:
 def _check_aim(survey: Survey, form: BalanceTable) -> None:
     """See that something may be put on for an aim, and that a share is of masses that the crank can balance."""
     links, crank = [one.on for one in form.counterweights], survey.form.drive.link
-    if not links:
+    if form.aim == SHARE and survey.mechanism is not None and not reciprocating(survey.mechanism):
+        survey.report(AIM, "no_reciprocating")
+    elif not links:
         if not survey.doubtful(("balance", "counterweights")):
             survey.report(AIM, "no_carriers", example=COUNTERWEIGHT, advice=_would_do(survey, form.aim))
     elif form.aim == SHARE and crank not in links:
         survey.report(("balance", "counterweights"), "crank_carries", link=crank)
-    if form.aim == SHARE and survey.mechanism is not None and not reciprocating(survey.mechanism):
-        survey.report(AIM, "no_reciprocating")
 
 
 def _would_do(survey: Survey, aim: str = PARTIAL) -> Message:
@@ -96,10 +96,10 @@ def _would_do(survey: Survey, aim: str = PARTIAL) -> Message:
     return told(carriers(survey.mechanism, aim) if survey.mechanism else [])
 
 
-def check_moving(survey: Survey, path: Path, still: bool = True) -> None:
-    """See that the crank turns, where nothing else says its speed, and that a link has a mass: else nothing shakes."""
+def check_moving(survey: Survey, path: Path) -> None:
+    """See that the crank turns, and that a moving link has a mass: nothing shakes the frame otherwise."""
     scene = survey.scene
-    if still and survey.form.drive.speed == 0:
+    if survey.form.drive.speed == 0:
         survey.report(("drive", "speed"), "crank_at_rest")
     if not any(mass for _, mass in masses(scene)):
         survey.report(("masses",) if scene.has(("masses",)) else path, "massless")

@@ -76,19 +76,19 @@ def _faults(meaning: Meaning) -> Iterator[Fault]:
     if form.unit is not None and linked:
         yield scene.fault(("bank", "unit"), "two_units")
     elif form.unit is None and linked:
-        yield from _of_linkage(meaning, form)
-    elif form.unit is None and ("bank", "unit") not in {path[:2] for path in meaning.doubts}:
+        yield from _of_linkage(meaning)
+    elif form.unit is None and not any(path[:2] in (("bank",), ("bank", "unit")) for path in meaning.doubts):
         yield scene.fault(("bank",), "no_unit", example=UNIT)
 
 
-def _of_linkage(meaning: Meaning, form: BankTable) -> Iterator[Fault]:
+def _of_linkage(meaning: Meaning) -> Iterator[Fault]:
     """See that the crank of a bank's linkage turns evenly, and that something moves."""
     linkage: Survey = meaning["linkage"]
     survey = replace(linkage, faults=[])
     if survey.form.drive.acceleration:
         survey.report(("drive", "acceleration"), "uneven_bank")
     if not meaning.scene.has((BALANCE,)):  # else that has told it
-        check_moving(survey, ("bank",), still=form.speed is None)
+        check_moving(survey, ("bank",))
     yield from survey.faults
 
 
