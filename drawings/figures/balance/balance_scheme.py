@@ -6,12 +6,14 @@ Main-point vectors that lie along links are drawn in lanes beside them.
 from __future__ import annotations
 
 import cmath
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
+from drawings.figures.balance.lanes import lanes
 from drawings.figures.balance.scheme import AFTER, BalanceScheme, PlacedWeight
 from drawings.figures.graphs.curve_graph import stretches
 from drawings.figures.linkage.guides import frame_slides, grounds, travel
@@ -20,7 +22,7 @@ from drawings.figures.linkage.pairs import Pairs
 from drawings.figures.linkage.rotation import turnings
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels, free_side
-from drawings.layout.parallel_offsets import APART, Segment, offset, parallel_offsets
+from drawings.layout.parallel_offsets import APART, Segment, offset
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
 from drawings.lettering.balance_letters import CENTRE, counterweight, lowered
@@ -29,7 +31,7 @@ from drawings.lettering.lettering import text_width
 from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.limits import SEEN
-from drawings.paper.strokes import INK, LEAN, Circle, Group, Line, Polyline, Stroke, Text
+from drawings.paper.strokes import INK, LEAN, Arc, Circle, Group, Line, Polyline, Stroke, Text
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.figure import Subject, heading
 from drawings.symbols.force_arrow import plain_name
@@ -40,7 +42,6 @@ from drawings.symbols.trimming import trim
 SYMBOL, UNIT = "l", "m"
 MARGINS = Margins(3.5, 3.2, 2.6)  # paper around it for its letters and stands, in their sizes
 LETTERS = 22.0  # it is drawn at least so many of its letters large
-ROOM = 2.6 + 1.9j  # width + 1j * height of a letter between two lanes, in its sizes
 STILL = 0.2  # mm: a shorter path is a dot under its point's own symbol
 
 
@@ -108,7 +109,14 @@ class SchemeFigure:
                 yield Line(self.place.on(one.begin), self.place.on(one.centre), self._hand.result)
 
     def _rim(self, one: PlacedWeight) -> Iterator[Stroke]:
-        yield Polyline(tuple(self.place.on(spot) for spot in one.rim), True, self._hand.relative)
+        """Draw a counterweight to scale: a disc about its centre, a sector about its link's beginning."""
+        style, radius = self._hand.relative, self.place.length(one.weight.outer)
+        if one.is_disc:
+            yield Arc(self.place.on(one.centre), radius, 0.0, 2 * math.pi, style)
+            return
+        tip, turn, half = self.place.on(one.begin), cmath.phase(one.direction), one.weight.place.half_angle
+        yield Arc(tip, radius, turn - half, turn + half, style)
+        yield from (Line(tip, tip + cmath.rect(radius, end), style) for end in (turn - half, turn + half))
 
     def _marks(self) -> Iterator[Group]:
         """Draw hinges, mass centres, other points, and the centres of counterweights; all can be measured."""
@@ -136,8 +144,7 @@ class SchemeFigure:
         seen = [one for one in self.shown.chain if self.place.length(abs(one.value)) >= SEEN]
         bars = [(line.start, line.end) for line in self.pairs.bars() if isinstance(line, Line)]
         own: list[Segment] = [(self.place.on(one.at), self.place.on(one.end)) for one in seen]
-        apart, room = APART * self._hand.symbol, ROOM * self._hand.letter
-        shifts = parallel_offsets([*bars, *own], apart, room)[len(bars) :]
+        shifts = lanes(own, bars, self.place.on(self.shown.centre), APART * self._hand.symbol)
         laid = zip(seen, own, shifts, strict=True)
         return tuple(LaidVector(one, offset(line, shift), shift) for one, line, shift in laid)
 

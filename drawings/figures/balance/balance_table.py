@@ -11,10 +11,12 @@ from drawings.figures.forces.force_letters import letter_of
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.lettering.balance_letters import FORCE, MOMENT, counterweight
 from drawings.page.drafting import Drafting
+from plans.balance.weights import line_of
 from plans.forces.cut import indices
 from plans.forces.primary import BALANCING
-from plans.model.balance.linkage import DISC, Balance, Counterweight, State
+from plans.model.balance.linkage import DISC, Counterweight, State
 from plans.model.kinetostatics import NOTHING
+from plans.model.mechanism import Mechanism
 
 WEIGHTS, COSTS = "counterweights", "costs"  # the names of the tables
 DIGITS = 5
@@ -22,31 +24,34 @@ NONE = "—"
 MILLIMETRES = 1000.0
 
 
-def counterweights(weights: Sequence[Counterweight], drafting: Drafting) -> RuledTable:
-    """Tell each counterweight: static moment about its link's beginning, mass, place, shape and sizes."""
+def counterweights(weights: Sequence[Counterweight], mechanism: Mechanism, drafting: Drafting) -> RuledTable:
+    """Tell each counterweight: static moment about its link's beginning, mass, place, shape and sizes.
+
+    Its direction is counted from that of the link's line, from where the link begins on.
+    """
     mm = drafting.word("mm")
     heads = (
         drafting.word("on link"), f"m·a, {drafting.word('kg*m')}", f"m, {drafting.word('kg')}", drafting.word("from"),
         f"a, {mm}", "∠, °", drafting.word("shape"), f"R, {mm}", f"b, {mm}",
     )  # fmt: skip
-    lines = [TableRow(counterweight(one.link, drafting.language), _weight(one, drafting)) for one in weights]
+    lines = [TableRow(counterweight(one.link, drafting.language), _weight(one, mechanism, drafting)) for one in weights]
     return table(lines, drafting.word("counterweight column"), heads, drafting.hand.text)._replace(name=WEIGHTS)
 
 
-def _weight(one: Counterweight, drafting: Drafting) -> tuple[str, ...]:
+def _weight(one: Counterweight, mechanism: Mechanism, drafting: Drafting) -> tuple[str, ...]:
     if not one.needed:
         return str(one.link), "0", "0", *(NONE for _ in range(6))
-    place, number = one.place, drafting.number
+    place, number, along = one.place, drafting.number, line_of(mechanism, one.link, one.begin)
     sizes = (MILLIMETRES * size for size in (one.outer, place.thickness))
     return (
         str(one.link), number(abs(one.moment), DIGITS), number(one.mass, DIGITS), one.begin,
-        number(MILLIMETRES * one.distance, DIGITS), number(_degrees(one.moment), DIGITS), _shape(one, drafting),
+        number(MILLIMETRES * one.distance, DIGITS), number(_degrees(one.moment / along), DIGITS), _shape(one, drafting),
         *(number(size, DIGITS) for size in sizes),
     )  # fmt: skip
 
 
 def _degrees(moment: complex) -> float:
-    """Give a direction in its link's own frame in degrees, without the noise of a rounding about 0 and 180."""
+    """Give a direction in degrees, without the noise of a rounding about 0 and 180."""
     angle = math.degrees(cmath.phase(moment))
     return abs(angle) if abs(moment.imag) <= NOTHING * abs(moment) else angle
 
@@ -66,18 +71,17 @@ class Cost(NamedTuple):
     least: float = 0.0
 
 
-def costs(balance: Balance, drafting: Drafting, size: float) -> RuledTable:
+def costs(before: State, after: State | None, drafting: Drafting, size: float) -> RuledTable:
     """Tell path, main vector and moment, reactions, balancing moment and mass before and after; `size` m is whose."""
-    told = tuple(_costs(balance, drafting, size))
+    told = tuple(_costs(before, after, drafting, size))
     heads = ("before column", "after column", "change")
-    words = tuple(drafting.word(head) for head in (heads if balance.after is not None else heads[:1]))
+    words = tuple(drafting.word(head) for head in (heads if after is not None else heads[:1]))
     lines = [TableRow(one.name, _cells(one, drafting)) for one in told]
     return table(lines, drafting.word("largest value"), words, drafting.hand.text)._replace(name=COSTS)
 
 
-def _costs(balance: Balance, drafting: Drafting, size: float) -> Iterator[Cost]:
-    before, after, word = balance.before, balance.after, drafting.word
-    least = NOTHING * before.forces.largest
+def _costs(before: State, after: State | None, drafting: Drafting, size: float) -> Iterator[Cost]:
+    word, least = drafting.word, NOTHING * before.forces.largest
     yield Cost(
         word("path of S", unit=word("mm")), MILLIMETRES * before.around.path,
         None if after is None else MILLIMETRES * after.around.path, NOTHING * MILLIMETRES * size,
