@@ -1,0 +1,110 @@
+"""Counterweights by linearly independent vectors: the mass centre's place may have none that vary (противовесы).
+
+The static moments of all bodies, of the counterweights that are sought, of what may stay at sliders, and any multiple
+of the loops are summed vector by vector (plans.analytic.balance.formal); each sum but the constant one must be zero.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from plans.analytic.balance.formal import Formal
+from plans.model.balance.linkage import EPS, ROUNDING, SECTOR, Counterweight, Place
+from plans.model.machine import Machine
+from plans.model.mechanism import FRAME, Mechanism
+from plans.model.motion import Complexes, Floats
+
+REFINEMENTS = 2  # of a linear solution: what one leaves, the next finds to be rounding
+
+
+@dataclass(frozen=True)
+class Found:
+    """Counterweights, and kg of what stays at hinges by letter."""
+
+    counterweights: tuple[Counterweight, ...]
+    left: dict[str, complex]
+
+
+def counterweights(
+    mechanism: Mechanism, machine: Machine, blanks: Sequence[Counterweight], left: Sequence[str] = ()
+) -> Found:
+    """Find the counterweights whose places are given, all but the mass at some hinges, the sliders', brought to rest.
+
+    A mass that follows from a static moment weighs on the links that bear the link: each round sets one more of them.
+    """
+    sums, chosen = Sums(mechanism, machine, blanks, left), tuple(blanks)
+    for _ in range(len(chosen) + 1):
+        moments, stay = sums.solve(chosen)
+        chosen = tuple(carrying(blank, moment) for blank, moment in zip(blanks, moments, strict=True))
+    return Found(chosen, dict(zip(left, stay, strict=True)))
+
+
+def mass_of(place: Place, moment: complex) -> float:
+    """Give the mass kg that a static moment kg*m has at the place that is given."""
+    if place.mass is not None:
+        return place.mass
+    arm = place.radius if place.at is None else place.at
+    if arm is not None:
+        return abs(moment / arm)
+    if place.shape != SECTOR:
+        raise ValueError(place)  # the reading of a scene asks for one of them
+    # With its apex at the link's beginning, m*r = (2/3) density thickness sin(half angle) R^3.
+    solid = place.density * place.thickness
+    outer = math.cbrt(1.5 * abs(moment) / (solid * math.sin(place.half_angle)))
+    return solid * place.half_angle * outer**2
+
+
+def carrying(one: Counterweight, moment: complex) -> Counterweight:
+    """Give a counterweight another static moment kg*m, with the mass that follows."""
+    return one._replace(moment=moment, mass=mass_of(one.place, moment) if moment else 0.0)
+
+
+class Sums:
+    """The static moments of a mechanism, vector by vector, and what may bring them to zero."""
+
+    def __init__(
+        self, mechanism: Mechanism, machine: Machine, blanks: Sequence[Counterweight], left: Sequence[str]
+    ) -> None:
+        self.formal, self.machine, self.count, self.left = Formal(mechanism), machine, len(blanks), left
+        formal = self.formal
+        columns = [formal.along(one.link, 1 + 0j) for one in blanks]
+        columns += [-formal.of(point) for point in left] + list(formal.loops)
+        self.matrix = np.array(columns, dtype=np.complex128).reshape(-1, formal.size).T[1:]
+        self.lengths = np.sqrt((np.abs(self.matrix) ** 2).sum(axis=0))
+        self.inverse = np.linalg.pinv(self.matrix / self.lengths, rcond=EPS)
+
+    def solve(self, chosen: Sequence[Counterweight]) -> tuple[list[complex], list[complex]]:
+        """Find static moments kg*m and masses kg that stay, for counterweights of some masses at their beginnings."""
+        borne = [(body.mass, self.formal.place(body.link, body.centre)) for body in self.machine.bodies.values()]
+        borne += [(one.mass, self.formal.place(one.link, one.origin)) for one in chosen]
+        total = -np.sum([mass * row for mass, row in borne], axis=0)[1:]
+        found = np.zeros(len(self.lengths), dtype=np.complex128)
+        for _ in range(REFINEMENTS + 1):
+            found = found + self.inverse @ (total - self.matrix @ found) / self.lengths
+        sizes = np.sum([mass * np.abs(row) for mass, row in borne], axis=0)[1:]
+        told = np.where(np.abs(found) <= self._slack(found, sizes), 0, found).tolist()
+        return told[: self.count], told[self.count : self.count + len(self.left)]
+
+    def _slack(self, found: Complexes, sizes: Floats) -> Floats:
+        """Give how far rounding of the terms can have moved what is found."""
+        terms = np.abs(self.matrix) @ np.abs(found) + sizes
+        return np.asarray(ROUNDING * EPS * (np.abs(self.inverse) @ terms) / self.lengths)
+
+
+def shared(mechanism: Mechanism, left: dict[str, complex]) -> complex:
+    """Sum the static moment kg*m, in the crank's frame about its shaft, of masses at sliders whose rod hangs on it."""
+    crank = mechanism.links[mechanism.drive.link]
+    shaft = crank.points[mechanism.drive.pivot]
+    hung = ((mass, _hung(mechanism, point)) for point, mass in left.items())
+    return sum((mass * (crank.points[pin] - shaft) for mass, pin in hung if pin), 0j)
+
+
+def _hung(mechanism: Mechanism, point: str) -> str | None:
+    """Give the pin by which the rod of a slider's hinge hangs on the crank; None where it does not."""
+    rods = [link for link in mechanism.hinges[point] if link != FRAME]
+    pins = [pin for pin, links in mechanism.hinges.items() if mechanism.drive.link in links and pin != point]
+    return next((pin for pin in pins for rod in rods if rod in mechanism.hinges[pin]), None)
