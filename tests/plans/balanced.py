@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 
+from plans.analytic.balance.balance import balance
 from plans.analytic.balance.states import Course
 from plans.analytic.kinematics import Analysis
-from plans.model.balance.linkage import STEPS, Counterweight, Place, Task
+from plans.model.balance.linkage import STEPS, Balance, Task
+from plans.model.group import Group
 from plans.model.kinetostatics import Loading, pairs
 from plans.model.machine import Body, Machine
 from plans.model.mechanism import Mechanism
@@ -26,27 +28,19 @@ class Case(NamedTuple):
     mechanism: Mechanism
     machine: Machine
 
-    def blank(self, place: Place) -> Counterweight:
-        """Give a counterweight that is still to be found, at the hinge of its link toward the frame."""
-        begin = _begin(self.mechanism, place.link)
-        return Counterweight(place, begin, self.mechanism.links[place.link].points[begin], 0j, 0.0)
+    @property
+    def groups(self) -> tuple[Group, ...]:
+        return decompose(self.mechanism)
 
-    def blanks(self, task: Task, links: Iterable[int] = ()) -> list[Counterweight]:
-        chosen = list(links) or [one.link for one in task.places]
-        return [self.blank(place) for place in task.places if place.link in chosen]
+    def balance(self, task: Task, *phi: float) -> Balance:
+        """Balance it by analysis."""
+        return balance(self.course(phi or (np.pi / 3,)), task, self.groups)
 
     def course(self, phi: Sequence[float] = (0.0,), steps: int = STEPS, sense: int = 1) -> Course:
         mechanism = self.mechanism
         around = phi[0] + sense * 2 * np.pi * np.arange(steps + 1) / steps
         told = pairs(mechanism, decompose(mechanism))
         return Course(Analysis(mechanism), self.machine, lambda motion: NOTHING, told, np.asarray(phi, float), around)
-
-
-def _begin(mechanism: Mechanism, link: int) -> str:
-    if link == mechanism.drive.link:
-        return mechanism.drive.pivot
-    ends = [(pair.taker, pair.joint) for group in decompose(mechanism) for pair in group.outer_pairs]
-    return next(joint for taker, joint in ends if taker == link and isinstance(joint, str))
 
 
 def bodies(*rows: tuple[int, float, complex]) -> Machine:

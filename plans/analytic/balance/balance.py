@@ -6,26 +6,19 @@ from collections.abc import Sequence
 
 from plans.analytic.balance.counterweights import Found, counterweights, shared
 from plans.analytic.balance.shares import shares, shifted
+from plans.analytic.balance.sought import sought
 from plans.analytic.balance.states import Course, state
-from plans.model.balance.linkage import ANALYSIS, FORCE, NONE, SHARE, Balance, Counterweight, Shares, Task
+from plans.model.balance.linkage import ANALYSIS, FORCE, NONE, SHARE, Balance, Shares, Task
+from plans.model.group import Group
 
 
-def balance(
-    course: Course,
-    task: Task,
-    blanks: Sequence[Counterweight] = (),
-    left: Sequence[str] = (),
-    share: float | None = None,
-) -> Balance:
-    """Balance a mechanism: `blanks` name the links and places that are sought, `left` the hinges that keep a mass.
-
-    A `share` that is given is taken for one that the task seeks.
-    """
+def balance(course: Course, task: Task, groups: Sequence[Group], share: float | None = None) -> Balance:
+    """Balance a mechanism; a `share` that is given is taken for one that the task seeks."""
     mechanism = course.mechanism
     before = state(course)
     if task.aim == NONE:
         return Balance(ANALYSIS, task, (), {}, before, None, None, course.motion.gaps)
-    found = counterweights(mechanism, course.machine, blanks, left)
+    found = counterweights(mechanism, course.machine, sought(mechanism, groups, task))
     found, chosen = _chosen(course, task, found, share)
     after = state(course, found.counterweights)
     return Balance(ANALYSIS, task, found.counterweights, found.left, before, after, chosen, course.motion.gaps)

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from plans.analytic.balance.formal import Formal
+from plans.analytic.balance.sought import Sought
 from plans.model.balance.linkage import EPS, ROUNDING, SECTOR, Counterweight, Place
 from plans.model.machine import Machine
 from plans.model.mechanism import FRAME, Mechanism
@@ -29,18 +30,16 @@ class Found:
     left: dict[str, complex]
 
 
-def counterweights(
-    mechanism: Mechanism, machine: Machine, blanks: Sequence[Counterweight], left: Sequence[str] = ()
-) -> Found:
-    """Find the counterweights whose places are given, all but the mass at some hinges, the sliders', brought to rest.
+def counterweights(mechanism: Mechanism, machine: Machine, wanted: Sought) -> Found:
+    """Find the counterweights that are sought: they bring the mass centre to rest but for what moves along guides.
 
     A mass that follows from a static moment weighs on the links that bear the link: each round sets one more of them.
     """
-    sums, chosen = Sums(mechanism, machine, blanks, left), tuple(blanks)
+    sums, chosen = Sums(mechanism, machine, wanted), wanted.blanks
     for _ in range(len(chosen) + 1):
         moments, stay = sums.solve(chosen)
-        chosen = tuple(carrying(blank, moment) for blank, moment in zip(blanks, moments, strict=True))
-    return Found(chosen, dict(zip(left, stay, strict=True)))
+        chosen = tuple(carrying(blank, moments.get(blank.link, 0j)) for blank in wanted.blanks)
+    return Found(chosen, stay)
 
 
 def mass_of(place: Place, moment: complex) -> float:
@@ -66,19 +65,18 @@ def carrying(one: Counterweight, moment: complex) -> Counterweight:
 class Sums:
     """The static moments of a mechanism, vector by vector, and what may bring them to zero."""
 
-    def __init__(
-        self, mechanism: Mechanism, machine: Machine, blanks: Sequence[Counterweight], left: Sequence[str]
-    ) -> None:
-        self.formal, self.machine, self.count, self.left = Formal(mechanism), machine, len(blanks), left
+    def __init__(self, mechanism: Mechanism, machine: Machine, wanted: Sought) -> None:
+        self.formal, self.machine = Formal(mechanism), machine
+        self.links, self.left = sorted(wanted.links), wanted.left
         formal = self.formal
-        columns = [formal.along(one.link, 1 + 0j) for one in blanks]
-        columns += [-formal.of(point) for point in left] + list(formal.loops)
+        columns = [formal.along(link, 1 + 0j) for link in self.links]
+        columns += [-formal.of(point) for point in self.left] + list(formal.loops)
         self.matrix = np.array(columns, dtype=np.complex128).reshape(-1, formal.size).T[1:]
         self.lengths = np.sqrt((np.abs(self.matrix) ** 2).sum(axis=0))
         self.inverse = np.linalg.pinv(self.matrix / self.lengths, rcond=EPS)
 
-    def solve(self, chosen: Sequence[Counterweight]) -> tuple[list[complex], list[complex]]:
-        """Find static moments kg*m and masses kg that stay, for counterweights of some masses at their beginnings."""
+    def solve(self, chosen: Sequence[Counterweight]) -> tuple[dict[int, complex], dict[str, complex]]:
+        """Find static moments kg*m by link and masses kg that stay, with some masses where the links begin."""
         borne = [(body.mass, self.formal.place(body.link, body.centre)) for body in self.machine.bodies.values()]
         borne += [(one.mass, self.formal.place(one.link, one.origin)) for one in chosen]
         total = -np.sum([mass * row for mass, row in borne], axis=0)[1:]
@@ -87,7 +85,8 @@ class Sums:
             found = found + self.inverse @ (total - self.matrix @ found) / self.lengths
         sizes = np.sum([mass * np.abs(row) for mass, row in borne], axis=0)[1:]
         told = np.where(np.abs(found) <= self._slack(found, sizes), 0, found).tolist()
-        return told[: self.count], told[self.count : self.count + len(self.left)]
+        count = len(self.links)
+        return dict(zip(self.links, told, strict=False)), dict(zip(self.left, told[count:], strict=False))
 
     def _slack(self, found: Complexes, sizes: Floats) -> Floats:
         """Give how far rounding of the terms can have moved what is found."""
@@ -105,6 +104,6 @@ def shared(mechanism: Mechanism, left: dict[str, complex]) -> complex:
 
 def _hung(mechanism: Mechanism, point: str) -> str | None:
     """Give the pin by which the rod of a slider's hinge hangs on the crank; None where it does not."""
-    rods = [link for link in mechanism.hinges[point] if link != FRAME]
+    rods = [link for link in mechanism.hinges.get(point, ()) if link != FRAME]
     pins = [pin for pin, links in mechanism.hinges.items() if mechanism.drive.link in links and pin != point]
     return next((pin for pin in pins for rod in rods if rod in mechanism.hinges[pin]), None)
