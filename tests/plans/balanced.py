@@ -37,10 +37,11 @@ class Case(NamedTuple):
         return balance(self.course(phi or (np.pi / 3,)), task, self.groups)
 
     def course(self, phi: Sequence[float] = (0.0,), steps: int = STEPS, sense: int = 1) -> Course:
-        mechanism = self.mechanism
-        around = phi[0] + sense * 2 * np.pi * np.arange(steps + 1) / steps
-        told = pairs(mechanism, decompose(mechanism))
-        return Course(Analysis(mechanism), self.machine, lambda motion: NOTHING, told, np.asarray(phi, float), around)
+        road, start = Analysis(self.mechanism), np.asarray(phi, float)
+        told = pairs(self.mechanism, self.groups)
+        motion = road.motion(start)
+        turn = road.around(start[0] + sense * 2 * np.pi * np.arange(steps + 1) / steps)
+        return Course(road, self.machine, told, motion, turn, NOTHING)
 
 
 def bodies(*rows: tuple[int, float, complex]) -> Machine:

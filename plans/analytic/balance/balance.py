@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from plans.analytic.balance.counterweights import Found, counterweights, shared
 from plans.analytic.balance.shares import shares, shifted
@@ -32,4 +33,4 @@ def _chosen(course: Course, task: Task, found: Found, share: float | None) -> tu
     told = shares(course, found.counterweights, step)
     best = told.least_force if task.least == FORCE else told.least_reaction
     taken = next(one for one in (share, task.share, best.share) if one is not None)
-    return Found(shifted(course, found.counterweights, step, taken), found.left), told
+    return replace(found, counterweights=shifted(course, found.counterweights, step, taken)), told

@@ -7,7 +7,6 @@ of the loops are summed vector by vector (plans.analytic.balance.formal); each s
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -24,10 +23,15 @@ REFINEMENTS = 2  # of a linear solution: what one leaves, the next finds to be r
 
 @dataclass(frozen=True)
 class Found:
-    """Counterweights, and kg of what stays at hinges by letter."""
+    """Counterweights, kg of what stays at hinges by letter, and how far rounding can have moved either.
+
+    `slack` is kg*m by link, `loose` kg by letter.
+    """
 
     counterweights: tuple[Counterweight, ...]
     left: dict[str, complex]
+    slack: dict[int, float]
+    loose: dict[str, float]
 
 
 def counterweights(mechanism: Mechanism, machine: Machine, wanted: Sought) -> Found:
@@ -35,11 +39,17 @@ def counterweights(mechanism: Mechanism, machine: Machine, wanted: Sought) -> Fo
 
     A mass that follows from a static moment weighs on the links that bear the link: each round sets one more of them.
     """
-    sums, chosen = Sums(mechanism, machine, wanted), wanted.blanks
-    for _ in range(len(chosen) + 1):
-        moments, stay = sums.solve(chosen)
-        chosen = tuple(carrying(blank, moments.get(blank.link, 0j)) for blank in wanted.blanks)
-    return Found(chosen, stay)
+    sums = Sums(mechanism, machine, wanted)
+    found = Found(wanted.blanks, {}, {}, {})
+    for _ in range(len(wanted.blanks) + 1):
+        found = sums.solve(found)
+    return found
+
+
+def uncertain(one: Counterweight, slack: float) -> float:
+    """Give how far a mass kg is off that follows from a static moment which `slack` kg*m is off."""
+    follows = one.needed and one.place.mass is None
+    return slack * one.mass / abs(one.moment) if follows else 0.0
 
 
 def mass_of(place: Place, moment: complex) -> float:
@@ -75,23 +85,34 @@ class Sums:
         self.lengths = np.sqrt((np.abs(self.matrix) ** 2).sum(axis=0))
         self.inverse = np.linalg.pinv(self.matrix / self.lengths, rcond=EPS)
 
-    def solve(self, chosen: Sequence[Counterweight]) -> tuple[dict[int, complex], dict[str, complex]]:
-        """Find static moments kg*m by link and masses kg that stay, with some masses where the links begin."""
+    def solve(self, known: Found) -> Found:
+        """Find static moments and masses that stay, with the masses known so far where the links begin."""
         borne = [(body.mass, self.formal.place(body.link, body.centre)) for body in self.machine.bodies.values()]
-        borne += [(one.mass, self.formal.place(one.link, one.origin)) for one in chosen]
+        added = [(one, self.formal.place(one.link, one.origin)) for one in known.counterweights]
+        borne += [(one.mass, row) for one, row in added]
         total = -np.sum([mass * row for mass, row in borne], axis=0)[1:]
         found = np.zeros(len(self.lengths), dtype=np.complex128)
         for _ in range(REFINEMENTS + 1):
             found = found + self.inverse @ (total - self.matrix @ found) / self.lengths
-        sizes = np.sum([mass * np.abs(row) for mass, row in borne], axis=0)[1:]
-        told = np.where(np.abs(found) <= self._slack(found, sizes), 0, found).tolist()
-        count = len(self.links)
-        return dict(zip(self.links, told, strict=False)), dict(zip(self.left, told[count:], strict=False))
+        sizes = ROUNDING * EPS * np.sum([mass * np.abs(row) for mass, row in borne], axis=0)
+        off = [uncertain(one, known.slack.get(one.link, 0.0)) * np.abs(row) for one, row in added]
+        return self._told(known, found, self._slack(found, np.sum([sizes, *off], axis=0)[1:]))
+
+    def _told(self, known: Found, found: Complexes, slack: Floats) -> Found:
+        """Tell what is found; what rounding alone has left is nothing."""
+        count, values = len(self.links), np.where(np.abs(found) <= slack, 0, found).tolist()
+        moments = dict(zip(self.links, values, strict=False))
+        told = tuple(carrying(one, moments.get(one.link, 0j)) for one in known.counterweights)
+        left = dict(zip(self.left, values[count:], strict=False))
+        off = slack.tolist()
+        return Found(
+            told, left, dict(zip(self.links, off, strict=False)), dict(zip(self.left, off[count:], strict=False))
+        )
 
     def _slack(self, found: Complexes, sizes: Floats) -> Floats:
         """Give how far rounding of the terms can have moved what is found."""
-        terms = np.abs(self.matrix) @ np.abs(found) + sizes
-        return np.asarray(ROUNDING * EPS * (np.abs(self.inverse) @ terms) / self.lengths)
+        terms = ROUNDING * EPS * (np.abs(self.matrix) @ np.abs(found)) + sizes
+        return np.asarray(np.abs(self.inverse) @ terms / self.lengths)
 
 
 def shared(mechanism: Mechanism, left: dict[str, complex]) -> complex:

@@ -36,3 +36,15 @@ def mass_centre(mechanism: Mechanism, solid: Sequence[Body], motion: Motion) -> 
         moment += (r.conj() * inertia).imag - body.inertia * motion.links[body.link].epsilon
     mass = sum(body.mass for body in solid)
     return MassCentre(ANALYSIS, motion.phi, mass, statics / mass, -forces / mass, moment)
+
+
+def sizes(mechanism: Mechanism, solid: Sequence[Body], motion: Motion) -> tuple[float, float, float]:
+    """Give the largest sums of sizes over a motion: of m*r_S kg*m, of inertia forces N, of their moments N*m."""
+    rows = np.zeros((3, len(motion.phi)))
+    for body in solid:
+        r = np.abs(placed(mechanism, motion, body.link, body.centre))
+        force = body.mass * np.abs(acceleration(mechanism, motion, body.link, body.centre))
+        turning = body.inertia * np.abs(motion.links[body.link].epsilon)
+        rows += np.array([body.mass * r, force, r * force + turning])
+    most = np.fmax.reduce(rows, axis=1, initial=0.0)
+    return float(most[0]), float(most[1]), float(most[2])

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 
 import numpy as np
 
@@ -17,40 +16,24 @@ from plans.model.group import Pair
 from plans.model.kinetostatics import Applied, Kinetostatics, Loading, Twist
 from plans.model.machine import Machine
 from plans.model.mechanism import Mechanism
-from plans.model.motion import Floats, Motion
+from plans.model.motion import Motion
 
 
 @dataclass(frozen=True)
 class Course:
-    """A mechanism with its machine, loads and pairs over the scene's positions `phi` and those of a turn, rad."""
+    """A mechanism with its machine and pairs over the scene's positions and a turn, with the loads over the turn."""
 
     road: Analysis
     machine: Machine
-    loads: Callable[[Motion], Loading]
     pairs: tuple[Pair, ...]
-    phi: Floats
-    around: Floats
+    motion: Motion  # over the scene's positions
+    turn: Motion  # over even positions of a turn
+    loading: Loading
 
     @property
     def mechanism(self) -> Mechanism:
         """The mechanism."""
         return self.road.mechanism
-
-    @cached_property
-    def motion(self) -> Motion:
-        """Its motion over the scene's positions."""
-        return self.road.motion(self.phi)
-
-    @cached_property
-    def turn(self) -> Motion:
-        """Its motion over the turn."""
-        _ = self.motion  # by which the way round is marched
-        return self.road.around(self.around)
-
-    @cached_property
-    def loading(self) -> Loading:
-        """Its loads over the turn."""
-        return self.loads(self.turn)
 
     def forces(self, added: Sequence[Counterweight] = ()) -> Kinetostatics:
         """Find the forces over the turn with counterweights."""
