@@ -1,81 +1,150 @@
-"""Mechanisms to be balanced, by hand: the textbook's masses, the places for counterweights, and both ends of a turn."""
+"""Machines of the textbook to be balanced (8.2): scenes without what balancing asks, which tests hand in as a task."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import NamedTuple
+from plans.balance.study import BalanceStudy
+from plans.forces.statics import Statics
+from plans.linkage.study import LinkageStudy
+from plans.model.balance.linkage import Place, Task
+from plans.scene.scene import parse_scene
 
-import numpy as np
+FOUR_BAR = """
+sheets = ["forces"]
+[mechanism.frame]
+O = [0, 0]
+C = [0.35, 0]
+[mechanism.links]
+1 = "OA"
+2 = "AB"
+3 = "BC"
+[mechanism.lengths]
+OA = 0.10
+AB = 0.40
+BC = 0.30
+[mechanism.sketch]
+B = [0.39, 0.30]
+[drive]
+link = 1
+speed = 10
+start = 60
+positions = {positions}
+[masses]
+1 = {{ mass = 2, centre = [0.04, 0] }}
+2 = {{ mass = 4, centre = [0.18, 0], inertia = 0.05 }}
+3 = {{ mass = 5, centre = [0.12, 0], inertia = 0.04 }}
+"""
 
-from plans.analytic.balance.balance import balance
-from plans.analytic.balance.states import Course
-from plans.analytic.kinematics import Analysis
-from plans.model.balance.linkage import STEPS, Balance, Task
-from plans.model.group import Group
-from plans.model.kinetostatics import Loading, pairs
-from plans.model.machine import Body, Machine
-from plans.model.mechanism import Mechanism
-from plans.model.structure import decompose
-from tests.plans import linkages
-from tests.plans.machines import machine
+# Rod DE from D of link 3, B-D 0.20 m; the slider's centre 0.02 m ahead of E.
+SIX_LINK = """
+sheets = ["forces"]
+[mechanism.frame]
+O = [0, 0]
+C = [0.35, 0]
+[mechanism.links]
+1 = "OA"
+2 = "AB"
+3 = "BC"
+4 = "DE"
+5 = "E"
+[mechanism.lengths]
+OA = 0.10
+AB = 0.40
+BC = 0.30
+DE = 0.35
+[mechanism.points]
+D = {{ on = 3, at = [0.20, 0] }}
+[[mechanism.slides]]
+link = 5
+along = {{ through = [0, 0.10], angle = 0 }}
+[mechanism.sketch]
+B = [0.39, 0.30]
+D = [0.36, 0.10]
+E = [0.71, 0.10]
+[drive]
+link = 1
+speed = 10
+start = 60
+positions = {positions}
+[masses]
+1 = {{ mass = 2, centre = [0.04, 0] }}
+2 = {{ mass = 4, centre = [0.18, 0] }}
+3 = {{ mass = 5, centre = [0.12, 0] }}
+4 = {{ mass = 2, centre = [0.15, 0] }}
+5 = {{ mass = 6, centre = [0.02, 0] }}
+"""
 
-NOTHING = Loading((), ())
+ENGINE = """
+sheets = ["forces"]
+[mechanism.frame]
+O = [0, 0]
+[mechanism.links]
+1 = "OA"
+2 = "AB"
+3 = "B"
+[mechanism.lengths]
+OA = 0.10
+AB = 0.40
+[[mechanism.slides]]
+link = 3
+along = {{ through = [0, 0], angle = 0 }}
+[mechanism.sketch]
+B = [0.44, 0]
+[drive]
+link = 1
+speed = 20
+start = 0
+positions = {positions}
+[masses]
+1 = {{ mass = 3, centre = [0.04, 0], inertia = 0.01 }}
+2 = {{ mass = 4, centre = [0.15, 0], inertia = 0.06 }}
+3 = {{ mass = 8 }}
+"""
+
+# The slotted link of figure 8.10 with the attached slider-crank CDE; link 3 swings about C below the crank.
+SHAPER = """
+sheets = ["forces"]
+[mechanism.frame]
+O = [0, 0]
+C = [0, -0.35]
+[mechanism.links]
+1 = "OA"
+2 = "A"
+3 = "CD"
+4 = "DE"
+5 = "E"
+[mechanism.lengths]
+OA = 0.12
+CD = 0.70
+DE = 0.20
+[[mechanism.slides]]
+link = 2
+along = "CD"
+[[mechanism.slides]]
+link = 5
+along = {{ through = [0, 0.33], angle = 0 }}
+[mechanism.sketch]
+D = [0.1, 0.34]
+E = [0.3, 0.33]
+[drive]
+link = 1
+speed = 10
+start = 0
+positions = {positions}
+[masses]
+1 = {{ mass = 4, centre = [0.05, 0] }}
+2 = {{ mass = 1.5 }}
+3 = {{ mass = 12, centre = [0.30, 0] }}
+4 = {{ mass = 3, centre = [0.10, 0] }}
+5 = {{ mass = 20 }}
+"""
 
 
-class Case(NamedTuple):
-    """A mechanism with its masses."""
-
-    mechanism: Mechanism
-    machine: Machine
-
-    @property
-    def groups(self) -> tuple[Group, ...]:
-        return decompose(self.mechanism)
-
-    def balance(self, task: Task, *phi: float) -> Balance:
-        """Balance it by analysis."""
-        return balance(self.course(phi or (np.pi / 3,)), task, self.groups)
-
-    def course(self, phi: Sequence[float] = (0.0,), steps: int = STEPS, sense: int = 1) -> Course:
-        road, start = Analysis(self.mechanism), np.asarray(phi, float)
-        told = pairs(self.mechanism, self.groups)
-        motion = road.motion(start)
-        turn = road.around(start[0] + sense * 2 * np.pi * np.arange(steps + 1) / steps)
-        return Course(road, self.machine, told, motion, turn, NOTHING)
+def study(text: str, task: Task | None = None, positions: int = 12) -> BalanceStudy:
+    """Give the study of a scene's balance with a task of its own."""
+    linkage = LinkageStudy(parse_scene(text.format(positions=positions)))
+    return BalanceStudy(linkage, Statics(linkage), task or Task())
 
 
-def bodies(*rows: tuple[int, float, complex]) -> Machine:
-    """Give masses kg and their centres in the links' own frames."""
-    return machine({link: Body(link, mass, mass * 1e-3, centre) for link, mass, centre in rows}, gravity=0j)
-
-
-def four_bar(sense: int = 1) -> Case:
-    """Methods M7.4: the four-bar of M1.1."""
-    links = linkages.four_bar(0.1, 0.4, 0.3, 0.35, sketch={"B": 0.4 + 0.3j}, omega=10.0 * sense, epsilon=0.0)
-    return Case(links, bodies((1, 2, 0.04), (2, 4, 0.18), (3, 5, 0.3 - 0.12)))
-
-
-def engine(offset: float = 0.0) -> Case:
-    """Methods M7.6: the slider-crank of M4.2."""
-    links = linkages.slider_crank(0.1, 0.4, offset, omega=20.0, epsilon=0.0)
-    return Case(links, bodies((1, 3, 0.04), (2, 4, 0.15), (3, 8, 0)))
-
-
-def six_link() -> Case:
-    """Methods M7.7: the slotted link with a rod and a slider."""
-    links = linkages.shaper(epsilon=0.0)
-    return Case(links, bodies((1, 4, 0.05), (2, 1.5, 0), (3, 12, 0.30), (4, 3, 0.10), (5, 20, 0)))
-
-
-def rod_six_link() -> Case:
-    """Methods M7.4: the four-bar with a rod DE on its rocker, and a slider E."""
-    base = linkages.four_bar(0.1, 0.4, 0.3, 0.35, sketch={"B": 0.4 + 0.3j}).links
-    points = {number: dict(link.points) for number, link in base.items()}
-    points[3]["D"] = 0.1 + 0j  # 0.20 from B
-    points |= {4: {"D": 0j, "E": 0.35 + 0j}, 5: {"E": 0j}}
-    guide = linkages.Slide(5, 0, linkages.ALONG_X, linkages.Way(0.1j, 1), "E", "")
-    drive = linkages.Drive(1, "O", "A", 10.0, 0.0)
-    sketch = {"B": 0.4 + 0.3j, "E": 0.75 + 0.1j}
-    links = linkages.mechanism("six-link", points, (guide,), drive, sketch, None)
-    rows = [(1, 2, 0.04), (2, 4, 0.18), (3, 5, 0.18), (4, 2, 0.15), (5, 6, 0.02)]
-    return Case(links, bodies(*rows))
+def asked(aim: str, *places: Place, share: float | None = None, least: str = "force") -> Task:
+    """Ask for a balance by counterweights on some links."""
+    return Task(aim, places, share, least)

@@ -15,7 +15,7 @@ from plans.model.balance.linkage import FULL, NONE, PARTIAL, SECTOR, SHARE, Plac
 from plans.model.machine import GEAR as GEARED
 from plans.model.machine import Transmission
 from tests.plans import linkages
-from tests.plans.balanced import bodies, engine, four_bar, rod_six_link, six_link
+from tests.plans.balance_cases import bodies, engine, four_bar, rod_six_link, six_link
 
 
 def printed(value: float, text: str) -> bool:
