@@ -108,7 +108,7 @@ class Superposition:
         return np.asarray(first + share * step + more * mass + slower * turning)
 
     def _rate(self, share: float) -> Complexes:
-        """Give how the reaction of the shaft grows with the share, N: evenly, but for a mass that follows its radius."""
+        """Give how the reaction of the shaft grows with the share, N: evenly but for a mass that follows."""
         _, step, mass, turning = self._bears
         last, first = self.burden(share + SPAN), self.burden(share - SPAN)
         more, slower = (last.mass - first.mass) / (2 * SPAN), (last.inertia - first.inertia) / (2 * SPAN)
