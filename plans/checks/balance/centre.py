@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from plans.analytic.balance.counterweights import shared
+from plans.analytic.balance.main_points import vectors
 from plans.analytic.balance.mass_centre import bodies, sizes
 from plans.analytic.kinetostatics import kinetostatics
 from plans.balance.states import drawing
@@ -34,13 +35,13 @@ class Centre:
     """A mass centre by both roads over some positions, before or after, with what rounding allows it."""
 
     def __init__(self, study: BalanceStudy, stretch: Stretch, after: bool, weights: Weights) -> None:
-        self.study, self.stretch, self.after = study, stretch, after
+        self.study, self.stretch, self.after, self.weights = study, stretch, after, weights
         self.points = points = study.points(after)
         self.drawing = made = drawing(points, stretch.drafts)
         self.mass = points.mass
         added = study.balance.counterweights if after else ()
-        solid = bodies(study.machine, added)
-        self.sizes = sizes(study.linkage.mechanism, solid, stretch.motion.analysis)
+        self.solid = bodies(study.machine, added)
+        self.sizes = sizes(study.linkage.mechanism, self.solid, stretch.motion.analysis)
         # How far the static moments themselves may be off: those of main points, and those of counterweights.
         self.given = sum(ROUNDING * EPS * term.size for term in points.moments.values())
         self.given += weights.whole if after else 0.0
@@ -86,6 +87,19 @@ class Centre:
         allowed = self.stretch.allowed(own, ACCELERATION, self.sizes[1])
         yield _finding(CENTRE, f"ΣΦ{self.mark}", "N", (force, theirs.force), allowed, self.sizes[1])
 
+    def vectors(self) -> Iterator[Finding]:
+        """Compare the vectors of main points with sums over the paths from each mass to the frame."""
+        theirs, terms = vectors(self.solid, self.points.tree.stems), self.points.moments
+        for link, ours in self.points.vectors.items():
+            size = terms[link].size / self.mass
+            slack = 2 * ROUNDING * EPS * size + (self.weights.whole / self.mass if self.after else 0.0)
+            pair = np.array([ours]), np.array([theirs[link]])
+            yield _finding(CENTRE, f"h_{link}{self.mark}", "m", pair, np.array([slack]), size)
+
+    def moments(self, like: MassCentre) -> Complexes:
+        """Give the polygon's sum of all static moments, kg*m, in which nothing is left out that is near to nothing."""
+        return self._row(self.drawing.polygon.end, like.r)
+
     def _row(self, mark: Any, like: Complexes) -> Complexes:
         """Give a mark over the positions; where there is no place there is none of it."""
         return np.where(np.isnan(like), np.nan, np.broadcast_to(mark.point, len(like)))
@@ -108,6 +122,7 @@ class Centres:
                 after = one is self.ours.after
                 centre = Centre(self.study, self.stretch, after, self.weights)
                 found = *centre.findings(CENTRE, one.centre, other.centre), *centre.polygons(other.centre)
+                yield from centre.vectors()
                 yield from self.stretch.capped((*found, *self._held(centre, one.centre)))
                 if after:
                     yield from self.stretch.capped([self._still(centre, one.centre)])
@@ -129,7 +144,7 @@ class Centres:
     def _still(self, centre: Centre, ours: MassCentre) -> Finding:
         """Hold what must rest: the mass centre, but for what is left at sliders and the share that the crank bears."""
         motion, left = self.stretch.motion.construction, self.ours.left
-        moving = ours.mass * ours.r - sum(mass * motion.points[point].r for point, mass in left.items())
+        moving = centre.moments(ours) - sum(mass * motion.points[point].r for point, mass in left.items())
         moving = moving + self._overbalance(self.theirs.left) * np.exp(1j * motion.links[self._crank].angle)
         rest = moving - moving[np.flatnonzero(np.isfinite(moving))[:1]]
         loose = sum(self.weights.loose(point) for point in left) * self.stretch.size

@@ -26,8 +26,8 @@ def share_findings(costs: Costs) -> Iterator[Finding]:
     shaft = indices(FRAME, costs.course.mechanism.drive.link)
     allowed = [float(np.nanmax(row)) for row in _allowed(costs, shaft)]
     weighed = weighing(costs.course, costs.weights.found)
-    for off, name, of in zip(allowed, ("force", "reaction"), (weighed.force, weighed.reaction), strict=True):
-        yield from _of(name, of, off, ours, theirs)
+    yield from _of(("force", "Φ"), weighed.force, allowed[0], ours, theirs)
+    yield from _of(("reaction", f"R_{shaft}"), weighed.reaction, allowed[1], ours, theirs)
 
 
 def _allowed(costs: Costs, shaft: str) -> list[Floats]:
@@ -36,13 +36,16 @@ def _allowed(costs: Costs, shaft: str) -> list[Floats]:
     return [np.maximum(*both) for both in zip(*rows, strict=True)]
 
 
-def _of(name: str, largest: Callable[[float], float], off: float, ours: Shares, theirs: Shares) -> Iterator[Finding]:
+def _of(
+    named: tuple[str, str], largest: Callable[[float], float], off: float, ours: Shares, theirs: Shares
+) -> Iterator[Finding]:
+    name, letters = named
     curve = (ours.curve, theirs.curve)
-    yield _finding(f"max {name}(k)", "N", [[getattr(one, name) for one in row] for row in curve], off)
+    yield _finding(f"{letters}(k)", "N", [[getattr(one, name) for one in row] for row in curve], off)
     best: Sequence[Choice] = [getattr(road, f"least_{name}") for road in (ours, theirs)]
-    yield _finding(f"least {name}", "N", [[getattr(one, name)] for one in best], off)
+    yield _finding(f"min {letters}(k)", "N", [[getattr(one, name)] for one in best], off)
     width = _width(largest, best[1].share, 2 * off)
-    yield _finding(f"k least {name}", "1", [[one.share] for one in best], width)
+    yield _finding(f"k {letters}", "1", [[one.share] for one in best], width)
 
 
 def _width(largest: Callable[[float], float], share: float, off: float) -> float:
