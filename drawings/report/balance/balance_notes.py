@@ -13,6 +13,7 @@ from drawings.report.balance.balance_equations import EQUALS, Equations, straigh
 from plans.balance.stems import Tree
 from plans.balance.weights import line_of
 from plans.forces.cut import indices
+from plans.forces.primary import BALANCING
 from plans.model.balance.linkage import DISC, SHARE, Balance, Counterweight, Shares, State
 from plans.model.balance.linkage import FORCE as LEAST_FORCE
 from plans.model.kinetostatics import NOTHING, Reaction
@@ -158,7 +159,7 @@ class BalanceNotes(NamedTuple):
         newtons, moments = (self.drafting.word(unit) for unit in ("N", "N*m"))
         told = [f"{self._reaction(key)}: {self._change(*two)} {newtons}" for key, two in self._costly(after).items()]
         balancing = before.balancing, after.balancing
-        told.append(f"{self.drafting.letter('M_{bal}')}: {self._change(*balancing)} {moments}")
+        told.append(f"{self.balancing}: {self._change(*balancing)} {moments}")
         masses = {"added": self._number(self.balance.added), "mass": self._number(self.equations.mass)}
         yield self.drafting.word("price", **masses, told=",  ".join(told))
 
@@ -182,6 +183,16 @@ class BalanceNotes(NamedTuple):
         """Letter the reaction of a pair as the sheet does."""
         return self.drafting.letter(with_index(f"{self.drafting.reactions}_{indices(giver, taker)}"))
 
+    @property
+    def shaft(self) -> str:
+        """The letter of the reaction of the frame on the crank."""
+        return self.reaction(FRAME, self.mechanism.drive.link)
+
+    @property
+    def balancing(self) -> str:
+        """The letter of the balancing moment."""
+        return self.drafting.letter(with_index(BALANCING))
+
     def _change(self, was: float, now: float) -> str:
         size = max(was, now)
         return CHANGED.join(self._rounded(value, size) for value in (was, now))
@@ -196,7 +207,7 @@ class BalanceNotes(NamedTuple):
         force, reaction = shares.least_force, shares.least_reaction
         numbers = {"share": force.share, "force": force.force, "other": reaction.share, "reaction": reaction.reaction}
         told = {name: self._rounded(value, 1.0) for name, value in numbers.items()}
-        return {"main": FORCE, "letters": self.reaction(FRAME, self.mechanism.drive.link), **told}
+        return {"main": FORCE, "letters": self.shaft, **told}
 
     def _body(self, link: int) -> Body:
         return self.machine.bodies.get(link, Body(link, 0.0, 0.0, 0j))
