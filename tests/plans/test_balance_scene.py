@@ -4,20 +4,14 @@ from __future__ import annotations
 
 import math
 import re
-from dataclasses import replace
 
 import pytest
 
-from plans.balance.carriers import carriers, reciprocating
-from plans.balance.counterweights import counterweights, substituted
 from plans.balance.notes import notes_of
-from plans.balance.refusals import Refused
 from plans.linkage.reading.linkage import mechanism_of
 from plans.model.balance.linkage import FORCE, FULL, NONE, PARTIAL, REACTION, SECTOR, SHARE, Place, Task
-from plans.model.machine import Body
-from plans.model.structure import decompose
 from plans.scene.faults import Fault, SceneError
-from plans.scene.scene import parse_scene, read_scene
+from plans.scene.scene import parse_scene
 from tests.gallery import GALLERY
 from tests.plans.banks import ENGINE, FOUR_BAR, counterweight
 
@@ -169,23 +163,6 @@ def test_what_would_do_is_said(linkage: str, aim: str, links: str) -> None:
     assert fault.advice.endswith(f"; {links} would do")
 
 
-@pytest.mark.parametrize("aim", [FULL, PARTIAL])
-@pytest.mark.parametrize("name", ["shaper", "conveyor", "jaw-crusher", "oscillating-cylinder", "slider-crank"])
-def test_the_links_that_would_do_do(name: str, aim: str) -> None:
-    mechanism = mechanism_of(read_scene(GALLERY / f"{name}.toml"))
-    groups, links = decompose(mechanism), carriers(mechanism, aim)
-    bodies = {link: Body(link, 1.0 + link, 0.0, 0.01 + 0.02j) for link in mechanism.links if link}
-    for left in links:  # not one of them can be spared
-        with pytest.raises(Refused):
-            substituted(mechanism, groups, bodies, _allowing(aim, [link for link in links if link != left]))
-    found = counterweights(substituted(mechanism, groups, bodies, _allowing(aim, links)), groups)
-    assert all(one.needed for one in found)
-
-
-def _allowing(aim: str, links: list[int]) -> Task:
-    return Task(aim, tuple(Place(link, mass=1.0) for link in links))
-
-
 def test_a_counterweight_is_not_put_on_what_only_slides() -> None:
     text = f'[balance]\naim = "full"\n{ONE}{counterweight("on = 3", "mass = 1")}'
     (fault,) = refused(text, ENGINE)
@@ -204,13 +181,6 @@ def test_a_share_is_balanced_by_the_crank_of_a_slider_on_the_frame() -> None:
     assert said(f'[balance]\naim = "share"\n{other}', ENGINE) == [("balance.counterweights", "crank_carries")]
     assert said(f'[balance]\naim = "share"\n{ONE}') == [("balance.aim", "no_reciprocating")]
     assert said('[balance]\naim = "share"') == [("balance.aim", "no_reciprocating")]
-
-
-def test_links_that_form_no_groups_are_told_by_what_studies_them_alone() -> None:
-    mechanism = mechanism_of(parse_scene(ENGINE))
-    loose = replace(mechanism, slides=())
-    assert loose.mobility == 3
-    assert (reciprocating(loose), carriers(loose, FULL)) == (True, [1])
 
 
 def test_something_must_have_a_mass_and_turn() -> None:
