@@ -59,17 +59,23 @@ def harmonics(source: Source, orders: Sequence[int]) -> Harmonics:
         for k, force in enumerate(shaking.force)
     ]
     vectors = {signed: _polygon(board, pole, ordinates, signed) for signed in _signed(orders)}
-    slack = HARMONIC * EPS * source.scale
-    return Harmonics(board, pole, vectors, slack, float(np.mean(shaking.slack)) + slack + off, shaking.force)
+    own = _rounding(source, shaking)
+    return Harmonics(board, pole, vectors, own, float(np.mean(shaking.slack)) + own + off, shaking.force)
+
+
+def _rounding(source: Source, shaking: Shaking) -> float:
+    """Give what a harmonic can be of rounding alone: more where the conditions of the plans are bad."""
+    return max(HARMONIC * EPS * source.scale, float(np.mean(shaking.slack)))
 
 
 def _settled(source: Source, orders: Sequence[int]) -> tuple[Shaking, float]:
     """Draw the mechanism at twice as many angles until the harmonics stay where they are; tell how far they moved."""
-    limit, count = HARMONIC * EPS * source.scale, FEWEST
+    count = FEWEST
     while count <= 2 * max(orders):  # of fewer ordinates an order cannot be told from a lower one
         count *= 2
     while True:
         shaking = source.shaking(Fraction(0), count)
+        limit = _rounding(source, shaking)
         moved = max(abs(a - b) for a, b in _both(shaking.force, orders))
         if moved <= limit or 2 * count > MOST:
             return shaking, 0.0 if moved <= limit else moved
