@@ -32,6 +32,8 @@ class Technique(NamedTuple):
 
 MOTION: Final = ("extremes", "positions", "velocities", "accelerations")
 DYNAMICS: Final = ("reduction", "works", "flywheel", "speeds", "run")
+BALANCE: Final = ("centre", "counterweights", "costs")
+BANK: Final = ("harmonics", "compensators")
 CAM: Final = ("laws", "sizes", "profile")
 
 TECHNIQUES: Final[Mapping[str, Technique]] = {
@@ -77,6 +79,35 @@ TECHNIQUES: Final[Mapping[str, Technique]] = {
         needs=("linkage",),
         pace="plans.checks.pace:pace_of",
         borrows=("forces",),
+    ),
+    "balance": Technique(
+        form="plans.balance.form:BalanceForm",
+        tables=("balance",),
+        shares={},
+        meaning="plans.balance.reading:survey_of",
+        notes="plans.balance.notes:notes_of",
+        study="",
+        comparison="",
+        numbers="",
+        marks="",
+        plans=BALANCE,
+        sheets={"balancing": (*MOTION, *BALANCE)},
+        needs=("linkage",),
+        borrows=("forces",),
+    ),
+    "bank": Technique(
+        form="plans.bank.form:BankForm",
+        tables=("bank",),
+        shares={},
+        meaning="plans.bank.reading:survey_of",
+        notes="plans.bank.notes:notes_of",
+        study="",
+        comparison="",
+        numbers="",
+        marks="",
+        plans=BANK,
+        sheets={"bank": BANK},
+        asks="plans.bank.reading:asked_of",
     ),
     "rotor": Technique(
         form="plans.rotor.form:RotorForm",

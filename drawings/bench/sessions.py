@@ -10,6 +10,8 @@ SESSIONS: Final[Mapping[str, str]] = {
     "linkage": "drawings.bench.session:session",
     "forces": "drawings.bench.session:session",
     "dynamics": "drawings.bench.dynamics_session:session",
+    "balance": "",
+    "bank": "",
     "rotor": "drawings.bench.rotor_session:session",
     "cyclogram": "drawings.bench.cyclogram_session:session",
     "cam": "drawings.bench.cam_session:session",

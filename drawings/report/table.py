@@ -42,6 +42,8 @@ REPORTS: Final[Mapping[str, Report]] = {
         idle="drawings.report.idle:of_dynamics",
         faults="drawings.report.dynamics_report:faults",
     ),
+    "balance": Report(subject="", chapters="", headline="", remarks="", idle="drawings.report.idle:nothing", faults=""),
+    "bank": Report(subject="", chapters="", headline="", remarks="", idle="drawings.report.idle:nothing", faults=""),
     "rotor": Report(
         subject="drawings.report.rotor_report:subject",
         chapters="drawings.report.rotor_report:chapters",

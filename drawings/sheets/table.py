@@ -39,6 +39,8 @@ SHEETS: Final[Mapping[str, Sheet]] = {
         leaves="drawings.sheets.dynamics:leaves",
         faults="drawings.checks.verify_dynamics:faults",
     ),
+    "balancing": Sheet(admit="", leaves="", faults=""),
+    "bank": Sheet(admit="", leaves="", faults=""),
     "rotor": Sheet(
         admit="drawings.sheets.rotor:admit",
         leaves="drawings.sheets.rotor:leaves",

@@ -30,9 +30,18 @@ def balance(rotor: Rotor, borne: bool = True) -> Balance:
 
 def moment(one: Unbalance) -> complex:
     """Give a static moment kg*m by its components along and across the direction of angle 0."""
-    angle = one.angle % 360
-    sine, cosine = _sine(angle), _sine((angle + 90) % 360)
-    return complex(one.moment * cosine, one.moment * sine)
+    along = direction(one.angle)
+    return complex(one.moment * along.real, one.moment * along.imag)
+
+
+def direction(angle: Fraction) -> complex:
+    """Give the unit vector at an angle in degrees, by its sine and cosine.
+
+    >>> direction(Fraction(450))
+    1j
+    """
+    angle %= 360
+    return complex(_sine((angle + 90) % 360), _sine(angle))
 
 
 def _sine(angle: Fraction) -> float:

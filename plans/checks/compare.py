@@ -88,16 +88,17 @@ def comparison_of(study: Study) -> MotionComparison:
     return compare_extremes(study["linkage"], found) if "extremes" in study.plans else found
 
 
-def notches(study: LinkageStudy) -> Floats:
-    """Give kappa of every group's meeting over the positions, (groups, positions)."""
-    _, marks = margins(study.drafts().positions, study.groups, study.sweep.sides)
-    count = len(study.turn)
+def notches(study: LinkageStudy, drafts: Drafts | None = None) -> Floats:
+    """Give kappa of every group's meeting over the positions, the scene's or others, (groups, positions)."""
+    drafts = drafts or study.drafts()
+    _, marks = margins(drafts.positions, study.groups, study.sweep.sides)
+    count = len(drafts.turn)
     return np.array([np.broadcast_to(condition(mark), count) for mark in marks]).reshape(len(marks), count)
 
 
-def cap(study: LinkageStudy, findings: Sequence[Finding]) -> tuple[Finding, ...]:
+def cap(study: LinkageStudy, findings: Sequence[Finding], drafts: Drafts | None = None) -> tuple[Finding, ...]:
     """Allow no more than MOST_ALLOWED of the largest where the construction is sharp."""
-    sharp = ~(notches(study).max(axis=0, initial=1.0) >= NOT_GRADED)
+    sharp = ~(notches(study, drafts).max(axis=0, initial=1.0) >= NOT_GRADED)
     mosts = (np.where(sharp, MOST_ALLOWED * finding.largest, np.inf) for finding in findings)
     pairs = zip(findings, mosts, strict=True)
     return tuple(finding._replace(allowed=np.minimum(finding.allowed, most)) for finding, most in pairs)

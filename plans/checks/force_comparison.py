@@ -17,6 +17,7 @@ from plans.checks.compare import MotionComparison, cap, largest_of, with_analysi
 from plans.checks.comparison import Comparison, Finding
 from plans.checks.equilibrium import BALANCING, Bounds, acting, balances, power
 from plans.forces.cut import INERTIA, Support, indices
+from plans.forces.force_template import ForcePlans
 from plans.forces.loading import loading
 from plans.forces.primary import BALANCING as BALANCED
 from plans.forces.primary import DRIVING
@@ -56,7 +57,7 @@ def compare_forces(statics: Statics, motion: MotionComparison) -> ForceCompariso
     loads = loading(machine, motion.analysis, found)
     theirs = kinetostatics(motion.road, machine, motion.analysis, loads, statics.pairs)
     ours = statics.forces
-    both = _Compared(statics, motion, ours, theirs)
+    both = ForceFindings(statics, motion, ours, theirs)
     forces = *cap(study, [*both.reactions(), *both.balancing(loads)]), both.energy(loads)
     compared = ForceComparison(ours, theirs, (*forces, *cap(study, [*both.sums()])), motion)
     return _with_friction(statics, compared, loads) if machine.friction else compared
@@ -78,12 +79,19 @@ def _with_friction(statics: Statics, comparison: ForceComparison, loads: Loading
     return replace(comparison, findings=(*comparison.findings, *findings), friction=(ours, theirs))
 
 
-class _Compared:
-    """The forces of a study by both roads, with what rounding allows the construction."""
+class ForceFindings:
+    """The forces of a study by both roads over a motion, with what rounding allows the construction."""
 
-    def __init__(self, statics: Statics, motion: MotionComparison, ours: Kinetostatics, theirs: Kinetostatics) -> None:
+    def __init__(
+        self,
+        statics: Statics,
+        motion: MotionComparison,
+        ours: Kinetostatics,
+        theirs: Kinetostatics,
+        plans: ForcePlans | None = None,
+    ) -> None:
         self.statics, self.motion, self.ours, self.theirs = statics, motion, ours, theirs
-        self.plans = statics.drafts().plans
+        self.plans = plans or statics.drafts().plans
         self.largest = ours.largest
         places = np.array([point.r for point in motion.construction.points.values()])
         self.size = largest_of([np.abs(places)])  # m: the longest arm about the shaft

@@ -16,14 +16,6 @@ PLAIN = re.compile(r"\s*[+-]?[0-9]+(?:[.,][0-9]+)?(?:[eE][+-]?[0-9]+)?\s*")
 WRITTEN = r"^\s*1\s*/\s*(?!0+(?:\.0+)?\s*$)[0-9]+(?:\.[0-9]+)?\s*$"  # for editors
 DIVISIONS_LEAST, DIVISIONS_MOST = 12, 4096
 RATIO_LIMIT = Decimal("1e4")
-DENSITY = units.Kind(
-    "density",
-    "kg/m3",
-    {"kg/m3": Decimal(1), "g/cm3": Decimal(1000), "кг/м3": Decimal(1), "г/см3": Decimal(1000)},
-    Decimal("1e-3"),
-    Decimal("1e6"),
-)
-
 TIME = units.Kind(
     "time",
     "s",
@@ -83,6 +75,6 @@ FLUCTUATION = one(
 DIVISIONS = one(divisions, lambda: forms.whole(DIVISIONS_LEAST) | {"maximum": DIVISIONS_MOST}, "number")
 RATIO = one(ratio, lambda: forms.quantity(units.NUMBER) | {"not": {"const": 0}}, "number")
 INERTIA = f.positive(units.INERTIA)
-MATERIAL = f.positive(DENSITY)
+MATERIAL = f.positive(units.DENSITY)
 SHARE = f.positive(units.NUMBER)
 STEP = f.positive(TIME)

@@ -105,6 +105,12 @@ class Statics:
         self.form = study.scene.of(ForceForm)
         self.made: dict[str, None] = {}  # what was made, in order
 
+    def bearing(self, machine: Machine) -> Statics:
+        """Study the same positions of a machine with other masses, or loads."""
+        other = Statics(self.study)
+        vars(other)["machine"] = machine
+        return other
+
     def construct(self, plans: Collection[str]) -> None:
         """Find the forces at all positions of the scene."""
         if "forces" in plans:

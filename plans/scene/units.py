@@ -95,6 +95,7 @@ MOMENT = _kind(
 STIFFNESS = _kind(
     "stiffness", "N/m", "1e-9", "1e15", **{"kN/m": "1000", "N/cm": "100", "N/mm": "1000", "Н/м": "1", "Н/мм": "1000"}
 )
+DENSITY = _kind("density", "kg/m3", "1e-3", "1e6", **{"g/cm3": "1000", "кг/м3": "1", "г/см3": "1000"})
 NUMBER = Kind("number", "", {})
 
 

@@ -16,7 +16,7 @@ from drawings.lettering.lettering import text_width
 from drawings.page.drafting import Drafting
 from drawings.page.scale import Scale, fitting
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import INK, Circle, Group, Line, Polyline, Stroke, Text
+from drawings.paper.strokes import INK, Circle, Group, Line, LineStyle, Polyline, Stroke, Text
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.figure import Subject, heading
 from drawings.symbols.symbols import TICK
@@ -30,6 +30,7 @@ LETTERS = 18.0  # a graph is drawn at least so many of its letters long: its pos
 DOT = 0.7  # mm, radius of a point of the curve
 BELOW = -math.pi / 2  # a number stands on the side of its axis away from the ordinate
 LEAST = 0.05  # mm: a shorter ordinate is a point
+BEFORE = "before"  # the name of the thin curve
 APART = 2.4  # sizes of a number from one number to the next, where they stand apart
 
 
@@ -47,11 +48,12 @@ class GraphCurve(NamedTuple):
     ordinates: Floats
     title: str = ""
     divisions: int = 0  # of the whole turn, where its end has a number and numbers stand apart
+    before: Floats | None = None  # what the quantity was before a change, as dense: a thin curve
 
     @property
     def span(self) -> tuple[float, float]:
         """The least and the largest value, zero among them."""
-        values = np.concatenate([self.values, self.ordinates])
+        values = np.concatenate([self.values, self.ordinates, *([] if self.before is None else [self.before])])
         return float(np.nanmin(values, initial=0.0)), float(np.nanmax(values, initial=0.0))
 
     @property
@@ -133,9 +135,11 @@ def draw(curve: GraphCurve, room: Picture, spot: Spot, drafting: Drafting) -> Gr
     zero = place.on(0j)
     frame = Axes(zero + 1j * (spare / 2 - low / scale.mu), spot.scale, scale)
     scales = f"{spot.scale.written(drafting.language)};  {scale.written(drafting.language)}"
+    scales += "" if curve.before is None else f";  {drafting.word('thin before')}"
     ordinates, stations = _ordinates(curve, room.name, frame, hand)
     title = heading(spot.box, curve.title, scales, hand)
-    lines = (title, *_axes(curve, frame, hand), *ordinates, *_line(curve, frame, hand))
+    curves = [*_before(curve, frame, hand), *_line(curve.angles, curve.values, frame, hand.result)]
+    lines = (title, *_axes(curve, frame, hand), *ordinates, *curves)
     last = frame.on(curve.length)
     ends = (frame.on(0.0, high) + 1j * BEYOND, last + BEYOND)
     axes = ((f"{curve.letter}, {drafting.word(curve.unit)}", ends[0], 0.0), ("φ", ends[1], math.pi / 2))
@@ -184,11 +188,16 @@ def _ordinates(
     return strokes, stations
 
 
-def _line(curve: GraphCurve, frame: Axes, hand: Hand) -> Iterator[Stroke]:
-    """Draw the curve, broken at its gaps."""
-    for run in stretches(curve.values):
-        points = [frame.on(float(curve.angles[k]), float(curve.values[k])) for k in run]
-        yield from fit_dashes([Polyline(tuple(points), False, hand.result)])
+def _before(curve: GraphCurve, frame: Axes, hand: Hand) -> Iterator[Stroke]:
+    if curve.before is not None:
+        yield Group(tuple(_line(curve.angles, curve.before, frame, hand.other)), BEFORE)
+
+
+def _line(angles: Floats, values: Floats, frame: Axes, style: LineStyle) -> Iterator[Stroke]:
+    """Draw a curve, broken at its gaps."""
+    for run in stretches(values):
+        points = [frame.on(float(angles[k]), float(values[k])) for k in run]
+        yield from fit_dashes([Polyline(tuple(points), False, style)])
 
 
 def stretches(values: Floats) -> Iterator[Sequence[int]]:

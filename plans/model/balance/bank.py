@@ -7,6 +7,7 @@ F_n = ahead*e^(i n phi) + back*e^(-i n phi); of a force along one line both are 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
@@ -20,6 +21,7 @@ CONSTRUCTION, ANALYSIS = "construction", "analysis"
 ORDERS = (1, 2, 4, 6)  # the orders that are told unless the scene names others
 EPS = 2.0**-52
 ROUNDING = 8.0  # a polygon closes within so many eps of the sum of its vectors
+HARMONIC = 64.0  # a harmonic is found within so many eps of the forces that it is part of: 1e-14; what is less is none
 
 
 class Unit(NamedTuple):
@@ -101,11 +103,17 @@ class Harmonic(NamedTuple):
         return np.asarray(self.ahead * turned + self.back * turned.conj())
 
 
+def plain_angle(angle: float) -> float:
+    """Give an angle rad in (-pi, pi]; what is within rounding of -pi is pi."""
+    return math.pi if angle <= -math.pi * (1 - ROUNDING * EPS) else angle
+
+
 class Compensator(NamedTuple):
     """Two masses that turn against each other at n times the crank's speed: m*r kg*m and angle rad at phi = 0 of each.
 
     `with_crank` turns with the crank, `against` against it; None is the angle of a mass that is not needed. `residual`
-    N*m is the largest couple that their offset gives, `couple` kg*m the m*r of each mass of its compensator.
+    N*m is the largest couple that their offset gives, `couple` kg*m the m*r of each mass of its compensator: two masses
+    in antiphase on shafts whose line is along the largest force of the order, `couple_angle` of the one farther on it.
     """
 
     asked: Asked
@@ -115,6 +123,7 @@ class Compensator(NamedTuple):
     against_angle: float | None
     residual: float = 0.0
     couple: float | None = None
+    couple_angle: float | None = None
 
 
 @dataclass(frozen=True)
@@ -135,6 +144,8 @@ class BankBalance:
     force: Complexes
     left: Complexes
     moment: Complexes  # of the bank about the plane of place 0, N*m
+    force_slack: float  # N: how far rounding can have moved `force` anywhere
+    moment_slack: float  # N*m
     gaps: tuple[Gap, ...] = ()
 
     @property

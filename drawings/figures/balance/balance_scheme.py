@@ -1,0 +1,207 @@
+"""The scheme of balancing: mass centres, main-point vectors from O to S, counterweights, the path of S (рис. 8.6, 8.9).
+
+Main-point vectors that lie along links are drawn in lanes beside them.
+"""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from drawings.figures.balance.scheme import AFTER, BalanceScheme, PlacedWeight
+from drawings.figures.graphs.curve_graph import stretches
+from drawings.figures.linkage.guides import frame_slides, grounds, travel
+from drawings.figures.linkage.link_numbers import link_numbers
+from drawings.figures.linkage.pairs import Pairs
+from drawings.figures.linkage.rotation import turnings
+from drawings.layout.ink import Ink
+from drawings.layout.labels import Labels, free_side
+from drawings.layout.parallel_offsets import APART, Segment, offset, parallel_offsets
+from drawings.layout.picture import Margins, Picture, Spot, picture
+from drawings.layout.place import Place
+from drawings.lettering.balance_letters import CENTRE, counterweight, lowered
+from drawings.lettering.indices import with_index
+from drawings.lettering.lettering import text_width
+from drawings.page.drafting import Drafting
+from drawings.paper.hand import Hand
+from drawings.paper.limits import SEEN
+from drawings.paper.strokes import INK, LEAN, Circle, Group, Line, Polyline, Stroke, Text
+from drawings.symbols.dashes import fit_dashes
+from drawings.symbols.figure import Subject, heading
+from drawings.symbols.force_arrow import plain_name
+from drawings.symbols.polygon import LaidVector, carriers, letters
+from drawings.symbols.symbols import ARROW_LENGTH, MASS, POINT, cross, mass_centre
+from drawings.symbols.trimming import trim
+
+SYMBOL, UNIT = "l", "m"
+MARGINS = Margins(3.5, 3.2, 2.6)  # paper around it for its letters and stands, in their sizes
+LETTERS = 22.0  # it is drawn at least so many of its letters large
+ROOM = 2.6 + 1.9j  # width + 1j * height of a letter between two lanes, in its sizes
+STILL = 0.2  # mm: a shorter path is a dot under its point's own symbol
+
+
+@dataclass(frozen=True, eq=False)
+class SchemeFigure:
+    """A scheme placed on paper: its lines, and the letters still to be placed among those of all figures."""
+
+    shown: BalanceScheme
+    pairs: Pairs
+    box: Spot
+    drafting: Drafting
+
+    @property
+    def place(self) -> Place:
+        """Where it lies on paper."""
+        return self.pairs.place
+
+    @property
+    def subject(self) -> Subject:
+        """What its marks belong to."""
+        return Subject(self.shown.name, SYMBOL, self.shown.shown)
+
+    @cached_property
+    def lines(self) -> tuple[Stroke, ...]:
+        """All its lines, from the thinnest to the pairs, the vectors over them."""
+        ink = Ink()
+        body, stands = list(self.pairs.bars()), list(self.pairs.stands())
+        blocks = [block for _, block in self.pairs.blocks]
+        ink.draw([*body, *blocks, *stands])
+        under = [*self._paths(), *self._axes(), *self._holders()]
+        return (
+            self._heading(),
+            *fit_dashes(trim(under, self.pairs.masks)),
+            *trim((rim for one in self.shown.weights for rim in self._rim(one)), self.pairs.masks),
+            *grounds(self.pairs, ink),
+            *(*blocks, *body, *self.pairs.corners(), *stands),
+            *(part for turning in turnings(self.pairs) for part in turning.strokes(self.pairs)),
+            *self._marks(),
+            *carriers(self.arrows, self.place, self._hand),
+            *(self._arrow(one) for one in self.arrows),
+            *self._centre(),
+        )
+
+    @property
+    def _hand(self) -> Hand:
+        return self.drafting.hand
+
+    def _paths(self) -> Iterator[Stroke]:
+        """Draw the path of the common mass centre: its own in a main line, the other thin."""
+        for state, path in self.shown.paths.items():
+            style = self._hand.result if state == self.shown.state else self._hand.other
+            for run in stretches(path.real):
+                spots = [self.place.on(complex(path[k])) for k in run]
+                if _length(spots) > STILL:
+                    yield Polyline(tuple(spots), False, style)
+
+    def _axes(self) -> Iterator[Stroke]:
+        for slide in frame_slides(self.shown.bones):
+            yield Line(*travel(self.shown.bones, slide, self.place, self.pairs.hand), self._hand.axis)
+
+    def _holders(self) -> Iterator[Stroke]:
+        """Draw what holds counterweights: the line from their link's beginning."""
+        for one in self.shown.weights:
+            if one.is_disc:
+                yield Line(self.place.on(one.begin), self.place.on(one.centre), self._hand.result)
+
+    def _rim(self, one: PlacedWeight) -> Iterator[Stroke]:
+        yield Polyline(tuple(self.place.on(spot) for spot in one.rim), True, self._hand.relative)
+
+    def _marks(self) -> Iterator[Group]:
+        """Draw hinges, mass centres, other points, and the centres of counterweights; all can be measured."""
+        hand, scale = self.pairs.hand, self.place.scale
+        pivot = self.shown.bones.mechanism.drive.pivot
+        for name, value in self.shown.named.items():
+            at = self.place.on(value)
+            data = self.subject.data("pole" if name == pivot else "point", name, value, scale)
+            yield Group(self._symbol(name, at), "", data, name)
+        for one in self.shown.weights:
+            at, letter = self.place.on(one.centre), counterweight(one.weight.link, "en")
+            data = self.subject.data("point", plain_name(letter), one.centre, scale)
+            yield Group((Circle(at, POINT * hand.symbol, INK), *cross(at, hand)), "", data, letter)
+
+    def _symbol(self, name: str, at: complex) -> tuple[Stroke, ...]:
+        if name in self.pairs.hinges:
+            return self.pairs.hinges[name]
+        if name in self.pairs.centres:
+            return mass_centre(at, self.pairs.hand)
+        return (Circle(at, POINT * self.pairs.hand.symbol, INK),)
+
+    @cached_property
+    def arrows(self) -> tuple[LaidVector, ...]:
+        """The main-point vectors that are long enough to be seen, in lanes where they would lie on links."""
+        seen = [one for one in self.shown.chain if self.place.length(abs(one.value)) >= SEEN]
+        bars = [(line.start, line.end) for line in self.pairs.bars() if isinstance(line, Line)]
+        own: list[Segment] = [(self.place.on(one.at), self.place.on(one.end)) for one in seen]
+        apart, room = APART * self._hand.symbol, ROOM * self._hand.letter
+        shifts = parallel_offsets([*bars, *own], apart, room)[len(bars) :]
+        laid = zip(seen, own, shifts, strict=True)
+        return tuple(LaidVector(one, offset(line, shift), shift) for one, line, shift in laid)
+
+    def _arrow(self, one: LaidVector) -> Group:
+        return one.draw(self.subject, lowered(one.vector.name), self.place, self._hand.result, self._hand.symbol)
+
+    def _centre(self) -> Iterator[Group]:
+        """Draw the common mass centre; it can be measured."""
+        at, value = self.place.on(self.shown.centre), self.shown.centre
+        data = self.subject.data("point", CENTRE, value, self.place.scale)
+        yield Group(mass_centre(at, self._hand), "", data, CENTRE)
+
+    def letter(self, labels: Labels) -> tuple[Group, ...]:
+        """Give the whole figure, its vectors, points and links lettered."""
+        hand = self._hand
+        found = [*letters(self.arrows, self._vector_letter, labels), *self._points(labels), *self._weights(labels)]
+        senses = ((one.letter, *one.middle) for one in turnings(self.pairs))
+        found += [labels.beside(at, letter, hand.letter, 1.5, away) for letter, at, away in senses]
+        found += link_numbers(self.pairs, self.shown.bones.links, labels, hand)
+        return (Group((*self.lines, Group(tuple(found))), self.shown.name),)
+
+    def _vector_letter(self, name: str) -> tuple[str, float]:
+        return lowered(name), self._hand.letter
+
+    def _points(self, labels: Labels) -> Iterator[Stroke]:
+        """Letter the points, each where the bars at it leave the widest angle free."""
+        hand = self._hand
+        yield labels.beside(self.place.on(self.shown.centre), CENTRE, hand.letter, MASS * hand.symbol + 0.8)
+        bars = list(self.pairs.bars())
+        for name, value in self.shown.named.items():
+            spot, clear = self.place.on(value), self.pairs.clear(name)
+            side = free_side(spot, bars, clear + ARROW_LENGTH)
+            yield labels.beside(spot, with_index(name), hand.letter, clear + 1.0, side)
+
+    def _weights(self, labels: Labels) -> Iterator[Stroke]:
+        for one in self.shown.weights:
+            rim = self.place.on(one.centre)
+            letter = counterweight(one.weight.link, self.drafting.language)
+            yield labels.beside(rim, letter, self._hand.letter, 2.2, cmath.phase(one.direction))
+
+    def _heading(self) -> Group:
+        title = title_of(self.shown, self.drafting)
+        return heading(self.box.box, title, self.drafting.scale(self.box.scale), self._hand)
+
+
+def _length(spots: list[complex]) -> float:
+    return float(np.abs(np.diff(np.array(spots))).sum())
+
+
+def title_of(shown: BalanceScheme, drafting: Drafting) -> str:
+    """Give the title of a scheme."""
+    key = "scheme after" if shown.state == AFTER else "scheme before"
+    return f"{drafting.word(key)}, {drafting.word('position', position=shown.shown)}"
+
+
+def measure(shown: BalanceScheme, drafting: Drafting) -> Picture:
+    """Measure the room that a scheme needs: all its points, letters around them, its heading above."""
+    hand = drafting.hand
+    side, below, above = (size * hand.letter for size in MARGINS)
+    margins = Margins(side, below, above + 2 * hand.title + hand.text)
+    title = text_width(Text(0j, title_of(shown, drafting), hand.title)) + 2 * LEAN * hand.title
+    return picture(shown.name, shown.points, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
+
+
+def draw(shown: BalanceScheme, room: Picture, spot: Spot, drafting: Drafting) -> SchemeFigure:
+    """Draw the scheme in its spot, with its title and its written scale above it."""
+    return SchemeFigure(shown, Pairs(shown.bones, room.place(*spot), drafting.hand), spot, drafting)

@@ -1,0 +1,149 @@
+"""The share of the reciprocating mass as a choice: what is largest over it, and where it is least (выбор доли)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from drawings.figures.forces.force_letters import letter_of
+from drawings.figures.graphs.axes import BEYOND, Axes
+from drawings.figures.graphs.part import Letter
+from drawings.layout.labels import Labels
+from drawings.layout.picture import Margins, Picture, Spot
+from drawings.lettering.balance_letters import FORCE
+from drawings.lettering.lettering import text_width
+from drawings.page.drafting import Drafting
+from drawings.page.scale import Scale, fitting
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import LEAN, Circle, Group, Line, Polyline, Stroke, Text
+from drawings.symbols.dashes import fit
+from drawings.symbols.figure import Subject, heading
+from drawings.symbols.symbols import TICK
+from plans.model.balance.linkage import Choice, Shares
+
+NAME, SYMBOL, UNIT = "shares", "F", "N"
+SHARE, ONE = "k", "1"  # the letter and the unit of the share
+FORCES, REACTIONS = "force", "reaction"  # the curves
+RATIO = 1.5  # it is drawn so many times as long as high
+MARGINS = Margins(3.6, 2.6, 0.8)  # paper around it for letters, in their sizes
+LETTERS = 20.0  # it is drawn at least so many of its letters long
+DIVISIONS = 4  # of the whole share, with numbers
+DOT = 1.0  # mm, radius of the points of the least values
+
+
+class ShareGraph(NamedTuple):
+    """The curves of the choice, the share that was taken, and the letter of the shaft's reaction."""
+
+    shares: Shares
+    taken: float
+    reaction: str  # marked up: "R_{01}"
+
+    @property
+    def rows(self) -> dict[str, list[tuple[float, float]]]:
+        """Both curves with their least places among their points."""
+        found, choices = {}, (*self.shares.curve, self.shares.least_force, self.shares.least_reaction)
+        for name in (FORCES, REACTIONS):
+            found[name] = sorted({(one.share, value_of(one, name)) for one in choices})
+        return found
+
+    @property
+    def best(self) -> dict[str, Choice]:
+        """Where each is least."""
+        return {FORCES: self.shares.least_force, REACTIONS: self.shares.least_reaction}
+
+    @property
+    def high(self) -> float:
+        """The largest value, N."""
+        return max(value for row in self.rows.values() for _, value in row)
+
+
+def value_of(one: Choice, name: str) -> float:
+    """Give what is largest with a share, N: by the name of a curve."""
+    return one.force if name == FORCES else one.reaction
+
+
+@dataclass(frozen=True)
+class ShareFigure:
+    """The graph placed on paper: its lines, and the letters still to be placed among the lines of all figures."""
+
+    lines: tuple[Stroke, ...]
+    letters: tuple[Letter, ...]
+
+    def letter(self, labels: Labels) -> tuple[Group, ...]:
+        """Give the whole graph, its curves and least places lettered."""
+        ranked = sorted(self.letters, key=lambda one: -one.size)
+        found = tuple(labels.beside(one.at, one.text, one.size, one.gap, one.side) for one in ranked)
+        return (Group((*self.lines, Group(found)), NAME),)
+
+
+def measure(shown: ShareGraph, drafting: Drafting) -> Picture:
+    """Measure the room of the graph: its scale is that of the share, the forces' own follows from the height."""
+    hand, high = drafting.hand, 1 / RATIO
+    side, below, above = (size * hand.letter for size in MARGINS)
+    margins = Margins(side + BEYOND / 2, below, above + BEYOND + 2 * hand.title + hand.text)
+    title = text_width(Text(0j, drafting.word("share graph"), hand.title)) + 2 * LEAN * hand.title
+    return Picture(NAME, 1.0, high, complex(1.0, high) / 2, SHARE, ONE, margins, title, LETTERS * hand.letter)
+
+
+def draw(shown: ShareGraph, room: Picture, spot: Spot, drafting: Drafting) -> ShareFigure:
+    """Draw the graph in its spot: axes, both curves, their least places, the share that was taken dashed."""
+    hand = drafting.hand
+    up = fitting(shown.high, room.high / spot.scale.mu, SYMBOL, UNIT, drafting.standard)
+    axes = Axes(room.place(*spot).on(0j), spot.scale, up)
+    scales = f"{drafting.scale(spot.scale)};  {drafting.scale(up)}"
+    lines = (
+        heading(spot.box, drafting.word("share graph"), scales, hand),
+        *axes.lines((0.0, 1.0), (0.0, shown.high), hand),
+        *(
+            Line(axes.on(k / DIVISIONS) - 1j * TICK, axes.on(k / DIVISIONS) + 1j * TICK, hand.other)
+            for k in range(1, DIVISIONS + 1)
+        ),
+        *_taken(shown, axes, hand),
+        *(part for name in (FORCES, REACTIONS) for part in _curve(shown, name, axes, up, drafting)),
+    )
+    return ShareFigure(lines, tuple(_letters(shown, axes, drafting)))
+
+
+def _taken(shown: ShareGraph, axes: Axes, hand: Hand) -> Iterator[Stroke]:
+    start, end = axes.on(shown.taken), axes.on(shown.taken, shown.high)
+    yield Line(start, end, fit(hand.path, abs(end - start)))
+
+
+def _curve(shown: ShareGraph, name: str, axes: Axes, up: Scale, drafting: Drafting) -> Iterator[Stroke]:
+    """Draw a curve and the ordinate of its least place, which can be measured."""
+    hand, best = drafting.hand, shown.best[name]
+    spots = tuple(axes.on(*one) for one in shown.rows[name])
+    yield Group((Polyline(spots, False, hand.result if name == FORCES else hand.relative),), f"{NAME}-{name}")
+    least = value_of(best, name)
+    foot, tip = axes.on(best.share), axes.on(best.share, least)
+    data = Subject(NAME, SYMBOL, None).data("vector", name, 1j * least, up)
+    if abs(tip - foot) > TICK:
+        yield Group((Line(foot, tip, hand.other),), "", data, name)
+    yield Circle(tip, DOT * hand.symbol, hand.body)
+
+
+def _letters(shown: ShareGraph, axes: Axes, drafting: Drafting) -> Iterator[Letter]:
+    """Letter the axes, the curves at their right ends, the least places and the share that was taken."""
+    hand, number = drafting.hand, drafting.number
+    yield Letter(axes.on(0.0, shown.high) + 1j * BEYOND, drafting.word(UNIT), hand.letter, 0.0)
+    yield Letter(axes.on(1.0) + BEYOND, SHARE, hand.letter, math.pi / 2)
+    for k in range(DIVISIONS + 1):
+        yield Letter(axes.on(k / DIVISIONS), number(k / DIVISIONS), hand.number, -math.pi / 2, TICK + 0.6)
+    for name, letter in curve_letters(shown.reaction).items():
+        share, value = shown.rows[name][-1]
+        yield Letter(axes.on(share, value), letter, hand.letter, 0.0)
+        best = shown.best[name]
+        text = f"k = {number(best.share, 3)};  {number(value_of(best, name))} {drafting.word(UNIT)}"
+        yield Letter(axes.on(best.share, value_of(best, name)), text, hand.number, math.pi / 2, 1.6)
+
+
+def curve_letters(reaction: str) -> dict[str, str]:
+    """Letter both curves."""
+    return {FORCES: f"{FORCE}_{{max}}", REACTIONS: f"{reaction} _{{max}}"}
+
+
+def reaction_letter(crank: int, drafting: Drafting) -> str:
+    """Letter the reaction of the frame on the crank."""
+    return letter_of(f"R_0{crank}", drafting)

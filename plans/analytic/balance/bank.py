@@ -1,0 +1,154 @@
+"""The bank by sums: harmonics of one mechanism times exponentials of its members' angles (гармоники блока).
+
+No polygon is drawn and no plan: of a slider-crank the harmonics are its closed series, of any other mechanism they are
+those of its shaking force by analysis, sampled over a turn.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from typing import NamedTuple, Protocol
+
+import numpy as np
+
+from plans.analytic.balance.series import shaking, slider_harmonic
+from plans.analytic.rotor import direction
+from plans.model.balance.bank import (
+    ANALYSIS,
+    EPS,
+    HARMONIC,
+    ROUNDING,
+    Asked,
+    BankBalance,
+    BankTask,
+    Compensator,
+    Harmonic,
+    Member,
+    Unit,
+    plain_angle,
+)
+from plans.model.motion import Complexes, Floats
+
+STEPS = 360  # even positions of a turn
+
+
+class Mechanism(Protocol):
+    """One mechanism of the bank by analysis; `scale` N is the size of the forces that shake it."""
+
+    @property
+    def scale(self) -> float: ...  # noqa: D102
+    def harmonic(self, signed: int) -> complex: ...  # noqa: D102
+    def shaking(self, angles: Sequence[Fraction]) -> Complexes: ...  # noqa: D102
+
+
+class SliderCrank(NamedTuple):
+    """A slider-crank by its closed series, at an angular speed rad/s."""
+
+    unit: Unit
+    speed: float
+
+    @property
+    def scale(self) -> float:
+        """The inertia force of both masses at the crank pin, N."""
+        return math.fsum((self.unit.rotating, self.unit.reciprocating)) * self.unit.crank * self.speed**2
+
+    def harmonic(self, signed: int) -> complex:
+        """Give the vector of a signed order, N."""
+        unit, order = self.unit, abs(signed)
+        slider = unit.reciprocating * order**2 * slider_harmonic(unit, order) / 2
+        return complex(self.speed**2 * (slider + (unit.rotating * unit.crank if signed == 1 else 0.0)))
+
+    def shaking(self, angles: Sequence[Fraction]) -> Complexes:
+        """Give the shaking force at crank angles, degrees."""
+        return shaking(self.unit, self.speed, np.array([direction(angle) for angle in angles]))
+
+
+def bank_balance(task: BankTask, mechanism: Mechanism) -> BankBalance:
+    """Find the harmonics of a bank and its compensators."""
+    orders = tuple(dict.fromkeys((*task.orders, *(one.order for one in task.asked))))
+    single = {order: _single(mechanism, order) for order in orders}
+    forces = {order: _summed(one, task.members, [1.0] * len(task.members)) for order, one in single.items()}
+    places = [float(one.place) for one in task.members]
+    moments = {order: _summed(one, task.members, places) for order, one in single.items()}
+    found = tuple(_compensator(one, forces[one.order], task.speed) for one in task.asked)
+    phi = np.linspace(0.0, 2 * np.pi, STEPS + 1)
+    terms = np.array([_member(mechanism, one) for one in task.members])
+    force, moment = terms.sum(axis=0), np.array(places) @ terms
+    largest = max(mechanism.scale, float(np.max(np.abs(terms))))
+    return BankBalance(
+        by=ANALYSIS,
+        task=task,
+        single=single,
+        forces=forces,
+        moments=moments,
+        compensators=found,
+        phi=phi,
+        force=force,
+        left=np.sum([force, *(_pushes(one, task.speed, phi) for one in found)], axis=0),
+        moment=moment,
+        force_slack=HARMONIC * EPS * largest * len(places),
+        moment_slack=HARMONIC * EPS * largest * math.fsum(map(abs, places)),
+    )
+
+
+def _single(mechanism: Mechanism, order: int) -> Harmonic:
+    ahead, back = (mechanism.harmonic(signed) for signed in (order, -order))
+    return Harmonic(order, ahead, back, HARMONIC * EPS * mechanism.scale)
+
+
+def _summed(one: Harmonic, members: Sequence[Member], weights: Sequence[float]) -> Harmonic:
+    """Sum the vectors of an order over the bank, each with its weight."""
+    order, axes = one.order, [direction(member.axis) for member in members]
+    phases = [direction(order * member.phase) for member in members]
+    rows = list(zip(weights, axes, phases, strict=True))
+    ahead = [one.ahead * (weight * axis * phase) for weight, axis, phase in rows]
+    back = [one.back * (weight * axis * phase.conjugate()) for weight, axis, phase in rows]
+    sizes = [max(abs(a), abs(b)) for a, b in zip(ahead, back, strict=True)]
+    slack = one.slack * math.fsum(map(abs, weights)) + ROUNDING * EPS * math.fsum(sizes)
+    return Harmonic(order, _sum(ahead), _sum(back), slack)
+
+
+def _sum(terms: Iterable[complex]) -> complex:
+    found = list(terms)
+    return complex(math.fsum(one.real for one in found), math.fsum(one.imag for one in found))
+
+
+def _member(mechanism: Mechanism, one: Member) -> Complexes:
+    """Give the force of one member over the turn."""
+    angles = [Fraction(360 * k, STEPS) + one.phase for k in range(STEPS + 1)]
+    return np.asarray(direction(one.axis) * mechanism.shaking(angles))
+
+
+def _compensator(asked: Asked, force: Harmonic, speed: float) -> Compensator:
+    """Find the masses whose forces are against those of an order, and those of the couple that their offset makes."""
+    square = (asked.order * speed) ** 2
+    sizes = [0.0 if abs(one) <= force.slack else abs(one) for one in (force.ahead, force.back)]
+    angles = [
+        plain_angle(cmath.phase(-one)) if size else None
+        for one, size in zip((force.ahead, force.back), sizes, strict=True)
+    ]
+    residual = math.fsum(sizes) * abs(asked.offset)
+    couple = None if asked.shafts is None else residual / (square * asked.shafts)
+    return Compensator(
+        asked,
+        *(sizes[0] / square, angles[0], sizes[1] / square, angles[1]),
+        residual,
+        couple,
+        _couple_angle(angles, asked.offset) if couple else None,
+    )
+
+
+def _couple_angle(angles: Sequence[float | None], offset: float) -> float:
+    """Give the angle of the couple's mass: a quarter turn ahead of the first mass, behind it for an offset below 0."""
+    first = next(angle for angle in angles if angle is not None)
+    return plain_angle(cmath.phase(cmath.rect(1.0, first + math.copysign(math.pi / 2, offset))))
+
+
+def _pushes(one: Compensator, speed: float, phi: Floats) -> Complexes:
+    """Give the force of a compensator over a turn."""
+    square, turn = (one.asked.order * speed) ** 2, one.asked.order * phi
+    ahead = one.with_crank * np.exp(1j * (turn + (one.with_angle or 0.0)))
+    return np.asarray(square * (ahead + one.against * np.exp(1j * ((one.against_angle or 0.0) - turn))))

@@ -1,0 +1,130 @@
+"""Counterweights by linearly independent vectors: the mass centre's place may have none that vary (противовесы).
+
+The static moments of all bodies, of the counterweights that are sought, of what may stay at sliders, and any multiple
+of the loops are summed vector by vector (plans.analytic.balance.formal); each sum but the constant one must be zero.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from plans.analytic.balance.formal import Formal
+from plans.analytic.balance.sought import Sought
+from plans.model.balance.linkage import EPS, ROUNDING, SECTOR, Counterweight, Place
+from plans.model.machine import Machine
+from plans.model.mechanism import FRAME, Mechanism
+from plans.model.motion import Complexes, Floats
+
+REFINEMENTS = 2  # of a linear solution: what one leaves, the next finds to be rounding
+
+
+@dataclass(frozen=True)
+class Found:
+    """Counterweights, kg of what stays at hinges by letter, and how far rounding can have moved either.
+
+    `slack` is kg*m by link, `loose` kg by letter.
+    """
+
+    counterweights: tuple[Counterweight, ...]
+    left: dict[str, complex]
+    slack: dict[int, float]
+    loose: dict[str, float]
+
+
+def counterweights(mechanism: Mechanism, machine: Machine, wanted: Sought) -> Found:
+    """Find the counterweights that are sought: they bring the mass centre to rest but for what moves along guides.
+
+    A mass that follows from a static moment weighs on the links that bear the link: each round sets one more of them.
+    """
+    sums = Sums(mechanism, machine, wanted)
+    found = Found(wanted.blanks, {}, {}, {})
+    for _ in range(len(wanted.blanks) + 1):
+        found = sums.solve(found)
+    return found
+
+
+def uncertain(one: Counterweight, slack: float) -> float:
+    """Give how far a mass kg is off that follows from a static moment which `slack` kg*m is off."""
+    follows = one.needed and one.place.mass is None
+    return slack * one.mass / abs(one.moment) if follows else 0.0
+
+
+def mass_of(place: Place, moment: complex) -> float:
+    """Give the mass kg that a static moment kg*m has at the place that is given."""
+    if place.mass is not None:
+        return place.mass
+    arm = place.radius if place.at is None else place.at
+    if arm is not None:
+        return abs(moment / arm)
+    if place.shape != SECTOR:
+        raise ValueError(place)  # the reading of a scene asks for one of them
+    # With its apex at the link's beginning, m*r = (2/3) density thickness sin(half angle) R^3.
+    solid = place.density * place.thickness
+    outer = math.cbrt(1.5 * abs(moment) / (solid * math.sin(place.half_angle)))
+    return solid * place.half_angle * outer**2
+
+
+def carrying(one: Counterweight, moment: complex) -> Counterweight:
+    """Give a counterweight another static moment kg*m, with the mass that follows."""
+    return one._replace(moment=moment, mass=mass_of(one.place, moment) if moment else 0.0)
+
+
+class Sums:
+    """The static moments of a mechanism, vector by vector, and what may bring them to zero."""
+
+    def __init__(self, mechanism: Mechanism, machine: Machine, wanted: Sought) -> None:
+        self.formal, self.machine = Formal(mechanism), machine
+        self.links, self.left = sorted(wanted.links), wanted.left
+        formal = self.formal
+        columns = [formal.along(link, 1 + 0j) for link in self.links]
+        columns += [-formal.of(point) for point in self.left] + list(formal.loops)
+        self.matrix = np.array(columns, dtype=np.complex128).reshape(-1, formal.size).T[1:]
+        self.lengths = np.sqrt((np.abs(self.matrix) ** 2).sum(axis=0))
+        self.inverse = np.linalg.pinv(self.matrix / self.lengths, rcond=EPS)
+
+    def solve(self, known: Found) -> Found:
+        """Find static moments and masses that stay, with the masses known so far where the links begin."""
+        borne = [(body.mass, self.formal.place(body.link, body.centre)) for body in self.machine.bodies.values()]
+        added = [(one, self.formal.place(one.link, one.origin)) for one in known.counterweights]
+        borne += [(one.mass, row) for one, row in added]
+        total = -np.sum([mass * row for mass, row in borne], axis=0)[1:]
+        found = np.zeros(len(self.lengths), dtype=np.complex128)
+        for _ in range(REFINEMENTS + 1):
+            found = found + self.inverse @ (total - self.matrix @ found) / self.lengths
+        sizes = ROUNDING * EPS * np.sum([mass * np.abs(row) for mass, row in borne], axis=0)
+        off = [uncertain(one, known.slack.get(one.link, 0.0)) * np.abs(row) for one, row in added]
+        return self._told(known, found, self._slack(found, np.sum([sizes, *off], axis=0)[1:]))
+
+    def _told(self, known: Found, found: Complexes, slack: Floats) -> Found:
+        """Tell what is found; what rounding alone has left is nothing."""
+        count, values = len(self.links), np.where(np.abs(found) <= slack, 0, found).tolist()
+        moments = dict(zip(self.links, values, strict=False))
+        told = tuple(carrying(one, moments.get(one.link, 0j)) for one in known.counterweights)
+        left = dict(zip(self.left, values[count:], strict=False))
+        off = slack.tolist()
+        return Found(
+            told, left, dict(zip(self.links, off, strict=False)), dict(zip(self.left, off[count:], strict=False))
+        )
+
+    def _slack(self, found: Complexes, sizes: Floats) -> Floats:
+        """Give how far rounding of the terms can have moved what is found."""
+        terms = ROUNDING * EPS * (np.abs(self.matrix) @ np.abs(found)) + sizes
+        return np.asarray(np.abs(self.inverse) @ terms / self.lengths)
+
+
+def shared(mechanism: Mechanism, left: dict[str, complex]) -> complex:
+    """Sum the static moment kg*m, in the crank's frame about its shaft, of masses at sliders whose rod hangs on it."""
+    crank = mechanism.links[mechanism.drive.link]
+    shaft = crank.points[mechanism.drive.pivot]
+    hung = ((mass, _hung(mechanism, point)) for point, mass in left.items())
+    return sum((mass * (crank.points[pin] - shaft) for mass, pin in hung if pin), 0j)
+
+
+def _hung(mechanism: Mechanism, point: str) -> str | None:
+    """Give the pin by which the rod of a slider's hinge hangs on the crank; None where it does not."""
+    rods = [link for link in mechanism.hinges.get(point, ()) if link != FRAME]
+    pins = [pin for pin, links in mechanism.hinges.items() if mechanism.drive.link in links and pin != point]
+    return next((pin for pin in pins for rod in rods if rod in mechanism.hinges[pin]), None)

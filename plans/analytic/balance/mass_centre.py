@@ -1,0 +1,50 @@
+"""The common mass centre by direct sums over the bodies, each counterweight a body of its own (центр масс, M7.4)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from plans.analytic.points import acceleration
+from plans.model.balance.linkage import ANALYSIS, Counterweight, MassCentre
+from plans.model.machine import Body, Machine
+from plans.model.mechanism import Mechanism
+from plans.model.motion import Complexes, Motion
+
+
+def bodies(machine: Machine, counterweights: Sequence[Counterweight] = ()) -> list[Body]:
+    """List what has mass: the links, then the counterweights that are needed."""
+    added = [Body(one.link, one.mass, one.inertia, one.centre) for one in counterweights if one.needed]
+    return [*machine.bodies.values(), *added]
+
+
+def placed(mechanism: Mechanism, motion: Motion, link: int, own: complex) -> Complexes:
+    """Place a point of a link, m from the datum, over a motion."""
+    point, first = next(iter(mechanism.links[link].points.items()))
+    return np.asarray(motion.points[point].r + (own - first) * np.exp(1j * motion.links[link].angle))
+
+
+def mass_centre(mechanism: Mechanism, solid: Sequence[Body], motion: Motion) -> MassCentre:
+    """Sum m*r_S, m*a_S and the moments of the inertia forces about the datum over all bodies."""
+    statics, forces = np.zeros((2, len(motion.phi)), dtype=np.complex128)
+    moment = np.zeros(len(motion.phi))
+    for body in solid:
+        r = placed(mechanism, motion, body.link, body.centre)
+        inertia = -body.mass * acceleration(mechanism, motion, body.link, body.centre)
+        statics, forces = statics + body.mass * r, forces + inertia
+        moment += (r.conj() * inertia).imag - body.inertia * motion.links[body.link].epsilon
+    mass = sum(body.mass for body in solid)
+    return MassCentre(ANALYSIS, motion.phi, mass, statics / mass, -forces / mass, moment)
+
+
+def sizes(mechanism: Mechanism, solid: Sequence[Body], motion: Motion) -> tuple[float, float, float]:
+    """Give the largest sums of sizes over a motion: of m*r_S kg*m, of inertia forces N, of their moments N*m."""
+    rows = np.zeros((3, len(motion.phi)))
+    for body in solid:
+        r = np.abs(placed(mechanism, motion, body.link, body.centre))
+        force = body.mass * np.abs(acceleration(mechanism, motion, body.link, body.centre))
+        turning = body.inertia * np.abs(motion.links[body.link].epsilon)
+        rows += np.array([body.mass * r, force, r * force + turning])
+    most = np.fmax.reduce(rows, axis=1, initial=0.0)
+    return float(most[0]), float(most[1]), float(most[2])

@@ -1,0 +1,165 @@
+"""The share of the reciprocating mass that is best: the least of the largest over all positions (выбор доли, M7.6).
+
+A force F0 + k F1 of each position has a square that is a parabola of the share k; the largest of all is their upper
+envelope. Its lowest point is sought by few of them: to those that are in hand the one is added that is highest where
+the lowest point of their envelope lies, until none is higher.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from itertools import combinations
+
+import numpy as np
+
+from plans.analytic.balance.counterweights import carrying
+from plans.analytic.balance.mass_centre import bodies, mass_centre
+from plans.analytic.balance.states import Course
+from plans.model.balance.linkage import EPS, ROUNDING, SHARES, Choice, Counterweight, Shares
+from plans.model.kinetostatics import pair
+from plans.model.mechanism import FRAME
+from plans.model.motion import Complexes, Floats
+
+Forces = Callable[[float], Complexes]  # of a share to the forces N in all positions
+ROUNDS = 60  # straight lines through a force that is not quite one: each round squares what the last one left
+
+
+def shares(course: Course, partial: Sequence[Counterweight], step: complex) -> Shares:
+    """Weigh all shares by the shaking force and the reaction of the shaft.
+
+    `partial` are the counterweights at share 0; with the share the crank's loses the static moment `step` kg*m.
+    """
+    force, reaction = _shaking(course, partial, step), _bearing(course, partial, step)
+
+    def choice(share: float) -> Choice:
+        return Choice(share, _largest(force(share)), _largest(reaction(share)))
+
+    curve = tuple(choice(float(share)) for share in np.linspace(0, 1, SHARES))
+    return Shares(curve, choice(least(force)), choice(least(reaction)))
+
+
+def shifted(course: Course, partial: Sequence[Counterweight], step: complex, share: float) -> tuple[Counterweight, ...]:
+    """Give the counterweights at a share of the reciprocating mass."""
+    crank = course.mechanism.drive.link
+    return tuple(_less(one, share * step) if one.link == crank else one for one in partial)
+
+
+def _less(one: Counterweight, given: complex) -> Counterweight:
+    """Take a static moment kg*m off a counterweight; a difference within rounding is none."""
+    left = one.moment - given
+    return carrying(one, 0j if abs(left) <= ROUNDING * EPS * abs(given) else left)
+
+
+def _largest(forces: Complexes) -> float:
+    return float(np.nanmax(np.abs(forces)))
+
+
+def _turning(course: Course) -> Complexes:
+    """Give the acceleration m/s2 of a point of the crank 1 m from its shaft, in the crank's own frame."""
+    turn, omega, epsilon = course.turn.links[course.mechanism.drive.link]
+    return np.asarray((1j * epsilon - omega**2) * np.exp(1j * turn))
+
+
+def _shaking(course: Course, partial: Sequence[Counterweight], step: complex) -> Forces:
+    """Give the shaking force of a share: that at share 0, and what the crank's counterweight gives up."""
+    before = mass_centre(course.mechanism, bodies(course.machine, partial), course.turn).force
+    given = step * _turning(course)
+    return lambda share: np.asarray(before + share * given)
+
+
+def _bearing(course: Course, partial: Sequence[Counterweight], step: complex) -> Forces:
+    """Give the shaft's reaction on the crank of a share: without the crank's counterweight, and what that one adds."""
+    drive = course.mechanism.drive
+    key = pair(FRAME, drive.link, drive.pivot).key
+    others = [one for one in partial if one.link != drive.link]
+    without = course.forces(others).reactions[key].force
+    twisted = course.twisted().reactions[key].force
+    turning, gravity = _turning(course), course.machine.gravity
+    turn, epsilon = np.exp(1j * course.turn.links[drive.link].angle), course.turn.links[drive.link].epsilon
+
+    def reaction(share: float) -> Complexes:
+        (one,) = (one for one in shifted(course, partial, step, share) if one.link == drive.link)
+        about = one.inertia + one.mass * one.distance**2 if one.needed else 0.0
+        moment = (np.conj(one.moment * turn) * gravity).imag - about * epsilon
+        return np.asarray(without - one.mass * gravity + one.moment * turning + moment * twisted)
+
+    return reaction
+
+
+def least(forces: Forces) -> float:
+    """Find the share in [0, 1] whose largest force is least; the forces are straight in it, or nearly so."""
+    best, near = 0.5, (0.0, 1.0)
+    if not _straight(forces):
+        row = np.linspace(0, 1, SHARES)
+        best = float(row[np.argmin([_largest(forces(float(share))) for share in row])])
+        near = max(0.0, best - 1 / (SHARES - 1)), min(1.0, best + 1 / (SHARES - 1))
+    for _ in range(ROUNDS):
+        last, (start, slope) = best, _line(forces, best, near)
+        best = lowest(start, slope, near)
+        if abs(best - last) <= EPS or near == (0.0, 1.0):
+            break
+    return best
+
+
+def _straight(forces: Forces) -> bool:
+    """Tell whether the forces are straight in the share but for rounding."""
+    ends, middle = (forces(0.0), forces(1.0)), forces(0.5)
+    most = max(_largest(one) for one in ends)
+    return _largest((ends[0] + ends[1]) / 2 - middle) <= 64 * EPS * most
+
+
+def _line(forces: Forces, share: float, near: tuple[float, float]) -> tuple[Complexes, Complexes]:
+    """Give forces at share 0 and their slope: the straight line through them at a share and close by."""
+    if near == (0.0, 1.0):
+        start = forces(0.0)
+        return start, forces(1.0) - start
+    span = EPS ** (1 / 3)
+    first, last = max(near[0], share - span), min(near[1], share + span)
+    slope = (forces(last) - forces(first)) / (last - first)
+    return forces(share) - share * slope, slope
+
+
+def lowest(start: Complexes, slope: Complexes, near: tuple[float, float] = (0.0, 1.0)) -> float:
+    """Find the share whose largest |F0 + k F1| is least."""
+    known = np.flatnonzero(np.isfinite(start))
+    start, slope = start[known], slope[known]
+    chosen, best = [int(np.argmax(np.abs(start + near[0] * slope)))], near[0]
+    while True:
+        best = _lowest_of(start[chosen], slope[chosen], near)
+        highest = int(np.argmax(np.abs(start + best * slope)))
+        if highest in chosen:
+            return best
+        chosen.append(highest)
+
+
+def _lowest_of(start: Complexes, slope: Complexes, near: tuple[float, float]) -> float:
+    """Take the lowest of where the envelope of a few parabolas can be lowest: ends, bottoms, meetings."""
+    points = np.clip([*near, *_bottoms(start, slope), *_meetings(start, slope)], *near)
+    heights = np.abs(start[:, None] + slope[:, None] * points).max(axis=0)
+    return float(points[int(np.argmin(heights))])
+
+
+def _bottoms(start: Complexes, slope: Complexes) -> Floats:
+    moving = np.abs(slope) > 0
+    start, slope = start[moving], slope[moving]
+    return np.asarray(-(start.conj() * slope).real / np.abs(slope) ** 2)
+
+
+def _meetings(start: Complexes, slope: Complexes) -> list[float]:
+    """Find where two of the parabolas |F0|^2 + 2 k F0.F1 + k^2 |F1|^2 meet."""
+    found: list[float] = []
+    rows = np.stack([np.abs(slope) ** 2, 2 * (start.conj() * slope).real, np.abs(start) ** 2], axis=1)
+    for one, other in combinations(rows, 2):
+        roots = _roots(*(one - other))
+        found += [root for root in roots if np.isfinite(root)]
+    return found
+
+
+def _roots(a: float, b: float, c: float) -> list[float]:
+    """Solve a k^2 + b k + c = 0 without loss of digits."""
+    under = b * b - 4 * a * c
+    if under < 0:
+        return []
+    q = -(b + np.copysign(np.sqrt(under), b)) / 2
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return [float(np.divide(q, a)), float(np.divide(c, q))]

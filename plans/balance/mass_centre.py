@@ -1,0 +1,156 @@
+"""The mass centre over positions: main-point vectors laid end to end, and the polygon of static moments (8.5)-(8.7)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from geometry.board import Board, Mark
+from plans.balance.main_points import MainPoints, Share
+from plans.linkage.plan import Plan
+from plans.words.words import because
+
+CENTRE, POLYGON, CENTRE_ACCELERATION, SHAKING = "centre", "moment_polygon", "centre_acceleration", "shaking"
+UNITS = {CENTRE: "m", POLYGON: "kg*m", CENTRE_ACCELERATION: "m/s2", SHAKING: "N"}
+LETTERS = {CENTRE: "S", CENTRE_ACCELERATION: "s"}
+
+
+class Side(NamedTuple):
+    """A vector of a chain: the link that it belongs to (0: to the frame), and the corners between which it lies."""
+
+    link: int
+    vector: Mark
+    start: Mark
+    end: Mark
+
+
+class Chain(NamedTuple):
+    """Vectors laid end to end from a pole (цепь векторов)."""
+
+    board: Board
+    pole: Mark
+    sides: tuple[Side, ...]
+
+    @property
+    def end(self) -> Mark:
+        """The end of the last vector."""
+        return self.sides[-1].end if self.sides else self.pole
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """The mass centre drawn over some positions.
+
+    `main` are the main-point vectors to S, `polygon` the static moments of the links, closed, `accelerations` the same
+    main-point vectors turned to those of the acceleration plan, `shaking` the inertia forces of the links, closed.
+    """
+
+    main: Chain
+    polygon: Chain
+    place: Mark  # S by the polygon of static moments: its end over the mass
+    accelerations: Chain
+    force: Mark  # the main vector of the inertia forces, -m*a_S
+    shaking: Chain
+    moment: Mark  # the main moment of the inertia forces about the datum
+
+    @property
+    def centre(self) -> Mark:
+        """The mass centre by main points, m from the datum."""
+        return self.main.end
+
+
+def centre_drawing(points: MainPoints, accelerations: Plan) -> Drawing:
+    """Draw the mass centre over the positions of an acceleration plan, and the inertia forces there."""
+    positions = accelerations.positions
+    main = _main(points, positions, Board(CENTRE), positions.pole, "S")
+    polygon = _moments(points, positions)
+    turned = _main(points, accelerations, Board(CENTRE_ACCELERATION), accelerations.pole, "a_S")
+    place = polygon.board.turn("r_S", polygon.end, 1 / points.mass, because("over_mass"))
+    forces = Board(SHAKING)
+    force = forces.turn("Φ", turned.end, -points.mass, because("main_vector"))
+    shaking = _forces(points, accelerations, forces)
+    return Drawing(main, polygon, place, turned, force, shaking, _moment(points, accelerations, shaking))
+
+
+def _main(points: MainPoints, plan: Plan, board: Board, start: Mark, name: str) -> Chain:
+    """Lay the main-point vectors off end to end, each turned and stretched from an arm of its link on the plan."""
+    pole = board.transfer("O" if plan is plan.positions else start.name, start, because("chain_start"))
+    vectors = list(_vectors(points, plan, board))
+    return _chain(board, pole, vectors, name)
+
+
+def _vectors(points: MainPoints, plan: Plan, board: Board) -> Iterator[tuple[int, Mark]]:
+    """Give the vectors that the place of the mass centre, or its acceleration, is the sum of."""
+    if plan is plan.positions and points.constant:
+        yield 0, board.given("h_0", points.constant, because("constant_vector"))
+    for link, h in points.vectors.items():
+        arm = plan.images[link].arm
+        if arm is not None and h:
+            ratio = h / plan.images[link].span
+            yield link, board.turn(f"h_{link}", arm, ratio, because("main_vector_of", link=link))
+    for one in points.variables:
+        yield one.stem.link, _variable(one, plan, board)
+
+
+def _variable(one: Share, plan: Plan, board: Board) -> Mark:
+    """Give a share of the vector along a guide: on the plan of positions it is variable, and so are its images."""
+    stem, name = one.stem, f"u_{one.stem.link}"
+    start = plan.place(stem.parent, stem.at, f"{name}′")
+    end = plan.place(stem.link, stem.origin, f"{name}″")
+    along = board.join(f"{name}:1", start, end, because("along_guide"))
+    return board.turn(name, along, one.share, because("variable_vector", link=stem.link))
+
+
+def _chain(board: Board, pole: Mark, vectors: list[tuple[int, Mark]], name: str) -> Chain:
+    sides: list[Side] = []
+    for number, (link, vector) in enumerate(vectors, 1):
+        start = sides[-1].end if sides else pole
+        letters = name if number == len(vectors) else f"{name}:{number}"
+        sides.append(Side(link, vector, start, board.lay_off(letters, start, vector, because("end_to_end"))))
+    return Chain(board, pole, tuple(sides))
+
+
+def _moments(points: MainPoints, positions: Plan) -> Chain:
+    """Lay the static moments of the links off end to end (figure 8.5)."""
+    board = Board(POLYGON)
+    pole = board.given("0", 0j, because("static_start"))
+    vectors = [
+        (link, board.turn(f"m_{link}r_S{link}", mark, points.body(link).mass, because("moment_of_link", link=link)))
+        for link, mark in _centres(points, positions)
+    ]
+    return _chain(board, pole, vectors, "mr_S")
+
+
+def _centres(points: MainPoints, plan: Plan) -> Iterator[tuple[int, Mark]]:
+    """Give the images of the mass centres of all links that have mass."""
+    for stem in points.tree.stems:
+        body = points.body(stem.link)
+        if body.mass:
+            yield stem.link, plan.place(stem.link, body.centre, plan.letter(f"S{stem.link}"))
+
+
+def _forces(points: MainPoints, accelerations: Plan, board: Board) -> Chain:
+    """Lay the inertia forces of the links off end to end: their closing is the main vector once more."""
+    pole = board.given("0", 0j, because("forces_start"))
+    vectors = [
+        (link, board.turn(f"Φ_{link}", mark, -points.body(link).mass, because("inertia_force")))
+        for link, mark in _centres(points, accelerations)
+    ]
+    return _chain(board, pole, vectors, "ΣΦ")
+
+
+def _moment(points: MainPoints, accelerations: Plan, shaking: Chain) -> Mark:
+    """Sum the moments of the inertia forces about the datum, and the inertia moments of the links."""
+    board, positions = shaking.board, accelerations.positions
+    places = dict(_centres(points, positions))
+    moments = [
+        board.moment(f"M(Φ_{side.link})", positions.pole, places[side.link], side.vector, because("about_shaft"))
+        for side in shaking.sides
+    ]
+    for link, reading in sorted(accelerations.readings.items()):
+        inertia = points.body(link).inertia
+        if inertia:
+            moments.append(board.couple(f"M^Φ_{link}", *reading, -inertia, because("inertia_moment")))
+    against = board.close("-M_Φ", *moments, why=because("sums_moments"))
+    return board.turn("M_Φ", against, -1.0, because("main_moment_sum"))

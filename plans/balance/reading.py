@@ -1,0 +1,110 @@
+"""The task of balancing made from the scene, and all that is wrong with it (задача уравновешивания)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from decimal import Decimal
+from typing import NamedTuple
+
+from plans.balance.carriers import carriers, reciprocating, told
+from plans.balance.form import COUNTERWEIGHT, BalanceForm, BalanceTable, CounterweightTable
+from plans.forces.reading.form import ForceForm
+from plans.linkage.reading.survey import Survey
+from plans.model.balance.linkage import FORCE, NONE, PARTIAL, SHARE, Place, Task
+from plans.model.mechanism import FRAME
+from plans.scene.faults import Fault, Path
+from plans.scene.scene import Meaning, Scene
+from plans.words.words import Message
+
+AIM: Path = ("balance", "aim")
+
+
+class BalanceSurvey(NamedTuple):
+    """What the examination of a scene's balancing found: what is asked, and the faults."""
+
+    task: Task
+    faults: list[Fault]
+
+
+def task_of(form: BalanceTable) -> Task:
+    """Make the task."""
+    sought = isinstance(form.share, str)
+    return Task(
+        form.aim,
+        tuple(map(_place, form.counterweights)),
+        None if form.aim != SHARE or sought else float(form.share),
+        str(form.share) if sought else FORCE,
+    )
+
+
+def _place(one: CounterweightTable) -> Place:
+    return Place(
+        one.on,
+        mass=_float(one.mass),
+        radius=_float(one.radius),
+        at=_float(one.at),
+        shape=one.shape,
+        density=float(one.density),
+        thickness=float(one.thickness),
+        half_angle=math.radians(float(one.half_angle)),
+    )
+
+
+def _float(value: Decimal | None) -> float | None:
+    return None if value is None else float(value)
+
+
+def survey_of(meaning: Meaning) -> BalanceSurvey:
+    """Examine a scene's balancing (row of the table of techniques)."""
+    linkage: Survey = meaning["linkage"]
+    survey, form = replace(linkage, faults=[]), meaning.scene.of(BalanceForm).balance
+    for number, one in enumerate(form.counterweights):
+        _check_carrier(survey, ("balance", "counterweights", number), one)
+    if form.aim != NONE:
+        _check_aim(survey, form)
+    check_moving(survey, ("balance",))
+    return BalanceSurvey(task_of(form), survey.faults)
+
+
+def _check_carrier(survey: Survey, path: Path, one: CounterweightTable) -> None:
+    """See that a link exists, that it turns, and that it has the line that a place is told on."""
+    where = (*path, "on")
+    if not survey.know_link(where, one.on):
+        return
+    if any(slide.owner == FRAME and slide.slider == one.on for slide in survey.slides):
+        survey.report(where, "carrier_slides", link=one.on, advice=_would_do(survey))
+    elif one.at is not None and len(survey.points_of[one.on]) == 1:
+        survey.report((*path, "at"), "carrier_line", link=one.on)
+
+
+def _check_aim(survey: Survey, form: BalanceTable) -> None:
+    """See that something may be put on for an aim, and that a share is of masses that the crank can balance."""
+    links, crank = [one.on for one in form.counterweights], survey.form.drive.link
+    if form.aim == SHARE and survey.mechanism is not None and not reciprocating(survey.mechanism):
+        survey.report(AIM, "no_reciprocating")
+    elif not links:
+        if not survey.doubtful(("balance", "counterweights")):
+            survey.report(AIM, "no_carriers", example=COUNTERWEIGHT, advice=_would_do(survey, form.aim))
+    elif form.aim == SHARE and crank not in links:
+        survey.report(("balance", "counterweights"), "crank_carries", link=crank)
+
+
+def _would_do(survey: Survey, aim: str = PARTIAL) -> Message:
+    """Name the links that would do."""
+    return told(carriers(survey.mechanism, aim) if survey.mechanism else [])
+
+
+def check_moving(survey: Survey, path: Path) -> None:
+    """See that the crank turns, and that a moving link has a mass: nothing shakes the frame otherwise."""
+    scene = survey.scene
+    if survey.form.drive.speed == 0:
+        survey.report(("drive", "speed"), "crank_at_rest")
+    if not any(mass for _, mass in masses(scene)):
+        survey.report(("masses",) if scene.has(("masses",)) else path, "massless")
+
+
+def masses(scene: Scene) -> Iterator[tuple[int, Decimal]]:
+    """Give the links that the scene gives a mass, with the mass kg."""
+    yield from ((link, one.mass) for link, one in scene.of(ForceForm).masses.items())

@@ -1,0 +1,152 @@
+"""The study of a balance: main points, counterweights, the machine before and after, each made once (баланс)."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from geometry.board import Mark
+from plans.balance import states
+from plans.balance.counterweights import counterweights, substituted
+from plans.balance.loaded import loaded
+from plans.balance.main_points import MainPoints
+from plans.balance.mass_centre import Drawing
+from plans.balance.refusals import Refused
+from plans.balance.stems import Tree, tree_of
+from plans.balance.substitution import Substitution
+from plans.forces.statics import Statics
+from plans.linkage.drafts import Drafts
+from plans.linkage.study import LinkageStudy
+from plans.model.balance.linkage import CONSTRUCTION, NONE, SHARE, Balance, Counterweight, Shares, State, Task
+from plans.model.machine import Machine
+
+if TYPE_CHECKING:
+    from plans.study import Study
+
+PLANS = CENTRE, COUNTERWEIGHTS, COSTS = "centre", "counterweights", "costs"
+
+
+class BalanceStudy:
+    """A mechanism with its masses, and what balances it by construction; nothing is made before it is asked for."""
+
+    def __init__(self, linkage: LinkageStudy, statics: Statics, task: Task) -> None:
+        self.linkage, self.statics, self.task = linkage, statics, task
+        self.made: dict[str, None] = {}  # what was made, in order
+
+    def construct(self, plans: Collection[str]) -> None:
+        """Make what is asked for, at all positions of the scene."""
+        if CENTRE in plans:
+            _ = self.before
+        if COUNTERWEIGHTS in plans:
+            _ = self.counterweights
+        if COSTS in plans:
+            _ = self.after, self.shares
+
+    @cached_property
+    def machine(self) -> Machine:
+        """The machine as the scene has it."""
+        return self.statics.machine
+
+    @cached_property
+    def tree(self) -> Tree:
+        """The stems of all moving links."""
+        return tree_of(self.linkage.mechanism)
+
+    @cached_property
+    def substitution(self) -> Substitution:
+        """The masses on their way to the crank, with what the counterweights must be."""
+        self.made.setdefault(COUNTERWEIGHTS)
+        return self.substituted(self.share or 0.0)
+
+    def substituted(self, share: float) -> Substitution:
+        """Find the counterweights with a share of the reciprocating mass; what cannot be is a SceneError."""
+        linkage = self.linkage
+        try:
+            return substituted(linkage.mechanism, linkage.groups, self.machine.bodies, self.task, share)
+        except Refused as refused:
+            raise refused.fault(linkage.scene, self.task) from None
+
+    @property
+    def share(self) -> float | None:
+        """The share of the reciprocating mass: the given one, or the one that makes the largest force least."""
+        if self.task.aim != SHARE or self.task.share is not None:
+            return self.task.share
+        return None
+
+    @cached_property
+    def counterweights(self) -> tuple[Counterweight, ...]:
+        """The counterweights, in the order of the scene."""
+        return counterweights(self.substitution, self.linkage.groups)
+
+    @property
+    def left(self) -> Mapping[str, complex]:
+        """The masses kg that stay at sliders, by letter."""
+        return {point: term.value for point, term in self.substitution.left.items()}
+
+    @cached_property
+    def loaded(self) -> Machine:
+        """The machine with its counterweights on."""
+        return loaded(self.machine, self.counterweights)
+
+    @cached_property
+    def loaded_statics(self) -> Statics:
+        """The forces with the counterweights on."""
+        return self.statics.bearing(self.loaded)
+
+    @cached_property
+    def points_before(self) -> MainPoints:
+        """The main points of the mechanism as it is."""
+        self.made.setdefault(CENTRE)
+        return MainPoints(self.tree, self.machine.bodies)
+
+    @cached_property
+    def points_after(self) -> MainPoints:
+        """The main points with the counterweights on."""
+        return MainPoints(self.tree, self.loaded.bodies)
+
+    def points(self, after: bool = False) -> MainPoints:
+        """Give the main points before or after balancing."""
+        return self.points_after if after else self.points_before
+
+    def drawing(self, after: bool = False, position: int | None = None) -> Drawing:
+        """Draw the mass centre over all positions of the scene, or at one."""
+        chosen = slice(None) if position is None else [position]
+        return states.drawing(self.points(after), Drafts(self.linkage, self.linkage.turn.part(chosen)))
+
+    @cached_property
+    def before(self) -> State:
+        """The machine as it is."""
+        return states.state(self.points_before, self.statics)
+
+    @cached_property
+    def after(self) -> State | None:
+        """The machine with its counterweights on; None where nothing is asked for."""
+        if self.task.aim == NONE:
+            return None
+        self.made.setdefault(COSTS)
+        return states.state(self.points_after, self.loaded_statics)
+
+    @cached_property
+    def shares(self) -> Shares | None:
+        """The share of the reciprocating mass as a choice; None where it is not asked for."""
+        return None
+
+    @cached_property
+    def balance(self) -> Balance:
+        """What balances the mechanism."""
+        gaps = self.linkage.motion(2).gaps
+        return Balance(
+            CONSTRUCTION, self.task, self.counterweights, self.left, self.before, self.after, self.shares, gaps
+        )
+
+    @property
+    def crank_mark(self) -> Mark | None:
+        """The static moment that the crank's counterweight must have; None where nothing is needed."""
+        need = self.substitution.needs.get(self.linkage.mechanism.drive.link)
+        return None if need is None else need.mark
+
+
+def study_of(study: Study) -> BalanceStudy:
+    """Make the study of a scene's balance (row of the table of techniques)."""
+    return BalanceStudy(study["linkage"], study["forces"], study.scene.meaning["balance"].task)

@@ -1,0 +1,114 @@
+"""Harmonics of the shaking force of one mechanism by polygons of its ordinates (гармонический анализ).
+
+A turn is divided evenly; each ordinate over their number, turned back by n times its crank angle, is laid off end to
+end: the end is the vector of the harmonic of order n at the crank angle 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from fractions import Fraction
+from typing import NamedTuple
+
+import numpy as np
+
+from geometry.board import Board, Mark
+from plans.bank.letters import SINGLE, letters
+from plans.bank.shaking import Shaking, Source
+from plans.model.balance.bank import EPS, HARMONIC, Harmonic
+from plans.model.motion import Complexes
+from plans.rotor.heading import heading
+from plans.rotor.polygon import RUN
+from plans.words.words import Message, because
+
+HARMONICS = "harmonics"  # the board: forces, N
+FEWEST, MOST = 16, 2**14  # ordinates of a turn: begun with, and at the most
+END_TO_END = because("end_to_end")
+
+
+class Harmonics(NamedTuple):
+    """The polygons of ordinates: the vector of every signed order, and how far rounding can have moved each, N."""
+
+    board: Board
+    pole: Mark
+    vectors: Mapping[int, Mark]
+    slack: float  # what is less is none
+    bound: float  # how far a vector can be out, by the conditions of the plans that the ordinates are taken from
+    ordinates: int  # of the turn
+
+    def harmonic(self, order: int) -> Harmonic:
+        """Read the harmonic of an order."""
+        ahead, back = (complex(self.vectors[signed].point) for signed in (order, -order))
+        return Harmonic(order, ahead, back, self.slack)
+
+
+def harmonics(source: Source, orders: Sequence[int]) -> Harmonics:
+    """Divide the turn until the harmonics settle, and draw their polygons."""
+    shaking, off = _settled(source, orders)
+    count, board = len(shaking.force), Board(HARMONICS)
+    pole = board.given("0", 0j, because("forces_start"))
+    ordinates = [
+        board.given(f"Φ_{k}", complex(force), because("ordinate", angle=f"{360 * k / count:.10g}"))
+        for k, force in enumerate(shaking.force)
+    ]
+    vectors = {signed: _polygon(board, pole, ordinates, signed) for signed in _signed(orders)}
+    slack = HARMONIC * EPS * source.scale
+    return Harmonics(board, pole, vectors, slack, float(np.mean(shaking.slack)) + slack + off, count)
+
+
+def angles(count: int) -> list[Fraction]:
+    """Give the crank angles that divide a turn evenly, degrees, exact."""
+    return [Fraction(360 * k, count) for k in range(count)]
+
+
+def _settled(source: Source, orders: Sequence[int]) -> tuple[Shaking, float]:
+    """Draw the mechanism at twice as many angles until the harmonics stay where they are; tell how far they moved."""
+    limit, count = HARMONIC * EPS * source.scale, FEWEST
+    while count <= 2 * max(orders):  # of fewer ordinates an order cannot be told from a lower one
+        count *= 2
+    while True:
+        shaking = source.shaking(angles(count))
+        moved = max(abs(a - b) for a, b in _both(shaking.force, orders))
+        if moved <= limit or 2 * count > MOST:
+            return shaking, 0.0 if moved <= limit else moved
+        count *= 2
+
+
+def _both(force: Complexes, orders: Sequence[int]) -> Iterable[tuple[complex, complex]]:
+    """Give every vector by all ordinates, and by every other one."""
+    signed = _signed(orders)
+    fine, coarse = (np.fft.fft(one) / len(one) for one in (force, force[::2]))
+    return ((complex(fine[n % len(fine)]), complex(coarse[n % len(coarse)])) for n in signed)
+
+
+def _signed(orders: Sequence[int]) -> list[int]:
+    return [sign * order for order in orders for sign in (1, -1)]
+
+
+def _polygon(board: Board, pole: Mark, ordinates: Sequence[Mark], signed: int) -> Mark:
+    """Turn the ordinates back by their angles times the order, and lay them off end to end."""
+    count, name, why = len(ordinates), letters(SINGLE, signed), because("turned_back", order=signed)
+    backs = [heading(Fraction(-360 * k, count)) / count for k in range(count)]
+    turned = [
+        board.turn(f"{name}({k})", one, backs[signed * k % count], why) for k, one in enumerate(ordinates) if one.point
+    ]
+    return end_of(board, pole, name, turned, because("harmonic_end"))
+
+
+def end_of(board: Board, pole: Mark, name: str, vectors: Sequence[Mark], why: Message) -> Mark:
+    """Lay vectors off end to end from a pole, many of them in runs; the end is their sum."""
+    level = 0
+    while len(vectors) > RUN:
+        runs = [vectors[k : k + RUN] for k in range(0, len(vectors), RUN)]
+        level += 1
+        vectors = [_row(board, pole, (f"{name}/{level}.{k}", ""), run, END_TO_END) for k, run in enumerate(runs, 1)]
+    return _row(board, pole, (f"{name}/", name), vectors, why)
+
+
+def _row(board: Board, pole: Mark, names: tuple[str, str], vectors: Sequence[Mark], why: Message) -> Mark:
+    stem, name = names
+    end = pole
+    for number, vector in enumerate(vectors, 1):
+        last = number == len(vectors) and name
+        end = board.lay_off(name if last else f"{stem}:{number}", end, vector, why if last else END_TO_END)
+    return end

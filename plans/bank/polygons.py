@@ -1,0 +1,74 @@
+"""Polygons of the bank: for every order the forces of its mechanisms, and their moments along the shaft (M7.8).
+
+The mechanism whose crank is ahead by an angle has its vector of order n turned by n times that angle, the one that
+turns against the crank as much the other way; both turn with the direction of its guide too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from geometry.board import Board, Mark
+from plans.bank.harmonics import Harmonics
+from plans.bank.letters import FORCE, MOMENT, letters
+from plans.model.balance.bank import Harmonic, Member
+from plans.rotor.heading import heading
+from plans.rotor.polygon import Polygon, polygon
+from plans.words.words import because
+
+MOMENTS = "bank_moments"  # the board: sums of force times place, N*m
+
+
+@dataclass(frozen=True)
+class Polygons:
+    """The polygons of the bank's forces and moments by signed order; what closes one is against its sum."""
+
+    forces: Mapping[int, Polygon]
+    moments: Mapping[int, Polygon]
+    moment_board: Board
+
+    def force(self, order: int) -> Harmonic:
+        """Read the harmonic of the bank's force."""
+        return _read(self.forces, order)
+
+    def moment(self, order: int) -> Harmonic:
+        """Read the harmonic of the bank's moment about the plane of place 0."""
+        return _read(self.moments, order)
+
+
+def polygons(single: Harmonics, members: tuple[Member, ...]) -> Polygons:
+    """Draw the polygons of every order over the mechanisms of the bank."""
+    couples = Board(MOMENTS)
+    pole = couples.given("0", 0j, because("moments_start"))
+    forces, moments = {}, {}
+    for signed, vector in single.vectors.items():
+        shares = [_share(single.board, vector, signed, one) for one in members]
+        carried = single.slack * len(members)
+        forces[signed] = polygon(single.board, single.pole, letters(FORCE, signed), shares, carried)
+        turned = [_moment(couples, share, signed, one) for share, one in zip(shares, members, strict=True)]
+        carried = single.slack * sum(abs(float(one.place)) for one in members)
+        moments[signed] = polygon(couples, pole, letters(MOMENT, signed), turned, carried)
+    return Polygons(forces, moments, couples)
+
+
+def _share(board: Board, vector: Mark, signed: int, one: Member) -> Mark:
+    """Turn the vector of one mechanism as it stands in the bank."""
+    why = because("in_the_bank", member=one.name, order=signed, phase=_text(one.phase), axis=_text(one.axis))
+    return board.turn(letters(FORCE, signed, one.name), vector, heading(signed * one.phase + one.axis), why)
+
+
+def _moment(board: Board, share: Mark, signed: int, one: Member) -> Mark:
+    why = because("times_place", member=one.name, place=_text(one.place))
+    return board.turn(letters(MOMENT, signed, one.name), share, float(one.place), why)
+
+
+def _text(value: object) -> str:
+    return f"{float(value):.10g}"  # type: ignore[arg-type]
+
+
+def _read(found: Mapping[int, Polygon], order: int) -> Harmonic:
+    """Read a harmonic: each vector is against what closes its polygon."""
+    ahead, back = found[order], found[-order]
+    slack = max(ahead.slack, back.slack)
+    return Harmonic(order, -complex(ahead.closing.point), -complex(back.closing.point), slack)

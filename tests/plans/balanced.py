@@ -1,0 +1,150 @@
+"""Machines of the textbook to be balanced (8.2): scenes without what balancing asks, which tests hand in as a task."""
+
+from __future__ import annotations
+
+from plans.balance.study import BalanceStudy
+from plans.forces.statics import Statics
+from plans.linkage.study import LinkageStudy
+from plans.model.balance.linkage import Place, Task
+from plans.scene.scene import parse_scene
+
+FOUR_BAR = """
+sheets = ["forces"]
+[mechanism.frame]
+O = [0, 0]
+C = [0.35, 0]
+[mechanism.links]
+1 = "OA"
+2 = "AB"
+3 = "BC"
+[mechanism.lengths]
+OA = 0.10
+AB = 0.40
+BC = 0.30
+[mechanism.sketch]
+B = [0.39, 0.30]
+[drive]
+link = 1
+speed = 10
+start = 60
+positions = {positions}
+[masses]
+1 = {{ mass = 2, centre = [0.04, 0] }}
+2 = {{ mass = 4, centre = [0.18, 0], inertia = 0.05 }}
+3 = {{ mass = 5, centre = [0.12, 0], inertia = 0.04 }}
+"""
+
+# Rod DE from D of link 3, B-D 0.20 m; the slider's centre 0.02 m ahead of E.
+SIX_LINK = """
+sheets = ["forces"]
+[mechanism.frame]
+O = [0, 0]
+C = [0.35, 0]
+[mechanism.links]
+1 = "OA"
+2 = "AB"
+3 = "BC"
+4 = "DE"
+5 = "E"
+[mechanism.lengths]
+OA = 0.10
+AB = 0.40
+BC = 0.30
+DE = 0.35
+[mechanism.points]
+D = {{ on = 3, at = [0.20, 0] }}
+[[mechanism.slides]]
+link = 5
+along = {{ through = [0, 0.10], angle = 0 }}
+[mechanism.sketch]
+B = [0.39, 0.30]
+D = [0.36, 0.10]
+E = [0.71, 0.10]
+[drive]
+link = 1
+speed = 10
+start = 60
+positions = {positions}
+[masses]
+1 = {{ mass = 2, centre = [0.04, 0] }}
+2 = {{ mass = 4, centre = [0.18, 0] }}
+3 = {{ mass = 5, centre = [0.12, 0] }}
+4 = {{ mass = 2, centre = [0.15, 0] }}
+5 = {{ mass = 6, centre = [0.02, 0] }}
+"""
+
+ENGINE = """
+sheets = ["forces"]
+[mechanism.frame]
+O = [0, 0]
+[mechanism.links]
+1 = "OA"
+2 = "AB"
+3 = "B"
+[mechanism.lengths]
+OA = 0.10
+AB = 0.40
+[[mechanism.slides]]
+link = 3
+along = {{ through = [0, 0], angle = 0 }}
+[mechanism.sketch]
+B = [0.44, 0]
+[drive]
+link = 1
+speed = 20
+start = 0
+positions = {positions}
+[masses]
+1 = {{ mass = 3, centre = [0.04, 0], inertia = 0.01 }}
+2 = {{ mass = 4, centre = [0.15, 0], inertia = 0.06 }}
+3 = {{ mass = 8 }}
+"""
+
+# The slotted link of figure 8.10 with the attached slider-crank CDE; link 3 swings about C below the crank.
+SHAPER = """
+sheets = ["forces"]
+[mechanism.frame]
+O = [0, 0]
+C = [0, -0.35]
+[mechanism.links]
+1 = "OA"
+2 = "A"
+3 = "CD"
+4 = "DE"
+5 = "E"
+[mechanism.lengths]
+OA = 0.12
+CD = 0.70
+DE = 0.20
+[[mechanism.slides]]
+link = 2
+along = "CD"
+[[mechanism.slides]]
+link = 5
+along = {{ through = [0, 0.33], angle = 0 }}
+[mechanism.sketch]
+D = [0.1, 0.34]
+E = [0.3, 0.33]
+[drive]
+link = 1
+speed = 10
+start = 0
+positions = {positions}
+[masses]
+1 = {{ mass = 4, centre = [0.05, 0] }}
+2 = {{ mass = 1.5 }}
+3 = {{ mass = 12, centre = [0.30, 0] }}
+4 = {{ mass = 3, centre = [0.10, 0] }}
+5 = {{ mass = 20 }}
+"""
+
+
+def study(text: str, task: Task | None = None, positions: int = 12) -> BalanceStudy:
+    """Give the study of a scene's balance with a task of its own."""
+    linkage = LinkageStudy(parse_scene(text.format(positions=positions)))
+    return BalanceStudy(linkage, Statics(linkage), task or Task())
+
+
+def asked(aim: str, *places: Place, share: float | None = None, least: str = "force") -> Task:
+    """Ask for a balance by counterweights on some links."""
+    return Task(aim, places, share, least)

@@ -1,0 +1,201 @@
+"""Balancing by analysis: the textbook's worked values, and what must hold of any balanced mechanism (M7.4-M7.7)."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from plans.analytic.balance.harmonics import harmonics
+from plans.analytic.balance.mass_centre import bodies as solids
+from plans.analytic.balance.mass_centre import mass_centre
+from plans.analytic.kinematics import Analysis
+from plans.model.balance.linkage import FULL, NONE, PARTIAL, SECTOR, SHARE, Place, Task
+from plans.model.machine import GEAR as GEARED
+from plans.model.machine import Transmission
+from tests.plans import linkages
+from tests.plans.balance_cases import bodies, engine, four_bar, rod_six_link, six_link
+
+
+def printed(value: float, text: str) -> bool:
+    """Tell whether a value, rounded to the digits of a text, is that text."""
+    return f"{value:z.{len(text.partition('.')[2])}f}" == text
+
+
+def both(value: complex, x: str, y: str) -> bool:
+    return printed(value.real, x) and printed(value.imag, y)
+
+
+def test_mass_centre_of_the_four_bar() -> None:
+    """Book 8.2.2, (8.6): methods M7.4, all printed digits."""
+    centre = four_bar().balance(Task(NONE)).before.centre
+    assert centre.mass == 11
+    assert both(centre.r[0], "0.2474528462", "0.1533593396")
+    assert both(centre.a[0], "-6.266385528", "-2.252402396")
+    assert both(centre.force[0], "68.9302408", "24.77642635")
+
+
+def test_mass_centre_of_the_six_link() -> None:
+    """Book 8.2.2, figure 8.7: methods M7.4, all printed digits."""
+    centre = rod_six_link().balance(Task(NONE)).before.centre
+    assert both(centre.r[0], "0.4288752518", "0.130838553")
+
+
+FOUR_BAR = {
+    "a": ((Place(1, mass=9), Place(2, mass=6)), ("-0.1533333333", "-0.32"), ("0.02692307692", "0.0")),
+    "b": ((Place(1, mass=5), Place(3, mass=8)), ("-0.06", "-0.18"), ("0.2158333333", "0.0")),
+}
+
+
+@pytest.mark.parametrize("variant", FOUR_BAR)
+def test_full_balancing_of_the_four_bar(variant) -> None:
+    """Book 8.2.2, (8.8), figures 8.8, 8.9: methods M7.5, all printed digits, and the mass centre still."""
+    places, centres, still = FOUR_BAR[variant]
+    case, task = four_bar(), Task(FULL, places)
+    found = case.balance(task)
+    for one, text in zip(found.counterweights, centres, strict=True):
+        assert printed(one.centre.real, text)
+    assert both(found.after.centre.r[0], *still)
+    assert found.after.around.path <= 1e-14 * 0.4
+    assert found.after.shaking <= 1e-14 * found.before.shaking
+
+
+def test_partial_balancing_of_the_engine() -> None:
+    """Book 8.2.2, (8.9), figure 8.11: methods M7.6, all printed digits; the centre stays on the guide."""
+    case, task = engine(), Task(PARTIAL, (Place(1, mass=2),))
+    found = case.balance(task)
+    assert printed(found.counterweights[0].centre.real, "-0.185")
+    assert printed((found.left["B"] / found.after.centre.mass).real, "0.5588235294")
+    assert np.ptp(found.after.around.r.imag) <= 1e-14 * 0.4
+    assert printed(found.after.shaking, "475.000000") and found.shares is None
+
+
+def test_full_balancing_of_the_engine() -> None:
+    """Book 8.2.2, figure 8.11: methods M7.6, all printed digits."""
+    case, task = engine(), Task(FULL, (Place(1, mass=28), Place(2, mass=16)))
+    found = case.balance(task)
+    first, second = found.counterweights
+    assert printed(first.centre.real, "-0.1042857143") and printed(second.centre.real, "-0.2375")
+    assert found.after.around.path <= 1e-14 * 0.4
+
+
+def test_an_offset_guide_is_balanced_as_one_through_the_shaft() -> None:
+    moments = []
+    for offset in (0.0, 0.07):
+        case, task = engine(offset), Task(FULL, (Place(1, mass=28), Place(2, mass=16)))
+        found = case.balance(task)
+        moments.append([one.moment for one in found.counterweights])
+        assert found.after.around.path <= 1e-14 * 0.4
+    assert np.allclose(*moments, rtol=1e-15)
+
+
+def test_full_balancing_of_the_six_link() -> None:
+    """Book 8.2.2, figure 8.10: methods M7.7, all printed digits."""
+    case = six_link()
+    task = Task(FULL, (Place(1, mass=6), Place(3, mass=160), Place(4, mass=30)))
+    found = case.balance(task)
+    told = [one.centre.real for one in found.counterweights]
+    assert [f"{one:.11f}" for one in told] == ["-0.06333333333", "-0.25437500000", "-0.14333333333"]
+    assert both(found.after.centre.r[0], "0.0000000000", "-0.3329809725")
+    assert found.after.around.path <= 1e-14 * 0.7
+
+
+def test_already_balanced_needs_nothing_and_points_nowhere() -> None:
+    """Catalogue J1: what is balanced gets no counterweight, though its links may carry them."""
+    machine = bodies((1, 2, 0.02), (2, 4, -0.3), (3, 5, -0.24))
+    task = Task(FULL, (Place(1, mass=9), Place(2, mass=6), Place(3, mass=1)))
+    balanced = four_bar()._replace(machine=machine).balance(task)
+    weights = balanced.counterweights
+    whole = bodies(*_with(machine, weights))
+    again = four_bar()._replace(machine=whole).balance(task)
+    assert [(one.moment, one.mass) for one in again.counterweights] == [(0j, 0.0)] * 3
+    assert again.still and again.added == 0.0 and not balanced.still
+
+
+def _with(machine, weights):
+    for body in machine.bodies.values():
+        added = [one for one in weights if one.link == body.link and one.needed]
+        mass = body.mass + sum(one.mass for one in added)
+        yield body.link, mass, (body.mass * body.centre + sum(one.mass * one.centre for one in added)) / mass
+
+
+def test_a_parallelogram_is_balanced_as_any_four_bar() -> None:
+    """Where links stay parallel the directions depend on each other; the counterweights are those of any lengths."""
+    case = four_bar()
+    moments = []
+    for sides in ((0.1, 0.4, 0.1, 0.4), (0.1, 0.4, 0.1, 0.399)):
+        links = linkages.four_bar(*sides, sketch={"B": 0.4 + 0.1j}, epsilon=0.0)
+        machine = bodies((1, 2, 0.04), (2, 4, 0.18 + 0.1j), (3, 5, 0.06))
+        found = case._replace(mechanism=links, machine=machine).balance(
+            Task(FULL, (Place(1, mass=5), Place(3, mass=8))), 1.0
+        )
+        moments.append([one.moment for one in found.counterweights])
+    assert np.allclose(*moments, rtol=1e-14)
+
+
+@pytest.mark.parametrize("place", [Place(1, radius=0.15), Place(1, at=-0.15), Place(1, shape=SECTOR)])
+def test_masses_follow_from_static_moments(place) -> None:
+    """The mass of the rod's counterweight weighs on the crank: either of them follows from its static moment."""
+    found = engine(0.03).balance(Task(FULL, (place, place._replace(link=2))))
+    first, second = found.counterweights
+    assert np.isclose(second.moment, -(4 * 0.15 + 8 * 0.4), rtol=1e-15)
+    assert np.isclose(first.moment, -(3 * 0.04 + (4 + 8 + second.mass) * 0.1), rtol=1e-15)
+    for one in (first, second):
+        if place.shape == SECTOR:
+            sine, volume = np.sin(place.half_angle), place.half_angle * one.outer**2 * place.thickness
+            assert np.isclose(one.mass, place.density * volume)
+            assert np.isclose(one.distance, 2 * one.outer * sine / (3 * place.half_angle))
+        else:
+            assert np.isclose(one.distance, 0.15)
+    assert found.after.around.path <= 1e-14 * 0.4
+
+
+GEAR = Transmission(GEARED, 0.18, 3.6, 0.35)
+
+
+@pytest.mark.parametrize("place", [Place(1, mass=20), Place(1, radius=0.05), Place(1, shape=SECTOR)])
+@pytest.mark.parametrize("drive", [Transmission(), GEAR])
+def test_the_best_share_is_least_of_all(place, drive) -> None:
+    """By trying a thousand shares, whose reaction is that of a full force analysis: none is better."""
+    case = engine(0.02)
+    case = case._replace(machine=replace(case.machine, gravity=-9.81j, transmission=drive))
+    found = case.balance(Task(SHARE, (place,)))
+    for best, of in ((found.shares.least_force, "shaking"), (found.shares.least_reaction, "reaction")):
+        tried = [case.balance(Task(SHARE, (place,), best.share + step)) for step in (-1e-4, 0.0, 1e-4)]
+        sizes = [one.after.shaking if of == "shaking" else one.after.reactions["0-1"] for one in tried]
+        assert min(sizes) == sizes[1]
+        told = best.force if of == "shaking" else best.reaction
+        assert np.isclose(told, sizes[1], rtol=1e-13)
+        assert told <= min(one.force if of == "shaking" else one.reaction for one in found.shares.curve)
+
+
+def test_half_the_reciprocating_mass_is_best_of_a_very_long_rod() -> None:
+    """With F = m r w^2 (1 - k) along the guide and k m r w^2 across it the largest is least where both are equal."""
+    links = linkages.slider_crank(0.1, 1e5, omega=20.0, epsilon=0.0)
+    case = engine()._replace(mechanism=links, machine=bodies((1, 3, 0), (3, 8, 0)))
+    best = case.balance(Task(SHARE, (Place(1, mass=2),))).shares.least_force
+    assert np.isclose(best.share, 0.5, atol=1e-5) and np.isclose(best.force, 8 * 0.1 * 400 / 2, rtol=1e-5)
+
+
+def test_harmonics_of_the_engine() -> None:
+    """Methods M7.8, all printed digits: the first and the second harmonic of the slider, against its closed series."""
+    case, task = engine(), Task(PARTIAL, (Place(1, mass=2),))
+    weights = case.balance(task).counterweights
+    road = Analysis(case.mechanism)
+    road.motion(np.zeros(1))
+    solid = solids(case.machine, weights)
+    found = harmonics(lambda phi: mass_centre(case.mechanism, solid, road.around(phi)).force, (1, 2, 4, 6))
+    assert np.isclose(found[1].size, 9.5 * 0.1 * 400, rtol=1e-14)
+    assert printed(found[2].size / (9.5 * 400 * 4), "0.006350626058")
+    assert np.isclose(found[1].ahead, found[1].back, rtol=1e-13)
+    assert found[1].slack <= 1e-14 * 500
+    angles = np.linspace(0, 7, 5)
+    assert np.allclose(
+        sum(one.at(angles) for one in found.values()), -9.5 * road.around(angles).points["B"].a, rtol=1e-4
+    )
+
+
+def test_a_constant_vector_has_no_harmonics() -> None:
+    found = harmonics(lambda phi: np.full(len(phi), 3 - 4j), (1, 5))
+    assert [one.size for one in found.values()] == [0.0, 0.0]

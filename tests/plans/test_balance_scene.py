@@ -1,0 +1,230 @@
+"""What a scene says of balancing: read with its units, refused all at once with what would do, noted where odd."""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import replace
+
+import pytest
+
+from plans.balance.carriers import carriers, reciprocating
+from plans.balance.notes import notes_of
+from plans.linkage.reading.linkage import mechanism_of
+from plans.model.balance.linkage import FORCE, FULL, NONE, PARTIAL, REACTION, SECTOR, SHARE, Place, Task
+from plans.scene.faults import Fault, SceneError
+from plans.scene.scene import parse_scene
+from tests.gallery import GALLERY
+from tests.plans.banks import ENGINE, FOUR_BAR, counterweight
+
+ONE = counterweight("on = 1", "mass = 9")
+ALL = 'aim = "full"\n'
+
+
+def task(text: str, linkage: str = FOUR_BAR) -> Task:
+    scene = parse_scene(linkage + text)
+    mechanism_of(scene)
+    found: Task = scene.meaning["balance"].task
+    return found
+
+
+def refused(text: str, linkage: str = FOUR_BAR) -> list[Fault]:
+    with pytest.raises(SceneError) as told:
+        task(text, linkage)
+    assert all(re.search("[а-я]{3}", fault.worded("ru")) for fault in told.value.faults)
+    return list(told.value.faults)
+
+
+def said(text: str, linkage: str = FOUR_BAR) -> list[tuple[str, str]]:
+    """Give what is refused, each as its place and its kind."""
+    return [(".".join(map(str, fault.path)), fault.kind) for fault in refused(text, linkage)]
+
+
+def test_a_task_is_read_with_its_units() -> None:
+    first = counterweight("on = 1", 'radius = "150 mm"', 'density = "11.3 g/cm3"', 'thickness = "4 cm"')
+    second = counterweight("on = 3", 'shape = "sector"', "half_angle = 90")
+    assert task(f'[balance]\naim = "full"\n{first}{second}') == Task(
+        FULL,
+        (
+            Place(1, radius=0.15, density=11300.0, thickness=0.04),
+            Place(3, shape=SECTOR, half_angle=math.pi / 2),
+        ),
+    )
+
+
+def test_what_is_left_out_is_the_mass_centre_alone_and_steel_of_30_mm() -> None:
+    assert task("[balance]") == Task(NONE)
+    (place,) = task(f'[balance]\naim = "full"\n{counterweight("on = 2", "at = -0.15")}').places
+    assert (place.at, place.density, place.thickness, place.half_angle) == (-0.15, 7850.0, 0.03, math.radians(60))
+
+
+@pytest.mark.parametrize(
+    ("written", "share", "least"),
+    [
+        ("share = 0.5", 0.5, FORCE),
+        ("share = 0", 0.0, FORCE),
+        ("share = 1", 1.0, FORCE),
+        ('share = "37.5 %"', 0.375, FORCE),
+        ('share = "force"', None, FORCE),
+        ('share = "reaction"', None, REACTION),
+        ("", None, FORCE),
+    ],
+)
+def test_a_share_is_given_or_sought(written: str, share: float | None, least: str) -> None:
+    found = task(f'[balance]\naim = "share"\n{written}\n{ONE}', ENGINE)
+    assert (found.aim, found.share, found.least) == (SHARE, share, least)
+
+
+BOTH = counterweight("on = 1", "mass = 9", "radius = 0.1", "at = 0.2")
+WRONG = {
+    "a link twice": (ALL + ONE + ONE, "counterweights.1.on", "counterweight_twice"),
+    "a link that is not there": (
+        ALL + ONE + counterweight("on = 7", "mass = 1"),
+        "counterweights.1.on",
+        "unknown_link",
+    ),
+    "the frame": (ALL + counterweight("on = 0", "mass = 1"), "counterweights.0.on", "frame_moves"),
+    "a share above 1": (f'aim = "share"\nshare = 1.5\n{ONE}', "share", "share_of_mass"),
+    "a share below 0": (f'aim = "share"\nshare = -0.5\n{ONE}', "share", "share_of_mass"),
+    "per cent above 100": (f'aim = "share"\nshare = "150 %"\n{ONE}', "share", "share_of_mass"),
+    "a share in another word": (f'aim = "share"\nshare = "forces"\n{ONE}', "share", "share_of_mass"),
+    "a decimal comma": (f'aim = "share"\nshare = "0,5"\n{ONE}', "share", "decimal_comma"),
+    "a share of the whole": (f'aim = "full"\nshare = 0.5\n{ONE}', "share", "share_aim"),
+    "a share without an aim": (f"share = 0.5\n{ONE}", "share", "share_aim"),
+    "counterweights without an aim": (ONE, "aim", "missing_for"),
+    "nothing that may be put on": ('aim = "full"', "aim", "no_carriers"),
+    "another word": (f'aim = "static"\n{ONE}', "aim", "choice"),
+    "neither mass nor place": (ALL + counterweight("on = 1"), "counterweights.0.mass", "missing_for"),
+    "a sector with a mass": (
+        ALL + counterweight("on = 1", "shape = 'sector'", "mass = 1"),
+        "counterweights.0.mass",
+        "sector_size",
+    ),
+    "a disc with half an angle": (
+        ALL + counterweight("on = 1", "mass = 1", "half_angle = 9"),
+        "counterweights.0.half_angle",
+        "half_angle",
+    ),
+    "a sector of a whole turn": (
+        ALL + counterweight("on = 1", "shape = 'sector'", "half_angle = 180"),
+        "counterweights.0.half_angle",
+        "wide_sector",
+    ),
+    "a sector of nothing": (
+        ALL + counterweight("on = 1", "shape = 'sector'", "half_angle = 0"),
+        "counterweights.0.half_angle",
+        "wide_sector",
+    ),
+    "a place at the beginning": (ALL + counterweight("on = 1", "at = 0"), "counterweights.0.at", "at_beginning"),
+    "no radius": (ALL + counterweight("on = 1", "radius = 0"), "counterweights.0.radius", "not_positive"),
+    "no mass": (ALL + counterweight("on = 1", "mass = 0"), "counterweights.0.mass", "not_positive"),
+    "density in another unit": (
+        ALL + counterweight("on = 1", "mass = 1", "density = '8 g'"),
+        "counterweights.0.density",
+        "wrong_unit",
+    ),
+    "thickness in another unit": (
+        ALL + counterweight("on = 1", "mass = 1", "thickness = '8 kg'"),
+        "counterweights.0.thickness",
+        "wrong_unit",
+    ),
+    "single brackets": ('aim = "full"\n[balance.counterweights]\non = 1\nmass = 1', "counterweights", "wrong_type"),
+}
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_each_thing_that_is_wrong_is_one_fault_at_its_key(name: str) -> None:
+    text, path, kind = WRONG[name]
+    assert said(f"[balance]\n{text}", ENGINE) == [(f"balance.{path}", kind)]
+
+
+def test_all_that_is_wrong_is_told_at_once() -> None:
+    text = f"share = 2\n{BOTH}{counterweight('on = 8', 'at = 0')}[drive.gear]\nradius = 0"
+    assert [path for path, _ in said(f'[balance]\naim = "ful"\n{text}')] == [
+        "balance.aim",
+        "balance.share",
+        "balance.counterweights.0.radius",
+        "balance.counterweights.0.at",
+        "balance.counterweights.1.at",
+        "drive.gear.at",
+        "drive.gear.radius",
+    ]
+
+
+def test_a_misspelt_key_is_not_missed_besides() -> None:
+    found = said(f'[balance]\naim = "full"\n{counterweight("link = 1", "mas = 1")}')
+    assert found == [(f"balance.counterweights.0.{name}", "unknown_key") for name in ("link", "mas")]
+
+
+@pytest.mark.parametrize(
+    ("linkage", "aim", "links"),
+    [(FOUR_BAR, FULL, "on = 1 and on = 3"), (ENGINE, FULL, "on = 1 and on = 2"), (ENGINE, PARTIAL, "on = 1")],
+)
+def test_what_would_do_is_said(linkage: str, aim: str, links: str) -> None:
+    (fault,) = refused(f'[balance]\naim = "{aim}"', linkage)
+    assert fault.advice.endswith(f"; {links} would do")
+
+
+def test_a_counterweight_is_not_put_on_what_only_slides() -> None:
+    text = f'[balance]\naim = "full"\n{ONE}{counterweight("on = 3", "mass = 1")}'
+    (fault,) = refused(text, ENGINE)
+    assert (fault.path, fault.kind) == (("balance", "counterweights", 1, "on"), "carrier_slides")
+    assert "on = 1 would do" in fault.advice
+
+
+def test_a_stone_has_no_line_to_tell_a_place_on() -> None:
+    shaper = (GALLERY / "shaper-loaded.toml").read_text("utf-8")
+    text = f'[balance]\naim = "full"\n{counterweight("on = 2", "at = 0.1")}'
+    assert said(text, shaper) == [("balance.counterweights.0.at", "carrier_line")]
+
+
+def test_a_share_is_balanced_by_the_crank_of_a_slider_on_the_frame() -> None:
+    other = counterweight("on = 2", "mass = 9")
+    assert said(f'[balance]\naim = "share"\n{other}', ENGINE) == [("balance.counterweights", "crank_carries")]
+    assert said(f'[balance]\naim = "share"\n{ONE}') == [("balance.aim", "no_reciprocating")]
+    assert said('[balance]\naim = "share"') == [("balance.aim", "no_reciprocating")]
+
+
+def test_links_that_form_no_groups_are_told_by_what_studies_them_alone() -> None:
+    mechanism = mechanism_of(parse_scene(ENGINE))
+    loose = replace(mechanism, slides=())
+    assert loose.mobility == 3
+    assert (reciprocating(loose), carriers(loose, FULL)) == (True, [1])
+
+
+def test_something_must_have_a_mass_and_turn() -> None:
+    bare = re.sub(r"\[masses\]\n(\d.*\n)+", "", FOUR_BAR)
+    assert said(f"[balance]\n{ALL}{ONE}", bare) == [("balance", "massless")]
+    weightless = re.sub(r"mass = \d", "mass = 0", FOUR_BAR)
+    assert said(f"[balance]\n{ALL}{ONE}", weightless) == [("masses", "massless")]
+    resting = FOUR_BAR.replace("speed = 10", "speed = 0")
+    assert said(f"[balance]\n{ALL}{ONE}", resting) == [("drive.speed", "crank_at_rest")]
+
+
+def noted(text: str, linkage: str = FOUR_BAR) -> list[tuple[str, str]]:
+    notes = list(notes_of(parse_scene(f"{linkage}[balance]\n{text}")))
+    assert all(re.search("[а-я]{3}", note.worded("ru")) for note in notes)
+    return [(".".join(map(str, note.path[1:])), note.kind) for note in notes]
+
+
+@pytest.mark.parametrize(
+    ("text", "notes"),
+    [
+        (ALL + ONE, []),
+        (f'aim = "none"\n{ONE}', [("counterweights", "idle_counterweights")]),
+        (f'aim = "partial"\n{ONE}', [("aim", "nothing_guided")]),
+        (ALL + counterweight("on = 1", "mass = 1099"), []),
+        (ALL + counterweight("on = 1", "mass = 1100"), [("counterweights.0.mass", "heavy_counterweight")]),
+        (ALL + counterweight("on = 1", "mass = '1100 g'"), []),
+        (ALL + counterweight("on = 1", "radius = 150"), [("counterweights.0.radius", "metres")]),
+        (ALL + counterweight("on = 1", "radius = '150 m'"), []),
+        (ALL + counterweight("on = 1", "at = -150"), [("counterweights.0.at", "metres")]),
+        (ALL + counterweight("on = 1", "at = -0.15", "thickness = 30"), [("counterweights.0.thickness", "enormous")]),
+    ],
+)
+def test_what_may_be_a_slip_is_noted(text: str, notes: list[tuple[str, str]]) -> None:
+    assert noted(text) == notes
+
+
+def test_partial_balancing_beside_a_guide_is_no_slip() -> None:
+    assert noted(f'aim = "partial"\n{ONE}', ENGINE) == []
