@@ -8,6 +8,7 @@ from typing import Any
 
 from drawings.figures.bank import bank_polygon, bank_table, compensators, shaft, star, turn_graph
 from drawings.figures.bank.bank_view import BankView
+from drawings.figures.bank.compensator_layout import Layout
 from drawings.figures.bank.turn_graph import FORCE, LEFT, TurnCurve, TurnGraph
 from drawings.figures.bank.turn_graph import MOMENT as MOMENTS
 from drawings.figures.graphs import hodograph
@@ -124,7 +125,7 @@ def _hodograph(name: str, letter: str, unit: str, values: Complexes, drafting: D
 def _layouts(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
     """Show the compensators of every order that needs some."""
     for found in shown.balance.compensators:
-        one = compensators.Layout(found, shown.turn)
+        one = Layout(found, shown.turn)
         if any(one.weights()):
             room = compensators.measure(one, drafting)
             yield Exhibit(Panel(room), partial(compensators.draw, one, shown.task.speed, room, drafting=drafting))

@@ -99,7 +99,7 @@ def draw(shown: ShownOrder, room: Picture, spot: Spot, drafting: Drafting) -> Ba
 
 
 def _side(
-    subject: Subject, vectors: Sequence[ShownVector], one: ShownOrderVector, place: Place, drafting: Drafting
+    subject: Subject, vectors: Sequence[ShownVector], one: LaidVector, place: Place, drafting: Drafting
 ) -> Group:
     hand = drafting.hand
     style = hand.relative if one.vector.kind == SIDE else hand.result

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from drawings.figures.bank.compensators import COUPLED, MASS
+from drawings.figures.bank.compensator_layout import COUPLED, MASS
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.lettering.bank_letters import lowered
 from drawings.page.drafting import Drafting
@@ -46,11 +46,11 @@ def _masses(one: Compensator, speed: float, drafting: Drafting) -> Iterator[Tabl
     for moment, angle, sense in ((one.with_crank, one.with_angle, 1), (one.against, one.against_angle, -1)):
         if angle is not None:
             far = None if mass is None else 1000 * moment / mass
-            told = moment, mass, far, sense * order * speed, math.degrees(angle)
-            yield TableRow(lowered(letters(MASS, sense * order)), _cells(told, drafting))
+            cells = _cells((moment, mass, far, sense * order * speed, math.degrees(angle)), drafting)
+            yield TableRow(lowered(letters(MASS, sense * order)), cells)
     if one.couple_angle is not None:
-        told = one.couple, None, None, order * speed, math.degrees(one.couple_angle)
-        yield TableRow(lowered(f"{COUPLED}{roman(order)}"), _cells(told, drafting))
+        cells = _cells((one.couple, None, None, order * speed, math.degrees(one.couple_angle)), drafting)
+        yield TableRow(lowered(f"{COUPLED}{roman(order)}"), cells)
 
 
 def _cells(values: Sequence[float | None], drafting: Drafting) -> tuple[str, ...]:

@@ -101,7 +101,9 @@ def draw(shown: BankView, room: Picture, spot: Spot, drafting: Drafting) -> Shaf
 def _mark(subject: Subject, one: Member, place: Place, hand: Hand) -> Group:
     """Mark the place of a mechanism on the axis of the shaft; it can be measured."""
     spot = complex(float(one.place))
-    return replace(point(subject, one.name, spot, place, Circle(place.on(spot), 0.6 * hand.symbol, INK)), title=one.name)
+    return replace(
+        point(subject, one.name, spot, place, Circle(place.on(spot), 0.6 * hand.symbol, INK)), title=one.name
+    )
 
 
 def _shaft(shown: BankView, place: Place, hand: Hand) -> Iterator[Stroke]:

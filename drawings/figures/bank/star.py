@@ -1,4 +1,4 @@
-"""The star of cranks: a bank seen along its shaft at phi = 0, its cranks and the axes of its guides (звезда кривошипов)."""
+"""The star of cranks: a bank seen along its shaft at phi = 0, with the axes of its guides (звезда кривошипов)."""
 
 from __future__ import annotations
 
@@ -103,9 +103,7 @@ def draw(shown: BankView, room: Picture, spot: Spot, drafting: Drafting) -> Star
     under = drafting.scale(spot.scale) if shown.crank else drafting.word("angles alone")
     title = heading(spot.box, drafting.word("star of cranks"), under, hand)
     radius, start, sweep = TURN
-    arrow = turning_arrow(
-        place.on(0j), radius * hand.symbol, start, math.copysign(sweep, shown.task.speed), hand
-    )
+    arrow = turning_arrow(place.on(0j), radius * hand.symbol, start, math.copysign(sweep, shown.task.speed), hand)
     lines = (title, *_axes(shown, place, hand), *arrow)
     cranks = [Line(place.on(0j), place.on(shown.crank_at(one) * reach(shown)), hand.result) for one in shown.members]
     pins = (_pin(shown, one, place, hand) for one in shown.members)

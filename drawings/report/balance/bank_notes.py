@@ -113,9 +113,7 @@ class BankNotes(NamedTuple):
         if asked.offset and one.residual:
             yield word("compensator couple", residual=number(one.residual))
         if asked.shafts is not None and one.couple:
-            yield word(
-                "couple mass", letters=lowered(couple_letters(order)), square=square, moment=number(one.couple)
-            )
+            yield word("couple mass", letters=lowered(couple_letters(order)), square=square, moment=number(one.couple))
 
     def members(self) -> Iterator[str]:
         """Say where each mechanism of the bank stands."""
