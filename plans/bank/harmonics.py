@@ -34,12 +34,19 @@ class Harmonics(NamedTuple):
     vectors: Mapping[int, Mark]
     slack: float  # what is less is none
     bound: float  # how far a vector can be out, by the conditions of the plans that the ordinates are taken from
-    ordinates: int  # of the turn
+    ordinates: Complexes  # of the turn, N
 
     def harmonic(self, order: int) -> Harmonic:
         """Read the harmonic of an order."""
         ahead, back = (complex(self.vectors[signed].point) for signed in (order, -order))
         return Harmonic(order, ahead, back, self.slack)
+
+    def beyond(self, count: int, order: int) -> float:
+        """Give by how much higher orders can falsify one that is found from so few ordinates, N."""
+        row = np.fft.fftshift(np.abs(np.fft.fft(self.ordinates))) / len(self.ordinates)
+        orders = np.arange(len(row)) - len(row) // 2
+        false = [(orders % count == signed % count) & (orders != signed) for signed in (order, -order)]
+        return float(max(row[one].sum() for one in false))
 
 
 def harmonics(source: Source, orders: Sequence[int]) -> Harmonics:
@@ -48,12 +55,12 @@ def harmonics(source: Source, orders: Sequence[int]) -> Harmonics:
     count, board = len(shaking.force), Board(HARMONICS)
     pole = board.given("0", 0j, because("forces_start"))
     ordinates = [
-        board.given(f"Φ_{k}", complex(force), because("ordinate", angle=f"{360 * k / count:.10g}"))
+        board.given(f"Φ({k})", complex(force), because("ordinate", angle=f"{360 * k / count:.10g}"))
         for k, force in enumerate(shaking.force)
     ]
     vectors = {signed: _polygon(board, pole, ordinates, signed) for signed in _signed(orders)}
     slack = HARMONIC * EPS * source.scale
-    return Harmonics(board, pole, vectors, slack, float(np.mean(shaking.slack)) + slack + off, count)
+    return Harmonics(board, pole, vectors, slack, float(np.mean(shaking.slack)) + slack + off, shaking.force)
 
 
 def angles(count: int) -> list[Fraction]:
