@@ -1,4 +1,4 @@
-"""The figure of a polygon of an order: the harmonic forces of the members end to end, or their moments (многоугольник)."""
+"""The figure of a polygon of an order: harmonic forces of the members end to end, or their moments (многоугольник)."""
 
 from __future__ import annotations
 
@@ -98,9 +98,7 @@ def draw(shown: ShownOrder, room: Picture, spot: Spot, drafting: Drafting) -> Ba
     return BankPolygonFigure(shown, place, (title, *thin, *sides, zero), arrows, drafting)
 
 
-def _side(
-    subject: Subject, vectors: Sequence[ShownVector], one: LaidVector, place: Place, drafting: Drafting
-) -> Group:
+def _side(subject: Subject, vectors: Sequence[ShownVector], one: LaidVector, place: Place, drafting: Drafting) -> Group:
     hand = drafting.hand
     style = hand.relative if one.vector.kind == SIDE else hand.result
     return one.draw(subject, letter(one.vector.name, len(vectors)), place, style, hand.symbol)
