@@ -24,6 +24,15 @@ def mirrored(task: BankTask, order: int) -> bool:
     return flat and (order > 1 or not (task.unit and task.unit.rotating))
 
 
+def crank_of(study: Study) -> float | None:
+    """Give the length m of the cranks of a scene's bank; None where its linkage does not tell it as one length."""
+    bank = study["bank"]
+    if bank.task.unit is not None:
+        return float(bank.task.unit.crank)
+    mechanism = study["linkage"].mechanism
+    return None if mechanism is None else crank_length(mechanism)
+
+
 def straight(task: BankTask) -> bool:
     """Tell whether all forces keep to the line of the guides: these lie in one plane, and nothing turns unbalanced."""
     return mirrored(task, 1)
