@@ -15,9 +15,9 @@ import numpy as np
 from geometry.board import Board, Mark
 from plans.bank.letters import SINGLE, letters
 from plans.bank.shaking import Shaking, Source
+from plans.linkage.crank_positions import directions
 from plans.model.balance.bank import EPS, HARMONIC, Harmonic
 from plans.model.motion import Complexes
-from plans.rotor.heading import heading
 from plans.rotor.polygon import RUN
 from plans.words.words import Message, because
 
@@ -59,22 +59,23 @@ def harmonics(source: Source, orders: Sequence[int]) -> Harmonics:
         for k, force in enumerate(shaking.force)
     ]
     vectors = {signed: _polygon(board, pole, ordinates, signed) for signed in _signed(orders)}
-    slack = HARMONIC * EPS * source.scale
-    return Harmonics(board, pole, vectors, slack, float(np.mean(shaking.slack)) + slack + off, shaking.force)
+    own = _rounding(source, shaking)
+    return Harmonics(board, pole, vectors, own, float(np.mean(shaking.slack)) + own + off, shaking.force)
 
 
-def angles(count: int) -> list[Fraction]:
-    """Give the crank angles that divide a turn evenly, degrees, exact."""
-    return [Fraction(360 * k, count) for k in range(count)]
+def _rounding(source: Source, shaking: Shaking) -> float:
+    """Give what a harmonic can be of rounding alone: more where the conditions of the plans are bad."""
+    return max(HARMONIC * EPS * source.scale, float(np.mean(shaking.slack)))
 
 
 def _settled(source: Source, orders: Sequence[int]) -> tuple[Shaking, float]:
     """Draw the mechanism at twice as many angles until the harmonics stay where they are; tell how far they moved."""
-    limit, count = HARMONIC * EPS * source.scale, FEWEST
+    count = FEWEST
     while count <= 2 * max(orders):  # of fewer ordinates an order cannot be told from a lower one
         count *= 2
     while True:
-        shaking = source.shaking(angles(count))
+        shaking = source.shaking(Fraction(0), count)
+        limit = _rounding(source, shaking)
         moved = max(abs(a - b) for a, b in _both(shaking.force, orders))
         if moved <= limit or 2 * count > MOST:
             return shaking, 0.0 if moved <= limit else moved
@@ -95,10 +96,8 @@ def _signed(orders: Sequence[int]) -> list[int]:
 def _polygon(board: Board, pole: Mark, ordinates: Sequence[Mark], signed: int) -> Mark:
     """Turn the ordinates back by their angles times the order, and lay them off end to end."""
     count, name, why = len(ordinates), letters(SINGLE, signed), because("turned_back", order=signed)
-    backs = [heading(Fraction(-360 * k, count)) / count for k in range(count)]
-    turned = [
-        board.turn(f"{name}({k})", one, backs[signed * k % count], why) for k, one in enumerate(ordinates) if one.point
-    ]
+    backs = (directions(-360 * signed * np.arange(count), count) / count).tolist()
+    turned = [board.turn(f"{name}({k})", one, backs[k], why) for k, one in enumerate(ordinates) if one.point]
     return end_of(board, pole, name, turned, because("harmonic_end"))
 
 

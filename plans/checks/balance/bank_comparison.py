@@ -10,6 +10,8 @@ import numpy as np
 import numpy.typing as npt
 
 from plans.analytic.balance.bank import Mechanism, SliderCrank, bank_balance
+from plans.analytic.balance.bank_linkage import Linkage
+from plans.analytic.balance.mass_centre import bodies
 from plans.bank.compensators import COMPENSATORS
 from plans.bank.harmonics import HARMONICS
 from plans.bank.letters import FORCE, MOMENT, SINGLE, STATIC, couple_letters, letters
@@ -35,15 +37,17 @@ def compare_bank(study: BankStudy, mechanism: Mechanism) -> Comparison:
 def comparison_of(study: Study) -> Comparison:
     """Compare both roads of a scene's bank (row of the table of techniques)."""
     bank: BankStudy = study["bank"]
-    return compare_bank(bank, mechanism_of(bank))
+    return compare_bank(bank, mechanism_of(study, bank))
 
 
-def mechanism_of(bank: BankStudy) -> Mechanism:
-    """Give the mechanism of a bank for the analysis."""
-    unit = bank.task.unit
-    if unit is None:
-        raise NotImplementedError
-    return SliderCrank(unit, bank.task.speed)
+def mechanism_of(study: Study, bank: BankStudy) -> Mechanism:
+    """Give the mechanism of a bank for the analysis: by its sizes, or the linkage with counterweights by analysis."""
+    unit, speed = bank.task.unit, bank.task.speed
+    if unit is not None:
+        return SliderCrank(unit, speed)
+    road, phi = study.comparison("linkage").road, study["linkage"].turn.phi
+    added = study.comparison("balance").analysis.counterweights if study.scene.has(("balance",)) else ()
+    return Linkage(road, bodies(study["forces"].machine, added), speed, phi, bank.orders)
 
 
 class _Compared(NamedTuple):
