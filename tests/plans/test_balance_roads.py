@@ -11,7 +11,7 @@ from geometry.meet import EPS
 from plans.analytic.balance import counterweights as by_vectors
 from plans.checks.balance.comparison import BalanceComparison, compare_balance
 from plans.checks.compare import compare
-from plans.model.balance.linkage import FULL, NONE, PARTIAL, SECTOR, SHARE, Place, Task
+from plans.model.balance.linkage import FULL, NONE, PARTIAL, REACTION, SECTOR, SHARE, Place, Task
 from tests.plans.balanced import ENGINE, FOUR_BAR, SHAPER, SIX_LINK, asked, study
 
 CASES = {
