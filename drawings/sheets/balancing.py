@@ -15,6 +15,7 @@ from drawings.figures.balance import (
     share_graph,
     static_polygon,
 )
+from drawings.figures.balance.nothing import Nothing, nothing
 from drawings.figures.balance.scheme import AFTER, BEFORE, SCHEME, BalanceScheme, placed_weight
 from drawings.figures.graphs import curve_graph
 from drawings.figures.linkage.skeleton import Skeletons, skeletons
@@ -55,6 +56,11 @@ class Balanced:
     def after(self) -> State | None:
         """The machine with its counterweights on; None where nothing is put on."""
         return None if self.balance.still else self.balance.after
+
+    @cached_property
+    def nothing(self) -> Nothing:
+        """What is nothing on the sheets."""
+        return nothing(self.states.values(), self.bones.reach)
 
     @property
     def states(self) -> dict[str, State]:
@@ -157,7 +163,7 @@ class _BalancingSheet:
         """Show the links before or after; what stands still has no path."""
         bones, states = self.shown.bones, self.shown.states
         kept = [name for name in (BEFORE, AFTER) if name in states and (name == BEFORE or state == AFTER)]
-        paths = {name: states[name].around.r for name in kept if states[name].around.path > NOTHING * bones.reach}
+        paths = {name: states[name].around.r for name in kept if states[name].around.path > self.shown.nothing.way}
         weights = [one for one in self.balance.counterweights if one.needed] if state == AFTER else []
         placed = tuple(placed_weight(one, bones) for one in weights)
         return BalanceScheme(state, bones, self.shown.chains[state], paths, placed)
@@ -171,15 +177,14 @@ class _BalancingSheet:
     def _shaking(self) -> Iterator[Exhibit]:
         """Show the hodographs of the main vector, if there is any."""
         states = {name: (one.around, one.centre) for name, one in self.shown.states.items()}
-        nothing = NOTHING * self.balance.before.shaking
-        shown = shaking_hodograph.hodograph(states, self.shown.bones.shown, nothing)
+        shown = shaking_hodograph.hodograph(states, self.shown.bones.shown, self.shown.nothing.force)
         if shown.vectors:
             yield self._exhibit(shaking_hodograph, shown)
 
     def _rocking(self) -> Iterator[Exhibit]:
         """Show the main moment, if there is any."""
-        sense = self.shown.bones.study.sense
-        curve = moment_graph.curve(self.balance.before, self.shown.after, sense, self.drafting)
+        sense, least = self.shown.bones.study.sense, self.shown.nothing.moment
+        curve = moment_graph.curve(self.balance.before, self.shown.after, sense, least, self.drafting)
         if curve is not None:
             room = _bounded(curve_graph.measure(curve, moment_graph.NAME, self.drafting))
             yield Exhibit(Panel(room), partial(curve_graph.draw, curve, room, drafting=self.drafting))
@@ -201,7 +206,7 @@ class _BalancingSheet:
     def tables(self) -> tuple[RuledTable, ...]:
         """What the counterweights change, and which they are."""
         shown, drafting = self.shown, self.drafting
-        costs = balance_table.costs(self.balance.before, shown.after, drafting, shown.bones.reach)
+        costs = balance_table.costs(self.balance.before, shown.after, shown.nothing, drafting)
         weights = self.balance.counterweights
         if not weights:
             return (costs,)

@@ -55,7 +55,9 @@ class Costs:
         assert one is not None and other is not None  # asked before
         statics: Statics = self.study.loaded_statics if after else self.study.statics
         plans = ForceDrafts(statics, self.stretch.drafts).plans
-        return ForceFindings(statics, self.stretch.motion, one.forces, other.forces, plans)
+        _, force, moment = self.centre(after).sizes  # a counterweight far out has a large moment of inertia forces
+        borne = max(force, moment / self.stretch.size)
+        return ForceFindings(statics, self.stretch.motion, one.forces, other.forces, plans, borne)
 
     def _forces(self, after: bool) -> Iterator[Finding]:
         """Compare reactions and what the drive gives; what the counterweights are off, the reactions magnify."""
