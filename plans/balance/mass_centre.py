@@ -85,10 +85,10 @@ def _vectors(points: MainPoints, plan: Plan, board: Board) -> Iterator[tuple[int
     if plan is plan.positions and points.constant:
         yield 0, board.given("h_0", points.constant, because("constant_vector"))
     for link, h in points.vectors.items():
-        arm = plan.images[link].arm
-        if arm is not None and h:
-            ratio = h / plan.images[link].span
-            yield link, board.turn(f"h_{link}", arm, ratio, because("main_vector_of", link=link))
+        image = plan.images[link]
+        if image.arm is not None and h:
+            line, why = points.line(link, image.span), because("main_vector_of", link=link)
+            yield link, board.similar(f"h_{link}", image.arm, line, points.marks[link], why=why)
     for one in points.variables:
         yield one.stem.link, _variable(one, plan, board)
 
