@@ -10,7 +10,7 @@ import numpy as np
 
 from geometry.board import Mark
 from geometry.precision import errors
-from plans.balance.states import turns, whole_turn
+from plans.balance.states import positions_around, turns
 from plans.checks.compare import MotionComparison, cap, with_analysis
 from plans.checks.comparison import Finding
 from plans.linkage.drafts import Drafts
@@ -59,7 +59,7 @@ def turn_stretch(study: LinkageStudy, motion: MotionComparison) -> Stretch:
     """Give even positions of a turn; of a crank that cannot turn fully they are the scene's."""
     if not turns(study):
         return scene_stretch(study, motion)
-    drafts = Drafts(study, whole_turn(study))
+    drafts = Drafts(study, positions_around(study))
     solved = motion.road.around(drafts.turn.phi)
     kappa = motion.road.conditions(solved)
     return Stretch(
