@@ -117,7 +117,11 @@ def _lack(trial: _Trial) -> tuple[float, int]:
 
 def _told(contents: _Contents, drafting: Drafting, way: str, finest: float) -> Draft:
     cam = contents.drawing.cam
-    shows = (*_shows(contents, way, finest, drafting), contents.profile, contents.table)
+    shows: tuple[Exhibit | Caption, ...] = (
+        *_shows(contents, way, finest, drafting),
+        contents.profile,
+        contents.table,
+    )
     title = drafting.word("cam sheet title", name=cam.name)
     return Draft("cam", title, shows, (), contents.notes, partial(_facts, cam, way == JOINED))
 
