@@ -50,7 +50,14 @@ REPORTS: Final[Mapping[str, Report]] = {
         idle="drawings.report.idle:nothing",
         faults="drawings.report.balance.balance_report:faults",
     ),
-    "bank": Report(subject="", chapters="", headline="", remarks="", idle="drawings.report.idle:nothing", faults=""),
+    "bank": Report(
+        subject="drawings.report.balance.bank_report:subject",
+        chapters="drawings.report.balance.bank_report:chapters",
+        headline="drawings.report.balance.bank_report:headline",
+        remarks="drawings.report.balance.bank_report:remarks",
+        idle="drawings.report.idle:nothing",
+        faults="drawings.report.balance.bank_report:faults",
+    ),
     "rotor": Report(
         subject="drawings.report.rotor_report:subject",
         chapters="drawings.report.rotor_report:chapters",

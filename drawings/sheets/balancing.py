@@ -24,6 +24,7 @@ from drawings.layout.picture import SMALLER, Picture
 from drawings.layout.table import RuledTable
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
+from drawings.report.balance.balance_report import notes_of
 from drawings.sheets.choice import position
 from drawings.sheets.leaves import Caption, Draft, Exhibit, compositions, lay_out
 from drawings.symbols.polygon import ShownVector
@@ -70,10 +71,10 @@ class Balanced:
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheets of a scene's balanced mechanism (row of the table of sheets)."""
-    return sheets(study.scene, balanced(study["balance"], study.comparison("linkage")))
+    return sheets(study.scene, balanced(study["balance"], study.comparison("linkage"), notes_of(study).all))
 
 
-def balanced(own: BalanceStudy, motion: MotionComparison) -> Balanced:
+def balanced(own: BalanceStudy, motion: MotionComparison, notes: tuple[str, ...] = ()) -> Balanced:
     """Read what the sheets show from the records of the construction, in the position in full lines."""
     shown = position(own.linkage, motion)
     drawings = {BEFORE: own.drawing(position=shown)}
@@ -81,7 +82,7 @@ def balanced(own: BalanceStudy, motion: MotionComparison) -> Balanced:
         drawings[AFTER] = own.drawing(after=True, position=shown)
     chains = {state: tuple(map(_vector, drawing.main.sides)) for state, drawing in drawings.items()}
     moments = {side.vector.name: at(side.vector.point, 0) for side in drawings[BEFORE].polygon.sides}
-    return Balanced(skeletons(own.linkage, motion.construction, shown), chains, moments, own.balance)
+    return Balanced(skeletons(own.linkage, motion.construction, shown), chains, moments, own.balance, notes)
 
 
 def _vector(side: Side) -> ShownVector:
