@@ -150,7 +150,8 @@ class _BalancingSheet:
             *self._shares(),
         )
         tables = () if self.way.tables else self.tables
-        return Draft("balancing", title, shows, tables, self.shown.notes, _facts, SCHEME + BEFORE)
+        facts = partial(_facts, self.shown.bones.shown)
+        return Draft("balancing", title, shows, tables, self.shown.notes, facts, SCHEME + BEFORE)
 
     def _schemes(self) -> Iterator[Exhibit]:
         schemes = [self._scheme(state) for state in self.shown.states]
@@ -224,6 +225,6 @@ def _bounded(room: Picture) -> Picture:
     return room._replace(most=LARGEST * room.least)
 
 
-def _facts(names: Collection[str]) -> dict[str, Any]:
-    """Say in the data of a sheet which figures it shows."""
-    return {"figures": list(names)}
+def _facts(position: int, names: Collection[str]) -> dict[str, Any]:
+    """Say in the data of a sheet which position and which figures it shows."""
+    return {"shown": position, "figures": list(names)}

@@ -152,4 +152,5 @@ def _ends(one: MainVector, shown: int, place: Place, hand: Hand) -> Iterator[Str
     for k, value in enumerate(one.ends.tolist()):
         if not math.isnan(value.real):
             dot = Circle(place.on(value), DOT * hand.symbol, INK)
-            yield point(_subject(k), f"{one.state} {k}", value, place, dot)
+            data = _subject(k).data("point", f"{one.state} {k}", value, place.scale)
+            yield Group((dot,), "", data, str(k)) if place.length(one.spread) >= NUMBERED else dot

@@ -120,7 +120,7 @@ def _curve(shown: ShareGraph, name: str, axes: Axes, up: Scale, drafting: Drafti
     foot, tip = axes.on(best.share), axes.on(best.share, least)
     data = Subject(NAME, SYMBOL, None).data("vector", name, 1j * least, up)
     if abs(tip - foot) > TICK:
-        yield Group((Line(foot, tip, hand.other),), "", data, name)
+        yield Group((Line(foot, tip, hand.other),), "", data, least_text(best, name, drafting))
     yield Circle(tip, DOT * hand.symbol, hand.body)
 
 
@@ -135,8 +135,13 @@ def _letters(shown: ShareGraph, axes: Axes, drafting: Drafting) -> Iterator[Lett
         share, value = shown.rows[name][-1]
         yield Letter(axes.on(share, value), letter, hand.letter, 0.0)
         best = shown.best[name]
-        text = f"k = {number(best.share, 3)};  {number(value_of(best, name))} {drafting.word(UNIT)}"
+        text = least_text(best, name, drafting)
         yield Letter(axes.on(best.share, value_of(best, name)), text, hand.number, math.pi / 2, 1.6)
+
+
+def least_text(best: Choice, name: str, drafting: Drafting) -> str:
+    """Write the share of a least value, and that value."""
+    return f"{SHARE} = {drafting.number(best.share, 3)};  {drafting.number(value_of(best, name))} {drafting.word(UNIT)}"
 
 
 def curve_letters(reaction: str) -> dict[str, str]:
