@@ -128,6 +128,13 @@ class Superposition:
         """Tell what is largest at a share."""
         return Choice(share, largest(self.shaking(share)), largest(self.reaction(share)))
 
+    def drawn(self, share: float) -> Choice:
+        """Tell what is largest at a share by plans of that machine itself, nothing superposed."""
+        machine, study = self.machines(share), self.statics.study
+        shaking = mass_centre(MainPoints(self.tree, machine.bodies), study, positions_around(study)).force
+        reaction = forces_around(self.statics.bearing(machine)).reactions[self.key].force
+        return Choice(share, largest(shaking), largest(reaction))
+
     @cached_property
     def shares(self) -> Shares:
         """The curve of the choice, and its two best shares."""

@@ -70,11 +70,11 @@ def _weights(board: Board, task: BankTask, found: Polygons, asked: Asked) -> Wei
 
 def _weight(board: Board, speed: float, found: Polygons, signed: int) -> Mark | None:
     """Divide what closes a polygon by the square of the angular speed; nothing of a polygon that closes by itself."""
-    polygon = found.forces[signed]
-    if polygon.closed:
+    total = found.forces[signed]
+    if total.vanishes:
         return None
     why = because("over_square_speed", order=abs(signed))
-    return board.turn(letters(STATIC, signed), polygon.closing, 1 / (signed * speed) ** 2, why)
+    return board.turn(letters(STATIC, signed), total.polygon.closing, 1 / (signed * speed) ** 2, why)
 
 
 def _couple(board: Board, asked: Asked, weights: Sequence[Mark | None]) -> Mark | None:

@@ -15,9 +15,9 @@ import numpy as np
 from geometry.board import Board, Mark
 from plans.bank.letters import SINGLE, letters
 from plans.bank.shaking import Shaking, Source
+from plans.linkage.crank_positions import directions
 from plans.model.balance.bank import EPS, HARMONIC, Harmonic
 from plans.model.motion import Complexes
-from plans.rotor.heading import heading
 from plans.rotor.polygon import RUN
 from plans.words.words import Message, because
 
@@ -34,40 +34,52 @@ class Harmonics(NamedTuple):
     vectors: Mapping[int, Mark]
     slack: float  # what is less is none
     bound: float  # how far a vector can be out, by the conditions of the plans that the ordinates are taken from
-    ordinates: int  # of the turn
+    ordinates: Complexes  # of the turn, N
 
     def harmonic(self, order: int) -> Harmonic:
         """Read the harmonic of an order."""
         ahead, back = (complex(self.vectors[signed].point) for signed in (order, -order))
         return Harmonic(order, ahead, back, self.slack)
 
+    def beyond(self, count: int, order: int) -> float:
+        """Give by how much higher orders can falsify one that is found from so few ordinates, N."""
+        row = np.fft.fftshift(np.abs(np.fft.fft(self.ordinates))) / len(self.ordinates)
+        orders = np.arange(len(row)) - len(row) // 2
+        false = [(orders % count == signed % count) & (orders != signed) for signed in (order, -order)]
+        return float(max(row[one].sum() for one in false))
+
 
 def harmonics(source: Source, orders: Sequence[int]) -> Harmonics:
     """Divide the turn until the harmonics settle, and draw their polygons."""
-    shaking, off = _settled(source, orders)
+    return of_ordinates(source, *_settled(source, orders), orders)
+
+
+def of_ordinates(source: Source, shaking: Shaking, off: float, orders: Sequence[int]) -> Harmonics:
+    """Draw the polygons of some ordinates, which are known to be too few by so much, N."""
     count, board = len(shaking.force), Board(HARMONICS)
     pole = board.given("0", 0j, because("forces_start"))
     ordinates = [
-        board.given(f"Φ_{k}", complex(force), because("ordinate", angle=f"{360 * k / count:.10g}"))
+        board.given(f"Φ({k})", complex(force), because("ordinate", angle=f"{360 * k / count:.10g}"))
         for k, force in enumerate(shaking.force)
     ]
     vectors = {signed: _polygon(board, pole, ordinates, signed) for signed in _signed(orders)}
-    slack = HARMONIC * EPS * source.scale
-    return Harmonics(board, pole, vectors, slack, float(np.mean(shaking.slack)) + slack + off, count)
+    own = _rounding(source, shaking)
+    return Harmonics(board, pole, vectors, own, float(np.mean(shaking.slack)) + own + off, shaking.force)
 
 
-def angles(count: int) -> list[Fraction]:
-    """Give the crank angles that divide a turn evenly, degrees, exact."""
-    return [Fraction(360 * k, count) for k in range(count)]
+def _rounding(source: Source, shaking: Shaking) -> float:
+    """Give what a harmonic can be of rounding alone: more where the conditions of the plans are bad."""
+    return max(HARMONIC * EPS * source.scale, float(np.mean(shaking.slack)))
 
 
 def _settled(source: Source, orders: Sequence[int]) -> tuple[Shaking, float]:
     """Draw the mechanism at twice as many angles until the harmonics stay where they are; tell how far they moved."""
-    limit, count = HARMONIC * EPS * source.scale, FEWEST
+    count = FEWEST
     while count <= 2 * max(orders):  # of fewer ordinates an order cannot be told from a lower one
         count *= 2
     while True:
-        shaking = source.shaking(angles(count))
+        shaking = source.shaking(Fraction(0), count)
+        limit = _rounding(source, shaking)
         moved = max(abs(a - b) for a, b in _both(shaking.force, orders))
         if moved <= limit or 2 * count > MOST:
             return shaking, 0.0 if moved <= limit else moved
@@ -88,10 +100,8 @@ def _signed(orders: Sequence[int]) -> list[int]:
 def _polygon(board: Board, pole: Mark, ordinates: Sequence[Mark], signed: int) -> Mark:
     """Turn the ordinates back by their angles times the order, and lay them off end to end."""
     count, name, why = len(ordinates), letters(SINGLE, signed), because("turned_back", order=signed)
-    backs = [heading(Fraction(-360 * k, count)) / count for k in range(count)]
-    turned = [
-        board.turn(f"{name}({k})", one, backs[signed * k % count], why) for k, one in enumerate(ordinates) if one.point
-    ]
+    backs = (directions(-360 * signed * np.arange(count), count) / count).tolist()
+    turned = [board.turn(f"{name}({k})", one, backs[k], why) for k, one in enumerate(ordinates) if one.point]
     return end_of(board, pole, name, turned, because("harmonic_end"))
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from geometry.board import Board, Mark
 from plans.bank.harmonics import Harmonics
@@ -20,12 +21,24 @@ from plans.words.words import because
 MOMENTS = "bank_moments"  # the board: sums of force times place, N*m
 
 
+class Total(NamedTuple):
+    """A polygon over the bank, and the sum of its vectors: against what closes it."""
+
+    polygon: Polygon
+    vector: Mark
+
+    @property
+    def vanishes(self) -> bool:
+        """Whether the vectors close by themselves."""
+        return self.polygon.closed
+
+
 @dataclass(frozen=True)
 class Polygons:
-    """The polygons of the bank's forces and moments by signed order; what closes one is against its sum."""
+    """The polygons of the bank's forces and moments by signed order."""
 
-    forces: Mapping[int, Polygon]
-    moments: Mapping[int, Polygon]
+    forces: Mapping[int, Total]
+    moments: Mapping[int, Total]
     moment_board: Board
 
     def force(self, order: int) -> Harmonic:
@@ -45,11 +58,16 @@ def polygons(single: Harmonics, members: tuple[Member, ...]) -> Polygons:
     for signed, vector in single.vectors.items():
         shares = [_share(single.board, vector, signed, one) for one in members]
         carried = single.slack * len(members)
-        forces[signed] = polygon(single.board, single.pole, letters(FORCE, signed), shares, carried)
+        forces[signed] = _total(single.board, single.pole, letters(FORCE, signed), shares, carried)
         turned = [_moment(couples, share, signed, one) for share, one in zip(shares, members, strict=True)]
         carried = single.slack * sum(abs(float(one.place)) for one in members)
-        moments[signed] = polygon(couples, pole, letters(MOMENT, signed), turned, carried)
+        moments[signed] = _total(couples, pole, letters(MOMENT, signed), turned, carried)
     return Polygons(forces, moments, couples)
+
+
+def _total(board: Board, pole: Mark, name: str, vectors: list[Mark], carried: float) -> Total:
+    found = polygon(board, pole, f"-{name}", vectors, carried)
+    return Total(found, board.turn(name, found.closing, -1.0, because("against_closing")))
 
 
 def _share(board: Board, vector: Mark, signed: int, one: Member) -> Mark:
@@ -67,8 +85,7 @@ def _text(value: object) -> str:
     return f"{float(value):.10g}"  # type: ignore[arg-type]
 
 
-def _read(found: Mapping[int, Polygon], order: int) -> Harmonic:
-    """Read a harmonic: each vector is against what closes its polygon."""
+def _read(found: Mapping[int, Total], order: int) -> Harmonic:
     ahead, back = found[order], found[-order]
-    slack = max(ahead.slack, back.slack)
-    return Harmonic(order, -complex(ahead.closing.point), -complex(back.closing.point), slack)
+    slack = max(ahead.polygon.slack, back.polygon.slack)
+    return Harmonic(order, complex(ahead.vector.point), complex(back.vector.point), slack)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from fractions import Fraction
 from typing import NamedTuple, Protocol
 
@@ -10,16 +9,16 @@ import numpy as np
 
 from geometry.board import Board, Mark
 from geometry.precision import errors
+from plans.linkage.crank_positions import even
 from plans.model.balance.bank import Unit
 from plans.model.motion import Complexes, Floats
-from plans.rotor.heading import heading
 from plans.words.words import because
 
 SHAKING = "shaking"  # the board of the forces, N
 
 
 class Shaking(NamedTuple):
-    """The main vector of the inertia forces at some crank angles, N, and how far rounding can have moved each."""
+    """The main vector of the inertia forces over a turn, N, and how far rounding can have moved each."""
 
     force: Complexes  # (N,)
     slack: Floats  # (N,)
@@ -27,11 +26,14 @@ class Shaking(NamedTuple):
 
 
 class Source(Protocol):
-    """What one mechanism of the bank shakes its frame with; `scale` N is the size of the forces that it is made of."""
+    """What one mechanism of the bank shakes its frame with; `scale` N is the size of the forces that it is made of.
+
+    `shaking` draws it over a turn of its crank from a start in degrees on, in so many even positions.
+    """
 
     @property
     def scale(self) -> float: ...  # noqa: D102
-    def shaking(self, angles: Sequence[Fraction]) -> Shaking: ...  # noqa: D102
+    def shaking(self, start: Fraction, count: int) -> Shaking: ...  # noqa: D102
 
 
 class SliderCrank(NamedTuple):
@@ -45,10 +47,10 @@ class SliderCrank(NamedTuple):
         """The inertia force of both masses at the crank pin, N."""
         return (self.unit.rotating + self.unit.reciprocating) * self.unit.crank * self.speed**2
 
-    def shaking(self, angles: Sequence[Fraction]) -> Shaking:
-        """Draw the mechanism at crank angles, degrees, its velocities and accelerations, and add the inertia forces."""
-        force = _force(self.unit, *_accelerations(self, np.array([heading(angle) for angle in angles])))
-        slack = np.broadcast_to(errors(force)[force].place, len(angles))
+    def shaking(self, start: Fraction, count: int) -> Shaking:
+        """Draw the mechanism, its velocities and accelerations over a turn, and add the inertia forces."""
+        force = _force(self.unit, *_accelerations(self, even(start, count, +1).directions))
+        slack = np.broadcast_to(errors(force)[force].place, count)
         return Shaking(np.asarray(force.point), slack, force)
 
 

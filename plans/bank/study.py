@@ -4,14 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from geometry.board import Board
 from plans.bank.compensators import COMPENSATORS, Weights, compensators, left_over
 from plans.bank.harmonics import HARMONICS, Harmonics, harmonics
+from plans.bank.linkage import linkage_of
 from plans.bank.polygons import Polygons, polygons
-from plans.bank.shaking import Source
+from plans.bank.shaking import SliderCrank, Source
 from plans.bank.whole import Whole, whole
 from plans.model.balance.bank import CONSTRUCTION, BankBalance, BankTask
+
+if TYPE_CHECKING:
+    from plans.study import Study
 
 
 class BankStudy:
@@ -81,3 +86,10 @@ class BankStudy:
             force_slack=found.force_slack,
             moment_slack=found.moment_slack,
         )
+
+
+def study_of(study: Study) -> BankStudy:
+    """Make the study of a scene's bank (row of the table of techniques)."""
+    task: BankTask = study.scene.meaning["bank"].task
+    unit, speed = task.unit, task.speed
+    return BankStudy(task, linkage_of(study, speed) if unit is None else SliderCrank(unit, speed))

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from fractions import Fraction
 from typing import NamedTuple
 
 import numpy as np
 
-from plans.bank.harmonics import angles
 from plans.bank.shaking import Shaking, Source
 from plans.model.balance.bank import EPS, ROUNDING, Member
 from plans.model.motion import Complexes, Floats
@@ -25,12 +23,13 @@ class Whole(NamedTuple):
     moment: Complexes
     force_slack: float
     moment_slack: float
+    largest: float  # N: of one mechanism
+    largest_moment: float  # N*m: of one mechanism
 
 
 def whole(source: Source, members: Sequence[Member]) -> Whole:
     """Add the forces of all mechanisms, and their moments about the plane of place 0."""
-    turn = angles(STEPS)
-    found = _by_phase(source, {one.phase % 360 for one in members}, turn)
+    found = {phase: source.shaking(phase, STEPS) for phase in {one.phase % 360 for one in members}}
     shares = [found[one.phase % 360] for one in members]
     force = [heading(one.axis) * share.force for one, share in zip(members, shares, strict=True)]
     places = [float(one.place) for one in members]
@@ -38,11 +37,8 @@ def whole(source: Source, members: Sequence[Member]) -> Whole:
     slacks = [_slack(source, share) for share in shares]
     lever = sum(abs(place) * slack for place, slack in zip(places, slacks, strict=True))
     phi = 2 * np.pi * np.arange(STEPS + 1) / STEPS
-    return Whole(phi, _round(force), _round(moment), sum(slacks), lever)
-
-
-def _by_phase(source: Source, phases: set[Fraction], turn: Sequence[Fraction]) -> dict[Fraction, Shaking]:
-    return {phase: source.shaking([angle + phase for angle in turn]) for phase in phases}
+    largest = [float(np.max(np.abs(rows))) for rows in (force, moment)]
+    return Whole(phi, _round(force), _round(moment), sum(slacks), lever, *largest)
 
 
 def _slack(source: Source, share: Shaking) -> float:

@@ -38,6 +38,7 @@ class Hodograph(NamedTuple):
     values: Complexes
     ends: Complexes
     shown: int
+    title: str = ""  # where it is not that of a reaction
 
     @property
     def points(self) -> list[complex]:
@@ -101,7 +102,7 @@ def draw(shown: Hodograph, room: Picture, spot: Spot, drafting: Drafting) -> Hod
 
 
 def _title(shown: Hodograph, drafting: Drafting) -> str:
-    return drafting.word("hodograph", letter=shown.letter)
+    return shown.title or drafting.word("hodograph", letter=shown.letter)
 
 
 def _curve(shown: Hodograph, place: Place, hand: Hand) -> list[Stroke]:

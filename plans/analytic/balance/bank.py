@@ -10,6 +10,7 @@ import cmath
 import math
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
+from functools import cache
 from typing import NamedTuple, Protocol
 
 import numpy as np
@@ -36,12 +37,15 @@ STEPS = 360  # even positions of a turn
 
 
 class Mechanism(Protocol):
-    """One mechanism of the bank by analysis; `scale` N is the size of the forces that shake it."""
+    """One mechanism of the bank by analysis; `scale` N is the size of the forces that shake it.
+
+    `shaking` is its force over the turn from a phase of its crank in degrees on, (STEPS + 1,) N.
+    """
 
     @property
     def scale(self) -> float: ...  # noqa: D102
     def harmonic(self, signed: int) -> complex: ...  # noqa: D102
-    def shaking(self, angles: Sequence[Fraction]) -> Complexes: ...  # noqa: D102
+    def shaking(self, phase: Fraction) -> Complexes: ...  # noqa: D102
 
 
 class SliderCrank(NamedTuple):
@@ -61,9 +65,15 @@ class SliderCrank(NamedTuple):
         slider = unit.reciprocating * order**2 * slider_harmonic(unit, order) / 2
         return complex(self.speed**2 * (slider + (unit.rotating * unit.crank if signed == 1 else 0.0)))
 
-    def shaking(self, angles: Sequence[Fraction]) -> Complexes:
-        """Give the shaking force at crank angles, degrees."""
-        return shaking(self.unit, self.speed, np.array([direction(angle) for angle in angles]))
+    def shaking(self, phase: Fraction) -> Complexes:
+        """Give the shaking force over the turn."""
+        return shaking(self.unit, self.speed, turn() * direction(phase))
+
+
+@cache
+def turn() -> Complexes:
+    """Give the directions that divide a turn evenly, from 0 on, the last the first once more."""
+    return np.array([direction(Fraction(360 * k, STEPS)) for k in range(STEPS + 1)])
 
 
 def bank_balance(task: BankTask, mechanism: Mechanism) -> BankBalance:
@@ -75,7 +85,8 @@ def bank_balance(task: BankTask, mechanism: Mechanism) -> BankBalance:
     moments = {order: _summed(one, task.members, places) for order, one in single.items()}
     found = tuple(_compensator(one, forces[one.order], task.speed) for one in task.asked)
     phi = np.linspace(0.0, 2 * np.pi, STEPS + 1)
-    terms = np.array([_member(mechanism, one) for one in task.members])
+    turns = {phase: mechanism.shaking(phase) for phase in {one.phase % 360 for one in task.members}}
+    terms = np.array([direction(one.axis) * turns[one.phase % 360] for one in task.members])
     force, moment = terms.sum(axis=0), np.array(places) @ terms
     largest = max(mechanism.scale, float(np.max(np.abs(terms))))
     return BankBalance(
@@ -114,12 +125,6 @@ def _summed(one: Harmonic, members: Sequence[Member], weights: Sequence[float]) 
 def _sum(terms: Iterable[complex]) -> complex:
     found = list(terms)
     return complex(math.fsum(one.real for one in found), math.fsum(one.imag for one in found))
-
-
-def _member(mechanism: Mechanism, one: Member) -> Complexes:
-    """Give the force of one member over the turn."""
-    angles = [Fraction(360 * k, STEPS) + one.phase for k in range(STEPS + 1)]
-    return np.asarray(direction(one.axis) * mechanism.shaking(angles))
 
 
 def _compensator(asked: Asked, force: Harmonic, speed: float) -> Compensator:

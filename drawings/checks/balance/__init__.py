@@ -1,0 +1,1 @@
+"""The self-checks of the sheets of balancing: of a mechanism, and of a bank of them (проверка листов)."""

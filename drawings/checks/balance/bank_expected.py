@@ -1,0 +1,165 @@
+"""What the analysis alone says that the sheets of a bank must show: vectors, masses, curves (ожидаемое на листе)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from plans.bank.letters import FORCE, MOMENT, SINGLE, couple_letters, letters
+from plans.checks.comparison import Comparison
+from plans.model.balance.bank import BankBalance, BankTask, Compensator, Harmonic, Member
+from plans.model.motion import Complexes
+
+LINE = 1e-9  # of a unit direction: a sine that is less is of an angle that was rounded
+WHOLE, LEFT, WHOLE_MOMENT = "ΣF", "ΣF'", "ΣM"  # the findings over the turn
+
+
+class Polygon(NamedTuple):
+    """What a polygon must show: which order, its vectors by their names, its sum, each with what it may be off by."""
+
+    kind: str
+    signed: int
+    sides: Mapping[str, complex]
+    name: str
+    whole: complex
+    side_slack: Mapping[str, float]
+    slack: float
+
+    @property
+    def closed(self) -> bool:
+        """Whether rounding alone is left of the sum."""
+        return abs(self.whole) <= self.slack
+
+
+class Body(NamedTuple):
+    """A mass of a compensator: its letter, its place from its shaft m or direction, and how fast it turns."""
+
+    name: str
+    moment: float  # kg*m
+    way: complex  # direction on the sheet
+    turns: int
+    coupled: bool = False
+
+
+@dataclass(frozen=True)
+class Expected:
+    """A bank by the analysis, with what the two roads may differ by."""
+
+    task: BankTask
+    comparison: Comparison
+    crank: float | None = None
+
+    @property
+    def analysis(self) -> BankBalance:
+        """What the analysis found."""
+        found: BankBalance = self.comparison.analysis
+        return found
+
+    @cached_property
+    def allowed(self) -> Mapping[str, float]:
+        """What each finding may differ by."""
+        return {one.name: float(one.allowed[0]) for one in self.comparison.findings}
+
+    @property
+    def turn(self) -> complex:
+        """The direction of the reference guide on the sheet."""
+        return cmath.rect(1.0, self.task.axis)
+
+    @property
+    def members(self) -> tuple[Member, ...]:
+        """The mechanisms."""
+        return self.task.members
+
+    @cached_property
+    def axes(self) -> list[complex]:
+        """The directions of the guides, from the reference guide."""
+        return [cmath.rect(1.0, math.radians(float(one.axis % 360))) for one in self.members]
+
+    @property
+    def flat(self) -> bool:
+        """Whether all guides lie in one plane with the shaft."""
+        return self.task.unit is not None and all(abs(axis.imag) <= LINE for axis in self.axes)
+
+    @cached_property
+    def straight(self) -> bool:
+        """Whether all forces keep to the line of the guides."""
+        return self.flat and not (self.task.unit and self.task.unit.rotating)
+
+    def polygons(self) -> Iterator[Polygon]:
+        """Give the polygons that have vectors: with the crank, and against it where that is no mirror image."""
+        for order, single in self.analysis.single.items():
+            for kind in (FORCE, MOMENT):
+                for signed in (order, -order):
+                    alone = signed < 0 and self.flat and (order > 1 or self.straight)
+                    found = self._polygon(kind, signed, single)
+                    if found.sides and not alone:
+                        yield found
+
+    def _polygon(self, kind: str, signed: int, single: Harmonic) -> Polygon:
+        own = single.ahead if signed > 0 else single.back
+        whole = (self.analysis.forces if kind == FORCE else self.analysis.moments)[single.order]
+        sides = {} if abs(own) <= single.slack else dict(self._sides(kind, signed, own))
+        name = letters(kind, signed)
+        arms = {letters(kind, signed, one.name): abs(self.arm(kind, one)) for one in self.members}
+        slacks = {key: self.allowed[letters(SINGLE, signed)] * arm for key, arm in arms.items()}
+        value = (whole.ahead if signed > 0 else whole.back) * self.turn
+        return Polygon(kind, signed, sides, name, value, slacks, self.allowed[name])
+
+    def _sides(self, kind: str, signed: int, own: complex) -> Iterator[tuple[str, complex]]:
+        for one, axis in zip(self.members, self.axes, strict=True):
+            turned = cmath.rect(1.0, math.radians(float(signed * (one.crank - one.axis) % 360)))
+            if self.arm(kind, one):
+                yield letters(kind, signed, one.name), own * turned * axis * self.turn * self.arm(kind, one)
+
+    @staticmethod
+    def arm(kind: str, one: Member) -> float:
+        """Give what a force is multiplied by: 1, or its place m of a moment."""
+        return 1.0 if kind == FORCE else float(one.place)
+
+    def crank_at(self, one: Member) -> complex:
+        """Give the direction of a crank on the sheet at phi = 0."""
+        return cmath.rect(1.0, math.radians(float(one.crank % 360)) + self.task.axis)
+
+    def ways(self) -> Mapping[str, complex]:
+        """Give the directions of the guides on the sheet by the numbers of their mechanisms."""
+        return {one.name: axis * self.turn for one, axis in zip(self.members, self.axes, strict=True)}
+
+    def force_of(self, name: str) -> Complexes:
+        """Give what is followed over the turn by the name of its finding."""
+        rows = {WHOLE: self.analysis.force, LEFT: self.analysis.left, WHOLE_MOMENT: self.analysis.moment}
+        return np.asarray(rows[name] * self.turn if not self.straight else rows[name])
+
+    def acts(self, name: str) -> bool:
+        """Whether more than rounding is left of what is followed over the turn."""
+        slack = self.analysis.moment_slack if name == WHOLE_MOMENT else self.analysis.force_slack
+        return bool(np.abs(self.force_of(name)).max() > slack)
+
+    def bodies(self, one: Compensator) -> Iterator[Body]:
+        """Give the masses of a compensator at phi = 0."""
+        order = one.asked.order
+        pairs = ((order, one.with_crank, one.with_angle), (-order, one.against, one.against_angle))
+        for signed, moment, angle in pairs:
+            if angle is not None:
+                yield Body(letters("m", signed), moment, cmath.rect(1.0, angle) * self.turn, signed)
+        if one.couple_angle is not None and one.couple is not None:
+            name, way = couple_letters(order).replace("mr", "m"), cmath.rect(1.0, one.couple_angle) * self.turn
+            yield Body(name, one.couple, way, order, True)
+            yield Body(f"{name}'", one.couple, -way, order, True)
+
+    def line(self, one: Compensator) -> complex:
+        """Give the line of the largest force of an order on the sheet, towards where the reference guide goes."""
+        if one.with_angle is None or one.against_angle is None:
+            return self.turn
+        along = cmath.rect(1.0, (one.with_angle + one.against_angle) / 2)
+        towards = along.real if abs(along.real) > LINE else along.imag
+        return along * self.turn * math.copysign(1.0, towards)
+
+    def slack_of(self, one: Compensator) -> float:
+        """Give how far the static moment of a mass may be off, kg*m."""
+        return self.allowed[letters("mr", one.asked.order)]

@@ -1,0 +1,81 @@
+"""The self-check of the tables of a bank: each row that must be there, each cell to its last digit (таблицы)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Mapping
+
+from drawings.checks import reading
+from drawings.checks.balance.bank_expected import Body, Expected
+from drawings.checks.rotor_tables import Cell
+from drawings.checks.wrong import Wrong, within
+from drawings.figures.bank.bank_table import COMPENSATOR_HEADS, COMPENSATORS, ORDER_HEADS, ORDERS
+from drawings.lettering.bank_letters import lowered
+from drawings.page.drafting import Drafting
+from drawings.paper.strokes import Leaf, Text
+from drawings.paper.walk import groups
+from plans.bank.letters import FORCE, MOMENT, SINGLE, letters
+from plans.model.balance.bank import Compensator, Harmonic
+
+
+def faults(leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:
+    """Read both tables of a sheet back."""
+    rows = {ORDERS: dict(_orders(expected)), COMPENSATORS: dict(_compensators(expected))}
+    heads = {ORDERS: ("order", *ORDER_HEADS), COMPENSATORS: ("mass number", *COMPENSATOR_HEADS)}
+    for name, due in rows.items():
+        heading = [Text(0j, drafting.word(key)).plain for key in heads[name]]
+        yield from _table(leaf, name, due, heading)
+
+
+def _table(leaf: Leaf, name: str, due: Mapping[str, list[Cell]], heading: list[str]) -> Iterator[Wrong]:
+    own = [one for one in groups(leaf.groups) if one.name.removeprefix(f"{name}-").isdigit()]
+    seen, headed = set[str](), 0
+    for first, *cells in ([text.plain for text in row] for group in own for row in reading.rows(group)):
+        if [first, *cells] == heading:
+            headed += 1
+        elif first not in due or first in seen:
+            yield within("in", name, text=first)
+        elif len(cells) != len(due[first]):
+            yield within("row", name, name=first)
+        else:
+            seen.add(first)
+            wrong = (text for text, cell in zip(cells, due[first], strict=True) if not cell.holds(text))
+            yield from (within("cell", name, name=first, text=text) for text in wrong)
+    if headed != len(own):
+        yield within("in", name, text=heading[0])
+    if own or leaf.metadata["of"] == 1:  # of several sheets one bears it
+        yield from (within("missing_from", name, name=one) for one in due if one not in seen)
+
+
+def _orders(expected: Expected) -> Iterator[tuple[str, list[Cell]]]:
+    """Give what must be told of each order: of one mechanism, of the bank, what is left, and the moment."""
+    answered = {one.asked.order for one in expected.analysis.compensators}
+    for order, single in expected.analysis.single.items():
+        force, moment = expected.analysis.forces[order], expected.analysis.moments[order]
+        cells = [_size(expected, SINGLE, single), _size(expected, FORCE, force)]
+        cells += [Cell(0.0) if order in answered else cells[1], _size(expected, MOMENT, moment)]
+        yield str(order), cells
+
+
+def _size(expected: Expected, kind: str, one: Harmonic) -> Cell:
+    """Give the largest that two vectors turning against each other come to: both along one line."""
+    sizes = [abs(one.ahead), abs(one.back)]
+    slack = 2 * expected.allowed[letters(kind, one.order)]
+    return Cell(0.0 if max(sizes) <= one.slack else math.fsum(sizes), slack)
+
+
+def _compensators(expected: Expected) -> Iterator[tuple[str, list[Cell]]]:
+    """Give what must be told of each mass: of those of a couple the first stands for both."""
+    for one in expected.analysis.compensators:
+        for body in expected.bodies(one):
+            if not body.name.endswith("'"):
+                yield Text(0j, lowered(body.name)).plain, _cells(expected, one, body)
+
+
+def _cells(expected: Expected, one: Compensator, body: Body) -> list[Cell]:
+    slack, mass = expected.slack_of(one), None if body.coupled else one.asked.mass
+    far = Cell(None) if mass is None else Cell(1000 * body.moment / mass, 1000 * slack / mass)
+    angle = math.degrees(cmath.phase(body.way / expected.turn))
+    turned = Cell(angle, math.degrees(2 * slack / body.moment), True)
+    return [Cell(body.moment, slack), Cell(mass), far, Cell(body.turns * expected.task.speed), turned]

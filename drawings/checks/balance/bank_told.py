@@ -1,0 +1,136 @@
+"""The self-check of the notes on a bank: each number that they give a letter, what vanishes (проверка пояснений)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+import re
+from collections.abc import Callable, Iterator
+from typing import NamedTuple
+
+from drawings.checks.balance.bank_expected import Expected
+from drawings.checks.rotor_tables import Cell
+from drawings.checks.wrong import Wrong, within
+from drawings.lettering.bank_letters import lowered
+from drawings.page.drafting import Drafting
+from drawings.paper.strokes import Leaf, Text
+from drawings.paper.walk import texts
+from plans.bank.letters import FORCE, MOMENT, couple_letters, letters
+from plans.model.balance.bank import Compensator, Harmonic
+
+NOTES = "notes"  # the name of their figure
+MINUTE = 60  # seconds
+_NUMBER = r"[−\d.,]*\d"
+_TURNED = rf"(?:\s\S+\s∠\s({_NUMBER})°)?"
+_SAID = re.compile(r"(?<!φ)\s=\s[−\d]")  # a number that a letter is given
+
+
+class Told(NamedTuple):
+    """What a note must say: a letter, its size, and its direction if it has one."""
+
+    name: str
+    size: Cell
+    angle: Cell | None = None
+
+    def holds(self, value: str, angle: str | None) -> bool:
+        """Tell whether a note says it."""
+        turned = angle is None if self.angle is None else angle is not None and self.angle.holds(angle)
+        return self.size.holds(value) and turned
+
+
+def faults(leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:
+    """Read the notes of the first sheet back: each letter in its turn, none left out; what vanishes, in words."""
+    if leaf.metadata["number"] != 1:
+        return
+    told = _spaced(" ".join(text.plain for group in leaf.groups if group.name == NOTES for text in texts((group,))))
+    rest, place = "", 0
+    for one in _due(expected):
+        found = re.compile(rf"(?<!\S){re.escape(one.name)}\s=\s(?:[^\s=]+\s=\s)?({_NUMBER}){_TURNED}").search(
+            told, place
+        )
+        if found is None:
+            yield within("missing_from", NOTES, name=one.name)
+            continue
+        rest, place = rest + told[place : found.start()], found.end()
+        if not one.holds(*found.groups()):
+            yield within("in", NOTES, text=found[0])
+    rest += told[place:]
+    yield from (
+        within("stranger_in", NOTES, text=rest[max(one.start() - 4, 0) : one.end()]) for one in _SAID.finditer(rest)
+    )
+    yield from _phrases(told, expected, drafting)
+
+
+def _spaced(text: str) -> str:
+    return " ".join(text.split())
+
+
+def _due(expected: Expected) -> Iterator[Told]:
+    """Give all numbers that the notes must say."""
+    task = expected.task
+    yield Told("n", Cell(task.speed * MINUTE / math.tau))
+    yield Told("ω", Cell(task.speed))
+    if task.unit is not None:
+        yield Told("λ", Cell(task.unit.crank / task.unit.rod))
+    for order, force in expected.analysis.forces.items():
+        yield from _sums(expected, FORCE, force)
+        yield from _sums(expected, MOMENT, expected.analysis.moments[order])
+    for one in expected.analysis.compensators:
+        yield from _masses(expected, one)
+
+
+def _sums(expected: Expected, kind: str, one: Harmonic) -> Iterator[Told]:
+    alone = expected.flat and (one.order > 1 or expected.straight)
+    for signed, value in ((one.order, one.ahead), (-one.order, one.back)):
+        slack = expected.allowed[letters(kind, signed)]
+        if abs(value) > one.slack and not (alone and signed < 0):
+            angle = Cell(math.degrees(cmath.phase(value)), math.degrees(slack / abs(value)), True)
+            yield Told(_plain(letters(kind, signed)), Cell(abs(value), slack), angle)
+
+
+def _masses(expected: Expected, one: Compensator) -> Iterator[Told]:
+    """Give the static moments of the masses, and the couple that their offset leaves."""
+    order, slack = one.asked.order, expected.slack_of(one)
+    bodies = [body for body in expected.bodies(one) if not body.coupled]
+    for body in bodies:
+        yield Told(_plain(letters("mr", body.turns)), Cell(body.moment, slack))
+    square = (order * expected.task.speed) ** 2
+    couple = sum(body.moment for body in bodies) * square * abs(one.asked.offset)
+    if couple:
+        wide = len(bodies) * slack * square * abs(one.asked.offset)
+        yield Told("M", Cell(couple, wide))
+        if one.asked.shafts is not None:
+            arm = square * one.asked.shafts
+            yield Told(_plain(couple_letters(order)), Cell(couple / arm, wide / arm))
+
+
+def _plain(name: str) -> str:
+    return Text(0j, lowered(name)).plain
+
+
+def _phrases(told: str, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:
+    """See that the notes say which orders vanish, that no moment is left where none can be, and what needs nothing."""
+    analysis = expected.analysis
+    single, forces, moments = (_vanish(one) for one in (analysis.single, analysis.forces, analysis.moments))
+    apart = any(one.place for one in expected.members)
+    rows: list[tuple[str, Callable[[int], bool]]] = [
+        ("no order", lambda order: order in single),
+        ("no order force", lambda order: order in forces and order not in single),
+        ("no order moment", lambda order: apart and order in moments and order not in single),
+    ]
+    phrases = [(key, ", ".join(str(order) for order in analysis.single if holds(order))) for key, holds in rows]
+    said = {drafting.word(key, orders="\0").partition("\0")[0]: (key, orders) for key, orders in phrases}
+    for start, (key, orders) in said.items():
+        if (start in told) != bool(orders) or (orders and drafting.word(key, orders=orders) not in told):
+            yield within("in", NOTES, text=drafting.word(key, orders=orders or "0"))
+    if (drafting.word("one plane of a bank") in told) == apart:
+        yield within("in", NOTES, text=drafting.word("one plane of a bank"))
+    for one in analysis.compensators:
+        idle = drafting.word("no compensator", order=one.asked.order)
+        if (idle in told) == any(expected.bodies(one)):
+            yield within("in", NOTES, text=idle)
+
+
+def _vanish(found: object) -> frozenset[int]:
+    assert isinstance(found, dict)
+    return frozenset(order for order, one in found.items() if max(abs(one.ahead), abs(one.back)) <= one.slack)

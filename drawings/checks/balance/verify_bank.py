@@ -1,0 +1,62 @@
+"""The self-check of a written sheet of a bank: figures, tables, notes against the analysis (проверка листа)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from drawings.checks import reading
+from drawings.checks.balance import bank_curves, bank_layouts, bank_marks, bank_tables, bank_told, bank_views
+from drawings.checks.balance.bank_expected import Expected
+from drawings.checks.wrong import Wrong
+from drawings.figures.bank import shaft, star
+from drawings.figures.bank.bank_polygon import plan_of
+from drawings.figures.rotor.letters import MOST
+from drawings.measure.measure import Measured
+from drawings.page.drafting import Drafting, drafting_of
+from drawings.paper.strokes import Leaf
+from drawings.report.balance.bank_notes import crank_of
+from plans.study import Study
+from plans.words.words import message
+
+
+def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
+    """Hold all that one sheet of a bank shows against the analysis (row of the table of sheets)."""
+    bank = study["bank"]
+    expected = Expected(bank.task, study.comparison("bank"), crank_of(study))
+    yield from check(measured, leaf, expected, drafting_of(study.scene))
+
+
+def check(measured: Measured, leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:
+    """Hold what a sheet shows: the figures that its data name, tables, notes, scales."""
+    figures = frozenset(leaf.metadata["figures"])
+    if leaf.metadata["of"] == 1:
+        lost = (name for name in due(expected) if name not in figures)
+        yield from (message("wrong.missing", name=name) for name in lost)
+    yield from bank_marks.polygons(measured, expected, figures)
+    yield from bank_marks.places(measured, expected, figures)
+    yield from bank_views.faults(leaf, expected, drafting, figures)
+    yield from bank_curves.faults(measured, leaf, expected, drafting, figures)
+    yield from bank_layouts.faults(measured, leaf, expected, drafting, figures)
+    yield from bank_tables.faults(leaf, expected, drafting)
+    yield from bank_told.faults(leaf, expected, drafting)
+    graphs = {bank_curves.figure_of(expected, plan) for plan in bank_curves.due(expected) if expected.straight}
+    yield from reading.marked_scales(_without(leaf, graphs))
+
+
+def _without(leaf: Leaf, graphs: set[str]) -> Leaf:
+    """Leave the graphs out, which have a scale of each axis: they are held by themselves."""
+    return Leaf(leaf.width, leaf.height, tuple(one for one in leaf.groups if one.name not in graphs))
+
+
+def due(expected: Expected) -> Iterator[str]:
+    """Name the figures that the sheets of a bank must bear."""
+    yield star.NAME
+    if any(one.place for one in expected.members):
+        yield shaft.NAME
+    for one in expected.polygons():
+        if not one.closed or len(one.sides) <= MOST:
+            yield plan_of(one.kind, one.signed)
+    yield from {bank_curves.figure_of(expected, plan) for plan in bank_curves.due(expected)}
+    for found in expected.analysis.compensators:
+        if any(expected.bodies(found)):
+            yield bank_layouts.name_of(found)

@@ -1,0 +1,1 @@
+"""Figures of a bank of equal mechanisms: its shaft, star of cranks, polygons, graphs, compensators (фигуры блока)."""

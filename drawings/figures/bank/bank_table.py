@@ -1,0 +1,63 @@
+"""The tables of a bank: its orders before and after, its compensators (таблицы блока)."""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Iterator, Sequence
+
+from drawings.figures.bank.compensator_layout import COUPLED, MASS
+from drawings.layout.table import RuledTable, TableRow, table
+from drawings.lettering.bank_letters import lowered
+from drawings.page.drafting import Drafting
+from drawings.report.balance.bank_notes import direction
+from plans.bank.letters import letters, roman
+from plans.model.balance.bank import BankBalance, Compensator
+
+ORDERS, COMPENSATORS = "orders", "compensators"  # the names of the tables
+ORDER_HEADS = ("one force", "bank force", "force left", "bank moment")
+COMPENSATOR_HEADS = ("m·r, kg·m", "m, kg", "r, mm", "shaft speed", "φ, °")
+DIGITS = 5
+NOTHING = "—"
+
+
+def orders(balance: BankBalance, drafting: Drafting) -> RuledTable:
+    """Tell of each order the largest force of one mechanism, of the bank, what is left of it, and the moment."""
+    answered = {one.asked.order for one in balance.compensators}
+    lines = []
+    for order, single in balance.single.items():
+        force = balance.forces[order].size
+        sizes = single.size, force, 0.0 if order in answered else force, balance.moments[order].size
+        lines.append(TableRow(str(order), tuple(drafting.number(one, DIGITS) for one in sizes)))
+    heads = tuple(drafting.word(head) for head in ORDER_HEADS)
+    return table(lines, drafting.word("order"), heads, drafting.hand.text)._replace(name=ORDERS)
+
+
+def compensators(balance: BankBalance, drafting: Drafting) -> RuledTable | None:
+    """Tell each mass of the compensators; None where there are none."""
+    lines = [row for one in balance.compensators for row in _masses(one, balance, drafting)]
+    heads = tuple(drafting.word(head) for head in COMPENSATOR_HEADS)
+    if not lines:
+        return None
+    return table(lines, drafting.word("mass number"), heads, drafting.hand.text)._replace(name=COMPENSATORS)
+
+
+def _masses(one: Compensator, balance: BankBalance, drafting: Drafting) -> Iterator[TableRow]:
+    """Give the rows of the masses that are needed."""
+    order, mass, speed = one.asked.order, one.asked.mass, balance.task.speed
+    slack = balance.forces[order].slack / (order * speed) ** 2
+    for moment, angle, sense in ((one.with_crank, one.with_angle, 1), (one.against, one.against_angle, -1)):
+        if angle is not None:
+            far = None if mass is None else 1000 * moment / mass
+            cells = _cells(
+                (moment, mass, far, sense * order * speed, direction(cmath.rect(moment, angle), slack)), drafting
+            )
+            yield TableRow(lowered(letters(MASS, sense * order)), cells)
+    if one.couple_angle is not None:
+        moment = max(one.with_crank, one.against)
+        angle = direction(cmath.rect(moment, one.couple_angle), slack)
+        cells = _cells((one.couple, None, None, order * speed, angle), drafting)
+        yield TableRow(lowered(f"{COUPLED}{roman(order)}"), cells)
+
+
+def _cells(values: Sequence[float | None], drafting: Drafting) -> tuple[str, ...]:
+    return tuple(NOTHING if one is None else drafting.number(one, DIGITS) for one in values)

@@ -1,0 +1,102 @@
+"""What the figures of a bank show: its members about the shaft, its polygons as they stand at phi = 0 (вид блока)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+from typing import NamedTuple
+
+import numpy as np
+
+from drawings.report.balance.bank_notes import mirrored
+from drawings.symbols.polygon import ShownVector
+from plans.bank.letters import FORCE, MOMENT
+from plans.bank.polygons import Total
+from plans.model.balance.bank import BankBalance, BankTask, Member
+from plans.model.motion import Complexes
+from plans.rotor.heading import heading
+
+SIDE, RESULT = "side", "result"  # what a vector is: of one member, or of all together
+
+
+class ShownOrder(NamedTuple):
+    """A polygon of an order, with the crank or against it: its vectors end to end, their sum last unless they close."""
+
+    kind: str  # FORCE or MOMENT
+    signed: int
+    vectors: tuple[ShownVector, ...]
+    closed: bool
+
+    @property
+    def points(self) -> list[complex]:
+        """All true points that the figure must hold."""
+        return [0j, *(one.end for one in self.vectors)]
+
+
+class BankView(NamedTuple):
+    """A bank and what the construction found of it; `crank` m is the crank's length, if it is known."""
+
+    balance: BankBalance
+    polygons: Mapping[str, Mapping[int, Total]]  # of forces and of moments, by signed order
+    crank: float | None = None
+
+    @property
+    def task(self) -> BankTask:
+        """What is asked."""
+        return self.balance.task
+
+    @property
+    def members(self) -> tuple[Member, ...]:
+        """The mechanisms."""
+        return self.task.members
+
+    @property
+    def turn(self) -> complex:
+        """The direction of the reference guide on the sheet."""
+        return heading(Fraction(float(np.degrees(self.task.axis))))
+
+    def shown(self) -> Iterator[ShownOrder]:
+        """Give the polygons of every order whose vectors do not vanish; the mirror image of one is left out."""
+        for order in self.balance.single:
+            for kind in (FORCE, MOMENT):
+                for signed in (order,) if mirrored(self.task, order) else (order, -order):
+                    if self.acts(kind, signed):
+                        yield self._shown(kind, signed)
+
+    def acts(self, kind: str, signed: int) -> bool:
+        """Tell whether one mechanism of the bank has something to lay off in a polygon."""
+        single = self.balance.single[abs(signed)]
+        off = any(one.place for one in self.task.members) or kind == FORCE
+        return off and abs(single.ahead if signed > 0 else single.back) > single.slack
+
+    def _shown(self, kind: str, signed: int) -> ShownOrder:
+        found, vectors, end = self.polygons[kind][signed], list[ShownVector](), 0j
+        for side in found.polygon.sides:
+            value = complex(side.vector.point) * self.turn
+            vectors.append(ShownVector(side.vector.name, SIDE, end, value))
+            end += value
+        if not found.vanishes:
+            vectors.append(ShownVector(found.vector.name, RESULT, 0j, complex(found.vector.point) * self.turn))
+        return ShownOrder(kind, signed, tuple(vectors), found.vanishes)
+
+    @property
+    def shaken(self) -> bool:
+        """Whether a force of the bank is left that is more than rounding."""
+        return bool(np.abs(self.balance.force).max() > self.balance.force_slack)
+
+    @property
+    def rocked(self) -> bool:
+        """Whether a moment of the bank is left that is more than rounding."""
+        return bool(np.abs(self.balance.moment).max() > self.balance.moment_slack)
+
+    def crank_at(self, one: Member) -> complex:
+        """Give the direction of the crank of a member at phi = 0 on the sheet."""
+        return heading(one.crank) * self.turn
+
+    def guide_at(self, one: Member) -> complex:
+        """Give the direction of the guide of a member on the sheet."""
+        return heading(one.axis) * self.turn
+
+    def on_sheet(self, values: Complexes) -> Complexes:
+        """Turn vectors as the sheet shows them."""
+        return np.asarray(values * self.turn)

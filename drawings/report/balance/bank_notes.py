@@ -1,0 +1,152 @@
+"""What is said of a bank in words: what is given, the sums of its orders, what vanishes, compensators (пояснения)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+from typing import NamedTuple
+
+from drawings.lettering.bank_letters import lowered
+from drawings.page.drafting import Drafting
+from drawings.report.rotor_notes import ANGLE
+from plans.bank.letters import FORCE, MOMENT, STATIC, couple_letters, letters
+from plans.model.balance.bank import BankBalance, BankTask, Compensator, Harmonic
+from plans.study import Study
+
+RPM = 30 / math.pi  # of a rad/s
+HALF_TURN = 180.0  # degrees
+
+
+def mirrored(task: BankTask, order: int) -> bool:
+    """Tell whether what turns against the crank is the mirror image in the guide of what turns with it."""
+    flat = task.unit is not None and all(one.axis % 180 == 0 for one in task.members)
+    return flat and (order > 1 or not (task.unit and task.unit.rotating))
+
+
+def crank_of(study: Study) -> float:
+    """Give the length m of the cranks of a scene's bank."""
+    bank = study["bank"]
+    if bank.task.unit is not None:
+        return float(bank.task.unit.crank)
+    mechanism = study["linkage"].mechanism
+    drive = mechanism.drive
+    points = mechanism.links[drive.link].points
+    return float(abs(points[drive.end] - points[drive.pivot]))
+
+
+def straight(task: BankTask) -> bool:
+    """Tell whether all forces keep to the line of the guides: these lie in one plane, and nothing turns unbalanced."""
+    return mirrored(task, 1)
+
+
+def direction(value: complex, slack: float) -> float:
+    """Give the direction of a vector in degrees; one that rounding alone keeps from a quarter turn is whole.
+
+    >>> direction(-1 - 1e-17j, 1e-15), direction(1 + 1j, 1e-15)
+    (180.0, 45.0)
+    """
+    angle = math.degrees(cmath.phase(value))
+    quarter = 90.0 * round(angle / 90.0)
+    found = quarter if abs(angle - quarter) <= math.degrees(slack / abs(value)) else angle
+    return HALF_TURN if found == -HALF_TURN else found + 0.0
+
+
+def squared(order: int) -> str:
+    """Write the square of the speed of a compensator's shaft.
+
+    >>> squared(1), squared(2)
+    ('ω²', '(2ω)²')
+    """
+    return f"({order}ω)²" if order > 1 else "ω²"
+
+
+class BankNotes(NamedTuple):
+    """The notes on a bank, with so many digits."""
+
+    balance: BankBalance
+    drafting: Drafting
+    digits: int = 5
+
+    @property
+    def all(self) -> tuple[str, ...]:
+        """What is given, what each order comes to, what vanishes, and what compensates."""
+        return *self.given(), *self.sums(), *self.vanishing(), *self.compensators()
+
+    def given(self) -> Iterator[str]:
+        """Say how fast the shaft turns, and of a slider-crank what its rod is to its crank."""
+        task, word = self.balance.task, self.drafting.word
+        counted = "bank speed" if task.unit is not None else "bank speed of linkage"
+        yield word(counted, n=self._number(task.speed * RPM), omega=self._number(task.speed))
+        if task.unit is not None:
+            yield word("bank unit", ratio=self._number(task.unit.ratio))
+        against = any(mirrored(task, order) for order in self.balance.single)
+        yield word("mirror image" if against else "both senses")
+
+    def sums(self) -> Iterator[str]:
+        """Say what the polygons of each order come to at phi = 0."""
+        for order in self.balance.forces:
+            told = [*self._sums(FORCE, self.balance.forces[order]), *self._sums(MOMENT, self.balance.moments[order])]
+            if told:
+                yield self.drafting.word("order sums", order=order, sums=",  ".join(told))
+
+    def _sums(self, kind: str, one: Harmonic) -> Iterator[str]:
+        unit = self.drafting.word("N" if kind == FORCE else "N*m")
+        alone = mirrored(self.balance.task, one.order)
+        for sense, value in ((1, one.ahead),) if alone else ((1, one.ahead), (-1, one.back)):
+            if abs(value) > one.slack:
+                angle = self._number(direction(value, one.slack))
+                size = f"{self._number(abs(value))} {unit}{ANGLE}{angle}°"
+                yield f"{lowered(letters(kind, sense * one.order))} = {size}"
+
+    def vanishing(self) -> Iterator[str]:
+        """Say which orders one mechanism has none of, and of which forces and moments are balanced by one another."""
+        single, forces, moments = self.balance.single, self.balance.forces, self.balance.moments
+        yield from self._orders("no order", lambda order: single[order].vanishes)
+        yield from self._orders("no order force", lambda order: not single[order].vanishes and forces[order].vanishes)
+        if any(one.place for one in self.balance.task.members):
+            apart = self._orders(
+                "no order moment", lambda order: not single[order].vanishes and moments[order].vanishes
+            )
+            yield from apart
+        else:
+            yield self.drafting.word("one plane of a bank")
+
+    def _orders(self, key: str, holds: Callable[[int], bool]) -> Iterator[str]:
+        found = ", ".join(str(order) for order in self.balance.single if holds(order))
+        if found:
+            yield self.drafting.word(key, orders=found)
+
+    def compensators(self) -> Iterator[str]:
+        """Say what is to be put on the shafts of the compensators, and what their offset leaves."""
+        for one in self.balance.compensators:
+            yield from self._compensator(one)
+
+    def _compensator(self, one: Compensator) -> Iterator[str]:
+        asked, word, number = one.asked, self.drafting.word, self._number
+        order, square = asked.order, squared(asked.order)
+        if one.with_angle is None and one.against_angle is None:
+            yield word("no compensator", order=order)
+            return
+        moments = ((1, one.with_crank, one.with_angle), (-1, one.against, one.against_angle))
+        for sense, moment, angle in moments:
+            if angle is not None:
+                told = {"force": lowered(letters(FORCE, sense * order)), "square": square, "moment": number(moment)}
+                yield word("compensator mass", letters=lowered(letters(STATIC, sense * order)), **told)
+        if asked.offset and one.residual:
+            yield word("compensator couple", residual=number(one.residual))
+        if asked.shafts is not None and one.couple:
+            yield word("couple mass", letters=lowered(couple_letters(order)), square=square, moment=number(one.couple))
+
+    def members(self) -> Iterator[str]:
+        """Say where each mechanism of the bank stands."""
+        for one in self.balance.task.members:
+            told = {"name": one.name, "crank": self._exact(one.crank), "place": self._exact(1000 * one.place)}
+            yield self.drafting.word("bank member", axis=self._exact(one.axis), **told)
+
+    def _exact(self, value: Fraction) -> str:
+        return self._number(float(value))
+
+    def _number(self, value: float) -> str:
+        return self.drafting.number(value, self.digits)

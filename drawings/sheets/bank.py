@@ -1,0 +1,130 @@
+"""Sheet 5, a bank of mechanisms: its shaft, polygons of every order, graphs, compensators (взаимоуравновешивание)."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+from functools import partial
+from typing import Any
+
+from drawings.figures.bank import bank_polygon, bank_table, compensators, shaft, star, turn_graph
+from drawings.figures.bank.bank_view import BankView
+from drawings.figures.bank.compensator_layout import Layout
+from drawings.figures.bank.turn_graph import FORCE, LEFT, TurnCurve, TurnGraph
+from drawings.figures.bank.turn_graph import MOMENT as MOMENTS
+from drawings.figures.graphs import hodograph
+from drawings.figures.graphs.hodograph import Hodograph
+from drawings.layout.contents import Panel
+from drawings.page.drafting import Drafting, drafting_of
+from drawings.paper.strokes import Leaf
+from drawings.report.balance.bank_notes import BankNotes, crank_of, straight
+from drawings.sheets.leaves import Draft, Exhibit, lay_out
+from plans.bank.letters import FORCE as F
+from plans.bank.letters import MOMENT as M
+from plans.model.motion import Complexes
+from plans.scene.scene import Scene
+from plans.study import Study
+
+AFTER = "'"  # behind the letter of what is left
+
+
+def admit(scene: Scene) -> None:
+    """See nothing more: a bank's author names nothing, and any number of mechanisms can be shown."""
+
+
+def leaves(study: Study) -> tuple[Leaf, ...]:
+    """Lay out the sheets of a scene's bank (row of the table of sheets)."""
+    return sheets(study.scene, view_of(study))
+
+
+def view_of(study: Study) -> BankView:
+    """Give what the sheets of a scene's bank show."""
+    bank = study["bank"]
+    drawing = bank.drawing
+    return BankView(bank.balance, {F: drawing.forces, M: drawing.moments}, crank_of(study))
+
+
+def sheets(scene: Scene, shown: BankView) -> tuple[Leaf, ...]:
+    """Lay out the sheets of a bank."""
+    drafting = drafting_of(scene)
+    shows = (*_views(shown, drafting), *_polygons(shown, drafting), *_courses(shown, drafting))
+    shows += tuple(_layouts(shown, drafting))
+    masses = bank_table.compensators(shown.balance, drafting)
+    tables = (bank_table.orders(shown.balance, drafting), *([masses] if masses is not None else []))
+    notes = BankNotes(shown.balance, drafting).all
+    title = drafting.word("bank sheet title")
+    return lay_out(scene, [Draft("bank", title, shows, tables, notes, _facts)])
+
+
+def _facts(names: Collection[str]) -> dict[str, Any]:
+    """Say in the data of a sheet which figures it shows."""
+    return {"figures": list(names)}
+
+
+def _views(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
+    """Show the bank along its shaft; across it too, unless all mechanisms stand in one plane."""
+    room = star.measure(shown, drafting)
+    yield Exhibit(Panel(room), partial(star.draw, shown, room, drafting=drafting))
+    if not shaft.is_thin(shown):
+        room = shaft.measure(shown, drafting)
+        yield Exhibit(Panel(room), partial(shaft.draw, shown, room, drafting=drafting))
+
+
+def _polygons(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
+    """Show the polygons of every order whose vectors do not vanish."""
+    for one in map(bank_polygon.told_apart, shown.shown()):
+        if one.vectors:
+            room = bank_polygon.measure(one, drafting)
+            yield Exhibit(Panel(room), partial(bank_polygon.draw, one, room, drafting=drafting))
+
+
+def _courses(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
+    """Show force and moment over a turn: along the guides, or by their hodographs where they leave that line."""
+    if straight(shown.task):
+        yield from _graphs(shown, drafting)
+    else:
+        yield from _hodographs(shown, drafting)
+
+
+def _graphs(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
+    balance, compensated = shown.balance, bool(shown.balance.compensators)
+    if shown.shaken:
+        force = TurnCurve(FORCE, F, balance.force.real, "relative" if compensated else "result")
+        left = (TurnCurve(LEFT, F + AFTER, balance.left.real),) if compensated else ()
+        yield _graph(TurnGraph("force_graph", drafting.word("bank force title"), F, "N", (force, *left)), drafting)
+    if shown.rocked:
+        moment = TurnCurve(MOMENTS, M, balance.moment.real)
+        yield _graph(TurnGraph("moment_graph", drafting.word("bank moment title"), M, "N*m", (moment,)), drafting)
+
+
+def _graph(graph: TurnGraph, drafting: Drafting) -> Exhibit:
+    room = turn_graph.measure(graph, drafting)
+    return Exhibit(Panel(room), partial(turn_graph.draw, graph, room, drafting=drafting))
+
+
+def _hodographs(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
+    balance = shown.balance
+    if shown.shaken:
+        yield _hodograph(FORCE, F, "N", shown.on_sheet(balance.force), drafting)
+        if balance.compensators:
+            yield _hodograph(LEFT, F + AFTER, "N", shown.on_sheet(balance.left), drafting)
+    if shown.rocked:
+        yield _hodograph(MOMENTS, M, "N*m", shown.on_sheet(balance.moment), drafting)
+
+
+def _hodograph(name: str, letter: str, unit: str, values: Complexes, drafting: Drafting) -> Exhibit:
+    """Show a hodograph; before and after are drawn to one scale."""
+    turn = values[:-1]
+    ends, title = turn[:: len(turn) // turn_graph.STATIONS], drafting.word(f"hodograph of {name}")
+    one = Hodograph(letter, letter.rstrip(AFTER), unit, turn, ends, 0, title)
+    room = hodograph.measure(one, name, drafting)
+    scale = FORCE if unit == "N" else ""
+    return Exhibit(Panel(room, scale=scale), partial(hodograph.draw, one, room, drafting=drafting))
+
+
+def _layouts(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
+    """Show the compensators of every order that needs some."""
+    for found in shown.balance.compensators:
+        one = Layout(found, shown.turn)
+        if any(one.weights()):
+            room = compensators.measure(one, drafting)
+            yield Exhibit(Panel(room), partial(compensators.draw, one, shown.task.speed, room, drafting=drafting))

@@ -1,0 +1,63 @@
+"""Marks of a bank by the names that `explain` takes: f_II, F_II, F_-II of those that turn back, M_II, F_II,3, mr_II."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from geometry.board import Mark
+from geometry.steps import behind
+from plans.bank.compensators import COMPENSATORS
+from plans.bank.harmonics import HARMONICS
+from plans.bank.letters import FORCE, MOMENT, SINGLE, STATIC, letters
+from plans.bank.polygons import MOMENTS
+from plans.explanation import Explanation, NoMark, UnknownMark
+from plans.words.words import message
+
+if TYPE_CHECKING:
+    from plans.bank.study import BankStudy
+    from plans.study import Study
+
+UNITS = {HARMONICS: "N", MOMENTS: "N*m", COMPENSATORS: "kg*m"}
+
+
+def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
+    """Give the steps behind a mark; of a vector of the bank those behind its harmonic only if all are asked for."""
+    bank: BankStudy = study["bank"]
+    mark = next((mark for board in bank.boards for mark in board if mark.name == name and name != "0"), None)
+    if mark is None:
+        return _no_mark(bank)
+    if position:
+        raise UnknownMark(message("mark.no_position", mark=name, position=position))
+    steps = behind(mark)
+    own = steps if study.whole else list(_own(bank, mark, steps))
+    left = len(steps) - len(own)
+    notes = (message("explain.ordinates", count=left),) if left else ()
+    return Explanation(message("explain.name", mark=name), tuple(own), UNITS, notes, zeros=frozenset(_zeros(bank)))
+
+
+def _own(bank: BankStudy, mark: Mark, steps: Sequence[Mark]) -> Iterator[Mark]:
+    """Leave out what is behind the harmonics of one mechanism, unless one of them is asked for."""
+    single = bank.single
+    if mark.subject == HARMONICS and mark.number <= max(one.number for one in single.vectors.values()):
+        yield from steps
+        return
+    ordinates = set(behind(*single.vectors.values())) - {single.pole, *single.vectors.values()}
+    yield from (step for step in steps if step not in ordinates)
+
+
+def _zeros(bank: BankStudy) -> Iterator[Mark]:
+    """Give the vectors of the bank that vanish, and the corners where their polygons close."""
+    for total in (*bank.drawing.forces.values(), *bank.drawing.moments.values()):
+        if total.vanishes:
+            yield from (total.vector, total.polygon.closing, *total.polygon.closing.step.inputs[:1])
+
+
+def _no_mark(bank: BankStudy) -> NoMark:
+    """Name the marks that there are."""
+    names = tuple(mark.name for board in bank.boards for mark in board if mark.name != "0")
+    order = bank.orders[0]
+    shown = [letters(kind, order) for kind in (SINGLE, FORCE, MOMENT)]
+    member = letters(FORCE, order, bank.task.members[0].name)
+    weights = [letters(STATIC, one.asked.order) for one in bank.weights[:1]]
+    return NoMark(names, message("mark.marks", marks=", ".join((*shown, member, *weights))), ())

@@ -1,0 +1,184 @@
+"""A bank by both roads: harmonics, forces and moments, compensators, and what they must leave (сравнение)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from plans.analytic.balance.bank import Mechanism, SliderCrank, bank_balance
+from plans.analytic.balance.bank_linkage import Linkage
+from plans.analytic.balance.mass_centre import bodies
+from plans.bank.compensators import COMPENSATORS
+from plans.bank.harmonics import HARMONICS
+from plans.bank.letters import FORCE, MOMENT, SINGLE, STATIC, couple_letters, letters
+from plans.bank.study import BankStudy
+from plans.checks.comparison import Comparison, Finding
+from plans.model.balance.bank import BankBalance, Compensator, Harmonic
+from plans.model.motion import Complexes
+
+if TYPE_CHECKING:
+    from plans.study import Study
+
+EQUILIBRIUM = "equilibrium"
+WHOLE, WHOLE_MOMENT, LEFT = "ΣF", "ΣM", "ΣF'"  # over the turn; what the compensators leave is primed
+
+
+def compare_bank(study: BankStudy, mechanism: Mechanism) -> Comparison:
+    """Find the bank by analysis too, and put every quantity beside that of the construction."""
+    ours, theirs = study.balance, bank_balance(study.task, mechanism)
+    both = _Compared(study, ours, theirs)
+    findings = (*both.harmonics(), *both.compensators(), *both.whole(), *both.transforms(), *both.balanced())
+    return Comparison(ours, theirs, findings)
+
+
+def comparison_of(study: Study) -> Comparison:
+    """Compare both roads of a scene's bank (row of the table of techniques)."""
+    bank: BankStudy = study["bank"]
+    return compare_bank(bank, mechanism_of(study, bank))
+
+
+def mechanism_of(study: Study, bank: BankStudy) -> Mechanism:
+    """Give the mechanism of a bank for the analysis: by its sizes, or the linkage with counterweights by analysis."""
+    unit, speed = bank.task.unit, bank.task.speed
+    if unit is not None:
+        return SliderCrank(unit, speed)
+    road, phi = study.comparison("linkage").road, study["linkage"].turn.phi
+    added = study.comparison("balance").analysis.counterweights if study.scene.has(("balance",)) else ()
+    return Linkage(road, bodies(study["forces"].machine, added), speed, phi, bank.orders)
+
+
+class _Compared(NamedTuple):
+    """A bank by both roads."""
+
+    study: BankStudy
+    ours: BankBalance
+    theirs: BankBalance
+
+    @property
+    def _single(self) -> float:
+        """How far a harmonic of one mechanism can be out, by the conditions of its plans."""
+        return self.study.single.bound
+
+    @property
+    def _bank(self) -> float:
+        """How far a force of the bank can be out."""
+        return self._single * len(self.ours.task.members)
+
+    @property
+    def _lever(self) -> float:
+        """How far a moment of the bank can be out."""
+        return self._single * math.fsum(abs(float(one.place)) for one in self.ours.task.members)
+
+    def harmonics(self) -> Iterator[Finding]:
+        """Compare every vector of every order."""
+        largest, arm = _largest(self.ours.single), max(abs(float(one.place)) for one in self.ours.task.members)
+        rows = (
+            (SINGLE, "N", self.ours.single, self.theirs.single, self._single, largest),
+            (FORCE, "N", self.ours.forces, self.theirs.forces, self._bank, largest),
+            (MOMENT, "N*m", self.ours.moments, self.theirs.moments, self._lever, arm * largest),
+        )
+        for kind, unit, ours, theirs, bound, most in rows:
+            for order, one in ours.items():
+                allowed = one.slack + theirs[order].slack + bound
+                for signed, found, other in _pairs(order, one, theirs[order]):
+                    yield _finding(HARMONICS, letters(kind, signed), unit, found, other, allowed, most)
+
+    def compensators(self) -> Iterator[Finding]:
+        """Compare the masses of the compensators, with the directions in which they stand."""
+        largest = max((one.with_crank + one.against for one in self.ours.compensators), default=0.0)
+        for one, other in zip(self.ours.compensators, self.theirs.compensators, strict=True):
+            order, offset = one.asked.order, abs(one.asked.offset)
+            force = self.ours.forces[order].slack + self.theirs.forces[order].slack + self._bank
+            allowed = force / (order * self.ours.task.speed) ** 2
+            for signed, found, theirs in zip((order, -order), _weights(one), _weights(other), strict=True):
+                yield _finding(COMPENSATORS, letters(STATIC, signed), "kg*m", found, theirs, allowed, largest)
+            residual = max(one.residual, other.residual)
+            name = f"{FORCE}·z,{order}"
+            yield _finding(COMPENSATORS, name, "N*m", one.residual, other.residual, 2 * force * offset, residual)
+            if one.couple is not None and other.couple is not None:
+                allowed *= 2 * offset / (one.asked.shafts or math.inf)
+                couple, theirs = (_vector(each.couple or 0.0, each.couple_angle) for each in (one, other))
+                yield _finding(COMPENSATORS, couple_letters(order), "kg*m", couple, theirs, allowed, one.couple)
+
+    def whole(self) -> Iterator[Finding]:
+        """Compare the whole force and moment over the turn, before and after the compensators."""
+        ours, theirs = self.ours, self.theirs
+        force = ours.force_slack + theirs.force_slack
+        left = ours.left_slack + theirs.left_slack + self._taken
+        moment = ours.moment_slack + theirs.moment_slack
+        shares = self.study.whole
+        rows = (
+            (WHOLE, "N", ours.force, theirs.force, force, shares.largest),
+            (LEFT, "N", ours.left, theirs.left, left, shares.largest),
+            (WHOLE_MOMENT, "N*m", ours.moment, theirs.moment, moment, shares.largest_moment),
+        )
+        for name, unit, found, other, allowed, largest in rows:
+            yield _finding(HARMONICS, name, unit, found, other, allowed, largest)
+
+    def transforms(self) -> Iterator[Finding]:
+        """See that the whole force and moment over the turn have the harmonics that the polygons gave them."""
+        ours, most = self.ours, self.study.whole
+        arms = math.fsum(abs(float(one.place)) for one in ours.task.members)
+        rows = (
+            (FORCE, "N", ours.force, ours.forces, ours.force_slack, len(ours.task.members), most.largest),
+            (MOMENT, "N*m", ours.moment, ours.moments, ours.moment_slack, arms, most.largest_moment),
+        )
+        for kind, unit, whole, harmonics, slack, weight, largest in rows:
+            row = _transform(whole)
+            for order, one in harmonics.items():
+                allowed = slack + one.slack + weight * (self._single + self._beyond(order))
+                for signed, found, _ in _pairs(order, one, one):
+                    name = f"{letters(kind, signed)}(φ)"
+                    yield _finding(EQUILIBRIUM, name, unit, found, row[signed], allowed, largest)
+
+    def balanced(self) -> Iterator[Finding]:
+        """See that the compensators leave nothing of their orders."""
+        row, members = _transform(self.ours.left), len(self.ours.task.members)
+        for one in self.ours.compensators:
+            order = one.asked.order
+            allowed = self.ours.left_slack + self._taken + self._bank + members * self._beyond(order)
+            for signed in (order, -order):
+                name = f"{letters(FORCE, signed)}'"
+                yield _finding(EQUILIBRIUM, name, "N", 0j, row[signed], allowed, self.study.whole.largest)
+
+    @property
+    def _taken(self) -> float:
+        """How far the forces of all compensators can be out by the conditions of the plans."""
+        return 2 * self._bank * len(self.ours.compensators)
+
+    def _beyond(self, order: int) -> float:
+        """How much the orders beyond half the positions can add to one of one mechanism that they give."""
+        return self.study.single.beyond(len(self.ours.phi) - 1, order)
+
+
+def _transform(whole: Complexes) -> Complexes:
+    """Give the vectors of all orders of a vector over the turn."""
+    return np.asarray(np.fft.fft(whole[:-1]) / (len(whole) - 1))
+
+
+def _largest(found: Mapping[int, Harmonic]) -> float:
+    return max(max(abs(one.ahead), abs(one.back)) for one in found.values())
+
+
+def _pairs(order: int, one: Harmonic, other: Harmonic) -> Iterator[tuple[int, complex, complex]]:
+    yield order, one.ahead, other.ahead
+    yield -order, one.back, other.back
+
+
+def _weights(one: Compensator) -> tuple[complex, complex]:
+    return _vector(one.with_crank, one.with_angle), _vector(one.against, one.against_angle)
+
+
+def _vector(size: float, angle: float | None) -> complex:
+    return 0j if angle is None else size * complex(math.cos(angle), math.sin(angle))
+
+
+def _finding(
+    plan: str, name: str, unit: str, one: npt.ArrayLike, other: npt.ArrayLike, allowed: float, largest: float
+) -> Finding:
+    found, theirs = np.atleast_1d(np.asarray(one)), np.atleast_1d(np.asarray(other))
+    return Finding(plan, name, unit, found, theirs, np.abs(found - theirs), np.full(len(found), allowed), largest)

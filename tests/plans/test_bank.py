@@ -1,0 +1,263 @@
+"""A bank of slider-cranks: the textbook's values, the usual engines, harmonics to the last digits, and relations."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from hypothesis import given
+
+from plans.analytic.balance.series import slider_harmonic
+from plans.bank.engines import ENGINES
+from plans.bank.letters import roman
+from plans.checks.balance.bank_comparison import compare_bank
+from plans.model.balance.bank import EPS, ORDERS, Asked, BankTask, Harmonic, Member, Unit
+from tests.parts import examples
+from tests.plans.drawn_banks import BOOK, ENGINE, angles, banks, drawn, places, series, study, summed, task
+from tests.rows import over
+
+ROADS = pytest.mark.parametrize("road", [drawn, summed])
+EXACT = 1e-14  # of the first harmonic: what the harmonics are held to
+RATIOS = (0.001, 0.01, 0.1, 0.25, 0.5, 0.8, 0.9, 0.99)
+
+
+@ROADS
+def test_textbook(road) -> None:
+    """Book 8.2.3, figures 8.13, 8.14: methods M7.8, all printed digits."""
+    found, pull = road(BOOK), 9.5 * 20.0**2
+    first, second = (2 * found.single[n].ahead / pull / n**2 for n in (1, 2))
+    assert f"{first.real:.10f}" == "0.1000000000" and f"{second.real:.12f}" == "0.006350626058"
+    assert f"{found.force[0].real:.10g}" == "475"
+    assert [f"{found.left[k].real:.9g}" for k in (0, 90, 180)] == ["95", "-98.1155781", "95"]
+    (one,) = found.compensators
+    assert [f"{size:.10g}" for size in (one.with_crank, one.against)] == ["0.475", "0.475"]
+    assert one.with_angle == one.against_angle == math.pi  # opposite to the crank at the dead centre
+    assert f"{one.residual:.10g}" == "22.8" and f"{one.couple:.10g}" == "0.114"
+
+
+@ROADS
+def test_the_couple_is_compensated(road) -> None:
+    """Two masses in antiphase on shafts along the guide make the couple of the offset, and the other way."""
+    (one,), phi = road(BOOK).compensators, np.linspace(0.0, 6.0, 13)
+    pair = one.couple * 20.0**2 * 0.5 * np.sin(phi + one.couple_angle)  # the guide is the real axis
+    line = np.exp(1j * (phi + one.with_angle)) + np.exp(1j * (one.against_angle - phi))
+    offset = (np.conj(0.06j) * one.with_crank * 20.0**2 * line).imag
+    assert np.allclose(pair, -offset, atol=1e-12)
+
+
+ROOT = math.sqrt
+# Bosch, Automotive Handbook, free forces and moments of the usual engines: times F1 or F2 of one cylinder, moments
+# times the pitch too; of an order that is not named nothing is free.
+FREE: Mapping[str, tuple[Mapping[int, float], Mapping[int, float]]] = {
+    "one": ({1: 1, 2: 1}, {}),
+    "two_together": ({1: 2, 2: 2}, {}),
+    "two": ({2: 2}, {1: 1}),
+    "three": ({}, {1: ROOT(3), 2: ROOT(3)}),
+    "four": ({2: 4}, {}),
+    "five": ({}, {1: 0.449, 2: 4.98}),
+    "six": ({}, {}),
+    "vee_two": ({1: 1, 2: ROOT(2)}, {}),
+    "vee_four": ({2: 2 * ROOT(2)}, {1: 1}),
+    "vee_six_90": ({}, {1: ROOT(3), 2: ROOT(6)}),
+    "vee_six_60": ({}, {1: 1.5, 2: 1.5}),
+    "vee_eight_flat": ({2: 4 * ROOT(2)}, {}),
+    "vee_eight": ({}, {1: ROOT(10)}),
+    "boxer_two": ({}, {1: 0.5, 2: 0.5}),
+    "boxer_four": ({}, {2: 1}),
+    "boxer_six": ({}, {}),
+}
+
+
+@ROADS
+def test_usual_engines(road) -> None:
+    assert {one.key for one in ENGINES} == FREE.keys()
+    for engine in ENGINES:
+        found = road(BankTask(Unit(0.04, 0.14, 0.0, 0.5), engine.members, 100.0, (1, 2)))
+        for harmonics, free in zip((found.forces, found.moments), FREE[engine.key], strict=True):
+            sizes = {n: one.size / found.single[n].size for n, one in harmonics.items() if not one.vanishes}
+            assert sizes == pytest.approx(free, rel=1e-3), engine.key
+            assert all(one.size == 0.0 for n, one in harmonics.items() if n not in free)
+
+
+def test_a_first_moment_of_a_right_angle_turns_with_the_crank() -> None:
+    for key in ("vee_four", "vee_six_90", "vee_six_60", "vee_eight"):
+        engine = next(one for one in ENGINES if one.key == key)
+        first = drawn(BankTask(ENGINE, engine.members, 100.0, (1,))).moments[1]
+        assert abs(first.back) <= first.slack < abs(first.ahead)
+
+
+def test_both_roads_agree_over_all_ratios() -> None:
+    """Harmonics of the drawn plans against the closed series, in shares of the first."""
+    for ratio in RATIOS:
+        bank = task(ENGINES[0].members, Unit(ratio, 1.0, 0.0, 1.0), (1, 2, 3, 4, 6, 8))
+        ours, theirs = drawn(bank).single, summed(bank).single
+        for order, one in ours.items():
+            off = max(abs(one.ahead - theirs[order].ahead), abs(one.back - theirs[order].back))
+            assert off <= EXACT / 10 * abs(theirs[1].ahead), (ratio, order)
+            assert one.vanishes == theirs[order].vanishes
+
+
+@pytest.mark.rest
+def test_the_closed_series_to_fifty_digits() -> None:
+    """Against the integral of the slider's place, taken in 50 digits."""
+    import mpmath
+
+    mp = mpmath.mp.clone()
+    mp.dps = 50
+    for ratio in RATIOS:
+        unit = Unit(ratio, 1.0, 0.0, 1.0)
+        for order in (2, 4, 6, 8):
+            true = _by_integral(mp, mp.mpf(ratio), order)
+            off = order**2 * abs(slider_harmonic(unit, order) - true)
+            assert off <= EXACT * ratio, (ratio, order)
+            assert abs(slider_harmonic(unit, order) - true) <= 64 * EPS * abs(true)
+
+
+def _by_integral(mp, ratio, order):
+    """Sum over even angles: of a function that is smooth over a turn it falls faster than any power."""
+    count = 64
+    while True:
+        rows = [mp.sqrt(1 - (ratio * mp.sinpi(mp.mpf(2 * k) / count)) ** 2) for k in range(count)]
+        both = [
+            2 * mp.fsum(row * mp.cospi(mp.mpf(2 * order * k * step) / count) for k, row in enumerate(rows[::step]))
+            for step in (1, 2)
+        ]
+        fine, coarse = both[0] / count, both[1] / (count // 2)
+        if abs(fine - coarse) < mp.mpf(10) ** -30 * abs(fine):
+            return fine
+        count *= 2
+
+
+@over("ratio", (0.001, 0.25, 0.99))
+def test_the_roads_agree_on_a_bank(ratio: float) -> None:
+    asked = (Asked(1, 1.0, 0.05, 0.3), Asked(2, None, -0.05, 0.2), Asked(3, offset=0.1))
+    members = (Member("1", Fraction(7), Fraction("0.1"), Fraction(-30)), *ENGINES[3].members[1:])
+    bank = BankTask(Unit(0.1 * ratio, 0.1, 0.3, 0.5), members, 314.0, (1, 2, 4, 6), asked)
+    comparison = compare_bank(study(bank), series(bank))
+    assert comparison.agrees and len(comparison.findings) > 50
+    last = comparison.construction.compensators[-1]
+    assert last.with_crank == 0.0 and last.with_angle is None and last.couple is None  # there is no third order
+
+
+def turned(one: Harmonic, ahead: complex, back: complex, scale: float = 1.0) -> Harmonic:
+    return Harmonic(one.order, one.ahead * ahead * scale, one.back * back * scale, one.slack)
+
+
+def alike(found: Mapping[int, Harmonic], wanted: Mapping[int, Harmonic], times: float = 4.0) -> None:
+    """See that harmonics are the same but for rounding."""
+    for order, one in found.items():
+        other = wanted[order]
+        slack = times * max(one.slack, other.slack)
+        assert abs(one.ahead - other.ahead) <= slack and abs(one.back - other.back) <= slack
+
+
+def rotor(angle: Fraction, times: int = 1) -> complex:
+    return complex(np.exp(1j * math.radians(times * angle % 360)))
+
+
+@ROADS
+@examples(6)
+@given(banks(), angles)
+def test_cranks_turned(road, bank: BankTask, angle: Fraction) -> None:
+    """The same bank a moment later: each order has turned by its own multiple."""
+    ahead = tuple(one._replace(crank=one.crank + angle) for one in bank.members)
+    was, now = road(bank), road(bank._replace(members=ahead))
+    for name in ("forces", "moments"):
+        old = getattr(was, name)
+        alike(getattr(now, name), {n: turned(one, rotor(angle, n), rotor(angle, -n)) for n, one in old.items()})
+
+
+@ROADS
+@examples(6)
+@given(banks(), angles)
+def test_the_whole_bank_turned(road, bank: BankTask, angle: Fraction) -> None:
+    """Guides and cranks turned together turn every force."""
+    turn = tuple(one._replace(crank=one.crank + angle, axis=one.axis + angle) for one in bank.members)
+    was, now = road(bank), road(bank._replace(members=turn))
+    alike(now.forces, {n: turned(one, rotor(angle), rotor(angle)) for n, one in was.forces.items()})
+    assert np.allclose(now.force, was.force * rotor(angle), atol=4 * (was.force_slack + now.force_slack), rtol=0)
+
+
+@ROADS
+@examples(6)
+@given(banks())
+def test_a_bank_in_the_mirror(road, bank: BankTask) -> None:
+    """Mirrored about the reference guide, the crank turning the other way, every vector is mirrored."""
+    mirrored = tuple(one._replace(crank=-one.crank, axis=-one.axis) for one in bank.members)
+    was, now = road(bank), road(bank._replace(members=mirrored))
+    conjugate = {
+        n: Harmonic(n, one.ahead.conjugate(), one.back.conjugate(), one.slack) for n, one in was.forces.items()
+    }
+    alike(now.forces, conjugate)
+    assert np.allclose(now.force, was.force[::-1].conj(), atol=4 * (was.force_slack + now.force_slack), rtol=0)
+
+
+@ROADS
+@examples(6)
+@given(banks(), banks())
+def test_banks_joined(road, one: BankTask, other: BankTask) -> None:
+    """Two banks of like mechanisms on a shaft: their forces and moments add up."""
+    other = other._replace(unit=one.unit)
+    whole = one._replace(members=(*one.members, *other.members))
+    first, second, both = road(one), road(other), road(whole)
+    for name in ("forces", "moments"):
+        pairs = ((n, getattr(first, name)[n], getattr(second, name)[n]) for n in one.orders)
+        alike(getattr(both, name), {n: Harmonic(n, a.ahead + b.ahead, a.back + b.back, 0.0) for n, a, b in pairs})
+
+
+@ROADS
+@examples(6)
+@given(banks(), places)
+def test_a_plane_shifted(road, bank: BankTask, by: Fraction) -> None:
+    """About another plane the moment is other by the force times the way to it."""
+    was, now = (
+        road(bank),
+        road(bank._replace(members=tuple(one._replace(place=one.place + by) for one in bank.members))),
+    )
+    z = float(by)
+    wanted = {
+        n: Harmonic(n, m.ahead + z * was.forces[n].ahead, m.back + z * was.forces[n].back, m.slack)
+        for n, m in was.moments.items()
+    }
+    alike(now.moments, wanted)
+    slack = now.moment_slack + was.moment_slack + abs(z) * was.force_slack
+    assert np.allclose(now.moment, was.moment + z * was.force, atol=2 * slack, rtol=0)
+
+
+@examples(4)
+@given(banks())
+def test_any_bank_by_both_roads(bank: BankTask) -> None:
+    asked = (Asked(1, 1.0, 0.05, 0.3), Asked(2, None, -0.05, 0.2))
+    bank = bank._replace(asked=asked)
+    assert compare_bank(study(bank), series(bank)).agrees
+
+
+@ROADS
+def test_speed_and_mass(road) -> None:
+    """Forces grow with the square of the speed and with the masses, compensators with the masses alone."""
+    slow = road(BOOK)
+    fast = road(BOOK._replace(speed=-60.0, unit=BOOK.unit._replace(reciprocating=19.0)))
+    alike(fast.forces, {n: turned(one, 1, 1, 18.0) for n, one in slow.forces.items()}, 18.0)
+    assert fast.compensators[0].with_crank == pytest.approx(2 * slow.compensators[0].with_crank, rel=1e-14)
+
+
+def test_a_star_of_three_closes_to_nothing() -> None:
+    """Forces of three cylinders vanish but for every third order; what vanishes is zero, and has no compensator."""
+    bank = task(ENGINES[3].members, orders=ORDERS)._replace(asked=(Asked(1, offset=0.1, shafts=0.2),))
+    found = drawn(bank)
+    assert [one.size > 0 for one in found.forces.values()] == [False, False, False, True]
+    (one,) = found.compensators
+    assert (one.with_crank, one.with_angle, one.against, one.residual, one.couple) == (0.0, None, 0.0, 0.0, 0.0)
+    assert np.array_equal(found.left, found.force)
+
+
+def test_orders_of_compensators_are_told() -> None:
+    found = drawn(BOOK._replace(orders=(4,)))
+    assert list(found.forces) == [4, 1]
+
+
+def test_letters_of_orders() -> None:
+    assert [roman(n) for n in (1, 2, 4, 6, 9, 40, 99, 100)] == ["I", "II", "IV", "VI", "IX", "XL", "XCIX", "100"]
