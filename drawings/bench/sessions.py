@@ -11,7 +11,7 @@ SESSIONS: Final[Mapping[str, str]] = {
     "forces": "drawings.bench.session:session",
     "dynamics": "drawings.bench.dynamics_session:session",
     "balance": "drawings.bench.balance_session:session",
-    "bank": "",
+    "bank": "drawings.bench.bank_session:session",
     "rotor": "drawings.bench.rotor_session:session",
     "cyclogram": "drawings.bench.cyclogram_session:session",
     "cam": "drawings.bench.cam_session:session",
