@@ -10,7 +10,7 @@ SESSIONS: Final[Mapping[str, str]] = {
     "linkage": "drawings.bench.session:session",
     "forces": "drawings.bench.session:session",
     "dynamics": "drawings.bench.dynamics_session:session",
-    "balance": "",
+    "balance": "drawings.bench.balance_session:session",
     "bank": "drawings.bench.bank_session:session",
     "rotor": "drawings.bench.rotor_session:session",
     "cyclogram": "drawings.bench.cyclogram_session:session",

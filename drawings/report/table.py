@@ -43,7 +43,14 @@ REPORTS: Final[Mapping[str, Report]] = {
         faults="drawings.report.dynamics_report:faults",
     ),
     "balance": Report(subject="", chapters="", headline="", remarks="", idle="drawings.report.idle:nothing", faults=""),
-    "bank": Report(subject="", chapters="", headline="", remarks="", idle="drawings.report.idle:nothing", faults=""),
+    "bank": Report(
+        subject="drawings.report.balance.bank_report:subject",
+        chapters="drawings.report.balance.bank_report:chapters",
+        headline="drawings.report.balance.bank_report:headline",
+        remarks="drawings.report.balance.bank_report:remarks",
+        idle="drawings.report.idle:nothing",
+        faults="drawings.report.balance.bank_report:faults",
+    ),
     "rotor": Report(
         subject="drawings.report.rotor_report:subject",
         chapters="drawings.report.rotor_report:chapters",

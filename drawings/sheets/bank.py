@@ -16,7 +16,7 @@ from drawings.figures.graphs.hodograph import Hodograph
 from drawings.layout.contents import Panel
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
-from drawings.report.balance.bank_notes import BankNotes, straight
+from drawings.report.balance.bank_notes import BankNotes, crank_of, straight
 from drawings.sheets.leaves import Draft, Exhibit, lay_out
 from plans.bank.letters import FORCE as F
 from plans.bank.letters import MOMENT as M
@@ -39,9 +39,8 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
 def view_of(study: Study) -> BankView:
     """Give what the sheets of a scene's bank show."""
     bank = study["bank"]
-    drawing, unit = bank.drawing, bank.task.unit
-    crank = None if unit is None else unit.crank
-    return BankView(bank.balance, {F: drawing.forces, M: drawing.moments}, crank)
+    drawing = bank.drawing
+    return BankView(bank.balance, {F: drawing.forces, M: drawing.moments}, crank_of(study))
 
 
 def sheets(scene: Scene, shown: BankView) -> tuple[Leaf, ...]:

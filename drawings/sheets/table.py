@@ -40,7 +40,11 @@ SHEETS: Final[Mapping[str, Sheet]] = {
         faults="drawings.checks.verify_dynamics:faults",
     ),
     "balancing": Sheet(admit="", leaves="", faults=""),
-    "bank": Sheet(admit="", leaves="", faults=""),
+    "bank": Sheet(
+        admit="drawings.sheets.bank:admit",
+        leaves="drawings.sheets.bank:leaves",
+        faults="drawings.checks.balance.verify_bank:faults",
+    ),
     "rotor": Sheet(
         admit="drawings.sheets.rotor:admit",
         leaves="drawings.sheets.rotor:leaves",

@@ -80,6 +80,11 @@ class Superposition:
     def _reaction(self, burden: Burden) -> Complexes:
         return forces_around(self.statics.bearing(self._machine(burden))).reactions[self.key].force
 
+    def _more(self, share: float) -> tuple[float, float]:
+        """Give by how much mass and inertia of the crank at a share differ from those of the first machine."""
+        here = self.burden(share)
+        return abs(here.mass - self.first.mass), abs(here.inertia - self.first.inertia)
+
     @cached_property
     def _shakes(self) -> tuple[Complexes, Complexes]:
         """Give the shaking force of the first machine, and what the whole share adds."""
@@ -92,8 +97,13 @@ class Superposition:
         first, machine = self._reaction(self.first), self.statics.machine
         by_force = machine.transmission.kind in (FORCE, GEAR)  # a moment on the crank loads the shaft too
         step = self._reaction(self.first._replace(moment=self.first.moment + self.step)) - first
-        mass = self._reaction(self.first._replace(mass=self.first.mass + 1)) - first if machine.gravity else 0.0
-        turning = self._reaction(self.first._replace(inertia=self.first.inertia + 1)) - first if by_force else 0.0
+        # By steps as large as those that are weighed: the difference of two forces is rounded as they are.
+        heavier, slower = (max(1.0, *sizes) for sizes in zip(*map(self._more, (0.0, 1.0)), strict=True))
+        mass, turning = 0.0, 0.0
+        if machine.gravity:
+            mass = (self._reaction(self.first._replace(mass=self.first.mass + heavier)) - first) / heavier
+        if by_force:
+            turning = (self._reaction(self.first._replace(inertia=self.first.inertia + slower)) - first) / slower
         return first, step, mass, turning
 
     def shaking(self, share: float) -> Complexes:
@@ -117,6 +127,13 @@ class Superposition:
     def choice(self, share: float) -> Choice:
         """Tell what is largest at a share."""
         return Choice(share, largest(self.shaking(share)), largest(self.reaction(share)))
+
+    def drawn(self, share: float) -> Choice:
+        """Tell what is largest at a share by plans of that machine itself, nothing superposed."""
+        machine, study = self.machines(share), self.statics.study
+        shaking = mass_centre(MainPoints(self.tree, machine.bodies), study, positions_around(study)).force
+        reaction = forces_around(self.statics.bearing(machine)).reactions[self.key].force
+        return Choice(share, largest(shaking), largest(reaction))
 
     @cached_property
     def shares(self) -> Shares:

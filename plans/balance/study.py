@@ -19,7 +19,18 @@ from plans.balance.substitution import Substitution
 from plans.forces.statics import Statics
 from plans.linkage.drafts import Drafts
 from plans.linkage.study import LinkageStudy
-from plans.model.balance.linkage import CONSTRUCTION, FORCE, NONE, SHARE, Balance, Counterweight, Shares, State, Task
+from plans.model.balance.linkage import (
+    CONSTRUCTION,
+    FORCE,
+    NONE,
+    SHARE,
+    Balance,
+    Choice,
+    Counterweight,
+    Shares,
+    State,
+    Task,
+)
 from plans.model.machine import Machine
 
 if TYPE_CHECKING:
@@ -71,11 +82,16 @@ class BalanceStudy:
     @cached_property
     def share(self) -> float:
         """The share of the reciprocating mass: the given one, or that by which a largest force is least; 0 of none."""
-        if self.shares is None or self.task.share is not None:
-            return self.task.share or 0.0
-        return (self.shares.least_force if self.task.least == FORCE else self.shares.least_reaction).share
+        return (self.task.share or 0.0) if self.task.share is not None or self.best is None else self.best.share
 
-    def _at_share(self, share: float) -> Machine:
+    @property
+    def best(self) -> Choice | None:
+        """The choice of a share that makes least what the task asks for; None where none is asked for."""
+        if self.shares is None:
+            return None
+        return self.shares.least_force if self.task.least == FORCE else self.shares.least_reaction
+
+    def at_share(self, share: float) -> Machine:
         """Give the machine balanced with a share, on whichever side of the shaft its counterweight then lies."""
         places = tuple(p if p.at is None else p._replace(at=None, radius=abs(p.at)) for p in self.task.places)
         found = self._substituted(self.task._replace(places=places), share)
@@ -139,7 +155,7 @@ class BalanceStudy:
         """The share of the reciprocating mass as a choice; None where it is not asked for."""
         if self.task.aim != SHARE:
             return None
-        return Superposition(self.statics, self.tree, self._at_share).shares
+        return Superposition(self.statics, self.tree, self.at_share).shares
 
     @cached_property
     def balance(self) -> Balance:

@@ -11,7 +11,7 @@ from geometry.meet import EPS
 from plans.analytic.balance import counterweights as by_vectors
 from plans.checks.balance.comparison import BalanceComparison, compare_balance
 from plans.checks.compare import compare
-from plans.model.balance.linkage import FULL, NONE, PARTIAL, SECTOR, SHARE, Place, Task
+from plans.model.balance.linkage import FULL, NONE, PARTIAL, REACTION, SECTOR, SHARE, Place, Task
 from tests.plans.balanced import ENGINE, FOUR_BAR, SHAPER, SIX_LINK, asked, study
 
 CASES = {
@@ -22,6 +22,8 @@ CASES = {
     "engine in part": (ENGINE, asked(PARTIAL, Place(1, mass=2))),
     "engine in full": (ENGINE, asked(FULL, Place(1, at=-0.15), Place(2, at=-0.25))),
     "a share": (ENGINE, asked(SHARE, Place(1, radius=0.1), share=0.4)),
+    "least force": (ENGINE, asked(SHARE, Place(1, mass=20))),
+    "least reaction": (ENGINE, asked(SHARE, Place(1, shape=SECTOR), least=REACTION)),
     "shaper": (SHAPER, asked(FULL, Place(1, mass=6), Place(3, mass=160), Place(4, mass=30))),
     "shaper in part": (SHAPER, asked(PARTIAL, Place(3, mass=160), Place(1, shape=SECTOR))),
 }
@@ -51,7 +53,19 @@ def test_what_is_compared() -> None:
     names = {one.name for one in found.findings}
     told = {"h_1", "h_2", "r_S", "Φ", "M_Φ", "Σmr/m", "ΣΦ", "ΣR_0", "ΣM_0", "R_01", "R_12", "R_03", "M_bal", "M_03"}
     assert told | {f"{name}'" for name in told} <= names
-    assert {"S'", "U_1", "m_cw1", "r_cw1", "m_B"} <= names
+    assert {
+        "S'",
+        "U_1",
+        "m_cw1",
+        "r_cw1",
+        "m_B",
+        "Φ(k)",
+        "min Φ(k)",
+        "k Φ",
+        "R_01(k)",
+        "min R_01(k)",
+        "k R_01",
+    } <= names
 
 
 def test_a_wrong_counterweight_is_seen(monkeypatch) -> None:

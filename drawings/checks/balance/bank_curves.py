@@ -14,7 +14,8 @@ from drawings.checks.cam.cam_strokes import FigureStrokes, figure
 from drawings.checks.dynamics_graphs import written
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.bank import turn_graph
-from drawings.figures.bank.turn_graph import STATIONS, TURN
+from drawings.figures.bank.turn_graph import STATIONS
+from drawings.figures.graphs.curve_graph import TURN
 from drawings.lettering.words import number
 from drawings.measure.measure import Measured
 from drawings.measure.measured import MeasuredVector
@@ -102,9 +103,7 @@ class _Graph(_Course):
     def marks(self) -> dict[int, MeasuredVector]:
         """The ordinates by the places of their values."""
         return {
-            one.position: one
-            for one in self.measured.vectors
-            if one.plan == self.plan and one.position is not None
+            one.position: one for one in self.measured.vectors if one.plan == self.plan and one.position is not None
         }
 
     @cached_property
@@ -137,11 +136,16 @@ class _Graph(_Course):
             one, name = self.marks.get(k), str(k * STATIONS // last % STATIONS)
             if one is None and abs(values[k]) > SHORT * self.mu:
                 yield on("missing_on", self.plan, name=name)
-            elif one is not None and not abs(one.value - 1j * values[k]) <= self.slack + 2 * self.measured.quantum * self.mu:
+            elif (
+                one is not None
+                and not abs(one.value - 1j * values[k]) <= self.slack + 2 * self.measured.quantum * self.mu
+            ):
                 yield on("differs_on", self.plan, name=name)
             elif one is not None and not abs(one.start - self.zero - self.along(k)) <= paper:
                 yield on("foot", self.plan, name=name)
-        yield from (on("stranger_on", self.plan, name=one.name) for k, one in self.marks.items() if k % (last // STATIONS))
+        yield from (
+            on("stranger_on", self.plan, name=one.name) for k, one in self.marks.items() if k % (last // STATIONS)
+        )
         spots = np.array([self.zero + self.along(k) + 1j * value / self.mu for k, value in enumerate(values)])
         if not self.drawn(spots, paper):
             yield on("curve", self.plan)

@@ -139,7 +139,10 @@ class _Layout:
         if not shafts or asked is None:
             return
         first, last = shafts
-        if not abs((first - last) * self.mu - asked * self.expected.line(self.found)) <= (NEAR + LINE) * self.mu + LINE * asked:
+        if (
+            not abs((first - last) * self.mu - asked * self.expected.line(self.found))
+            <= (NEAR + LINE) * self.mu + LINE * asked
+        ):
             yield on("size", self.name, name="L")
         yield from self._said("L", asked)
 

@@ -15,18 +15,14 @@ from drawings.lettering.bank_letters import lowered
 from drawings.page.drafting import Drafting
 from drawings.paper.strokes import Leaf, Text
 from drawings.paper.walk import texts
-from drawings.report.rotor_notes import ANGLE
 from plans.bank.letters import FORCE, MOMENT, couple_letters, letters
 from plans.model.balance.bank import Compensator, Harmonic
 
 NOTES = "notes"  # the name of their figure
 MINUTE = 60  # seconds
 _NUMBER = r"[−\d.,]*\d"
-# A letter, what it is by other letters if that is said, its size, and its direction if it has one.
-_TOLD = re.compile(
-    rf"(?P<name>[^\s=;:,]+(?:,[^\s=;:,]+)?)\s=\s(?:[^=;]*?\s=\s)?(?P<value>{_NUMBER})"
-    rf"(?:\s\S+{re.escape(ANGLE.strip())}?\s*∠\s*(?P<angle>{_NUMBER})°)?"
-)
+_TURNED = rf"(?:\s\S+\s∠\s({_NUMBER})°)?"
+_SAID = re.compile(r"(?<!φ)\s=\s[−\d]")  # a number that a letter is given
 
 
 class Told(NamedTuple):
@@ -46,19 +42,23 @@ def faults(leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wrong
     """Read the notes of the first sheet back: each letter in its turn, none left out; what vanishes, in words."""
     if leaf.metadata["number"] != 1:
         return
-    told = " ".join(text.plain for group in leaf.groups if group.name == NOTES for text in texts((group,)))
-    due = list(_due(expected))
-    for found in _TOLD.finditer(told.replace("φ = 0", "")):
-        name = found["name"]
-        one = next((one for one in due if one.name == name), None)
-        if one is None:
-            yield within("stranger_in", NOTES, text=found[0])
+    told = _spaced(" ".join(text.plain for group in leaf.groups if group.name == NOTES for text in texts((group,))))
+    rest, place = "", 0
+    for one in _due(expected):
+        found = re.compile(rf"(?<!\S){re.escape(one.name)}\s=\s(?:[^\s=]+\s=\s)?({_NUMBER}){_TURNED}").search(
+            told, place
+        )
+        if found is None:
+            yield within("missing_from", NOTES, name=one.name)
             continue
-        due.remove(one)
-        if not one.holds(found["value"], found["angle"]):
+        rest, place = rest + told[place : found.start()], found.end()
+        if not one.holds(*found.groups()):
             yield within("in", NOTES, text=found[0])
-    yield from (within("missing_from", NOTES, name=one.name) for one in due)
-    yield from _phrases(_spaced(told), expected, drafting)
+    rest += told[place:]
+    yield from (
+        within("stranger_in", NOTES, text=rest[max(one.start() - 4, 0) : one.end()]) for one in _SAID.finditer(rest)
+    )
+    yield from _phrases(told, expected, drafting)
 
 
 def _spaced(text: str) -> str:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-import math
+import cmath
 from collections.abc import Iterator, Sequence
 
 from drawings.figures.bank.compensator_layout import COUPLED, MASS
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.lettering.bank_letters import lowered
 from drawings.page.drafting import Drafting
+from drawings.report.balance.bank_notes import direction
 from plans.bank.letters import letters, roman
 from plans.model.balance.bank import BankBalance, Compensator
 
@@ -33,23 +34,28 @@ def orders(balance: BankBalance, drafting: Drafting) -> RuledTable:
 
 def compensators(balance: BankBalance, drafting: Drafting) -> RuledTable | None:
     """Tell each mass of the compensators; None where there are none."""
-    lines = [row for one in balance.compensators for row in _masses(one, balance.task.speed, drafting)]
+    lines = [row for one in balance.compensators for row in _masses(one, balance, drafting)]
     heads = tuple(drafting.word(head) for head in COMPENSATOR_HEADS)
     if not lines:
         return None
     return table(lines, drafting.word("mass number"), heads, drafting.hand.text)._replace(name=COMPENSATORS)
 
 
-def _masses(one: Compensator, speed: float, drafting: Drafting) -> Iterator[TableRow]:
+def _masses(one: Compensator, balance: BankBalance, drafting: Drafting) -> Iterator[TableRow]:
     """Give the rows of the masses that are needed."""
-    order, mass = one.asked.order, one.asked.mass
+    order, mass, speed = one.asked.order, one.asked.mass, balance.task.speed
+    slack = balance.forces[order].slack / (order * speed) ** 2
     for moment, angle, sense in ((one.with_crank, one.with_angle, 1), (one.against, one.against_angle, -1)):
         if angle is not None:
             far = None if mass is None else 1000 * moment / mass
-            cells = _cells((moment, mass, far, sense * order * speed, math.degrees(angle)), drafting)
+            cells = _cells(
+                (moment, mass, far, sense * order * speed, direction(cmath.rect(moment, angle), slack)), drafting
+            )
             yield TableRow(lowered(letters(MASS, sense * order)), cells)
     if one.couple_angle is not None:
-        cells = _cells((one.couple, None, None, order * speed, math.degrees(one.couple_angle)), drafting)
+        moment = max(one.with_crank, one.against)
+        angle = direction(cmath.rect(moment, one.couple_angle), slack)
+        cells = _cells((one.couple, None, None, order * speed, angle), drafting)
         yield TableRow(lowered(f"{COUPLED}{roman(order)}"), cells)
 
 

@@ -13,29 +13,44 @@ from drawings.page.drafting import Drafting
 from drawings.report.rotor_notes import ANGLE
 from plans.bank.letters import FORCE, MOMENT, STATIC, couple_letters, letters
 from plans.model.balance.bank import BankBalance, BankTask, Compensator, Harmonic
+from plans.study import Study
 
 RPM = 30 / math.pi  # of a rad/s
-HALF_TURN = 180  # degrees
+HALF_TURN = 180.0  # degrees
 
 
 def mirrored(task: BankTask, order: int) -> bool:
     """Tell whether what turns against the crank is the mirror image in the guide of what turns with it."""
-    flat = task.unit is not None and all(one.axis % HALF_TURN == 0 for one in task.members)
+    flat = task.unit is not None and all(one.axis % 180 == 0 for one in task.members)
     return flat and (order > 1 or not (task.unit and task.unit.rotating))
 
 
-def crank_of(study: Study) -> float | None:
-    """Give the length m of the cranks of a scene's bank; None where its linkage does not tell it as one length."""
+def crank_of(study: Study) -> float:
+    """Give the length m of the cranks of a scene's bank."""
     bank = study["bank"]
     if bank.task.unit is not None:
         return float(bank.task.unit.crank)
     mechanism = study["linkage"].mechanism
-    return None if mechanism is None else crank_length(mechanism)
+    drive = mechanism.drive
+    points = mechanism.links[drive.link].points
+    return float(abs(points[drive.end] - points[drive.pivot]))
 
 
 def straight(task: BankTask) -> bool:
     """Tell whether all forces keep to the line of the guides: these lie in one plane, and nothing turns unbalanced."""
     return mirrored(task, 1)
+
+
+def direction(value: complex, slack: float) -> float:
+    """Give the direction of a vector in degrees; one that rounding alone keeps from a quarter turn is whole.
+
+    >>> direction(-1 - 1e-17j, 1e-15), direction(1 + 1j, 1e-15)
+    (180.0, 45.0)
+    """
+    angle = math.degrees(cmath.phase(value))
+    quarter = 90.0 * round(angle / 90.0)
+    found = quarter if abs(angle - quarter) <= math.degrees(slack / abs(value)) else angle
+    return HALF_TURN if found == -HALF_TURN else found + 0.0
 
 
 def squared(order: int) -> str:
@@ -81,7 +96,7 @@ class BankNotes(NamedTuple):
         alone = mirrored(self.balance.task, one.order)
         for sense, value in ((1, one.ahead),) if alone else ((1, one.ahead), (-1, one.back)):
             if abs(value) > one.slack:
-                angle = self._number(math.degrees(cmath.phase(value)))
+                angle = self._number(direction(value, one.slack))
                 size = f"{self._number(abs(value))} {unit}{ANGLE}{angle}°"
                 yield f"{lowered(letters(kind, sense * one.order))} = {size}"
 

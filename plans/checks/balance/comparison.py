@@ -15,12 +15,13 @@ from plans.checks.balance.costs import Costs
 from plans.checks.balance.shares import share_findings
 from plans.checks.balance.stretch import Stretch, scene_stretch, turn_stretch
 from plans.checks.balance.weights import Weights
-from plans.checks.compare import MotionComparison
+from plans.checks.compare import MotionComparison, compare
 from plans.checks.comparison import Comparison, Finding
 from plans.forces.loading import loading
 from plans.forces.statics import Statics
 from plans.model.balance.linkage import Balance
 from plans.model.kinetostatics import Loading
+from plans.model.order import ACCELERATIONS
 
 if TYPE_CHECKING:
     from plans.study import Study
@@ -43,7 +44,10 @@ class BalanceComparison(Comparison):
 
 def comparison_of(study: Study) -> BalanceComparison:
     """Compare both roads of a scene's balance (row of the table of techniques)."""
-    return compare_balance(study["balance"], study.comparison("linkage"))
+    motion = study.comparison("linkage")
+    if motion.analysis.order < ACCELERATIONS.number:  # a bank asks for the balance and shows none of its motion
+        motion = compare(study["linkage"], ACCELERATIONS.number)
+    return compare_balance(study["balance"], motion)
 
 
 @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN on both roads

@@ -10,7 +10,7 @@ import numpy as np
 
 from geometry.board import Mark
 from geometry.precision import errors
-from plans.balance.states import positions_around, turns
+from plans.balance.states import positions_around
 from plans.checks.compare import MotionComparison, cap, with_analysis
 from plans.checks.comparison import Finding
 from plans.linkage.drafts import Drafts
@@ -57,9 +57,10 @@ def scene_stretch(study: LinkageStudy, motion: MotionComparison) -> Stretch:
 
 def turn_stretch(study: LinkageStudy, motion: MotionComparison) -> Stretch:
     """Give even positions of a turn; of a crank that cannot turn fully they are the scene's."""
-    if not turns(study):
+    around = positions_around(study)
+    if around is study.turn:
         return scene_stretch(study, motion)
-    drafts = Drafts(study, positions_around(study))
+    drafts = Drafts(study, around)
     solved = motion.road.around(drafts.turn.phi)
     kappa = motion.road.conditions(solved)
     return Stretch(
