@@ -12,9 +12,12 @@ from hypothesis import given
 
 from plans.analytic.balance.series import slider_harmonic
 from plans.bank.engines import ENGINES
+from plans.bank.harmonics import NotSettled
 from plans.bank.letters import roman
 from plans.checks.balance.bank_comparison import compare_bank
 from plans.model.balance.bank import EPS, ORDERS, Asked, BankTask, Harmonic, Member, Unit
+from plans.scene.scene import parse_scene
+from plans.study import Study
 from tests.parts import examples
 from tests.plans.drawn_banks import BOOK, ENGINE, angles, banks, drawn, places, series, study, summed, task
 from tests.rows import over
@@ -261,3 +264,16 @@ def test_orders_of_compensators_are_told() -> None:
 
 def test_letters_of_orders() -> None:
     assert [roman(n) for n in (1, 2, 4, 6, 9, 40, 99, 100)] == ["I", "II", "IV", "VI", "IX", "XL", "XCIX", "100"]
+
+
+def test_a_rod_all_but_as_long_as_the_crank_is_told() -> None:
+    """At equal lengths there is a second dead centre, where the acceleration jumps: near it nothing settles."""
+    for ratio in (1 - 1e-7, 1 - 1e-15):
+        with pytest.raises(NotSettled, match="near a dead centre the acceleration all but jumps"):
+            drawn(task(ENGINES[0].members, Unit(ratio, 1.0, 0.0, 1.0)))
+    scene = parse_scene(
+        "[bank]\nspeed = 100\n[bank.unit]\ncrank = 0.0999999999\nrod = 0.1\nreciprocating = 1\n"
+        "[[bank.members]]\ncrank = 0\n"
+    )
+    with pytest.raises(NotSettled, match=r"scene\.toml:1: the harmonics do not settle"):
+        _ = Study(scene)["bank"].balance
