@@ -45,7 +45,7 @@ class BankStudy:
     @property
     def orders(self) -> tuple[int, ...]:
         """The orders that are told, with those that compensators are asked of."""
-        return tuple(dict.fromkeys((*self.task.orders, *(one.order for one in self.task.asked))))
+        return orders_of(self.task)
 
     @cached_property
     def drawing(self) -> Polygons:
@@ -91,6 +91,11 @@ class BankStudy:
             force_slack=found.force_slack,
             moment_slack=found.moment_slack,
         )
+
+
+def orders_of(task: BankTask) -> tuple[int, ...]:
+    """Give the orders that are told, with those that compensators are asked of."""
+    return tuple(dict.fromkeys((*task.orders, *(one.order for one in task.asked))))
 
 
 def study_of(study: Study) -> BankStudy:
