@@ -10,10 +10,12 @@ import numpy as np
 import pytest
 from hypothesis import given
 
+from geometry.replay import exact
 from plans.analytic.balance.series import slider_harmonic
 from plans.bank.engines import ENGINES
 from plans.bank.harmonics import NotSettled
 from plans.bank.letters import roman
+from plans.bank.shaking import SliderCrank
 from plans.checks.balance.bank_comparison import compare_bank
 from plans.model.balance.bank import EPS, ORDERS, Asked, BankTask, Harmonic, Member, Unit
 from plans.scene.scene import parse_scene
@@ -132,6 +134,17 @@ def _by_integral(mp, ratio, order):
         if abs(fine - coarse) < mp.mpf(10) ** -30 * abs(fine):
             return fine
         count *= 2
+
+
+@pytest.mark.rest
+def test_the_drawn_force_to_fifty_digits() -> None:
+    """The record of the plans carried out in 50 digits: each force is as near as is told."""
+    for ratio in (0.25, 0.99):
+        shaking = SliderCrank(Unit(ratio, 1.0, 0.3, 0.5), 10.0).shaking(Fraction(1), 24)
+        assert shaking.mark is not None
+        for position in (0, 5, 6, 17):
+            true = exact([shaking.mark], position)[shaking.mark]
+            assert abs(shaking.force[position] - true) <= shaking.slack[position]
 
 
 @over("ratio", (0.001, 0.25, 0.99))
