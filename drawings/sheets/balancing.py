@@ -102,7 +102,7 @@ class Way(NamedTuple):
     finest: float = 0.0  # scale mu than which the schemes are drawn no larger
 
 
-WAYS = tuple(Way(schemes, tables) for schemes in ("", SCHEMES) for tables in (TOLD, RESULTS, ""))
+WAYS = tuple(Way(schemes, tables) for schemes in (SCHEMES, "") for tables in (TOLD, RESULTS, ""))
 
 
 def _draft(scene: Scene, shown: Balanced) -> Draft:

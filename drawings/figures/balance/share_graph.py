@@ -135,7 +135,7 @@ def _letters(shown: ShareGraph, axes: Axes, drafting: Drafting) -> Iterator[Lett
         share, value = shown.rows[name][-1]
         yield Letter(axes.on(share, value), letter, hand.letter, 0.0)
         best = shown.best[name]
-        text = f"k = {number(best.share, 3)};  {number(value_of(best, name))} {drafting.word(UNIT)}"
+        text = f"{letter} = {number(value_of(best, name))} {drafting.word(UNIT)};  {SHARE} = {number(best.share)}"
         yield Letter(axes.on(best.share, value_of(best, name)), text, hand.number, math.pi / 2, 1.6)
 
 
