@@ -128,7 +128,8 @@ def draw(shown: ShakingHodograph, room: Picture, spot: Spot, drafting: Drafting)
     lines: list[Stroke] = [heading(spot.box, drafting.word("shaking hodograph"), under, hand)]
     for one in shown.vectors:
         style = hand.other if both and one.state == BEFORE else hand.result
-        lines += [*_curve(one.values, place, style), *_ends(one, shown.shown, place, hand)]
+        curve = Group(tuple(_curve(one.values, place, style)), f"{NAME}-{one.state}")
+        lines += [curve, *_ends(one, shown.shown, place, hand)]
     lines.append(point(_subject(None), POLE, 0j, place, pole(place.on(0j)), "pole"))
     return ShakingFigure(shown, place, tuple(lines), drafting)
 
