@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property, partial
-from typing import Any
+from typing import Any, NamedTuple
 
 from drawings.figures.balance import (
     balance_scheme,
@@ -15,24 +15,31 @@ from drawings.figures.balance import (
     share_graph,
     static_polygon,
 )
-from drawings.figures.balance.scheme import AFTER, BEFORE, BalanceScheme, placed_weight
+from drawings.figures.balance.nothing import Nothing, nothing
+from drawings.figures.balance.scheme import AFTER, BEFORE, SCHEME, BalanceScheme, placed_weight
 from drawings.figures.graphs import curve_graph
-from drawings.figures.linkage.skeleton import Skeletons
+from drawings.figures.linkage.skeleton import Skeletons, skeletons
 from drawings.layout.contents import Panel
-from drawings.layout.picture import Picture
+from drawings.layout.picture import SMALLER, Picture
 from drawings.layout.table import RuledTable
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
-from drawings.sheets.leaves import Caption, Draft, Exhibit, lay_out
+from drawings.sheets.choice import position
+from drawings.sheets.leaves import Caption, Draft, Exhibit, compositions, lay_out
 from drawings.symbols.polygon import ShownVector
+from geometry.board import at
+from plans.balance.mass_centre import Side
+from plans.balance.study import BalanceStudy
+from plans.checks.compare import MotionComparison
 from plans.model.balance.linkage import FORCE, Balance, State
 from plans.model.kinetostatics import NOTHING
 from plans.scene.scene import Scene
+from plans.study import Study
 
+MAIN = "main"  # what a vector of a scheme is
 SCHEMES = "schemes"  # the schemes are drawn at one scale
-TOLD = "told"  # what stands in one column: static moments and tables
-FOREMOST = 1.5  # the schemes are larger than what belongs to them
-LARGEST = 1.8  # times the least size at which it is legible: no polygon or graph is drawn larger than the schemes
+TOLD, RESULTS = "told", "results"  # columns: of static moments and what stands under them, of the tables alone
+LARGEST = 2.2  # times the least size at which it is legible: no polygon or graph is drawn larger than the schemes
 
 
 @dataclass(frozen=True)
@@ -40,21 +47,77 @@ class Balanced:
     """What a balanced mechanism's sheets are drawn from: its links, main points by state, static moments, result."""
 
     bones: Skeletons
-    chains: Mapping[str, tuple[ShownVector, ...]]
-    moments: Mapping[str, complex]  # kg*m, by letters
+    chains: Mapping[str, tuple[ShownVector, ...]]  # main-point vectors m in the shown position
+    moments: Mapping[str, complex]  # static moments kg*m there, by letters
     balance: Balance
-    notes: tuple[str, ...]
+    notes: tuple[str, ...] = ()
+
+    @property
+    def after(self) -> State | None:
+        """The machine with its counterweights on; None where nothing is put on."""
+        return None if self.balance.still else self.balance.after
+
+    @cached_property
+    def nothing(self) -> Nothing:
+        """What is nothing on the sheets."""
+        return nothing(self.states.values(), self.bones.reach)
 
     @property
     def states(self) -> dict[str, State]:
         """The states by their names."""
-        found = {BEFORE: self.balance.before}
-        return found if self.balance.after is None else found | {AFTER: self.balance.after}
+        return {BEFORE: self.balance.before} | ({} if self.after is None else {AFTER: self.after})
+
+
+def leaves(study: Study) -> tuple[Leaf, ...]:
+    """Lay out the sheets of a scene's balanced mechanism (row of the table of sheets)."""
+    return sheets(study.scene, balanced(study["balance"], study.comparison("linkage")))
+
+
+def balanced(own: BalanceStudy, motion: MotionComparison) -> Balanced:
+    """Read what the sheets show from the records of the construction, in the position in full lines."""
+    shown = position(own.linkage, motion)
+    drawings = {BEFORE: own.drawing(position=shown)}
+    if own.after is not None:
+        drawings[AFTER] = own.drawing(after=True, position=shown)
+    chains = {state: tuple(map(_vector, drawing.main.sides)) for state, drawing in drawings.items()}
+    moments = {side.vector.name: at(side.vector.point, 0) for side in drawings[BEFORE].polygon.sides}
+    return Balanced(skeletons(own.linkage, motion.construction, shown), chains, moments, own.balance)
+
+
+def _vector(side: Side) -> ShownVector:
+    return ShownVector(side.vector.name, MAIN, at(side.start.point, 0), at(side.vector.point, 0))
 
 
 def sheets(scene: Scene, shown: Balanced) -> tuple[Leaf, ...]:
     """Lay out the sheets of a mechanism whose balancing is found."""
-    return lay_out(scene, [_BalancingSheet(scene, shown).draft])
+    return lay_out(scene, [_draft(scene, shown)])
+
+
+class Way(NamedTuple):
+    """A way to show it: the keys of the columns of the schemes, "" apart, and of the tables, "" at the foot."""
+
+    schemes: str
+    tables: str
+    finest: float = 0.0  # scale mu than which the schemes are drawn no larger
+
+
+WAYS = tuple(Way(schemes, tables) for schemes in ("", SCHEMES) for tables in (TOLD, RESULTS, ""))
+
+
+def _draft(scene: Scene, shown: Balanced) -> Draft:
+    """Take the way whose figures can be read on the fewest sheets, with the largest schemes, all of one size."""
+    weighed = {way: _weight(scene, _BalancingSheet(scene, shown, way).draft) for way in WAYS}
+    way = min(WAYS, key=lambda one: weighed[one])
+    return _BalancingSheet(scene, shown, way._replace(finest=weighed[way][-1])).draft
+
+
+def _weight(scene: Scene, draft: Draft) -> tuple[int, int, float]:
+    """Weigh a draft: figures that are too small, sheets, the scale that the schemes get."""
+    composed = compositions(scene, draft)
+    spots = {name: spot for one in composed for name, spot in one.spots.items()}
+    rooms = (one.panel.item for one in draft.shows if isinstance(one.panel.item, Picture))
+    small = sum(one.extent(spots[one.name].scale) < one.least * SMALLER for one in rooms)
+    return small, len(composed), spots[SCHEME + BEFORE].scale.mu
 
 
 @dataclass(frozen=True)
@@ -63,6 +126,7 @@ class _BalancingSheet:
 
     scene: Scene
     shown: Balanced
+    way: Way
 
     @cached_property
     def drafting(self) -> Drafting:
@@ -79,26 +143,27 @@ class _BalancingSheet:
         shows: tuple[Exhibit | Caption, ...] = (
             *self._schemes(),
             *self._polygon(),
-            *self._tables(),
+            *self._captions(),
             *self._shaking(),
             *self._rocking(),
             *self._shares(),
         )
-        first = balance_scheme.measure(self._scheme(BEFORE), self.drafting).name
-        return Draft("balancing", title, shows, (), self.shown.notes, _facts, first)
+        tables = () if self.way.tables else self.tables
+        return Draft("balancing", title, shows, tables, self.shown.notes, _facts, SCHEME + BEFORE)
 
     def _schemes(self) -> Iterator[Exhibit]:
-        for state in self.shown.states:
-            shown = self._scheme(state)
-            room = balance_scheme.measure(shown, self.drafting)
+        schemes = [self._scheme(state) for state in self.shown.states]
+        points = [spot for one in schemes for spot in one.points]
+        for shown in schemes:
+            room = balance_scheme.measure(shown, points, self.drafting)._replace(finest=self.way.finest)
             draw = partial(balance_scheme.draw, shown, room, drafting=self.drafting)
-            yield Exhibit(Panel(room, FOREMOST, scale=SCHEMES), draw)
+            yield Exhibit(Panel(room, together=self.way.schemes, scale=SCHEMES), draw)
 
     def _scheme(self, state: str) -> BalanceScheme:
         """Show the links before or after; what stands still has no path."""
         bones, states = self.shown.bones, self.shown.states
         kept = [name for name in (BEFORE, AFTER) if name in states and (name == BEFORE or state == AFTER)]
-        paths = {name: states[name].around.r for name in kept if states[name].around.path > NOTHING * bones.reach}
+        paths = {name: states[name].around.r for name in kept if states[name].around.path > self.shown.nothing.way}
         weights = [one for one in self.balance.counterweights if one.needed] if state == AFTER else []
         placed = tuple(placed_weight(one, bones) for one in weights)
         return BalanceScheme(state, bones, self.shown.chains[state], paths, placed)
@@ -112,15 +177,14 @@ class _BalancingSheet:
     def _shaking(self) -> Iterator[Exhibit]:
         """Show the hodographs of the main vector, if there is any."""
         states = {name: (one.around, one.centre) for name, one in self.shown.states.items()}
-        nothing = NOTHING * self.balance.before.shaking
-        shown = shaking_hodograph.hodograph(states, self.shown.bones.shown, nothing)
+        shown = shaking_hodograph.hodograph(states, self.shown.bones.shown, self.shown.nothing.force)
         if shown.vectors:
             yield self._exhibit(shaking_hodograph, shown)
 
     def _rocking(self) -> Iterator[Exhibit]:
         """Show the main moment, if there is any."""
-        sense = self.shown.bones.study.sense
-        curve = moment_graph.curve(self.balance.before, self.balance.after, sense, self.drafting)
+        sense, least = self.shown.bones.study.sense, self.shown.nothing.moment
+        curve = moment_graph.curve(self.balance.before, self.shown.after, sense, least, self.drafting)
         if curve is not None:
             room = _bounded(curve_graph.measure(curve, moment_graph.NAME, self.drafting))
             yield Exhibit(Panel(room), partial(curve_graph.draw, curve, room, drafting=self.drafting))
@@ -138,15 +202,21 @@ class _BalancingSheet:
         room = _bounded(figure.measure(shown, self.drafting))
         return Exhibit(Panel(room, together=together), partial(figure.draw, shown, room, drafting=self.drafting))
 
-    def _tables(self) -> Iterator[Caption]:
-        """Tell the counterweights, and what they change."""
-        if self.balance.counterweights:
-            yield self._caption(balance_table.counterweights(self.balance.counterweights, self.drafting))
-        yield self._caption(balance_table.costs(self.balance, self.drafting, self.shown.bones.reach))
+    @cached_property
+    def tables(self) -> tuple[RuledTable, ...]:
+        """What the counterweights change, and which they are."""
+        shown, drafting = self.shown, self.drafting
+        costs = balance_table.costs(self.balance.before, shown.after, shown.nothing, drafting)
+        weights = self.balance.counterweights
+        if not weights:
+            return (costs,)
+        return costs, balance_table.counterweights(weights, shown.bones.mechanism, drafting)
 
-    def _caption(self, table: RuledTable) -> Caption:
-        write: Callable[..., Any] = partial(table.write, drafting=self.drafting)
-        return Caption(Panel(table.block(table.name), together=TOLD), write)
+    def _captions(self) -> Iterator[Caption]:
+        """Set the tables among the figures, the counterweights first, unless they stand at the foot."""
+        for table in reversed(self.tables) if self.way.tables else ():
+            write: Callable[..., Any] = partial(table.write, drafting=self.drafting)
+            yield Caption(Panel(table.block(table.name), together=self.way.tables), write)
 
 
 def _bounded(room: Picture) -> Picture:

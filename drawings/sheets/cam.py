@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection, Iterator, Sequence
 from functools import partial
-from typing import Any
+from typing import Any, NamedTuple
 
 from drawings.figures.cam import (
     law_diagrams,
@@ -14,12 +14,12 @@ from drawings.figures.cam import (
     size_diagram,
     sizes_table,
 )
-from drawings.figures.cam.pressure_graph import pressure_view
+from drawings.figures.cam.pressure_graph import PressureView, pressure_view
 from drawings.figures.cam.profile_view import NAME as PROFILE
 from drawings.figures.cam.profile_view import profile_view
 from drawings.figures.cam.size_view import NAME as DIAGRAM
 from drawings.figures.cam.size_view import SizeView
-from drawings.layout.contents import EVEN, Panel
+from drawings.layout.contents import EVEN, Composition, Panel
 from drawings.layout.picture import SMALLER, Picture
 from drawings.layout.table import RuledTable
 from drawings.page.drafting import Drafting, drafting_of
@@ -47,44 +47,83 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
     return lay_out(scene, [*(_draft(*pair, drafting, scene) for pair in pairs), *shared])
 
 
+class _Contents(NamedTuple):
+    """What a sheet shows of a cam however its figures are laid out."""
+
+    drawing: CamDrawing
+    angle: PressureView
+    profile: Exhibit
+    table: Caption
+    notes: tuple[str, ...]
+
+
 def _draft(drawing: CamDrawing, exact: CamFound, drafting: Drafting, scene: Scene) -> Draft:
     """Give the draft that keeps one axis of the turn, unless its figures would be read worse or take more sheets.
 
     Then the turn has one scale at least, if that costs nothing either.
     """
     ways = (JOINED, TURN, "") if _pressed(drawing.cam) else ("",)
-    drafts = (_level(scene, partial(_told, drawing, exact, drafting, way)) for way in ways)
-    return min(drafts, key=partial(_lack, scene))
+    contents = _contents(drawing, exact, drafting)
+    trials = (_level(scene, partial(_told, contents, drafting, way)) for way in ways)
+    return min(trials, key=_lack).draft
 
 
-def _level(scene: Scene, told: Callable[[float], Draft]) -> Draft:
+def _contents(drawing: CamDrawing, exact: CamFound, drafting: Drafting) -> _Contents:
+    """Make once what every draft of a sheet shows alike: the profile foremost, and what both roads found."""
+    table = _results(drawing, exact, drafting)
+    return _Contents(
+        drawing,
+        pressure_view(drawing.sizing.limits, drawing.curve, drawing.found),
+        _exhibit(profile_figure, profile_view(drawing.found), drafting, weight=FOREMOST),
+        Caption(Panel(table.block(table.name)), partial(table.write, drafting=drafting)),
+        CamNotes(drawing.found, drafting).all,
+    )
+
+
+class _Trial(NamedTuple):
+    """A draft, and where all that it shows would stand, sheet by sheet."""
+
+    draft: Draft
+    composed: Sequence[Composition]
+
+    @property
+    def scales(self) -> dict[str, Scale]:
+        """The scales of its figures, by their names."""
+        return {name: spot.scale for one in self.composed for name, spot in one.spots.items()}
+
+
+def _tried(scene: Scene, draft: Draft) -> _Trial:
+    return _Trial(draft, compositions(scene, draft))
+
+
+def _level(scene: Scene, told: Callable[[float], Draft]) -> _Trial:
     """Draw the diagram of the sizes, whose O is the profile's, no larger than the profile if it can be read so."""
-    own = told(0.0)
-    drawn = _scales(scene, own)
+    own = _tried(scene, told(0.0))
+    drawn = own.scales
     diagram, profile = drawn.get(DIAGRAM), drawn[PROFILE]
     if diagram is None or diagram.mu >= profile.mu:
         return own
-    return min(told(profile.mu), own, key=partial(_lack, scene))
+    return min(_tried(scene, told(profile.mu)), own, key=_lack)
 
 
-def _scales(scene: Scene, draft: Draft) -> dict[str, Scale]:
-    return {name: spot.scale for one in compositions(scene, draft) for name, spot in one.spots.items()}
-
-
-def _lack(scene: Scene, draft: Draft) -> tuple[float, int]:
+def _lack(trial: _Trial) -> tuple[float, int]:
     """Tell by what shares of what their letters need the figures of a draft are too small, and count its sheets."""
-    scales = _scales(scene, draft)
-    rooms = (one.panel.item for one in draft.shows if isinstance(one.panel.item, Picture))
+    scales = trial.scales
+    rooms = (one.panel.item for one in trial.draft.shows if isinstance(one.panel.item, Picture))
     extents = ((one.extent(scales[one.name]), one.least) for one in rooms)
     lack = sum(1 - extent / least for extent, least in extents if 0 < extent < least * SMALLER)
-    return lack, len(compositions(scene, draft))
+    return lack, len(trial.composed)
 
 
-def _told(drawing: CamDrawing, exact: CamFound, drafting: Drafting, way: str, finest: float) -> Draft:
-    said = CamNotes(drawing.found, drafting).all
-    title = drafting.word("cam sheet title", name=drawing.cam.name)
-    shows = tuple(_shows(drawing, exact, way, finest, drafting))
-    return Draft("cam", title, shows, (), said, partial(_facts, drawing.cam, way == JOINED))
+def _told(contents: _Contents, drafting: Drafting, way: str, finest: float) -> Draft:
+    cam = contents.drawing.cam
+    shows: tuple[Exhibit | Caption, ...] = (
+        *_shows(contents, way, finest, drafting),
+        contents.profile,
+        contents.table,
+    )
+    title = drafting.word("cam sheet title", name=cam.name)
+    return Draft("cam", title, shows, (), contents.notes, partial(_facts, cam, way == JOINED))
 
 
 def _facts(cam: Cam, joined: bool, figures: Collection[str]) -> dict[str, Any]:
@@ -93,11 +132,9 @@ def _facts(cam: Cam, joined: bool, figures: Collection[str]) -> dict[str, Any]:
     return {"cam": cam.name, "figures": [*figures, *under]}
 
 
-def _shows(
-    drawing: CamDrawing, exact: CamFound, way: str, finest: float, drafting: Drafting
-) -> Iterator[Exhibit | Caption]:
-    """Show the law, the sizes that follow from it, the profile foremost, and what both roads found of it."""
-    angle = pressure_view(drawing.sizing.limits, drawing.curve, drawing.found)
+def _shows(contents: _Contents, way: str, finest: float, drafting: Drafting) -> Iterator[Exhibit]:
+    """Show the law, and the sizes that follow from it."""
+    drawing, angle = contents.drawing, contents.angle
     if way == JOINED:
         yield _exhibit(cam_column, (drawing.diagrams, angle), drafting)
     else:
@@ -106,9 +143,6 @@ def _shows(
         yield _exhibit(size_diagram, SizeView(drawing.sizing), drafting, finest=finest)
     if _pressed(drawing.cam) and way != JOINED:
         yield _exhibit(pressure_graph, angle, drafting, scale=way)
-    yield _exhibit(profile_figure, profile_view(drawing.found), drafting, weight=FOREMOST)
-    table = _results(drawing, exact, drafting)
-    yield Caption(Panel(table.block(table.name)), partial(table.write, drafting=drafting))
 
 
 def _pressed(cam: Cam) -> bool:

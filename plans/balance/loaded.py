@@ -23,6 +23,6 @@ def _with(body: Body, one: Counterweight) -> Body:
     """Join a counterweight to a link: the new centre divides their distance, and inertia counts about it (Steiner)."""
     mass = body.mass + one.mass
     apart = one.centre - body.centre
-    centre = body.centre + apart * (one.mass / mass)
+    centre = (body.mass * body.centre + one.mass * one.centre) / mass  # of a heavy one on a light link nothing is lost
     inertia = body.inertia + one.inertia + abs(apart) ** 2 * (body.mass * one.mass / mass)
     return Body(body.link, mass, inertia, centre)

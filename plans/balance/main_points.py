@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from geometry.board import Board, Mark
 from plans.balance.stems import Stem, Tree
-from plans.balance.sums import MOMENTS, Sums, Term
+from plans.balance.sums import Sums, Term
 from plans.model.machine import Body
 from plans.words.words import because
 
@@ -79,6 +79,10 @@ class MainPoints:
     def _vector(self, link: int) -> Mark:
         return self.board.turn(f"h_{link}", self.moments[link].mark, 1 / self.mass, because("over_mass"))
 
+    def line(self, link: int, span: complex) -> Mark:
+        """Lay down a vector of a link in its own frame, to which its vector h is fixed."""
+        return self.sums.arm(f"l_{link}", 0j, span, link)
+
     @property
     def vectors(self) -> dict[int, complex]:
         """The vector h of each link in its own frame, m; of one whose moments are rounding none."""
@@ -96,6 +100,3 @@ class MainPoints:
 
     def _shares(self, stems: tuple[Stem, ...]) -> Iterator[Share]:
         return (Share(stem, float(self.behind(stem.link).value.real) / self.mass) for stem in stems)
-
-
-UNITS = {MAIN: "m", MOMENTS: "kg*m"}

@@ -62,15 +62,23 @@ class Drawing:
 
 def centre_drawing(points: MainPoints, accelerations: Plan) -> Drawing:
     """Draw the mass centre over the positions of an acceleration plan, and the inertia forces there."""
+    main, turned = by_main_points(points, accelerations)
+    polygon, shaking = by_links(points, accelerations)
+    place = polygon.board.turn("r_S", polygon.end, 1 / points.mass, because("over_mass"))
+    force = shaking.board.turn("Φ", turned.end, -points.mass, because("main_vector"))
+    return Drawing(main, polygon, place, turned, force, shaking, _moment(points, accelerations, shaking))
+
+
+def by_main_points(points: MainPoints, accelerations: Plan) -> tuple[Chain, Chain]:
+    """Lay the main-point vectors off to the mass centre, and to its acceleration."""
     positions = accelerations.positions
     main = _main(points, positions, Board(CENTRE), positions.pole, "S")
-    polygon = _moments(points, positions)
-    turned = _main(points, accelerations, Board(CENTRE_ACCELERATION), accelerations.pole, "a_S")
-    place = polygon.board.turn("r_S", polygon.end, 1 / points.mass, because("over_mass"))
-    forces = Board(SHAKING)
-    force = forces.turn("Φ", turned.end, -points.mass, because("main_vector"))
-    shaking = _forces(points, accelerations, forces)
-    return Drawing(main, polygon, place, turned, force, shaking, _moment(points, accelerations, shaking))
+    return main, _main(points, accelerations, Board(CENTRE_ACCELERATION), accelerations.pole, "a_S")
+
+
+def by_links(points: MainPoints, accelerations: Plan) -> tuple[Chain, Chain]:
+    """Lay the static moments of the links off end to end, and their inertia forces."""
+    return _moments(points, accelerations.positions), _forces(points, accelerations)
 
 
 def _main(points: MainPoints, plan: Plan, board: Board, start: Mark, name: str) -> Chain:
@@ -85,10 +93,10 @@ def _vectors(points: MainPoints, plan: Plan, board: Board) -> Iterator[tuple[int
     if plan is plan.positions and points.constant:
         yield 0, board.given("h_0", points.constant, because("constant_vector"))
     for link, h in points.vectors.items():
-        arm = plan.images[link].arm
-        if arm is not None and h:
-            ratio = h / plan.images[link].span
-            yield link, board.turn(f"h_{link}", arm, ratio, because("main_vector_of", link=link))
+        image = plan.images[link]
+        if image.arm is not None and h:
+            line, why = points.line(link, image.span), because("main_vector_of", link=link)
+            yield link, board.similar(f"h_{link}", image.arm, line, points.marks[link], why=why)
     for one in points.variables:
         yield one.stem.link, _variable(one, plan, board)
 
@@ -130,8 +138,9 @@ def _centres(points: MainPoints, plan: Plan) -> Iterator[tuple[int, Mark]]:
             yield stem.link, plan.place(stem.link, body.centre, plan.letter(f"S{stem.link}"))
 
 
-def _forces(points: MainPoints, accelerations: Plan, board: Board) -> Chain:
+def _forces(points: MainPoints, accelerations: Plan) -> Chain:
     """Lay the inertia forces of the links off end to end: their closing is the main vector once more."""
+    board = Board(SHAKING)
     pole = board.given("0", 0j, because("forces_start"))
     vectors = [
         (link, board.turn(f"Φ_{link}", mark, -points.body(link).mass, because("inertia_force")))

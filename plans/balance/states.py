@@ -24,7 +24,7 @@ def state(points: MainPoints, statics: Statics) -> State:
     """Give the state of a machine whose main points are known; `statics` are the forces of that machine."""
     study = statics.study
     centre = mass_centre(points, study, study.turn)
-    around = mass_centre(points, study, whole_turn(study)) if turns(study) else centre
+    around = mass_centre(points, study, positions_around(study))
     return State(centre, around, forces_around(statics))
 
 
@@ -33,8 +33,13 @@ def turns(study: LinkageStudy) -> bool:
     return study.assembly.phi is not None and not study.barriers
 
 
-def whole_turn(study: LinkageStudy) -> CrankPositions:
-    """Divide a whole turn from the first position on into even steps, the last position the first once more."""
+def positions_around(study: LinkageStudy) -> CrankPositions:
+    """Divide a whole turn from the first position on into even steps; of a crank that has none the scene's positions.
+
+    The last position of a turn is the first once more.
+    """
+    if not turns(study):
+        return study.turn
     phi = study.turn.phi[0] + study.sense * 2 * np.pi * np.arange(STEPS + 1) / STEPS
     return at_angles(phi).paced(study.pace)
 

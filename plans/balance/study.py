@@ -13,12 +13,24 @@ from plans.balance.loaded import loaded
 from plans.balance.main_points import MainPoints
 from plans.balance.mass_centre import Drawing
 from plans.balance.refusals import Refused
+from plans.balance.shares import Superposition
 from plans.balance.stems import Tree, tree_of
 from plans.balance.substitution import Substitution
 from plans.forces.statics import Statics
 from plans.linkage.drafts import Drafts
 from plans.linkage.study import LinkageStudy
-from plans.model.balance.linkage import CONSTRUCTION, NONE, SHARE, Balance, Counterweight, Shares, State, Task
+from plans.model.balance.linkage import (
+    CONSTRUCTION,
+    FORCE,
+    NONE,
+    SHARE,
+    Balance,
+    Choice,
+    Counterweight,
+    Shares,
+    State,
+    Task,
+)
 from plans.model.machine import Machine
 
 if TYPE_CHECKING:
@@ -57,22 +69,33 @@ class BalanceStudy:
     def substitution(self) -> Substitution:
         """The masses on their way to the crank, with what the counterweights must be."""
         self.made.setdefault(COUNTERWEIGHTS)
-        return self.substituted(self.share or 0.0)
+        return self._substituted(self.task, self.share)
 
-    def substituted(self, share: float) -> Substitution:
+    def _substituted(self, task: Task, share: float) -> Substitution:
         """Find the counterweights with a share of the reciprocating mass; what cannot be is a SceneError."""
         linkage = self.linkage
         try:
-            return substituted(linkage.mechanism, linkage.groups, self.machine.bodies, self.task, share)
+            return substituted(linkage.mechanism, linkage.groups, self.machine.bodies, task, share)
         except Refused as refused:
-            raise refused.fault(linkage.scene, self.task) from None
+            raise refused.fault(linkage.scene, task) from None
+
+    @cached_property
+    def share(self) -> float:
+        """The share of the reciprocating mass: the given one, or that by which a largest force is least; 0 of none."""
+        return (self.task.share or 0.0) if self.task.share is not None or self.best is None else self.best.share
 
     @property
-    def share(self) -> float | None:
-        """The share of the reciprocating mass: the given one, or the one that makes the largest force least."""
-        if self.task.aim != SHARE or self.task.share is not None:
-            return self.task.share
-        return None
+    def best(self) -> Choice | None:
+        """The choice of a share that makes least what the task asks for; None where none is asked for."""
+        if self.shares is None:
+            return None
+        return self.shares.least_force if self.task.least == FORCE else self.shares.least_reaction
+
+    def at_share(self, share: float) -> Machine:
+        """Give the machine balanced with a share, on whichever side of the shaft its counterweight then lies."""
+        places = tuple(p if p.at is None else p._replace(at=None, radius=abs(p.at)) for p in self.task.places)
+        found = self._substituted(self.task._replace(places=places), share)
+        return loaded(self.machine, counterweights(found, self.linkage.groups))
 
     @cached_property
     def counterweights(self) -> tuple[Counterweight, ...]:
@@ -130,7 +153,9 @@ class BalanceStudy:
     @cached_property
     def shares(self) -> Shares | None:
         """The share of the reciprocating mass as a choice; None where it is not asked for."""
-        return None
+        if self.task.aim != SHARE:
+            return None
+        return Superposition(self.statics, self.tree, self.at_share).shares
 
     @cached_property
     def balance(self) -> Balance:

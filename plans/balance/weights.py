@@ -28,7 +28,7 @@ def begins(mechanism: Mechanism, groups: Sequence[Group]) -> Mapping[int, str]:
 def weight_of(mechanism: Mechanism, place: Place, begin: str, need: Term) -> Counterweight:
     """Give the counterweight of a static moment kg*m in its link's frame about the point that it counts from."""
     origin = mechanism.links[place.link].points[begin]
-    mass = _mass(place, need, line_of(mechanism, place.link, begin))
+    mass = _mass(place, need, begin, line_of(mechanism, place.link, begin))
     return Counterweight(place, begin, origin, need.value + 0, mass)  # of a zero no -0
 
 
@@ -43,23 +43,24 @@ def line_of(mechanism: Mechanism, link: int, begin: str) -> complex:
     return way / abs(way)
 
 
-def _mass(place: Place, need: Term, along: complex) -> float:
+def _mass(place: Place, need: Term, begin: str, along: complex) -> float:
     """Find the mass: the given one, or that of a radius, of a place on the link's line, or of a sector."""
     if place.mass is not None:
         return place.mass
     if place.radius is not None:
         return abs(need.value) / place.radius
-    return _sector(place, abs(need.value)) if place.at is None else _on_line(place, place.at, need, along)
+    return _sector(place, abs(need.value)) if place.at is None else _on_line(place, place.at, need, begin, along)
 
 
-def _on_line(place: Place, at: float, need: Term, along: complex) -> float:
+def _on_line(place: Place, at: float, need: Term, begin: str, along: complex) -> float:
     """Find the mass at a place on the link's line, on which the static moment must lie."""
     across, way = (need.value / along).imag, (need.value / along).real
     if abs(across) > ROUNDING * EPS * need.size:
         angle = math.degrees(math.atan2(across, way))
         raise Refused(OFF, place.link, "at", angle=f"{angle:.4g}", radius=f"{abs(at):.6g}")
     if way / at < 0:
-        raise Refused(NEGATIVE, place.link, "at", mass=f"{abs(way / at):.6g}", other=f"{-at:.6g}")
+        mass, other = f"{abs(way / at):.6g}", f"{-at:.6g}"
+        raise Refused(NEGATIVE, place.link, "at", mass=mass, point=begin, other=other)
     return way / at
 
 

@@ -51,7 +51,11 @@ class Harmonics(NamedTuple):
 
 def harmonics(source: Source, orders: Sequence[int]) -> Harmonics:
     """Divide the turn until the harmonics settle, and draw their polygons."""
-    shaking, off = _settled(source, orders)
+    return of_ordinates(source, *_settled(source, orders), orders)
+
+
+def of_ordinates(source: Source, shaking: Shaking, off: float, orders: Sequence[int]) -> Harmonics:
+    """Draw the polygons of some ordinates, which are known to be too few by so much, N."""
     count, board = len(shaking.force), Board(HARMONICS)
     pole = board.given("0", 0j, because("forces_start"))
     ordinates = [

@@ -23,6 +23,8 @@ class Whole(NamedTuple):
     moment: Complexes
     force_slack: float
     moment_slack: float
+    largest: float  # N: of one mechanism
+    largest_moment: float  # N*m: of one mechanism
 
 
 def whole(source: Source, members: Sequence[Member]) -> Whole:
@@ -35,7 +37,8 @@ def whole(source: Source, members: Sequence[Member]) -> Whole:
     slacks = [_slack(source, share) for share in shares]
     lever = sum(abs(place) * slack for place, slack in zip(places, slacks, strict=True))
     phi = 2 * np.pi * np.arange(STEPS + 1) / STEPS
-    return Whole(phi, _round(force), _round(moment), sum(slacks), lever)
+    largest = [float(np.max(np.abs(rows))) for rows in (force, moment)]
+    return Whole(phi, _round(force), _round(moment), sum(slacks), lever, *largest)
 
 
 def _slack(source: Source, share: Shaking) -> float:

@@ -99,7 +99,7 @@ class Replay:
     def _column(self, column: int, position: int) -> dict[Key, Any]:
         """Give the true values of one position as numbers of 50 digits."""
         mp = digits()
-        true = exact(self.wanted, column, {self.crank: _direction(mp, self.study, position)})
+        true = exact(self.wanted, column, {self.crank: crank_direction(mp, self.study, position)})
         found = {key: true[mark] for key, mark in self.points.items()}
         found |= {("angle", link): mp.arg(true[arm] / mp.mpc(span)) for link, (arm, span) in self.arms.items()}
         for key, (arm, turning) in self.rates.items():
@@ -216,7 +216,7 @@ def digits() -> Any:
     return fifty_digits()
 
 
-def _direction(mp: Any, study: LinkageStudy, position: int) -> Any:
+def crank_direction(mp: Any, study: LinkageStudy, position: int) -> Any:
     """Give the crank's direction in 50 digits: an exact share of the turn from the first one, or as it is listed."""
     drive = study.form.drive
     if isinstance(drive.positions, tuple):

@@ -89,10 +89,11 @@ class ForceFindings:
         ours: Kinetostatics,
         theirs: Kinetostatics,
         plans: ForcePlans | None = None,
+        borne: float = 0.0,  # N: of inertia; where counterweights hold it on each link, reactions are its rounding
     ) -> None:
         self.statics, self.motion, self.ours, self.theirs = statics, motion, ours, theirs
         self.plans = plans or statics.drafts().plans
-        self.largest = ours.largest
+        self.largest = max(ours.largest, borne)
         places = np.array([point.r for point in motion.construction.points.values()])
         self.size = largest_of([np.abs(places)])  # m: the longest arm about the shaft
         self.supports = {_key(one): one for cut in self.plans.plan.cuts for one in cut.reactions}

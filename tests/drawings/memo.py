@@ -28,6 +28,12 @@ def loaded_memo(statics: Statics, forces: ForceComparison) -> Study:
     return study
 
 
+def cams_of(study: Study, other: Study) -> Study:
+    """Give a study the cams of another, whose scene differs in its sheet alone."""
+    study._made["cam"], study._compared["cam"] = other["cam"], other.comparison("cam")
+    return study
+
+
 def verify_motion(path: Path, leaf: Leaf, linkage: LinkageStudy, motion: MotionComparison) -> Measured:
     return verify(path, leaf, partial(verify_kinematics.faults, study=memo(linkage, motion)))
 

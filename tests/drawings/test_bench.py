@@ -99,7 +99,7 @@ def test_the_table_is_out_by_no_more_than_half_its_last_digit(quick: Bench) -> N
         assert 0 < error <= 0.51 * last / largest[kind]
 
 
-@pytest.mark.parametrize("language", ["en", "ru"])
+@pytest.mark.parametrize("language", ["en", pytest.param("ru", marks=pytest.mark.rest)])
 def test_a_spoilt_sheet_is_seen(language: str) -> None:
     """A vector drawn a millimetre too long and a number with a wrong first digit are errors of that size."""
     text = (GALLERY / "shaper.toml").read_text("utf-8").replace("[sheet]", f'[sheet]\nlanguage = "{language}"')

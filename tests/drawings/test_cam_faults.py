@@ -19,6 +19,7 @@ from drawings.sheets import cam, cam_profile
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from plans.words.words import said
+from tests.drawings.memo import cams_of
 from tests.drawings.planting import ROOT, DrawingFault, drawing_faults, planted
 from tests.parts import some
 
@@ -59,13 +60,14 @@ SHEETS = {"cam": (cam.leaves, verify_cam.faults), "profile": (cam_profile.leaves
 
 @cache
 def study_of(name: str, size: str = "", language: str = "", standard: str = "") -> Study:
-    """Study a scene of the gallery, on other paper, in another language."""
+    """Study a scene of the gallery, on other paper, in another language: its cams are the same on all."""
     lines = (GALLERY / f"{name}.toml").read_text(encoding="utf-8").splitlines()
     asked = {"format": size, "language": language, "standard": standard}
     given = [f'{key} = "{value}"' for key, value in asked.items() if value]
     kept = [one for one in lines if not one.startswith(tuple(f"{key} = " for key, value in asked.items() if value))]
     place = kept.index("[sheet]") + 1
-    return Study(parse_scene("\n".join([*kept[:place], *given, *kept[place:]])))
+    study = Study(parse_scene("\n".join([*kept[:place], *given, *kept[place:]])))
+    return cams_of(study, study_of(name)) if given else study
 
 
 def checked(leaf: Leaf, sheet: str, study: Study, folder: Path) -> None:

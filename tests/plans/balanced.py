@@ -138,6 +138,40 @@ positions = {positions}
 5 = {{ mass = 20 }}
 """
 
+# The yoke's vertical guide is reached by no hinge: its vector is variable.
+YOKE = """
+sheets = ["forces"]
+[mechanism.frame]
+O = [0, 0]
+[mechanism.links]
+1 = "OA"
+2 = "A"
+3 = "DE"
+[mechanism.lengths]
+OA = 0.1
+DE = 0.4
+[[mechanism.slides]]
+link = 2
+along = "DE"
+[[mechanism.slides]]
+link = 3
+along = {{ through = [0, 0], angle = 90 }}
+angle = -90
+[mechanism.sketch]
+D = [0, 0]
+E = [0.4, 0]
+[drive]
+link = 1
+speed = 10
+acceleration = -7
+start = 20
+positions = {positions}
+[masses]
+1 = {{ mass = 2, centre = [0.03, 0.01] }}
+2 = {{ mass = 1 }}
+3 = {{ mass = 4, centre = [0.2, 0.05] }}
+"""
+
 
 def study(text: str, task: Task | None = None, positions: int = 12) -> BalanceStudy:
     """Give the study of a scene's balance with a task of its own."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 from plans.scene.scene import parse_scene
 from plans.study import Study
 
@@ -52,6 +54,7 @@ def text(loads: str = PLANING, drive: str = "positions = 24", asked: str = 'fluc
     return f'{CRANK}{loads}[drive]\nlink = 1\nspeed = "120 rpm"\n{drive}\n[dynamics]\n{asked}\n'
 
 
+@cache  # a study is a memo: whoever asks for the same machine shares what was made of it
 def study(loads: str = PLANING, drive: str = "positions = 24", asked: str = 'fluctuation = "1/25"') -> Study:
     """Make the study of the slider-crank."""
     return Study(parse_scene(text(loads, drive, asked)))

@@ -14,13 +14,14 @@ from plans.analytic.kinematics import Analysis
 from plans.forces.loading import loading
 from plans.forces.stroke import Stroke, strokes
 from plans.model.machine import ALWAYS, IDLE, WORKING, Body, Diagram, Force, Machine, Moment, Spring, Transmission
-from plans.model.mechanism import Mechanism
-from plans.model.motion import Motion
+from plans.model.mechanism import Mechanism, Output
+from plans.model.motion import Extremes, Motion
 from tests.plans import linkages
 from tests.plans.chains import numbers
 
 BODIES = {1: Body(1, 3.0, 0.01, 0.04), 2: Body(2, 4.0, 0.06, 0.15), 3: Body(3, 8.0, 0.0, 0j)}  # of M4.2
 OUTWARD = Force("F_us", 3, "B", 0j, 2000.0, None, WORKING, overrun=(0.05, 0.05))  # of M4.7
+EXTREMES: dict[str, Extremes | None] = {}
 SPEED, DELTA = 4 * np.pi, 1 / 25  # of M4.9
 
 
@@ -33,7 +34,14 @@ class Steady(NamedTuple):
 
     @property
     def strokes(self) -> Mapping[str, Stroke]:
-        return strokes(self.machine, self.mechanism, self.mechanism.output, Analysis(self.mechanism).extremes)
+        return strokes(self.machine, self.mechanism, self.mechanism.output, self._extremes)
+
+    def _extremes(self, output: Output) -> Extremes | None:
+        """Look for extreme positions once in a mechanism, whatever is asked of its machine."""
+        key = repr((self.mechanism, output))
+        if key not in EXTREMES:
+            EXTREMES[key] = Analysis(self.mechanism).extremes(output)
+        return EXTREMES[key]
 
     @property
     def reduction(self) -> Reduction:

@@ -115,7 +115,7 @@ def test_past_a_near_change_point_the_assembly_stays(miss):
 # The assembly
 
 
-@examples(10)
+@examples(5)
 @given(
     share=st.floats(0, 0.6),
     way=st.floats(0, 2 * pi),

@@ -372,7 +372,7 @@ def test_a_wrong_value_is_one_fault_whatever_it_is(line: str) -> None:
             assert len(about) <= 1 or value in ("[1, 2, 3]", "{}", "{ a = 1 }"), str(error)
 
 
-@examples(25)
+@examples(12)
 @given(st.data())
 def test_any_scene_is_read_or_refused_in_words(data: st.DataObject) -> None:
     lines = SHAPER.splitlines()

@@ -6,12 +6,14 @@ Main-point vectors that lie along links are drawn in lanes beside them.
 from __future__ import annotations
 
 import cmath
-from collections.abc import Iterator
+import math
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
+from drawings.figures.balance.lanes import lanes
 from drawings.figures.balance.scheme import AFTER, BalanceScheme, PlacedWeight
 from drawings.figures.graphs.curve_graph import stretches
 from drawings.figures.linkage.guides import frame_slides, grounds, travel
@@ -20,7 +22,7 @@ from drawings.figures.linkage.pairs import Pairs
 from drawings.figures.linkage.rotation import turnings
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels, free_side
-from drawings.layout.parallel_offsets import APART, Segment, offset, parallel_offsets
+from drawings.layout.parallel_offsets import APART, Segment, offset
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
 from drawings.lettering.balance_letters import CENTRE, counterweight, lowered
@@ -29,7 +31,7 @@ from drawings.lettering.lettering import text_width
 from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.limits import SEEN
-from drawings.paper.strokes import INK, LEAN, Circle, Group, Line, Polyline, Stroke, Text
+from drawings.paper.strokes import INK, LEAN, Arc, Circle, Group, Line, Polyline, Stroke, Text
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.figure import Subject, heading
 from drawings.symbols.force_arrow import plain_name
@@ -40,7 +42,6 @@ from drawings.symbols.trimming import trim
 SYMBOL, UNIT = "l", "m"
 MARGINS = Margins(3.5, 3.2, 2.6)  # paper around it for its letters and stands, in their sizes
 LETTERS = 22.0  # it is drawn at least so many of its letters large
-ROOM = 2.6 + 1.9j  # width + 1j * height of a letter between two lanes, in its sizes
 STILL = 0.2  # mm: a shorter path is a dot under its point's own symbol
 
 
@@ -70,7 +71,7 @@ class SchemeFigure:
         body, stands = list(self.pairs.bars()), list(self.pairs.stands())
         blocks = [block for _, block in self.pairs.blocks]
         ink.draw([*body, *blocks, *stands])
-        under = [*self._paths(), *self._axes(), *self._holders()]
+        under = [*self._paths(), *self._axes(), *self._ties(), *self._holders()]
         return (
             self._heading(),
             *fit_dashes(trim(under, self.pairs.masks)),
@@ -101,6 +102,16 @@ class SchemeFigure:
         for slide in frame_slides(self.shown.bones):
             yield Line(*travel(self.shown.bones, slide, self.place, self.pairs.hand), self._hand.axis)
 
+    def _ties(self) -> Iterator[Stroke]:
+        """Tie each mass centre that lies off its link's bars to the link's nearest point."""
+        for name, (link, _) in self.shown.bones.masses.items():
+            if name not in self.pairs.centres:
+                continue
+            spot = self.pairs.centres[name]
+            points = [self.place.on(self.shown.named[one]) for one in self.shown.bones.mechanism.links[link].points]
+            if points and not any(_on(bar, spot, MASS * self._hand.symbol) for bar in self.pairs.bars()):
+                yield Line(min(points, key=lambda point: abs(point - spot)), spot, self._hand.other)
+
     def _holders(self) -> Iterator[Stroke]:
         """Draw what holds counterweights: the line from their link's beginning."""
         for one in self.shown.weights:
@@ -108,7 +119,14 @@ class SchemeFigure:
                 yield Line(self.place.on(one.begin), self.place.on(one.centre), self._hand.result)
 
     def _rim(self, one: PlacedWeight) -> Iterator[Stroke]:
-        yield Polyline(tuple(self.place.on(spot) for spot in one.rim), True, self._hand.relative)
+        """Draw a counterweight to scale: a disc about its centre, a sector about its link's beginning."""
+        style, radius = self._hand.relative, self.place.length(one.weight.outer)
+        if one.is_disc:
+            yield Arc(self.place.on(one.centre), radius, 0.0, 2 * math.pi, style)
+            return
+        tip, turn, half = self.place.on(one.begin), cmath.phase(one.direction), one.weight.place.half_angle
+        yield Arc(tip, radius, turn - half, turn + half, style)
+        yield from (Line(tip, tip + cmath.rect(radius, end), style) for end in (turn - half, turn + half))
 
     def _marks(self) -> Iterator[Group]:
         """Draw hinges, mass centres, other points, and the centres of counterweights; all can be measured."""
@@ -136,8 +154,7 @@ class SchemeFigure:
         seen = [one for one in self.shown.chain if self.place.length(abs(one.value)) >= SEEN]
         bars = [(line.start, line.end) for line in self.pairs.bars() if isinstance(line, Line)]
         own: list[Segment] = [(self.place.on(one.at), self.place.on(one.end)) for one in seen]
-        apart, room = APART * self._hand.symbol, ROOM * self._hand.letter
-        shifts = parallel_offsets([*bars, *own], apart, room)[len(bars) :]
+        shifts = lanes(own, bars, self.place.on(self.shown.centre), APART * self._hand.symbol)
         laid = zip(seen, own, shifts, strict=True)
         return tuple(LaidVector(one, offset(line, shift), shift) for one, line, shift in laid)
 
@@ -183,6 +200,15 @@ class SchemeFigure:
         return heading(self.box.box, title, self.drafting.scale(self.box.scale), self._hand)
 
 
+def _on(bar: Stroke, spot: complex, near: float) -> bool:
+    """Tell whether a spot lies on a bar, or so near."""
+    if not isinstance(bar, Line) or bar.start == bar.end:
+        return False
+    off = (spot - bar.start) / (bar.end - bar.start)
+    past = 2 * near / abs(bar.end - bar.start)  # a bar ends at the symbol of the mass centre itself
+    return -past <= off.real <= 1 + past and abs(off.imag) * abs(bar.end - bar.start) <= near
+
+
 def _length(spots: list[complex]) -> float:
     return float(np.abs(np.diff(np.array(spots))).sum())
 
@@ -193,13 +219,16 @@ def title_of(shown: BalanceScheme, drafting: Drafting) -> str:
     return f"{drafting.word(key)}, {drafting.word('position', position=shown.shown)}"
 
 
-def measure(shown: BalanceScheme, drafting: Drafting) -> Picture:
-    """Measure the room that a scheme needs: all its points, letters around them, its heading above."""
+def measure(shown: BalanceScheme, points: Sequence[complex], drafting: Drafting) -> Picture:
+    """Measure the room of a scheme: of the points of all that stand beside it, letters around them, its heading above.
+
+    Schemes of the same points are of one size, and their links lie alike.
+    """
     hand = drafting.hand
     side, below, above = (size * hand.letter for size in MARGINS)
     margins = Margins(side, below, above + 2 * hand.title + hand.text)
     title = text_width(Text(0j, title_of(shown, drafting), hand.title)) + 2 * LEAN * hand.title
-    return picture(shown.name, shown.points, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
+    return picture(shown.name, points, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
 
 
 def draw(shown: BalanceScheme, room: Picture, spot: Spot, drafting: Drafting) -> SchemeFigure:

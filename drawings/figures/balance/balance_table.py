@@ -4,49 +4,57 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from typing import NamedTuple
 
+from drawings.figures.balance.nothing import Nothing
 from drawings.figures.forces.force_letters import letter_of
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.lettering.balance_letters import FORCE, MOMENT, counterweight
 from drawings.page.drafting import Drafting
+from plans.balance.weights import line_of
 from plans.forces.cut import indices
 from plans.forces.primary import BALANCING
-from plans.model.balance.linkage import DISC, Balance, Counterweight, State
+from plans.model.balance.linkage import DISC, Counterweight, State
 from plans.model.kinetostatics import NOTHING
+from plans.model.mechanism import Mechanism
 
 WEIGHTS, COSTS = "counterweights", "costs"  # the names of the tables
 DIGITS = 5
 NONE = "—"
 MILLIMETRES = 1000.0
+SHARE_DIGITS, PLACES = 3, 3  # of a change in per cent: digits, and decimals, below which there is none
 
 
-def counterweights(weights: Sequence[Counterweight], drafting: Drafting) -> RuledTable:
-    """Tell each counterweight: static moment about its link's beginning, mass, place, shape and sizes."""
+def counterweights(weights: Sequence[Counterweight], mechanism: Mechanism, drafting: Drafting) -> RuledTable:
+    """Tell each counterweight: static moment about its link's beginning, mass, place, shape and sizes.
+
+    Its direction is counted from that of the link's line, from where the link begins on.
+    """
     mm = drafting.word("mm")
     heads = (
         drafting.word("on link"), f"m·a, {drafting.word('kg*m')}", f"m, {drafting.word('kg')}", drafting.word("from"),
         f"a, {mm}", "∠, °", drafting.word("shape"), f"R, {mm}", f"b, {mm}",
     )  # fmt: skip
-    lines = [TableRow(counterweight(one.link, drafting.language), _weight(one, drafting)) for one in weights]
+    lines = [TableRow(counterweight(one.link, drafting.language), _weight(one, mechanism, drafting)) for one in weights]
     return table(lines, drafting.word("counterweight column"), heads, drafting.hand.text)._replace(name=WEIGHTS)
 
 
-def _weight(one: Counterweight, drafting: Drafting) -> tuple[str, ...]:
+def _weight(one: Counterweight, mechanism: Mechanism, drafting: Drafting) -> tuple[str, ...]:
     if not one.needed:
         return str(one.link), "0", "0", *(NONE for _ in range(6))
-    place, number = one.place, drafting.number
+    place, number, along = one.place, drafting.number, line_of(mechanism, one.link, one.begin)
     sizes = (MILLIMETRES * size for size in (one.outer, place.thickness))
     return (
         str(one.link), number(abs(one.moment), DIGITS), number(one.mass, DIGITS), one.begin,
-        number(MILLIMETRES * one.distance, DIGITS), number(_degrees(one.moment), DIGITS), _shape(one, drafting),
+        number(MILLIMETRES * one.distance, DIGITS), number(_degrees(one.moment / along), DIGITS), _shape(one, drafting),
         *(number(size, DIGITS) for size in sizes),
     )  # fmt: skip
 
 
 def _degrees(moment: complex) -> float:
-    """Give a direction in its link's own frame in degrees, without the noise of a rounding about 0 and 180."""
+    """Give a direction in degrees, without the noise of a rounding about 0 and 180."""
     angle = math.degrees(cmath.phase(moment))
     return abs(angle) if abs(moment.imag) <= NOTHING * abs(moment) else angle
 
@@ -57,63 +65,58 @@ def _shape(one: Counterweight, drafting: Drafting) -> str:
     return drafting.word("sector", angle=drafting.number(math.degrees(2 * one.place.half_angle)))
 
 
-class Cost(NamedTuple):
-    """What counterweights change: its name with the unit, before and after; what is no more than `least` is none."""
+class Quantity(NamedTuple):
+    """What counterweights change: its name with the unit, its value in a state; what is no more than `least` is 0."""
 
     name: str
-    before: float
-    after: float | None
+    of: Callable[[State], float]
     least: float = 0.0
 
+    def value(self, state: State) -> float:
+        """Give its value in a state."""
+        value = self.of(state)
+        return 0.0 if abs(value) <= self.least else value
 
-def costs(balance: Balance, drafting: Drafting, size: float) -> RuledTable:
-    """Tell path, main vector and moment, reactions, balancing moment and mass before and after; `size` m is whose."""
-    told = tuple(_costs(balance, drafting, size))
+
+def costs(before: State, after: State | None, none: Nothing, drafting: Drafting) -> RuledTable:
+    """Tell what is largest of the mass centre's way, main vector and moment, reactions, balancing moment, and mass."""
     heads = ("before column", "after column", "change")
-    words = tuple(drafting.word(head) for head in (heads if balance.after is not None else heads[:1]))
-    lines = [TableRow(one.name, _cells(one, drafting)) for one in told]
+    words = tuple(drafting.word(head) for head in (heads if after is not None else heads[:1]))
+    lines = [TableRow(one.name, _cells(one, before, after, drafting)) for one in quantities(before, none, drafting)]
     return table(lines, drafting.word("largest value"), words, drafting.hand.text)._replace(name=COSTS)
 
 
-def _costs(balance: Balance, drafting: Drafting, size: float) -> Iterator[Cost]:
-    before, after, word = balance.before, balance.after, drafting.word
-    least = NOTHING * before.forces.largest
-    yield Cost(
-        word("path of S", unit=word("mm")), MILLIMETRES * before.around.path,
-        None if after is None else MILLIMETRES * after.around.path, NOTHING * MILLIMETRES * size,
-    )  # fmt: skip
-    yield _cost(f"{FORCE}, {word('N')}", "shaking", before, after)
-    yield _cost(f"{MOMENT}, {word('N*m')}", "rocking", before, after)
-    for key, one in before.forces.reactions.items():
-        name = letter_of(f"R_{indices(one.giver, one.taker)}", drafting)
-        then = None if after is None else after.reactions[key]
-        yield Cost(f"{name}, {word('N')}", before.reactions[key], then, least)
-    yield _cost(f"{letter_of(BALANCING, drafting)}, {word('N*m')}", "balancing", before, after)
-    yield Cost(word("moving mass", unit=word("kg")), before.centre.mass, None if after is None else after.centre.mass)
+def quantities(state: State, none: Nothing, drafting: Drafting) -> Iterator[Quantity]:
+    """List what is told of a state, every pair's reaction among it."""
+    word = drafting.word
+    way = word("path of S", unit=word("mm"))
+    yield Quantity(way, lambda one: MILLIMETRES * one.around.path, MILLIMETRES * none.way)
+    yield Quantity(f"{FORCE}, {word('N')}", lambda one: one.shaking, none.force)
+    yield Quantity(f"{MOMENT}, {word('N*m')}", lambda one: one.rocking, none.moment)
+    for key, pair in state.forces.reactions.items():
+        letter = letter_of(f"R_{indices(pair.giver, pair.taker)}", drafting)
+        yield Quantity(f"{letter}, {word('N')}", partial(_reaction, key), none.force)
+    balancing = f"{letter_of(BALANCING, drafting)}, {word('N*m')}"
+    yield Quantity(balancing, lambda one: one.balancing, none.moment)
+    yield Quantity(word("moving mass", unit=word("kg")), lambda one: one.centre.mass)
 
 
-def _cost(name: str, quantity: str, before: State, after: State | None) -> Cost:
-    was = getattr(before, quantity)
-    return Cost(name, was, None if after is None else getattr(after, quantity), NOTHING * was)
+def _reaction(key: str, state: State) -> float:
+    return state.reactions[key]
 
 
-def _cells(one: Cost, drafting: Drafting) -> tuple[str, ...]:
-    before = _told(one.before, one.least, drafting)
-    if one.after is None:
-        return (before,)
-    change = _change(one, drafting)
-    return before, _told(one.after, one.least, drafting), change
+def _cells(one: Quantity, before: State, after: State | None, drafting: Drafting) -> tuple[str, ...]:
+    was = one.value(before)
+    if after is None:
+        return (drafting.number(was, DIGITS),)
+    now = one.value(after)
+    return drafting.number(was, DIGITS), drafting.number(now, DIGITS), change(was, now, drafting)
 
 
-def _told(value: float, least: float, drafting: Drafting) -> str:
-    return "0" if abs(value) <= least else drafting.number(value, DIGITS)
-
-
-def _change(one: Cost, drafting: Drafting) -> str:
+def change(before: float, after: float, drafting: Drafting) -> str:
     """Write how much more it is, in per cent; of what was nothing there is no share."""
-    if one.after is None or abs(one.before) <= one.least:
+    if not before:
         return NONE
-    after = 0.0 if abs(one.after) <= one.least else one.after
-    share = 100 * (after / one.before - 1)
-    text = drafting.number(share, 3) if abs(share) >= 1e-3 else "0"
-    return f"+{text}" if share >= 1e-3 else text
+    share = round(100 * (after / before - 1), PLACES)
+    text = drafting.number(share, SHARE_DIGITS)
+    return f"+{text}" if share > 0 else text

@@ -24,18 +24,32 @@ Forces = Callable[[float], Complexes]  # of a share to the forces N in all posit
 ROUNDS = 60  # straight lines through a force that is not quite one: each round squares what the last one left
 
 
-def shares(course: Course, partial: Sequence[Counterweight], step: complex) -> Shares:
-    """Weigh all shares by the shaking force and the reaction of the shaft.
+class Weighing:
+    """Shares of the reciprocating mass, weighed by the shaking force and by the reaction of the shaft.
 
     `partial` are the counterweights at share 0; with the share the crank's loses the static moment `step` kg*m.
     """
-    force, reaction = _shaking(course, partial, step), _bearing(course, partial, step)
 
-    def choice(share: float) -> Choice:
-        return Choice(share, _largest(force(share)), _largest(reaction(share)))
+    def __init__(self, course: Course, partial: Sequence[Counterweight], step: complex) -> None:
+        self.forces, self.reactions = _shaking(course, partial, step), _bearing(course, partial, step)
 
-    curve = tuple(choice(float(share)) for share in np.linspace(0, 1, SHARES))
-    return Shares(curve, choice(least(force)), choice(least(reaction)))
+    def force(self, share: float) -> float:
+        """Give the largest shaking force N of a share."""
+        return _largest(self.forces(share))
+
+    def reaction(self, share: float) -> float:
+        """Give the largest reaction N of the shaft of a share."""
+        return _largest(self.reactions(share))
+
+    def choice(self, share: float) -> Choice:
+        """Weigh a share."""
+        return Choice(share, self.force(share), self.reaction(share))
+
+    @property
+    def shares(self) -> Shares:
+        """The curve, and the two best."""
+        curve = tuple(self.choice(float(share)) for share in np.linspace(0, 1, SHARES))
+        return Shares(curve, self.choice(least(self.forces)), self.choice(least(self.reactions)))
 
 
 def shifted(course: Course, partial: Sequence[Counterweight], step: complex, share: float) -> tuple[Counterweight, ...]:

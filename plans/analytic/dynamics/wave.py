@@ -79,5 +79,6 @@ def _sum(harmonics: Complexes, turned: Floats) -> Floats:
     """Add harmonics 1, 2, ... at angles turned (Horner's rule in e^(i q))."""
     step, total = np.exp(1j * np.asarray(turned)), np.zeros(np.shape(turned), complex)
     for harmonic in harmonics[::-1]:
-        total = (total + harmonic) * step
+        total += harmonic
+        total *= step
     return np.asarray(2.0 * total.real)

@@ -17,7 +17,8 @@ from plans.bank.harmonics import HARMONICS
 from plans.bank.letters import FORCE, MOMENT, SINGLE, STATIC, couple_letters, letters
 from plans.bank.study import BankStudy
 from plans.checks.comparison import Comparison, Finding
-from plans.model.balance.bank import EPS, ROUNDING, BankBalance, Compensator, Harmonic
+from plans.model.balance.bank import BankBalance, Compensator, Harmonic
+from plans.model.motion import Complexes
 
 if TYPE_CHECKING:
     from plans.study import Study
@@ -74,17 +75,17 @@ class _Compared(NamedTuple):
 
     def harmonics(self) -> Iterator[Finding]:
         """Compare every vector of every order."""
+        largest, arm = _largest(self.ours.single), max(abs(float(one.place)) for one in self.ours.task.members)
         rows = (
-            (SINGLE, "N", self.ours.single, self.theirs.single, self._single),
-            (FORCE, "N", self.ours.forces, self.theirs.forces, self._bank),
-            (MOMENT, "N*m", self.ours.moments, self.theirs.moments, self._lever),
+            (SINGLE, "N", self.ours.single, self.theirs.single, self._single, largest),
+            (FORCE, "N", self.ours.forces, self.theirs.forces, self._bank, largest),
+            (MOMENT, "N*m", self.ours.moments, self.theirs.moments, self._lever, arm * largest),
         )
-        for kind, unit, ours, theirs, bound in rows:
-            largest = _largest(ours)
+        for kind, unit, ours, theirs, bound, most in rows:
             for order, one in ours.items():
                 allowed = one.slack + theirs[order].slack + bound
                 for signed, found, other in _pairs(order, one, theirs[order]):
-                    yield _finding(HARMONICS, letters(kind, signed), unit, found, other, allowed, largest)
+                    yield _finding(HARMONICS, letters(kind, signed), unit, found, other, allowed, most)
 
     def compensators(self) -> Iterator[Finding]:
         """Compare the masses of the compensators, with the directions in which they stand."""
@@ -107,43 +108,56 @@ class _Compared(NamedTuple):
         """Compare the whole force and moment over the turn, before and after the compensators."""
         ours, theirs = self.ours, self.theirs
         force = ours.force_slack + theirs.force_slack
-        left = force + self._taken
+        left = ours.left_slack + theirs.left_slack + self._taken
+        moment = ours.moment_slack + theirs.moment_slack
+        shares = self.study.whole
         rows = (
-            (WHOLE, "N", ours.force, theirs.force, force),
-            (LEFT, "N", ours.left, theirs.left, left),
-            (WHOLE_MOMENT, "N*m", ours.moment, theirs.moment, ours.moment_slack + theirs.moment_slack),
+            (WHOLE, "N", ours.force, theirs.force, force, shares.largest),
+            (LEFT, "N", ours.left, theirs.left, left, shares.largest),
+            (WHOLE_MOMENT, "N*m", ours.moment, theirs.moment, moment, shares.largest_moment),
         )
-        for name, unit, found, other, allowed in rows:
-            yield _finding(HARMONICS, name, unit, found, other, allowed, float(np.max(np.abs(found))))
+        for name, unit, found, other, allowed, largest in rows:
+            yield _finding(HARMONICS, name, unit, found, other, allowed, largest)
 
     def transforms(self) -> Iterator[Finding]:
-        """See that the whole force over the turn has the harmonics that the polygons gave it."""
-        row = np.fft.fft(self.ours.force[:-1]) / (len(self.ours.force) - 1)
-        for order, one in self.ours.forces.items():
-            allowed = self.ours.force_slack + one.slack + self._bank + self._beyond(order)
-            for signed, found, _ in _pairs(order, one, one):
-                name = f"{letters(FORCE, signed)}(φ)"
-                yield _finding(EQUILIBRIUM, name, "N", found, row[signed], allowed, one.size)
+        """See that the whole force and moment over the turn have the harmonics that the polygons gave them."""
+        ours, most = self.ours, self.study.whole
+        arms = math.fsum(abs(float(one.place)) for one in ours.task.members)
+        rows = (
+            (FORCE, "N", ours.force, ours.forces, ours.force_slack, len(ours.task.members), most.largest),
+            (MOMENT, "N*m", ours.moment, ours.moments, ours.moment_slack, arms, most.largest_moment),
+        )
+        for kind, unit, whole, harmonics, slack, weight, largest in rows:
+            row = _transform(whole)
+            for order, one in harmonics.items():
+                allowed = slack + one.slack + weight * (self._single + self._beyond(order))
+                for signed, found, _ in _pairs(order, one, one):
+                    name = f"{letters(kind, signed)}(φ)"
+                    yield _finding(EQUILIBRIUM, name, unit, found, row[signed], allowed, largest)
 
     def balanced(self) -> Iterator[Finding]:
         """See that the compensators leave nothing of their orders."""
-        row = np.fft.fft(self.ours.left[:-1]) / (len(self.ours.left) - 1)
+        row, members = _transform(self.ours.left), len(self.ours.task.members)
         for one in self.ours.compensators:
             order = one.asked.order
-            allowed = self.ours.force_slack + self._taken + self._bank + self._beyond(order)
+            allowed = self.ours.left_slack + self._taken + self._bank + members * self._beyond(order)
             for signed in (order, -order):
                 name = f"{letters(FORCE, signed)}'"
-                yield _finding(EQUILIBRIUM, name, "N", 0j, row[signed], allowed, self.ours.forces[order].size)
+                yield _finding(EQUILIBRIUM, name, "N", 0j, row[signed], allowed, self.study.whole.largest)
 
     @property
     def _taken(self) -> float:
-        """How far the forces of all compensators can be out."""
-        slacks = (self.ours.forces[one.asked.order] for one in self.ours.compensators)
-        return sum(2 * (self._bank + one.slack) + ROUNDING * EPS * one.size for one in slacks)
+        """How far the forces of all compensators can be out by the conditions of the plans."""
+        return 2 * self._bank * len(self.ours.compensators)
 
     def _beyond(self, order: int) -> float:
-        """How much the orders beyond half the positions can add to one that so many positions give."""
-        return len(self.ours.task.members) * self.study.single.beyond(len(self.ours.phi) - 1, order)
+        """How much the orders beyond half the positions can add to one of one mechanism that they give."""
+        return self.study.single.beyond(len(self.ours.phi) - 1, order)
+
+
+def _transform(whole: Complexes) -> Complexes:
+    """Give the vectors of all orders of a vector over the turn."""
+    return np.asarray(np.fft.fft(whole[:-1]) / (len(whole) - 1))
 
 
 def _largest(found: Mapping[int, Harmonic]) -> float:

@@ -11,6 +11,7 @@ import numpy as np
 from plans.bank.compensators import COMPENSATORS
 from plans.bank.harmonics import HARMONICS
 from plans.model.balance.bank import ANALYSIS, BankBalance, Compensator, Harmonic
+from plans.model.motion import Complexes
 
 if TYPE_CHECKING:
     from plans.bank.study import BankStudy
@@ -36,10 +37,13 @@ class BankNumbers:
         data: dict[str, Any] = {}
         if HARMONICS in self.plans:
             data["harmonics"] = {str(order): self._order(order) for order in found.forces}
-            data["largest"] = {"force": _largest(found.force), "moment": _largest(found.moment)}
+            data["largest"] = {
+                "force": _largest(found.force, found.force_slack),
+                "moment": _largest(found.moment, found.moment_slack),
+            }
         if COMPENSATORS in self.plans and found.compensators:
             data["compensators"] = [_compensator(one) for one in found.compensators]
-            data["left"] = {"force": _largest(found.left)}
+            data["left"] = {"force": _largest(found.left, found.left_slack)}
         return {"scene": self.title, "by": found.by, "bank": data}
 
     def _order(self, order: int) -> Mapping[str, Any]:
@@ -72,5 +76,7 @@ def _weight(size: float, angle: float | None, mass: float | None) -> dict[str, A
     return {"moment": size, "angle": angle, "mass": mass, "radius": size / mass if mass else None}
 
 
-def _largest(values: Any) -> float:
-    return float(np.max(np.abs(values)))
+def _largest(values: Complexes, slack: float) -> float:
+    """Give the largest size of a vector over the turn; 0 where nothing is left but rounding."""
+    found = float(np.max(np.abs(values)))
+    return found if found > slack else 0.0

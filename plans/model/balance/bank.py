@@ -149,6 +149,12 @@ class BankBalance:
     gaps: tuple[Gap, ...] = ()
 
     @property
+    def left_slack(self) -> float:
+        """How far rounding can have moved `left` anywhere, N."""
+        taken = (self.forces[one.asked.order] for one in self.compensators)
+        return self.force_slack + sum(2 * one.slack + ROUNDING * EPS * one.size for one in taken)
+
+    @property
     def unanswered(self) -> tuple[Gap, ...]:
         """The gaps, as a comparison asks for them."""
         return self.gaps

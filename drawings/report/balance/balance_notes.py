@@ -1,0 +1,222 @@
+"""What is said of a mechanism's balance in words: main points, counterweights, what is left, its price (пояснения)."""
+
+from __future__ import annotations
+
+from cmath import isfinite
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+from drawings.lettering.balance_letters import FORCE, counterweight, lowered
+from drawings.lettering.indices import with_index
+from drawings.page.drafting import Drafting
+from drawings.report.balance.balance_equations import EQUALS, Equations, straight
+from plans.balance.stems import Tree
+from plans.balance.weights import line_of
+from plans.forces.cut import indices
+from plans.forces.primary import BALANCING
+from plans.model.balance.linkage import DISC, SHARE, Balance, Counterweight, Shares, State
+from plans.model.balance.linkage import FORCE as LEAST_FORCE
+from plans.model.kinetostatics import NOTHING, Reaction
+from plans.model.machine import Body, Machine
+from plans.model.mechanism import FRAME, Mechanism
+
+ALIKE = 6  # digits to which ratios must differ for one to be the larger: both roads name the same pair then
+CHANGED = "\N{NO-BREAK SPACE}→\N{NO-BREAK SPACE}"
+
+
+class BalanceNotes(NamedTuple):
+    """The notes on a balanced mechanism by one road, with so many digits; `vectors` are m in the links' frames."""
+
+    mechanism: Mechanism
+    tree: Tree
+    machine: Machine  # without counterweights
+    balance: Balance
+    vectors: tuple[Mapping[int, complex], Mapping[int, complex] | None]  # of main points before and after
+    drafting: Drafting
+    digits: int = 5
+
+    @property
+    def all(self) -> tuple[str, ...]:
+        """Main points, what is put on and what it makes of them, what is left, what it costs, which share is best."""
+        told = *self.main_points(), *self.counterweights(), *self.balanced()
+        return *told, *self.left(), *self.price(), *self.choice()
+
+    @property
+    def equations(self) -> Equations:
+        """The equations with numbers put in."""
+        return Equations(self.mechanism, self.tree, self.machine.bodies, self.drafting, self.digits)
+
+    @property
+    def after(self) -> State | None:
+        """The machine with counterweights on; None where none is put on."""
+        return None if self.balance.still else self.balance.after
+
+    def main_points(self) -> Iterator[str]:
+        """Write the vectors of main points (8.7), and say of which links vectors are variable."""
+        for number, line in enumerate(self.equations.main_points(self.vectors[0])):
+            yield line if number else f"(8.7)  {line}"
+        for stem in self.tree.variable:
+            share = sum(self._body(link).mass for link in self.tree.behind(stem.link)) / self.equations.mass
+            if share:
+                yield self.drafting.word("variable main point", link=stem.link, share=self._number(share))
+
+    def counterweights(self) -> Iterator[str]:
+        """Say what static moment each link needs, and what it is balanced by."""
+        if self.balance.still:
+            yield self.drafting.word("balanced already")
+            return
+        yield from map(self._counterweight, self.balance.counterweights)
+
+    def _counterweight(self, one: Counterweight) -> str:
+        letter, along = self._letter(one), line_of(self.mechanism, one.link, one.begin)
+        if not one.needed:
+            return self.drafting.word("nothing to put on", letters=letter, link=one.link)
+        body = self._body(one.link)
+        own, put_on = body.mass * (body.centre - one.origin) / along, one.moment / along
+        told = self._needed(one.link, one.begin, own, put_on, letter)
+        return f"{told};  {self._sized(one, put_on, letter)}"
+
+    def _needed(self, link: int, point: str, own: complex, put_on: complex, letter: str) -> str:
+        """Say what the static moment of a link is and what it is to be, about the point that it counts from."""
+        size = abs(own) + abs(put_on)
+        due, moment = (self.equations.vector(value, size) for value in (own + put_on, put_on))
+        unit, present = self.drafting.word("kg*m"), self.equations.vector(own, size)
+        parts = [f"{letter}·a_{{{link}}}"]
+        if straight(own) and straight(put_on) and present != "0":
+            parts.append(f"{due} + {present[1:]}" if present.startswith("−") else f"{due} − {present}")
+        told = EQUALS.join([*parts, f"{moment} {unit}"])
+        return (
+            f"{self.drafting.word('needed moment', link=link, point=point, own=present, due=due, unit=unit)};  {told}"
+        )
+
+    def _sized(self, one: Counterweight, put_on: complex, letter: str) -> str:
+        """Give mass from place or place from mass; of a sector both, with its outer radius."""
+        place, word = one.place, self.drafting.word
+        moment, mass = self.equations.vector(put_on, abs(put_on)), self._number(one.mass)
+        if place.mass is not None:
+            way = self.equations.vector(put_on / one.mass, one.distance)
+            return f"a_{{{one.link}}} = {moment}/{mass} = {way} {word('m')}"
+        if place.shape == DISC:
+            return f"{letter} = {self._number(abs(put_on))}/{self._number(one.distance)} = {mass} {word('kg')}"
+        outer = f"R_{{{one.link}}} = {self._number(one.outer)} {word('m')}"
+        return f"{letter} = {mass} {word('kg')},  a_{{{one.link}}} = {self._number(one.distance)} {word('m')},  {outer}"
+
+    def balanced(self) -> Iterator[str]:
+        """Say what the counterweights make of the main points: similar contours, and where S rests."""
+        after, vectors = self.after, self.vectors[1]
+        if after is None or vectors is None:
+            return
+        told = self.equations.similar(vectors) or ",  ".join(self._main_points_after(vectors))
+        yield self.drafting.word("with counterweights", told=told)
+        if after.around.path <= NOTHING * self.equations.reach:
+            at = complex(next(place for place in after.around.r if isfinite(place)))
+            x, y = (self._rounded(part, self.equations.reach) for part in (at.real, at.imag))
+            yield self.drafting.word("rests", x=x, y=y)
+
+    def _main_points_after(self, vectors: Mapping[int, complex]) -> Iterator[str]:
+        """Write the main points with counterweights on; those that vanish together."""
+        reach, none = self.equations.reach, list[str]()
+        for stem in self.tree.stems:
+            vector, letter = vectors[stem.link], lowered(f"h_{stem.link}")
+            told = self.equations.vector(vector / line_of(self.mechanism, stem.link, stem.begin), reach)
+            if told != "0":
+                yield f"{letter} = {told} {self.drafting.word('m')}"
+            else:
+                none.append(letter)
+        if none:
+            yield EQUALS.join([*none, "0"])
+
+    def left(self) -> Iterator[str]:
+        """Say what masses are left at sliders, and what share of them the crank balances."""
+        for point, mass in self.balance.left.items():
+            told = self.equations.vector(mass, self.equations.mass)
+            if told == "0":
+                continue
+            if self.balance.task.aim == SHARE and self._hangs(point):
+                yield self.drafting.word("share of mass", mass=told, point=point, share=self._number(self.share))
+            else:
+                yield self.drafting.word("left at slider", mass=told, point=point)
+
+    @property
+    def share(self) -> float:
+        """The share of the reciprocating mass that is balanced."""
+        task, shares = self.balance.task, self.balance.shares
+        if task.share is not None or shares is None:
+            return task.share or 0.0
+        return (shares.least_force if task.least == LEAST_FORCE else shares.least_reaction).share
+
+    def _hangs(self, point: str) -> bool:
+        """Tell whether the rod of a slider's hinge hangs on the crank."""
+        hinges, crank = self.mechanism.hinges, self.mechanism.drive.link
+        rods = {link for link in hinges.get(point, ()) if link != FRAME}
+        return any(crank in links and not rods.isdisjoint(links) for pin, links in hinges.items() if pin != point)
+
+    def price(self) -> Iterator[str]:
+        """Say what is put on, and how the shaft's reaction, the one that grows most and the balancing moment change."""
+        before, after = self.balance.before, self.after
+        if after is None:
+            return
+        newtons, moments = (self.drafting.word(unit) for unit in ("N", "N*m"))
+        told = [f"{self._reaction(key)}: {self._change(*two)} {newtons}" for key, two in self._costly(after).items()]
+        balancing = before.balancing, after.balancing
+        told.append(f"{self.balancing}: {self._change(*balancing)} {moments}")
+        masses = {"added": self._number(self.balance.added), "mass": self._number(self.equations.mass)}
+        yield self.drafting.word("price", **masses, told=",  ".join(told))
+
+    def _costly(self, after: State) -> dict[str, tuple[float, float]]:
+        """Give the largest reactions before and after of the crank's shaft, and of the pair where they grow most."""
+        was, now = self.balance.before.reactions, after.reactions
+        least, rows = NOTHING * self.balance.before.forces.largest, self.balance.before.forces.reactions
+        shaft = next((key for key, one in rows.items() if self._of_shaft(one)), None)
+        ratios = {key: round(now[key] / was[key], ALIKE) for key in rows if was[key] > least}
+        most = max((key for key, ratio in ratios.items() if ratio > 1), key=lambda key: ratios[key], default=None)
+        return {key: (was[key], now[key]) for key in dict.fromkeys((shaft, most)) if key is not None}
+
+    def _of_shaft(self, one: Reaction) -> bool:
+        return {one.giver, one.taker} == {FRAME, self.mechanism.drive.link}
+
+    def _reaction(self, key: str) -> str:
+        one = self.balance.before.forces.reactions[key]
+        return self.reaction(one.giver, one.taker)
+
+    def reaction(self, giver: int, taker: int) -> str:
+        """Letter the reaction of a pair as the sheet does."""
+        return self.drafting.letter(with_index(f"{self.drafting.reactions}_{indices(giver, taker)}"))
+
+    @property
+    def shaft(self) -> str:
+        """The letter of the reaction of the frame on the crank."""
+        return self.reaction(FRAME, self.mechanism.drive.link)
+
+    @property
+    def balancing(self) -> str:
+        """The letter of the balancing moment."""
+        return self.drafting.letter(with_index(BALANCING))
+
+    def _change(self, was: float, now: float) -> str:
+        size = max(was, now)
+        return CHANGED.join(self._rounded(value, size) for value in (was, now))
+
+    def choice(self) -> Iterator[str]:
+        """Say with which shares the largest shaking force and the largest reaction of the shaft are least."""
+        shares = self.balance.shares
+        if shares is not None:
+            yield self.drafting.word("best shares", **self._best(shares))
+
+    def _best(self, shares: Shares) -> dict[str, str]:
+        force, reaction = shares.least_force, shares.least_reaction
+        numbers = {"share": force.share, "force": force.force, "other": reaction.share, "reaction": reaction.reaction}
+        told = {name: self._rounded(value, 1.0) for name, value in numbers.items()}
+        return {"main": FORCE, "letters": self.shaft, **told}
+
+    def _body(self, link: int) -> Body:
+        return self.machine.bodies.get(link, Body(link, 0.0, 0.0, 0j))
+
+    def _letter(self, one: Counterweight) -> str:
+        return counterweight(one.link, self.drafting.language)
+
+    def _rounded(self, value: float, size: float) -> str:
+        return "0" if abs(value) <= NOTHING * size else self._number(value)
+
+    def _number(self, value: float) -> str:
+        return self.drafting.number(value, self.digits)

@@ -1,0 +1,96 @@
+"""Marks of a balance by the names that `explain` takes: S, a_S, h_2, Φ, M_Φ, with a prime after; H_3, U_3 (точки)."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
+
+from geometry.board import Board, Mark, at
+from geometry.steps import behind
+from plans.balance import mass_centre, sums
+from plans.balance.main_points import MAIN
+from plans.balance.mass_centre import Chain, Drawing
+from plans.explanation import Explanation, NoMark
+from plans.linkage import marks as motion
+from plans.model.balance.linkage import EPS, ROUNDING
+from plans.words.words import Message, message
+
+if TYPE_CHECKING:
+    from plans.balance.study import BalanceStudy
+    from plans.study import Study
+
+AFTER = "'"  # behind the letter of what a balanced machine has
+STILL = re.compile(r"(U|H|mh)_\d+'?|m_left\w+")  # what is the same in every position
+UNITS = {**motion.UNITS, **sums.UNITS, MAIN: "m", **mass_centre.UNITS}
+EXAMPLES = ("S", "a_S", "Φ", "M_Φ")
+
+
+def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
+    """Give the steps behind a mark: of the mass centre in one position, of what balances the links in all."""
+    balance: BalanceStudy = study["balance"]
+    linkage, letter = balance.linkage, name.replace("Phi", "Φ")
+    if name in motion.letters(linkage):
+        return _none(balance)
+    if STILL.fullmatch(letter):
+        mark = _on((board for board in _still(balance, letter)), letter.removesuffix(AFTER))
+        title = message("explain.name", mark=name)
+        return _none(balance) if mark is None else Explanation(title, tuple(behind(mark)), UNITS)
+    if letter.endswith(AFTER) and balance.after is None:
+        return _none(balance)
+    wanted = motion.position_of(linkage, position)
+    drawing = balance.drawing(letter.endswith(AFTER), wanted)
+    mark = _on(_boards(drawing), letter.removesuffix(AFTER))
+    if mark is None:
+        return _none(balance)
+    title, zeros = motion.title(linkage, name, wanted), frozenset(_zeros(drawing))
+    return Explanation(title, *_steps(behind(mark), study.whole), motion.HOME, zeros=zeros)
+
+
+def _steps(steps: list[Mark], whole: bool) -> tuple[tuple[Mark, ...], Mapping[str, str], tuple[Message, ...]]:
+    """Give the steps that are told, the units of their boards, and a note on the plans of the motion, left out."""
+    if whole:
+        return tuple(steps), UNITS, ()
+    own = tuple(one for one in steps if one.subject not in motion.UNITS)
+    return own, UNITS, (message("explain.left_out", count=len(steps) - len(own)),)
+
+
+def _still(balance: BalanceStudy, letter: str) -> Iterator[Board]:
+    """Give the boards of the static moments in links: of main points, or of the counterweights."""
+    found = balance.points(letter.endswith(AFTER)).sums if letter.startswith("mh") else balance.substitution.sums
+    yield from (found.moments, found.masses)
+
+
+def _boards(drawing: Drawing) -> Iterator[Board]:
+    """Give the boards on which the mass centre is drawn."""
+    yield from (chain.board for chain in (drawing.main, drawing.polygon, drawing.accelerations, drawing.shaking))
+
+
+def _on(boards: Iterator[Board], letter: str) -> Mark | None:
+    """Find a mark that was drawn from others, but no inertia force of one link: it is the force plan's too."""
+    found = next((board[letter] for board in boards if letter in board), None)
+    return found if found is not None and found.step.inputs and not re.fullmatch(r"Φ_\d+", letter) else None
+
+
+def _zeros(drawing: Drawing) -> Iterator[Mark]:
+    """Give what closes vectors that close by themselves, and what is turned from it: nothing but rounding."""
+    for chain in (drawing.main, drawing.polygon, drawing.accelerations, drawing.shaking):
+        if _vanishes(chain):
+            yield from (mark for mark in chain.board if mark is chain.end or chain.end in mark.step.inputs)
+    if _vanishes(drawing.accelerations):
+        yield drawing.force
+
+
+def _vanishes(chain: Chain) -> bool:
+    laid = sum(abs(at(side.vector.point, 0)) for side in chain.sides)
+    return abs(at(chain.end.point, 0)) <= ROUNDING * EPS * laid
+
+
+def _none(balance: BalanceStudy) -> NoMark:
+    """Name the marks that there are."""
+    links = [f"h_{stem.link}" for stem in balance.tree.stems]
+    weights = [f"U_{link}" for link in balance.substitution.needs]
+    names = [*EXAMPLES, *links, *weights]
+    if balance.after is not None:
+        names += [f"{name}{AFTER}" for name in (*EXAMPLES, *links)]
+    return NoMark(tuple(names), None, (*EXAMPLES, *weights[:1]))

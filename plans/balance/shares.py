@@ -1,0 +1,176 @@
+"""The share of the reciprocating mass that the crank balances, as a choice: by superposed force plans (выбор доли).
+
+With the share the static moment of the crank's counterweight changes evenly; a mass that follows from its radius, and
+its inertia, follow with it. Forces are superposed: those of one machine, and what each of the three adds.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from plans.balance.main_points import EMPTY, MainPoints
+from plans.balance.states import forces_around, mass_centre, positions_around
+from plans.balance.stems import Tree
+from plans.forces.statics import Statics
+from plans.model.balance.linkage import EPS, SHARES, Choice, Shares
+from plans.model.kinetostatics import pair
+from plans.model.machine import FORCE, GEAR, Body, Machine
+from plans.model.mechanism import FRAME
+from plans.model.motion import Complexes
+
+HALVINGS = 53  # of an interval of shares: as many as a number has binary digits
+SPAN = EPS ** (1 / 3)  # of a chord over a curve: its error and that of rounding are about the same
+Machines = Callable[[float], Machine]  # by share
+Forces = Callable[[float], Complexes]  # by share, over the positions
+
+
+class Burden(NamedTuple):
+    """What the forces of a crank follow from, about its shaft: mass kg, static moment kg*m, moment of inertia kg*m2."""
+
+    mass: float
+    moment: complex
+    inertia: float
+
+    @classmethod
+    def of(cls, body: Body, shaft: complex) -> Burden:
+        """Take those of a body."""
+        arm = body.centre - shaft
+        return cls(body.mass, body.mass * arm, body.inertia + body.mass * abs(arm) ** 2)
+
+    def body(self, link: int, shaft: complex) -> Body:
+        """Give a body that has them."""
+        arm = self.moment / self.mass
+        return Body(link, self.mass, self.inertia - self.mass * abs(arm) ** 2, shaft + arm)
+
+
+class Superposition:
+    """The shaking force and the reaction of the shaft at any share, over the positions of a turn."""
+
+    def __init__(self, statics: Statics, tree: Tree, machines: Machines) -> None:
+        self.statics, self.tree, self.machines = statics, tree, machines
+        mechanism = statics.study.mechanism
+        drive = mechanism.drive
+        self.link, self.shaft = drive.link, mechanism.links[drive.link].points[drive.pivot]
+        self.key = pair(FRAME, drive.link, drive.pivot).key
+        first = self.burden(0.0)
+        self.first = first._replace(mass=first.mass or 1.0)  # without a mass it has no static moment
+
+    def burden(self, share: float) -> Burden:
+        """Give the crank's mass, static moment and inertia at a share."""
+        return Burden.of(self.machines(share).bodies.get(self.link, EMPTY), self.shaft)
+
+    @cached_property
+    def step(self) -> complex:
+        """What the whole share adds to the crank's static moment, kg*m."""
+        return self.burden(1.0).moment - self.burden(0.0).moment
+
+    def _machine(self, burden: Burden) -> Machine:
+        machine = self.machines(0.0)
+        return replace(machine, bodies={**machine.bodies, self.link: burden.body(self.link, self.shaft)})
+
+    def _shaking(self, burden: Burden) -> Complexes:
+        points = MainPoints(self.tree, self._machine(burden).bodies)
+        return mass_centre(points, self.statics.study, positions_around(self.statics.study)).force
+
+    def _reaction(self, burden: Burden) -> Complexes:
+        return forces_around(self.statics.bearing(self._machine(burden))).reactions[self.key].force
+
+    def _more(self, share: float) -> tuple[float, float]:
+        """Give by how much mass and inertia of the crank at a share differ from those of the first machine."""
+        here = self.burden(share)
+        return abs(here.mass - self.first.mass), abs(here.inertia - self.first.inertia)
+
+    @cached_property
+    def _shakes(self) -> tuple[Complexes, Complexes]:
+        """Give the shaking force of the first machine, and what the whole share adds."""
+        first = self._shaking(self.first)
+        return first, self._shaking(self.first._replace(moment=self.first.moment + self.step)) - first
+
+    @cached_property
+    def _bears(self) -> tuple[Complexes, Complexes, Complexes | float, Complexes | float]:
+        """Give the shaft's reaction of the first machine, and what step, a kilogram and a unit of inertia add."""
+        first, machine = self._reaction(self.first), self.statics.machine
+        by_force = machine.transmission.kind in (FORCE, GEAR)  # a moment on the crank loads the shaft too
+        step = self._reaction(self.first._replace(moment=self.first.moment + self.step)) - first
+        # By steps as large as those that are weighed: the difference of two forces is rounded as they are.
+        heavier, slower = (max(1.0, *sizes) for sizes in zip(*map(self._more, (0.0, 1.0)), strict=True))
+        mass, turning = 0.0, 0.0
+        if machine.gravity:
+            mass = (self._reaction(self.first._replace(mass=self.first.mass + heavier)) - first) / heavier
+        if by_force:
+            turning = (self._reaction(self.first._replace(inertia=self.first.inertia + slower)) - first) / slower
+        return first, step, mass, turning
+
+    def shaking(self, share: float) -> Complexes:
+        """Give the shaking force at a share, N."""
+        first, step = self._shakes
+        return np.asarray(first + share * step)
+
+    def reaction(self, share: float) -> Complexes:
+        """Give the reaction of the shaft on the crank at a share, N."""
+        (first, step, mass, turning), here = self._bears, self.burden(share)
+        more, slower = here.mass - self.first.mass, here.inertia - self.first.inertia
+        return np.asarray(first + share * step + more * mass + slower * turning)
+
+    def _rate(self, share: float) -> Complexes:
+        """Give how the reaction of the shaft grows with the share, N: evenly but for a mass that follows."""
+        _, step, mass, turning = self._bears
+        last, first = self.burden(share + SPAN), self.burden(share - SPAN)
+        more, slower = (last.mass - first.mass) / (2 * SPAN), (last.inertia - first.inertia) / (2 * SPAN)
+        return np.asarray(step + more * mass + slower * turning)
+
+    def choice(self, share: float) -> Choice:
+        """Tell what is largest at a share."""
+        return Choice(share, largest(self.shaking(share)), largest(self.reaction(share)))
+
+    def drawn(self, share: float) -> Choice:
+        """Tell what is largest at a share by plans of that machine itself, nothing superposed."""
+        machine, study = self.machines(share), self.statics.study
+        shaking = mass_centre(MainPoints(self.tree, machine.bodies), study, positions_around(study)).force
+        reaction = forces_around(self.statics.bearing(machine)).reactions[self.key].force
+        return Choice(share, largest(shaking), largest(reaction))
+
+    @cached_property
+    def shares(self) -> Shares:
+        """The curve of the choice, and its two best shares."""
+        curve = tuple(self.choice(float(share)) for share in np.linspace(0, 1, SHARES))
+        force = least(self.shaking, lambda _: self._shakes[1])
+        return Shares(curve, self.choice(force), self.choice(least(self.reaction, self._rate)))
+
+
+def largest(forces: Complexes) -> float:
+    """Give the largest force, N."""
+    return float(np.fmax.reduce(np.abs(forces), initial=0.0))
+
+
+def least(forces: Forces, rate: Forces) -> float:
+    """Find the share in [0, 1] at which the largest force is least: it falls before, and rises after.
+
+    Halved by the sense in which the force of the position that has the largest goes with the share.
+    """
+    low, high = _around(forces)
+    if _rises(forces, rate, low) or not _rises(forces, rate, high):
+        return low if _rises(forces, rate, low) else high
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        low, high = (low, middle) if _rises(forces, rate, middle) else (middle, high)
+    return (low + high) / 2
+
+
+def _around(forces: Forces) -> tuple[float, float]:
+    """Give the shares of a row between which the least lies: with a mass that follows, the curve may bend any way."""
+    row = np.linspace(0, 1, SHARES)
+    best = int(np.argmin([largest(forces(float(share))) for share in row]))
+    return float(row[max(best - 1, 0)]), float(row[min(best + 1, SHARES - 1)])
+
+
+def _rises(forces: Forces, rate: Forces, share: float) -> bool:
+    """Tell whether the largest force rises with the share."""
+    here = forces(share)
+    at = int(np.argmax(np.nan_to_num(np.abs(here))))
+    return bool((here[at].conjugate() * rate(share)[at]).real > 0)

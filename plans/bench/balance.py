@@ -1,0 +1,146 @@
+"""The mass centre of a scene's mechanism by three ways and the best share, timed and judged (испытание).
+
+The truth is the record of the main points carried out in 50 digits at exact crank angles.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from copy import copy
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from geometry.board import Mark
+from geometry.replay import digits, exact
+from plans.analytic.balance.mass_centre import mass_centre
+from plans.analytic.kinematics import Analysis
+from plans.balance.main_points import MainPoints
+from plans.balance.mass_centre import by_links, by_main_points
+from plans.balance.shares import Superposition
+from plans.balance.study import BalanceStudy
+from plans.bench.clock import interleaved
+from plans.bench.error import Errors
+from plans.bench.result import Row
+from plans.bench.truth import crank_direction, sample
+from plans.linkage.drafts import Drafts
+from plans.linkage.study import LinkageStudy
+from plans.model.balance.linkage import Choice, MassCentre
+from plans.model.motion import Complexes
+from plans.model.order import ACCELERATIONS
+
+MAIN_POINTS, LINKS, SUMS = "construction: main points", "construction: links' polygons", "analysis: direct sums"
+SUPERPOSED = "construction: best share"
+PLACE, SHAKING, LEAST = "r_S", "Φ", "least force"
+SAMPLE = 12  # positions at which the truth is found
+DEFINED = (
+    "error of the mass centre: the largest difference from the truth of its place, in shares of its farthest place "
+    "from the datum, and of the main vector of the inertia forces, in shares of the largest one"
+)
+TRUE = "truth of the mass centre: the record of the main points in 50 digits, from exact crank angles"
+SHARE_DEFINED = (
+    "error of the best share: of the largest forces that are superposed against those of the machine drawn anew, "
+    "in shares of them"
+)
+
+
+class Found(NamedTuple):
+    """The place of the mass centre m and the main vector N over positions."""
+
+    place: Complexes
+    force: Complexes
+
+
+class Ground(NamedTuple):
+    """What the ways at one number of positions stand on: a study without plans, main points, and the truth."""
+
+    study: LinkageStudy
+    points: MainPoints
+    positions: tuple[int, ...]
+    near: Found
+    rest: Found
+
+    def judge(self, found: Found) -> Errors:
+        """Judge what a way has found at the positions of the truth."""
+        chosen, kinds = list(self.positions), {}
+        for kind, values, near, rest in zip((PLACE, SHAKING), found, self.near, self.rest, strict=True):
+            most = float(np.abs(near).max())
+            kinds[kind] = float(np.abs((values[chosen] - near) - rest).max()) / most if most else 0.0
+        return Errors(kinds, max(kinds, key=lambda kind: kinds[kind]))
+
+
+def ground(study: LinkageStudy, points: MainPoints) -> Ground:
+    """Find the truth at a sample of the positions of a study."""
+    chosen = tuple(sample(copy(study).lost, SAMPLE))
+    plan = Drafts(study, study.turn.part(list(chosen))).plan(ACCELERATIONS.number)
+    main, turned = by_main_points(points, plan)
+    crank = plan.positions.board["φ"]
+    told = [_exact(study, [main.end, turned.end], crank, *at) for at in enumerate(chosen)]
+    mass = digits().fsum(body.mass for body in points.bodies.values())
+    rows = [[place for place, _ in told], [-mass * force for _, force in told]]
+    near = [np.array([complex(one) for one in row]) for row in rows]
+    rest = [np.array([complex(o - complex(o)) for o in row]) for row in rows]
+    return Ground(study, points, chosen, Found(*near), Found(*rest))
+
+
+def _exact(study: LinkageStudy, marks: list[Mark], crank: Mark, column: int, position: int) -> list[Any]:
+    true = exact(marks, column, {crank: crank_direction(digits(), study, position)})
+    return [true[mark] for mark in marks]
+
+
+def ways(on: Ground) -> Mapping[str, Callable[[], Found]]:
+    """List the ways to the mass centre, each with its own plans or its own motion."""
+    study, points = on.study, on.points
+    count = len(study.turn)
+
+    def drawn(chains: Callable[..., Any], place: float, force: float) -> Found:
+        first, second = chains(points, Drafts(copy(study), study.turn).plan(ACCELERATIONS.number))
+        return Found(place * _row(first.end, count), force * _row(second.end, count))
+
+    def summed() -> Found:
+        road = Analysis(study.mechanism, first=study.form.drive.first is not None, pace=study.pace)
+        found: MassCentre = mass_centre(study.mechanism, list(points.bodies.values()), road.motion(study.turn.phi))
+        return Found(found.r, found.force)
+
+    return {
+        MAIN_POINTS: lambda: drawn(by_main_points, 1.0, -points.mass),
+        LINKS: lambda: drawn(by_links, 1 / points.mass, 1.0),
+        SUMS: summed,
+    }
+
+
+def _row(mark: Mark, count: int) -> Complexes:
+    return np.broadcast_to(np.asarray(mark.point, dtype=complex), count)
+
+
+def rows(
+    balance: BalanceStudy, studies: Sequence[LinkageStudy], rounds: int, budget: float
+) -> tuple[list[Row], list[str]]:
+    """Time and judge the mass centre at several numbers of positions, and the best share where one is sought."""
+    made = [row for study in studies for row in _at(ground(study, balance.points()), rounds, budget)]
+    words = [DEFINED, TRUE]
+    if balance.best is not None:
+        made.append(_share(balance, balance.best, rounds, budget))
+        words.append(SHARE_DEFINED)
+    return made, words
+
+
+def _at(on: Ground, rounds: int, budget: float) -> list[Row]:
+    runs, count = ways(on), len(on.study.turn)
+    errors = [on.judge(run()) for run in runs.values()]
+    taken = interleaved(list(runs.values()), rounds, budget)
+    each = zip(runs, errors, taken, strict=True)
+    return [Row(name, count, count, found, times=times) for name, found, times in each]
+
+
+def _share(balance: BalanceStudy, best: Choice, rounds: int, budget: float) -> Row:
+    """Judge the forces at the best share by the machine balanced with it and drawn anew."""
+    found = Superposition(balance.statics, balance.tree, balance.at_share).drawn(best.share)
+    error = max(abs(one / other - 1) for one, other in zip(best[1:], found[1:], strict=True))
+    (times,) = interleaved([lambda: _searched(balance)], rounds, budget)
+    return Row(SUPERPOSED, None, 0, Errors({LEAST: error}, LEAST), times=times)
+
+
+def _searched(balance: BalanceStudy) -> Any:
+    fresh = BalanceStudy(balance.linkage, balance.statics, balance.task)
+    return fresh.shares

@@ -1,0 +1,119 @@
+"""The numbers of a balanced mechanism as plain data, for `solve`: SI units, radians, null at gaps."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from plans.analytic.balance.balance import balance
+from plans.analytic.balance.main_points import vectors
+from plans.analytic.balance.mass_centre import bodies
+from plans.balance.study import CENTRE, COSTS, COUNTERWEIGHTS, BalanceStudy
+from plans.checks.balance.comparison import course_of
+from plans.checks.balance.stretch import scene_stretch, turn_stretch
+from plans.checks.plain_numbers import gap_numbers, pairs, plain
+from plans.model.balance.linkage import ANALYSIS, Balance, Choice, Counterweight, MassCentre, Shares, State
+
+if TYPE_CHECKING:
+    from plans.study import Study
+
+
+@dataclass(frozen=True)
+class BalanceNumbers:
+    """What balances a mechanism, by one road; `vectors` are those of main points before and after, m by link."""
+
+    title: str
+    balance: Balance
+    vectors: tuple[Mapping[int, complex], Mapping[int, complex] | None]
+    plans: frozenset[str]
+
+    @property
+    def flawed(self) -> bool:
+        """Whether some positions have no numbers."""
+        return bool(self.balance.gaps)
+
+    def plain(self) -> dict[str, Any]:
+        """Give the numbers as plain data."""
+        found, (before, after) = self.balance, self.vectors
+        data: dict[str, Any] = {"aim": found.task.aim}
+        if CENTRE in self.plans:
+            data["mass_centre"] = _centre(found.before.centre, before)
+        if COUNTERWEIGHTS in self.plans and found.after is not None:
+            data["counterweights"] = [_weight(one) for one in found.counterweights]
+            data["left"] = {point: _vector(mass) for point, mass in found.left.items()}
+            data["balanced_centre"] = _centre(found.after.centre, after or {})
+        if COSTS in self.plans:
+            data["before"] = _state(found.before)
+            data |= {} if found.after is None else {"after": _state(found.after)}
+            data |= {} if found.shares is None else {"shares": _shares(found.shares)}
+        gaps = [gap_numbers(gap) for gap in found.gaps]
+        return {"scene": self.title, "by": found.by, "balance": data | ({"gaps": gaps} if gaps else {})}
+
+
+def numbers(study: Study, by: str) -> BalanceNumbers:
+    """Balance the mechanism of a scene by a road."""
+    its: BalanceStudy = study["balance"]
+    title = study.scene.heading()
+    if by != ANALYSIS:
+        after = its.points(after=True).vectors if its.balance.after is not None else None
+        return BalanceNumbers(title, its.balance, (its.points().vectors, after), study.plans)
+    motion = study.comparison("linkage")
+    course = course_of(its, scene_stretch(its.linkage, motion), turn_stretch(its.linkage, motion))
+    found = balance(course, its.task, its.linkage.groups)
+    return BalanceNumbers(title, found, _vectors(its, found), study.plans)
+
+
+def _vectors(study: BalanceStudy, found: Balance) -> tuple[Mapping[int, complex], Mapping[int, complex] | None]:
+    """Give the vectors of main points before and after by analysis, the counterweights as bodies of their own."""
+    stems, machine = study.tree.stems, study.machine
+    before = vectors(bodies(machine), stems)
+    return before, None if found.after is None else vectors(bodies(machine, found.counterweights), stems)
+
+
+def _centre(one: MassCentre, told: Mapping[int, complex]) -> dict[str, Any]:
+    """Give the mass centre over the positions; the vectors h of the links are in their own frames."""
+    return {
+        "mass": one.mass,
+        "r": pairs(one.r),
+        "a": pairs(one.a),
+        "force": pairs(one.force),
+        "moment": plain(one.moment),
+        "vectors": {str(link): _vector(h) for link, h in sorted(told.items())},
+    }
+
+
+def _weight(one: Counterweight) -> dict[str, Any]:
+    """Give a counterweight; one that is not needed has a mass of 0 and no place."""
+    data: dict[str, Any] = {"on": one.link, "mass": one.mass, "moment": _vector(one.moment), "begin": one.begin}
+    if not one.needed:
+        return data
+    sizes = {"shape": one.place.shape, "outer": one.outer, "inertia": one.inertia}
+    return data | {"centre": _vector(one.centre), "distance": one.distance} | sizes
+
+
+def _state(one: State) -> dict[str, Any]:
+    """Give what is largest over a turn."""
+    return {
+        "path": one.around.path,
+        "force": one.shaking,
+        "moment": one.rocking,
+        "reactions": dict(one.reactions),
+        "balancing": one.balancing,
+    }
+
+
+def _shares(found: Shares) -> dict[str, Any]:
+    return {
+        "curve": [_choice(one) for one in found.curve],
+        "least_force": _choice(found.least_force),
+        "least_reaction": _choice(found.least_reaction),
+    }
+
+
+def _choice(one: Choice) -> dict[str, float]:
+    return {"share": one.share, "force": one.force, "reaction": one.reaction}
+
+
+def _vector(value: complex) -> list[float]:
+    return [value.real + 0.0, value.imag + 0.0]

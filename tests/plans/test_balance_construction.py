@@ -1,0 +1,162 @@
+"""A mechanism balanced by construction: three ways to the shaking force, kinds of groups, what needs nothing (8.2)."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from plans.balance.study import BalanceStudy
+from plans.model.balance.linkage import EPS, FORCE, FULL, PARTIAL, REACTION, ROUNDING, SHARE, SHARES, Place, Task
+from plans.model.kinetostatics import Kinetostatics
+from plans.model.machine import Transmission
+from plans.scene.faults import SceneError
+from tests.plans.balanced import ENGINE, FOUR_BAR, SHAPER, SIX_LINK, YOKE, asked, study
+
+FAST = "[drive]\nacceleration = 37\n"
+GRAVITY = "[loads]\ngravity = 9.81\n"
+
+
+def inertia_alone(its: BalanceStudy) -> Kinetostatics:
+    """Give the forces of a machine on which nothing acts but its inertia."""
+    bare = replace(its.machine, gravity=0j, forces=(), moments=(), springs=(), transmission=Transmission())
+    return its.statics.bearing(bare).forces
+
+
+@pytest.mark.parametrize("text", [FOUR_BAR.replace("[drive]\n", FAST), SIX_LINK, ENGINE, SHAPER, YOKE])
+def test_shaking_force_by_three_roads(text: str) -> None:
+    its = study(text, positions=90)
+    forces, drawing = inertia_alone(its), its.drawing()
+    frame = [one for key, one in forces.reactions.items() if key.startswith("0-")]
+    by_main_points = its.before.centre.force
+    by_reactions = -np.sum([one.force for one in frame], axis=0)
+    by_links = np.asarray(drawing.shaking.end.point)
+    slack = ROUNDING * EPS * np.abs([side.vector.point for side in drawing.shaking.sides]).max()
+    assert np.abs(by_main_points - by_reactions).max() <= slack
+    assert np.abs(by_main_points - by_links).max() <= slack
+    assert drawing.place.point == pytest.approx(np.asarray(drawing.centre.point), rel=1e-14, abs=1e-16)
+
+
+@pytest.mark.parametrize("text", [FOUR_BAR.replace("[drive]\n", FAST), ENGINE, YOKE])
+def test_main_moment_holds_against_frame_and_drive(text: str) -> None:
+    its = study(text, positions=24)
+    forces = inertia_alone(its)
+    held = forces.balancing.moment.copy()
+    for key, one in forces.reactions.items():
+        if key.startswith("0-"):
+            held += (one.r.conj() * one.force).imag + (0 if one.moment is None else one.moment)
+    most = np.abs(held).max()
+    assert its.before.centre.moment == pytest.approx(-held, rel=1e-12, abs=1e-13 * most)
+
+
+def test_yoke_has_a_variable_vector_of_its_own() -> None:
+    its = study(YOKE)
+    (one,) = its.points().variables
+    assert (one.stem.link, one.share) == (3, 4 / 7)
+    side = its.drawing().main.sides[-1]
+    d = its.linkage.motion(0).points["D"].r
+    assert side.vector.point == pytest.approx(4 / 7 * d)
+
+
+def test_yoke_balanced_in_part_leaves_what_slides() -> None:
+    its = study(YOKE, asked(PARTIAL, Place(1, mass=3)))
+    assert its.left == {"D": 4}
+    assert its.after is not None
+    # what is left moves along the guide alone
+    assert np.ptp(its.after.centre.r.real) <= 1e-15
+    assert np.ptp(its.after.centre.r.imag) == pytest.approx(4 / 10 * np.ptp(its.linkage.motion(0).points["D"].r.imag))
+
+
+def test_slider_of_a_moving_link_goes_with_its_host() -> None:
+    """Rod AB drives a slider on the rocker of the six-link: balanced in full by three counterweights all the same."""
+    text = SIX_LINK.replace("along = {{ through = [0, 0.10], angle = 0 }}", 'along = "AB"').replace(
+        "E = [0.71, 0.10]", "E = [0.30, 0.25]"
+    )
+    task = asked(FULL, Place(1, mass=9), Place(3, mass=20), Place(4, mass=20))
+    its = study(text.replace("DE = 0.35", "DE = 0.20"), task)
+    assert its.after is not None
+    r = its.after.centre.r
+    known = ~np.isnan(r)
+    assert known.sum() > 2
+    assert np.abs(r[known] - r[known][0]).max() <= 1e-15
+
+
+def test_mechanism_that_is_balanced_already_needs_nothing() -> None:
+    first = study(FOUR_BAR, asked(FULL, Place(1, mass=9), Place(2, mass=6)))
+    again = BalanceStudy(first.linkage, first.loaded_statics, first.task)
+    assert [(one.mass, one.moment, one.needed) for one in again.counterweights] == [(0, 0, False)] * 2
+    assert again.balance.still
+    assert again.loaded == first.loaded
+
+
+def test_second_place_of_a_group_is_not_needed() -> None:
+    its = study(FOUR_BAR, asked(FULL, Place(1, mass=5), Place(2, mass=6), Place(3, mass=8)))
+    assert [one.needed for one in its.counterweights] == [True, False, True]
+
+
+@pytest.mark.parametrize(
+    ("place", "distance", "mass"),
+    [
+        (Place(1, radius=0.05), 0.05, 7.4),
+        (Place(1, at=-0.1), 0.1, 3.7),
+        (Place(1, shape="sector"), None, None),
+    ],
+)
+def test_mass_from_place(place: Place, distance: float | None, mass: float | None) -> None:
+    (one,) = study(ENGINE, asked(PARTIAL, place)).counterweights
+    assert one.moment == pytest.approx(-0.37)
+    if mass is not None:
+        assert (one.distance, one.mass) == pytest.approx((distance, mass))
+    else:  # the centre of a sector lies at 2/3 R sin(a)/a from its apex
+        assert one.distance == pytest.approx(2 / 3 * one.outer * np.sin(np.pi / 3) / (np.pi / 3))
+    assert one.mass * one.centre == pytest.approx(-0.37)
+
+
+@pytest.mark.parametrize(
+    ("text", "task", "where", "said"),
+    [
+        (FOUR_BAR, asked(FULL, Place(1, mass=9)), "", "link 2 or 3"),
+        (ENGINE, asked(FULL, Place(1, mass=9)), "", "on link 2"),
+        (ENGINE, asked(PARTIAL, Place(1, at=0.1)), "counterweights[0].at", "3.7 kg"),
+        (ENGINE, asked(PARTIAL, Place(1, mass=2), Place(3, mass=1)), "counterweights[1].on", "1 or 2"),
+        (FOUR_BAR, asked(SHARE, Place(1, mass=9), Place(2, mass=6), share=0.5), "balance", "reciprocating"),
+        (YOKE, asked(FULL, Place(1, mass=2)), "balance", "link 3 slides on the frame"),
+        (YOKE, asked(PARTIAL, Place(1, at=-0.05)), "counterweights[0].at", "degrees"),
+    ],
+)
+def test_balance_that_cannot_be_is_refused(text: str, task: Task, where: str, said: str) -> None:
+    with pytest.raises(SceneError) as refused:
+        _ = study(text, task).counterweights
+    (fault,) = refused.value.faults
+    assert where in str(refused.value)
+    assert said in str(refused.value)
+    assert fault.worded("ru") != fault.worded("en")
+
+
+@pytest.mark.parametrize("least", [FORCE, REACTION])
+@pytest.mark.parametrize("place", [Place(1, mass=5), Place(1, radius=0.1)])
+def test_share_of_the_reciprocating_mass(least: str, place: Place) -> None:
+    """The best share is better than shares beside it, and the machine balanced with it is as the curve says."""
+    its = study(ENGINE + GRAVITY, asked(SHARE, place, least=least))
+    shares, after = its.shares, its.after
+    assert shares is not None
+    assert after is not None
+    best = shares.least_force if least == FORCE else shares.least_reaction
+    assert its.share == best.share
+    assert (after.shaking, after.reactions["0-1"]) == pytest.approx((best.force, best.reaction), rel=1e-12)
+    row = "force" if least == FORCE else "reaction"
+    for share in (best.share - 1e-6, best.share + 1e-6):
+        other = study(ENGINE + GRAVITY, asked(SHARE, place, share=share)).after
+        assert other is not None
+        assert (other.shaking if least == FORCE else other.reactions["0-1"]) > getattr(best, row)
+    assert len(shares.curve) == SHARES
+    assert min(getattr(one, row) for one in shares.curve) >= getattr(best, row)
+
+
+def test_share_given_shifts_the_crank_counterweight_alone() -> None:
+    none, half = (study(ENGINE, asked(SHARE, Place(1, mass=5), share=share)) for share in (0.0, 0.5))
+    moments = [its.counterweights[0].moment for its in (none, half)]
+    assert moments[0] == pytest.approx(-0.37)
+    assert moments[1] == pytest.approx(-0.37 - 0.5 * 9.5 * 0.1)
+    assert none.left == half.left

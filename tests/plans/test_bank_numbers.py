@@ -1,0 +1,93 @@
+"""What `solve` and `explain` tell of a bank."""
+
+from __future__ import annotations
+
+import pytest
+
+from plans.bank.marks import marks
+from plans.checks.balance.bank_numbers import numbers
+from plans.explanation import Explanation, NoMark, UnknownMark
+from plans.scene.scene import parse_scene
+from plans.study import Study
+
+SCENE = """
+[bank]
+speed = "3000 rpm"
+orders = [1, 2]
+[bank.unit]
+crank = "40 mm"
+rod = "140 mm"
+reciprocating = "0.5 kg"
+[[bank.members]]
+crank = 0
+place = "-50 mm"
+[[bank.members]]
+crank = 180
+place = "50 mm"
+[[bank.compensators]]
+order = 2
+mass = "2 kg"
+offset = "60 mm"
+shafts = "300 mm"
+"""
+
+
+@pytest.fixture(scope="module")
+def study() -> Study:
+    return Study.of_all(parse_scene(SCENE))
+
+
+def test_numbers_of_both_roads(study: Study) -> None:
+    ours, theirs = (numbers(study, by).plain()["bank"] for by in ("construction", "analysis"))
+    for found in (ours, theirs):
+        first, second = (found["harmonics"][order] for order in ("1", "2"))
+        assert first["force"] == {"with_crank": [0, 0], "against": [0, 0], "size": 0}
+        assert first["moment"]["size"] == pytest.approx(0.1 * first["mechanism"]["size"], rel=1e-14)
+        assert second["force"]["size"] == pytest.approx(2 * second["mechanism"]["size"], rel=1e-14)
+        assert second["moment"]["size"] == 0
+        (one,) = found["compensators"]
+        assert one["with_crank"]["radius"] == pytest.approx(one["with_crank"]["moment"] / 2, rel=1e-14)
+        assert one["couple"]["moment"] == pytest.approx(0.4 * one["with_crank"]["moment"], rel=1e-14)
+        assert 0 < found["left"]["force"] < found["largest"]["force"]
+    assert ours["largest"] == pytest.approx(theirs["largest"], rel=1e-13)
+
+
+def test_what_is_not_asked_for_is_not_told(study: Study) -> None:
+    alone = Study(study.scene, ["harmonics"])
+    assert numbers(alone, "construction").plain()["bank"].keys() == {"harmonics", "largest"}
+    assert not numbers(alone, "construction").flawed
+
+
+def test_a_vector_of_the_bank_is_explained_without_the_ordinates(study: Study) -> None:
+    told = marks(study, 0, "F_II")
+    assert isinstance(told, Explanation)
+    assert [mark.name for mark in told.steps[:3]] == ["0", "f_II", "F_II,1"] and told.steps[-1].name == "F_II"
+    (note,) = told.notes
+    assert str(note).endswith("steps of the polygons of ordinates are left out: --all tells them")
+    whole = Study.of_all(study.scene, whole=True)
+    assert len(marks(whole, 0, "F_II").steps) == len(told.steps) + dict(note.parts)["count"]
+
+
+def test_a_harmonic_is_explained_by_its_ordinates(study: Study) -> None:
+    told = marks(study, 0, "f_-II")
+    assert told.notes == () and told.steps[-1].name == "f_-II"
+    assert str(told.steps[1].step.why) == "ordinate: the shaking force at 0 degrees of the crank"
+
+
+def test_what_vanishes_is_told_as_nothing(study: Study) -> None:
+    told = marks(study, 0, "F_-I")
+    assert {"F_-I", "-F_-I"} <= {mark.name for mark in told.zeros}
+
+
+def test_a_couple_is_explained_by_its_compensator(study: Study) -> None:
+    told = marks(study, 0, "mr_M,II")
+    assert [mark.name for mark in told.steps[-2:]] == ["mr_II", "mr_M,II"]
+    assert told.units[told.steps[-1].subject] == "kg*m"
+
+
+def test_a_mark_that_is_not_there(study: Study) -> None:
+    answer = marks(study, 0, "F_IX")
+    assert isinstance(answer, NoMark)
+    assert str(answer.listed) == "marks are f_I, F_I, M_I, F_I,1, mr_II" and "M_-II" in answer.names
+    with pytest.raises(UnknownMark, match="same in every position"):
+        marks(study, 3, "F_I")
