@@ -34,7 +34,7 @@ def task_of(form: BalanceTable) -> Task:
     return Task(
         form.aim,
         tuple(map(_place, form.counterweights)),
-        None if form.aim != SHARE or sought else float(form.share),
+        None if sought else float(form.share),
         str(form.share) if sought else FORCE,
     )
 

@@ -15,6 +15,7 @@ from geometry.board import Board
 from geometry.calculus import integral
 from geometry.strips import departure, middles, strips
 from plans.bench.clock import interleaved
+from plans.bench.convergence import order
 from plans.bench.error import Errors
 from plans.bench.result import Row
 from plans.model.motion import Floats
@@ -78,15 +79,6 @@ DIAGRAMS: Sequence[Diagram] = (
     Diagram(CONSTANT, _load, lambda x: LOAD * (np.clip(x, *JUMPS) - JUMPS[0]), TURN, JUMPS, "exact"),
     Diagram(INSIDE, lambda x: np.where(x > GOLDEN, 1.0, 0.0), lambda x: np.maximum(x - GOLDEN, 0.0), 1.0, note=NOT_SO),
 )
-
-
-def order(errors: Sequence[float], counts: Sequence[int] = COUNTS) -> float:
-    """Give the order of a method: by which power of the number of strips its error falls from the first to the last.
-
-    >>> order([0.25, 0.0625], [2, 4])
-    2.0
-    """
-    return math.log(errors[0] / errors[-1]) / math.log(counts[-1] / counts[0])
 
 
 def rows(rounds: int, budget: float, counts: Sequence[int] = COUNTS) -> tuple[list[Row], list[str]]:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
 from plans.bench.clock import interleaved
+from plans.bench.convergence import order
 from plans.bench.error import Errors
 from plans.bench.result import Row
 from plans.cam.diagrams import MIDDLE, THREE, TRUE, LawDiagrams, law_diagrams
@@ -44,15 +44,6 @@ def judged(cam: Cam, count: int, means: str = MIDDLE) -> Judged:
     """Judge the diagrams of a law by the exact one."""
     found = diagrams_of(cam, count, means)
     return Judged(found.slope_departure.share, found.travel_departure.share)
-
-
-def order(errors: Sequence[float], counts: Sequence[int]) -> float:
-    """Give the order of a method: by which power of the strips its error falls from the first to the last.
-
-    >>> order([0.25, 0.0625], [2, 4])
-    2.0
-    """
-    return math.log(errors[0] / errors[-1]) / math.log(counts[-1] / counts[0])
 
 
 def rows(cam: Cam, rounds: int, budget: float, counts: Sequence[int] = COUNTS) -> tuple[list[Row], list[str]]:

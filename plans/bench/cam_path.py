@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from typing import Final
 
 from plans.bench.clock import interleaved
+from plans.bench.convergence import order
 from plans.bench.error import Errors
 from plans.bench.result import Row
 from plans.cam.path import ProfilePath, path
@@ -35,8 +35,7 @@ def rows(
     ]
     if min(off) <= 0:
         return made, [DEFINED]
-    order = math.log(off[0] / off[-1]) / math.log(counts[-1] / counts[0])
-    return made, [DEFINED, f"  {PIECES}: order {order:.2f} from {counts[0]} to {counts[-1]} pieces"]
+    return made, [DEFINED, f"  {PIECES}: order {order(off, counts):.2f} from {counts[0]} to {counts[-1]} pieces"]
 
 
 def _path(cam: Cam, sizes: Sizes, away: float, count: int) -> Callable[[], ProfilePath]:

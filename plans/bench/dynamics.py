@@ -6,13 +6,13 @@ ordinates alone shows what a smooth load allows.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 from plans.analytic.dynamics.cycle import sampled_cycle
 from plans.analytic.dynamics.exact import Exact
 from plans.analytic.dynamics.flywheel import flywheel, flywheel_of_points
+from plans.bench import convergence
 from plans.bench.clock import Times, interleaved
 from plans.bench.error import Errors
 from plans.bench.result import Row
@@ -55,7 +55,7 @@ def order(found: Sequence[Judged]) -> float:
     2.0
     """
     first, last = found[0], found[-1]
-    return math.log(first.error / last.error) / math.log(last.strips / first.strips)
+    return convergence.order([first.error, last.error], [first.strips, last.strips])
 
 
 def rows(

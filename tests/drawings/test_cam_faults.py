@@ -25,6 +25,35 @@ from tests.parts import some
 GALLERY = ROOT / "drawings" / "gallery"
 CAMS = ("feed-cam", "rocker-cam", "valve-cam", "tappet-cam", "copying-cam", "table-cam", "flat-rocker-cam", "automaton")
 FAULTS = drawing_faults(ROOT / "tests" / "cases" / "cam_drawing_faults.toml")
+# A diagram so small that the arcs of both limits of the rise would lie on one place.
+CROWDED = """
+title = "Crowded"
+sheets = ["cam"]
+[sheet]
+format = "A3"
+[[cam]]
+speed = "-262 rpm"
+[cam.follower]
+motion = "rocking"
+end = "roller"
+swing = 4
+turns = "with"
+length = "253 mm"
+[cam.limits]
+rise = 17
+return = 22
+[[cam.phases]]
+kind = "rise"
+angle = 87
+law = "constant velocity"
+[[cam.phases]]
+kind = "return"
+angle = 117
+law = "3-4-5"
+[[cam.phases]]
+kind = "dwell"
+angle = "rest"
+"""
 SHEETS = {"cam": (cam.leaves, verify_cam.faults), "profile": (cam_profile.leaves, verify_profile.faults)}
 
 
@@ -95,6 +124,13 @@ def test_a_cam_that_is_at_fault_or_has_no_speed_is_drawn_as_well(
     for leaf in leaves:
         checked(leaf, "cam", study, tmp_path)
     assert told in leaves[0].description or any(told in str(leaf.groups) for leaf in leaves)
+
+
+def test_limits_whose_angles_crowd_have_each_its_own_letter(tmp_path: Path) -> None:
+    study = Study(parse_scene(CROWDED))
+    leaf = cam.leaves(study)[0]
+    assert "−α_{rise} = −17°" in str(leaf.groups) and "α_{rise} = 17°" in str(leaf.groups)
+    checked(leaf, "cam", study, tmp_path)
 
 
 @pytest.mark.parametrize("fault", some(FAULTS, 24), ids=lambda fault: fault.name)

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import math
 import re
-from dataclasses import replace
 
 import pytest
 
-from plans.balance.carriers import carriers, reciprocating
 from plans.balance.notes import notes_of
 from plans.linkage.reading.linkage import mechanism_of
 from plans.model.balance.linkage import FORCE, FULL, NONE, PARTIAL, REACTION, SECTOR, SHARE, Place, Task
@@ -183,13 +181,6 @@ def test_a_share_is_balanced_by_the_crank_of_a_slider_on_the_frame() -> None:
     assert said(f'[balance]\naim = "share"\n{other}', ENGINE) == [("balance.counterweights", "crank_carries")]
     assert said(f'[balance]\naim = "share"\n{ONE}') == [("balance.aim", "no_reciprocating")]
     assert said('[balance]\naim = "share"') == [("balance.aim", "no_reciprocating")]
-
-
-def test_links_that_form_no_groups_are_told_by_what_studies_them_alone() -> None:
-    mechanism = mechanism_of(parse_scene(ENGINE))
-    loose = replace(mechanism, slides=())
-    assert loose.mobility == 3
-    assert (reciprocating(loose), carriers(loose, FULL)) == (True, [1])
 
 
 def test_something_must_have_a_mass_and_turn() -> None:

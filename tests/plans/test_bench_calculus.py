@@ -8,7 +8,8 @@ import pytest
 from geometry.meet import EPS
 from geometry.strips import middles
 from plans.bench import calculus
-from plans.bench.calculus import CONSTANT, COUNTS, DIAGRAMS, INSIDE, NOT_SO, ON_EDGES, SMOOTH, order, rows
+from plans.bench.calculus import CONSTANT, COUNTS, DIAGRAMS, INSIDE, NOT_SO, ON_EDGES, SMOOTH, rows
+from plans.bench.convergence import order
 
 BY_NAME = {one.name: one for one in DIAGRAMS}
 
@@ -16,7 +17,7 @@ BY_NAME = {one.name: one for one in DIAGRAMS}
 @pytest.mark.parametrize(("name", "known"), [(SMOOTH, 2.0), (ON_EDGES, 2.0), (INSIDE, 1.0)])
 def test_chords_are_of_the_order_that_is_known_of_them(name: str, known: float) -> None:
     errors = [BY_NAME[name].error(count) for count in COUNTS]
-    assert order(errors) == pytest.approx(known, abs=0.1)
+    assert order(errors, COUNTS) == pytest.approx(known, abs=0.1)
 
 
 def test_a_constant_load_with_its_jumps_on_edges_is_exact() -> None:

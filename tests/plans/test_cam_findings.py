@@ -10,10 +10,11 @@ import numpy as np
 import pytest
 
 from plans.analytic.cam.findings import cam_found as analysed
+from plans.analytic.cam.sizes import sizes
 from plans.cam.course import Course, positions
 from plans.cam.profile.findings import cam_found
 from plans.cam.profile.profile import profile
-from plans.model.cam import FORCE, RETURN, RISE, Limits, Load
+from plans.model.cam import FORCE, RETURN, RISE, ROCKING, ROLLER, Follower, Limits, Load
 from plans.model.cam_motion import CamFound, Extreme, Sizes
 from tests.parts import some
 from tests.plans.textbook_cams import CENTRE, FLAT_BASE, LIFT, START, cam, offset_sizes, phases, pivot, rocker
@@ -21,6 +22,14 @@ from tests.plans.textbook_cams import CENTRE, FLAT_BASE, LIFT, START, cam, offse
 FACE = complex(0.1, -0.2)  # far enough aside for the pivot to stand clear of the cam
 STEADY = (RISE, 120, LIFT, "constant velocity"), ("dwell", 30, 0.0, ""), (RETURN, 90, -LIFT, "cosine")
 LOAD = Load(2.0, 100.0, 50.0, 2000.0)
+SWINGING = cam(
+    phases((RISE, 130, 0.777, "constant velocity"), (RETURN, 33, -0.777, "3-4-5")),
+    follower=Follower(ROCKING, ROLLER, 0.2325, -1),
+    sense=-1,
+    closure=FORCE,
+    limits=Limits(math.radians(32.2)),
+    roller=0.02331,
+)
 ALL = {
     "groove": (cam(end="roller"), offset_sizes()),
     "clockwise": (cam(end="roller", sense=-1), offset_sizes(-0.012, START)),
@@ -90,6 +99,14 @@ def test_both_roads_find_the_same(name):
     if one.pressing and other.pressing:
         assert all(near(a, b, 1e-9) for a, b in zip(one.pressing[:3], other.pressing[:3], strict=True))
         assert one.pressing.preload == pytest.approx(other.pressing.preload, rel=1e-13)
+
+
+def test_of_crossings_close_together_both_roads_find_each():
+    """Three of them start within 0.12 degrees, before the corner at the top."""
+    roads = draw(SWINGING, sizes(SWINGING)), analyse(SWINGING, sizes(SWINGING))
+    one, other = ([flaw[1:3] for flaw in road.flaws if flaw.kind == "crossing"] for road in roads)
+    assert len(one) == 4
+    assert np.allclose(one, other, rtol=0, atol=1e-10)
 
 
 @BOTH

@@ -17,13 +17,11 @@ from drawings.checks.cam.cam_told import numbers
 from drawings.checks.cam.known_diagram import KnownDiagram
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.cam.size_diagram import APART, LEAST
-from drawings.figures.cam.size_rulers import ARM
 from drawings.figures.cam.size_view import NAME
 from drawings.measure.measure import Measured
 from drawings.measure.measured import MeasuredMark
 from drawings.page.drafting import Drafting
-from drawings.paper.hand import Hand
-from drawings.paper.strokes import Line
+from drawings.paper.strokes import Arc, Line
 from plans.analytic.cam.stretches import Peak, peak, stretches
 from plans.model.cam import FORCE, RETURN, RISE, limits_of
 from plans.words.words import message
@@ -160,8 +158,9 @@ class SizeDiagram:
         return self.strokes.far(text, own) < self.strokes.far(text, others)
 
     def _arcs(self, one: Limit, lines: list[Line]) -> list[complex]:
-        """Give the middles of the arcs of an angle: between a ruler and the follower's way, from its upper end."""
-        return [_between(line, self.expected.cam.sense * one.side * one.angle, self.drafting.hand) for line in lines]
+        """Give the middles of the arcs of an angle: between a ruler and the follower's way, about its upper end."""
+        angle = self.expected.cam.sense * one.side * one.angle
+        return [_middle(arc) for arc in self.strokes.arcs for line in lines if _between(arc, line, angle)]
 
     def _ruled(self, one: Limit, spot: complex) -> Iterator[Line]:
         """Give the rulers through a point of the diagram at a limit: against the follower's way there by its angle."""
@@ -224,11 +223,18 @@ class SizeDiagram:
         return found
 
 
-def _between(line: Line, angle: float, hand: Hand) -> complex:
-    """Give the middle of the arc between a ruler and a way that it leans from by an angle, both produced upward."""
+def _between(arc: Arc, line: Line, angle: float) -> bool:
+    """Tell whether an arc goes from a ruler to a way that it leans from by an angle, both produced upward."""
     up = _upward(line.end - line.start)
-    middle = up + _upward(up * cmath.rect(1.0, -angle))
-    return max(line.start, line.end, key=lambda end: end.imag) - ARM * hand.letter * middle / abs(middle)
+    due = [-up, -_upward(up * cmath.rect(1.0, -angle))]
+    ends = [cmath.rect(1.0, turn) for turn in (arc.start_angle, arc.end_angle)]
+    off = min(max(map(abs, np.subtract(ends, ways))) for ways in (due, due[::-1]))
+    corner = max(line.start, line.end, key=lambda end: end.imag)
+    return abs(arc.centre - corner) <= RULED and arc.radius * off <= RULED
+
+
+def _middle(arc: Arc) -> complex:
+    return arc.centre + cmath.rect(arc.radius, arc.start_angle + arc.sweep / 2)
 
 
 def _upward(way: complex) -> complex:

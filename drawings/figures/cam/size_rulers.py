@@ -4,65 +4,88 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
 from drawings.figures.cam.size_view import SizeView, leaning, lower
 from drawings.figures.graphs.part import Letter
+from drawings.layout.labels import NEAR
 from drawings.layout.place import Place
 from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Arc, Line, Polyline, Stroke
 from drawings.symbols.dashes import fit
 from drawings.symbols.hatching import hatching
+from plans.cam.centre.bounds import PressureBound
 from plans.cam.sizing import Tangent
 
+GAP = 1.2  # mm from an arc to its letter
 ARM = 3.6  # letters: radius of the arc of an angle
-OVER = 1.2  # of that: how far the line goes from which the angle is counted
+NEARER = 0.5  # of that: where two angles would have their arcs on one place, and their letters
+CROWD = 2 * (GAP + NEAR[-1])  # mm between the middles of two arcs: no letter beside one is as near to the other
+OVER = 1.2  # of the radius: how far the line goes from which the angle is counted
+
+
+class LimitAngle(NamedTuple):
+    """The angle at which a tangent leans from the way of K, both produced to its upper end (угол давления)."""
+
+    corner: complex  # the upper end of the tangent, mm
+    line: complex  # upward along the tangent, and along the way of K; of length 1
+    way: complex
+    arm: float  # radius of its arc, mm
+
+    @property
+    def middle(self) -> complex:
+        """The middle of its arc."""
+        return self.corner + cmath.rect(self.arm, self.side)
+
+    @property
+    def side(self) -> float:
+        """The direction of the middle from the corner, rad."""
+        return cmath.phase(-(self.line + self.way))
+
+    def draw(self, hand: Hand) -> Iterator[Stroke]:
+        """Draw the way of K beyond the tangent's upper end, and the arc."""
+        yield Line(self.corner, self.corner - OVER * self.arm * self.way, hand.drafted)
+        turns = sorted(cmath.phase(-one) % (2 * math.pi) for one in (self.line, self.way))
+        yield Arc(self.corner, self.arm, turns[0], turns[1], hand.other)
 
 
 def rulers(view: SizeView, place: Place, drafting: Drafting) -> tuple[tuple[Stroke, ...], tuple[Letter, ...]]:
     """Draw the tangents, each with its angle at its upper end, and the chord's thin beside them."""
     lines: list[Stroke] = []
     letters: list[Letter] = []
+    taken: list[complex] = []
     for one in view.sizing.tangents:
         past, foot = (place.on(end) for end in view.ruler(one))
         style = drafting.hand.relative if one.binding else drafting.hand.other
         lines.append(Line(past, foot, style))
-        lines += _angle(view, one, past, drafting.hand)
-        letters += _lettered(view, one, past, drafting)
+        angle = _angle(view, one, past, drafting.hand, taken)
+        if angle is not None:
+            taken.append(angle.middle)
+            lines += angle.draw(drafting.hand)
+            letters.append(Letter(angle.middle, _told(one, drafting), drafting.hand.number, angle.side, GAP))
+        elif not view.cam.rocks:
+            letters.append(Letter(past, "45°", drafting.hand.number, 0.0))
     lines += _chord(view, place, drafting.hand)
     return tuple(lines), tuple(letters)
 
 
-def _angle(view: SizeView, one: Tangent, past: complex, hand: Hand) -> Iterator[Stroke]:
-    """Draw the angle between a tangent and the way of K, produced beyond the tangent's upper end."""
-    found = leaning(one, view)
-    if found is None:
-        return
-    (_, way), arm = found, ARM * hand.letter
-    line = complex(one.direction.point)
+def _angle(view: SizeView, one: Tangent, past: complex, hand: Hand, taken: Sequence[complex]) -> LimitAngle | None:
+    """Give the angle of a tangent, its arc where no other one is; none of a tangent at 45 degrees."""
+    way, line, arm = leaning(one, view), complex(one.direction.point), ARM * hand.letter
+    if way is None:
+        return None
     line *= math.copysign(1.0, line.imag) / abs(line)
-    yield Line(past, past - OVER * arm * way, hand.drafted)
-    turns = sorted((cmath.phase(-line) % (2 * math.pi), cmath.phase(-way) % (2 * math.pi)))
-    yield Arc(past, arm, turns[0], turns[1], hand.other)
+    ways = (LimitAngle(past, line, way, radius) for radius in (arm, NEARER * arm))
+    return max(ways, key=lambda own: min((CROWD, *(abs(own.middle - spot) for spot in taken))))
 
 
-def _lettered(view: SizeView, one: Tangent, past: complex, drafting: Drafting) -> Iterator[Letter]:
-    """Letter the angle beyond its arc."""
-    found = leaning(one, view)
-    size, arm = drafting.hand.number, ARM * drafting.hand.letter
-    if found is None:
-        if not view.cam.rocks:
-            yield Letter(past, "45°", size, 0.0)
-        return
-    angle, way = found
-    line = complex(one.direction.point)
-    line *= math.copysign(1.0, line.imag) / abs(line)
-    middle = -(line + way) / abs(line + way)
-    text = drafting.letter(f"α_{{{one.bound.kind}}}") if hasattr(one.bound, "kind") else "α"
-    sign = -1 if lower(one) else 1
-    told = f"{'−' if sign < 0 else ''}{text} = {drafting.number(sign * math.degrees(angle))}°"
-    yield Letter(past + arm * middle, told, size, cmath.phase(middle))
+def _told(one: Tangent, drafting: Drafting) -> str:
+    """Write a limit of the pressure angle."""
+    assert isinstance(one.bound, PressureBound)
+    sign, text = -1 if lower(one) else 1, drafting.letter(f"α_{{{one.bound.kind}}}")
+    return f"{'−' if sign < 0 else ''}{text} = {drafting.number(sign * math.degrees(one.bound.angle))}°"
 
 
 def _chord(view: SizeView, place: Place, hand: Hand) -> Iterator[Stroke]:

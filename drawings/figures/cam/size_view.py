@@ -172,12 +172,12 @@ def _corner(side: tuple[complex, complex], beyond: tuple[float, float]) -> Itera
         yield end
 
 
-def leaning(one: Tangent, view: SizeView) -> tuple[float, complex] | None:
-    """Give the angle of a tangent, rad, and the direction from which it is counted; None of one at 45 degrees."""
+def leaning(one: Tangent, view: SizeView) -> complex | None:
+    """Give the direction from which the angle of a tangent is counted; None of one at 45 degrees."""
     if not isinstance(one.bound, PressureBound):
         return None
     diagram = SlopeDiagram(view.cam)
-    return one.bound.angle, 1j * complex(diagram.leaning(one.touch.instant.s)[0])
+    return 1j * complex(diagram.leaning(one.touch.instant.s)[0])
 
 
 def lower(one: Tangent) -> bool:

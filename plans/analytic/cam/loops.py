@@ -17,7 +17,7 @@ from plans.analytic.cam.series import Turn
 from plans.model.cam_motion import Extreme, Flaw, Points
 from plans.model.motion import Floats
 
-CHORDS: Final = 24  # of a piece
+CHORDS: Final = 64  # of a piece: of crossings close together each is to be on chords of its own
 ABOUT: Final = 32  # chords about what is undercut: its loop is closed within its own width to both sides
 TRIES: Final = 30  # of Newton's method
 DIFFERENCE: Final = 1e-6  # rad or m: the root of a rounding, and more

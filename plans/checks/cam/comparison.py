@@ -16,6 +16,7 @@ from plans.cam.dimensions import dimensions
 from plans.cam.study import LAWS, PROFILE, SIZES, CamDrawing, CamStudy
 from plans.checks.cam.settled import settled
 from plans.checks.cam.slack import TERM, Slack
+from plans.checks.cam.verdicts import Pair, Verdicts
 from plans.checks.comparison import Comparison, Finding
 from plans.model.cam import SHAPE, TABLE, Cam
 from plans.model.cam_motion import ANALYSIS, CONSTRUCTION, CamFound, Extreme, Points
@@ -86,12 +87,27 @@ class Compared:
         """Compare what is asked for."""
         if LAWS in plans:
             yield from self.laws()
+            yield from map(self._pair, self.verdicts.shocks())
             yield from self.diagrams()
         if SIZES in plans:
             yield from self.sizes()
         if PROFILE in plans:
             yield from self.profile()
             yield from self.extremes()
+            yield from self.said()
+
+    @property
+    def verdicts(self) -> Verdicts:
+        """What both roads say of it beside its shape."""
+        return Verdicts(self.drawing, self.theirs, self.slack, self.near)
+
+    def said(self) -> Iterator[Finding]:
+        """Compare contact forces, flaws, and what would mend those."""
+        verdicts = self.verdicts
+        yield from map(self._pair, (*verdicts.forces(), *verdicts.flaws(), *verdicts.remedies()))
+
+    def _pair(self, one: Pair) -> Finding:
+        return self._row(*one)
 
     def laws(self) -> Iterator[Finding]:
         """Compare S, S', S'' at the numbered positions, and the largest S' and S'' of all."""
