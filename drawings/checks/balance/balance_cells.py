@@ -99,7 +99,7 @@ def _weight(one: Counterweight, expected: Expected) -> list[Cell]:
 def costs(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
     """Read the table of what is largest before and after back."""
     word, after = expected.drafting.word, expected.after
-    keys = ("largest value", "before column", *(("after column", "change") if after is not None else ()))
+    keys = ("largest value", "before column", *(("after column", "change column") if after is not None else ()))
     was = dict(_largest(expected, expected.balance.before))
     now = {} if after is None else dict(_largest(expected, after))
     rows = {name: _change(value, now.get(name)) for name, value in was.items()}

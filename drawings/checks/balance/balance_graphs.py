@@ -25,7 +25,7 @@ from plans.words.words import message
 
 TURN = 360.0  # degrees
 SHORT = 0.1  # mm: an ordinate that is shorter may be a point
-DIGITS, FEWER = 4, 3  # of a force, of a share
+DIGITS = 4  # of the least values
 
 
 def rocking(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
@@ -145,7 +145,7 @@ def _choice(
     letter = share_graph.curve_letters(_shaft(expected))[kind]
     if not _lettered(part, letter, row[-1]):
         yield on("letter", name, name=kind)
-    if not any(_tells(text, best, kind, expected) for text in marks.lettering(part)):
+    if not any(_tells(text, letter, best, kind, expected) for text in marks.lettering(part)):
         yield on("letter", name, name=kind)
 
 
@@ -166,14 +166,14 @@ def _divisions(part: Group, expected: Expected, zero: complex, across: float) ->
             yield on("letter", share_graph.NAME, name=expected.drafting.number(share))
 
 
-def _tells(text: str, best: Choice, kind: str, expected: Expected) -> bool:
-    """Tell whether a text gives the share and the value of a least place."""
-    share, _, value = text.removeprefix("k = ").partition(";  ")
-    size, _, unit = value.partition(" ")
-    if not text.startswith("k = ") or unit != Text(0j, expected.drafting.word("N")).plain:
+def _tells(text: str, letter: str, best: Choice, kind: str, expected: Expected) -> bool:
+    """Tell whether a text gives the least value and the share of it."""
+    told, _, share = text.removeprefix(f"{Text(0j, letter).plain} = ").partition(f";  {share_graph.SHARE} = ")
+    size, _, unit = told.partition(" ")
+    if told == text or unit != Text(0j, expected.drafting.word("N")).plain:
         return False
     largest = _value(best, kind)
-    return reads(share, best.share, KNOWN, FEWER) and reads(size, largest, KNOWN * largest, DIGITS)
+    return reads(share, best.share, KNOWN, DIGITS) and reads(size, largest, KNOWN * largest, DIGITS)
 
 
 def _taken(leaf: Leaf, expected: Expected, zero: complex, across: float) -> Iterator[Wrong]:

@@ -31,13 +31,14 @@ from drawings.lettering.lettering import text_width
 from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.limits import SEEN
-from drawings.paper.strokes import INK, LEAN, Arc, Circle, Group, Line, Polyline, Stroke, Text
+from drawings.paper.strokes import INK, LEAN, Arc, Circle, Group, Line, LineStyle, Polyline, Stroke, Text
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.figure import Subject, heading
 from drawings.symbols.force_arrow import plain_name
 from drawings.symbols.polygon import LaidVector, carriers, letters
 from drawings.symbols.symbols import ARROW_LENGTH, MASS, POINT, cross, mass_centre
 from drawings.symbols.trimming import trim
+from plans.model.motion import Complexes
 
 SYMBOL, UNIT = "l", "m"
 MARGINS = Margins(3.5, 3.2, 2.6)  # paper around it for its letters and stands, in their sizes
@@ -92,12 +93,20 @@ class SchemeFigure:
         return self.drafting.hand
 
     def _paths(self) -> Iterator[Group]:
-        """Draw the path of the common mass centre: its own in a main line, the other thin."""
+        """Draw the path of the common mass centre: its own in a main line, the other thin; or its points alone."""
         for state, path in self.shown.paths.items():
             style = self._hand.result if state == self.shown.state else self._hand.other
-            runs = ([self.place.on(complex(path[k])) for k in run] for run in stretches(path.real))
-            lines = [Polyline(tuple(spots), False, style) for spots in runs if _length(spots) > STILL]
-            yield Group(tuple(fit_dashes(trim(lines, self.pairs.masks))), f"{self.shown.name}-{PATH}{state}")
+            strokes = self._line(path, style) if self.shown.whole else self._dots(path, style)
+            yield Group(tuple(strokes), f"{self.shown.name}-{PATH}{state}")
+
+    def _line(self, path: Complexes, style: LineStyle) -> Iterator[Stroke]:
+        runs = ([self.place.on(complex(path[k])) for k in run] for run in stretches(path.real))
+        lines = [Polyline(tuple(spots), False, style) for spots in runs if _length(spots) > STILL]
+        yield from fit_dashes(trim(lines, self.pairs.masks))
+
+    def _dots(self, path: Complexes, style: LineStyle) -> Iterator[Stroke]:
+        known = path[~np.isnan(path.real)].tolist()
+        yield from (Circle(self.place.on(spot), style.width, INK) for spot in known)
 
     def _axes(self) -> Iterator[Stroke]:
         for slide in frame_slides(self.shown.bones):

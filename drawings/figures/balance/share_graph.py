@@ -119,8 +119,9 @@ def _curve(shown: ShareGraph, name: str, axes: Axes, up: Scale, drafting: Drafti
     least = value_of(best, name)
     foot, tip = axes.on(best.share), axes.on(best.share, least)
     data = Subject(NAME, SYMBOL, None).data("vector", name, 1j * least, up)
+    text = least_text(best, name, curve_letters(shown.reaction)[name], drafting)
     if abs(tip - foot) > TICK:
-        yield Group((Line(foot, tip, hand.other),), "", data, least_text(best, name, drafting))
+        yield Group((Line(foot, tip, hand.other),), "", data, text)
     yield Circle(tip, DOT * hand.symbol, hand.body)
 
 
@@ -135,13 +136,14 @@ def _letters(shown: ShareGraph, axes: Axes, drafting: Drafting) -> Iterator[Lett
         share, value = shown.rows[name][-1]
         yield Letter(axes.on(share, value), letter, hand.letter, 0.0)
         best = shown.best[name]
-        text = least_text(best, name, drafting)
+        text = least_text(best, name, letter, drafting)
         yield Letter(axes.on(best.share, value_of(best, name)), text, hand.number, math.pi / 2, 1.6)
 
 
-def least_text(best: Choice, name: str, drafting: Drafting) -> str:
-    """Write the share of a least value, and that value."""
-    return f"{SHARE} = {drafting.number(best.share, 3)};  {drafting.number(value_of(best, name))} {drafting.word(UNIT)}"
+def least_text(best: Choice, name: str, letter: str, drafting: Drafting) -> str:
+    """Write a least value by its letter, and the share that it is had with."""
+    value = drafting.number(value_of(best, name))
+    return f"{letter} = {value} {drafting.word(UNIT)};  {SHARE} = {drafting.number(best.share)}"
 
 
 def curve_letters(reaction: str) -> dict[str, str]:
