@@ -191,8 +191,8 @@ class _BalancingSheet:
 
     def _rocking(self) -> Iterator[Exhibit]:
         """Show the main moment, if there is any."""
-        sense, least = self.shown.bones.study.sense, self.shown.nothing.moment
-        curve = moment_graph.curve(self.balance.before, self.shown.after, sense, least, self.drafting)
+        bones, least = self.shown.bones, self.shown.nothing.moment
+        curve = moment_graph.curve(self.shown.states, bones.study.sense, bones.shown, least, self.drafting)
         if curve is not None:
             room = _bounded(curve_graph.measure(curve, moment_graph.NAME, self.drafting))
             yield Exhibit(Panel(room), partial(curve_graph.draw, curve, room, drafting=self.drafting))
