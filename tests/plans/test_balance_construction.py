@@ -109,6 +109,25 @@ def test_the_main_vector_is_against_the_acceleration() -> None:
     assert drawing.force.point == pytest.approx(-11 * np.asarray(drawing.accelerations.end.point), rel=1e-14)
 
 
+def test_crank_that_cannot_turn_fully_is_balanced_over_the_positions_it_has() -> None:
+    text = FOUR_BAR.replace("OA = 0.10", "OA = 0.25").replace("BC = 0.30", "BC = 0.20")
+    its = study(text.replace("[0.39, 0.30]", "[0.4, 0.19]"), asked(FULL, Place(1, mass=9), Place(2, mass=6)), 36)
+    found = its.balance
+    assert found.after is not None
+    assert len(found.before.around.phi) == 36
+    assert len(found.gaps) == np.isnan(found.before.centre.a).sum() > 0
+    assert found.after.centre.path <= 1e-15
+    assert found.after.shaking <= 1e-12 * found.before.shaking
+
+
+def test_mechanism_that_cannot_be_assembled_has_counterweights_but_no_costs() -> None:
+    its = study(ENGINE.replace("through = [0, 0]", "through = [0, 5]"), asked(SHARE, Place(1, mass=9)))
+    assert its.share == 0
+    assert its.counterweights[0].moment == pytest.approx(-0.37)
+    assert its.after is not None
+    assert np.isnan([its.after.shaking, its.after.centre.path]).all()
+
+
 def test_mechanism_that_is_balanced_already_needs_nothing() -> None:
     first = study(FOUR_BAR, asked(FULL, Place(1, mass=9), Place(2, mass=6)))
     again = BalanceStudy(first.linkage, first.loaded_statics, first.task)
