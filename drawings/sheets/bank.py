@@ -6,6 +6,8 @@ from collections.abc import Collection, Iterator
 from functools import partial
 from typing import Any
 
+import numpy as np
+
 from drawings.figures.bank import bank_polygon, bank_table, compensators, shaft, star, turn_graph
 from drawings.figures.bank.bank_view import BankView
 from drawings.figures.bank.compensator_layout import Layout
@@ -25,6 +27,7 @@ from plans.scene.scene import Scene
 from plans.study import Study
 
 AFTER = "'"  # behind the letter of what is left
+LIKE = 0.3  # of the force before: what is left is drawn to the same scale, unless it is much less
 
 
 def admit(scene: Scene) -> None:
@@ -104,20 +107,21 @@ def _graph(graph: TurnGraph, drafting: Drafting) -> Exhibit:
 def _hodographs(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
     balance = shown.balance
     if shown.shaken:
-        yield _hodograph(FORCE, F, "N", shown.on_sheet(balance.force), drafting)
+        before, after = shown.on_sheet(balance.force), shown.on_sheet(balance.left)
+        scale = FORCE if float(np.abs(after).max()) >= LIKE * float(np.abs(before).max()) else ""
+        yield _hodograph(FORCE, F, "N", before, drafting, scale)
         if balance.compensators:
-            yield _hodograph(LEFT, F + AFTER, "N", shown.on_sheet(balance.left), drafting)
+            yield _hodograph(LEFT, F + AFTER, "N", after, drafting, scale)
     if shown.rocked:
         yield _hodograph(MOMENTS, M, "N*m", shown.on_sheet(balance.moment), drafting)
 
 
-def _hodograph(name: str, letter: str, unit: str, values: Complexes, drafting: Drafting) -> Exhibit:
-    """Show a hodograph; before and after are drawn to one scale."""
+def _hodograph(name: str, letter: str, unit: str, values: Complexes, drafting: Drafting, scale: str = "") -> Exhibit:
+    """Show a hodograph."""
     turn = values[:-1]
     ends, title = turn[:: len(turn) // turn_graph.STATIONS], drafting.word(f"hodograph of {name}")
     one = Hodograph(letter, letter.rstrip(AFTER), unit, turn, ends, 0, title)
     room = hodograph.measure(one, name, drafting)
-    scale = FORCE if unit == "N" else ""
     return Exhibit(Panel(room, scale=scale), partial(hodograph.draw, one, room, drafting=drafting))
 
 
