@@ -19,9 +19,8 @@ OPENING = """
 ### The usual engines
 
 What a [bank](../../README.md) of equal cylinders leaves of each order: forces in the largest of one cylinder of that
-order, moments along the shaft in that times the pitch of the cylinders. What of the
-first order turns with the crank (↻) counterweights on the crank take. Angles are in degrees; cylinders at one place along
-the shaft stand together.
+order, moments along the shaft in that times the pitch of the cylinders. What of the first order turns with the crank
+(↻) counterweights on the crank take. Angles are in degrees; cylinders at one place along the shaft stand together.
 
 | engine | cranks | guides | forces left, order: times | moments left, order: times |
 |---|---|---|---|---|
