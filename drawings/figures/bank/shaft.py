@@ -23,7 +23,7 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Circle, Group, Line, Polyline, Stroke, Text
 from drawings.symbols.dashes import fit
 from drawings.symbols.figure import Subject, heading, point
-from drawings.symbols.symbols import pole
+from drawings.symbols.symbols import ARROW_LENGTH, pole
 from plans.model.balance.bank import Member
 
 NAME = "shaft"
@@ -162,7 +162,8 @@ def _dimensions(shown: BankView, place: Place, drafting: Drafting) -> Iterator[S
     """
     hand, found, base = drafting.hand, _dimensioned(shown), place.on(0j)
     told = {where: f"z_{{{names}}} = {drafting.number(1000 * where)}" for where, names in found.items()}
-    if not all(fits(place.length(abs(where)), text, hand) for where, text in told.items()):
+    heads = 2 * ARROW_LENGTH * hand.symbol
+    if not all(fits(place.length(abs(where)) - heads, text, hand) for where, text in told.items()):
         return
     bottom = level = base.imag - (THROW + GUIDE + FIRST) * hand.symbol
     for number, (where, text) in enumerate(told.items()):
