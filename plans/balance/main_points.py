@@ -90,7 +90,7 @@ class MainPoints:
 
     @property
     def constant(self) -> complex:
-        """What the hinges on the frame give the mass centre, m from the datum: the same in all positions."""
+        """What hinges and guides of the frame give the mass centre, m from the datum: the same in all positions."""
         return sum((one.share * one.stem.at for one in self._shares(self.tree.rooted)), 0j)
 
     @property

@@ -10,11 +10,16 @@ import numpy as np
 import pytest
 from hypothesis import given
 
+from geometry.replay import exact
 from plans.analytic.balance.series import slider_harmonic
 from plans.bank.engines import ENGINES
+from plans.bank.harmonics import NotSettled
 from plans.bank.letters import roman
+from plans.bank.shaking import SliderCrank
 from plans.checks.balance.bank_comparison import compare_bank
 from plans.model.balance.bank import EPS, ORDERS, Asked, BankTask, Harmonic, Member, Unit
+from plans.scene.scene import parse_scene
+from plans.study import Study
 from tests.parts import examples
 from tests.plans.drawn_banks import BOOK, ENGINE, angles, banks, drawn, places, series, study, summed, task
 from tests.rows import over
@@ -129,6 +134,17 @@ def _by_integral(mp, ratio, order):
         if abs(fine - coarse) < mp.mpf(10) ** -30 * abs(fine):
             return fine
         count *= 2
+
+
+@pytest.mark.rest
+def test_the_drawn_force_to_fifty_digits() -> None:
+    """The record of the plans carried out in 50 digits: each force is as near as is told."""
+    for ratio in (0.25, 0.99):
+        shaking = SliderCrank(Unit(ratio, 1.0, 0.3, 0.5), 10.0).shaking(Fraction(1), 24)
+        assert shaking.mark is not None
+        for position in (0, 5, 6, 17):
+            true = exact([shaking.mark], position)[shaking.mark]
+            assert abs(shaking.force[position] - true) <= shaking.slack[position]
 
 
 @over("ratio", (0.001, 0.25, 0.99))
@@ -261,3 +277,16 @@ def test_orders_of_compensators_are_told() -> None:
 
 def test_letters_of_orders() -> None:
     assert [roman(n) for n in (1, 2, 4, 6, 9, 40, 99, 100)] == ["I", "II", "IV", "VI", "IX", "XL", "XCIX", "100"]
+
+
+def test_a_rod_all_but_as_long_as_the_crank_is_told() -> None:
+    """At equal lengths there is a second dead centre, where the acceleration jumps: near it nothing settles."""
+    for ratio in (1 - 1e-7, 1 - 1e-15):
+        with pytest.raises(NotSettled, match="near a dead centre the acceleration all but jumps"):
+            drawn(task(ENGINES[0].members, Unit(ratio, 1.0, 0.0, 1.0)))
+    scene = parse_scene(
+        "[bank]\nspeed = 100\n[bank.unit]\ncrank = 0.0999999999\nrod = 0.1\nreciprocating = 1\n"
+        "[[bank.members]]\ncrank = 0\n"
+    )
+    with pytest.raises(NotSettled, match=r"scene\.toml:1: the harmonics do not settle"):
+        _ = Study(scene)["bank"].balance

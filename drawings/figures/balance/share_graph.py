@@ -25,7 +25,7 @@ from plans.model.balance.linkage import Choice, Shares
 
 NAME, SYMBOL, UNIT = "shares", "F", "N"
 SHARE, ONE = "k", "1"  # the letter and the unit of the share
-FORCES, REACTIONS = "force", "reaction"  # the curves
+FORCES, REACTIONS, TAKEN = "force", "reaction", "taken"  # the curves, and the share that was taken
 RATIO = 1.5  # it is drawn so many times as long as high
 MARGINS = Margins(3.6, 2.6, 0.8)  # paper around it for letters, in their sizes
 LETTERS = 20.0  # it is drawn at least so many of its letters long
@@ -100,15 +100,15 @@ def draw(shown: ShareGraph, room: Picture, spot: Spot, drafting: Drafting) -> Sh
             Line(axes.on(k / DIVISIONS) - 1j * TICK, axes.on(k / DIVISIONS) + 1j * TICK, hand.other)
             for k in range(1, DIVISIONS + 1)
         ),
-        *_taken(shown, axes, hand),
+        _taken(shown, axes, hand),
         *(part for name in (FORCES, REACTIONS) for part in _curve(shown, name, axes, up, drafting)),
     )
     return ShareFigure(lines, tuple(_letters(shown, axes, drafting)))
 
 
-def _taken(shown: ShareGraph, axes: Axes, hand: Hand) -> Iterator[Stroke]:
+def _taken(shown: ShareGraph, axes: Axes, hand: Hand) -> Group:
     start, end = axes.on(shown.taken), axes.on(shown.taken, shown.high)
-    yield Line(start, end, fit(hand.path, abs(end - start)))
+    return Group((Line(start, end, fit(hand.path, abs(end - start))),), f"{NAME}-{TAKEN}")
 
 
 def _curve(shown: ShareGraph, name: str, axes: Axes, up: Scale, drafting: Drafting) -> Iterator[Stroke]:
@@ -135,7 +135,7 @@ def _letters(shown: ShareGraph, axes: Axes, drafting: Drafting) -> Iterator[Lett
         share, value = shown.rows[name][-1]
         yield Letter(axes.on(share, value), letter, hand.letter, 0.0)
         best = shown.best[name]
-        text = f"k = {number(best.share, 3)};  {number(value_of(best, name))} {drafting.word(UNIT)}"
+        text = f"{letter} = {number(value_of(best, name))} {drafting.word(UNIT)};  {SHARE} = {number(best.share)}"
         yield Letter(axes.on(best.share, value_of(best, name)), text, hand.number, math.pi / 2, 1.6)
 
 

@@ -140,6 +140,11 @@ class State:
     forces: Kinetostatics
 
     @property
+    def whole(self) -> bool:
+        """Whether it is known over a whole turn, and not at the scene's positions alone."""
+        return not np.array_equal(self.around.phi, self.centre.phi)
+
+    @property
     def shaking(self) -> float:
         """The largest main vector of the inertia forces, N."""
         return float(np.nanmax(np.abs(self.around.force)))
