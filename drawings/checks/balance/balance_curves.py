@@ -81,9 +81,11 @@ def shaking(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
             continue
         row = {f"{state} {k}": complex(value) for k, value in enumerate(one.centre.force) if cmath.isfinite(value)}
         numbered = _spread(one.around.force) >= (NUMBERED + expected.near) * mu
-        ends |= {end: value for end, value in row.items() if numbered or end in seen}
+        due = {f"{state} {k}" for k in expected.told} if numbered else set[str]()
+        ends |= {end: value for end, value in row.items() if end in due or end in seen}
         tips[LETTERS[state]] = row.get(f"{state} {expected.shown}", 0j)
-        yield from _curve(leaf, expected, state, mu)
+        if expected.whole:
+            yield from _curve(leaf, expected, state, mu)
     slack = max(expected.slack(f"{FORCE}{prime}") for prime in PRIMES.values()) + expected.near * mu + KNOWN * largest
     yield from marks.held(seen, ends, name, slack)
     arrows = marks.vectors(expected.measured, name)

@@ -12,6 +12,7 @@ import numpy as np
 
 from drawings.figures.balance.nothing import Nothing, nothing
 from drawings.figures.balance.scheme import AFTER, BEFORE
+from drawings.figures.balance.told_positions import told
 from drawings.figures.linkage.masses import unnamed
 from drawings.measure.measure import Measured
 from drawings.page.drafting import Drafting
@@ -63,6 +64,16 @@ class Expected:
     def states(self) -> dict[str, State]:
         """The states that a sheet shows."""
         return {BEFORE: self.balance.before} | ({} if self.after is None else {AFTER: self.after})
+
+    @property
+    def whole(self) -> bool:
+        """Whether the crank turns fully: else nothing is drawn between the positions."""
+        return self.balance.before.whole
+
+    @cached_property
+    def told(self) -> frozenset[int]:
+        """The positions that the graphs must tell."""
+        return frozenset(told(len(self.balance.before.centre.phi), self.shown))
 
     @cached_property
     def none(self) -> Nothing:

@@ -38,7 +38,8 @@ def rocking(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
     values = np.where(np.abs(own[1].centre.moment) <= expected.none.moment, 0.0, own[1].centre.moment)
     mu, largest = marks.scale(expected.measured, name), max(one.rocking for one in expected.states.values())
     slack = max(expected.slack(f"M_Φ{prime}") for prime in PRIMES.values()) + expected.near * mu + KNOWN * largest
-    due = {str(k): 1j * float(value) for k, value in enumerate(values) if abs(value) > SHORT * mu or str(k) in seen}
+    told = {str(k) for k in expected.told if abs(values[k]) > SHORT * mu} | seen.keys()
+    due = {str(k): 1j * float(value) for k, value in enumerate(values) if str(k) in told}
     yield from marks.held(seen, due, name, slack)
     yield from marks.titled(part, name, expected.drafting.word("rocking graph"))
     scales = {} if part is None else written(part)
@@ -47,7 +48,7 @@ def rocking(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
         return
     zero = _zero(expected, seen, scales["φ"])
     yield from _feet(expected, seen, zero, scales["φ"])
-    for state in expected.states:
+    for state in expected.states if expected.whole else ():
         yield from _curve(part, expected, state, (zero, scales["φ"], mu))
 
 

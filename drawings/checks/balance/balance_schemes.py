@@ -109,7 +109,7 @@ class _Scheme:
         for state in dict.fromkeys((BEFORE, self.state)):
             name = f"{self.plan}-{PATH}{state}"
             part = marks.figure(self.leaf, name)
-            for spots in runs(self.expected.states[state].around.r):
+            for spots in runs(self.expected.states[state].around.r) if self.expected.whole else ():
                 places = [self.on(spot) for spot in spots]
                 way = sum(abs(one - other) for one, other in pairwise(places))
                 if way > 2 * STILL and not marks.follows(marks.lines(part), places, self.near, cut):
