@@ -233,4 +233,4 @@ def _bounded(room: Picture) -> Picture:
 
 def _facts(position: int, names: Collection[str]) -> dict[str, Any]:
     """Say in the data of a sheet which position and which figures it shows."""
-    return {"shown": position, "figures": list(names)}
+    return {"position": position, "figures": list(names)}

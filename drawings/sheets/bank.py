@@ -22,6 +22,7 @@ from drawings.report.balance.bank_notes import BankNotes, crank_of, straight
 from drawings.sheets.leaves import Draft, Exhibit, lay_out
 from plans.bank.letters import FORCE as F
 from plans.bank.letters import MOMENT as M
+from plans.checks.comparison import Comparison
 from plans.model.motion import Complexes
 from plans.scene.scene import Scene
 from plans.study import Study
@@ -36,7 +37,7 @@ def admit(scene: Scene) -> None:
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheets of a scene's bank (row of the table of sheets)."""
-    return sheets(study.scene, view_of(study))
+    return sheets(study.scene, view_of(study), study.comparison("bank"))
 
 
 def view_of(study: Study) -> BankView:
@@ -46,16 +47,16 @@ def view_of(study: Study) -> BankView:
     return BankView(bank.balance, {F: drawing.forces, M: drawing.moments}, crank_of(study))
 
 
-def sheets(scene: Scene, shown: BankView) -> tuple[Leaf, ...]:
+def sheets(scene: Scene, shown: BankView, comparison: Comparison) -> tuple[Leaf, ...]:
     """Lay out the sheets of a bank."""
     drafting = drafting_of(scene)
     shows = (*_views(shown, drafting), *_polygons(shown, drafting), *_courses(shown, drafting))
     shows += tuple(_layouts(shown, drafting))
-    masses = bank_table.compensators(shown.balance, drafting)
-    tables = (bank_table.orders(shown.balance, drafting), *([masses] if masses is not None else []))
+    told = bank_table.orders, bank_table.compensators
+    tables = [*(write(shown.balance, drafting) for write in told), bank_table.results(comparison, drafting)]
     notes = BankNotes(shown.balance, drafting).all
     title = drafting.word("bank sheet title")
-    return lay_out(scene, [Draft("bank", title, shows, tables, notes, _facts)])
+    return lay_out(scene, [Draft("bank", title, shows, tuple(one for one in tables if one is not None), notes, _facts)])
 
 
 def _facts(names: Collection[str]) -> dict[str, Any]:
@@ -89,7 +90,7 @@ def _courses(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
 
 
 def _graphs(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
-    balance, compensated = shown.balance, bool(shown.balance.compensators)
+    balance, compensated = shown.balance, shown.compensated
     if shown.shaken:
         force = TurnCurve(FORCE, F, balance.force.real, "relative" if compensated else "result")
         left = (TurnCurve(LEFT, F + AFTER, balance.left.real),) if compensated else ()
@@ -110,7 +111,7 @@ def _hodographs(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
         before, after = shown.on_sheet(balance.force), shown.on_sheet(balance.left)
         scale = FORCE if float(np.abs(after).max()) >= LIKE * float(np.abs(before).max()) else ""
         yield _hodograph(FORCE, F, "N", before, drafting, scale)
-        if balance.compensators:
+        if shown.compensated:
             yield _hodograph(LEFT, F + AFTER, "N", after, drafting, scale)
     if shown.rocked:
         yield _hodograph(MOMENTS, M, "N*m", shown.on_sheet(balance.moment), drafting)

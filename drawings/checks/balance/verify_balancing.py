@@ -20,7 +20,7 @@ from plans.words.words import message
 
 def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     """Hold all that one sheet of a balanced mechanism shows against the analysis (row of the table of sheets)."""
-    shown = leaf.metadata["shown"]
+    shown = leaf.metadata["position"]
     expected = Expected(study["balance"], study.comparison("balance"), drafting_of(study.scene), shown, measured)
     yield from _figures(leaf, expected)
     yield from schemes(leaf, expected)

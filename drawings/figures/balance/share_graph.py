@@ -91,7 +91,8 @@ def draw(shown: ShareGraph, room: Picture, spot: Spot, drafting: Drafting) -> Sh
     """Draw the graph in its spot: axes, both curves, their least places, the share that was taken dashed."""
     hand = drafting.hand
     up = fitting(shown.high, room.high / spot.scale.mu, SYMBOL, UNIT, drafting.standard)
-    axes = Axes(room.place(*spot).on(0j), spot.scale, up)
+    spare = room.high / spot.scale.mu - shown.high / up.mu
+    axes = Axes(room.place(*spot).on(0j) + 1j * spare / 2, spot.scale, up)
     scales = f"{drafting.scale(spot.scale)};  {drafting.scale(up)}"
     lines = (
         heading(spot.box, drafting.word("share graph"), scales, hand),
