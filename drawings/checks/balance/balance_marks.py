@@ -13,7 +13,8 @@ from drawings.measure.measured import MeasuredPoint, MeasuredVector
 from drawings.paper.strokes import Group, Leaf, Line, Polyline, Stroke, Text
 from drawings.paper.walk import groups, texts, walk
 
-CLEAR = 3.0  # sizes of a symbol: so near to a pair a line may be cut off
+Cut = tuple[Sequence[complex], float]  # places, and how near to them a line may be cut off, mm
+WHOLE: Cut = ((), 0.0)
 
 
 def figure(leaf: Leaf, name: str) -> Group | None:
@@ -98,15 +99,16 @@ def explained(part: Group | None, plan: str, text: str, holds: bool) -> Iterator
         yield on("title", plan, text=text)
 
 
-def follows(chains: Sequence[Sequence[complex]], spots: Sequence[complex], near: float, cut: Sequence[complex]) -> bool:
+def follows(chains: Sequence[Sequence[complex]], spots: Sequence[complex], near: float, cut: Cut = WHOLE) -> bool:
     """Tell whether chains follow a curve: all their corners are on it, and all its spots are corners.
 
-    A curve is cut off near to some places, by a symbol's size.
+    A curve may be cut off near to some places.
     """
     true, drawn = np.array(spots), np.array([corner for chain in chains for corner in chain])
     if not drawn.size or len(true) < 2:
         return False
-    far = np.ones(len(true), bool) if not len(cut) else np.abs(true[:, None] - np.array(cut)).min(axis=1) > CLEAR
+    places, clear = cut
+    far = np.ones(len(true), bool) if not places else np.abs(true[:, None] - np.array(places)).min(axis=1) > clear
     met = np.array([np.abs(drawn - spot).min() for spot in true[far]])
     return bool((met <= near).all()) and all(_off(true, corner) <= near for corner in drawn)
 

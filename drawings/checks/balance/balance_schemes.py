@@ -21,6 +21,7 @@ from drawings.lettering.balance_letters import CENTRE
 from drawings.paper.limits import QUANTUM, SEEN
 from drawings.paper.strokes import Arc, Group, Leaf, Line
 from drawings.paper.walk import walk
+from drawings.symbols.symbols import BLOCK
 from plans.model.balance.linkage import DISC, Counterweight
 from plans.model.motion import Complexes
 
@@ -105,7 +106,8 @@ class _Scheme:
 
     def _paths(self) -> Iterator[Wrong]:
         """Hold the paths of the mass centre over the turn: of its own state, and of that before."""
-        cut = [self.on(place) for place in self.expected.points.values()]
+        symbol = abs(complex(*BLOCK)) / 2 * self.expected.drafting.hand.symbol  # the largest: to its corner
+        cut = [self.on(place) for place in self.expected.points.values()], symbol
         for state in dict.fromkeys((BEFORE, self.state)):
             name = f"{self.plan}-{PATH}{state}"
             part = marks.figure(self.leaf, name)
