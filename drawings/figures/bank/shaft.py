@@ -162,7 +162,7 @@ def _dimensions(shown: BankView, place: Place, drafting: Drafting) -> Iterator[S
     """
     hand, found, base = drafting.hand, _dimensioned(shown), place.on(0j)
     told = {where: f"z_{{{names}}} = {drafting.number(1000 * where)}" for where, names in found.items()}
-    heads = 2 * ARROW_LENGTH * hand.symbol
+    heads = ARROW_LENGTH * hand.symbol  # half of each: the text stands over them
     if not all(fits(place.length(abs(where)) - heads, text, hand) for where, text in told.items()):
         return
     bottom = level = base.imag - (THROW + GUIDE + FIRST) * hand.symbol
