@@ -156,7 +156,8 @@ class _BalancingSheet:
             *self._shares(),
         )
         tables = () if self.way.tables else self.tables
-        return Draft("balancing", title, shows, tables, self.shown.notes, _facts, SCHEME + BEFORE)
+        facts = partial(_facts, self.shown.bones.shown)
+        return Draft("balancing", title, shows, tables, self.shown.notes, facts, SCHEME + BEFORE)
 
     def _schemes(self) -> Iterator[Exhibit]:
         schemes = [self._scheme(state) for state in self.shown.states]
@@ -190,8 +191,8 @@ class _BalancingSheet:
 
     def _rocking(self) -> Iterator[Exhibit]:
         """Show the main moment, if there is any."""
-        sense, least = self.shown.bones.study.sense, self.shown.nothing.moment
-        curve = moment_graph.curve(self.balance.before, self.shown.after, sense, least, self.drafting)
+        bones, least = self.shown.bones, self.shown.nothing.moment
+        curve = moment_graph.curve(self.shown.states, bones.study.sense, bones.shown, least, self.drafting)
         if curve is not None:
             room = _bounded(curve_graph.measure(curve, moment_graph.NAME, self.drafting))
             yield Exhibit(Panel(room), partial(curve_graph.draw, curve, room, drafting=self.drafting))
@@ -230,6 +231,6 @@ def _bounded(room: Picture) -> Picture:
     return room._replace(most=LARGEST * room.least)
 
 
-def _facts(names: Collection[str]) -> dict[str, Any]:
-    """Say in the data of a sheet which figures it shows."""
-    return {"figures": list(names)}
+def _facts(position: int, names: Collection[str]) -> dict[str, Any]:
+    """Say in the data of a sheet which position and which figures it shows."""
+    return {"position": position, "figures": list(names)}

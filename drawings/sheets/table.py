@@ -42,7 +42,7 @@ SHEETS: Final[Mapping[str, Sheet]] = {
     "balancing": Sheet(
         admit="drawings.sheets.force_admission:of_forces",
         leaves="drawings.sheets.balancing:leaves",
-        faults="",
+        faults="drawings.checks.balance.verify_balancing:faults",
     ),
     "bank": Sheet(
         admit="drawings.sheets.bank:admit",

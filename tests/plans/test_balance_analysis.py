@@ -11,7 +11,7 @@ from plans.analytic.balance.harmonics import harmonics
 from plans.analytic.balance.mass_centre import bodies as solids
 from plans.analytic.balance.mass_centre import mass_centre
 from plans.analytic.kinematics import Analysis
-from plans.model.balance.linkage import FULL, NONE, PARTIAL, SECTOR, SHARE, Place, Task
+from plans.model.balance.linkage import EPS, FULL, NONE, PARTIAL, ROUNDING, SECTOR, SHARE, Place, Task
 from plans.model.machine import GEAR as GEARED
 from plans.model.machine import Transmission
 from tests.plans import linkages
@@ -166,7 +166,7 @@ def test_the_best_share_is_least_of_all(place, drive, epsilon) -> None:
         shares = (max(best.share - 1e-4, 0.0), best.share, best.share + 1e-4)
         tried = [case.balance(Task(SHARE, (place,), share)) for share in shares]
         sizes = [one.after.shaking if of == "shaking" else one.after.reactions["0-1"] for one in tried]
-        assert min(sizes) == sizes[1]
+        assert sizes[1] <= min(sizes) * (1 + ROUNDING * EPS)
         told = best.force if of == "shaking" else best.reaction
         assert np.isclose(told, sizes[1], rtol=1e-13)
         assert told <= min(one.force if of == "shaking" else one.reaction for one in found.shares.curve)

@@ -150,8 +150,8 @@ class SchemeFigure:
             data = self.subject.data("pole" if name == pivot else "point", name, value, scale)
             yield Group(self._symbol(name, at), "", data, name)
         for one in self.shown.weights:
-            at, letter = self.place.on(one.centre), counterweight(one.weight.link, "en")
-            data = self.subject.data("point", plain_name(letter), one.centre, scale)
+            at, letter = self.place.on(one.centre), counterweight(one.weight.link, self.drafting.language)
+            data = self.subject.data("point", plain_name(counterweight(one.weight.link, "en")), one.centre, scale)
             yield Group((Circle(at, POINT * hand.symbol, INK), *cross(at, hand)), "", data, letter)
 
     def _symbol(self, name: str, at: complex) -> tuple[Stroke, ...]:

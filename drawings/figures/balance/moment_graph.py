@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 
+from drawings.figures.balance.told_positions import told
 from drawings.figures.graphs.curve_graph import TURN, GraphCurve, bounded, swing
 from drawings.lettering.balance_letters import MOMENT
 from drawings.page.drafting import Drafting
@@ -13,24 +16,25 @@ from plans.model.motion import Floats
 NAME = "rocking"
 
 
-def curve(before: State, after: State | None, sense: int, least: float, drafting: Drafting) -> GraphCurve | None:
-    """Give the main moments of both states; None where there is none above `least` N*m.
+def curve(states: Mapping[str, State], sense: int, shown: int, least: float, drafting: Drafting) -> GraphCurve | None:
+    """Give the main moments of the states, at the positions that of the last; None where all are below `least` N*m.
 
     Of a crank that cannot turn fully there are the ordinates at its positions alone.
     """
-    own = after or before
-    if max(before.rocking, own.rocking) <= least or len(own.centre.phi) < 2:
+    first, own = next(iter(states.values())), list(states.values())[-1]
+    if max(first.rocking, own.rocking) <= least or len(own.centre.phi) < 2:
         return None
-    stations = np.degrees(sense * (own.centre.phi - own.centre.phi[0])) % TURN
-    title = drafting.word("rocking graph")
-    ordinates = _seen(own.centre.moment, least)
-    if own.whole:
-        angles = np.degrees(sense * (own.around.phi - own.around.phi[0]))
-        shown = GraphCurve(MOMENT, "N*m", angles, _course(own, least), stations, ordinates, title)
-        return shown if after is None else shown._replace(before=_course(before, least))
-    nothing = np.full(2, np.nan)
-    shown = swing(GraphCurve(MOMENT, "N*m", np.array([0.0, TURN]), nothing, stations, ordinates, title))
-    return shown._replace(values=np.full(len(shown.values), np.nan))
+    numbers = told(len(own.centre.phi), shown)
+    stations = np.degrees(sense * (own.centre.phi - own.centre.phi[0]))[list(numbers)] % TURN
+    ordinates, title = _seen(own.centre.moment, least)[list(numbers)], drafting.word("rocking graph")
+    bare = GraphCurve(MOMENT, "N*m", np.array([0.0, TURN]), np.full(2, np.nan), stations, ordinates, title)
+    bare = bare._replace(numbers=numbers)
+    if not own.whole:
+        swung = swing(bare)
+        return swung._replace(values=np.full(len(swung.values), np.nan))
+    angles = np.degrees(sense * (own.around.phi - own.around.phi[0]))
+    whole = bare._replace(angles=angles, values=_course(own, least))
+    return whole if own is first else whole._replace(before=_course(first, least))
 
 
 def _course(state: State, least: float) -> Floats:

@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.figures.balance.scheme import AFTER, BEFORE
+from drawings.figures.balance.told_positions import told
 from drawings.figures.graphs.curve_graph import stretches
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
@@ -65,8 +66,15 @@ class ShakingHodograph(NamedTuple):
 def hodograph(states: Mapping[str, State], shown: int, nothing: float, whole: bool = True) -> ShakingHodograph:
     """Gather the main vectors of states by their names, over the turn and at the positions; none below `nothing` N."""
     seen = {name: one for name, one in states.items() if one.shaking > nothing}
-    vectors = tuple(MainVector(name, one.around.force, one.centre.force) for name, one in seen.items())
+    vectors = tuple(MainVector(name, one.around.force, _ends_of(one, shown)) for name, one in seen.items())
     return ShakingHodograph(vectors, shown, whole)
+
+
+def _ends_of(state: State, shown: int) -> Complexes:
+    """Give the main vectors at the positions that are told."""
+    force = state.centre.force
+    kept = np.isin(np.arange(len(force)), told(len(force), shown))
+    return np.where(kept, force, np.nan + 0j)
 
 
 @dataclass(frozen=True)
@@ -151,4 +159,5 @@ def _ends(one: MainVector, shown: int, place: Place, hand: Hand) -> Iterator[Str
     for k, value in enumerate(one.ends.tolist()):
         if not math.isnan(value.real):
             dot = Circle(place.on(value), DOT * hand.symbol, INK)
-            yield point(_subject(k), f"{one.state} {k}", value, place, dot)
+            data = _subject(k).data("point", f"{one.state} {k}", value, place.scale)
+            yield Group((dot,), "", data, str(k)) if place.length(one.spread) >= NUMBERED else dot

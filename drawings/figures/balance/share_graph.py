@@ -91,7 +91,8 @@ def draw(shown: ShareGraph, room: Picture, spot: Spot, drafting: Drafting) -> Sh
     """Draw the graph in its spot: axes, both curves, their least places, the share that was taken dashed."""
     hand = drafting.hand
     up = fitting(shown.high, room.high / spot.scale.mu, SYMBOL, UNIT, drafting.standard)
-    axes = Axes(room.place(*spot).on(0j), spot.scale, up)
+    spare = room.high / spot.scale.mu - shown.high / up.mu
+    axes = Axes(room.place(*spot).on(0j) + 1j * spare / 2, spot.scale, up)
     scales = f"{drafting.scale(spot.scale)};  {drafting.scale(up)}"
     lines = (
         heading(spot.box, drafting.word("share graph"), scales, hand),
@@ -119,8 +120,9 @@ def _curve(shown: ShareGraph, name: str, axes: Axes, up: Scale, drafting: Drafti
     least = value_of(best, name)
     foot, tip = axes.on(best.share), axes.on(best.share, least)
     data = Subject(NAME, SYMBOL, None).data("vector", name, 1j * least, up)
+    text = least_text(best, name, curve_letters(shown.reaction)[name], drafting)
     if abs(tip - foot) > TICK:
-        yield Group((Line(foot, tip, hand.other),), "", data, name)
+        yield Group((Line(foot, tip, hand.other),), "", data, text)
     yield Circle(tip, DOT * hand.symbol, hand.body)
 
 
@@ -135,8 +137,14 @@ def _letters(shown: ShareGraph, axes: Axes, drafting: Drafting) -> Iterator[Lett
         share, value = shown.rows[name][-1]
         yield Letter(axes.on(share, value), letter, hand.letter, 0.0)
         best = shown.best[name]
-        text = f"{letter} = {number(value_of(best, name))} {drafting.word(UNIT)};  {SHARE} = {number(best.share)}"
+        text = least_text(best, name, letter, drafting)
         yield Letter(axes.on(best.share, value_of(best, name)), text, hand.number, math.pi / 2, 1.6)
+
+
+def least_text(best: Choice, name: str, letter: str, drafting: Drafting) -> str:
+    """Write a least value by its letter, and the share that it is had with."""
+    value = drafting.number(value_of(best, name))
+    return f"{letter} = {value} {drafting.word(UNIT)};  {SHARE} = {drafting.number(best.share)}"
 
 
 def curve_letters(reaction: str) -> dict[str, str]:
