@@ -29,5 +29,7 @@ def within(key: str, where: str, **parts: object) -> Message:
 
 def _figure(plan: str) -> Wrong:
     """Name the figure of a group of links or a pair; any other by the word for its plan."""
+    if f"plan.{plan}" in words(ENGLISH):
+        return plan
     kind, _, which = plan.partition("-")
     return message(f"figure.{kind}", which=which) if which and f"figure.{kind}" in words(ENGLISH) else plan

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from drawings.gallery.catalogue import Entry
+from drawings.gallery.engines import engines
 from drawings.report.subject import Subject
 from drawings.report.table import REPORTS
 from plans.study import Study
@@ -48,7 +49,7 @@ class GalleryScene(NamedTuple):
 def index(exhibits: Sequence[GalleryScene]) -> str:
     """Write the index page."""
     rows = "".join(map(row, exhibits))
-    return OPENING + rows + "".join(map(section, exhibits)) + CLOSING
+    return OPENING + rows + "".join(map(section, exhibits)) + engines() + CLOSING
 
 
 def row(exhibit: GalleryScene) -> str:

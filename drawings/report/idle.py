@@ -7,9 +7,7 @@ from plans.words.words import word
 
 
 def of_forces(scene: Scene) -> list[str]:
-    """Say what a scene gives of forces that its sheets do not need; those of a machine's motion need all of it."""
-    if "dynamics" in scene.sheets:
-        return []
+    """Say what a scene gives of forces that its sheets do not need."""
     given = scene.has(("masses",)) or scene.has(("loads",))
     return [word(scene.sheet.language, "report.idle_loads" if given else "report.no_loads")]
 

@@ -43,8 +43,9 @@ def report(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> str:
 
 
 def _idle(study: Study) -> Iterator[str]:
-    """Give the techniques that rest on what is studied, and are not asked for."""
-    rest = (name for name in REPORTS if name not in study.techniques)
+    """Give the techniques that rest on what is studied, and are neither asked for nor read by those that are."""
+    told = {*study.techniques, *(one for name in study.techniques for one in TECHNIQUES[name].borrows)}
+    rest = (name for name in REPORTS if name not in told)
     return (name for name in rest if not set(TECHNIQUES[name].needs).isdisjoint(study.techniques))
 
 

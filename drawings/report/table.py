@@ -42,7 +42,14 @@ REPORTS: Final[Mapping[str, Report]] = {
         idle="drawings.report.idle:of_dynamics",
         faults="drawings.report.dynamics_report:faults",
     ),
-    "balance": Report(subject="", chapters="", headline="", remarks="", idle="drawings.report.idle:nothing", faults=""),
+    "balance": Report(
+        subject="drawings.report.linkage_subject:subject",
+        chapters="drawings.report.balance.balance_report:chapters",
+        headline="drawings.report.balance.balance_report:headline",
+        remarks="drawings.report.balance.balance_report:remarks",
+        idle="drawings.report.idle:nothing",
+        faults="drawings.report.balance.balance_report:faults",
+    ),
     "bank": Report(
         subject="drawings.report.balance.bank_report:subject",
         chapters="drawings.report.balance.bank_report:chapters",

@@ -23,7 +23,8 @@ from drawings.layout.contents import Panel
 from drawings.layout.picture import SMALLER, Picture
 from drawings.layout.table import RuledTable
 from drawings.page.drafting import Drafting, drafting_of
-from drawings.paper.strokes import Leaf
+from drawings.paper.strokes import Leaf, SheetError
+from drawings.report.balance.balance_report import notes_of
 from drawings.sheets.choice import position
 from drawings.sheets.leaves import Caption, Draft, Exhibit, compositions, lay_out
 from drawings.symbols.polygon import ShownVector
@@ -35,6 +36,7 @@ from plans.model.balance.linkage import FORCE, Balance, State
 from plans.model.kinetostatics import NOTHING
 from plans.scene.scene import Scene
 from plans.study import Study
+from plans.words.words import message, placed
 
 MAIN = "main"  # what a vector of a scheme is
 SCHEMES = "schemes"  # the schemes are drawn at one scale
@@ -70,10 +72,15 @@ class Balanced:
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheets of a scene's balanced mechanism (row of the table of sheets)."""
-    return sheets(study.scene, balanced(study["balance"], study.comparison("linkage")))
+    motion: MotionComparison = study.comparison("linkage")
+    if study["linkage"].lost.all():
+        gap = motion.construction.gaps[0]
+        where = {"reason": gap.reason, "where": gap.where, "position": gap.position, "advice": gap.advice}
+        raise SheetError(placed(study.scene.file, message("refused.no_force", **where)))
+    return sheets(study.scene, balanced(study["balance"], motion, notes_of(study).all))
 
 
-def balanced(own: BalanceStudy, motion: MotionComparison) -> Balanced:
+def balanced(own: BalanceStudy, motion: MotionComparison, notes: tuple[str, ...] = ()) -> Balanced:
     """Read what the sheets show from the records of the construction, in the position in full lines."""
     shown = position(own.linkage, motion)
     drawings = {BEFORE: own.drawing(position=shown)}
@@ -81,7 +88,7 @@ def balanced(own: BalanceStudy, motion: MotionComparison) -> Balanced:
         drawings[AFTER] = own.drawing(after=True, position=shown)
     chains = {state: tuple(map(_vector, drawing.main.sides)) for state, drawing in drawings.items()}
     moments = {side.vector.name: at(side.vector.point, 0) for side in drawings[BEFORE].polygon.sides}
-    return Balanced(skeletons(own.linkage, motion.construction, shown), chains, moments, own.balance)
+    return Balanced(skeletons(own.linkage, motion.construction, shown), chains, moments, own.balance, notes)
 
 
 def _vector(side: Side) -> ShownVector:
@@ -101,7 +108,7 @@ class Way(NamedTuple):
     finest: float = 0.0  # scale mu than which the schemes are drawn no larger
 
 
-WAYS = tuple(Way(schemes, tables) for schemes in ("", SCHEMES) for tables in (TOLD, RESULTS, ""))
+WAYS = tuple(Way(schemes, tables) for schemes in (SCHEMES, "") for tables in (TOLD, RESULTS, ""))
 
 
 def _draft(scene: Scene, shown: Balanced) -> Draft:
@@ -149,7 +156,8 @@ class _BalancingSheet:
             *self._shares(),
         )
         tables = () if self.way.tables else self.tables
-        return Draft("balancing", title, shows, tables, self.shown.notes, _facts, SCHEME + BEFORE)
+        facts = partial(_facts, self.shown.bones.shown)
+        return Draft("balancing", title, shows, tables, self.shown.notes, facts, SCHEME + BEFORE)
 
     def _schemes(self) -> Iterator[Exhibit]:
         schemes = [self._scheme(state) for state in self.shown.states]
@@ -166,7 +174,7 @@ class _BalancingSheet:
         paths = {name: states[name].around.r for name in kept if states[name].around.path > self.shown.nothing.way}
         weights = [one for one in self.balance.counterweights if one.needed] if state == AFTER else []
         placed = tuple(placed_weight(one, bones) for one in weights)
-        return BalanceScheme(state, bones, self.shown.chains[state], paths, placed)
+        return BalanceScheme(state, bones, self.shown.chains[state], paths, placed, states[state].whole)
 
     def _polygon(self) -> Iterator[Exhibit]:
         moments = self.shown.moments
@@ -176,15 +184,15 @@ class _BalancingSheet:
 
     def _shaking(self) -> Iterator[Exhibit]:
         """Show the hodographs of the main vector, if there is any."""
-        states = {name: (one.around, one.centre) for name, one in self.shown.states.items()}
-        shown = shaking_hodograph.hodograph(states, self.shown.bones.shown, self.shown.nothing.force)
+        states, whole = self.shown.states, self.balance.before.whole
+        shown = shaking_hodograph.hodograph(states, self.shown.bones.shown, self.shown.nothing.force, whole)
         if shown.vectors:
             yield self._exhibit(shaking_hodograph, shown)
 
     def _rocking(self) -> Iterator[Exhibit]:
         """Show the main moment, if there is any."""
-        sense, least = self.shown.bones.study.sense, self.shown.nothing.moment
-        curve = moment_graph.curve(self.balance.before, self.shown.after, sense, least, self.drafting)
+        bones, least = self.shown.bones, self.shown.nothing.moment
+        curve = moment_graph.curve(self.shown.states, bones.study.sense, bones.shown, least, self.drafting)
         if curve is not None:
             room = _bounded(curve_graph.measure(curve, moment_graph.NAME, self.drafting))
             yield Exhibit(Panel(room), partial(curve_graph.draw, curve, room, drafting=self.drafting))
@@ -223,6 +231,6 @@ def _bounded(room: Picture) -> Picture:
     return room._replace(most=LARGEST * room.least)
 
 
-def _facts(names: Collection[str]) -> dict[str, Any]:
-    """Say in the data of a sheet which figures it shows."""
-    return {"figures": list(names)}
+def _facts(position: int, names: Collection[str]) -> dict[str, Any]:
+    """Say in the data of a sheet which position and which figures it shows."""
+    return {"position": position, "figures": list(names)}

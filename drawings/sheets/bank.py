@@ -6,6 +6,8 @@ from collections.abc import Collection, Iterator
 from functools import partial
 from typing import Any
 
+import numpy as np
+
 from drawings.figures.bank import bank_polygon, bank_table, compensators, shaft, star, turn_graph
 from drawings.figures.bank.bank_view import BankView
 from drawings.figures.bank.compensator_layout import Layout
@@ -20,11 +22,13 @@ from drawings.report.balance.bank_notes import BankNotes, crank_of, straight
 from drawings.sheets.leaves import Draft, Exhibit, lay_out
 from plans.bank.letters import FORCE as F
 from plans.bank.letters import MOMENT as M
+from plans.checks.comparison import Comparison
 from plans.model.motion import Complexes
 from plans.scene.scene import Scene
 from plans.study import Study
 
 AFTER = "'"  # behind the letter of what is left
+LIKE = 0.3  # of the force before: what is left is drawn to the same scale, unless it is much less
 
 
 def admit(scene: Scene) -> None:
@@ -33,7 +37,7 @@ def admit(scene: Scene) -> None:
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheets of a scene's bank (row of the table of sheets)."""
-    return sheets(study.scene, view_of(study))
+    return sheets(study.scene, view_of(study), study.comparison("bank"))
 
 
 def view_of(study: Study) -> BankView:
@@ -43,16 +47,16 @@ def view_of(study: Study) -> BankView:
     return BankView(bank.balance, {F: drawing.forces, M: drawing.moments}, crank_of(study))
 
 
-def sheets(scene: Scene, shown: BankView) -> tuple[Leaf, ...]:
+def sheets(scene: Scene, shown: BankView, comparison: Comparison) -> tuple[Leaf, ...]:
     """Lay out the sheets of a bank."""
     drafting = drafting_of(scene)
     shows = (*_views(shown, drafting), *_polygons(shown, drafting), *_courses(shown, drafting))
     shows += tuple(_layouts(shown, drafting))
-    masses = bank_table.compensators(shown.balance, drafting)
-    tables = (bank_table.orders(shown.balance, drafting), *([masses] if masses is not None else []))
+    told = bank_table.orders, bank_table.compensators
+    tables = [*(write(shown.balance, drafting) for write in told), bank_table.results(comparison, drafting)]
     notes = BankNotes(shown.balance, drafting).all
     title = drafting.word("bank sheet title")
-    return lay_out(scene, [Draft("bank", title, shows, tables, notes, _facts)])
+    return lay_out(scene, [Draft("bank", title, shows, tuple(one for one in tables if one is not None), notes, _facts)])
 
 
 def _facts(names: Collection[str]) -> dict[str, Any]:
@@ -86,7 +90,7 @@ def _courses(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
 
 
 def _graphs(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
-    balance, compensated = shown.balance, bool(shown.balance.compensators)
+    balance, compensated = shown.balance, shown.compensated
     if shown.shaken:
         force = TurnCurve(FORCE, F, balance.force.real, "relative" if compensated else "result")
         left = (TurnCurve(LEFT, F + AFTER, balance.left.real),) if compensated else ()
@@ -104,20 +108,21 @@ def _graph(graph: TurnGraph, drafting: Drafting) -> Exhibit:
 def _hodographs(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
     balance = shown.balance
     if shown.shaken:
-        yield _hodograph(FORCE, F, "N", shown.on_sheet(balance.force), drafting)
-        if balance.compensators:
-            yield _hodograph(LEFT, F + AFTER, "N", shown.on_sheet(balance.left), drafting)
+        before, after = shown.on_sheet(balance.force), shown.on_sheet(balance.left)
+        scale = FORCE if float(np.abs(after).max()) >= LIKE * float(np.abs(before).max()) else ""
+        yield _hodograph(FORCE, F, "N", before, drafting, scale)
+        if shown.compensated:
+            yield _hodograph(LEFT, F + AFTER, "N", after, drafting, scale)
     if shown.rocked:
         yield _hodograph(MOMENTS, M, "N*m", shown.on_sheet(balance.moment), drafting)
 
 
-def _hodograph(name: str, letter: str, unit: str, values: Complexes, drafting: Drafting) -> Exhibit:
-    """Show a hodograph; before and after are drawn to one scale."""
+def _hodograph(name: str, letter: str, unit: str, values: Complexes, drafting: Drafting, scale: str = "") -> Exhibit:
+    """Show a hodograph."""
     turn = values[:-1]
     ends, title = turn[:: len(turn) // turn_graph.STATIONS], drafting.word(f"hodograph of {name}")
     one = Hodograph(letter, letter.rstrip(AFTER), unit, turn, ends, 0, title)
     room = hodograph.measure(one, name, drafting)
-    scale = FORCE if unit == "N" else ""
     return Exhibit(Panel(room, scale=scale), partial(hodograph.draw, one, room, drafting=drafting))
 
 

@@ -39,7 +39,11 @@ SHEETS: Final[Mapping[str, Sheet]] = {
         leaves="drawings.sheets.dynamics:leaves",
         faults="drawings.checks.verify_dynamics:faults",
     ),
-    "balancing": Sheet(admit="", leaves="", faults=""),
+    "balancing": Sheet(
+        admit="drawings.sheets.force_admission:of_forces",
+        leaves="drawings.sheets.balancing:leaves",
+        faults="drawings.checks.balance.verify_balancing:faults",
+    ),
     "bank": Sheet(
         admit="drawings.sheets.bank:admit",
         leaves="drawings.sheets.bank:leaves",

@@ -33,6 +33,7 @@ class MainPoints:
     def __init__(self, tree: Tree, bodies: Mapping[int, Body]) -> None:
         self.tree, self.bodies, self.sums = tree, bodies, Sums()
         self.board = Board(MAIN)
+        self._behind: dict[int, Term] = {}
         self.masses = {
             stem.link: self.sums.mass(f"m_{stem.link}", self.body(stem.link).mass, because("own_mass", link=stem.link))
             for stem in tree.stems
@@ -55,10 +56,12 @@ class MainPoints:
         return self.sums.total("m", self.masses.values(), self.sums.no_mass, because("all_links"))
 
     def behind(self, link: int) -> Term:
-        """Give the mass of a link with all that follow it."""
-        links = list(self.tree.behind(link))
-        name = "m_" + "+".join(map(str, links))
-        return self.sums.total(name, (self.masses[one] for one in links), self.sums.no_mass, because("follow"))
+        """Give the mass of a link with all that follow it, summed once."""
+        if link not in self._behind:
+            links = list(self.tree.behind(link))
+            name, terms = "m_" + "+".join(map(str, links)), [self.masses[one] for one in links]
+            self._behind[link] = self.sums.total(name, terms, self.sums.no_mass, because("follow"))
+        return self._behind[link]
 
     def _moment(self, stem: Stem) -> Term:
         """Sum the static moments about a link's beginning."""
@@ -90,7 +93,7 @@ class MainPoints:
 
     @property
     def constant(self) -> complex:
-        """What the hinges on the frame give the mass centre, m from the datum: the same in all positions."""
+        """What hinges and guides of the frame give the mass centre, m from the datum: the same in all positions."""
         return sum((one.share * one.stem.at for one in self._shares(self.tree.rooted)), 0j)
 
     @property

@@ -144,8 +144,8 @@ class Superposition:
 
 
 def largest(forces: Complexes) -> float:
-    """Give the largest force, N."""
-    return float(np.fmax.reduce(np.abs(forces), initial=0.0))
+    """Give the largest force, N; NaN where there is none at all."""
+    return float(np.fmax.reduce(np.abs(forces)))
 
 
 def least(forces: Forces, rate: Forces) -> float:
@@ -153,6 +153,8 @@ def least(forces: Forces, rate: Forces) -> float:
 
     Halved by the sense in which the force of the position that has the largest goes with the share.
     """
+    if np.isnan(largest(forces(0.0))):
+        return 0.0  # the mechanism cannot be assembled
     low, high = _around(forces)
     if _rises(forces, rate, low) or not _rises(forces, rate, high):
         return low if _rises(forces, rate, low) else high

@@ -47,8 +47,8 @@ class Tree:
 
     @property
     def rooted(self) -> tuple[Stem, ...]:
-        """The stems that begin at hinges of the frame."""
-        return tuple(stem for stem in self.stems if stem.parent == FRAME and stem.slide is None)
+        """The stems that begin at hinges of the frame, or where its guides do."""
+        return tuple(stem for stem in self.stems if stem.parent == FRAME)
 
     def behind(self, link: int) -> Iterator[int]:
         """Give a link and all that follow it."""

@@ -6,7 +6,6 @@ from collections.abc import Collection, Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from geometry.board import Mark
 from plans.balance import states
 from plans.balance.counterweights import counterweights, substituted
 from plans.balance.loaded import loaded
@@ -164,12 +163,6 @@ class BalanceStudy:
         return Balance(
             CONSTRUCTION, self.task, self.counterweights, self.left, self.before, self.after, self.shares, gaps
         )
-
-    @property
-    def crank_mark(self) -> Mark | None:
-        """The static moment that the crank's counterweight must have; None where nothing is needed."""
-        need = self.substitution.needs.get(self.linkage.mechanism.drive.link)
-        return None if need is None else need.mark
 
 
 def study_of(study: Study) -> BalanceStudy:

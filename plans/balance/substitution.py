@@ -146,11 +146,10 @@ def _rrp(found: Substitution, dyad: Dyad) -> None:
     outer, pin = dyad.hinge(0), dyad.pin
     found.turn_onto(slider, pin, dyad.hosts[1], dyad.slide(1))
     found.put(rod, pin, found.at_point(rod, pin), found.mass(slider))
-    whole = found.mass(rod)
     if found.task.aim != FULL and dyad.hosts[1] == FRAME and found.task.place(rod) is None:
         stays = found.share(rod, outer, pin)
         found.keep(pin, stays)
-        whole = found.sums.less(f"m_{outer}{rod}", whole, stays, because("rest_of_mass", link=rod))
+        whole = found.sums.less(f"m_{outer}{rod}", found.mass(rod), stays, because("rest_of_mass", link=rod))
     else:
         found.balance(rod, outer, (rod,))
         whole = found.mass(rod)

@@ -13,17 +13,22 @@ from typing import NamedTuple
 import numpy as np
 
 from geometry.board import Board, Mark
+from geometry.errors import ConstructionError
 from plans.bank.letters import SINGLE, letters
 from plans.bank.shaking import Shaking, Source
 from plans.linkage.crank_positions import directions
 from plans.model.balance.bank import EPS, HARMONIC, Harmonic
 from plans.model.motion import Complexes
 from plans.rotor.polygon import RUN
-from plans.words.words import Message, because
+from plans.words.words import Message, because, message
 
 HARMONICS = "harmonics"  # the board: forces, N
 FEWEST, MOST = 16, 2**14  # ordinates of a turn: begun with, and at the most
 END_TO_END = because("end_to_end")
+
+
+class NotSettled(ConstructionError):  # noqa: N818  (the exception tree's own word)
+    """The acceleration all but jumps within the turn, and no number of ordinates gives its harmonics."""
 
 
 class Harmonics(NamedTuple):
@@ -51,11 +56,11 @@ class Harmonics(NamedTuple):
 
 def harmonics(source: Source, orders: Sequence[int]) -> Harmonics:
     """Divide the turn until the harmonics settle, and draw their polygons."""
-    return of_ordinates(source, *_settled(source, orders), orders)
+    return of_ordinates(source, _settled(source, orders), orders)
 
 
-def of_ordinates(source: Source, shaking: Shaking, off: float, orders: Sequence[int]) -> Harmonics:
-    """Draw the polygons of some ordinates, which are known to be too few by so much, N."""
+def of_ordinates(source: Source, shaking: Shaking, orders: Sequence[int]) -> Harmonics:
+    """Draw the polygons of some ordinates."""
     count, board = len(shaking.force), Board(HARMONICS)
     pole = board.given("0", 0j, because("forces_start"))
     ordinates = [
@@ -64,7 +69,7 @@ def of_ordinates(source: Source, shaking: Shaking, off: float, orders: Sequence[
     ]
     vectors = {signed: _polygon(board, pole, ordinates, signed) for signed in _signed(orders)}
     own = _rounding(source, shaking)
-    return Harmonics(board, pole, vectors, own, float(np.mean(shaking.slack)) + own + off, shaking.force)
+    return Harmonics(board, pole, vectors, own, float(np.mean(shaking.slack)) + own, shaking.force)
 
 
 def _rounding(source: Source, shaking: Shaking) -> float:
@@ -72,18 +77,19 @@ def _rounding(source: Source, shaking: Shaking) -> float:
     return max(HARMONIC * EPS * source.scale, float(np.mean(shaking.slack)))
 
 
-def _settled(source: Source, orders: Sequence[int]) -> tuple[Shaking, float]:
-    """Draw the mechanism at twice as many angles until the harmonics stay where they are; tell how far they moved."""
+def _settled(source: Source, orders: Sequence[int]) -> Shaking:
+    """Draw the mechanism at twice as many angles until the harmonics stay where they are."""
     count = FEWEST
     while count <= 2 * max(orders):  # of fewer ordinates an order cannot be told from a lower one
         count *= 2
-    while True:
+    while count <= MOST:
         shaking = source.shaking(Fraction(0), count)
         limit = _rounding(source, shaking)
         moved = max(abs(a - b) for a, b in _both(shaking.force, orders))
-        if moved <= limit or 2 * count > MOST:
-            return shaking, 0.0 if moved <= limit else moved
+        if moved <= limit:
+            return shaking
         count *= 2
+    raise NotSettled(message("bank.not_settled", most=MOST))
 
 
 def _both(force: Complexes, orders: Sequence[int]) -> Iterable[tuple[complex, complex]]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
@@ -9,24 +10,29 @@ from geometry.board import Mark
 from geometry.steps import behind
 from plans.bank.compensators import COMPENSATORS
 from plans.bank.harmonics import HARMONICS
-from plans.bank.letters import FORCE, MOMENT, SINGLE, STATIC, letters
+from plans.bank.letters import FORCE, MOMENT, SINGLE, STATIC, couple_letters, letters
 from plans.bank.polygons import MOMENTS
+from plans.bank.study import BankStudy, orders_of
 from plans.explanation import Explanation, NoMark, UnknownMark
+from plans.model.balance.bank import BankTask
 from plans.words.words import message
 
 if TYPE_CHECKING:
-    from plans.bank.study import BankStudy
     from plans.study import Study
 
+LETTERS = re.compile(rf"-?({SINGLE}|{FORCE}|{MOMENT}|{STATIC})_|Φ\(")
 UNITS = {HARMONICS: "N", MOMENTS: "N*m", COMPENSATORS: "kg*m"}
 
 
 def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     """Give the steps behind a mark; of a vector of the bank those behind its harmonic only if all are asked for."""
+    task: BankTask = study.scene.meaning["bank"].task
+    if not LETTERS.match(name):  # for a mark of another technique no bank is drawn
+        return _no_mark(task)
     bank: BankStudy = study["bank"]
-    mark = next((mark for board in bank.boards for mark in board if mark.name == name and name != "0"), None)
+    mark = next((mark for board in bank.boards for mark in board if mark.name == name), None)
     if mark is None:
-        return _no_mark(bank)
+        return _no_mark(task)
     if position:
         raise UnknownMark(message("mark.no_position", mark=name, position=position))
     steps = behind(mark)
@@ -53,11 +59,18 @@ def _zeros(bank: BankStudy) -> Iterator[Mark]:
             yield from (total.vector, total.polygon.closing, *total.polygon.closing.step.inputs[:1])
 
 
-def _no_mark(bank: BankStudy) -> NoMark:
+def _no_mark(task: BankTask) -> NoMark:
     """Name the marks that there are."""
-    names = tuple(mark.name for board in bank.boards for mark in board if mark.name != "0")
-    order = bank.orders[0]
-    shown = [letters(kind, order) for kind in (SINGLE, FORCE, MOMENT)]
-    member = letters(FORCE, order, bank.task.members[0].name)
-    weights = [letters(STATIC, one.asked.order) for one in bank.weights[:1]]
-    return NoMark(names, message("mark.marks", marks=", ".join((*shown, member, *weights))), ())
+    first = task.orders[0]
+    shown = [*(letters(kind, first) for kind in (SINGLE, FORCE, MOMENT)), letters(FORCE, first, task.members[0].name)]
+    shown += [letters(STATIC, one.order) for one in task.asked[:1]]
+    return NoMark(tuple(_names(task)), message("mark.marks", marks=", ".join(shown)), ())
+
+
+def _names(task: BankTask) -> Iterator[str]:
+    for order in orders_of(task):
+        for signed in (order, -order):
+            yield from (letters(kind, signed) for kind in (SINGLE, FORCE, MOMENT))
+            yield from (letters(kind, signed, one.name) for kind in (FORCE, MOMENT) for one in task.members)
+    for one in task.asked:
+        yield from (letters(STATIC, one.order), letters(STATIC, -one.order), couple_letters(one.order))

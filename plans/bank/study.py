@@ -8,12 +8,13 @@ from typing import TYPE_CHECKING
 
 from geometry.board import Board
 from plans.bank.compensators import COMPENSATORS, Weights, compensators, left_over
-from plans.bank.harmonics import HARMONICS, Harmonics, harmonics
+from plans.bank.harmonics import HARMONICS, Harmonics, NotSettled, harmonics
 from plans.bank.linkage import linkage_of
 from plans.bank.polygons import Polygons, polygons
 from plans.bank.shaking import SliderCrank, Source
 from plans.bank.whole import Whole, whole
 from plans.model.balance.bank import CONSTRUCTION, BankBalance, BankTask
+from plans.words.words import placed
 
 if TYPE_CHECKING:
     from plans.study import Study
@@ -22,8 +23,9 @@ if TYPE_CHECKING:
 class BankStudy:
     """A bank, by construction; nothing is made before it is asked for."""
 
-    def __init__(self, task: BankTask, source: Source) -> None:
+    def __init__(self, task: BankTask, source: Source, place: str = "") -> None:
         self.task, self.source = task, source
+        self.place = place  # of the bank in the scene's file
         self.made: dict[str, None] = {}  # what was made, in order
 
     def construct(self, plans: Collection[str]) -> None:
@@ -35,12 +37,15 @@ class BankStudy:
     @cached_property
     def single(self) -> Harmonics:
         """The harmonics of one mechanism."""
-        return harmonics(self.source, self.orders)
+        try:
+            return harmonics(self.source, self.orders)
+        except NotSettled as error:
+            raise NotSettled(placed(self.place, error.args[0]) if self.place else error.args[0]) from None
 
     @property
     def orders(self) -> tuple[int, ...]:
         """The orders that are told, with those that compensators are asked of."""
-        return tuple(dict.fromkeys((*self.task.orders, *(one.order for one in self.task.asked))))
+        return orders_of(self.task)
 
     @cached_property
     def drawing(self) -> Polygons:
@@ -88,8 +93,15 @@ class BankStudy:
         )
 
 
+def orders_of(task: BankTask) -> tuple[int, ...]:
+    """Give the orders that are told, with those that compensators are asked of."""
+    return tuple(dict.fromkeys((*task.orders, *(one.order for one in task.asked))))
+
+
 def study_of(study: Study) -> BankStudy:
     """Make the study of a scene's bank (row of the table of techniques)."""
     task: BankTask = study.scene.meaning["bank"].task
     unit, speed = task.unit, task.speed
-    return BankStudy(task, linkage_of(study, speed) if unit is None else SliderCrank(unit, speed))
+    line, _ = study.scene.place(("bank",))
+    source = linkage_of(study, speed) if unit is None else SliderCrank(unit, speed)
+    return BankStudy(task, source, f"{study.scene.file}:{line}")

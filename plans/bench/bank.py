@@ -49,7 +49,7 @@ def _unit(task: BankTask) -> Unit:
 
 def _few(task: BankTask, count: int) -> Told:
     source = SliderCrank(_unit(task), task.speed)
-    single = of_ordinates(source, source.shaking(Fraction(0), count), 0.0, task.orders)
+    single = of_ordinates(source, source.shaking(Fraction(0), count), task.orders)
     found = polygons(single, task.members)
     return {
         SINGLE: {order: single.harmonic(order) for order in task.orders},

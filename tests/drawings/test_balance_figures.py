@@ -11,7 +11,7 @@ from drawings.figures.balance.balance_table import change
 from drawings.lettering.lettering import lettered
 from drawings.measure.measure import Measured, measure
 from drawings.page.drafting import drafting_of
-from drawings.paper.strokes import Arc, Group, Leaf, Line, Polyline, Stroke
+from drawings.paper.strokes import Arc, Circle, Group, Leaf, Line, Polyline, Stroke
 from drawings.paper.walk import groups, texts, walk
 from drawings.pens.svg import svg
 from drawings.sheets.balancing import leaves
@@ -177,3 +177,13 @@ def test_before_is_thin_and_after_is_thick(engine) -> None:
 )
 def test_a_change_is_told_in_per_cent(before: float, after: float, told: str) -> None:
     assert change(before, after, drafting_of(parse_scene(HEAD + ENGINE + "[balance]\n"))) == told
+
+
+def test_of_a_crank_that_cannot_turn_fully_only_its_positions_are_shown() -> None:
+    swinging = FOUR_BAR.replace("0.35, 0]", "0.75, 0]").replace("B = [0.39, 0.3]", "B = [0.49, 0.16]")
+    own = leaves(study(swinging.replace("link = 1\n", "link = 1\npositions = 24\n"), "[balance]\n", "A3"))
+    assert not any(isinstance(one, Polyline) for name in ("shaking", "rocking") for one in lines(own, name))
+    dots = [one for one in lines(own, "scheme-before-path-before") if not isinstance(one, Group)]
+    ends = [one for sheet in map(measured, own) for one in sheet.points if one.plan == "shaking"]
+    assert len(dots) == len(ends) > 4
+    assert all(isinstance(one, Circle) for one in dots)

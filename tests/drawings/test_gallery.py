@@ -33,6 +33,7 @@ BY_ANALYSIS = re.compile(r"<br>[^|]*")  # shown where the last of ten digits dif
 ALIKE = (
     *("rocker-cam", "feed-cam", "tappet-cam", "valve-cam", "flat-rocker-cam", "automaton"),
     *("conveyor", "whitworth", "jaw-crusher", "tangent", "toggle-press", "scotch-yoke", "compressor"),
+    *("engine-full", "engine-share", "lanchester"),
 )
 LINE = 0.4  # mm: half a thick line, by which a stroke on the frame reaches over it
 

@@ -2,17 +2,32 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from dataclasses import replace
+from decimal import Decimal
 
 import numpy as np
 import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
 
 from geometry.meet import EPS
 from plans.analytic.balance import counterweights as by_vectors
+from plans.balance.refusals import Refused
+from plans.balance.study import BalanceStudy
+from plans.balance.weights import begins
 from plans.checks.balance.comparison import BalanceComparison, compare_balance
 from plans.checks.compare import compare
+from plans.forces.statics import Statics
 from plans.model.balance.linkage import FULL, NONE, PARTIAL, REACTION, SECTOR, SHARE, Place, Task
+from tests.parts import examples
+from tests.plans import linkages
+from tests.plans.balance_cases import bodies
 from tests.plans.balanced import ENGINE, FOUR_BAR, SHAPER, SIX_LINK, asked, study
+from tests.plans.chains import chains
+from tests.plans.machines import pointed
+from tests.plans.studies import study_of
 
 CASES = {
     "four-bar a": (FOUR_BAR, asked(FULL, Place(1, mass=9), Place(2, mass=6))),
@@ -30,6 +45,18 @@ CASES = {
 # The three roads of the main vector: main points with direct sums, the polygon of inertia forces, and what the frame
 # holds; each within so many roundings of the largest.
 ROADS = 8
+
+
+@contextmanager
+def refusals() -> Iterator[None]:
+    """Let a balance pass that cannot be: a mass that slides on a link that moves."""
+    with pytest.MonkeyPatch.context() as patch, suppress(_RefusalError):
+        patch.setattr(Refused, "fault", lambda *_: _RefusalError())
+        yield
+
+
+class _RefusalError(Exception):
+    pass
 
 
 def compared(text: str, task: Task) -> BalanceComparison:
@@ -85,3 +112,33 @@ def test_a_mass_centre_that_moves_is_seen() -> None:
     found = compare_balance(its, compare(its.linkage))
     assert "S'" in {one.name for one in found.findings if one.excess.max() > 1}
     assert replace(found, findings=()).agrees
+
+
+def test_a_guide_off_the_shaft_moves_the_mass_centre_by_its_distance() -> None:
+    """What begins at a slide of the frame begins where its guide does."""
+    mechanism = pointed(linkages.tangent_mechanism(0.3))
+    linkage = study_of(mechanism, positions=[-30, 0, 20])
+    statics = Statics(linkage).bearing(bodies((1, 1, 0.1), (2, 2, 0.02j), (3, 5, 0.1 + 0.05j)))
+    found = compare_balance(BalanceStudy(linkage, statics, Task(NONE)), compare(linkage))
+    assert found.agrees
+    pin = linkage.motion(0).points["A"].r
+    turn = linkage.motion(0).links
+    slot, guided = (np.exp(1j * turn[link].angle) for link in (1, 3))
+    told = (0.1 * slot + 2 * (pin + 0.02j * slot) + 5 * (pin + (0.1 + 0.05j) * guided)) / 8
+    assert np.allclose(found.construction.before.centre.r, told, rtol=1e-14)
+
+
+@examples(4, 60)
+@given(chain=chains(most=3), masses=st.integers(0, 2**20))
+def test_both_roads_agree_on_any_linkage_of_dyads(chain, masses) -> None:
+    """Main points of trees of links, variable vectors along guides, and substitution where the groups allow it."""
+    linkage = study_of(pointed(chain.mechanism), chain.phi, [Decimal(chain.phi) + step for step in (0, 2, 5)])
+    rng = np.random.default_rng(masses)
+    rows = [(link, rng.uniform(0.5, 5), complex(*rng.uniform(-1, 1, 2))) for link in chain.mechanism.links if link]
+    statics = Statics(linkage).bearing(bodies(*rows))
+    motion = compare(linkage)
+    assume(motion.agrees)
+    places = tuple(Place(link, radius=0.3) for link in begins(linkage.mechanism, linkage.groups))
+    for task in (Task(NONE), Task(PARTIAL, places)):
+        with refusals():
+            assert compare_balance(BalanceStudy(linkage, statics, task), motion).agrees

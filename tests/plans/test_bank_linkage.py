@@ -98,3 +98,15 @@ def test_a_crank_that_cannot_turn_fully_has_no_harmonics() -> None:
     with pytest.raises(NoTurn, match=r"no harmonics of a turn: the crank does not turn fully") as told:
         _ = Study(scene)["bank"]
     assert "гармоник" in told.value.args[0].worded("ru")
+
+
+def test_a_scene_with_its_balance() -> None:
+    """The bank is of the engine with its counterweight on, by analysis with the counterweight that analysis finds."""
+    text = ENGINE.format(positions=12).replace('"forces"', '"kinematics"')
+    balance = '[balance]\naim = "partial"\n[[balance.counterweights]]\non = 1\nmass = 2\n'
+    task = "[bank]\n[[bank.members]]\ncrank = 0\n[[bank.compensators]]\norder = 1\n"
+    comparison = Study(parse_scene(text + balance + task), ["harmonics", "compensators"]).comparison("bank")
+    assert comparison.agrees
+    assert comparison.analysis.compensators[0].with_crank == pytest.approx(0.475, rel=1e-12)
+    bare = Study(parse_scene(text + task), ["harmonics", "accelerations"]).comparison("bank")
+    assert bare.agrees and bare.analysis.compensators[0].with_crank > 0.8

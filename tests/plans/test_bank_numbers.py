@@ -91,3 +91,9 @@ def test_a_mark_that_is_not_there(study: Study) -> None:
     assert str(answer.listed) == "marks are f_I, F_I, M_I, F_I,1, mr_II" and "M_-II" in answer.names
     with pytest.raises(UnknownMark, match="same in every position"):
         marks(study, 3, "F_I")
+
+
+def test_a_mark_of_another_technique_draws_no_bank(study: Study) -> None:
+    bare = Study.of_all(study.scene)
+    assert isinstance(marks(bare, 0, "v_B"), NoMark)
+    assert bare.made == frozenset()

@@ -1,4 +1,4 @@
-"""Wrong formulas of rotors, banks, machines' motion and run, cyclograms and cams, each seen by the tests named beside.
+"""Wrong formulas of rotors, balances, banks, machines' motion and run, cyclograms and cams, seen by tests named beside.
 
 Each table stands in tests/cases.
 """
@@ -14,7 +14,7 @@ from tests.plans.seeded import everyday, faults, verdicts
 CASES = Path(__file__).parents[1] / "cases"
 MACHINES = "machine_faults", "dynamics_analysis_faults", "run_faults"
 CAMS = "cam_task_faults", "cam_law_faults", "cam_size_faults", "cam_profile_faults"
-NAMES = ("rotor_faults", "bank_formula_faults", *MACHINES, "cyclogram_faults", *CAMS)
+NAMES = ("rotor_faults", "balance_construction_faults", "bank_formula_faults", *MACHINES, "cyclogram_faults", *CAMS)
 TABLES = {name: faults(CASES / f"{name}.toml") for name in NAMES}
 
 

@@ -38,7 +38,7 @@ def due(expected: Expected) -> Iterator[str]:
     """Name the curves that the sheets must show."""
     for plan, (name, _, _) in CURVES.items():
         first = WHOLE if name == LEFT else name
-        if expected.acts(first) and (name != LEFT or expected.task.asked):
+        if expected.acts(first) and (name != LEFT or expected.compensated):
             yield plan
 
 
@@ -157,7 +157,7 @@ class _Graph(_Course):
         unit = self.drafting.word("N*m" if self.letter == "M" else "N")
         if f"{self.letter.rstrip(chr(39))}, {unit}" not in texts:
             yield on("letter", self.plan, name=self.letter)
-        if self.expected.task.asked and self.letter != "M" and not self.strokes.lettered(self.letter, spots.tolist()):
+        if self.expected.compensated and self.letter != "M" and not self.strokes.lettered(self.letter, spots.tolist()):
             yield on("letter", self.plan, name=self.letter)
         found = written(self.strokes.group).get(self.letter.rstrip("'"), 0.0)
         if number(found, self.drafting.language) != number(self.mu, self.drafting.language):

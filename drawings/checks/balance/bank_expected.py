@@ -135,6 +135,11 @@ class Expected:
         rows = {WHOLE: self.analysis.force, LEFT: self.analysis.left, WHOLE_MOMENT: self.analysis.moment}
         return np.asarray(rows[name] * self.turn if not self.straight else rows[name])
 
+    @cached_property
+    def compensated(self) -> bool:
+        """Whether some compensator has a mass."""
+        return any(any(self.bodies(one)) for one in self.analysis.compensators)
+
     def acts(self, name: str) -> bool:
         """Whether more than rounding is left of what is followed over the turn."""
         slack = self.analysis.moment_slack if name == WHOLE_MOMENT else self.analysis.force_slack

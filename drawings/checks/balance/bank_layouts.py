@@ -118,18 +118,17 @@ class _Layout:
 
     def _gears(self, shafts: list[complex]) -> Iterator[Wrong]:
         """See that two gears touch on the line of the compensators, which is so far from the crank's shaft."""
-        if len(shafts) < len(("with", "against")):
+        if not shafts:
             return
-        first, last = shafts
+        first, last = shafts[0], shafts[-1]
         line = self.expected.line(self.found)
         middle, half = (first + last) / 2 - self.zero, abs(first - last) / 2
         offset = (middle * (1j * line).conjugate()).real * self.mu
         asked = self.found.asked.offset
         if not abs(offset - asked) <= NEAR * self.mu + LINE * abs(middle) * self.mu:
             yield on("size", self.name, name="z")
-        if abs(((first - last) * line.conjugate()).real) > NEAR + LINE * half or not all(
-            self.strokes.circled(one, half) for one in shafts
-        ):
+        level = abs(((first - last) * line.conjugate()).real) <= NEAR + LINE * half
+        if not level or (first != last and not all(self.strokes.circled(one, half) for one in shafts)):
             yield on("circle", self.name, name=lowered("m"))
         yield from self._said("z", asked)
 

@@ -10,12 +10,15 @@ from drawings.checks import reading
 from drawings.checks.balance.bank_expected import Body, Expected
 from drawings.checks.rotor_tables import Cell
 from drawings.checks.wrong import Wrong, within
-from drawings.figures.bank.bank_table import COMPENSATOR_HEADS, COMPENSATORS, ORDER_HEADS, ORDERS
+from drawings.figures.bank.bank_table import COMPENSATOR_HEADS, COMPENSATORS, ORDER_HEADS, ORDERS, RESULTS
+from drawings.layout.value_table import COLUMNS
 from drawings.lettering.bank_letters import lowered
 from drawings.page.drafting import Drafting
 from drawings.paper.strokes import Leaf, Text
 from drawings.paper.walk import groups
+from plans.bank.harmonics import HARMONICS
 from plans.bank.letters import FORCE, MOMENT, SINGLE, letters
+from plans.checks.comparison import Finding
 from plans.model.balance.bank import Compensator, Harmonic
 
 
@@ -26,6 +29,29 @@ def faults(leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wrong
     for name, due in rows.items():
         heading = [Text(0j, drafting.word(key)).plain for key in heads[name]]
         yield from _table(leaf, name, due, heading)
+    yield from _results(leaf, expected)
+
+
+def _results(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
+    """Read the table of what both roads found back: every vector and every mass that is more than rounding."""
+    due = {Text(0j, lowered(one.name)).plain: one for one in expected.comparison.findings if _compared(one)}
+    own = [one for one in groups(leaf.groups) if one.name.removeprefix(f"{RESULTS}-").isdigit()]
+    seen = dict[str, int]()
+    for group in own:
+        for text, name, _ in reading.wrong_values(group, due, (0,)):
+            yield within("cell", RESULTS, name=name, text=text)
+        for name, *cells in ([text.plain for text in row] for row in reading.rows(group)):
+            seen[name.rsplit(", ", 1)[0]] = len(cells)
+    heads = len(COLUMNS)
+    yield from (within("row", RESULTS, name=name) for name, count in seen.items() if name in due and count != heads)
+    if own or leaf.metadata["of"] == 1:
+        yield from (within("missing_from", RESULTS, name=one.name) for name, one in due.items() if name not in seen)
+
+
+def _compared(one: Finding) -> bool:
+    """Tell whether a finding must stand there: a vector of an order of the bank, or a static moment of a mass."""
+    told = one.plan in (HARMONICS, COMPENSATORS) and one.name.startswith(("F_", "M_", "mr_"))
+    return told and abs(one.analysis[0]) > one.allowed[0]
 
 
 def _table(leaf: Leaf, name: str, due: Mapping[str, list[Cell]], heading: list[str]) -> Iterator[Wrong]:

@@ -58,6 +58,7 @@ def faults(leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wrong
     yield from (
         within("stranger_in", NOTES, text=rest[max(one.start() - 4, 0) : one.end()]) for one in _SAID.finditer(rest)
     )
+    yield from _rows(told, expected, drafting)
     yield from _phrases(told, expected, drafting)
 
 
@@ -129,6 +130,25 @@ def _phrases(told: str, expected: Expected, drafting: Drafting) -> Iterator[Wron
         idle = drafting.word("no compensator", order=one.asked.order)
         if (idle in told) == any(expected.bodies(one)):
             yield within("in", NOTES, text=idle)
+
+
+def _rows(told: str, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:
+    """See that the notes say how every mechanism stands, number by number."""
+    members = expected.members
+    rows = {
+        "crank angles": ("angles", [one.crank for one in members], True),
+        "guide angles": ("angles", [one.axis for one in members], any(one.axis for one in members)),
+        "bank places": ("places", [1000 * one.place for one in members], any(one.place for one in members)),
+    }
+    for key, (part, values, due) in rows.items():
+        before, _, after = drafting.word(key, **{part: "\0"}).partition("\0")
+        found = re.search(rf"{re.escape(before)}((?:{_NUMBER}(?:; )?)+){re.escape(after)}", told)
+        said = found[1].split("; ") if found else []
+        right = len(said) == len(values) and all(
+            Cell(float(value)).holds(text) for text, value in zip(said, values, strict=True)
+        )
+        if bool(found) != due or (due and not right):
+            yield within("in", NOTES, text=found[0] if found else before)
 
 
 def _vanish(found: object) -> frozenset[int]:

@@ -146,8 +146,9 @@ class _Shaft(_View):
         for one in self.expected.members:
             if one.place:
                 places.setdefault(float(one.place), []).append(one.name)
-        for place, names in places.items() if len(places) <= shaft.MOST else ():
-            start = f"z{', '.join(names)} = "
+        starts = {place: f"z{', '.join(names)} = " for place, names in places.items()}
+        some = any(text.startswith("z") for text in self.strokes.texts)  # where one has no room there is none
+        for place, start in starts.items() if some else ():
             if not any(self._holds(one, start, place) for one in groups((self.strokes.group,))):
                 yield on("size", shaft.NAME, name=start.removesuffix(" = "))
 

@@ -5,7 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from drawings.checks import reading
-from drawings.checks.balance import bank_curves, bank_layouts, bank_marks, bank_tables, bank_told, bank_views
+from drawings.checks.balance import (
+    bank_curves,
+    bank_layouts,
+    bank_marks,
+    bank_tables,
+    bank_titles,
+    bank_told,
+    bank_views,
+)
 from drawings.checks.balance.bank_expected import Expected
 from drawings.checks.wrong import Wrong
 from drawings.figures.bank import shaft, star
@@ -14,6 +22,7 @@ from drawings.figures.rotor.letters import MOST
 from drawings.measure.measure import Measured
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
+from drawings.paper.walk import groups
 from drawings.report.balance.bank_notes import crank_of
 from plans.study import Study
 from plans.words.words import message
@@ -29,14 +38,15 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
 def check(measured: Measured, leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:
     """Hold what a sheet shows: the figures that its data name, tables, notes, scales."""
     figures = frozenset(leaf.metadata["figures"])
-    if leaf.metadata["of"] == 1:
-        lost = (name for name in due(expected) if name not in figures)
-        yield from (message("wrong.missing", name=name) for name in lost)
+    wanted = figures if leaf.metadata["of"] > 1 else figures | set(due(expected))
+    lost = wanted - {one.name for one in groups(leaf.groups)}
+    yield from (message("wrong.missing", name=name) for name in sorted(lost))
     yield from bank_marks.polygons(measured, expected, figures)
     yield from bank_marks.places(measured, expected, figures)
     yield from bank_views.faults(leaf, expected, drafting, figures)
     yield from bank_curves.faults(measured, leaf, expected, drafting, figures)
     yield from bank_layouts.faults(measured, leaf, expected, drafting, figures)
+    yield from bank_titles.faults(leaf, expected, drafting, figures)
     yield from bank_tables.faults(leaf, expected, drafting)
     yield from bank_told.faults(leaf, expected, drafting)
     graphs = {bank_curves.figure_of(expected, plan) for plan in bank_curves.due(expected) if expected.straight}

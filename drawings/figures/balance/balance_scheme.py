@@ -31,17 +31,19 @@ from drawings.lettering.lettering import text_width
 from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.limits import SEEN
-from drawings.paper.strokes import INK, LEAN, Arc, Circle, Group, Line, Polyline, Stroke, Text
+from drawings.paper.strokes import INK, LEAN, Arc, Circle, Group, Line, LineStyle, Polyline, Stroke, Text
 from drawings.symbols.dashes import fit_dashes
 from drawings.symbols.figure import Subject, heading
 from drawings.symbols.force_arrow import plain_name
 from drawings.symbols.polygon import LaidVector, carriers, letters
 from drawings.symbols.symbols import ARROW_LENGTH, MASS, POINT, cross, mass_centre
 from drawings.symbols.trimming import trim
+from plans.model.motion import Complexes
 
 SYMBOL, UNIT = "l", "m"
 MARGINS = Margins(3.5, 3.2, 2.6)  # paper around it for its letters and stands, in their sizes
 LETTERS = 22.0  # it is drawn at least so many of its letters large
+PATH, RIM = "path-", "rim-"  # before a state, before a link: how names of groups of lines end
 STILL = 0.2  # mm: a shorter path is a dot under its point's own symbol
 
 
@@ -71,11 +73,12 @@ class SchemeFigure:
         body, stands = list(self.pairs.bars()), list(self.pairs.stands())
         blocks = [block for _, block in self.pairs.blocks]
         ink.draw([*body, *blocks, *stands])
-        under = [*self._paths(), *self._axes(), *self._ties(), *self._holders()]
+        under = [*self._axes(), *self._ties(), *self._holders()]
         return (
             self._heading(),
+            *self._paths(),
             *fit_dashes(trim(under, self.pairs.masks)),
-            *trim((rim for one in self.shown.weights for rim in self._rim(one)), self.pairs.masks),
+            *(self._outline(one) for one in self.shown.weights),
             *grounds(self.pairs, ink),
             *(*blocks, *body, *self.pairs.corners(), *stands),
             *(part for turning in turnings(self.pairs) for part in turning.strokes(self.pairs)),
@@ -89,14 +92,21 @@ class SchemeFigure:
     def _hand(self) -> Hand:
         return self.drafting.hand
 
-    def _paths(self) -> Iterator[Stroke]:
-        """Draw the path of the common mass centre: its own in a main line, the other thin."""
+    def _paths(self) -> Iterator[Group]:
+        """Draw the path of the common mass centre: its own in a main line, the other thin; or its points alone."""
         for state, path in self.shown.paths.items():
             style = self._hand.result if state == self.shown.state else self._hand.other
-            for run in stretches(path.real):
-                spots = [self.place.on(complex(path[k])) for k in run]
-                if _length(spots) > STILL:
-                    yield Polyline(tuple(spots), False, style)
+            strokes = self._line(path, style) if self.shown.whole else self._dots(path, style)
+            yield Group(tuple(strokes), f"{self.shown.name}-{PATH}{state}")
+
+    def _line(self, path: Complexes, style: LineStyle) -> Iterator[Stroke]:
+        runs = ([self.place.on(complex(path[k])) for k in run] for run in stretches(path.real))
+        lines = [Polyline(tuple(spots), False, style) for spots in runs if _length(spots) > STILL]
+        yield from fit_dashes(trim(lines, self.pairs.masks))
+
+    def _dots(self, path: Complexes, style: LineStyle) -> Iterator[Stroke]:
+        known = path[~np.isnan(path.real)].tolist()
+        yield from (Circle(self.place.on(spot), style.width, INK) for spot in known)
 
     def _axes(self) -> Iterator[Stroke]:
         for slide in frame_slides(self.shown.bones):
@@ -118,6 +128,9 @@ class SchemeFigure:
             if one.is_disc:
                 yield Line(self.place.on(one.begin), self.place.on(one.centre), self._hand.result)
 
+    def _outline(self, one: PlacedWeight) -> Group:
+        return Group(tuple(trim(self._rim(one), self.pairs.masks)), f"{self.shown.name}-{RIM}{one.weight.link}")
+
     def _rim(self, one: PlacedWeight) -> Iterator[Stroke]:
         """Draw a counterweight to scale: a disc about its centre, a sector about its link's beginning."""
         style, radius = self._hand.relative, self.place.length(one.weight.outer)
@@ -137,8 +150,8 @@ class SchemeFigure:
             data = self.subject.data("pole" if name == pivot else "point", name, value, scale)
             yield Group(self._symbol(name, at), "", data, name)
         for one in self.shown.weights:
-            at, letter = self.place.on(one.centre), counterweight(one.weight.link, "en")
-            data = self.subject.data("point", plain_name(letter), one.centre, scale)
+            at, letter = self.place.on(one.centre), counterweight(one.weight.link, self.drafting.language)
+            data = self.subject.data("point", plain_name(counterweight(one.weight.link, "en")), one.centre, scale)
             yield Group((Circle(at, POINT * hand.symbol, INK), *cross(at, hand)), "", data, letter)
 
     def _symbol(self, name: str, at: complex) -> tuple[Stroke, ...]:

@@ -80,7 +80,7 @@ class Quantity(NamedTuple):
 
 def costs(before: State, after: State | None, none: Nothing, drafting: Drafting) -> RuledTable:
     """Tell what is largest of the mass centre's way, main vector and moment, reactions, balancing moment, and mass."""
-    heads = ("before column", "after column", "change")
+    heads = ("before column", "after column", "change column")
     words = tuple(drafting.word(head) for head in (heads if after is not None else heads[:1]))
     lines = [TableRow(one.name, _cells(one, before, after, drafting)) for one in quantities(before, none, drafting)]
     return table(lines, drafting.word("largest value"), words, drafting.hand.text)._replace(name=COSTS)

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 
-from drawings.figures.graphs.curve_graph import GraphCurve, bounded, swing
+from drawings.figures.balance.told_positions import told
+from drawings.figures.graphs.curve_graph import TURN, GraphCurve, bounded, swing
 from drawings.lettering.balance_letters import MOMENT
 from drawings.page.drafting import Drafting
 from plans.model.balance.linkage import State
@@ -13,20 +16,30 @@ from plans.model.motion import Floats
 NAME = "rocking"
 
 
-def curve(before: State, after: State | None, sense: int, least: float, drafting: Drafting) -> GraphCurve | None:
-    """Give the main moments of both states; None where there is none above `least` N*m."""
-    own = after or before
-    angles = np.degrees(sense * (own.around.phi - own.around.phi[0]))
-    stations = np.degrees(sense * (own.centre.phi - own.centre.phi[0])) % 360
-    dense, ordinates, was = (
-        np.where(np.abs(row) <= least, 0.0, row) for row in (own.around.moment, own.centre.moment, before.around.moment)
-    )
-    if max(before.rocking, own.rocking) <= least or len(angles) < 2:
+def curve(states: Mapping[str, State], sense: int, shown: int, least: float, drafting: Drafting) -> GraphCurve | None:
+    """Give the main moments of the states, at the positions that of the last; None where all are below `least` N*m.
+
+    Of a crank that cannot turn fully there are the ordinates at its positions alone.
+    """
+    first, own = next(iter(states.values())), list(states.values())[-1]
+    if max(first.rocking, own.rocking) <= least or len(own.centre.phi) < 2:
         return None
-    title = drafting.word("rocking graph")
-    shown = GraphCurve(MOMENT, "N*m", angles, bounded(dense, ordinates), stations, ordinates, title)
-    return swing(shown if after is None else shown._replace(before=bounded(was, _own(before))))
+    numbers = told(len(own.centre.phi), shown)
+    stations = np.degrees(sense * (own.centre.phi - own.centre.phi[0]))[list(numbers)] % TURN
+    ordinates, title = _seen(own.centre.moment, least)[list(numbers)], drafting.word("rocking graph")
+    bare = GraphCurve(MOMENT, "N*m", np.array([0.0, TURN]), np.full(2, np.nan), stations, ordinates, title)
+    bare = bare._replace(numbers=numbers)
+    if not own.whole:
+        swung = swing(bare)
+        return swung._replace(values=np.full(len(swung.values), np.nan))
+    angles = np.degrees(sense * (own.around.phi - own.around.phi[0]))
+    whole = bare._replace(angles=angles, values=_course(own, least))
+    return whole if own is first else whole._replace(before=_course(first, least))
 
 
-def _own(state: State) -> Floats:
-    return state.centre.moment
+def _course(state: State, least: float) -> Floats:
+    return np.asarray(bounded(_seen(state.around.moment, least), _seen(state.centre.moment, least)))
+
+
+def _seen(moments: Floats, least: float) -> Floats:
+    return np.where(np.abs(moments) <= least, 0.0, moments)

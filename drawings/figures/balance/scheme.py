@@ -59,6 +59,7 @@ class BalanceScheme:
     chain: tuple[ShownVector, ...]  # main-point vectors laid end to end from the datum, m
     paths: Mapping[str, Complexes]  # of the common mass centre over the turn, m, by state: its own comes last
     weights: tuple[PlacedWeight, ...] = ()
+    whole: bool = True  # whether the crank turns fully: else the paths are known at the positions alone
 
     @property
     def name(self) -> str:

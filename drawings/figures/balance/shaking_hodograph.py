@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
 from drawings.figures.balance.scheme import AFTER, BEFORE
+from drawings.figures.balance.told_positions import told
 from drawings.figures.graphs.curve_graph import stretches
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
@@ -22,7 +23,7 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, LEAN, Circle, Group, LineStyle, Polyline, Stroke, Text
 from drawings.symbols.figure import Subject, heading, point, vector
 from drawings.symbols.symbols import pole
-from plans.model.balance.linkage import MassCentre
+from plans.model.balance.linkage import State
 from plans.model.motion import Complexes
 
 NAME, SYMBOL, UNIT, POLE = "shaking", "F", "N", "o"
@@ -52,6 +53,7 @@ class ShakingHodograph(NamedTuple):
 
     vectors: tuple[MainVector, ...]
     shown: int
+    whole: bool = True  # whether the crank turns fully: else the vectors are known at the positions alone
 
     @property
     def points(self) -> list[complex]:
@@ -61,13 +63,18 @@ class ShakingHodograph(NamedTuple):
         return [complex(value) for value in values[~np.isnan(values.real)]]
 
 
-def hodograph(states: dict[str, tuple[MassCentre, MassCentre]], shown: int, nothing: float) -> ShakingHodograph:
-    """Gather the main vectors of states by their names, over the turn and at the positions; none below `nothing`."""
-    vectors = []
-    for state, (around, own) in states.items():
-        if float(np.nanmax(np.abs(around.force), initial=0.0)) > nothing:
-            vectors.append(MainVector(state, around.force, own.force))
-    return ShakingHodograph(tuple(vectors), shown)
+def hodograph(states: Mapping[str, State], shown: int, nothing: float, whole: bool = True) -> ShakingHodograph:
+    """Gather the main vectors of states by their names, over the turn and at the positions; none below `nothing` N."""
+    seen = {name: one for name, one in states.items() if one.shaking > nothing}
+    vectors = tuple(MainVector(name, one.around.force, _ends_of(one, shown)) for name, one in seen.items())
+    return ShakingHodograph(vectors, shown, whole)
+
+
+def _ends_of(state: State, shown: int) -> Complexes:
+    """Give the main vectors at the positions that are told."""
+    force = state.centre.force
+    kept = np.isin(np.arange(len(force)), told(len(force), shown))
+    return np.where(kept, force, np.nan + 0j)
 
 
 @dataclass(frozen=True)
@@ -128,7 +135,8 @@ def draw(shown: ShakingHodograph, room: Picture, spot: Spot, drafting: Drafting)
     lines: list[Stroke] = [heading(spot.box, drafting.word("shaking hodograph"), under, hand)]
     for one in shown.vectors:
         style = hand.other if both and one.state == BEFORE else hand.result
-        lines += [*_curve(one.values, place, style), *_ends(one, shown.shown, place, hand)]
+        curve = Group(tuple(_curve(one.values, place, style) if shown.whole else ()), f"{NAME}-{one.state}")
+        lines += [curve, *_ends(one, shown.shown, place, hand)]
     lines.append(point(_subject(None), POLE, 0j, place, pole(place.on(0j)), "pole"))
     return ShakingFigure(shown, place, tuple(lines), drafting)
 
@@ -151,4 +159,5 @@ def _ends(one: MainVector, shown: int, place: Place, hand: Hand) -> Iterator[Str
     for k, value in enumerate(one.ends.tolist()):
         if not math.isnan(value.real):
             dot = Circle(place.on(value), DOT * hand.symbol, INK)
-            yield point(_subject(k), f"{one.state} {k}", value, place, dot)
+            data = _subject(k).data("point", f"{one.state} {k}", value, place.scale)
+            yield Group((dot,), "", data, str(k)) if place.length(one.spread) >= NUMBERED else dot

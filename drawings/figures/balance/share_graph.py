@@ -25,7 +25,7 @@ from plans.model.balance.linkage import Choice, Shares
 
 NAME, SYMBOL, UNIT = "shares", "F", "N"
 SHARE, ONE = "k", "1"  # the letter and the unit of the share
-FORCES, REACTIONS = "force", "reaction"  # the curves
+FORCES, REACTIONS, TAKEN = "force", "reaction", "taken"  # the curves, and the share that was taken
 RATIO = 1.5  # it is drawn so many times as long as high
 MARGINS = Margins(3.6, 2.6, 0.8)  # paper around it for letters, in their sizes
 LETTERS = 20.0  # it is drawn at least so many of its letters long
@@ -91,7 +91,8 @@ def draw(shown: ShareGraph, room: Picture, spot: Spot, drafting: Drafting) -> Sh
     """Draw the graph in its spot: axes, both curves, their least places, the share that was taken dashed."""
     hand = drafting.hand
     up = fitting(shown.high, room.high / spot.scale.mu, SYMBOL, UNIT, drafting.standard)
-    axes = Axes(room.place(*spot).on(0j), spot.scale, up)
+    spare = room.high / spot.scale.mu - shown.high / up.mu
+    axes = Axes(room.place(*spot).on(0j) + 1j * spare / 2, spot.scale, up)
     scales = f"{drafting.scale(spot.scale)};  {drafting.scale(up)}"
     lines = (
         heading(spot.box, drafting.word("share graph"), scales, hand),
@@ -100,15 +101,15 @@ def draw(shown: ShareGraph, room: Picture, spot: Spot, drafting: Drafting) -> Sh
             Line(axes.on(k / DIVISIONS) - 1j * TICK, axes.on(k / DIVISIONS) + 1j * TICK, hand.other)
             for k in range(1, DIVISIONS + 1)
         ),
-        *_taken(shown, axes, hand),
+        _taken(shown, axes, hand),
         *(part for name in (FORCES, REACTIONS) for part in _curve(shown, name, axes, up, drafting)),
     )
     return ShareFigure(lines, tuple(_letters(shown, axes, drafting)))
 
 
-def _taken(shown: ShareGraph, axes: Axes, hand: Hand) -> Iterator[Stroke]:
+def _taken(shown: ShareGraph, axes: Axes, hand: Hand) -> Group:
     start, end = axes.on(shown.taken), axes.on(shown.taken, shown.high)
-    yield Line(start, end, fit(hand.path, abs(end - start)))
+    return Group((Line(start, end, fit(hand.path, abs(end - start))),), f"{NAME}-{TAKEN}")
 
 
 def _curve(shown: ShareGraph, name: str, axes: Axes, up: Scale, drafting: Drafting) -> Iterator[Stroke]:
@@ -119,8 +120,9 @@ def _curve(shown: ShareGraph, name: str, axes: Axes, up: Scale, drafting: Drafti
     least = value_of(best, name)
     foot, tip = axes.on(best.share), axes.on(best.share, least)
     data = Subject(NAME, SYMBOL, None).data("vector", name, 1j * least, up)
+    text = least_text(best, name, curve_letters(shown.reaction)[name], drafting)
     if abs(tip - foot) > TICK:
-        yield Group((Line(foot, tip, hand.other),), "", data, name)
+        yield Group((Line(foot, tip, hand.other),), "", data, text)
     yield Circle(tip, DOT * hand.symbol, hand.body)
 
 
@@ -135,8 +137,14 @@ def _letters(shown: ShareGraph, axes: Axes, drafting: Drafting) -> Iterator[Lett
         share, value = shown.rows[name][-1]
         yield Letter(axes.on(share, value), letter, hand.letter, 0.0)
         best = shown.best[name]
-        text = f"k = {number(best.share, 3)};  {number(value_of(best, name))} {drafting.word(UNIT)}"
+        text = least_text(best, name, letter, drafting)
         yield Letter(axes.on(best.share, value_of(best, name)), text, hand.number, math.pi / 2, 1.6)
+
+
+def least_text(best: Choice, name: str, letter: str, drafting: Drafting) -> str:
+    """Write a least value by its letter, and the share that it is had with."""
+    value = drafting.number(value_of(best, name))
+    return f"{letter} = {value} {drafting.word(UNIT)};  {SHARE} = {drafting.number(best.share)}"
 
 
 def curve_letters(reaction: str) -> dict[str, str]:

@@ -27,8 +27,8 @@ NAMES = {FORCE: "order_forces", MOMENT: "order_moments"}  # of the polygons, bef
 BACK = "back"  # after the order of what turns against the crank
 UNITS = {FORCE: "N", MOMENT: "N*m"}  # of the scales
 MARGINS = Margins(4.0, 2.4, 2.4)  # paper around a polygon for its letters, in their sizes
-LETTERS, EACH = 10.0, 1.6  # a polygon is drawn at least so many letters large, and so many for each of its vectors
-MOST_LETTERS = 24.0  # and at most so many
+LETTERS, EACH = 9.0, 1.4  # a polygon is drawn at least so many letters large, and so many for each of its vectors
+RANGE = 2.6  # and at most so many times that: standard scales are up to 2.5 times apart
 WIDEST = 0.00025  # a scale as long as one is written
 ROOM = 5.2 + 1.9j  # width + 1j * height of a letter between two lanes, in its sizes, with what it keeps clear of them
 
@@ -80,7 +80,7 @@ def measure(shown: ShownOrder, drafting: Drafting) -> Picture:
     around = margins(shown.points, MARGINS, hand)
     subject = shown.kind, UNITS[shown.kind]
     found = picture(plan_of(shown.kind, shown.signed), shown.points, subject, around, max(title, under), least)
-    return found._replace(most=max(MOST_LETTERS * hand.letter, least))
+    return found._replace(most=RANGE * least)
 
 
 def draw(shown: ShownOrder, room: Picture, spot: Spot, drafting: Drafting) -> BankPolygonFigure:

@@ -7,13 +7,16 @@ from collections.abc import Iterator, Sequence
 
 from drawings.figures.bank.compensator_layout import COUPLED, MASS
 from drawings.layout.table import RuledTable, TableRow, table
+from drawings.layout.value_table import COLUMNS, row
 from drawings.lettering.bank_letters import lowered
 from drawings.page.drafting import Drafting
 from drawings.report.balance.bank_notes import direction
-from plans.bank.letters import letters, roman
+from plans.bank.letters import FORCE, MOMENT, STATIC, letters, roman
+from plans.checks.balance.bank_comparison import EQUILIBRIUM
+from plans.checks.comparison import Comparison, Finding
 from plans.model.balance.bank import BankBalance, Compensator
 
-ORDERS, COMPENSATORS = "orders", "compensators"  # the names of the tables
+ORDERS, COMPENSATORS, RESULTS = "orders", "compensators", "results"  # the names of the tables
 ORDER_HEADS = ("one force", "bank force", "force left", "bank moment")
 COMPENSATOR_HEADS = ("m·r, kg·m", "m, kg", "r, mm", "shaft speed", "φ, °")
 DIGITS = 5
@@ -39,6 +42,22 @@ def compensators(balance: BankBalance, drafting: Drafting) -> RuledTable | None:
     if not lines:
         return None
     return table(lines, drafting.word("mass number"), heads, drafting.hand.text)._replace(name=COMPENSATORS)
+
+
+def results(comparison: Comparison, drafting: Drafting) -> RuledTable | None:
+    """Tell what both roads found of every order and of the compensators, with the difference; None of nothing."""
+    told = (one for one in comparison.findings if compared(one))
+    lines = [row(one, f"{lowered(one.name)}, {drafting.word(one.unit)}", (0,), drafting.language) for one in told]
+    heads = tuple(drafting.word(head) for head in COLUMNS)
+    if not lines:
+        return None
+    return table(lines, drafting.word("quantity"), heads, drafting.hand.text)._replace(name=RESULTS)
+
+
+def compared(one: Finding) -> bool:
+    """Tell whether a finding stands in the table of results: a vector of the bank or a mass, more than rounding."""
+    kept = one.name.partition("_")[0] in (FORCE, MOMENT, STATIC) and one.plan != EQUILIBRIUM
+    return kept and abs(one.analysis[0]) > one.allowed[0]
 
 
 def _masses(one: Compensator, balance: BankBalance, drafting: Drafting) -> Iterator[TableRow]:

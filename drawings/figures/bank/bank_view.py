@@ -80,6 +80,12 @@ class BankView(NamedTuple):
         return ShownOrder(kind, signed, tuple(vectors), found.vanishes)
 
     @property
+    def compensated(self) -> bool:
+        """Whether some compensator has a mass."""
+        angles = ((one.with_angle, one.against_angle) for one in self.balance.compensators)
+        return any(angle is not None for pair in angles for angle in pair)
+
+    @property
     def shaken(self) -> bool:
         """Whether a force of the bank is left that is more than rounding."""
         return bool(np.abs(self.balance.force).max() > self.balance.force_slack)

@@ -56,10 +56,10 @@ class Layout(NamedTuple):
     @property
     def line(self) -> complex:
         """The line of the largest force of the order, from the shaft to where the guide goes."""
-        angles = [angle for angle in (self.found.with_angle, self.found.against_angle) if angle is not None]
-        if len(angles) < PAIR:  # the force of one mass goes round
+        angles = self.found.with_angle, self.found.against_angle
+        if angles[0] is None or angles[1] is None:  # the force of one mass goes round
             return self.turn
-        along = cmath.rect(1.0, sum(angles) / 2)
+        along = cmath.rect(1.0, (angles[0] + angles[1]) / 2)
         back = along.real < -NEAR or (along.real < NEAR and along.imag < 0)
         return self.turn * (-along if back else along)
 
@@ -67,6 +67,11 @@ class Layout(NamedTuple):
     def across(self) -> complex:
         """The direction of a positive offset: to the left of the line."""
         return 1j * self.line
+
+    @property
+    def paired(self) -> bool:
+        """Whether two masses are needed: one alone stands on the line itself."""
+        return self.found.with_angle is not None and self.found.against_angle is not None
 
     @property
     def radii(self) -> tuple[float, float]:
@@ -98,7 +103,7 @@ class Layout(NamedTuple):
         for radius, angle, sense in zip(self.radii, angles, (1, -1), strict=True):
             if angle is not None:
                 arm = cmath.rect(radius if self.known else SHARE * self.gear, angle) * self.turn
-                shaft = self.middle + sense * self.gear * self.across
+                shaft = self.middle + (sense * self.gear * self.across if self.paired else 0j)
                 yield Weight(letters(MASS, sense * order), shaft, arm, sense * order, True)
         yield from self._couple()
 

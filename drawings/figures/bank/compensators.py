@@ -26,7 +26,7 @@ from drawings.symbols.symbols import HINGE, POINT, hinge, turning_arrow
 
 SYMBOL, UNIT, QUANTITY = "l", "m", "r"
 MARGINS = Margins(4.6, 5.0, 3.0)  # paper around it for letters, in their sizes
-LETTERS, MOST = 14.0, 28.0  # it is drawn at least so many letters large, and at most
+LETTERS, MOST = 14.0, 36.4  # it is drawn at least so many letters large, and at most
 BODY = 2.4  # mm, radius of a mass
 BESIDE = 1.0  # mm from a mass to its letter
 OFF = 7.0  # mm from what is dimensioned to its line

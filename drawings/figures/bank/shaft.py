@@ -13,7 +13,7 @@ from drawings.figures.bank.bank_view import BankView
 from drawings.figures.bank.star import NEAR
 from drawings.figures.rotor.across import END, FIRST, SHAFT
 from drawings.figures.rotor.along import BESIDE, ORIGIN, SYMBOL, UNIT
-from drawings.figures.rotor.dimension import dimension, extension, step
+from drawings.figures.rotor.dimension import dimension, extension, fits, step
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
@@ -23,7 +23,7 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Circle, Group, Line, Polyline, Stroke, Text
 from drawings.symbols.dashes import fit
 from drawings.symbols.figure import Subject, heading, point
-from drawings.symbols.symbols import pole
+from drawings.symbols.symbols import ARROW_LENGTH, pole
 from plans.model.balance.bank import Member
 
 NAME = "shaft"
@@ -156,14 +156,19 @@ def _dimensioned(shown: BankView) -> dict[float, str]:
 
 
 def _dimensions(shown: BankView, place: Place, drafting: Drafting) -> Iterator[Stroke]:
-    """Dimension the places from the plane of place 0, the farthest lowest; millimetres of the machine."""
-    hand, found = drafting.hand, _dimensioned(shown)
-    base = place.on(0j)
+    """Dimension the places from the plane of place 0, the farthest lowest; millimetres of the machine.
+
+    Where one is too short for its text there is none: the notes tell all places.
+    """
+    hand, found, base = drafting.hand, _dimensioned(shown), place.on(0j)
+    told = {where: f"z_{{{names}}} = {drafting.number(1000 * where)}" for where, names in found.items()}
+    heads = 2 * ARROW_LENGTH * hand.symbol
+    if not all(fits(place.length(abs(where)) - heads, text, hand) for where, text in told.items()):
+        return
     bottom = level = base.imag - (THROW + GUIDE + FIRST) * hand.symbol
-    for number, (where, names) in enumerate(found.items()):
+    for number, (where, text) in enumerate(told.items()):
         level = bottom - number * step(hand)
         across = place.on(complex(where)).real
-        text = f"z_{{{names}}} = {drafting.number(1000 * where)}"
         yield dimension(base.real, across, level, math.copysign(1.0, where), text, hand)
         yield extension(across, base.imag, level, hand)
     if found:

@@ -24,10 +24,10 @@ from plans.model.balance.bank import Member
 NAME = "star"
 QUANTITY = "r"
 MARGINS = Margins(5.0, 4.0, 4.0)  # paper around it for letters, in their sizes
-LETTERS, MOST = 10.0, 20.0  # it is drawn at least so many letters large, and at most
+LETTERS, MOST = 9.0, 23.4  # it is drawn at least so many letters large, and at most
 BESIDE = 1.0  # mm from a pin to its number
 PIN = 1.6  # mm, radius of a crank pin
-TURN = (7.0, math.radians(18), math.radians(48))  # radius mm, start and sweep of the arrow of rotation
+TURN = (10.0, math.radians(12), math.radians(60))  # radius mm, start and sweep of the arrow of rotation
 
 
 @dataclass(frozen=True)

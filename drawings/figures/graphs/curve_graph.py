@@ -49,6 +49,7 @@ class GraphCurve(NamedTuple):
     title: str = ""
     divisions: int = 0  # of the whole turn, where its end has a number and numbers stand apart
     before: Floats | None = None  # what the quantity was before a change, as dense: a thin curve
+    numbers: tuple[int, ...] = ()  # of the positions, where these are not all
 
     @property
     def span(self) -> tuple[float, float]:
@@ -174,16 +175,16 @@ def _ordinates(
     for k, (angle, value) in enumerate(zip(curve.stations, curve.ordinates, strict=True)):
         if angle > curve.length:  # a gap beyond the last position that is held
             continue
-        foot = frame.on(float(angle))
+        foot, number = frame.on(float(angle)), curve.numbers[k] if curve.numbers else k
         if k % step == 0:
-            stations.append((str(k), foot, -BELOW if value < 0 else BELOW))
+            stations.append((str(number), foot, -BELOW if value < 0 else BELOW))
         strokes.append(Line(foot - 1j * TICK, foot + 1j * TICK, hand.drafted))
         if math.isnan(value):
             continue
         tip = frame.on(float(angle), float(value))
         if k % step == 0 and abs(tip - foot) > LEAST:
-            data = Subject(plan, quantity, k).data("vector", str(k), 1j * float(value), frame.up)
-            strokes.append(Group((Line(foot, tip, hand.drafted),), "", data, str(k)))
+            data = Subject(plan, quantity, number).data("vector", str(number), 1j * float(value), frame.up)
+            strokes.append(Group((Line(foot, tip, hand.drafted),), "", data, str(number)))
         strokes.append(Circle(tip, DOT * hand.symbol, INK))
     return strokes, stations
 

@@ -82,7 +82,7 @@ def _sizes(one: Counterweight, notes: BalanceNotes) -> list[str]:
 def costs(notes: BalanceNotes) -> Iterator[str]:
     """Tell what is largest over the turn before and after, and by how many per cent it changes."""
     drafting, after = notes.drafting, notes.after
-    keys = ("largest value", "before column", *(("after column", "change") if after is not None else ()))
+    keys = ("largest value", "before column", *(("after column", "change column") if after is not None else ()))
     yield from header([drafting.word(key) for key in keys])
     was = _largest(notes, notes.balance.before)
     now = {} if after is None else _largest(notes, after)

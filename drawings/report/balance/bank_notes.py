@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -78,11 +78,24 @@ class BankNotes(NamedTuple):
         """Say how fast the shaft turns, and of a slider-crank what its rod is to its crank."""
         task, word = self.balance.task, self.drafting.word
         counted = "bank speed" if task.unit is not None else "bank speed of linkage"
+        yield from self._stand()
         yield word(counted, n=self._number(task.speed * RPM), omega=self._number(task.speed))
         if task.unit is not None:
             yield word("bank unit", ratio=self._number(task.unit.ratio))
         against = any(mirrored(task, order) for order in self.balance.single)
         yield word("mirror image" if against else "both senses")
+
+    def _stand(self) -> Iterator[str]:
+        """Say how all mechanisms stand: their cranks, their guides and places unless these are all 0."""
+        members = self.balance.task.members
+        yield self.drafting.word("crank angles", angles=self._row(one.crank for one in members))
+        if any(one.axis for one in members):
+            yield self.drafting.word("guide angles", angles=self._row(one.axis for one in members))
+        if any(one.place for one in members):
+            yield self.drafting.word("bank places", places=self._row(1000 * one.place for one in members))
+
+    def _row(self, values: Iterable[Fraction]) -> str:
+        return "; ".join(map(self._exact, values))
 
     def sums(self) -> Iterator[str]:
         """Say what the polygons of each order come to at phi = 0."""

@@ -45,7 +45,7 @@ class Linkage:
 
     @cached_property
     def _harmonics(self) -> dict[int, Harmonic]:
-        return harmonics(self._force, self.orders)
+        return harmonics(self._force, self.orders, self.scale)
 
     def shaking(self, phase: Fraction) -> Complexes:
         """Give the shaking force over the turn from a phase on, N."""

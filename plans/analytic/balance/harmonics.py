@@ -20,16 +20,19 @@ def even(count: int) -> Floats:
     return 2 * np.pi * np.arange(count) / count
 
 
-def harmonics(vector: Callable[[Floats], Complexes], orders: Iterable[int]) -> dict[int, Harmonic]:
-    """Give harmonics of a vector of crank angles rad (N,): samples are doubled until the transform settles."""
+def harmonics(vector: Callable[[Floats], Complexes], orders: Iterable[int], scale: float = 0.0) -> dict[int, Harmonic]:
+    """Give harmonics of a vector of crank angles rad (N,): samples are doubled until the transform settles.
+
+    `scale` is the size of what the vector is the sum of: where all but nothing is left of it, rounding counts by that.
+    """
     told = sorted(set(orders))
     samples = vector(even(FEWEST))
     before, now = np.fft.fft(samples) / FEWEST, _finer(vector, samples)
-    while not _settled(before, now, told) and len(now[0]) < MOST:
+    while not _settled(before, now, told, scale) and len(now[0]) < MOST:
         before, now = np.fft.fft(now[0]) / len(now[0]), _finer(vector, now[0])
     samples = now[0]
     row = np.fft.fft(samples) / len(samples)
-    slack = ROUNDING * EPS * float(np.abs(samples).max())
+    slack = ROUNDING * EPS * max(float(np.abs(samples).max()), scale)
     return {n: _harmonic(n, row, before, slack) for n in told}
 
 
@@ -41,10 +44,10 @@ def _finer(vector: Callable[[Floats], Complexes], samples: Complexes) -> tuple[C
     return finer, np.fft.fft(finer) / count
 
 
-def _settled(before: Complexes, now: tuple[Complexes, Complexes], orders: Iterable[int]) -> bool:
+def _settled(before: Complexes, now: tuple[Complexes, Complexes], orders: Iterable[int], scale: float) -> bool:
     """Tell whether doubling moves the harmonics by rounding alone."""
     samples, row = now
-    rounding = ROUNDING * EPS * float(np.abs(samples).max())
+    rounding = ROUNDING * EPS * max(float(np.abs(samples).max()), scale)
     return all(abs(row[n] - before[n]) <= rounding for order in orders for n in (order, -order))
 
 

@@ -2,11 +2,13 @@
 
 A force F0 + k F1 of each position has a square that is a parabola of the share k; the largest of all is their upper
 envelope. Its lowest point is sought by few of them: to those that are in hand the one is added that is highest where
-the lowest point of their envelope lies, until none is higher.
+the lowest point of their envelope lies, until none is higher. Where a mass follows from the static moment the forces
+are not straight in the share, and the valley about the least of a row of shares is divided by golden sections.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from itertools import combinations
 
@@ -20,8 +22,9 @@ from plans.model.kinetostatics import pair
 from plans.model.mechanism import FRAME
 from plans.model.motion import Complexes, Floats
 
+STRAIGHT = 64.0  # so many eps of the largest are what three force analyses differ by where the forces are straight
+
 Forces = Callable[[float], Complexes]  # of a share to the forces N in all positions
-ROUNDS = 60  # straight lines through a force that is not quite one: each round squares what the last one left
 
 
 class Weighing:
@@ -101,54 +104,54 @@ def _bearing(course: Course, partial: Sequence[Counterweight], step: complex) ->
 
 
 def least(forces: Forces) -> float:
-    """Find the share in [0, 1] whose largest force is least; the forces are straight in it, or nearly so."""
-    best, near = 0.5, (0.0, 1.0)
-    if not _straight(forces):
-        row = np.linspace(0, 1, SHARES)
-        best = float(row[np.argmin([_largest(forces(float(share))) for share in row])])
-        near = max(0.0, best - 1 / (SHARES - 1)), min(1.0, best + 1 / (SHARES - 1))
-    for _ in range(ROUNDS):
-        last, (start, slope) = best, _line(forces, best, near)
-        best = lowest(start, slope, near)
-        if abs(best - last) <= EPS or near == (0.0, 1.0):
-            break
-    return best
+    """Find the share in [0, 1] whose largest force is least."""
+    if _straight(forces):
+        start = forces(0.0)
+        return lowest(start, forces(1.0) - start)
+    row = np.linspace(0, 1, SHARES)
+    best = int(np.argmin([_largest(forces(float(share))) for share in row]))
+    low, high = row[max(best - 1, 0)], row[min(best + 1, SHARES - 1)]
+    return _golden(lambda share: _largest(forces(share)), float(low), float(high))
+
+
+def _golden(height: Callable[[float], float], low: float, high: float) -> float:
+    """Close in on the lowest place of a valley by golden sections (золотое сечение)."""
+    section = (math.sqrt(5) - 1) / 2
+    places = [high - section * (high - low), low + section * (high - low)]
+    heights = [height(place) for place in places]
+    while high - low > 4 * EPS:
+        if heights[0] <= heights[1]:
+            high, places = places[1], [places[1] - section * (places[1] - low), places[0]]
+            heights = [height(places[0]), heights[0]]
+        else:
+            low, places = places[0], [places[1], places[0] + section * (high - places[0])]
+            heights = [heights[1], height(places[1])]
+    return min((low, *places, high), key=height)
 
 
 def _straight(forces: Forces) -> bool:
     """Tell whether the forces are straight in the share but for rounding."""
     ends, middle = (forces(0.0), forces(1.0)), forces(0.5)
     most = max(_largest(one) for one in ends)
-    return _largest((ends[0] + ends[1]) / 2 - middle) <= 64 * EPS * most
+    return _largest((ends[0] + ends[1]) / 2 - middle) <= STRAIGHT * EPS * most
 
 
-def _line(forces: Forces, share: float, near: tuple[float, float]) -> tuple[Complexes, Complexes]:
-    """Give forces at share 0 and their slope: the straight line through them at a share and close by."""
-    if near == (0.0, 1.0):
-        start = forces(0.0)
-        return start, forces(1.0) - start
-    span = EPS ** (1 / 3)
-    first, last = max(near[0], share - span), min(near[1], share + span)
-    slope = (forces(last) - forces(first)) / (last - first)
-    return forces(share) - share * slope, slope
-
-
-def lowest(start: Complexes, slope: Complexes, near: tuple[float, float] = (0.0, 1.0)) -> float:
-    """Find the share whose largest |F0 + k F1| is least."""
+def lowest(start: Complexes, slope: Complexes) -> float:
+    """Find the share in [0, 1] whose largest |F0 + k F1| is least."""
     known = np.flatnonzero(np.isfinite(start))
     start, slope = start[known], slope[known]
-    chosen, best = [int(np.argmax(np.abs(start + near[0] * slope)))], near[0]
+    chosen = [int(np.argmax(np.abs(start)))]
     while True:
-        best = _lowest_of(start[chosen], slope[chosen], near)
+        best = _lowest_of(start[chosen], slope[chosen])
         highest = int(np.argmax(np.abs(start + best * slope)))
         if highest in chosen:
             return best
         chosen.append(highest)
 
 
-def _lowest_of(start: Complexes, slope: Complexes, near: tuple[float, float]) -> float:
+def _lowest_of(start: Complexes, slope: Complexes) -> float:
     """Take the lowest of where the envelope of a few parabolas can be lowest: ends, bottoms, meetings."""
-    points = np.clip([*near, *_bottoms(start, slope), *_meetings(start, slope)], *near)
+    points = np.clip([0.0, 1.0, *_bottoms(start, slope), *_meetings(start, slope)], 0.0, 1.0)
     heights = np.abs(start[:, None] + slope[:, None] * points).max(axis=0)
     return float(points[int(np.argmin(heights))])
 

@@ -16,9 +16,13 @@ from plans.bank.compensators import COMPENSATORS
 from plans.bank.harmonics import HARMONICS
 from plans.bank.letters import FORCE, MOMENT, SINGLE, STATIC, couple_letters, letters
 from plans.bank.study import BankStudy
+from plans.checks.balance.comparison import compare_balance
+from plans.checks.compare import MotionComparison, compare
 from plans.checks.comparison import Comparison, Finding
 from plans.model.balance.bank import BankBalance, Compensator, Harmonic
+from plans.model.balance.linkage import Counterweight
 from plans.model.motion import Complexes
+from plans.model.order import ACCELERATIONS
 
 if TYPE_CHECKING:
     from plans.study import Study
@@ -46,9 +50,27 @@ def mechanism_of(study: Study, bank: BankStudy) -> Mechanism:
     unit, speed = bank.task.unit, bank.task.speed
     if unit is not None:
         return SliderCrank(unit, speed)
-    road, phi = study.comparison("linkage").road, study["linkage"].turn.phi
-    added = study.comparison("balance").analysis.counterweights if study.scene.has(("balance",)) else ()
-    return Linkage(road, bodies(study["forces"].machine, added), speed, phi, bank.orders)
+    motion = _motion(study)
+    solid = bodies(study["forces"].machine, _counterweights(study, motion))
+    return Linkage(motion.road, solid, speed, study["linkage"].turn.phi, bank.orders)
+
+
+def _motion(study: Study) -> MotionComparison:
+    """Compare the motion of the scene's linkage as far as its accelerations, whatever else is asked of it."""
+    if ACCELERATIONS.plan in study.plans:
+        found: MotionComparison = study.comparison("linkage")
+        return found
+    return compare(study["linkage"], ACCELERATIONS.number)
+
+
+def _counterweights(study: Study, motion: MotionComparison) -> tuple[Counterweight, ...]:
+    """Give the counterweights of the scene's balance by analysis."""
+    if not study.scene.has(("balance",)):
+        return ()
+    asked = "balance" in study.techniques and ACCELERATIONS.plan in study.plans
+    compared = study.comparison("balance") if asked else compare_balance(study["balance"], motion)
+    found: tuple[Counterweight, ...] = compared.analysis.counterweights
+    return found
 
 
 class _Compared(NamedTuple):

@@ -9,18 +9,18 @@ import numpy as np
 
 from plans.analytic.balance.balance import balance
 from plans.analytic.balance.states import Course
+from plans.analytic.kinematics import Analysis
 from plans.balance.study import BalanceStudy
 from plans.checks.balance.centre import Centres
 from plans.checks.balance.costs import Costs
 from plans.checks.balance.shares import share_findings
-from plans.checks.balance.stretch import Stretch, scene_stretch, turn_stretch
+from plans.checks.balance.stretch import scene_stretch, turn_stretch
 from plans.checks.balance.weights import Weights
 from plans.checks.compare import MotionComparison, compare
 from plans.checks.comparison import Comparison, Finding
 from plans.forces.loading import loading
-from plans.forces.statics import Statics
 from plans.model.balance.linkage import Balance
-from plans.model.kinetostatics import Loading
+from plans.model.motion import Motion
 from plans.model.order import ACCELERATIONS
 
 if TYPE_CHECKING:
@@ -57,7 +57,7 @@ def compare_balance(study: BalanceStudy, motion: MotionComparison) -> BalanceCom
     Of a share that is sought both roads tell their own, and go on with that of the construction.
     """
     ours, scene, turn = study.balance, scene_stretch(study.linkage, motion), turn_stretch(study.linkage, motion)
-    course = course_of(study, scene, turn)
+    course = course_of(study, motion.road, motion.analysis, turn.motion.analysis)
     theirs = balance(course, study.task, study.linkage.groups, study.share)
     weights = Weights(study, course)
     found = [*Centres(study, scene, ours, theirs, weights).findings()]
@@ -67,13 +67,8 @@ def compare_balance(study: BalanceStudy, motion: MotionComparison) -> BalanceCom
     return BalanceComparison(ours, theirs, tuple(found), motion)
 
 
-def course_of(study: BalanceStudy, scene: Stretch, turn: Stretch) -> Course:
-    """Give the course by analysis of a mechanism that is compared over both stretches."""
-    road, solved = scene.motion.road, turn.motion.analysis
-    loads = loads_of(study.statics, scene.motion, turn)
-    return Course(road, study.machine, study.statics.pairs, scene.motion.analysis, solved, loads)
-
-
-def loads_of(statics: Statics, motion: MotionComparison, turn: Stretch) -> Loading:
-    """Put the loads on the motion over a turn by analysis, over the strokes that the analysis finds."""
-    return loading(statics.machine, turn.motion.analysis, statics.over(motion.road.extremes))
+def course_of(study: BalanceStudy, road: Analysis, motion: Motion, turn: Motion) -> Course:
+    """Give the course by analysis of a mechanism: its loads over the turn, with the strokes that the analysis finds."""
+    statics = study.statics
+    loads = loading(statics.machine, turn, statics.over(road.extremes))
+    return Course(road, study.machine, statics.pairs, motion, turn, loads)

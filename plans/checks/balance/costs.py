@@ -65,7 +65,9 @@ class Costs:
         off = self.given * self.stretch.motion.kappa if after else np.zeros(1)
         for one in (*both.reactions(), *both.balancing(self.course.loading)):
             arm = both.size if one.unit == "N*m" else 1.0
-            yield one._replace(plan=COSTS, name=f"{one.name}{mark}", allowed=np.asarray(one.allowed + off * arm))
+            letters, space, way = one.name.partition(" ")
+            name = f"{letters}{mark}{space}{way}"
+            yield one._replace(plan=COSTS, name=name, allowed=np.asarray(one.allowed + off * arm))
 
     @property
     def given(self) -> float:

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from plans.analytic.balance.balance import balance
 from plans.analytic.balance.main_points import vectors
 from plans.analytic.balance.mass_centre import bodies
+from plans.balance.states import positions_around
 from plans.balance.study import CENTRE, COSTS, COUNTERWEIGHTS, BalanceStudy
 from plans.checks.balance.comparison import course_of
-from plans.checks.balance.stretch import scene_stretch, turn_stretch
+from plans.checks.motion_numbers import MotionNumbers
 from plans.checks.plain_numbers import gap_numbers, pairs, plain
 from plans.model.balance.linkage import ANALYSIS, Balance, Choice, Counterweight, MassCentre, Shares, State
 
@@ -19,13 +20,17 @@ if TYPE_CHECKING:
     from plans.study import Study
 
 
+Vectors: TypeAlias = tuple[Mapping[int, complex], Mapping[int, complex] | None]
+
+
 @dataclass(frozen=True)
 class BalanceNumbers:
     """What balances a mechanism, by one road; `vectors` are those of main points before and after, m by link."""
 
     title: str
+    datum: complex
     balance: Balance
-    vectors: tuple[Mapping[int, complex], Mapping[int, complex] | None]
+    vectors: Vectors
     plans: frozenset[str]
 
     @property
@@ -38,11 +43,11 @@ class BalanceNumbers:
         found, (before, after) = self.balance, self.vectors
         data: dict[str, Any] = {"aim": found.task.aim}
         if CENTRE in self.plans:
-            data["mass_centre"] = _centre(found.before.centre, before)
+            data["mass_centre"] = _centre(found.before.centre, before, self.datum)
         if COUNTERWEIGHTS in self.plans and found.after is not None:
             data["counterweights"] = [_weight(one) for one in found.counterweights]
             data["left"] = {point: _vector(mass) for point, mass in found.left.items()}
-            data["balanced_centre"] = _centre(found.after.centre, after or {})
+            data["balanced_centre"] = _centre(found.after.centre, after or {}, self.datum)
         if COSTS in self.plans:
             data["before"] = _state(found.before)
             data |= {} if found.after is None else {"after": _state(found.after)}
@@ -52,30 +57,42 @@ class BalanceNumbers:
 
 
 def numbers(study: Study, by: str) -> BalanceNumbers:
-    """Balance the mechanism of a scene by a road."""
-    its: BalanceStudy = study["balance"]
-    title = study.scene.heading()
-    if by != ANALYSIS:
-        after = its.points(after=True).vectors if its.balance.after is not None else None
-        return BalanceNumbers(title, its.balance, (its.points().vectors, after), study.plans)
-    motion = study.comparison("linkage")
-    course = course_of(its, scene_stretch(its.linkage, motion), turn_stretch(its.linkage, motion))
-    found = balance(course, its.task, its.linkage.groups)
-    return BalanceNumbers(title, found, _vectors(its, found), study.plans)
+    """Balance the mechanism of a scene by a road, over its motion by the same."""
+    its, below = study["balance"], study.numbers("linkage", by)
+    found, told = _analysed(its, below) if by == ANALYSIS else _constructed(its)
+    return BalanceNumbers(study.scene.heading(), below.datum, found, told, study.plans)
 
 
-def _vectors(study: BalanceStudy, found: Balance) -> tuple[Mapping[int, complex], Mapping[int, complex] | None]:
+def _constructed(study: BalanceStudy) -> tuple[Balance, Vectors]:
+    after = study.points(after=True).vectors if study.balance.after is not None else None
+    return study.balance, (study.points().vectors, after)
+
+
+def _analysed(study: BalanceStudy, below: MotionNumbers) -> tuple[Balance, Vectors]:
+    """Balance by analysis alone, over a turn from its own first position on."""
+    road, motion = below.road, below.motion
+    assert road is not None  # the motion was found by analysis too
+    turned = positions_around(study.linkage).phi - study.linkage.turn.phi[0]
+    course = course_of(study, road, motion, road.around(motion.phi[0] + turned))
+    found = balance(course, study.task, study.linkage.groups)
+    return found, _vectors(study, found)
+
+
+def _vectors(study: BalanceStudy, found: Balance) -> Vectors:
     """Give the vectors of main points before and after by analysis, the counterweights as bodies of their own."""
     stems, machine = study.tree.stems, study.machine
     before = vectors(bodies(machine), stems)
     return before, None if found.after is None else vectors(bodies(machine, found.counterweights), stems)
 
 
-def _centre(one: MassCentre, told: Mapping[int, complex]) -> dict[str, Any]:
-    """Give the mass centre over the positions; the vectors h of the links are in their own frames."""
+def _centre(one: MassCentre, told: Mapping[int, complex], datum: complex) -> dict[str, Any]:
+    """Give the mass centre over the positions; the vectors h of the links are in their own frames.
+
+    The main moment of the inertia forces is about the shaft.
+    """
     return {
         "mass": one.mass,
-        "r": pairs(one.r),
+        "r": pairs(one.r + datum),
         "a": pairs(one.a),
         "force": pairs(one.force),
         "moment": plain(one.moment),

@@ -102,6 +102,11 @@ class Counterweight(NamedTuple):
         return about if self.place.shape == DISC else about - self.mass * self.distance**2
 
 
+def _largest(row: Complexes | Floats) -> float:
+    """Give the largest size; NaN where there is none at all."""
+    return float(np.fmax.reduce(np.abs(row)))
+
+
 @dataclass(frozen=True)
 class MassCentre:
     """The common mass centre over positions, by one road, with main vector and main moment of the inertia forces.
@@ -124,7 +129,7 @@ class MassCentre:
     @property
     def path(self) -> float:
         """How far the centre moves, m: the larger side of the box about its path."""
-        return max(float(np.nanmax(row) - np.nanmin(row)) for row in (self.r.real, self.r.imag))
+        return max(float(np.fmax.reduce(row) - np.fmin.reduce(row)) for row in (self.r.real, self.r.imag))
 
 
 @dataclass(frozen=True)
@@ -140,24 +145,29 @@ class State:
     forces: Kinetostatics
 
     @property
+    def whole(self) -> bool:
+        """Whether it is known over a whole turn, and not at the scene's positions alone."""
+        return not np.array_equal(self.around.phi, self.centre.phi)
+
+    @property
     def shaking(self) -> float:
         """The largest main vector of the inertia forces, N."""
-        return float(np.nanmax(np.abs(self.around.force)))
+        return _largest(self.around.force)
 
     @property
     def rocking(self) -> float:
         """The largest main moment of the inertia forces, N*m, by its size."""
-        return float(np.nanmax(np.abs(self.around.moment)))
+        return _largest(self.around.moment)
 
     @property
     def reactions(self) -> Mapping[str, float]:
         """The largest reaction N of every pair."""
-        return {key: float(np.nanmax(np.abs(one.force))) for key, one in self.forces.reactions.items()}
+        return {key: _largest(one.force) for key, one in self.forces.reactions.items()}
 
     @property
     def balancing(self) -> float:
         """The largest balancing moment, N*m, by its size."""
-        return float(np.nanmax(np.abs(self.forces.balancing.moment)))
+        return _largest(self.forces.balancing.moment)
 
 
 class Choice(NamedTuple):

@@ -1,0 +1,114 @@
+"""The self-check of the polygon of static moments and of the hodographs of the main vector (кривые)."""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Iterator
+
+import numpy as np
+
+from drawings.checks import reading
+from drawings.checks.balance import balance_marks as marks
+from drawings.checks.balance.balance_expected import KNOWN, Expected, Side
+from drawings.checks.balance.balance_schemes import PRIMES, runs
+from drawings.checks.wrong import Wrong, on
+from drawings.figures.balance import shaking_hodograph, static_polygon
+from drawings.figures.balance.scheme import AFTER, BEFORE
+from drawings.figures.balance.shaking_hodograph import NUMBERED
+from drawings.layout.parallel_offsets import APART
+from drawings.lettering.balance_letters import FORCE, RESULT
+from drawings.paper.strokes import Circle, Leaf, Text
+from drawings.paper.walk import groups
+from plans.model.motion import Complexes
+
+LETTERS = {BEFORE: FORCE, AFTER: f"{FORCE}^*"}
+LEAST = 0.1  # mm: a vector that is shorter may be a point
+ENDS = 8.0  # lanes that vectors of a polygon may stand aside: as many as can lie along one another
+
+
+def polygon(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
+    """Hold the polygon of static moments: each side, their sum, and what is said where there is none."""
+    name = static_polygon.NAME
+    if name not in leaf.metadata["figures"]:
+        return
+    part, seen = marks.figure(leaf, name), marks.vectors(expected.measured, name)
+    sides = list(expected.moments())
+    size = sum(abs(one.value) for one in sides)
+    whole = sum(one.value for one in sides)
+    sides = [one for one in [*sides, Side(RESULT, 0j, whole)] if abs(one.value) > KNOWN * size]
+    mu = marks.scale(expected.measured, name)
+    slack = expected.slack("Σmr/m", position=expected.shown) * expected.balance.before.centre.mass
+    slack += expected.near * mu + KNOWN * size
+    yield from marks.held(seen, {one.name: one.value for one in sides}, name, slack)
+    if sides:
+        lane = ENDS * APART * expected.drafting.hand.symbol
+        yield from marks.laid(seen, sides, name, _pole(leaf), 2 * slack / mu, lane)
+    yield from _said(leaf, expected, sides)
+    if part is not None and seen:
+        yield from reading.scales(part, {mu})
+
+
+def _pole(leaf: Leaf) -> complex:
+    """Give the place on paper of the pole of the static moments, mm."""
+    part = marks.figure(leaf, static_polygon.NAME)
+    poles = (one for one in groups(() if part is None else (part,)) if one.data.get("kind") == "pole")
+    return next((one.strokes[0].centre for one in poles if isinstance(one.strokes[0], Circle)), 0j)
+
+
+def _said(leaf: Leaf, expected: Expected, sides: list[Side]) -> Iterator[Wrong]:
+    """See that title and heading say what the polygon is, and that it closes by itself where it does."""
+    name, word = static_polygon.NAME, expected.drafting.word
+    part = marks.figure(leaf, name)
+    title = f"{word('polygon of static moments')}, {word('position', position=expected.shown)}"
+    yield from marks.titled(part, name, title)
+    told = " ".join(marks.lettering(part))
+    due = {"no vectors": not sides, "closes by itself": bool(sides) and sides[-1].name != RESULT}
+    for key, holds in due.items():
+        if (Text(0j, word(key)).plain in told) != holds:
+            yield on("title", name, text=word(key))
+
+
+def shaking(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
+    """Hold the hodographs of the main vector: the ends at all positions, the shown vectors, the curves."""
+    name = shaking_hodograph.NAME
+    if name not in leaf.metadata["figures"]:
+        return
+    mu, largest = marks.scale(expected.measured, name), max(one.shaking for one in expected.states.values())
+    part, seen = marks.figure(leaf, name), marks.points(expected.measured, name)
+    ends, tips = dict[str, complex](), dict[str, complex]()
+    for state, one in expected.states.items():
+        if one.shaking <= expected.none.force:
+            continue
+        row = {f"{state} {k}": complex(value) for k, value in enumerate(one.centre.force) if cmath.isfinite(value)}
+        numbered = _spread(one.around.force) >= (NUMBERED + expected.near) * mu
+        due = {f"{state} {k}" for k in expected.told} if numbered else set[str]()
+        ends |= {end: value for end, value in row.items() if end in due or end in seen}
+        tips[LETTERS[state]] = row.get(f"{state} {expected.shown}", 0j)
+        if expected.whole:
+            yield from _curve(leaf, expected, state, mu)
+    slack = max(expected.slack(f"{FORCE}{prime}") for prime in PRIMES.values()) + expected.near * mu + KNOWN * largest
+    yield from marks.held(seen, ends, name, slack)
+    arrows = marks.vectors(expected.measured, name)
+    tips = {letter: value for letter, value in tips.items() if letter in arrows or abs(value) > LEAST * mu}
+    yield from marks.held(arrows, tips, name, slack)
+    yield from marks.titled(part, name, expected.drafting.word("shaking hodograph"))
+    if part is not None:
+        yield from reading.scales(part, {mu})
+
+
+def _spread(curve: Complexes) -> float:
+    """Give how far a curve reaches, N: the larger side of the box about it."""
+    known = curve[np.isfinite(curve)]
+    return max((float(np.ptp(row)) for row in (known.real, known.imag) if row.size), default=0.0)
+
+
+def _curve(leaf: Leaf, expected: Expected, state: str, mu: float) -> Iterator[Wrong]:
+    """Hold the curve of a state over the turn."""
+    name = shaking_hodograph.NAME
+    pole = next((one.at - one.value / mu for one in marks.points(expected.measured, name).values()), 0j)
+    around = expected.states[state].around.force
+    near = expected.slack(f"{FORCE}{PRIMES[state]}", "costs") / mu + expected.near
+    chains = marks.lines(marks.figure(leaf, f"{name}-{state}"))
+    for spots in runs(np.asarray(around)):
+        if len(spots) > 1 and not marks.follows(chains, [pole + spot / mu for spot in spots], near, ()):
+            yield on("path", name, name=state)

@@ -1,0 +1,190 @@
+"""The self-check of the graphs of balancing: the main moment over the turn, the choice of the share (графики)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+import numpy as np
+
+from drawings.checks.balance import balance_marks as marks
+from drawings.checks.balance.balance_expected import KNOWN, Expected
+from drawings.checks.balance.balance_schemes import PRIMES
+from drawings.checks.dynamics_graphs import written
+from drawings.checks.labelled import NEAREST, distance, labels_of
+from drawings.checks.reading import reads
+from drawings.checks.wrong import Wrong, on
+from drawings.figures.balance import moment_graph, share_graph
+from drawings.figures.balance.scheme import BEFORE
+from drawings.figures.graphs.curve_graph import BEFORE as THIN
+from drawings.lettering.words import number
+from drawings.measure.measured import MeasuredVector
+from drawings.paper.strokes import Group, Leaf, Line, Text
+from plans.model.balance.linkage import FORCE as LEAST_FORCE
+from plans.model.balance.linkage import Choice
+from plans.words.words import message
+
+TURN = 360.0  # degrees
+SHORT = 0.1  # mm: an ordinate that is shorter may be a point
+DIGITS = 4  # of the least values
+
+
+def rocking(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
+    """Hold the main moment over the turn: the ordinates, where they stand, the curves before and after."""
+    name = moment_graph.NAME
+    if name not in leaf.metadata["figures"]:
+        return
+    part, seen = marks.figure(leaf, name), marks.vectors(expected.measured, name)
+    own = list(expected.states.items())[-1]
+    values = np.where(np.abs(own[1].centre.moment) <= expected.none.moment, 0.0, own[1].centre.moment)
+    mu, largest = marks.scale(expected.measured, name), max(one.rocking for one in expected.states.values())
+    slack = max(expected.slack(f"M_Φ{prime}") for prime in PRIMES.values()) + expected.near * mu + KNOWN * largest
+    told = {str(k) for k in expected.told if abs(values[k]) > SHORT * mu} | seen.keys()
+    due = {str(k): 1j * float(value) for k, value in enumerate(values) if str(k) in told}
+    yield from marks.held(seen, due, name, slack)
+    yield from marks.titled(part, name, expected.drafting.word("rocking graph"))
+    scales = {} if part is None else written(part)
+    yield from _scale(scales, "M", mu, name, expected)
+    if part is None or not seen or "φ" not in scales:
+        return
+    zero = _zero(expected, seen, scales["φ"])
+    yield from _feet(expected, seen, zero, scales["φ"])
+    for state in expected.states if expected.whole else ():
+        yield from _curve(part, expected, state, (zero, scales["φ"], mu))
+
+
+def _scale(scales: Mapping[str, float], letter: str, mu: float, plan: str, expected: Expected) -> Iterator[Wrong]:
+    """See that the written scale is the one that the marks are drawn to."""
+    language = expected.drafting.language
+    if number(scales.get(letter, 0.0), language) != number(mu, language):
+        yield message("wrong.scale", text=f"μ_{letter}")
+
+
+def _stations(expected: Expected) -> list[float]:
+    """Give the angles of the positions from position 0 on in the sense of rotation, degrees."""
+    phi = expected.balance.before.centre.phi
+    return [float(one) for one in np.degrees(expected.own.linkage.sense * (phi - phi[0])) % TURN]
+
+
+def _zero(expected: Expected, seen: Mapping[str, MeasuredVector], mu: float) -> complex:
+    """Give the place on paper of position 0, by an ordinate that is there."""
+    name, one = next(iter(seen.items()))
+    return one.start - _stations(expected)[int(name)] / mu
+
+
+def _feet(expected: Expected, seen: Mapping[str, MeasuredVector], zero: complex, mu: float) -> Iterator[Wrong]:
+    """See that each ordinate stands at the angle of its position; a crank that swings begins anywhere in the turn."""
+    stations = _stations(expected)
+    for name, one in seen.items():
+        off = one.start - zero - stations[int(name)] / mu
+        turns = round(off.real * mu / TURN)
+        if not abs(off - turns * TURN / mu) <= expected.near + KNOWN * TURN / mu:
+            yield on("foot", moment_graph.NAME, name=name)
+
+
+def _curve(part: Group, expected: Expected, state: str, axes: tuple[complex, float, float]) -> Iterator[Wrong]:
+    """See that a curve goes through every moment of a turn without gaps: the thin one of the state before."""
+    zero, across, up = axes
+    around, name = expected.states[state].around, moment_graph.NAME
+    before = state == BEFORE and len(expected.states) > 1
+    apart = [one for one in part.strokes if (isinstance(one, Group) and one.name == THIN) == before]
+    chains = [chain for one in apart for chain in marks.lines(Group((one,)))]
+    if np.isnan(around.moment).any():
+        return  # beside a gap the curve is cut off where it outgrows its positions
+    angles = np.degrees(expected.own.linkage.sense * (around.phi - around.phi[0]))
+    moments = np.where(np.abs(around.moment) <= expected.none.moment, 0.0, around.moment)
+    spots = [zero + angle / across + 1j * moment / up for angle, moment in zip(angles, moments, strict=True)]
+    near = expected.slack(f"M_Φ{PRIMES[state]}", "costs") / up + 2 * expected.near + KNOWN * TURN / across
+    longest = [chain for chain in chains if len(chain) > len(spots) / 2]
+    if not marks.follows(longest, spots, near, ()):
+        yield on("path", name, name=state)
+
+
+def shares(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
+    """Hold the choice of the share: both curves, their least places as drawn and lettered, the share that is taken."""
+    name, found = share_graph.NAME, expected.balance.shares
+    if name not in leaf.metadata["figures"] or found is None:
+        return
+    part, seen = marks.figure(leaf, name), marks.vectors(expected.measured, name)
+    best = {share_graph.FORCES: found.least_force, share_graph.REACTIONS: found.least_reaction}
+    due = {kind: 1j * _value(one, kind) for kind, one in best.items()}
+    mu = marks.scale(expected.measured, name)
+    slack = expected.near * mu + KNOWN * max(abs(value) for value in due.values())
+    yield from marks.held(seen, due, name, slack)
+    yield from marks.titled(part, name, expected.drafting.word("share graph"))
+    scales = {} if part is None else written(part)
+    yield from _scale(scales, "F", mu, name, expected)
+    if part is None or not seen or "k" not in scales:
+        return
+    kind, one = next(iter(seen.items()))
+    zero = one.start - best[kind].share / scales["k"]
+    for kind, choice in best.items():
+        spots = [zero + each.share / scales["k"] + 1j * _value(each, kind) / mu for each in found.curve]
+        yield from _choice(leaf, part, expected, kind, choice, (zero, scales["k"], mu), spots)
+    yield from _divisions(part, expected, zero, scales["k"])
+    yield from _taken(leaf, expected, zero, scales["k"])
+
+
+def _value(one: Choice, kind: str) -> float:
+    return one.force if kind == share_graph.FORCES else one.reaction
+
+
+def _choice(
+    leaf: Leaf, part: Group, expected: Expected, kind: str, best: Choice,
+    axes: tuple[complex, float, float], spots: Sequence[complex],
+) -> Iterator[Wrong]:  # fmt: skip
+    """Hold a curve through all its shares, where its least value stands, and what is lettered there."""
+    zero, across, up = axes
+    name, near = share_graph.NAME, 2 * expected.near
+    lowest = zero + best.share / across + 1j * _value(best, kind) / up
+    row = sorted([*spots, lowest], key=lambda spot: spot.real)
+    corners = [spot for chain in marks.lines(marks.figure(leaf, f"{name}-{kind}")) for spot in chain]
+    if not corners or any(min(abs(spot - corner) for corner in corners) > near for spot in row):
+        yield on("path", name, name=kind)
+    one = marks.vectors(expected.measured, name).get(kind)
+    if one is not None and not abs(one.start - zero - best.share / across) <= near + KNOWN / across:
+        yield on("foot", name, name=kind)
+    letter = share_graph.curve_letters(_shaft(expected))[kind]
+    if not _lettered(part, letter, row[-1]):
+        yield on("letter", name, name=kind)
+    if not any(_tells(text, letter, best, kind, expected) for text in marks.lettering(part)):
+        yield on("letter", name, name=kind)
+
+
+def _shaft(expected: Expected) -> str:
+    return share_graph.reaction_letter(expected.mechanism.drive.link, expected.drafting)
+
+
+def _lettered(part: Group, letter: str, spot: complex) -> bool:
+    """Tell whether a letter stands beside a spot."""
+    return distance(labels_of((part,)).get(Text(0j, letter).plain, ()), [spot]) <= NEAREST
+
+
+def _divisions(part: Group, expected: Expected, zero: complex, across: float) -> Iterator[Wrong]:
+    """See that the axis of the share is numbered rightly."""
+    for k in range(share_graph.DIVISIONS + 1):
+        share = k / share_graph.DIVISIONS
+        if not _lettered(part, expected.drafting.number(share), zero + share / across):
+            yield on("letter", share_graph.NAME, name=expected.drafting.number(share))
+
+
+def _tells(text: str, letter: str, best: Choice, kind: str, expected: Expected) -> bool:
+    """Tell whether a text gives the least value and the share of it."""
+    told, _, share = text.removeprefix(f"{Text(0j, letter).plain} = ").partition(f";  {share_graph.SHARE} = ")
+    size, _, unit = told.partition(" ")
+    if told == text or unit != Text(0j, expected.drafting.word("N")).plain:
+        return False
+    largest = _value(best, kind)
+    return reads(share, best.share, KNOWN, DIGITS) and reads(size, largest, KNOWN * largest, DIGITS)
+
+
+def _taken(leaf: Leaf, expected: Expected, zero: complex, across: float) -> Iterator[Wrong]:
+    """Hold the line of the share that is taken."""
+    name, task, found = share_graph.NAME, expected.balance.task, expected.balance.shares
+    assert found is not None  # asked before
+    best = found.least_force if task.least == LEAST_FORCE else found.least_reaction
+    share = best.share if task.share is None else task.share
+    part = marks.figure(leaf, f"{name}-{share_graph.TAKEN}")
+    lines = [one for one in (part.strokes if part is not None else ()) if isinstance(one, Line)]
+    spot = zero.real + share / across
+    if not lines or any(abs(end.real - spot) > 2 * expected.near for one in lines for end in (one.start, one.end)):
+        yield on("line", name)

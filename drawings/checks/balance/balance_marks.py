@@ -1,0 +1,103 @@
+"""What is common to the checks of the figures of balancing: vectors, points, curves of lines, titles (знаки)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+
+import numpy as np
+
+from drawings.checks.balance.balance_expected import Side
+from drawings.checks.wrong import Wrong, on
+from drawings.measure.measure import Measured
+from drawings.measure.measured import MeasuredPoint, MeasuredVector
+from drawings.paper.strokes import Group, Leaf, Line, Polyline, Stroke, Text
+from drawings.paper.walk import groups, texts, walk
+
+CLEAR = 3.0  # sizes of a symbol: so near to a pair a line may be cut off
+
+
+def figure(leaf: Leaf, name: str) -> Group | None:
+    """Give a figure or a named part of one."""
+    return next((one for one in groups(leaf.groups) if one.name == name), None)
+
+
+def lettering(part: Group | None) -> list[str]:
+    """Give what is lettered within a part."""
+    return [] if part is None else [text.plain for text in texts((part,))]
+
+
+def titled(part: Group | None, plan: str, title: str) -> Iterator[Wrong]:
+    """See that a figure bears its title."""
+    if Text(0j, title).plain not in lettering(part):
+        yield on("title", plan, text=title)
+
+
+def vectors(measured: Measured, plan: str) -> dict[str, MeasuredVector]:
+    """Give the vectors of a figure by their names."""
+    return {one.name: one for one in measured.vectors if one.plan == plan}
+
+
+def points(measured: Measured, plan: str) -> dict[str, MeasuredPoint]:
+    """Give the points of a figure by their names."""
+    return {one.name: one for one in measured.points if one.plan == plan}
+
+
+def scale(measured: Measured, plan: str) -> float:
+    """Give the scale of a figure's marks, true units a mm; 1 of one without marks."""
+    return next((one.scale for one in measured.marks if one.plan == plan), 1.0)
+
+
+def held(
+    seen: Mapping[str, MeasuredVector | MeasuredPoint], due: Mapping[str, complex], plan: str, slack: float
+) -> Iterator[Wrong]:
+    """Hold marks by their names: each that is there, each that is not; of none is there more."""
+    for name, one in seen.items():
+        if name not in due:
+            yield on("stranger_on", plan, name=name)
+        elif not abs(one.value - due[name]) <= slack:
+            yield on("differs_on", plan, name=name)
+    yield from (on("missing_on", plan, name=name) for name in due if name not in seen)
+
+
+def laid(
+    seen: Mapping[str, MeasuredVector], sides: Iterable[Side], plan: str, origin: complex, near: float, lane: float
+) -> Iterator[Wrong]:
+    """See that each vector begins where it must; in a lane it may stand so far aside, mm, but not along itself."""
+    for side in sides:
+        one = seen.get(side.name)
+        if one is None or not side.value:
+            continue
+        off = (one.start - origin - side.start / one.scale) / (side.value / abs(side.value))
+        if not (abs(off.real) <= near and abs(off.imag) <= lane + near):
+            yield on("start", plan, name=side.name)
+
+
+def lines(part: Group | None) -> list[Sequence[complex]]:
+    """Give the chains of lines of a part, single lines among them."""
+    return [_ends(one) for one in walk(() if part is None else (part,)) if isinstance(one, Polyline | Line)]
+
+
+def _ends(one: Stroke) -> Sequence[complex]:
+    assert isinstance(one, Polyline | Line)
+    return one.points if isinstance(one, Polyline) else (one.start, one.end)
+
+
+def follows(chains: Sequence[Sequence[complex]], spots: Sequence[complex], near: float, cut: Sequence[complex]) -> bool:
+    """Tell whether chains follow a curve: all their corners are on it, and all its spots are corners.
+
+    A curve is cut off near to some places, by a symbol's size.
+    """
+    true, drawn = np.array(spots), np.array([corner for chain in chains for corner in chain])
+    if not drawn.size or len(true) < 2:
+        return False
+    far = np.ones(len(true), bool) if not len(cut) else np.abs(true[:, None] - np.array(cut)).min(axis=1) > CLEAR
+    met = np.array([np.abs(drawn - spot).min() for spot in true[far]])
+    return bool((met <= near).all()) and all(_off(true, corner) <= near for corner in drawn)
+
+
+def _off(true: np.ndarray[tuple[int, ...], np.dtype[np.complex128]], spot: complex) -> float:
+    """Give how far a spot is from a chain of true places, mm."""
+    starts, steps = true[:-1], np.diff(true)
+    sizes = np.maximum(np.abs(steps) ** 2, np.finfo(float).tiny)
+    shares = np.clip(((spot - starts) * steps.conj()).real / sizes, 0.0, 1.0)
+    return float(np.abs(spot - starts - shares * steps).min())

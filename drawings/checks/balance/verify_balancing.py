@@ -1,0 +1,57 @@
+"""The self-check of a written sheet of balancing: schemes, polygon, curves, tables, notes (проверка листа)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from drawings.checks.balance import balance_cells, balance_curves, balance_graphs
+from drawings.checks.balance.balance_expected import Expected
+from drawings.checks.balance.balance_schemes import schemes
+from drawings.checks.balance.balance_told import notes
+from drawings.checks.wrong import Wrong
+from drawings.figures.balance import moment_graph, shaking_hodograph, share_graph, static_polygon
+from drawings.figures.balance.scheme import SCHEME
+from drawings.measure.measure import Measured
+from drawings.page.drafting import drafting_of
+from drawings.paper.strokes import Leaf
+from plans.study import Study
+from plans.words.words import message
+
+
+def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
+    """Hold all that one sheet of a balanced mechanism shows against the analysis (row of the table of sheets)."""
+    shown = leaf.metadata["position"]
+    expected = Expected(study["balance"], study.comparison("balance"), drafting_of(study.scene), shown, measured)
+    yield from _figures(leaf, expected)
+    yield from schemes(leaf, expected)
+    yield from balance_curves.polygon(leaf, expected)
+    yield from balance_curves.shaking(leaf, expected)
+    yield from balance_graphs.rocking(leaf, expected)
+    yield from balance_graphs.shares(leaf, expected)
+    yield from balance_cells.weights(leaf, expected)
+    yield from balance_cells.costs(leaf, expected)
+    yield from notes(leaf, expected)
+
+
+def _figures(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
+    """See that a sheet bears no figure but those of this balance, and one that is alone all of them."""
+    due, seen = list(_due(expected)), leaf.metadata["figures"]
+    asked = expected.own.linkage.form.sheet.position
+    if asked is not None and asked != expected.shown and not expected.own.linkage.lost.all():
+        yield message("wrong.position", position=expected.shown)
+    yield from (message("wrong.figure", name=name) for name in seen if name not in due)
+    if leaf.metadata["of"] == 1:
+        yield from (message("wrong.missing", name=name) for name in due if name not in seen)
+
+
+def _due(expected: Expected) -> Iterator[str]:
+    """Name the figures that the sheets must show between them."""
+    states, none = expected.states.values(), expected.none
+    yield from (SCHEME + state for state in expected.states)
+    yield static_polygon.NAME
+    if any(one.shaking > none.force for one in states):
+        yield shaking_hodograph.NAME
+    if any(one.rocking > none.moment for one in states) and len(expected.balance.before.around.phi) > 1:
+        yield moment_graph.NAME
+    if expected.balance.shares is not None:
+        yield share_graph.NAME

@@ -1,0 +1,157 @@
+"""The sheets of a bank are held to the analysis: what is drawn passes, faults planted into the drawing withhold it.
+
+The table is tests/cases/bank_faults.toml.
+"""
+
+from __future__ import annotations
+
+import re
+from functools import cache, partial
+from pathlib import Path
+
+import pytest
+
+from drawings.checks.balance.verify_bank import faults
+from drawings.checks.verify import SelfCheckFailed, verify
+from drawings.lettering.lettering import lettered
+from drawings.measure.measure import Measured
+from drawings.paper.strokes import Leaf
+from drawings.pens.svg import svg
+from drawings.report.balance.bank_report import chapters, headline, subject
+from drawings.sheets.bank import leaves
+from plans.scene.scene import parse_scene
+from plans.study import Study
+from plans.words.words import said
+from tests.drawings.bank_scenes import SCENES, bank, compensator, scene
+from tests.drawings.conftest import Run
+from tests.drawings.pages import texts
+from tests.drawings.planting import ROOT, DrawingFault, drawing_faults, planted
+from tests.drawings.slips import Change, changed, dropped, note, reworded, row_dropped, shifted, turned, without
+from tests.parts import some
+
+FAULTS = drawing_faults(ROOT / "tests" / "cases" / "bank_faults.toml")
+PAPERS = (("A1", "en", "GOST"), ("A3", "ru", "ISO"), ("A4", "en", "ISO"), ("A2", "ru", "GOST"))
+
+
+@cache
+def study_of(name: str, size: str = "A1", language: str = "en", standard: str = "GOST") -> Study:
+    return Study(parse_scene(scene(name, size, language, standard)))
+
+
+def checked(leaf: Leaf, study: Study, folder: Path) -> Measured:
+    path = folder / "sheet.svg"
+    path.write_bytes(svg(lettered(leaf)))
+    return verify(path, leaf, partial(faults, study=study))
+
+
+def all_checked(study: Study, folder: Path) -> list[Measured]:
+    return [checked(leaf, study, folder) for leaf in leaves(study)]
+
+
+@pytest.mark.parametrize("case", some([(name, *paper) for paper in PAPERS for name in SCENES], 9))
+def test_what_is_drawn_agrees_with_the_analysis(case: tuple[str, str, str, str], tmp_path: Path) -> None:
+    study = study_of(*case)
+    assert study.comparison("bank").worst <= 1.0
+    assert all_checked(study, tmp_path)
+
+
+@pytest.mark.parametrize("fault", some(FAULTS, 8), ids=lambda fault: fault.name)
+def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path) -> None:
+    study = study_of(fault.scene)
+    with planted(fault), pytest.raises(SelfCheckFailed) as told:
+        all_checked(study, tmp_path)
+    assert fault.says in str(told.value)
+    assert told.value.exit_code == 5
+    assert "against the analysis" not in said(told.value, "ru")
+
+
+def test_every_fault_still_finds_the_text_that_it_replaces() -> None:
+    assert len(FAULTS) >= 15
+    for fault in FAULTS:
+        assert fault.text
+
+
+def test_a_fault_withholds_the_sheet_at_the_command(run: Run, tmp_path: Path) -> None:
+    path = tmp_path / "four.toml"
+    path.write_text(scene("four"), "utf-8")
+    with planted(FAULTS[0]):
+        code, _, err = run("draw", path, "-o", tmp_path / "out")
+    assert code == 5
+    assert FAULTS[0].says in err
+    assert not list((tmp_path / "out").glob("*.svg"))
+
+
+@pytest.mark.parametrize(
+    "slip",
+    some(
+        [
+            (dropped("F_II,3", "order_forces-2"), "F_II,3 on forces of order 2 is missing"),
+            (turned("F_II", "order_forces-2"), "F_II on forces of order 2 (against the analysis)"),
+            (shifted("3", "shaft", 0.001), "3 on view across the shaft (against the analysis)"),
+            (dropped("2", "star"), "2 on star of cranks is missing"),
+            (dropped("m_II", "compensator-2"), "m_II on compensator of order 2"),
+            (without("orders-1"), "1 is missing from the table of orders"),
+            (without("compensators-1"), "mII is missing from the table of compensators"),
+            (row_dropped("4"), "4 is missing from the table of orders"),
+            (reworded("2303.8", "2303.9"), "2303.9 for 2 in the table of orders"),
+            (reworded("58.356", "58.357"), "58.357 for mII in the table of compensators"),
+            (reworded("−628.32", "628.32"), "628.32 for m−II in the table of compensators"),
+            (note("1151.9", "1152.9"), "in the notes"),
+            (note("138.23", "138.32"), "in the notes"),
+            (note("180°", "0°"), "in the notes"),
+            (note("orders 1, 2, 4, 6 balance", "orders 1, 2, 4 balance"), "in the notes"),
+            (without("notes"), "n is missing from the notes"),
+            (without("force_graph"), "force_graph is missing"),
+        ],
+        6,
+    ),
+)
+def test_a_slip_is_seen(slip: tuple[Change, str], tmp_path: Path) -> None:
+    change, wrong = slip
+    study = study_of("four")
+    (leaf,) = leaves(study)
+    spoilt = changed(leaf, change)
+    assert spoilt != leaf
+    with pytest.raises(SelfCheckFailed) as told:
+        checked(spoilt, study, tmp_path)
+    assert wrong in str(told.value)
+    assert not re.search(r"\b(the|is|on|in|for|against)\b", said(told.value, "ru"))
+
+
+def test_the_sheet_tells_the_textbook_s_values() -> None:
+    """Methods M7.8: two masses of 0.475 kg*m, a couple of 22.8 N*m by an offset of 60 mm, 0.114 kg*m against it."""
+    (leaf,) = leaves(study_of("one"))
+    for told in ("F_{I} = 190 N", "= 0.475 kg·m", "M = 22.8 N·m", "= 0.114 kg·m"):
+        assert told in leaf.description
+    written = [text.plain for group in leaf.groups for text in texts(group)]
+    assert {"0.475", "95", "−20", "0.114"} <= set(written)
+
+
+def test_what_vanishes_is_said_and_has_no_arrow(tmp_path: Path) -> None:
+    """Six cylinders in line: orders 1, 2 and 4 close by themselves, and nothing is there to be compensated."""
+    study = study_of("six")
+    measured = all_checked(study, tmp_path)
+    sums = {
+        one.name for page in measured for one in page.vectors if "," not in one.name and one.plan.startswith("order")
+    }
+    assert sums == {"F_VI"}
+    told = leaves(study)[0].description
+    assert "Forces of orders 1, 2, 4 balance one another" in told and "Moments of orders 1, 2, 4, 6 balance" in told
+    assert "Order 1: nothing to compensate" in told
+
+
+def test_a_bank_at_rest_in_itself_has_no_graph(tmp_path: Path) -> None:
+    """Two mechanisms in one place, each the other's image in the shaft: no force of any order is left."""
+    study = Study(parse_scene(bank([(0, 0, 0), (180, 0, 180)], compensator(1)) + '[sheet]\nlanguage = "en"\n'))
+    figures = {name for leaf in leaves(study) for name in leaf.metadata["figures"]}
+    assert not figures & {"force_graph", "moment_graph", "compensator-1", "shaft"}
+    all_checked(study, tmp_path)
+
+
+def test_the_report_tells_the_bank() -> None:
+    study = study_of("four")
+    told = "\n".join(line for part in chapters(study, {}) for line in part)
+    assert "mechanism 4: crank at 0°, place 150 mm, guide at 0°" in told
+    assert "| 2 | 575.9483" in told
+    assert "mr_II = F_II/(2ω)² = 0.0029" in headline(study)
+    assert subject(study).structure == "bank of 4 slider-cranks"

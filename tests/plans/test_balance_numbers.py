@@ -1,0 +1,66 @@
+"""The numbers of balancing that `solve` prints: of one form by both roads, and what is left out."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+
+from plans.scene.scene import parse_scene
+from plans.study import Study
+from tests.plans.balanced import ENGINE
+
+ASKED_NOTHING = "[balance]\n"
+ASKED = """
+[balance]
+aim = "share"
+share = "{least}"
+[[balance.counterweights]]
+on = 1
+mass = 20
+"""
+
+
+def told(text: str, by: str) -> Any:
+    return Study.of_all(parse_scene(text)).numbers("balance", by).plain()["balance"]
+
+
+def leaves(data: Any, path: str = "") -> Iterator[tuple[str, Any]]:
+    """Give every number of plain data with its path."""
+    if isinstance(data, dict | list):
+        for key, value in data.items() if isinstance(data, dict) else enumerate(data):
+            yield from leaves(value, f"{path}/{key}")
+    else:
+        yield path, data
+
+
+@pytest.mark.parametrize("least", ["force", "reaction"])
+def test_numbers_of_both_roads_are_of_one_form(least) -> None:
+    text = ENGINE.format(positions=3) + ASKED.format(least=least)
+    ours, theirs = (dict(leaves(told(text, by))) for by in ("construction", "analysis"))
+    assert ours.keys() == theirs.keys()
+    for path, value in ours.items():
+        near = value if isinstance(value, str) else pytest.approx(value, rel=1e-11, abs=1e-11)
+        assert theirs[path] == near, path
+    assert {"/mass_centre/r/2/1", "/mass_centre/vectors/2/0", "/counterweights/0/centre/0", "/left/B/0"} <= ours.keys()
+    assert {"/before/reactions/0-1", "/after/path", "/after/balancing", "/shares/curve/20/reaction"} <= ours.keys()
+    assert ours["/after/force"] == pytest.approx(ours[f"/shares/least_{least}/force"], rel=1e-13)
+
+
+def test_numbers_of_a_machine_as_it_is_and_of_one_that_is_balanced_already() -> None:
+    """Catalogue J1: what is not needed has a mass of 0, and no place."""
+    as_it_is = told(ENGINE.format(positions=3) + ASKED_NOTHING, "analysis")
+    assert as_it_is.keys() == {"aim", "mass_centre", "before"}
+    away = told(
+        ENGINE.format(positions=3).replace("[0, 0]", "[1, 2]").replace("[0.44, 0]", "[1.44, 2]") + ASKED_NOTHING,
+        "analysis",
+    )
+    moved = [[x - 1, y - 2] for x, y in away["mass_centre"]["r"]]
+    assert moved == [pytest.approx(row, abs=1e-15) for row in as_it_is["mass_centre"]["r"]]
+    rests = ENGINE.format(positions=3).replace("centre = [0.04, 0]", "centre = [0, 0]")
+    rests = rests.partition("2 = { mass")[0]
+    asks = '[balance]\naim = "full"\n[[balance.counterweights]]\non = 1\nmass = 2\n'
+    for by in ("construction", "analysis"):
+        (one,) = told(rests + asks, by)["counterweights"]
+        assert one == {"on": 1, "mass": 0.0, "moment": [0.0, 0.0], "begin": "O"}

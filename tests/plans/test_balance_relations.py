@@ -1,0 +1,146 @@
+"""What holds of the balance of any machine of dyads: three ways to one force, nothing left over, likeness of likes.
+
+Every difference is measured against the largest force of the plan, never against a value itself.
+"""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+from hypothesis import assume, given
+from hypothesis import strategies as st
+
+from plans.balance.counterweights import substituted
+from plans.balance.refusals import Refused
+from plans.balance.study import BalanceStudy
+from plans.balance.weights import begins
+from plans.linkage.drafts import Drafts
+from plans.model.balance.linkage import FULL, NONE, PARTIAL, Counterweight, Place, Task
+from plans.model.machine import Body, Transmission
+from plans.model.mechanism import FRAME
+from tests.plans import machine_alterations as altered
+from tests.plans.chains import numbers
+from tests.plans.loaded import Loaded, loaded, push
+
+HEAVY = 30.0  # kg, of every counterweight: as heavy as the heaviest links
+
+
+def bare(one: Loaded) -> Loaded:
+    """Let nothing but inertia act on a machine."""
+    quiet = replace(one.machine, gravity=0j, forces=(), moments=(), springs=(), transmission=Transmission())
+    return replace(one, machine=quiet)
+
+
+def balance(one: Loaded, aim: str = NONE) -> BalanceStudy:
+    """Study the balance of a machine with a counterweight on every link that may carry one."""
+    assume(any(body.mass for body in one.machine.bodies.values()))
+    return BalanceStudy(one.study, one.statics, task(one, aim))
+
+
+def task(one: Loaded, aim: str) -> Task:
+    places = () if aim == NONE else tuple(Place(link, mass=HEAVY) for link in begins(one.mechanism, one.study.groups))
+    return Task(aim, places)
+
+
+def bearable(one: Loaded, aim: str) -> Loaded:
+    """Let nothing but inertia act, and take the masses off groups that slide about on moving links, and off later ones.
+
+    No counterweight could bring those to rest.
+    """
+    one, groups = bare(one), one.study.groups
+    while True:
+        try:
+            substituted(one.mechanism, groups, one.machine.bodies, task(one, aim))
+            return one
+        except Refused as refused:
+            at = next(k for k, group in enumerate(groups) if refused.details["link"] in group.links)
+            light = {link for group in groups[at:] for link in group.links}
+            bodies = {link: body for link, body in one.machine.bodies.items() if link not in light}
+            one = replace(one, machine=replace(one.machine, bodies=bodies))
+
+
+def shaking(its: BalanceStudy, after: bool = False) -> tuple[complex, float]:
+    """Give the sum of the inertia forces of the links one by one, and the sum of their sizes."""
+    sides = its.drawing(after).shaking.sides
+    forces = [complex(np.asarray(side.vector.point).flat[0]) for side in sides]
+    return sum(forces, 0j), sum(map(abs, forces))
+
+
+@push
+@given(loaded())
+def test_the_shaking_force_is_one_by_main_points_by_links_and_by_the_frame(one):
+    one = bare(one)
+    its = balance(one)
+    by_main_points = complex(its.before.centre.force[0])
+    by_links, _ = shaking(its)
+    forces = one.statics.forces
+    by_frame = -sum(complex(r.force[0]) for r in forces.reactions.values() if r.giver == FRAME)
+    slack = one.margin * one.largest(forces)
+    assert abs(by_main_points - by_links) <= slack
+    assert abs(by_main_points - by_frame) <= slack
+
+
+@push
+@given(loaded(), st.sampled_from((FULL, PARTIAL)))
+def test_what_is_left_at_sliders_is_all_that_shakes_a_balanced_machine(one, aim):
+    one = bearable(one, aim)
+    its = balance(one, aim)
+    force, sizes = shaking(its, after=True)
+    points = Drafts(its.linkage, its.linkage.turn).motion(2).points
+    left = -sum(mass * complex(points[point].a[0]) for point, mass in its.left.items())
+    moved = sum(abs(mass * points[point].a[0]) for point, mass in its.left.items())
+    assert abs(force - left) <= one.margin * (sizes + moved)
+
+
+def moments(
+    weights: tuple[Counterweight, ...], slack: float, other: tuple[Counterweight, ...], by: Callable[[complex], complex]
+) -> None:
+    """See that static moments are those of before, mapped."""
+    assert [one.link for one in weights] == [one.link for one in other]
+    for one, mapped in zip(weights, other, strict=True):
+        assert abs(mapped.moment - by(one.moment)) <= slack * max(abs(by(w.moment)) for w in weights), one.link
+
+
+@push
+@given(loaded(), numbers(-3, 3))
+def test_a_machine_turned_or_mirrored_is_balanced_alike(one, angle):
+    one = bearable(one, PARTIAL)
+    its, turned = balance(one, PARTIAL), balance(altered.turned(one, angle), PARTIAL)
+    moments(its.counterweights, one.margin, turned.counterweights, lambda u: u)
+    mirrored = balance(altered.mirrored(one), PARTIAL)
+    moments(its.counterweights, one.margin, mirrored.counterweights, complex.conjugate)
+    r, way = (complex(study.before.centre.r[0]) for study in (its, turned))
+    assert abs(way - r * cmath.exp(1j * angle)) <= one.margin * one.size
+
+
+@push
+@given(loaded(), st.sampled_from((2.0**-20, 0.37, 2.0**20)))
+def test_a_machine_enlarged_needs_static_moments_as_many_times(one, times):
+    one = bearable(one, PARTIAL)
+    its, large = balance(one, PARTIAL), balance(altered.enlarged(one, times, 1.0, 1.0), PARTIAL)
+    moments(its.counterweights, one.margin, large.counterweights, lambda u: times * u)
+
+
+@push
+@given(loaded(), st.data())
+def test_a_mass_at_a_pin_is_balanced_alike_on_either_of_its_links(one, data):
+    hinges = {point: links for point, links in one.mechanism.hinges.items() if FRAME not in links}
+    assume(hinges)
+    point = data.draw(st.sampled_from(sorted(hinges)))
+    ways = [_with(bare(one), link, point) for link in hinges[point]]
+    assume(all(bearable(way, PARTIAL).machine == way.machine for way in ways))
+    first, *others = (balance(way, PARTIAL).counterweights for way in ways)
+    for other in others:
+        moments(first, one.margin, other, lambda u: u)
+
+
+def _with(one: Loaded, link: int, point: str) -> Loaded:
+    """Put ten kilograms on a link at one of its points."""
+    at, bodies = one.mechanism.links[link].points[point], dict(one.machine.bodies)
+    own = bodies.get(link, Body(link, 0.0, 0.0, 0j))
+    mass = own.mass + 10.0
+    bodies[link] = own._replace(mass=mass, centre=(own.mass * own.centre + 10.0 * at) / mass)
+    return replace(one, machine=replace(one.machine, bodies=bodies))
