@@ -88,7 +88,7 @@ class Sums:
         self.blurred[: len(self.links)] = [self._blurred(mechanism, link, wanted) for link in self.links]
 
     def _blurred(self, mechanism: Mechanism, link: int, wanted: Sought) -> float:
-        """Give the static moment kg*m that a link's mass has by the rounding of its centre's place: as of its length."""
+        """Give the static moment kg*m by which a mass centre is rounded: as the length of its link is."""
         body, points = self.machine.bodies.get(link), mechanism.links[link].points.values()
         begin = next(one.origin for one in wanted.blanks if one.link == link)
         return ROUNDING * EPS * body.mass * max(abs(place - begin) for place in points) if body else 0.0
