@@ -18,6 +18,7 @@ from plans.model.balance.linkage import FULL, PARTIAL, SHARE, Place
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.drawings.balance_scenes import scene
+from tests.drawings.pages import texts
 from tests.drawings.planting import ROOT
 from tests.parts import some
 from tests.plans.balanced import ENGINE, FOUR_BAR, SHAPER, SIX_LINK, asked, study
@@ -177,3 +178,10 @@ def test_the_screen_says_what_to_put_on_and_what_it_costs(engine: Study) -> None
     assert re.search(
         r"m_cw1 = [\d.]+/0\.06 = [\d.]+ kg; Price: [\d.]+ kg on 12 kg of links; largest R_01: 473 → ", said
     )
+
+
+def test_reactions_have_the_letter_that_the_scene_gives_them() -> None:
+    own = Study(parse_scene(scene("engine", "A1") + 'reactions = "P"\n'))
+    written = [text.plain for leaf in leaves(own) for group in leaf.groups for text in texts(group)]
+    assert "P01, N" in written and "R01, N" not in written
+    assert "largest P_01: 473 → " in headline(own)
