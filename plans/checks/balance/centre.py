@@ -92,18 +92,9 @@ class Centre:
         theirs, terms = vectors(self.solid, self.points.tree.stems), self.points.moments
         for link, ours in self.points.vectors.items():
             size = terms[link].size / self.mass
-            slack = (
-                2 * ROUNDING * EPS * size + (self.weights.whole / self.mass if self.after else 0.0) + self._lost(link)
-            )
+            slack = 2 * ROUNDING * EPS * size + (self.weights.whole / self.mass if self.after else 0.0)
             pair = np.array([ours]), np.array([theirs[link]])
             yield _finding(CENTRE, f"h_{link}{self.mark}", "m", pair, np.array([slack]), size)
-
-    def _lost(self, link: int) -> float:
-        """How far mass centres told from the zero of a link's frame, not from where the link begins, are off, m."""
-        begin = next(stem.origin for stem in self.points.tree.stems if stem.link == link)
-        own = ((body.mass, body.centre) for body in self.solid if body.link == link)
-        far = sum(mass * (abs(place) + abs(begin) - abs(place - begin)) for mass, place in own)
-        return 2 * EPS * far / self.mass
 
     def moments(self, like: MassCentre) -> Complexes:
         """Give the polygon's sum of all static moments, kg*m, in which nothing is left out that is near to nothing."""
