@@ -83,21 +83,25 @@ def _polygons(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
 
 def _courses(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
     """Show force and moment over a turn: along the guides, or by their hodographs where they leave that line."""
-    if straight(shown.task):
-        yield from _graphs(shown, drafting)
-    else:
-        yield from _hodographs(shown, drafting)
-
-
-def _graphs(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
-    balance, compensated = shown.balance, shown.compensated
     if shown.shaken:
-        force = TurnCurve(FORCE, F, balance.force.real, "relative" if compensated else "result")
-        left = (TurnCurve(LEFT, F + AFTER, balance.left.real),) if compensated else ()
-        yield _graph(TurnGraph("force_graph", drafting.word("bank force title"), F, "N", (force, *left)), drafting)
+        yield from (_force_graph if shown.straight else _force_hodographs)(shown, drafting)
     if shown.rocked:
-        moment = TurnCurve(MOMENTS, M, balance.moment.real)
-        yield _graph(TurnGraph("moment_graph", drafting.word("bank moment title"), M, "N*m", (moment,)), drafting)
+        yield _moment(shown, drafting)
+
+
+def _force_graph(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
+    balance, compensated = shown.balance, shown.compensated
+    force = TurnCurve(FORCE, F, balance.force.real, "relative" if compensated else "result")
+    left = (TurnCurve(LEFT, F + AFTER, balance.left.real),) if compensated else ()
+    yield _graph(TurnGraph("force_graph", drafting.word("bank force title"), F, "N", (force, *left)), drafting)
+
+
+def _moment(shown: BankView, drafting: Drafting) -> Exhibit:
+    values = shown.balance.moment
+    if not straight(values, values):
+        return _hodograph(MOMENTS, M, "N*m", shown.on_sheet(values), drafting)
+    curve = TurnCurve(MOMENTS, M, values.real)
+    return _graph(TurnGraph("moment_graph", drafting.word("bank moment title"), M, "N*m", (curve,)), drafting)
 
 
 def _graph(graph: TurnGraph, drafting: Drafting) -> Exhibit:
@@ -105,16 +109,12 @@ def _graph(graph: TurnGraph, drafting: Drafting) -> Exhibit:
     return Exhibit(Panel(room), partial(turn_graph.draw, graph, room, drafting=drafting))
 
 
-def _hodographs(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
-    balance = shown.balance
-    if shown.shaken:
-        before, after = shown.on_sheet(balance.force), shown.on_sheet(balance.left)
-        scale = FORCE if float(np.abs(after).max()) >= LIKE * float(np.abs(before).max()) else ""
-        yield _hodograph(FORCE, F, "N", before, drafting, scale)
-        if shown.compensated:
-            yield _hodograph(LEFT, F + AFTER, "N", after, drafting, scale)
-    if shown.rocked:
-        yield _hodograph(MOMENTS, M, "N*m", shown.on_sheet(balance.moment), drafting)
+def _force_hodographs(shown: BankView, drafting: Drafting) -> Iterator[Exhibit]:
+    before, after = shown.on_sheet(shown.balance.force), shown.on_sheet(shown.balance.left)
+    scale = FORCE if float(np.abs(after).max()) >= LIKE * float(np.abs(before).max()) else ""
+    yield _hodograph(FORCE, F, "N", before, drafting, scale)
+    if shown.compensated and shown.lasting:
+        yield _hodograph(LEFT, F + AFTER, "N", after, drafting, scale)
 
 
 def _hodograph(name: str, letter: str, unit: str, values: Complexes, drafting: Drafting, scale: str = "") -> Exhibit:

@@ -9,10 +9,11 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
+from plans.balance.main_points import EMPTY
 from plans.balance.refusals import CARRIED, FREE, NEEDED, Refused
 from plans.balance.sums import Sums, Term
 from plans.balance.weights import weight_of
-from plans.model.balance.linkage import FULL, Counterweight, Task
+from plans.model.balance.linkage import EPS, FULL, ROUNDING, Counterweight, Task
 from plans.model.dyad import Dyad
 from plans.model.machine import Body
 from plans.model.mechanism import FRAME, Mechanism, Slide
@@ -31,7 +32,7 @@ class Substitution:
     """The masses of a mechanism on their way from the last group to the crank."""
 
     def __init__(self, mechanism: Mechanism, bodies: Mapping[int, Body], task: Task) -> None:
-        self.mechanism, self.task, self.sums = mechanism, task, Sums()
+        self.mechanism, self.bodies, self.task, self.sums = mechanism, bodies, task, Sums()
         self.masses: dict[int, list[PointMass]] = {link: [] for link in mechanism.links}
         self.pure: dict[int, list[Term]] = {link: [] for link in mechanism.links}
         self.counterweights: dict[int, Counterweight] = {}
@@ -94,7 +95,7 @@ class Substitution:
         """Bring a link's static moment about a point to zero by the counterweight that it may carry."""
         moment = self.moment(link, begin)
         place = self.task.place(link)
-        if moment.vanishes:
+        if self._rests(link, begin, moment):
             return
         if place is None:
             raise Refused(NEEDED, links=tuple(map(str, would_do)), link=would_do[0])
@@ -104,6 +105,12 @@ class Substitution:
         self.counterweights[link], self.needs[link] = found, need
         why = because("counterweight_mass", link=link)
         self.put(link, begin, found.origin, self.sums.mass(f"m_cw{link}", found.mass, why))
+
+    def _rests(self, link: int, begin: str, moment: Term) -> bool:
+        """Tell whether a static moment is none: the place of a mass centre is rounded, too, as the link's length is."""
+        points = self.mechanism.links[link].points
+        reach = max(abs(place - points[begin]) for place in points.values())
+        return abs(moment.value) <= ROUNDING * EPS * (moment.size + self.bodies.get(link, EMPTY).mass * reach)
 
     def keep(self, point: str, mass: Term) -> None:
         """Leave a mass at a slider: it moves along the guide."""

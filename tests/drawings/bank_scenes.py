@@ -53,6 +53,10 @@ SCENES = {
         [(0, -250, 0), (120, -150, 0), (240, -50, 0), (240, 50, 0), (120, 150, 0), (0, 250, 0)], compensator(1)
     ),
     "eight": bank([(c, 120 * k, a) for k, c in enumerate((0, 90, 270, 180)) for a in (45, -45)], head="speed = 300\n"),
+    "turning": bank(
+        [(0, 0, 0)], compensator(1, "mass = 1"), f"{ENGINE}rotating = 1\n".replace("9.5", "0"), "speed = 9\n"
+    ),
+    "cancelled": bank([(0, -50, 0), (180, 50, 0)], compensator(2, "mass = 1"), TURNING),
     "radial": bank([(0, 0, 40 * k) for k in range(9)], unit=TURNING),
     "twelve": bank([(30 * k, 20 * k, 0) for k in range(12)], unit=TURNING),
     "linkage": (

@@ -72,7 +72,7 @@ def weights(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
     word = expected.drafting.word
     mm = word("mm")
     heads = (
-        word("counterweight column"), word("on link"), f"m·a, {word('kg*m')}", f"m, {word('kg')}", word("from"),
+        word("counterweight column"), f"m·a, {word('kg*m')}", f"m, {word('kg')}", word("from"),
         f"a, {mm}", "∠, °", word("shape"), f"R, {mm}", f"b, {mm}",
     )  # fmt: skip
     yield from _table(leaf, WEIGHTS, heads, rows)
@@ -80,7 +80,7 @@ def weights(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
 
 def _weight(one: Counterweight, expected: Expected) -> list[Cell]:
     if not one.needed:
-        return [Said(str(one.link)), Said("0"), Said("0"), *(Said(NONE) for _ in range(6))]
+        return [Said("0"), Said("0"), *(Said(NONE) for _ in range(6))]
     slacks = [expected.slack(f"{letter}{one.link}", "counterweights") for letter in ("U_", "m_cw", "r_cw")]
     turned = one.moment / line_of(expected.mechanism, one.link, one.begin)
     angle = Number(math.degrees(cmath.phase(turned)), math.degrees(slacks[0] / abs(one.moment) + KNOWN), turns=True)
@@ -90,7 +90,7 @@ def _weight(one: Counterweight, expected: Expected) -> list[Cell]:
     )
     outer = MILLIMETRES * one.outer
     return [
-        Said(str(one.link)), Number(abs(one.moment), slacks[0]), Number(one.mass, slacks[1]), Said(one.begin),
+        Number(abs(one.moment), slacks[0]), Number(one.mass, slacks[1]), Said(one.begin),
         Number(MILLIMETRES * one.distance, MILLIMETRES * slacks[2]), angle, Said(shape),
         Number(outer, outer * slacks[1] / one.mass), Number(MILLIMETRES * one.place.thickness, 0.0),
     ]  # fmt: skip

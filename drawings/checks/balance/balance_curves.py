@@ -88,6 +88,10 @@ def shaking(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
             yield from _curve(leaf, expected, state, mu)
     slack = max(expected.slack(f"{FORCE}{prime}") for prime in PRIMES.values()) + expected.near * mu + KNOWN * largest
     yield from marks.held(seen, ends, name, slack)
+    if len(tips) > 1:
+        thin, thick = (marks.figure(leaf, f"{name}-{state}") for state in (BEFORE, AFTER))
+        yield from marks.thinner(thin, thick, name)
+    yield from marks.explained(part, name, expected.drafting.word("thin before"), len(tips) > 1)
     arrows = marks.vectors(expected.measured, name)
     tips = {letter: value for letter, value in tips.items() if letter in arrows or abs(value) > LEAST * mu}
     yield from marks.held(arrows, tips, name, slack)

@@ -18,7 +18,8 @@ from drawings.figures.balance.scheme import BEFORE
 from drawings.figures.graphs.curve_graph import BEFORE as THIN
 from drawings.lettering.words import number
 from drawings.measure.measured import MeasuredVector
-from drawings.paper.strokes import Group, Leaf, Line, Text
+from drawings.paper.strokes import Group, Leaf, Line, Polyline, Stroke, Text
+from drawings.paper.walk import walk
 from drawings.symbols.symbols import TICK
 from plans.model.balance.linkage import FORCE as LEAST_FORCE
 from plans.model.balance.linkage import Choice
@@ -49,6 +50,10 @@ def rocking(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
         return
     zero = _zero(expected, seen, scales["φ"])
     yield from _feet(expected, seen, zero, scales["φ"])
+    both = expected.whole and len(expected.states) > 1
+    thin, thick = (Group(tuple(_apart(part, before))) for before in (True, False))
+    yield from marks.thinner(thin, Group(_long(thick)), name) if both else ()
+    yield from marks.explained(part, name, expected.drafting.word("thin before"), both)
     for state in expected.states if expected.whole else ():
         yield from _curve(part, expected, state, (zero, scales["φ"], mu))
 
@@ -82,13 +87,23 @@ def _feet(expected: Expected, seen: Mapping[str, MeasuredVector], zero: complex,
             yield on("foot", moment_graph.NAME, name=name)
 
 
+def _apart(part: Group, before: bool) -> Iterator[Stroke]:
+    """Give the strokes of the thin curve, or all others."""
+    return (one for one in part.strokes if (isinstance(one, Group) and one.name == THIN) == before)
+
+
+def _long(part: Group) -> tuple[Stroke, ...]:
+    """Give the longest chain of a part: the curve."""
+    chains = (one for one in walk((part,)) if isinstance(one, Polyline))
+    return tuple(sorted(chains, key=lambda one: len(one.points))[-1:])
+
+
 def _curve(part: Group, expected: Expected, state: str, axes: tuple[complex, float, float]) -> Iterator[Wrong]:
     """See that a curve goes through every moment of a turn without gaps: the thin one of the state before."""
     zero, across, up = axes
     around, name = expected.states[state].around, moment_graph.NAME
     before = state == BEFORE and len(expected.states) > 1
-    apart = [one for one in part.strokes if (isinstance(one, Group) and one.name == THIN) == before]
-    chains = [chain for one in apart for chain in marks.lines(Group((one,)))]
+    chains = marks.lines(Group(tuple(_apart(part, before))))
     if np.isnan(around.moment).any():
         return  # beside a gap the curve is cut off where it outgrows its positions
     angles = np.degrees(expected.own.linkage.sense * (around.phi - around.phi[0]))

@@ -101,6 +101,22 @@ class Cover(NamedTuple):
         return np.asarray((np.abs(off.real) <= along) & (np.abs(off.imag) <= across))
 
 
+def thinner(before: Group | None, after: Group | None, plan: str) -> Iterator[Wrong]:
+    """See that what was before is in a thinner line than what is after, where both are there."""
+    widths = [
+        [one.style.width for one in walk(() if part is None else (part,)) if isinstance(one, Polyline)]
+        for part in (before, after)
+    ]
+    if all(widths) and max(widths[0]) >= min(widths[1]):
+        yield on("thinner", plan)
+
+
+def explained(part: Group | None, plan: str, text: str, holds: bool) -> Iterator[Wrong]:
+    """See that a heading says what the thin line is, where there is one, and else does not."""
+    if part is not None and (Text(0j, text).plain in " ".join(lettering(part))) != holds:
+        yield on("title", plan, text=text)
+
+
 def follows(
     chains: Sequence[Sequence[complex]], spots: Sequence[complex], near: float, covers: Iterable[Cover]
 ) -> bool:

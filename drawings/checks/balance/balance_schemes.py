@@ -117,6 +117,8 @@ class _Scheme:
                 way = sum(abs(one - other) for one, other in pairwise(places))
                 if way > 2 * STILL and not marks.follows(marks.lines(part), places, self.near, covers):
                     yield on("path", self.plan, name=state)
+            if state != self.state:
+                yield from marks.thinner(part, marks.figure(self.leaf, f"{self.plan}-{PATH}{self.state}"), self.plan)
             if part is not None and self.expected.states[state].around.path <= self.expected.none.way:
                 yield on("stranger_on", self.plan, name=name)
 

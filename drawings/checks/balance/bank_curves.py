@@ -38,13 +38,15 @@ def due(expected: Expected) -> Iterator[str]:
     """Name the curves that the sheets must show."""
     for plan, (name, _, _) in CURVES.items():
         first = WHOLE if name == LEFT else name
-        if expected.acts(first) and (name != LEFT or expected.compensated):
+        left = expected.compensated and (expected.lasting or expected.straight(LEFT))
+        if expected.acts(first) and (name != LEFT or left):
             yield plan
 
 
 def figure_of(expected: Expected, plan: str) -> str:
     """Name the figure on which a curve stands."""
-    return CURVES[plan][2] if expected.straight else plan
+    name, _, graph = CURVES[plan]
+    return graph if expected.straight(name) else plan
 
 
 def faults(
@@ -54,7 +56,7 @@ def faults(
     for plan in due(expected):
         strokes = figure(leaf, figure_of(expected, plan))
         if strokes is not None and figure_of(expected, plan) in figures:
-            kind = _Graph if expected.straight else _Hodograph
+            kind = _Graph if expected.straight(CURVES[plan][0]) else _Hodograph
             yield from kind(plan, strokes, measured, expected, drafting).faults()
 
 

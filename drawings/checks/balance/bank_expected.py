@@ -16,6 +16,7 @@ from plans.checks.comparison import Comparison
 from plans.model.balance.bank import BankBalance, BankTask, Compensator, Harmonic, Member
 from plans.model.motion import Complexes
 
+PAPER = 1e-6  # of a vector: so much of 100 mm is the last digit of a written place
 LINE = 1e-9  # of a unit direction: a sine that is less is of an angle that was rounded
 WHOLE, LEFT, WHOLE_MOMENT = "ΣF", "ΣF'", "ΣM"  # the findings over the turn
 
@@ -84,19 +85,26 @@ class Expected:
     @property
     def flat(self) -> bool:
         """Whether all guides lie in one plane with the shaft."""
-        return self.task.unit is not None and all(abs(axis.imag) <= LINE for axis in self.axes)
+        return all(abs(axis.imag) <= LINE for axis in self.axes)
 
-    @cached_property
-    def straight(self) -> bool:
-        """Whether all forces keep to the line of the guides."""
-        return self.flat and not (self.task.unit and self.task.unit.rotating)
+    def alone(self, order: int) -> bool:
+        """Tell whether the vectors of an order that turn with the crank stand for their mirror images too."""
+        single = self.analysis.single[order]
+        apart = abs(single.ahead - single.back.conjugate())
+        return self.flat and apart <= max(PAPER * abs(single.back), single.slack)
+
+    def straight(self, name: str) -> bool:
+        """Tell whether what is followed over the turn can be shown by its share along the reference guide alone."""
+        force = (self.analysis.force, self.analysis.left)
+        rows = force if name != WHOLE_MOMENT else (self.analysis.moment,)
+        return all(bool(np.abs(row.imag).max() <= PAPER * np.abs(rows[0]).max()) for row in rows)
 
     def polygons(self) -> Iterator[Polygon]:
         """Give the polygons that have vectors: with the crank, and against it where that is no mirror image."""
         for order, single in self.analysis.single.items():
             for kind in (FORCE, MOMENT):
                 for signed in (order, -order):
-                    alone = signed < 0 and self.flat and (order > 1 or self.straight)
+                    alone = signed < 0 and self.alone(order)
                     found = self._polygon(kind, signed, single)
                     if found.sides and not alone:
                         yield found
@@ -133,12 +141,17 @@ class Expected:
     def force_of(self, name: str) -> Complexes:
         """Give what is followed over the turn by the name of its finding."""
         rows = {WHOLE: self.analysis.force, LEFT: self.analysis.left, WHOLE_MOMENT: self.analysis.moment}
-        return np.asarray(rows[name] * self.turn if not self.straight else rows[name])
+        return np.asarray(rows[name] if self.straight(name) else rows[name] * self.turn)
 
     @cached_property
     def compensated(self) -> bool:
         """Whether some compensator has a mass."""
         return any(any(self.bodies(one)) for one in self.analysis.compensators)
+
+    @property
+    def lasting(self) -> bool:
+        """Whether the compensators leave some force that can be drawn beside that before."""
+        return bool(np.abs(self.analysis.left).max() > PAPER * np.abs(self.analysis.force).max())
 
     def acts(self, name: str) -> bool:
         """Whether more than rounding is left of what is followed over the turn."""

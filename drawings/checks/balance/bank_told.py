@@ -81,7 +81,7 @@ def _due(expected: Expected) -> Iterator[Told]:
 
 
 def _sums(expected: Expected, kind: str, one: Harmonic) -> Iterator[Told]:
-    alone = expected.flat and (one.order > 1 or expected.straight)
+    alone = expected.alone(one.order)
     for signed, value in ((one.order, one.ahead), (-one.order, one.back)):
         slack = expected.allowed[letters(kind, signed)]
         if abs(value) > one.slack and not (alone and signed < 0):

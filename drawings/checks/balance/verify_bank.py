@@ -15,6 +15,7 @@ from drawings.checks.balance import (
     bank_views,
 )
 from drawings.checks.balance.bank_expected import Expected
+from drawings.checks.balance.bank_titles import GRAPHS
 from drawings.checks.wrong import Wrong
 from drawings.figures.bank import shaft, star
 from drawings.figures.bank.bank_polygon import plan_of
@@ -49,7 +50,7 @@ def check(measured: Measured, leaf: Leaf, expected: Expected, drafting: Drafting
     yield from bank_titles.faults(leaf, expected, drafting, figures)
     yield from bank_tables.faults(leaf, expected, drafting)
     yield from bank_told.faults(leaf, expected, drafting)
-    graphs = {bank_curves.figure_of(expected, plan) for plan in bank_curves.due(expected) if expected.straight}
+    graphs = {bank_curves.figure_of(expected, plan) for plan in bank_curves.due(expected)} & GRAPHS.keys()
     yield from reading.marked_scales(_without(leaf, graphs))
 
 

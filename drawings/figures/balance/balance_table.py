@@ -34,7 +34,7 @@ def counterweights(weights: Sequence[Counterweight], mechanism: Mechanism, draft
     """
     mm = drafting.word("mm")
     heads = (
-        drafting.word("on link"), f"m·a, {drafting.word('kg*m')}", f"m, {drafting.word('kg')}", drafting.word("from"),
+        f"m·a, {drafting.word('kg*m')}", f"m, {drafting.word('kg')}", drafting.word("from"),
         f"a, {mm}", "∠, °", drafting.word("shape"), f"R, {mm}", f"b, {mm}",
     )  # fmt: skip
     lines = [TableRow(counterweight(one.link, drafting.language), _weight(one, mechanism, drafting)) for one in weights]
@@ -43,11 +43,11 @@ def counterweights(weights: Sequence[Counterweight], mechanism: Mechanism, draft
 
 def _weight(one: Counterweight, mechanism: Mechanism, drafting: Drafting) -> tuple[str, ...]:
     if not one.needed:
-        return str(one.link), "0", "0", *(NONE for _ in range(6))
+        return "0", "0", *(NONE for _ in range(6))
     place, number, along = one.place, drafting.number, line_of(mechanism, one.link, one.begin)
     sizes = (MILLIMETRES * size for size in (one.outer, place.thickness))
     return (
-        str(one.link), number(abs(one.moment), DIGITS), number(one.mass, DIGITS), one.begin,
+        number(abs(one.moment), DIGITS), number(one.mass, DIGITS), one.begin,
         number(MILLIMETRES * one.distance, DIGITS), number(_degrees(one.moment / along), DIGITS), _shape(one, drafting),
         *(number(size, DIGITS) for size in sizes),
     )  # fmt: skip

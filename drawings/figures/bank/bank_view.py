@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.report.balance.bank_notes import mirrored
+from drawings.report.balance.bank_notes import EYE, mirrored, straight
 from drawings.symbols.polygon import ShownVector
 from plans.bank.letters import FORCE, MOMENT
 from plans.bank.polygons import Total
@@ -59,7 +59,7 @@ class BankView(NamedTuple):
         """Give the polygons of every order whose vectors do not vanish; the mirror image of one is left out."""
         for order in self.balance.single:
             for kind in (FORCE, MOMENT):
-                for signed in (order,) if mirrored(self.task, order) else (order, -order):
+                for signed in (order,) if mirrored(self.balance, order) else (order, -order):
                     if self.acts(kind, signed):
                         yield self._shown(kind, signed)
 
@@ -78,6 +78,16 @@ class BankView(NamedTuple):
         if not found.vanishes:
             vectors.append(ShownVector(found.vector.name, RESULT, 0j, complex(found.vector.point) * self.turn))
         return ShownOrder(kind, signed, tuple(vectors), found.vanishes)
+
+    @property
+    def straight(self) -> bool:
+        """Whether the force of the bank, before and after, keeps to the line of the reference guide."""
+        return all(straight(one, self.balance.force) for one in (self.balance.force, self.balance.left))
+
+    @property
+    def lasting(self) -> bool:
+        """Whether the compensators leave some force that can be seen beside that before."""
+        return bool(np.abs(self.balance.left).max() > EYE * np.abs(self.balance.force).max())
 
     @property
     def compensated(self) -> bool:

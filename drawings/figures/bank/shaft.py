@@ -13,7 +13,7 @@ from drawings.figures.bank.bank_view import BankView
 from drawings.figures.bank.star import NEAR
 from drawings.figures.rotor.across import END, FIRST, SHAFT
 from drawings.figures.rotor.along import BESIDE, ORIGIN, SYMBOL, UNIT
-from drawings.figures.rotor.dimension import dimension, extension, fits, step
+from drawings.figures.rotor.dimension import dimension, extension, room_for, step
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
@@ -29,7 +29,8 @@ from plans.model.balance.bank import Member
 NAME = "shaft"
 QUANTITY = "z"
 MARGINS = Margins(4.6, 1.6, 2.6)  # paper around it for letters, in their sizes
-LETTERS, LONGEST = 20.0, 60.0  # it is drawn at least so many letters long, and at most
+LETTERS, LONGEST = 20.0, 80.0  # it is drawn at least so many letters long, and at most
+RANGE = 2.6  # standard scales are up to 2.5 times apart: one of them fits between the least length and the most
 THROW = 12.0  # mm, a crank as it is drawn
 WEB = 2.2  # mm, half the breadth of a crank
 PIN = 1.0  # mm, radius of a pin that points to the eye
@@ -80,8 +81,8 @@ def measure(shown: BankView, drafting: Drafting) -> Picture:
     under = below + high + FIRST * hand.symbol + levels * step(hand)
     margins = Margins(side + END * hand.symbol, under, above + high + 2 * hand.title + hand.text)
     ends = [0j, *(complex(place) for place in named(shown))]
-    found = picture(NAME, ends, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
-    return found._replace(most=LONGEST * hand.letter)
+    least = max(LETTERS * hand.letter, min(_roomy(shown, drafting), LONGEST * hand.letter / RANGE))
+    return picture(NAME, ends, (SYMBOL, UNIT), margins, title, least)._replace(most=LONGEST * hand.letter)
 
 
 def draw(shown: BankView, room: Picture, spot: Spot, drafting: Drafting) -> ShaftFigure:
@@ -155,15 +156,31 @@ def _dimensioned(shown: BankView) -> dict[float, str]:
     return dict(sorted(found.items(), key=lambda pair: abs(pair[0]))) if len(found) <= MOST else {}
 
 
+def _texts(shown: BankView, drafting: Drafting) -> dict[float, str]:
+    """Write the dimensions of the places, the nearest to the plane of place 0 first."""
+    found = _dimensioned(shown).items()
+    return {where: f"z_{{{names}}} = {drafting.number(1000 * where)}" for where, names in found}
+
+
+def _roomy(shown: BankView, drafting: Drafting) -> float:
+    """Give how long the view must be drawn for all dimensions to have room, mm."""
+    places, hand = [0.0, *named(shown)], drafting.hand
+    span = max(places) - min(places)
+    return max((span / abs(where) * needs(text, hand) for where, text in _texts(shown, drafting).items()), default=0.0)
+
+
+def needs(text: str, hand: Hand) -> float:
+    """Give the length of a dimension line that a text has room over, half of each arrowhead beside it, mm."""
+    return room_for(text, hand) + ARROW_LENGTH * hand.symbol
+
+
 def _dimensions(shown: BankView, place: Place, drafting: Drafting) -> Iterator[Stroke]:
     """Dimension the places from the plane of place 0, the farthest lowest; millimetres of the machine.
 
     Where one is too short for its text there is none: the notes tell all places.
     """
-    hand, found, base = drafting.hand, _dimensioned(shown), place.on(0j)
-    told = {where: f"z_{{{names}}} = {drafting.number(1000 * where)}" for where, names in found.items()}
-    heads = 2 * ARROW_LENGTH * hand.symbol
-    if not all(fits(place.length(abs(where)) - heads, text, hand) for where, text in told.items()):
+    hand, told, base = drafting.hand, _texts(shown, drafting), place.on(0j)
+    if any(place.length(abs(where)) < needs(text, hand) for where, text in told.items()):
         return
     bottom = level = base.imag - (THROW + GUIDE + FIRST) * hand.symbol
     for number, (where, text) in enumerate(told.items()):
@@ -171,5 +188,5 @@ def _dimensions(shown: BankView, place: Place, drafting: Drafting) -> Iterator[S
         across = place.on(complex(where)).real
         yield dimension(base.real, across, level, math.copysign(1.0, where), text, hand)
         yield extension(across, base.imag, level, hand)
-    if found:
+    if told:
         yield extension(base.real, base.imag, level, hand)

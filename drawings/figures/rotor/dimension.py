@@ -15,27 +15,23 @@ TAIL = 8.0  # mm of a dimension line outside its extension lines, where its arro
 
 def dimension(base: float, last: float, level: float, sense: float, text: str, hand: Hand) -> Group:
     """Draw a level dimension from a base, mm, in a sense +1 or -1: where it is short its number is beyond the base."""
-    wide, own = _wide(text, hand), fits(abs(last - base), text, hand)
+    wide = text_width(Text(0j, text, hand.number, "middle", True))
     start, end = complex(base, level), complex(last, level)
     along, tail = complex(sense), TAIL * hand.symbol
-    roomy = abs(end - start) >= 2 * ARROW_LENGTH * hand.symbol + 2
+    roomy, fits = abs(end - start) >= 2 * ARROW_LENGTH * hand.symbol + 2, abs(end - start) >= room_for(text, hand)
     tips = [(end, start), (start, end)] if roomy else [(start - 2 * tail * along, start), (end + 2 * tail * along, end)]
-    shelf = start if roomy and own else start - (tail + (0.0 if own else wide + 2)) * along
+    shelf = start if roomy and fits else start - (tail + (0.0 if fits else wide + 2)) * along
     line = Line(shelf, end if roomy else end + tail * along, hand.drafted)
-    middle = (start + end) / 2 if own else shelf + (wide / 2 + 1) * along
+    middle = (start + end) / 2 if fits else shelf + (wide / 2 + 1) * along
     above = ABOVE - text_reach(Text(0j, text, hand.number, "middle", True))[0]  # an index hangs below its line
     letters = Text(middle + above * 1j, text, hand.number, "middle", True)
     heads = [head for tip in tips if (head := arrowhead(*tip, hand.symbol)) is not None]
     return Group((line, *heads, letters))
 
 
-def fits(length: float, text: str, hand: Hand) -> bool:
-    """Tell whether a text stands over a dimension line of a length, mm."""
-    return length >= _wide(text, hand) + 2
-
-
-def _wide(text: str, hand: Hand) -> float:
-    return text_width(Text(0j, text, hand.number, "middle", True))
+def room_for(text: str, hand: Hand) -> float:
+    """Give the length of a dimension line over which a text stands, mm."""
+    return text_width(Text(0j, text, hand.number, "middle", True)) + 2
 
 
 def step(hand: Hand) -> float:

@@ -8,21 +8,27 @@ from collections.abc import Callable, Iterable, Iterator
 from fractions import Fraction
 from typing import NamedTuple
 
+import numpy as np
+
 from drawings.lettering.bank_letters import lowered
 from drawings.page.drafting import Drafting
 from drawings.report.rotor_notes import ANGLE
 from plans.bank.letters import FORCE, MOMENT, STATIC, couple_letters, letters
-from plans.model.balance.bank import BankBalance, BankTask, Compensator, Harmonic
+from plans.model.balance.bank import BankBalance, Compensator, Harmonic
+from plans.model.motion import Complexes
 from plans.study import Study
 
 RPM = 30 / math.pi  # of a rad/s
 HALF_TURN = 180.0  # degrees
+EYE = 1e-6  # of a vector: what is less cannot be drawn, a written place of 100 mm being rounded to 1e-4 mm
 
 
-def mirrored(task: BankTask, order: int) -> bool:
-    """Tell whether what turns against the crank is the mirror image in the guide of what turns with it."""
-    flat = task.unit is not None and all(one.axis % 180 == 0 for one in task.members)
-    return flat and (order > 1 or not (task.unit and task.unit.rotating))
+def mirrored(balance: BankBalance, order: int) -> bool:
+    """Tell whether what turns against the crank is, to the eye, the mirror image in the guide of what turns with it."""
+    single = balance.single[order]
+    flat = all(one.axis % 180 == 0 for one in balance.task.members)
+    apart = abs(single.back - single.ahead.conjugate())
+    return flat and apart <= max(EYE * abs(single.ahead), single.slack)
 
 
 def crank_of(study: Study) -> float:
@@ -36,9 +42,9 @@ def crank_of(study: Study) -> float:
     return float(abs(points[drive.end] - points[drive.pivot]))
 
 
-def straight(task: BankTask) -> bool:
-    """Tell whether all forces keep to the line of the guides: these lie in one plane, and nothing turns unbalanced."""
-    return mirrored(task, 1)
+def straight(values: Complexes, among: Complexes) -> bool:
+    """Tell whether vectors keep to the line of the reference guide, to the eye that sees others beside them."""
+    return bool(np.abs(values.imag).max() <= EYE * np.abs(among).max())
 
 
 def direction(value: complex, slack: float) -> float:
@@ -82,7 +88,8 @@ class BankNotes(NamedTuple):
         yield word(counted, n=self._number(task.speed * RPM), omega=self._number(task.speed))
         if task.unit is not None:
             yield word("bank unit", ratio=self._number(task.unit.ratio))
-        against = any(mirrored(task, order) for order in self.balance.single)
+        orders = (order for order, one in self.balance.single.items() if not one.vanishes)
+        against = any(mirrored(self.balance, order) for order in orders)
         yield word("mirror image" if against else "both senses")
 
     def _stand(self) -> Iterator[str]:
@@ -106,7 +113,7 @@ class BankNotes(NamedTuple):
 
     def _sums(self, kind: str, one: Harmonic) -> Iterator[str]:
         unit = self.drafting.word("N" if kind == FORCE else "N*m")
-        alone = mirrored(self.balance.task, one.order)
+        alone = mirrored(self.balance, one.order)
         for sense, value in ((1, one.ahead),) if alone else ((1, one.ahead), (-1, one.back)):
             if abs(value) > one.slack:
                 angle = self._number(direction(value, one.slack))

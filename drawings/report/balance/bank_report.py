@@ -32,9 +32,9 @@ def subject(study: Study) -> Subject:
 
 
 def headline(study: Study) -> str:
-    """Say what is left, and what compensates it."""
+    """Say what compensates the forces of the bank, or else which orders vanish by themselves."""
     notes = _notes(study)
-    return "; ".join(map(_plain, (*notes.sums(), *notes.compensators())))
+    return "; ".join(map(_plain, [*notes.compensators()] or [*notes.vanishing()]))
 
 
 def remarks(study: Study) -> list[str]:

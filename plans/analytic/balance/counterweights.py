@@ -84,6 +84,14 @@ class Sums:
         self.matrix = np.array(columns, dtype=np.complex128).reshape(-1, formal.size).T[1:]
         self.lengths = np.sqrt((np.abs(self.matrix) ** 2).sum(axis=0))
         self.inverse = np.linalg.pinv(self.matrix / self.lengths, rcond=EPS)
+        self.blurred = np.zeros(len(self.lengths))
+        self.blurred[: len(self.links)] = [self._blurred(mechanism, link, wanted) for link in self.links]
+
+    def _blurred(self, mechanism: Mechanism, link: int, wanted: Sought) -> float:
+        """Give the static moment kg*m by which a mass centre is rounded: as the length of its link is."""
+        body, points = self.machine.bodies.get(link), mechanism.links[link].points.values()
+        begin = next(one.origin for one in wanted.blanks if one.link == link)
+        return ROUNDING * EPS * body.mass * max(abs(place - begin) for place in points) if body else 0.0
 
     def solve(self, known: Found) -> Found:
         """Find static moments and masses that stay, with the masses known so far where the links begin."""
@@ -100,7 +108,7 @@ class Sums:
 
     def _told(self, known: Found, found: Complexes, slack: Floats) -> Found:
         """Tell what is found; what rounding alone has left is nothing."""
-        count, values = len(self.links), np.where(np.abs(found) <= slack, 0, found).tolist()
+        count, values = len(self.links), np.where(np.abs(found) <= slack + self.blurred, 0, found).tolist()
         moments = dict(zip(self.links, values, strict=False))
         told = tuple(carrying(one, moments.get(one.link, 0j)) for one in known.counterweights)
         left = dict(zip(self.left, values[count:], strict=False))
@@ -110,9 +118,10 @@ class Sums:
         )
 
     def _slack(self, found: Complexes, sizes: Floats) -> Floats:
-        """Give how far rounding of the terms can have moved what is found."""
+        """Give how far rounding of the terms can have moved what is found, and what refinements leave of no term."""
         terms = ROUNDING * EPS * (np.abs(self.matrix) @ np.abs(found)) + sizes
-        return np.asarray(np.abs(self.inverse) @ terms / self.lengths)
+        left = (ROUNDING * EPS) ** REFINEMENTS * float(terms.max())
+        return np.asarray((np.abs(self.inverse) @ terms + left) / self.lengths)
 
 
 def shared(mechanism: Mechanism, left: dict[str, complex]) -> complex:

@@ -1,0 +1,76 @@
+"""The sheet of balancing is held to the analysis: what is drawn passes, faults planted into the drawing withhold it.
+
+The table is tests/cases/balance_faults.toml.
+"""
+
+from __future__ import annotations
+
+import re
+from functools import cache, partial
+from pathlib import Path
+
+import pytest
+
+from drawings.checks.balance.verify_balancing import faults
+from drawings.checks.verify import SelfCheckFailed, verify
+from drawings.lettering.lettering import lettered
+from drawings.paper.strokes import Leaf
+from drawings.pens.svg import svg
+from drawings.sheets.balancing import leaves
+from plans.scene.scene import parse_scene
+from plans.study import Study
+from plans.words.words import said
+from tests.drawings.balance_scenes import SCENES, scene
+from tests.drawings.conftest import Run
+from tests.drawings.planting import ROOT, DrawingFault, drawing_faults, planted
+from tests.parts import some
+
+FAULTS = drawing_faults(ROOT / "tests" / "cases" / "balance_faults.toml")
+PAPERS = (("A1", "en", "GOST"), ("A3", "ru", "ISO"), ("A2", "ru", "GOST"), ("A2", "en", "ISO"))
+
+
+@cache
+def study_of(name: str, size: str = "A2", language: str = "en", standard: str = "GOST") -> Study:
+    return Study(parse_scene(scene(name, size, language, standard)))
+
+
+def checked(leaf: Leaf, study: Study, folder: Path) -> None:
+    path = folder / "sheet.svg"
+    path.write_bytes(svg(lettered(leaf)))
+    verify(path, leaf, partial(faults, study=study))
+
+
+@pytest.mark.parametrize("case", some([(name, *paper) for paper in PAPERS for name in SCENES], 8))
+def test_what_is_drawn_agrees_with_the_analysis(case: tuple[str, str, str, str], tmp_path: Path) -> None:
+    study = study_of(*case)
+    assert study.comparison("balance").worst <= 1.0
+    for leaf in leaves(study):
+        checked(leaf, study, tmp_path)
+
+
+@pytest.mark.parametrize("fault", some(FAULTS, 9), ids=lambda fault: fault.name)
+def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path) -> None:
+    study = study_of(fault.scene, "A1")
+    assert study.comparison("balance").worst <= 1.0
+    with planted(fault), pytest.raises(SelfCheckFailed) as told:
+        for leaf in leaves(study):
+            checked(leaf, study, tmp_path)
+    assert fault.says in str(told.value)
+    assert told.value.exit_code == 5
+    assert not re.search(r"\b(the|is|on|in|for|against)\b", said(told.value, "ru"))
+
+
+def test_every_fault_still_finds_the_text_that_it_replaces() -> None:
+    assert len(FAULTS) >= 15
+    for fault in FAULTS:
+        assert fault.text
+
+
+def test_a_fault_withholds_the_sheet_at_the_command(run: Run, tmp_path: Path) -> None:
+    path = tmp_path / "bar.toml"
+    path.write_text(scene("bar", "A1"), "utf-8")
+    with planted(FAULTS[0]):
+        code, _, err = run("draw", path, "-o", tmp_path / "out")
+    assert code == 5
+    assert FAULTS[0].says in err
+    assert not list((tmp_path / "out").glob("*.svg"))

@@ -1,0 +1,152 @@
+"""Links told in frames of their own, begun anywhere and turned any way, are balanced as links on their own axes."""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Mapping
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+
+from plans.balance.study import BalanceStudy
+from plans.checks.balance.comparison import compare_balance
+from plans.checks.compare import compare
+from plans.forces.statics import Statics
+from plans.model.balance.linkage import (
+    DISC,
+    FULL,
+    PARTIAL,
+    REACTION,
+    SECTOR,
+    SHARE,
+    Choice,
+    Counterweight,
+    Place,
+    Task,
+)
+from plans.model.machine import Body, Machine
+from plans.model.mechanism import FRAME, Mechanism, Way
+from plans.model.order import ACCELERATIONS
+from tests.plans import linkages
+from tests.plans.machines import GEARED, machine, pointed
+from tests.plans.studies import study_of
+
+TURN, SHIFT = cmath.rect(1, 2.3), 0.07 - 0.11j  # of a link's own frame
+
+
+def own(place: complex) -> complex:
+    """Tell a place of a link in its other frame."""
+    return place * TURN + SHIFT
+
+
+def turned(mechanism: Mechanism) -> Mechanism:
+    """Tell all links in their other frames."""
+
+    def way(told: Way, link: int) -> Way:
+        return told if link == FRAME else Way(own(told.through), told.direction * TURN)
+
+    links = {n: replace(one, points={p: own(z) for p, z in one.points.items()}) for n, one in mechanism.links.items()}
+    slides = tuple(
+        replace(s, on_slider=way(s.on_slider, s.slider), on_owner=way(s.on_owner, s.owner)) for s in mechanism.slides
+    )
+    return replace(mechanism, links=links | {FRAME: mechanism.links[FRAME]}, slides=slides)
+
+
+def study(mechanism: Mechanism, its: Machine, task: Task) -> BalanceStudy:
+    """Study the balance of a mechanism with its masses, told on its links' own axes or in other frames."""
+    linkage = study_of(pointed(mechanism))
+    statics = Statics(linkage)
+    vars(statics)["machine"] = its
+    return BalanceStudy(linkage, statics, task)
+
+
+def bodies(rows: Mapping[int, tuple[float, complex]]) -> dict[int, Body]:
+    return {link: Body(link, mass, 0.01 * mass, centre) for link, (mass, centre) in rows.items()}
+
+
+# A drive by a gear, weights and an acceleration: what a share costs the shaft follows from all of them.
+ENGINE = linkages.slider_crank(0.1, 0.4, 0.03, epsilon=40.0)
+GEARS = GEARED._replace(radius=0.06)
+ENGINE_BODIES = bodies({1: (3, 0.04), 2: (4, 0.15), 3: (8, 0)})
+CROOKED = bodies({1: (3, 0.04 + 0.02j), 2: (4, 0.15 - 0.03j), 3: (8, 0.02 + 0.01j)})
+SHAPER = bodies({1: (4, 0.05 + 0.03j), 2: (1.5, 0.02j), 3: (12, 0.3 - 0.06j), 4: (3, 0.1 + 0.01j), 5: (20, 0.02)})
+CASES = {
+    "share": (ENGINE, machine(CROOKED, transmission=GEARS), Task(SHARE, (Place(1, shape=SECTOR),), None, REACTION)),
+    "full": (ENGINE, machine(ENGINE_BODIES), Task(FULL, (Place(1, at=-0.15), Place(2, at=-0.25)))),
+    "partial": (ENGINE, machine(CROOKED), Task(PARTIAL, (Place(1, radius=0.07),))),
+    "shaper": (
+        linkages.shaper(),
+        machine(SHAPER),
+        Task(FULL, (Place(1, mass=6), Place(3, radius=0.3, shape=SECTOR), Place(4, mass=30))),
+    ),
+}
+
+
+@cache
+def studies(case: str) -> tuple[BalanceStudy, BalanceStudy]:
+    """Study a case on the axes of its links, and in the other frames."""
+    mechanism, its, task = CASES[case]
+    other = {link: body._replace(centre=own(body.centre)) for link, body in its.bodies.items()}
+    return study(mechanism, its, task), study(turned(mechanism), replace(its, bodies=other), task)
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_both_roads_agree_in_other_frames(case: str) -> None:
+    _, its = studies(case)
+    found = compare_balance(its, compare(its.linkage, ACCELERATIONS.number))
+    assert [one.name for one in found.findings if one.excess.max() > 1] == []
+    assert found.agrees
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_counterweights_are_the_same_in_other_frames(case: str) -> None:
+    first, other = (its.balance for its in studies(case))
+    assert other.left == pytest.approx(first.left, rel=1e-12)
+    for old, new in zip(first.counterweights, other.counterweights, strict=True):
+        assert new.mass == pytest.approx(old.mass, rel=1e-12)
+        assert new.moment == pytest.approx(old.moment * TURN, rel=1e-12)
+        assert new.centre == pytest.approx(own(old.centre), rel=1e-12)
+    for before, after in ((first.before, other.before), (first.after, other.after)):
+        assert before is not None
+        assert after is not None
+        assert after.centre.r == pytest.approx(before.centre.r, rel=1e-11, abs=1e-14)
+        assert after.around.moment == pytest.approx(before.around.moment, rel=1e-9, abs=1e-9)
+
+
+def test_a_share_costs_the_shaft_what_plans_of_that_machine_say() -> None:
+    """Weight, acceleration and gear among the forces: what is superposed is what is drawn with the counterweight on."""
+    for its in studies("share"):
+        shares = its.shares
+        assert shares is not None
+        for one in (shares.curve[0], shares.curve[15], shares.least_reaction):
+            drawn = study_at(its, one)
+            assert drawn == pytest.approx((one.force, one.reaction), rel=1e-11)
+
+
+def study_at(its: BalanceStudy, one: Choice) -> tuple[float, float]:
+    """Give the largest shaking force and reaction of the shaft of a machine balanced with a share that is given."""
+    after = BalanceStudy(its.linkage, its.statics, its.task._replace(share=one.share)).after
+    assert after is not None
+    return after.shaking, after.reactions["0-1"]
+
+
+GRID = 500  # of the rectangles that a shape is cut into, each way
+THICK, DENSE = 0.02, 7000.0
+
+
+@pytest.mark.parametrize(("shape", "half_angle"), [(DISC, np.pi), (SECTOR, 0.6), (SECTOR, 1.9)])
+def test_sizes_of_a_counterweight(shape: str, half_angle: float) -> None:
+    """Mass, mass centre and inertia of a disc or sector are those of its plate cut into small pieces."""
+    place = Place(1, mass=5.0, shape=shape, density=DENSE, thickness=THICK, half_angle=half_angle)
+    outer = Counterweight(place, "O", 0j, 0j, 5.0).outer
+    cells = (np.arange(GRID) + 0.5) / GRID
+    r, angle = outer * cells[:, None], half_angle * (2 * cells - 1)
+    piece = THICK * DENSE * r * np.exp(0j * angle) * (outer / GRID) * (2 * half_angle / GRID)
+    spots = r * np.exp(1j * angle)
+    mass, moment = np.sum(piece).real, complex(np.sum(piece * spots))
+    inertia = float(np.sum(piece * np.abs(spots - moment / mass) ** 2).real)
+    one = Counterweight(place, "O", 0j, moment, 5.0)
+    assert mass == pytest.approx(5.0, rel=1e-6)
+    assert one.inertia == pytest.approx(inertia, rel=1e-4)
