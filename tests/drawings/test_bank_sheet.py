@@ -5,6 +5,7 @@ The table is tests/cases/bank_faults.toml.
 
 from __future__ import annotations
 
+import math
 import re
 from functools import cache, partial
 from pathlib import Path
@@ -152,6 +153,8 @@ def test_the_report_tells_the_bank() -> None:
     study = study_of("four")
     told = "\n".join(line for part in chapters(study, {}) for line in part)
     assert "mechanism 4: crank at 0°, place 150 mm, guide at 0°" in told
-    assert "| 2 | 575.9483" in told
+    ratio, first = 40 / 140, 0.5 * 0.04 * (100 * math.pi) ** 2
+    second = first * (ratio + ratio**3 / 4 + 15 / 128 * ratio**5 + 35 / 512 * ratio**7)  # the beginning of the series
+    assert f"| 2 | {second:.1f}" in told
     assert "mr_II = F_II/(2ω)² = 0.0029" in headline(study)
     assert subject(study).structure == "bank of 4 slider-cranks"
