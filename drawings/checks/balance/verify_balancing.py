@@ -51,7 +51,7 @@ def _due(expected: Expected) -> Iterator[str]:
     yield static_polygon.NAME
     if any(one.shaking > none.force for one in states):
         yield shaking_hodograph.NAME
-    if any(one.rocking > none.moment for one in states) and len(expected.balance.before.around.phi) > 1:
+    if any(one.rocking > none.moment for one in states) and len(expected.balance.before.centre.phi) > 1:
         yield moment_graph.NAME
     if expected.balance.shares is not None:
         yield share_graph.NAME
