@@ -148,7 +148,7 @@ class BankTable(Table):
         f.ANGULAR_SPEED,
         None,
         meaning='Angular speed of the shaft, "3000 rpm"; default: that of the drive.',
-        missing=Missing("angular speed", 'speed = "3000 rpm"'),
+        missing=Missing("angular speed", 'speed = "3000 rpm"', 1),
         also=("rpm", "n", "omega", "ω"),
     )
     orders: tuple[int, ...] = key(
@@ -168,6 +168,7 @@ class BankTable(Table):
         many(table(MemberTable), f.NOT_EMPTY, Check(_check_apart), first=f.FEW),
         meaning="The mechanisms of the bank.",
         missing=Missing("list of members", MEMBER, [{"crank": 0}]),
+        also=("member", "cylinders", "cylinder", "mechanisms"),
     )
     compensators: tuple[CompensatorTable, ...] = key(
         many(table(CompensatorTable), Check(_check_orders), first=f.FEW),

@@ -20,6 +20,7 @@ from plans.study import Study
 
 RPM = 30 / math.pi  # of a rad/s
 HALF_TURN = 180.0  # degrees
+SEVERAL = 2  # orders, however many: a list of 21 is no singular
 EYE = 1e-6  # of a vector: what is less cannot be drawn, a written place of 100 mm being rounded to 1e-4 mm
 
 
@@ -134,9 +135,9 @@ class BankNotes(NamedTuple):
             yield self.drafting.word("one plane of a bank")
 
     def _orders(self, key: str, holds: Callable[[int], bool]) -> Iterator[str]:
-        found = ", ".join(str(order) for order in self.balance.single if holds(order))
+        found = [str(order) for order in self.balance.single if holds(order)]
         if found:
-            yield self.drafting.word(key, orders=found)
+            yield self.drafting.word(key, orders=", ".join(found), count=1 if len(found) == 1 else SEVERAL)
 
     def compensators(self) -> Iterator[str]:
         """Say what is to be put on the shafts of the compensators, and what their offset leaves."""
