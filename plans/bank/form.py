@@ -80,7 +80,7 @@ class MemberTable(Table):
         missing=Missing("angle of the crank", "crank = 180"),
         also=("phase", "angle", "phi", "φ"),
     )
-    place: Decimal = key(f.COORDINATE, Decimal(0), meaning="Place along the shaft.", also=("z",))
+    place: Decimal = key(f.COORDINATE, Decimal(0), meaning="Place along the shaft.", also=("h", "z"))
     axis: Decimal = key(
         f.ANGLE, Decimal(0), meaning="Direction of its guide from the reference guide: banks of a V, boxer engines."
     )
