@@ -38,8 +38,9 @@ def due(expected: Expected) -> Iterator[str]:
     """Name the curves that the sheets must show."""
     for plan, (name, _, _) in CURVES.items():
         first = WHOLE if name == LEFT else name
-        left = expected.compensated and (expected.lasting or expected.straight(LEFT))
-        if expected.acts(first) and (name != LEFT or left):
+        seen = expected.acts(first) and not expected.faint(first)
+        lasting = expected.straight(LEFT) or (expected.acts(LEFT) and not expected.faint(LEFT))
+        if seen and (name != LEFT or (expected.compensated and lasting)):
             yield plan
 
 

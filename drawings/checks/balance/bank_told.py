@@ -8,7 +8,7 @@ import re
 from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
-from drawings.checks.balance.bank_expected import Expected
+from drawings.checks.balance.bank_expected import LEFT, WHOLE, WHOLE_MOMENT, Expected
 from drawings.checks.rotor_tables import Cell
 from drawings.checks.wrong import Wrong, within
 from drawings.lettering.bank_letters import lowered
@@ -76,6 +76,9 @@ def _due(expected: Expected) -> Iterator[Told]:
     for order, force in expected.analysis.forces.items():
         yield from _sums(expected, FORCE, force)
         yield from _sums(expected, MOMENT, expected.analysis.moments[order])
+    for name, letter in ((WHOLE, "Fmax"), (LEFT, "F'max"), (WHOLE_MOMENT, "Mmax")):
+        if expected.faint(name):
+            yield Told(letter, Cell(expected.most(name), expected.allowed[name]))
     for one in expected.analysis.compensators:
         yield from _masses(expected, one)
 
@@ -121,6 +124,7 @@ def _phrases(told: str, expected: Expected, drafting: Drafting) -> Iterator[Wron
         ("no order", lambda order: order in single),
         ("no order force", lambda order: order in forces and order not in single),
         ("no order moment", lambda order: apart and order in moments and order not in single),
+        ("slight orders", expected.slight),
     ]
     for key, holds in rows:
         orders = [str(order) for order in analysis.single if holds(order)]

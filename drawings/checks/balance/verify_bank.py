@@ -40,6 +40,7 @@ def check(measured: Measured, leaf: Leaf, expected: Expected, drafting: Drafting
     """Hold what a sheet shows: the figures that its data name, tables, notes, scales."""
     figures = frozenset(leaf.metadata["figures"])
     wanted = figures if leaf.metadata["of"] > 1 else figures | set(due(expected))
+    yield from (message("wrong.differs", name=name) for name in sorted(figures - set(due(expected))))
     lost = wanted - {one.name for one in groups(leaf.groups)}
     yield from (message("wrong.missing", name=name) for name in sorted(lost))
     yield from bank_marks.polygons(measured, expected, figures)

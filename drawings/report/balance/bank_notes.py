@@ -12,6 +12,7 @@ import numpy as np
 
 from drawings.lettering.bank_letters import lowered
 from drawings.page.drafting import Drafting
+from drawings.report.balance.bank_slight import slight_force, slight_left, slight_moment, slight_order
 from drawings.report.rotor_notes import ANGLE
 from plans.bank.letters import FORCE, MOMENT, STATIC, couple_letters, letters
 from plans.model.balance.bank import BankBalance, Compensator, Harmonic
@@ -79,7 +80,7 @@ class BankNotes(NamedTuple):
     @property
     def all(self) -> tuple[str, ...]:
         """What is given, what each order comes to, what vanishes, and what compensates."""
-        return *self.given(), *self.sums(), *self.vanishing(), *self.compensators()
+        return *self.given(), *self.sums(), *self.vanishing(), *self.slight(), *self.compensators()
 
     def given(self) -> Iterator[str]:
         """Say how fast the shaft turns, and of a slider-crank what its rod is to its crank."""
@@ -142,6 +143,20 @@ class BankNotes(NamedTuple):
             yield from apart
         else:
             yield self.drafting.word("one plane of a bank")
+
+    def slight(self) -> Iterator[str]:
+        """Say what is not drawn, being too slight: orders, and the largest force and moment over the turn."""
+        balance = self.balance
+        yield from self._orders("slight orders", lambda order: slight_order(balance, order))
+        rows = (
+            (slight_force, FORCE, "N", balance.force),
+            (slight_left, f"{FORCE}'", "N", balance.left),
+            (slight_moment, MOMENT, "N*m", balance.moment),
+        )
+        for holds, letter, unit, values in rows:
+            if holds(balance):
+                size = self._number(float(np.abs(values).max()))
+                yield self.drafting.word("slight course", letter=letter, size=size, unit=self.drafting.word(unit))
 
     def _orders(self, key: str, holds: Callable[[int], bool]) -> Iterator[str]:
         found = [str(order) for order in self.balance.single if holds(order)]
