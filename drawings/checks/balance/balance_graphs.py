@@ -20,6 +20,7 @@ from drawings.lettering.words import number
 from drawings.measure.measured import MeasuredVector
 from drawings.paper.strokes import Group, Leaf, Line, Polyline, Stroke, Text
 from drawings.paper.walk import walk
+from drawings.symbols.symbols import TICK
 from plans.model.balance.linkage import FORCE as LEAST_FORCE
 from plans.model.balance.linkage import Choice
 from plans.words.words import message
@@ -110,7 +111,7 @@ def _curve(part: Group, expected: Expected, state: str, axes: tuple[complex, flo
     spots = [zero + angle / across + 1j * moment / up for angle, moment in zip(angles, moments, strict=True)]
     near = expected.slack(f"M_Φ{PRIMES[state]}", "costs") / up + 2 * expected.near + KNOWN * TURN / across
     longest = [chain for chain in chains if len(chain) > len(spots) / 2]
-    if not marks.follows(longest, spots, near, ()):
+    if not marks.follows(longest, spots, near):
         yield on("path", name, name=state)
 
 
@@ -124,6 +125,7 @@ def shares(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
     due = {kind: 1j * _value(one, kind) for kind, one in best.items()}
     mu = marks.scale(expected.measured, name)
     slack = expected.near * mu + KNOWN * max(abs(value) for value in due.values())
+    due = {kind: value for kind, value in due.items() if kind in seen or abs(value) > (TICK + expected.near) * mu}
     yield from marks.held(seen, due, name, slack)
     yield from marks.titled(part, name, expected.drafting.word("share graph"))
     scales = {} if part is None else written(part)

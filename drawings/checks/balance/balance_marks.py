@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 
 from drawings.checks.balance.balance_expected import Side
 from drawings.checks.wrong import Wrong, on
@@ -12,8 +14,9 @@ from drawings.measure.measure import Measured
 from drawings.measure.measured import MeasuredPoint, MeasuredVector
 from drawings.paper.strokes import Group, Leaf, Line, Polyline, Stroke, Text
 from drawings.paper.walk import groups, texts, walk
+from plans.model.motion import Complexes
 
-CLEAR = 3.0  # sizes of a symbol: so near to a pair a line may be cut off
+CLEAR = 3.0  # mm: so near to a point a line may be cut off by its symbol
 
 
 def figure(leaf: Leaf, name: str) -> Group | None:
@@ -82,6 +85,22 @@ def _ends(one: Stroke) -> Sequence[complex]:
     return one.points if isinstance(one, Polyline) else (one.start, one.end)
 
 
+class Cover(NamedTuple):
+    """A symbol that lines are cut off at: its middle mm, the way that it lies, half its length and width mm."""
+
+    at: complex
+    way: complex = 1 + 0j
+    half: tuple[float, float] | None = None  # None: what stands about a point
+
+    def hides(self, spots: Complexes, near: float) -> npt.NDArray[np.bool_]:
+        """Tell which spots it covers."""
+        off = (spots - self.at) * self.way.conjugate()
+        if self.half is None:
+            return np.asarray(np.abs(off) <= CLEAR)
+        along, across = (size + near for size in self.half)
+        return np.asarray((np.abs(off.real) <= along) & (np.abs(off.imag) <= across))
+
+
 def thinner(before: Group | None, after: Group | None, plan: str) -> Iterator[Wrong]:
     """See that what was before is in a thinner line than what is after, where both are there."""
     widths = [
@@ -98,15 +117,19 @@ def explained(part: Group | None, plan: str, text: str, holds: bool) -> Iterator
         yield on("title", plan, text=text)
 
 
-def follows(chains: Sequence[Sequence[complex]], spots: Sequence[complex], near: float, cut: Sequence[complex]) -> bool:
+def follows(
+    chains: Sequence[Sequence[complex]], spots: Sequence[complex], near: float, covers: Iterable[Cover] = ()
+) -> bool:
     """Tell whether chains follow a curve: all their corners are on it, and all its spots are corners.
 
-    A curve is cut off near to some places, by a symbol's size.
+    A curve is cut off by what covers it; one that is covered all along is not to be seen.
     """
     true, drawn = np.array(spots), np.array([corner for chain in chains for corner in chain])
-    if not drawn.size or len(true) < 2:
+    if len(true) < 2:
         return False
-    far = np.ones(len(true), bool) if not len(cut) else np.abs(true[:, None] - np.array(cut)).min(axis=1) > CLEAR
+    far = ~np.any([np.zeros(len(true), bool), *(cover.hides(true, near) for cover in covers)], axis=0)
+    if not drawn.size:
+        return not far.any()
     met = np.array([np.abs(drawn - spot).min() for spot in true[far]])
     return bool((met <= near).all()) and all(_off(true, corner) <= near for corner in drawn)
 

@@ -12,6 +12,7 @@ from itertools import pairwise
 from drawings.checks import reading
 from drawings.checks.balance import balance_marks as marks
 from drawings.checks.balance.balance_expected import KNOWN, Expected
+from drawings.checks.balance.balance_marks import Cover
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.balance.balance_scheme import PATH, RIM, STILL
 from drawings.figures.balance.lanes import MOST
@@ -21,7 +22,9 @@ from drawings.lettering.balance_letters import CENTRE
 from drawings.paper.limits import QUANTUM, SEEN
 from drawings.paper.strokes import Arc, Group, Leaf, Line
 from drawings.paper.walk import walk
+from drawings.symbols.symbols import BLOCK, STONE
 from plans.model.balance.linkage import DISC, Counterweight
+from plans.model.mechanism import FRAME
 from plans.model.motion import Complexes
 
 PRIMES = {BEFORE: "", AFTER: "'"}  # behind the names of what is compared
@@ -105,19 +108,31 @@ class _Scheme:
 
     def _paths(self) -> Iterator[Wrong]:
         """Hold the paths of the mass centre over the turn: of its own state, and of that before."""
-        cut = [self.on(place) for place in self.expected.points.values()]
+        covers = list(self._covers())
         for state in dict.fromkeys((BEFORE, self.state)):
             name = f"{self.plan}-{PATH}{state}"
             part = marks.figure(self.leaf, name)
             for spots in runs(self.expected.states[state].around.r) if self.expected.whole else ():
                 places = [self.on(spot) for spot in spots]
                 way = sum(abs(one - other) for one, other in pairwise(places))
-                if way > 2 * STILL and not marks.follows(marks.lines(part), places, self.near, cut):
+                if way > 2 * STILL and not marks.follows(marks.lines(part), places, self.near, covers):
                     yield on("path", self.plan, name=state)
             if state != self.state:
                 yield from marks.thinner(part, marks.figure(self.leaf, f"{self.plan}-{PATH}{self.state}"), self.plan)
             if part is not None and self.expected.states[state].around.path <= self.expected.none.way:
                 yield on("stranger_on", self.plan, name=name)
+
+    def _covers(self) -> Iterator[Cover]:
+        """Give what paths are cut off at: the symbols of the points, and the blocks along their lines."""
+        yield from (Cover(self.on(place)) for place in self.expected.points.values())
+        for slide in self.expected.mechanism.slides:
+            through, way = slide.on_owner.through, slide.on_owner.direction
+            start = self.expected.at(slide.owner, through)
+            along = self.expected.at(slide.owner, through + way) - start
+            foot = start + along * ((self.expected.points[slide.point] - start) / along).real
+            length, width = BLOCK if slide.owner == FRAME else STONE
+            symbol = self.expected.drafting.hand.symbol / 2
+            yield Cover(self.on(foot), along / abs(along), (length * symbol, width * symbol))
 
     @property
     def near(self) -> float:

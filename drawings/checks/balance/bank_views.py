@@ -8,15 +8,18 @@ from functools import cached_property
 
 from drawings.checks.balance.bank_expected import LINE, Expected
 from drawings.checks.cam.cam_strokes import NEAR, FigureStrokes, figure
+from drawings.checks.labelled import distance, labels_of
 from drawings.checks.reading import reads
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.bank import shaft, star
-from drawings.lettering.extent import bounds
+from drawings.layout.ink import CELL, CLEAR
+from drawings.layout.labels import NEAR as NEAR_BY
 from drawings.page.drafting import Drafting
 from drawings.paper.strokes import Circle, Fill, Group, Leaf, Line, Polyline, Text
 from drawings.paper.walk import groups
 
 DIGITS = 4  # of a dimension
+BESIDE = star.BESIDE + NEAR_BY[-1] + CLEAR + CELL  # mm: so near to a guide's end stands its letter, or its leader
 
 
 def faults(leaf: Leaf, expected: Expected, drafting: Drafting, figures: frozenset[str]) -> Iterator[Wrong]:
@@ -88,7 +91,7 @@ class _Star(_View):
                 yield on("crank", star.NAME, name="?")
 
     def _guides(self) -> Iterator[Wrong]:
-        """Hold the axes of the guides: each goes out beyond the pins; of several each is lettered on its own side."""
+        """Hold the axes of the guides: each goes out beyond the pins; of several each is lettered at its own end."""
         ways = self.expected.ways()
         for name, way in ways.items():
             lines = self.strokes.through(self.zero, way)
@@ -102,16 +105,15 @@ class _Star(_View):
         for way in ways.values():
             own = ", ".join(name for name, other in ways.items() if abs(other - way) <= LINE)
             text = self.drafting.word("guide of", names=own)
-            found = [one for one in self.strokes.of(Text) if one.plain == text]
-            sides = [_middle(one) - self.zero for one in found]
-            best = [max(ways.values(), key=lambda one: (side * one.conjugate()).real) for side in sides]
-            if not any(abs(one - way) <= LINE for one in best):
+            told = labels_of((self.strokes.group,)).values()
+            found = [label for labels in told for label in labels if label.text.plain == text]
+            if not distance(found, [self._end(way)]) <= BESIDE:
                 yield on("letter", star.NAME, name=text)
 
-
-def _middle(text: Text) -> complex:
-    left, bottom, right, top = bounds(text)
-    return complex(left + right, bottom + top) / 2
+    def _end(self, way: complex) -> complex:
+        """Give where the axis of a guide ends outward."""
+        ends = [end for one in self.strokes.through(self.zero, way) for end in (one.start, one.end)]
+        return max(ends, key=lambda end: ((end - self.zero) * way.conjugate()).real, default=self.zero)
 
 
 class _Shaft(_View):

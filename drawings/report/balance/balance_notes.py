@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from cmath import isfinite
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
+
+import numpy as np
 
 from drawings.lettering.balance_letters import FORCE, counterweight, lowered
 from drawings.lettering.indices import with_index
 from drawings.page.drafting import Drafting
 from drawings.report.balance.balance_equations import EQUALS, Equations, straight
-from plans.balance.stems import Tree
+from plans.balance.stems import Stem, Tree
 from plans.balance.weights import line_of
 from plans.forces.cut import indices
 from plans.forces.primary import BALANCING
@@ -55,10 +56,18 @@ class BalanceNotes(NamedTuple):
         """Write the vectors of main points (8.7), and say of which links vectors are variable."""
         for number, line in enumerate(self.equations.main_points(self.vectors[0])):
             yield line if number else f"(8.7)  {line}"
+        constant = sum((self._share(stem) * stem.at for stem in self.tree.rooted), 0j)
+        if abs(constant) > NOTHING * self.equations.reach:
+            x, y = (self._rounded(part, abs(constant)) for part in (constant.real, constant.imag))
+            yield self.drafting.word("constant main point", letter=lowered("h_0"), x=x, y=y)
         for stem in self.tree.variable:
-            share = sum(self._body(link).mass for link in self.tree.behind(stem.link)) / self.equations.mass
+            share = self._share(stem)
             if share:
                 yield self.drafting.word("variable main point", link=stem.link, share=self._number(share))
+
+    def _share(self, stem: Stem) -> float:
+        """Give the share of the whole mass that a link bears with all that follow it."""
+        return sum(self._body(link).mass for link in self.tree.behind(stem.link)) / self.equations.mass
 
     def counterweights(self) -> Iterator[str]:
         """Say what static moment each link needs, and what it is balanced by."""
@@ -108,8 +117,9 @@ class BalanceNotes(NamedTuple):
             return
         told = self.equations.similar(vectors) or ",  ".join(self._main_points_after(vectors))
         yield self.drafting.word("with counterweights", told=told)
-        if after.around.path <= NOTHING * self.equations.reach:
-            at = complex(next(place for place in after.around.r if isfinite(place)))
+        known = after.around.r[np.isfinite(after.around.r)]
+        if len(known) > 1 and after.around.path <= NOTHING * self.equations.reach:
+            at = complex(known[0])
             x, y = (self._rounded(part, self.equations.reach) for part in (at.real, at.imag))
             yield self.drafting.word("rests", x=x, y=y)
 
@@ -128,7 +138,7 @@ class BalanceNotes(NamedTuple):
 
     def left(self) -> Iterator[str]:
         """Say what masses are left at sliders, and what share of them the crank balances."""
-        for point, mass in self.balance.left.items():
+        for point, mass in sorted(self.balance.left.items()):
             told = self.equations.vector(mass, self.equations.mass)
             if told == "0":
                 continue
@@ -157,20 +167,20 @@ class BalanceNotes(NamedTuple):
         if after is None:
             return
         newtons, moments = (self.drafting.word(unit) for unit in ("N", "N*m"))
-        told = [f"{self._reaction(key)}: {self._change(*two)} {newtons}" for key, two in self._costly(after).items()]
-        balancing = before.balancing, after.balancing
-        told.append(f"{self.balancing}: {self._change(*balancing)} {moments}")
+        force, moment = np.maximum(before.forces.nothing, after.forces.nothing)
+        told = [f"{self._reaction(key)}: {self._change(*two, force)} {newtons}" for key, two in self._costly(after)]
+        told.append(f"{self.balancing}: {self._change(before.balancing, after.balancing, moment)} {moments}")
         masses = {"added": self._number(self.balance.added), "mass": self._number(self.equations.mass)}
         yield self.drafting.word("price", **masses, told=",  ".join(told))
 
-    def _costly(self, after: State) -> dict[str, tuple[float, float]]:
+    def _costly(self, after: State) -> Iterator[tuple[str, tuple[float, float]]]:
         """Give the largest reactions before and after of the crank's shaft, and of the pair where they grow most."""
         was, now = self.balance.before.reactions, after.reactions
         least, rows = NOTHING * self.balance.before.forces.largest, self.balance.before.forces.reactions
         shaft = next((key for key, one in rows.items() if self._of_shaft(one)), None)
         ratios = {key: round(now[key] / was[key], ALIKE) for key in rows if was[key] > least}
         most = max((key for key, ratio in ratios.items() if ratio > 1), key=lambda key: ratios[key], default=None)
-        return {key: (was[key], now[key]) for key in dict.fromkeys((shaft, most)) if key is not None}
+        yield from ((key, (was[key], now[key])) for key in dict.fromkeys((shaft, most)) if key is not None)
 
     def _of_shaft(self, one: Reaction) -> bool:
         return {one.giver, one.taker} == {FRAME, self.mechanism.drive.link}
@@ -193,9 +203,8 @@ class BalanceNotes(NamedTuple):
         """The letter of the balancing moment."""
         return self.drafting.letter(with_index(BALANCING))
 
-    def _change(self, was: float, now: float) -> str:
-        size = max(was, now)
-        return CHANGED.join(self._rounded(value, size) for value in (was, now))
+    def _change(self, was: float, now: float, least: float) -> str:
+        return CHANGED.join("0" if value <= least else self._number(value) for value in (was, now))
 
     def choice(self) -> Iterator[str]:
         """Say with which shares the largest shaking force and the largest reaction of the shaft are least."""

@@ -38,10 +38,9 @@ def centres(notes: BalanceNotes) -> Iterator[str]:
     columns: list[Any] = [np.degrees(notes.balance.before.centre.phi)]
     for mark, state in states.items():
         heads += [f"{CENTRE}{mark}, m", f"{FORCE}{mark}, N", f"{MOMENT}{mark}, N*m"]
-        before = notes.balance.before
-        sizes = notes.equations.reach, before.shaking, before.rocking
+        least = (NOTHING * notes.equations.reach, *notes.balance.before.forces.nothing)
         told = state.centre.r, state.centre.force, state.centre.moment
-        columns += [np.where(np.abs(one) <= NOTHING * size, 0, one) for one, size in zip(told, sizes, strict=True)]
+        columns += [np.where(np.abs(one) <= none, 0, one) for one, none in zip(told, least, strict=True)]
     yield from header([_unit(head, drafting) for head in heads])
     for k in range(len(columns[0])):
         yield row([str(k), *(_cell(column[k], drafting) for column in columns)])
@@ -98,8 +97,8 @@ def _largest(notes: BalanceNotes, state: State) -> dict[str, tuple[float, float]
     force, moment = before.forces.nothing
     found = {
         drafting.word("path of S", unit=drafting.word("m")): (state.around.path, NOTHING * notes.equations.reach),
-        f"{FORCE}, {newtons}": (state.shaking, NOTHING * before.shaking),
-        f"{MOMENT}, {moments}": (state.rocking, NOTHING * before.rocking),
+        f"{FORCE}, {newtons}": (state.shaking, force),
+        f"{MOMENT}, {moments}": (state.rocking, moment),
     }
     for key, one in before.forces.reactions.items():
         letter = notes.reaction(one.giver, one.taker).replace("{", "").replace("}", "")

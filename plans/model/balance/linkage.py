@@ -129,7 +129,8 @@ class MassCentre:
     @property
     def path(self) -> float:
         """How far the centre moves, m: the larger side of the box about its path."""
-        return max(float(np.fmax.reduce(row) - np.fmin.reduce(row)) for row in (self.r.real, self.r.imag))
+        known = self.r[np.isfinite(self.r)]
+        return max((float(np.ptp(row)) for row in (known.real, known.imag) if row.size), default=math.nan)
 
 
 @dataclass(frozen=True)
