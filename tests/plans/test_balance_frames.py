@@ -10,6 +10,8 @@ from functools import cache
 import numpy as np
 import pytest
 
+from plans.balance.counterweights import counterweights, substituted
+from plans.balance.refusals import Refused
 from plans.balance.shares import Superposition, largest
 from plans.balance.study import BalanceStudy
 from plans.checks.balance.comparison import compare_balance
@@ -30,6 +32,7 @@ from plans.model.balance.linkage import (
 from plans.model.machine import Body, Machine
 from plans.model.mechanism import FRAME, Mechanism, Way
 from plans.model.order import ACCELERATIONS
+from plans.model.structure import decompose
 from tests.plans import linkages
 from tests.plans.machines import GEARED, machine, pointed
 from tests.plans.studies import study_of
@@ -116,6 +119,17 @@ def test_counterweights_are_the_same_in_other_frames(case: str) -> None:
         assert after.around.moment == pytest.approx(before.around.moment, rel=1e-9, abs=1e-9)
 
 
+def test_a_place_on_the_line_of_a_link_is_told_along_it() -> None:
+    mechanism, its, task = CASES["full"]
+    other = {link: body._replace(centre=own(body.centre)) for link, body in its.bodies.items()}
+    groups = decompose(mechanism)
+    try:
+        found = counterweights(substituted(turned(mechanism), groups, other, task), groups)
+    except Refused as refused:
+        pytest.fail(f"{refused.kind}: {refused.details}")
+    assert [one.centre for one in found] == pytest.approx([own(-0.15), own(-0.25)])
+
+
 def test_a_share_costs_the_shaft_what_plans_of_that_machine_say() -> None:
     """Weight, acceleration and gear among the forces: what is superposed is what is drawn with the counterweight on."""
     for its in studies("share"):
@@ -155,7 +169,8 @@ THICK, DENSE = 0.02, 7000.0
 @pytest.mark.parametrize(("shape", "half_angle"), [(DISC, np.pi), (SECTOR, 0.6), (SECTOR, 1.9)])
 def test_sizes_of_a_counterweight(shape: str, half_angle: float) -> None:
     """Mass, mass centre and inertia of a disc or sector are those of its plate cut into small pieces."""
-    place = Place(1, mass=5.0, shape=shape, density=DENSE, thickness=THICK, half_angle=half_angle)
+    place = Place(1, mass=5.0, shape=shape, density=DENSE, thickness=THICK)  # a disc has no half angle
+    place = place if shape == DISC else place._replace(half_angle=half_angle)
     outer = Counterweight(place, "O", 0j, 0j, 5.0).outer
     cells = (np.arange(GRID) + 0.5) / GRID
     r, angle = outer * cells[:, None], half_angle * (2 * cells - 1)
