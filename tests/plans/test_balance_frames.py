@@ -37,21 +37,28 @@ from tests.plans import linkages
 from tests.plans.machines import GEARED, machine, pointed
 from tests.plans.studies import study_of
 
-TURN, SHIFT = cmath.rect(1, 2.3), 0.07 - 0.11j  # of a link's own frame
+SHIFT = 0.07 - 0.11j  # of link 1; each link has a frame of its own, turned and shifted more than that before
 
 
-def own(place: complex) -> complex:
+def turn(link: int) -> complex:
+    """Give the direction that the axis of a link has in its other frame."""
+    return cmath.rect(1, 2.3 * link)
+
+
+def own(place: complex, link: int) -> complex:
     """Tell a place of a link in its other frame."""
-    return place * TURN + SHIFT
+    return place * turn(link) + SHIFT * link
 
 
 def turned(mechanism: Mechanism) -> Mechanism:
     """Tell all links in their other frames."""
 
     def way(told: Way, link: int) -> Way:
-        return told if link == FRAME else Way(own(told.through), told.direction * TURN)
+        return told if link == FRAME else Way(own(told.through, link), told.direction * turn(link))
 
-    links = {n: replace(one, points={p: own(z) for p, z in one.points.items()}) for n, one in mechanism.links.items()}
+    links = {
+        n: replace(one, points={p: own(z, n) for p, z in one.points.items()}) for n, one in mechanism.links.items()
+    }
     slides = tuple(
         replace(s, on_slider=way(s.on_slider, s.slider), on_owner=way(s.on_owner, s.owner)) for s in mechanism.slides
     )
@@ -92,7 +99,7 @@ CASES = {
 def studies(case: str) -> tuple[BalanceStudy, BalanceStudy]:
     """Study a case on the axes of its links, and in the other frames."""
     mechanism, its, task = CASES[case]
-    other = {link: body._replace(centre=own(body.centre)) for link, body in its.bodies.items()}
+    other = {link: body._replace(centre=own(body.centre, link)) for link, body in its.bodies.items()}
     return study(mechanism, its, task), study(turned(mechanism), replace(its, bodies=other), task)
 
 
@@ -110,8 +117,8 @@ def test_counterweights_are_the_same_in_other_frames(case: str) -> None:
     assert other.left == pytest.approx(first.left, rel=1e-12)
     for old, new in zip(first.counterweights, other.counterweights, strict=True):
         assert new.mass == pytest.approx(old.mass, rel=1e-12)
-        assert new.moment == pytest.approx(old.moment * TURN, rel=1e-12)
-        assert new.centre == pytest.approx(own(old.centre), rel=1e-12)
+        assert new.moment == pytest.approx(old.moment * turn(new.link), rel=1e-12)
+        assert new.centre == pytest.approx(own(old.centre, new.link), rel=1e-12)
     for before, after in ((first.before, other.before), (first.after, other.after)):
         assert before is not None
         assert after is not None
@@ -121,13 +128,13 @@ def test_counterweights_are_the_same_in_other_frames(case: str) -> None:
 
 def test_a_place_on_the_line_of_a_link_is_told_along_it() -> None:
     mechanism, its, task = CASES["full"]
-    other = {link: body._replace(centre=own(body.centre)) for link, body in its.bodies.items()}
+    other = {link: body._replace(centre=own(body.centre, link)) for link, body in its.bodies.items()}
     groups = decompose(mechanism)
     try:
         found = counterweights(substituted(turned(mechanism), groups, other, task), groups)
     except Refused as refused:
         pytest.fail(f"{refused.kind}: {refused.details}")
-    assert [one.centre for one in found] == pytest.approx([own(-0.15), own(-0.25)])
+    assert [one.centre for one in found] == pytest.approx([own(-0.15, 1), own(-0.25, 2)])
 
 
 def test_a_share_costs_the_shaft_what_plans_of_that_machine_say() -> None:
@@ -149,7 +156,7 @@ def study_at(its: BalanceStudy, one: Choice) -> tuple[float, float]:
 
 def test_the_best_share_on_either_side_of_the_lightest_counterweight() -> None:
     """A slow engine whose rod lifts the crank: at the lightest counterweight the reaction is largest of all near it."""
-    bodies_of = bodies({1: (3, 0.04), 2: (4, 0.8), 3: (8, 0)})
+    bodies_of = bodies({1: (3, 0.04), 2: (4, 0.73), 3: (8, 0)})
     slow = linkages.slider_crank(0.1, 0.4, omega=0.02, epsilon=0.0)
     its = study(slow, machine(bodies_of), Task(SHARE, (Place(1, radius=0.15),), None, REACTION))
     found = compare_balance(its, compare(its.linkage, ACCELERATIONS.number))
