@@ -79,12 +79,12 @@ def bodies(rows: Mapping[int, tuple[float, complex]]) -> dict[int, Body]:
 
 # A drive by a gear, weights and an acceleration: what a share costs the shaft follows from all of them.
 ENGINE = linkages.slider_crank(0.1, 0.4, 0.03, epsilon=40.0)
-GEARS = GEARED._replace(radius=0.06)
+GEARS, SLANT = GEARED._replace(radius=0.06), cmath.rect(9.81, -2.1)  # a machine that stands on a slope
 ENGINE_BODIES = bodies({1: (3, 0.04), 2: (4, 0.15), 3: (8, 0)})
 CROOKED = bodies({1: (3, 0.04 + 0.02j), 2: (4, 0.15 - 0.03j), 3: (8, 0.02 + 0.01j)})
 SHAPER = bodies({1: (4, 0.05 + 0.03j), 2: (1.5, 0.02j), 3: (12, 0.3 - 0.06j), 4: (3, 0.1 + 0.01j), 5: (20, 0.02)})
 CASES = {
-    "share": (ENGINE, machine(CROOKED, transmission=GEARS), Task(SHARE, (Place(1, shape=SECTOR),), None, REACTION)),
+    "share": (ENGINE, machine(CROOKED, SLANT, GEARS), Task(SHARE, (Place(1, shape=SECTOR),), None, REACTION)),
     "full": (ENGINE, machine(ENGINE_BODIES), Task(FULL, (Place(1, at=-0.15), Place(2, at=-0.25)))),
     "partial": (ENGINE, machine(CROOKED), Task(PARTIAL, (Place(1, radius=0.07),))),
     "shaper": (
