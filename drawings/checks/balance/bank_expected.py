@@ -17,6 +17,7 @@ from plans.model.balance.bank import BankBalance, BankTask, Compensator, Harmoni
 from plans.model.motion import Complexes
 
 PAPER = 1e-6  # of a vector: so much of 100 mm is the last digit of a written place
+DOUBTFUL = 4.0  # each road has its own bound of rounding: so near to one what is seen may be, or be left out
 LINE = 1e-9  # of a unit direction: a sine that is less is of an angle that was rounded
 WHOLE, LEFT, WHOLE_MOMENT = "ΣF", "ΣF'", "ΣM"  # the findings over the turn
 
@@ -153,10 +154,10 @@ class Expected:
         """Whether the compensators leave some force that can be drawn beside that before."""
         return bool(np.abs(self.analysis.left).max() > PAPER * np.abs(self.analysis.force).max())
 
-    def acts(self, name: str) -> bool:
-        """Whether more than rounding is left of what is followed over the turn."""
+    def acts(self, name: str, seen: bool) -> bool:
+        """Whether more than rounding is left of what is followed over the turn, and is seen or must be."""
         slack = self.analysis.moment_slack if name == WHOLE_MOMENT else self.analysis.force_slack
-        return bool(np.abs(self.force_of(name)).max() > slack)
+        return bool(np.abs(self.force_of(name)).max() > (slack / DOUBTFUL if seen else slack * DOUBTFUL))
 
     def bodies(self, one: Compensator) -> Iterator[Body]:
         """Give the masses of a compensator at phi = 0."""
