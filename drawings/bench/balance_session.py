@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from drawings.bench import balance_sheet
 from drawings.bench.session import BUDGET, NothingToMeasure, Order
 from plans.balance.study import BalanceStudy
 from plans.bench import balance
@@ -25,5 +26,9 @@ def session(scene: Scene, order: Order, tell: Callable[[str], None]) -> Bench:
     if any(study.lost.all() for study in studies):
         raise NothingToMeasure(f"{scene.file}: no position can be assembled, so there is nothing to measure")
     rows, words = balance.rows(found, studies, min(order.rounds, ROUNDS), BUDGET)
+    tell("the sheet of balancing")
+    rows.append(
+        balance_sheet.row(scene, balance.ground(found.linkage, found.points()), min(order.rounds, ROUNDS), BUDGET)
+    )
     tell("")
     return Bench(scene.heading(), there, tuple(rows), (), tuple(words), order.accepted)

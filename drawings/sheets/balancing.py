@@ -17,6 +17,7 @@ from drawings.figures.balance import (
 )
 from drawings.figures.balance.nothing import Nothing, nothing
 from drawings.figures.balance.scheme import AFTER, BEFORE, SCHEME, BalanceScheme, placed_weight
+from drawings.figures.forces.force_letters import REACTION
 from drawings.figures.graphs import curve_graph
 from drawings.figures.linkage.skeleton import Skeletons, skeletons
 from drawings.layout.contents import Panel
@@ -52,6 +53,7 @@ class Balanced:
     moments: Mapping[str, complex]  # static moments kg*m there, by letters
     balance: Balance
     notes: tuple[str, ...] = ()
+    reactions: str = REACTION  # the letter of reactions
 
     @property
     def after(self) -> State | None:
@@ -83,7 +85,14 @@ def balanced(own: BalanceStudy, motion: MotionComparison, notes: tuple[str, ...]
         drawings[AFTER] = own.drawing(after=True, position=shown)
     chains = {state: tuple(map(_vector, drawing.main.sides)) for state, drawing in drawings.items()}
     moments = {side.vector.name: at(side.vector.point, 0) for side in drawings[BEFORE].polygon.sides}
-    return Balanced(skeletons(own.linkage, motion.construction, shown), chains, moments, own.balance, notes)
+    return Balanced(
+        skeletons(own.linkage, motion.construction, shown),
+        chains,
+        moments,
+        own.balance,
+        notes,
+        own.statics.form.sheet.reactions,
+    )
 
 
 def _vector(side: Side) -> ShownVector:
@@ -132,7 +141,7 @@ class _BalancingSheet:
 
     @cached_property
     def drafting(self) -> Drafting:
-        return drafting_of(self.scene)
+        return drafting_of(self.scene)._replace(reactions=self.shown.reactions)
 
     @property
     def balance(self) -> Balance:

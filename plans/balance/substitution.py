@@ -7,6 +7,7 @@ outer hinges, once its static moments about one of them are zero, by a counterwe
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import cached_property
 from typing import NamedTuple
 
 from plans.balance.main_points import EMPTY
@@ -95,7 +96,7 @@ class Substitution:
         """Bring a link's static moment about a point to zero by the counterweight that it may carry."""
         moment = self.moment(link, begin)
         place = self.task.place(link)
-        if self._rests(link, begin, moment):
+        if self._rests(link, moment):
             return
         if place is None:
             raise Refused(NEEDED, links=tuple(map(str, would_do)), link=would_do[0])
@@ -106,11 +107,16 @@ class Substitution:
         why = because("counterweight_mass", link=link)
         self.put(link, begin, found.origin, self.sums.mass(f"m_cw{link}", found.mass, why))
 
-    def _rests(self, link: int, begin: str, moment: Term) -> bool:
-        """Tell whether a static moment is none: the place of a mass centre is rounded, too, as the link's length is."""
-        points = self.mechanism.links[link].points
-        reach = max(abs(place - points[begin]) for place in points.values())
-        return abs(moment.value) <= ROUNDING * EPS * (moment.size + self.bodies.get(link, EMPTY).mass * reach)
+    def _rests(self, link: int, moment: Term) -> bool:
+        """Tell whether a static moment is none: the place of a mass centre is rounded, too, as the lengths are."""
+        own = self.bodies.get(link, EMPTY).mass * self.longest
+        return abs(moment.value) <= ROUNDING * EPS * (moment.size + own)
+
+    @cached_property
+    def longest(self) -> float:
+        """The longest distance m of two points of a moving link."""
+        links = (one.points.values() for number, one in self.mechanism.links.items() if number != FRAME)
+        return max(abs(one - other) for places in links for one in places for other in places)
 
     def keep(self, point: str, mass: Term) -> None:
         """Leave a mass at a slider: it moves along the guide."""

@@ -11,12 +11,14 @@ from pathlib import Path
 
 import pytest
 
+from drawings.bench import balance_sheet
 from drawings.checks.balance.verify_balancing import faults
 from drawings.checks.verify import SelfCheckFailed, verify
 from drawings.lettering.lettering import lettered
 from drawings.paper.strokes import Leaf
 from drawings.pens.svg import svg
 from drawings.sheets.balancing import leaves
+from plans.bench.balance import PLACE, SHAKING, ground
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from plans.words.words import said
@@ -64,6 +66,18 @@ def test_every_fault_still_finds_the_text_that_it_replaces() -> None:
     assert len(FAULTS) >= 15
     for fault in FAULTS:
         assert fault.text
+
+
+def test_the_bench_judges_what_is_measured_back(tmp_path: Path) -> None:
+    """A sheet is as sharp as its last decimal; the truth is the record in 50 digits."""
+    study = study_of("engine", "A1")
+    on = ground(study["balance"].linkage, study["balance"].points())
+    marks = balance_sheet.measured(study.scene, tmp_path)
+    errors = balance_sheet.judge(marks, on)
+    assert errors.kinds.keys() == {PLACE, SHAKING}
+    assert 0 < max(errors.kinds.values()) < 1e-5
+    off = balance_sheet.judge({key: 1.01 * value for key, value in marks.items()}, on)
+    assert off.kinds[SHAKING] == pytest.approx(0.01, rel=1e-3)
 
 
 def test_a_fault_withholds_the_sheet_at_the_command(run: Run, tmp_path: Path) -> None:

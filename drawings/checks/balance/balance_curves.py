@@ -23,7 +23,7 @@ from plans.model.motion import Complexes
 
 LETTERS = {BEFORE: FORCE, AFTER: f"{FORCE}^*"}
 LEAST = 0.1  # mm: a vector that is shorter may be a point
-ENDS = 8.0  # lanes that vectors of a polygon may stand aside: as many as can lie along one another
+LANES = 3.0  # rooms of a letter that a vector of a polygon may stand aside
 
 
 def polygon(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
@@ -41,7 +41,8 @@ def polygon(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
     slack += expected.near * mu + KNOWN * size
     yield from marks.held(seen, {one.name: one.value for one in sides}, name, slack)
     if sides:
-        lane = ENDS * APART * expected.drafting.hand.symbol
+        hand = expected.drafting.hand
+        lane = LANES * abs(static_polygon.ROOM) * hand.letter + APART * hand.symbol
         yield from marks.laid(seen, sides, name, _pole(leaf), 2 * slack / mu, lane)
     yield from _said(leaf, expected, sides)
     if part is not None and seen:
@@ -114,5 +115,5 @@ def _curve(leaf: Leaf, expected: Expected, state: str, mu: float) -> Iterator[Wr
     near = expected.slack(f"{FORCE}{PRIMES[state]}", "costs") / mu + expected.near
     chains = marks.lines(marks.figure(leaf, f"{name}-{state}"))
     for spots in runs(np.asarray(around)):
-        if len(spots) > 1 and not marks.follows(chains, [pole + spot / mu for spot in spots], near, ()):
+        if len(spots) > 1 and not marks.follows(chains, [pole + spot / mu for spot in spots], near):
             yield on("path", name, name=state)

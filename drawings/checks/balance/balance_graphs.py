@@ -111,7 +111,7 @@ def _curve(part: Group, expected: Expected, state: str, axes: tuple[complex, flo
     spots = [zero + angle / across + 1j * moment / up for angle, moment in zip(angles, moments, strict=True)]
     near = expected.slack(f"M_Φ{PRIMES[state]}", "costs") / up + 2 * expected.near + KNOWN * TURN / across
     longest = [chain for chain in chains if len(chain) > len(spots) / 2]
-    if not marks.follows(longest, spots, near, ()):
+    if not marks.follows(longest, spots, near):
         yield on("path", name, name=state)
 
 

@@ -118,7 +118,7 @@ def explained(part: Group | None, plan: str, text: str, holds: bool) -> Iterator
 
 
 def follows(
-    chains: Sequence[Sequence[complex]], spots: Sequence[complex], near: float, covers: Iterable[Cover]
+    chains: Sequence[Sequence[complex]], spots: Sequence[complex], near: float, covers: Iterable[Cover] = ()
 ) -> bool:
     """Tell whether chains follow a curve: all their corners are on it, and all its spots are corners.
 

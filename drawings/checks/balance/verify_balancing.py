@@ -12,8 +12,8 @@ from drawings.checks.wrong import Wrong
 from drawings.figures.balance import moment_graph, shaking_hodograph, share_graph, static_polygon
 from drawings.figures.balance.scheme import SCHEME
 from drawings.measure.measure import Measured
-from drawings.page.drafting import drafting_of
 from drawings.paper.strokes import Leaf
+from drawings.report.balance.balance_report import drafting_for
 from plans.study import Study
 from plans.words.words import message
 
@@ -21,7 +21,7 @@ from plans.words.words import message
 def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     """Hold all that one sheet of a balanced mechanism shows against the analysis (row of the table of sheets)."""
     shown = leaf.metadata["position"]
-    expected = Expected(study["balance"], study.comparison("balance"), drafting_of(study.scene), shown, measured)
+    expected = Expected(study["balance"], study.comparison("balance"), drafting_for(study["balance"]), shown, measured)
     yield from _figures(leaf, expected)
     yield from schemes(leaf, expected)
     yield from balance_curves.polygon(leaf, expected)

@@ -11,7 +11,7 @@ from drawings.lettering.balance_letters import FORCE, counterweight, lowered
 from drawings.lettering.indices import with_index
 from drawings.page.drafting import Drafting
 from drawings.report.balance.balance_equations import EQUALS, Equations, straight
-from plans.balance.stems import Tree
+from plans.balance.stems import Stem, Tree
 from plans.balance.weights import line_of
 from plans.forces.cut import indices
 from plans.forces.primary import BALANCING
@@ -56,10 +56,18 @@ class BalanceNotes(NamedTuple):
         """Write the vectors of main points (8.7), and say of which links vectors are variable."""
         for number, line in enumerate(self.equations.main_points(self.vectors[0])):
             yield line if number else f"(8.7)  {line}"
+        constant = sum((self._share(stem) * stem.at for stem in self.tree.rooted), 0j)
+        if abs(constant) > NOTHING * self.equations.reach:
+            x, y = (self._rounded(part, abs(constant)) for part in (constant.real, constant.imag))
+            yield self.drafting.word("constant main point", letter=lowered("h_0"), x=x, y=y)
         for stem in self.tree.variable:
-            share = sum(self._body(link).mass for link in self.tree.behind(stem.link)) / self.equations.mass
+            share = self._share(stem)
             if share:
                 yield self.drafting.word("variable main point", link=stem.link, share=self._number(share))
+
+    def _share(self, stem: Stem) -> float:
+        """Give the share of the whole mass that a link bears with all that follow it."""
+        return sum(self._body(link).mass for link in self.tree.behind(stem.link)) / self.equations.mass
 
     def counterweights(self) -> Iterator[str]:
         """Say what static moment each link needs, and what it is balanced by."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from drawings.page.drafting import drafting_of
+from drawings.page.drafting import Drafting, drafting_of
 from drawings.report.balance import balance_tables as tables
 from drawings.report.balance.balance_notes import BalanceNotes
 from drawings.report.chapters import Chapters
@@ -39,14 +39,19 @@ def faults(text: str, study: Study) -> Iterator[Message]:
 def notes_of(study: Study, digits: int = 5) -> BalanceNotes:
     """Give the notes on what the construction finds."""
     own: BalanceStudy = study["balance"]
-    return notes_by(own, study, digits)
+    return notes_by(own, digits)
 
 
-def notes_by(own: BalanceStudy, study: Study, digits: int = 5) -> BalanceNotes:
+def drafting_for(own: BalanceStudy) -> Drafting:
+    """Give what a scene asks of its sheets, with the letter that it gives reactions."""
+    return drafting_of(own.linkage.scene)._replace(reactions=own.statics.form.sheet.reactions)
+
+
+def notes_by(own: BalanceStudy, digits: int = 5) -> BalanceNotes:
     """Give the notes on a balance by construction."""
     after = None if own.balance.after is None else own.points(after=True).vectors
     vectors = own.points().vectors, after
-    drafting = drafting_of(study.scene)
+    drafting = drafting_for(own)
     return BalanceNotes(own.linkage.mechanism, own.tree, own.machine, own.balance, vectors, drafting, digits)
 
 

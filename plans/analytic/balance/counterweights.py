@@ -7,6 +7,7 @@ of the loops are summed vector by vector (plans.analytic.balance.formal); each s
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -85,13 +86,14 @@ class Sums:
         self.lengths = np.sqrt((np.abs(self.matrix) ** 2).sum(axis=0))
         self.inverse = np.linalg.pinv(self.matrix / self.lengths, rcond=EPS)
         self.blurred = np.zeros(len(self.lengths))
-        self.blurred[: len(self.links)] = [self._blurred(mechanism, link, wanted) for link in self.links]
+        self.blurred[: len(self.links)] = list(self._blurred(mechanism))
 
-    def _blurred(self, mechanism: Mechanism, link: int, wanted: Sought) -> float:
-        """Give the static moment kg*m by which a mass centre is rounded: as the length of its link is."""
-        body, points = self.machine.bodies.get(link), mechanism.links[link].points.values()
-        begin = next(one.origin for one in wanted.blanks if one.link == link)
-        return ROUNDING * EPS * body.mass * max(abs(place - begin) for place in points) if body else 0.0
+    def _blurred(self, mechanism: Mechanism) -> Iterator[float]:
+        """Give the static moments kg*m by which mass centres are rounded, as the longest of the links is."""
+        places = [np.array(list(link.points.values())) for link in mechanism.links.values() if link.number != FRAME]
+        longest = max(float(np.abs(row[:, None] - row).max()) for row in places)
+        bodies = (self.machine.bodies.get(link) for link in self.links)
+        return (ROUNDING * EPS * body.mass * longest if body else 0.0 for body in bodies)
 
     def solve(self, known: Found) -> Found:
         """Find static moments and masses that stay, with the masses known so far where the links begin."""

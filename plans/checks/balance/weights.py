@@ -39,8 +39,13 @@ class Weights:
     @property
     def whole(self) -> float:
         """Give how far all static moments together may be off, kg*m."""
-        added = self.study.balance.counterweights
-        return sum(self.slack(one.link) + abs(one.centre) * uncertain(one, self.slack(one.link)) for one in added)
+        return sum(map(self._off, self.study.balance.counterweights))
+
+    def _off(self, one: Counterweight) -> float:
+        """Give how far one of them may be off: its mass, too, and its centre told from the zero of the link's frame."""
+        slack = self.slack(one.link)
+        told = one.mass * (abs(one.centre) + abs(one.origin) - abs(one.centre - one.origin))
+        return slack + abs(one.centre) * uncertain(one, slack) + 2 * EPS * told
 
     @property
     def _given(self) -> float:
