@@ -32,11 +32,17 @@ class Polygon(NamedTuple):
     whole: complex
     side_slack: Mapping[str, float]
     slack: float
+    rounding: float  # of the sum by the analysis alone
 
     @property
     def closed(self) -> bool:
-        """Whether rounding alone is left of the sum."""
-        return abs(self.whole) <= self.slack
+        """Whether no more than rounding is left of the sum for certain."""
+        return abs(self.whole) <= self.rounding / DOUBTFUL
+
+    @property
+    def open(self) -> bool:
+        """Whether more than rounding is left of the sum for certain; of what is neither both may be seen."""
+        return abs(self.whole) > self.rounding * DOUBTFUL
 
 
 class Body(NamedTuple):
@@ -118,7 +124,7 @@ class Expected:
         arms = {letters(kind, signed, one.name): abs(self.arm(kind, one)) for one in self.members}
         slacks = {key: self.allowed[letters(SINGLE, signed)] * arm for key, arm in arms.items()}
         value = (whole.ahead if signed > 0 else whole.back) * self.turn
-        return Polygon(kind, signed, sides, name, value, slacks, self.allowed[name])
+        return Polygon(kind, signed, sides, name, value, slacks, self.allowed[name], whole.slack)
 
     def _sides(self, kind: str, signed: int, own: complex) -> Iterator[tuple[str, complex]]:
         for one, axis in zip(self.members, self.axes, strict=True):

@@ -65,7 +65,7 @@ def due(expected: Expected, figures: Collection[str]) -> Iterator[str]:
     if any(one.place for one in expected.members):
         yield shaft.NAME
     for one in expected.polygons():
-        if not one.closed or len(one.sides) <= MOST:
+        if one.open or len(one.sides) <= MOST:
             yield plan_of(one.kind, one.signed)
     yield from {bank_curves.figure_of(expected, plan) for plan in bank_curves.due(expected, figures)}
     for found in expected.analysis.compensators:
