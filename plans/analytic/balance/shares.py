@@ -68,7 +68,7 @@ def _less(one: Counterweight, given: complex) -> Counterweight:
 
 
 def _largest(forces: Complexes) -> float:
-    return float(np.nanmax(np.abs(forces)))
+    return float(np.fmax.reduce(np.abs(forces)))
 
 
 def _turning(course: Course) -> Complexes:
@@ -104,7 +104,9 @@ def _bearing(course: Course, partial: Sequence[Counterweight], step: complex) ->
 
 
 def least(forces: Forces) -> float:
-    """Find the share in [0, 1] whose largest force is least."""
+    """Find the share in [0, 1] whose largest force is least; 0 of a mechanism that cannot be assembled."""
+    if np.isnan(_largest(forces(0.0))):
+        return 0.0
     if _straight(forces):
         start = forces(0.0)
         return lowest(start, forces(1.0) - start)
