@@ -69,7 +69,7 @@ def _less(one: Counterweight, given: complex) -> Counterweight:
 
 
 def _largest(forces: Complexes) -> float:
-    return float(np.nanmax(np.abs(forces)))
+    return float(np.fmax.reduce(np.abs(forces)))
 
 
 def _turning(course: Course) -> Complexes:
@@ -114,7 +114,9 @@ def _lightest(course: Course, partial: Sequence[Counterweight], step: complex) -
 
 
 def least(forces: Forces, bends: tuple[float, ...] = ()) -> float:
-    """Find the share in [0, 1] whose largest force is least, on either side of where it bends."""
+    """Find the share in [0, 1] whose largest force is least, on either side of where it bends; 0 where there is none."""
+    if np.isnan(_largest(forces(0.0))):  # a mechanism that cannot be assembled
+        return 0.0
     if _straight(forces):
         start = forces(0.0)
         return lowest(start, forces(1.0) - start)
