@@ -149,11 +149,11 @@ class Centres:
         motion, left = self.stretch.motion.construction, self.ours.left
         moving = centre.moments(ours) - sum(mass * motion.points[point].r for point, mass in left.items())
         moving = moving + self._overbalance(self.theirs.left) * np.exp(1j * motion.links[self._crank].angle)
-        rest = moving - moving[np.flatnonzero(np.isfinite(moving))[:1]]
+        rest = moving - next((one for one in moving if np.isfinite(one)), np.nan)
         loose = sum(self.weights.loose(point) for point in left) * self.stretch.size
         kept = sum(map(abs, left.values())) * self.stretch.size
         own = centre.mass * centre.placed + loose + self.stretch.allowed(np.zeros(1), PLACE, kept)
-        allowed = own + float(np.nanmax(own))
+        allowed = own + float(np.fmax.reduce(own))
         return vanishing(f"S{centre.mark}", "kg*m", np.abs(rest), allowed, centre.sizes[0])
 
     @property
