@@ -130,11 +130,9 @@ def _sum(terms: Iterable[complex]) -> complex:
 def _compensator(asked: Asked, force: Harmonic, speed: float) -> Compensator:
     """Find the masses whose forces are against those of an order, and those of the couple that their offset makes."""
     square = (asked.order * speed) ** 2
-    sizes = [0.0 if abs(one) <= force.slack else abs(one) for one in (force.ahead, force.back)]
-    angles = [
-        plain_angle(cmath.phase(-one)) if size else None
-        for one, size in zip((force.ahead, force.back), sizes, strict=True)
-    ]
+    against = [0j if abs(one) <= force.slack else -one for one in (force.ahead, force.back)]
+    sizes = [abs(one) for one in against]
+    angles = [plain_angle(cmath.phase(one)) if one else None for one in against]
     residual = math.fsum(sizes) * abs(asked.offset)
     couple = None if asked.shafts is None else residual / (square * asked.shafts)
     return Compensator(
@@ -142,14 +140,19 @@ def _compensator(asked: Asked, force: Harmonic, speed: float) -> Compensator:
         *(sizes[0] / square, angles[0], sizes[1] / square, angles[1]),
         residual,
         couple,
-        _couple_angle(angles, asked.offset) if couple else None,
+        _couple_angle(against, asked.offset) if couple else None,
     )
 
 
-def _couple_angle(angles: Sequence[float | None], offset: float) -> float:
-    """Give the angle of the couple's mass: a quarter turn ahead of the first mass, behind it for an offset below 0."""
-    first = next(angle for angle in angles if angle is not None)
-    return plain_angle(cmath.phase(cmath.rect(1.0, first + math.copysign(math.pi / 2, offset))))
+def _couple_angle(forces: Sequence[complex], offset: float) -> float:
+    """Give the angle of the couple's mass, by the moment of both forces over the turn.
+
+    Off a line u by an offset z to its left they have Re(-z (conj(u) ahead + u conj(back)) e^(i n phi)), and the couple
+    of a mass at an angle has Re(-i conj(u) e^(i angle) e^(i n phi)) of its largest. Of one force alone u is the guide.
+    """
+    ahead, back = forces
+    twice = ahead / abs(ahead) * back / abs(back) if ahead and back else 1.0  # u^2
+    return plain_angle(cmath.phase(1j * offset * (ahead + twice * back.conjugate())))
 
 
 def _pushes(one: Compensator, speed: float, phi: Floats) -> Complexes:

@@ -113,7 +113,8 @@ class Compensator(NamedTuple):
 
     `with_crank` turns with the crank, `against` against it; None is the angle of a mass that is not needed. `residual`
     N*m is the largest couple that their offset gives, `couple` kg*m the m*r of each mass of its compensator: two masses
-    in antiphase on shafts whose line is along the largest force of the order, `couple_angle` of the one farther on it.
+    in antiphase on shafts whose line is along the largest force of the order, `couple_angle` of the one farther on it;
+    of a force that goes round the line is the reference guide. They turn with the crank.
     """
 
     asked: Asked
