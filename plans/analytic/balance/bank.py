@@ -22,6 +22,7 @@ from plans.model.balance.bank import (
     EPS,
     HARMONIC,
     ROUNDING,
+    STEPS,
     Asked,
     BankBalance,
     BankTask,
@@ -32,8 +33,6 @@ from plans.model.balance.bank import (
     plain_angle,
 )
 from plans.model.motion import Complexes, Floats
-
-STEPS = 360  # even positions of a turn
 
 
 class Mechanism(Protocol):
