@@ -41,7 +41,10 @@ class Centre:
         self.mass = points.mass
         added = study.balance.counterweights if after else ()
         self.solid = bodies(study.machine, added)
-        self.sizes = sizes(study.linkage.mechanism, self.solid, stretch.motion.analysis)
+        static, force, turning = sizes(study.linkage.mechanism, self.solid, stretch.motion.analysis)
+        # Where all masses rest in hinges of the frame the main-point vectors turn all the same, and cancel.
+        force = force or sum(term.size for term in points.moments.values()) * stretch.rate
+        self.sizes = static, force, turning or force * stretch.size
         # How far the static moments themselves may be off: those of main points, and those of counterweights.
         self.given = sum(ROUNDING * EPS * term.size for term in points.moments.values())
         self.given += weights.whole if after else 0.0
