@@ -83,11 +83,7 @@ def bank_balance(task: BankTask, mechanism: Mechanism) -> BankBalance:
     places = [float(one.place) for one in task.members]
     moments = {order: _summed(one, task.members, places) for order, one in single.items()}
     found = tuple(_compensator(one, forces[one.order], task.speed) for one in task.asked)
-    phi = np.linspace(0.0, 2 * np.pi, STEPS + 1)
-    turns = {phase: mechanism.shaking(phase) for phase in {one.phase % 360 for one in task.members}}
-    terms = np.array([direction(one.axis) * turns[one.phase % 360] for one in task.members])
-    force, moment = terms.sum(axis=0), np.array(places) @ terms
-    largest = max(mechanism.scale, float(np.max(np.abs(terms))))
+    phi, (force, moment, largest) = np.linspace(0.0, 2 * np.pi, STEPS + 1), _whole(mechanism, task.members, places)
     return BankBalance(
         by=ANALYSIS,
         task=task,
@@ -102,6 +98,15 @@ def bank_balance(task: BankTask, mechanism: Mechanism) -> BankBalance:
         force_slack=HARMONIC * EPS * largest * len(places),
         moment_slack=HARMONIC * EPS * largest * math.fsum(map(abs, places)),
     )
+
+
+def _whole(
+    mechanism: Mechanism, members: Sequence[Member], places: Sequence[float]
+) -> tuple[Complexes, Complexes, float]:
+    """Sum force N and moment N*m of the bank over the turn; give the largest force of one mechanism too, N."""
+    turns = {phase: mechanism.shaking(phase) for phase in {one.phase % 360 for one in members}}
+    terms = np.array([direction(one.axis) * turns[one.phase % 360] for one in members])
+    return terms.sum(axis=0), np.array(places) @ terms, max(mechanism.scale, float(np.max(np.abs(terms))))
 
 
 def _single(mechanism: Mechanism, order: int) -> Harmonic:
