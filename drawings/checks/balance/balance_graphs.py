@@ -45,7 +45,7 @@ def rocking(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
     yield from marks.held(seen, due, name, slack)
     yield from marks.titled(part, name, expected.drafting.word("rocking graph"))
     scales = {} if part is None else written(part)
-    yield from _scale(scales, "M", mu, name, expected)
+    yield from _scale(scales, "M", mu, name, expected) if seen else ()
     if part is None or not seen or "φ" not in scales:
         return
     zero = _zero(expected, seen, scales["φ"])
