@@ -38,17 +38,18 @@ def rocking(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
     part, seen = marks.figure(leaf, name), marks.vectors(expected.measured, name)
     own = list(expected.states.items())[-1]
     values = np.where(np.abs(own[1].centre.moment) <= expected.none.moment, 0.0, own[1].centre.moment)
-    mu, largest = marks.scale(expected.measured, name), max(one.rocking for one in expected.states.values())
+    scales = {} if part is None else written(part)
+    mu = marks.scale(expected.measured, name) if seen else scales.get("M", 1.0)
+    largest = max(one.rocking for one in expected.states.values())
     slack = max(expected.slack(f"M_Φ{prime}") for prime in PRIMES.values()) + expected.near * mu + KNOWN * largest
     told = {str(k) for k in expected.told if abs(values[k]) > SHORT * mu} | seen.keys()
     due = {str(k): 1j * float(value) for k, value in enumerate(values) if str(k) in told}
     yield from marks.held(seen, due, name, slack)
     yield from marks.titled(part, name, expected.drafting.word("rocking graph"))
-    scales = {} if part is None else written(part)
     yield from _scale(scales, "M", mu, name, expected)
-    if part is None or not seen or "φ" not in scales:
+    if part is None or "φ" not in scales:
         return
-    zero = _zero(expected, seen, scales["φ"])
+    zero = _zero(expected, seen, scales["φ"]) if seen else _corner(part)
     yield from _feet(expected, seen, zero, scales["φ"])
     both = expected.whole and len(expected.states) > 1
     thin, thick = (Group(tuple(_apart(part, before))) for before in (True, False))
@@ -75,6 +76,12 @@ def _zero(expected: Expected, seen: Mapping[str, MeasuredVector], mu: float) -> 
     """Give the place on paper of position 0, by an ordinate that is there."""
     name, one = next(iter(seen.items()))
     return one.start - _stations(expected)[int(name)] / mu
+
+
+def _corner(part: Group) -> complex:
+    """Give the place on paper of position 0, by the axis of the angle: no ordinate of a moment that is 0 is there."""
+    axes = [one for one in part.strokes if isinstance(one, Line) and one.start.imag == one.end.imag]
+    return max(axes, key=lambda one: abs(one.end - one.start)).start if axes else 0j
 
 
 def _feet(expected: Expected, seen: Mapping[str, MeasuredVector], zero: complex, mu: float) -> Iterator[Wrong]:
