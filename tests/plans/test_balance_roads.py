@@ -74,6 +74,14 @@ def test_both_roads_agree(case) -> None:
             assert np.nanmax(one.difference) <= ROADS * EPS * one.largest
 
 
+@pytest.mark.parametrize("aim", [PARTIAL, SHARE])
+def test_both_roads_give_up_on_a_mechanism_that_cannot_be_assembled(aim) -> None:
+    """Its counterweights are known all the same: they ask for no position."""
+    found = compared(ENGINE.replace("through = [0, 0]", "through = [0, 5]"), asked(aim, Place(1, mass=9)))
+    assert found.agrees
+    assert [one.moment for one in found.construction.counterweights] == [pytest.approx(-0.37)]
+
+
 def test_what_is_compared() -> None:
     """Every number of a balance by both roads: nothing that is told goes without a road of its own."""
     found = compared(*CASES["a share"])

@@ -17,6 +17,7 @@ from plans.model.balance.bank import BankBalance, BankTask, Compensator, Harmoni
 from plans.model.motion import Complexes
 
 PAPER = 1e-6  # of a vector: so much of 100 mm is the last digit of a written place
+DOUBTFUL = 4.0  # each road has its own bound of rounding: so near to one what is seen may be, or be left out
 LINE = 1e-9  # of a unit direction: a sine that is less is of an angle that was rounded
 WHOLE, LEFT, WHOLE_MOMENT = "ΣF", "ΣF'", "ΣM"  # the findings over the turn
 
@@ -31,11 +32,17 @@ class Polygon(NamedTuple):
     whole: complex
     side_slack: Mapping[str, float]
     slack: float
+    rounding: float  # of the sum by the analysis alone
 
     @property
     def closed(self) -> bool:
-        """Whether rounding alone is left of the sum."""
-        return abs(self.whole) <= self.slack
+        """Whether no more than rounding is left of the sum for certain."""
+        return abs(self.whole) <= self.rounding / DOUBTFUL
+
+    @property
+    def open(self) -> bool:
+        """Whether more than rounding is left of the sum for certain; of what is neither both may be seen."""
+        return abs(self.whole) > self.rounding * DOUBTFUL
 
 
 class Body(NamedTuple):
@@ -117,7 +124,7 @@ class Expected:
         arms = {letters(kind, signed, one.name): abs(self.arm(kind, one)) for one in self.members}
         slacks = {key: self.allowed[letters(SINGLE, signed)] * arm for key, arm in arms.items()}
         value = (whole.ahead if signed > 0 else whole.back) * self.turn
-        return Polygon(kind, signed, sides, name, value, slacks, self.allowed[name])
+        return Polygon(kind, signed, sides, name, value, slacks, self.allowed[name], whole.slack)
 
     def _sides(self, kind: str, signed: int, own: complex) -> Iterator[tuple[str, complex]]:
         for one, axis in zip(self.members, self.axes, strict=True):
@@ -153,10 +160,10 @@ class Expected:
         """Whether the compensators leave some force that can be drawn beside that before."""
         return bool(np.abs(self.analysis.left).max() > PAPER * np.abs(self.analysis.force).max())
 
-    def acts(self, name: str) -> bool:
-        """Whether more than rounding is left of what is followed over the turn."""
+    def acts(self, name: str, seen: bool) -> bool:
+        """Whether more than rounding is left of what is followed over the turn, and is seen or must be."""
         slack = self.analysis.moment_slack if name == WHOLE_MOMENT else self.analysis.force_slack
-        return bool(np.abs(self.force_of(name)).max() > slack)
+        return bool(np.abs(self.force_of(name)).max() > (slack / DOUBTFUL if seen else slack * DOUBTFUL))
 
     def bodies(self, one: Compensator) -> Iterator[Body]:
         """Give the masses of a compensator at phi = 0."""

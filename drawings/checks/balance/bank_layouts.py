@@ -82,7 +82,9 @@ class _Layout:
         if len(self.arms) != len(bodies):
             yield on("mass", self.name, name="?")
         if len(shafts) == len(bodies):
-            yield from self._gears([shafts[one.name] for one in bodies if not one.coupled])
+            own = [one for one in bodies if not one.coupled]
+            turned = max((self._slack(one) for one in own), default=LINE)  # as far as the line itself may be turned
+            yield from self._gears([shafts[one.name] for one in own], turned)
             yield from self._couple([shafts[one.name] for one in bodies if one.coupled])
         marked = {one.name: one for one in self.measured.points if one.plan == self.name}
         known = self.scaled and self.found.asked.mass is not None
@@ -116,7 +118,7 @@ class _Layout:
         if [one.sense for one in own] != [sense] or not self.strokes.lettered(speed(body.turns), [own[0].middle]):
             yield on("sense", self.name, name=body.name)
 
-    def _gears(self, shafts: list[complex]) -> Iterator[Wrong]:
+    def _gears(self, shafts: list[complex], turned: float) -> Iterator[Wrong]:
         """See that two gears touch on the line of the compensators, which is so far from the crank's shaft."""
         if not shafts:
             return
@@ -125,9 +127,9 @@ class _Layout:
         middle, half = (first + last) / 2 - self.zero, abs(first - last) / 2
         offset = (middle * (1j * line).conjugate()).real * self.mu
         asked = self.found.asked.offset
-        if not abs(offset - asked) <= NEAR * self.mu + LINE * abs(middle) * self.mu:
+        if not abs(offset - asked) <= NEAR * self.mu + turned * abs(middle) * self.mu:
             yield on("size", self.name, name="z")
-        level = abs(((first - last) * line.conjugate()).real) <= NEAR + LINE * half
+        level = abs(((first - last) * line.conjugate()).real) <= NEAR + turned * half
         if not level or (first != last and not all(self.strokes.circled(one, half) for one in shafts)):
             yield on("circle", self.name, name=lowered("m"))
         yield from self._said("z", asked)

@@ -59,6 +59,7 @@ def faults(leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wrong
         within("stranger_in", NOTES, text=rest[max(one.start() - 4, 0) : one.end()]) for one in _SAID.finditer(rest)
     )
     yield from _rows(told, expected, drafting)
+    yield from _senses(told, expected, drafting)
     yield from _phrases(told, expected, drafting)
 
 
@@ -130,6 +131,18 @@ def _phrases(told: str, expected: Expected, drafting: Drafting) -> Iterator[Wron
         idle = drafting.word("no compensator", order=one.asked.order)
         if (idle in told) == any(expected.bodies(one)):
             yield within("in", NOTES, text=idle)
+
+
+def _senses(told: str, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:
+    """See that the notes say of which orders what turns against the crank is not shown."""
+    single = expected.analysis.single
+    lasting = [order for order in single if order not in _vanish(single)]
+    alone = ", ".join(str(order) for order in lasting if expected.alone(order))
+    some = bool(alone) and not all(map(expected.alone, lasting))
+    due = {"some mirror images": some, "mirror image": bool(alone) and not some, "both senses": not alone}
+    (said,) = (drafting.word(key, **({"orders": alone} if some else {})) for key, holds in due.items() if holds)
+    if not re.search(rf"{re.escape(Text(0j, said).plain)}(?!;)", told):
+        yield within("missing_from", NOTES, name=Text(0j, said).plain)
 
 
 def _rows(told: str, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:

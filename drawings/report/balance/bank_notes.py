@@ -88,9 +88,15 @@ class BankNotes(NamedTuple):
         yield word(counted, n=self._number(task.speed * RPM), omega=self._number(task.speed))
         if task.unit is not None:
             yield word("bank unit", ratio=self._number(task.unit.ratio))
-        orders = (order for order, one in self.balance.single.items() if not one.vanishes)
-        against = any(mirrored(self.balance, order) for order in orders)
-        yield word("mirror image" if against else "both senses")
+        yield self._senses()
+
+    def _senses(self) -> str:
+        """Say of which orders the vectors against the crank are shown, and of which they are mirror images."""
+        orders = [order for order, one in self.balance.single.items() if not one.vanishes]
+        alone = [order for order in orders if mirrored(self.balance, order)]
+        if alone and alone != orders:
+            return self.drafting.word("some mirror images", orders=", ".join(map(str, alone)))
+        return self.drafting.word("mirror image" if alone else "both senses")
 
     def _stand(self) -> Iterator[str]:
         """Say how all mechanisms stand: their cranks, their guides and places unless these are all 0."""

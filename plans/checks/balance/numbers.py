@@ -69,7 +69,8 @@ def _constructed(study: BalanceStudy) -> tuple[Balance, Vectors]:
 
 
 def _analysed(study: BalanceStudy, below: MotionNumbers) -> tuple[Balance, Vectors]:
-    """Balance by analysis alone, over a turn from its own first position on."""
+    """Balance by analysis alone, over a turn from its own first position on; what cannot be is refused as ever."""
+    _ = study.counterweights  # least squares would tell the nearest instead
     road, motion = below.road, below.motion
     assert road is not None  # the motion was found by analysis too
     turned = positions_around(study.linkage).phi - study.linkage.turn.phi[0]
