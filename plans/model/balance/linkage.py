@@ -21,6 +21,7 @@ NONE, FULL, PARTIAL, SHARE = "none", "full", "partial", "share"  # what is aimed
 FORCE, REACTION = "force", "reaction"  # of a share that is sought: what is to be least at its largest
 DISC, SECTOR = "disc", "sector"  # shapes of a counterweight
 STEPS = 360  # positions of a turn over which paths, hodographs and largest values are taken
+BEYOND = 10  # turns of so many positions are told as the outermost of them alone
 SHARES = 21  # shares from 0 to 1 that the curve of the choice is told at
 EPS = 2.0**-52
 ROUNDING = 8.0  # a static moment is none where it is within so many eps of the sum of what it is made of
@@ -111,6 +112,12 @@ def _largest(row: Complexes | Floats, least: Floats) -> float:
     return float(np.fmax.reduce(np.where(sizes <= least, 0.0, sizes)))
 
 
+def _outermost(spots: Complexes) -> Complexes:
+    """Give the places that lie outermost in each of very many directions: the ends of the largest distance."""
+    ways = np.exp(2j * np.pi * np.arange(BEYOND * STEPS) / (BEYOND * STEPS))
+    return spots[[int(np.argmax((spots * way.conjugate()).real)) for way in ways]]
+
+
 @dataclass(frozen=True)
 class MassCentre:
     """The common mass centre over positions, by one road, with main vector and main moment of the inertia forces.
@@ -132,9 +139,10 @@ class MassCentre:
 
     @property
     def path(self) -> float:
-        """How far the centre moves, m: the larger side of the box about its path."""
+        """The largest distance m between two places of the centre: however the frame is turned it is the same."""
         known = self.r[np.isfinite(self.r)]
-        return max((float(np.ptp(row)) for row in (known.real, known.imag) if row.size), default=math.nan)
+        ends = known if len(known) <= BEYOND * STEPS else _outermost(known)
+        return max((float(np.abs(known - end).max()) for end in ends), default=math.nan)
 
 
 @dataclass(frozen=True)
