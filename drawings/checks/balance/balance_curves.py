@@ -130,6 +130,6 @@ def _curve(leaf: Leaf, expected: Expected, state: str, mu: float) -> Iterator[Wr
     around = expected.states[state].around.force
     near = expected.slack(f"{FORCE}{PRIMES[state]}", "costs") / mu + expected.near
     chains = marks.lines(marks.figure(leaf, f"{name}-{state}"))
-    for spots in runs(np.asarray(around)):
-        if len(spots) > 1 and not marks.follows(chains, [pole + spot / mu for spot in spots], near):
-            yield on("path", name, name=state)
+    places = [[pole + spot / mu for spot in spots] for spots in runs(np.asarray(around))]
+    if not marks.goes_through(chains, places, near):
+        yield on("path", name, name=state)

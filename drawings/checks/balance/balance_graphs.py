@@ -36,15 +36,15 @@ def rocking(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
     if name not in leaf.metadata["figures"]:
         return
     part, seen = marks.figure(leaf, name), marks.vectors(expected.measured, name)
-    mu = marks.scale(expected.measured, name)
+    scales = {} if part is None else written(part)
+    mu = marks.scale(expected.measured, name) if seen else scales.get("M", 1.0)
     yield from _ordinates(expected, seen, mu)
     yield from marks.titled(part, name, expected.drafting.word("rocking graph"))
-    scales = {} if part is None else written(part)
-    yield from _scale(scales, "M", mu, expected) if seen else ()
+    yield from _scale(scales, "M", mu, expected)
     yield from _across(scales, "φ")
-    if part is None or not seen or "φ" not in scales:
+    if part is None or "φ" not in scales:
         return
-    zero = _zero(expected, seen, scales["φ"])
+    zero = _zero(expected, seen, scales["φ"]) if seen else _corner(part)
     yield from _feet(expected, seen, zero, scales["φ"])
     yield from _thin(part, expected)
     for state in expected.states if expected.whole else ():
@@ -93,6 +93,12 @@ def _zero(expected: Expected, seen: Mapping[str, MeasuredVector], mu: float) -> 
     """Give the place on paper of position 0, by an ordinate that is there."""
     name, one = next(iter(seen.items()))
     return one.start - _stations(expected)[int(name)] / mu
+
+
+def _corner(part: Group) -> complex:
+    """Give the place on paper of position 0, by the axis of the angle: no ordinate of a moment that is 0 is there."""
+    axes = [one for one in part.strokes if isinstance(one, Line) and one.start.imag == one.end.imag]
+    return max(axes, key=lambda one: abs(one.end - one.start)).start if axes else 0j
 
 
 def _feet(expected: Expected, seen: Mapping[str, MeasuredVector], zero: complex, mu: float) -> Iterator[Wrong]:

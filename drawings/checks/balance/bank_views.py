@@ -149,8 +149,8 @@ class _Shaft(View):
         for one in self.expected.members:
             if one.place:
                 places.setdefault(float(one.place), []).append(one.name)
-        starts = {place: f"z{', '.join(names)} = " for place, names in places.items()}
-        some = any(text.startswith("z") for text in self.strokes.texts)  # where one has no room there is none
+        starts = {place: f"h{', '.join(names)} = " for place, names in places.items()}
+        some = any(text.startswith("h") for text in self.strokes.texts)  # where one has no room there is none
         for place, start in starts.items() if some else ():
             if not any(self._holds(one, start, place) for one in groups((self.strokes.group,))):
                 yield on("size", shaft.NAME, name=start.removesuffix(" = "))

@@ -118,7 +118,7 @@ class BalanceNotes(NamedTuple):
         told = self.equations.similar(vectors) or ",  ".join(self._main_points_after(vectors))
         yield self.drafting.word("with counterweights", told=told)
         known = after.around.r[np.isfinite(after.around.r)]
-        if len(known) > 1 and after.around.path <= NOTHING * self.equations.reach:
+        if len(known) > 1 and after.path <= NOTHING * self.equations.reach:
             at = complex(known[0])
             x, y = (self._rounded(part, self.equations.reach) for part in (at.real, at.imag))
             yield self.drafting.word("rests", x=x, y=y)

@@ -113,7 +113,7 @@ def _weight(one: Counterweight) -> dict[str, Any]:
 def _state(one: State) -> dict[str, Any]:
     """Give what is largest over a turn."""
     return {
-        "path": one.around.path,
+        "path": one.path,
         "force": one.shaking,
         "moment": one.rocking,
         "reactions": dict(one.reactions),

@@ -132,7 +132,7 @@ class Compensator(NamedTuple):
 class BankBalance:
     """The bank by one road: harmonics of one mechanism, of the bank's force N and longitudinal moment N*m.
 
-    The moment is told as the vector sum of z_k*F_k; `force` and `left` are the whole force over STEPS + 1 even
+    The moment is told as the vector sum of h_k*F_k; `force` and `left` are the whole force over STEPS + 1 even
     positions of a turn, before and after the compensators.
     """
 
