@@ -101,7 +101,7 @@ def test_a_fault_withholds_the_sheet_at_the_command(run: Run, tmp_path: Path) ->
             (note("138.23", "138.32"), "in the notes"),
             (note("2303.8", "1151.9"), "in the notes"),
             (note("180°", "0°"), "in the notes"),
-            (note("orders 1, 2, 4, 6 balance", "orders 1, 2, 4 balance"), "in the notes"),
+            (note("order 1, 2, 4, 6 balance", "order 1, 2, 4 balance"), "in the notes"),
             (without("notes"), "n is missing from the notes"),
             (without("force_graph"), "force_graph is missing"),
         ],
@@ -144,7 +144,7 @@ def test_what_vanishes_is_said_and_has_no_arrow(tmp_path: Path) -> None:
     }
     assert sums == {"F_VI"}
     told = leaves(study)[0].description
-    assert "Forces of orders 1, 2, 4 balance one another" in told and "Moments of orders 1, 2, 4, 6 balance" in told
+    assert "Forces of order 1, 2, 4 balance one another" in told and "Moments of order 1, 2, 4, 6 balance" in told
     assert "Order 1: nothing to compensate" in told
 
 
@@ -157,6 +157,16 @@ def test_what_is_too_slight_is_told_and_not_drawn(tmp_path: Path) -> None:
     assert {"order_forces-4", "order_moments-4", "moment_graph"} <= set(leaf.metadata["figures"])
     assert "Below 1/1000 of the largest, not drawn: order 6" in leaf.description
     assert "Over the turn F_{max} = 0.8806" in leaf.description
+
+
+def test_the_notes_say_which_polygons_are_left_out_as_mirror_images(tmp_path: Path) -> None:
+    """A mass that turns with the crank has no image that turns against it: order 1 is shown both ways, order 2 once."""
+    study = study_of("cancelled")
+    all_checked(study, tmp_path)
+    figures = {name for leaf in leaves(study) for name in leaf.metadata["figures"]}
+    assert "order_forces-1-back" in figures and "order_forces-2-back" not in figures
+    told = leaves(study)[0].description
+    assert "against it; of order 2, 4, 6 the latter is the mirror image in the guide, not shown" in told
 
 
 def test_a_bank_at_rest_in_itself_has_no_graph(tmp_path: Path) -> None:

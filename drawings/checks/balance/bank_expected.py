@@ -17,6 +17,7 @@ from plans.model.balance.bank import BankBalance, BankTask, Compensator, Harmoni
 from plans.model.motion import Complexes
 
 PAPER = 1e-6  # of a vector: so much of 100 mm is the last digit of a written place
+DOUBTFUL = 4.0  # each road has its own bound of rounding: so near to one what is seen may be, or be left out
 LINE = 1e-9  # of a unit direction: a sine that is less is of an angle that was rounded
 SEEN = 1 / 1000  # of the largest order of one mechanism: less is no longer than a line is wide, and bears no figure
 WHOLE, LEFT, WHOLE_MOMENT = "ΣF", "ΣF'", "ΣM"  # the findings over the turn
@@ -32,11 +33,17 @@ class Polygon(NamedTuple):
     whole: complex
     side_slack: Mapping[str, float]
     slack: float
+    rounding: float  # of the sum by the analysis alone
 
     @property
     def closed(self) -> bool:
-        """Whether rounding alone is left of the sum."""
-        return abs(self.whole) <= self.slack
+        """Whether no more than rounding is left of the sum for certain."""
+        return abs(self.whole) <= self.rounding / DOUBTFUL
+
+    @property
+    def open(self) -> bool:
+        """Whether more than rounding is left of the sum for certain; of what is neither both may be seen."""
+        return abs(self.whole) > self.rounding * DOUBTFUL
 
 
 class Body(NamedTuple):
@@ -135,7 +142,7 @@ class Expected:
         arms = {letters(kind, signed, one.name): abs(self.arm(kind, one)) for one in self.members}
         slacks = {key: self.allowed[letters(SINGLE, signed)] * arm for key, arm in arms.items()}
         value = (whole.ahead if signed > 0 else whole.back) * self.turn
-        return Polygon(kind, signed, sides, name, value, slacks, self.allowed[name])
+        return Polygon(kind, signed, sides, name, value, slacks, self.allowed[name], whole.slack)
 
     def _sides(self, kind: str, signed: int, own: complex) -> Iterator[tuple[str, complex]]:
         for one, axis in zip(self.members, self.axes, strict=True):
@@ -166,20 +173,21 @@ class Expected:
         """Whether some compensator has a mass."""
         return any(any(self.bodies(one)) for one in self.analysis.compensators)
 
-    def acts(self, name: str) -> bool:
-        """Whether more than rounding is left of what is followed over the turn."""
-        slacks = {WHOLE: self.analysis.force_slack, LEFT: self.analysis.left_slack}
-        return self.most(name) > slacks.get(name, self.analysis.moment_slack)
+    def acts(self, name: str, seen: bool) -> bool:
+        """Whether more than rounding is left of what is followed over the turn, and is seen or must be."""
+        analysis = self.analysis
+        slacks = {WHOLE: analysis.force_slack, LEFT: analysis.left_slack, WHOLE_MOMENT: analysis.moment_slack}
+        return self.most(name) > (slacks[name] / DOUBTFUL if seen else slacks[name] * DOUBTFUL)
 
     def most(self, name: str) -> float:
         """Give the largest of what is followed over the turn."""
         return float(np.abs(self.force_of(name)).max())
 
     def faint(self, name: str) -> bool:
-        """Whether what is followed over the turn is more than rounding, but not to be drawn by itself."""
+        """Whether what is followed over the turn is not to be drawn by itself, being slight."""
         arm = max(abs(float(one.place)) for one in self.members) if name == WHOLE_MOMENT else 1.0
         due = {WHOLE: not self.compensated, LEFT: self.compensated}.get(name, True)
-        return due and self.acts(name) and self.most(name) < SEEN * self.largest * arm
+        return due and self.most(name) < SEEN * self.largest * arm
 
     def bodies(self, one: Compensator) -> Iterator[Body]:
         """Give the masses of a compensator at phi = 0."""

@@ -76,9 +76,11 @@ class BankView(NamedTuple):
             value = complex(side.vector.point) * self.turn
             vectors.append(ShownVector(side.vector.name, SIDE, end, value))
             end += value
-        if not found.vanishes:
+        whole = (self.balance.forces if kind == FORCE else self.balance.moments)[abs(signed)]
+        closed = found.vanishes or abs(complex(found.vector.point)) <= whole.slack
+        if not closed:
             vectors.append(ShownVector(found.vector.name, RESULT, 0j, complex(found.vector.point) * self.turn))
-        return ShownOrder(kind, signed, tuple(vectors), found.vanishes)
+        return ShownOrder(kind, signed, tuple(vectors), closed)
 
     @property
     def straight(self) -> bool:

@@ -21,7 +21,6 @@ from plans.study import Study
 
 RPM = 30 / math.pi  # of a rad/s
 HALF_TURN = 180.0  # degrees
-SEVERAL = 2  # orders, however many: a list of 21 is no singular
 EYE = 1e-6  # of a vector: what is less cannot be drawn, a written place of 100 mm being rounded to 1e-4 mm
 
 
@@ -90,9 +89,15 @@ class BankNotes(NamedTuple):
         yield word(counted, n=self._number(task.speed * RPM), omega=self._number(task.speed))
         if task.unit is not None:
             yield word("bank unit", ratio=self._number(task.unit.ratio))
-        orders = (order for order, one in self.balance.single.items() if not one.vanishes)
-        against = any(mirrored(self.balance, order) for order in orders)
-        yield word("mirror image" if against else "both senses")
+        yield self._senses()
+
+    def _senses(self) -> str:
+        """Say of which orders the vectors against the crank are shown, and of which they are mirror images."""
+        orders = [order for order, one in self.balance.single.items() if not one.vanishes]
+        alone = [order for order in orders if mirrored(self.balance, order)]
+        if alone and alone != orders:
+            return self.drafting.word("some mirror images", orders=", ".join(map(str, alone)))
+        return self.drafting.word("mirror image" if alone else "both senses")
 
     def _stand(self) -> Iterator[str]:
         """Say how all mechanisms stand: their cranks, their guides and places unless these are all 0."""
@@ -159,9 +164,9 @@ class BankNotes(NamedTuple):
                 yield self.drafting.word("slight course", letter=letter, size=size, unit=self.drafting.word(unit))
 
     def _orders(self, key: str, holds: Callable[[int], bool]) -> Iterator[str]:
-        found = [str(order) for order in self.balance.single if holds(order)]
+        found = ", ".join(str(order) for order in self.balance.single if holds(order))
         if found:
-            yield self.drafting.word(key, orders=", ".join(found), count=1 if len(found) == 1 else SEVERAL)
+            yield self.drafting.word(key, orders=found)
 
     def compensators(self) -> Iterator[str]:
         """Say what is to be put on the shafts of the compensators, and what their offset leaves."""

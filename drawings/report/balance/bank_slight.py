@@ -25,7 +25,7 @@ def slight_order(balance: BankBalance, order: int) -> bool:
 
 
 def slight_force(balance: BankBalance) -> bool:
-    """Tell whether the force of a bank that has no masses of compensators is more than rounding, but too slight to be drawn."""
+    """Tell whether the force of a bank without compensators is more than rounding, but too slight to be drawn."""
     most = _most(balance.force)
     return not _answered(balance) and balance.force_slack < most < SLIGHT * largest(balance)
 

@@ -69,7 +69,8 @@ def _constructed(study: BalanceStudy) -> tuple[Balance, Vectors]:
 
 
 def _analysed(study: BalanceStudy, below: MotionNumbers) -> tuple[Balance, Vectors]:
-    """Balance by analysis alone, over a turn from its own first position on."""
+    """Balance by analysis alone, over a turn from its own first position on; what cannot be is refused as ever."""
+    _ = study.counterweights  # least squares would tell the nearest instead
     road, motion = below.road, below.motion
     assert road is not None  # the motion was found by analysis too
     turned = positions_around(study.linkage).phi - study.linkage.turn.phi[0]
@@ -112,7 +113,7 @@ def _weight(one: Counterweight) -> dict[str, Any]:
 def _state(one: State) -> dict[str, Any]:
     """Give what is largest over a turn."""
     return {
-        "path": one.around.path,
+        "path": one.path,
         "force": one.shaking,
         "moment": one.rocking,
         "reactions": dict(one.reactions),
