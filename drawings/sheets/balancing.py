@@ -180,7 +180,7 @@ class _BalancingSheet:
         """Show the links before or after; what stands still has no path."""
         bones, states = self.shown.bones, self.shown.states
         kept = [name for name in (BEFORE, AFTER) if name in states and (name == BEFORE or state == AFTER)]
-        paths = {name: states[name].around.r for name in kept if states[name].around.path > self.shown.nothing.way}
+        paths = {name: states[name].around.r for name in kept if states[name].path > self.shown.nothing.way}
         weights = [one for one in self.balance.counterweights if one.needed] if state == AFTER else []
         placed = tuple(placed_weight(one, bones) for one in weights)
         return BalanceScheme(state, bones, self.shown.chains[state], paths, placed, states[state].whole)

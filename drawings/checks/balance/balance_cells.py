@@ -109,7 +109,7 @@ def costs(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
 def _largest(expected: Expected, state: State) -> Iterator[tuple[str, float]]:
     """Give what is largest of a state by the names of the rows; what is nothing is 0."""
     none, word = expected.none, expected.drafting.word
-    yield word("path of S", unit=word("mm")), MILLIMETRES * _rounded(state.around.path, none.way)
+    yield word("path of S", unit=word("mm")), MILLIMETRES * _rounded(state.path, none.way)
     yield f"{FORCE}, {word('N')}", _rounded(state.shaking, none.force)
     yield f"{MOMENT}, {word('N*m')}", _rounded(state.rocking, none.moment)
     drafting = expected.drafting

@@ -122,7 +122,7 @@ class _Scheme:
                     yield on("path", self.plan, name=state)
             if state != self.state:
                 yield from marks.thinner(part, marks.figure(self.leaf, f"{self.plan}-{PATH}{self.state}"), self.plan)
-            if part is not None and self.expected.states[state].around.path <= self.expected.none.way:
+            if part is not None and self.expected.states[state].path <= self.expected.none.way:
                 yield on("stranger_on", self.plan, name=name)
 
     def _covers(self) -> Iterator[Cover]:

@@ -90,7 +90,7 @@ def quantities(state: State, none: Nothing, drafting: Drafting) -> Iterator[Quan
     """List what is told of a state, every pair's reaction among it."""
     word = drafting.word
     way = word("path of S", unit=word("mm"))
-    yield Quantity(way, lambda one: MILLIMETRES * one.around.path, MILLIMETRES * none.way)
+    yield Quantity(way, lambda one: MILLIMETRES * one.path, MILLIMETRES * none.way)
     yield Quantity(f"{FORCE}, {word('N')}", lambda one: one.shaking, none.force)
     yield Quantity(f"{MOMENT}, {word('N*m')}", lambda one: one.rocking, none.moment)
     for key, pair in state.forces.reactions.items():

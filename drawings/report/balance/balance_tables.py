@@ -96,7 +96,7 @@ def _largest(notes: BalanceNotes, state: State) -> dict[str, tuple[float, float]
     newtons, moments = drafting.word("N"), drafting.word("N*m")
     force, moment = before.forces.nothing
     found = {
-        drafting.word("path of S", unit=drafting.word("m")): (state.around.path, NOTHING * notes.equations.reach),
+        drafting.word("path of S", unit=drafting.word("m")): (state.path, NOTHING * notes.equations.reach),
         f"{FORCE}, {newtons}": (state.shaking, force),
         f"{MOMENT}, {moments}": (state.rocking, moment),
     }

@@ -114,7 +114,7 @@ def _weight(one: Counterweight) -> dict[str, Any]:
 def _state(one: State) -> dict[str, Any]:
     """Give what is largest over a turn; null of a mechanism that reaches no position."""
     return {
-        "path": _known(one.around.path),
+        "path": _known(one.path),
         "force": _known(one.shaking),
         "moment": _known(one.rocking),
         "reactions": {key: _known(largest) for key, largest in one.reactions.items()},
