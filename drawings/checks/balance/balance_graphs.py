@@ -45,7 +45,7 @@ def rocking(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
     told = {str(k) for k in expected.told if abs(values[k]) > SHORT * mu} | seen.keys()
     due = {str(k): 1j * float(value) for k, value in enumerate(values) if str(k) in told}
     yield from marks.held(seen, due, name, slack)
-    yield from marks.titled(part, name, expected.drafting.word("rocking graph"))
+    yield from marks.titled(part, name, expected.drafting.word("rocking graph", point=expected.mechanism.drive.pivot))
     yield from _scale(scales, "M", mu, name, expected)
     if part is None or "φ" not in scales:
         return
