@@ -55,7 +55,7 @@ class BalanceNotes(NamedTuple):
     def main_points(self) -> Iterator[str]:
         """Write the vectors of main points (8.7), and say of which links vectors are variable."""
         for number, line in enumerate(self.equations.main_points(self.vectors[0])):
-            yield line if number else f"(8.7)  {line}"
+            yield line if number else self.drafting.word("main points", told=line)
         constant = sum((self._share(stem) * stem.at for stem in self.tree.rooted), 0j)
         if abs(constant) > NOTHING * self.equations.reach:
             x, y = (self._rounded(part, abs(constant)) for part in (constant.real, constant.imag))
@@ -216,7 +216,13 @@ class BalanceNotes(NamedTuple):
         force, reaction = shares.least_force, shares.least_reaction
         numbers = {"share": force.share, "force": force.force, "other": reaction.share, "reaction": reaction.reaction}
         told = {name: self._rounded(value, 1.0) for name, value in numbers.items()}
-        return {"main": FORCE, "letters": self.shaft, **told}
+        return {"main": FORCE, "letters": self.shaft, "bare": self._rounded(self._bare, 1.0), **told}
+
+    @property
+    def _bare(self) -> float:
+        """The largest reaction N of the crank's shaft without counterweights."""
+        before = self.balance.before
+        return next(before.reactions[key] for key, one in before.forces.reactions.items() if self._of_shaft(one))
 
     def _body(self, link: int) -> Body:
         return self.machine.bodies.get(link, Body(link, 0.0, 0.0, 0j))
