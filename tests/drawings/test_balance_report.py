@@ -152,6 +152,13 @@ def test_what_needs_nothing_is_said_to_need_nothing() -> None:
     assert "added" not in said and "a_{" not in said
 
 
+def test_least_forces_of_a_slow_machine_are_told_as_of_a_fast_one() -> None:
+    """A crank a million times as slow has forces of 1e-10 N, and the same best shares."""
+    own = Study(parse_scene(scene("engine", "A1").replace("speed = 20", "speed = 2e-5")))
+    (slow,) = notes(own["balance"]).choice()
+    assert re.fullmatch(r"The largest Φ is least, 0\.0{9}17162 N, with k = 0\.58994;  .*, 0\.0{9}18176 N, with.*", slow)
+
+
 @pytest.fixture(scope="module")
 def engine() -> Study:
     return Study(parse_scene(scene("engine", "A1")))

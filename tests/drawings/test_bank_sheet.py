@@ -99,6 +99,7 @@ def test_a_fault_withholds_the_sheet_at_the_command(run: Run, tmp_path: Path) ->
             (reworded("−628.32", "628.32"), "628.32 for m−II in the table of compensators"),
             (note("1151.9", "1152.9"), "in the notes"),
             (note("138.23", "138.32"), "in the notes"),
+            (note("2303.8", "1151.9"), "in the notes"),
             (note("180°", "0°"), "in the notes"),
             (note("order 1, 2, 4, 6 balance", "order 1, 2, 4 balance"), "in the notes"),
             (without("notes"), "n is missing from the notes"),
@@ -122,10 +123,16 @@ def test_a_slip_is_seen(slip: tuple[Change, str], tmp_path: Path) -> None:
 def test_the_sheet_tells_the_textbook_s_values() -> None:
     """Methods M7.8: two masses of 0.475 kg*m, a couple of 22.8 N*m by an offset of 60 mm, 0.114 kg*m against it."""
     (leaf,) = leaves(study_of("one"))
-    for told in ("F_{I} = 190 N", "= 0.475 kg·m", "M = 22.8 N·m", "= 0.114 kg·m"):
+    for told in ("F_{I} = 190 N", "F_{max} = |F_{I}|+|F_{−I}| = 380 N", "= 0.475 kg·m", "M = 22.8 N·m", "= 0.114 kg·m"):
         assert told in leaf.description
     written = [text.plain for group in leaf.groups for text in texts(group)]
     assert {"0.475", "95", "−20", "0.114"} <= set(written)
+
+
+def test_places_along_the_shaft_bear_another_letter_than_the_offset() -> None:
+    (leaf,) = leaves(study_of("four"))
+    sizes = {text.plain.partition(" = ")[0] for group in leaf.groups for text in texts(group) if " = " in text.plain}
+    assert {"h1", "h4", "z", "L"} <= sizes and not {"z1", "z4", "h"} & sizes
 
 
 def test_what_vanishes_is_said_and_has_no_arrow(tmp_path: Path) -> None:

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from drawings.checks.balance.bank_expected import LINE, Body, Expected
-from drawings.checks.balance.bank_views import origin
-from drawings.checks.cam.cam_strokes import NEAR, FigureStrokes, figure
+from drawings.checks.balance.bank_views import View
+from drawings.checks.cam.cam_strokes import NEAR, figure
 from drawings.checks.reading import reads
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.bank.compensator_layout import COMPENSATOR, speed
@@ -29,7 +29,7 @@ def faults(
         name = name_of(one)
         strokes = figure(leaf, name)
         if strokes is not None and name in figures:
-            yield from _Layout(name, one, strokes, measured, expected, drafting).faults()
+            yield from _Layout(strokes, expected, drafting, name, one, measured).faults()
 
 
 def name_of(one: Compensator) -> str:
@@ -38,24 +38,12 @@ def name_of(one: Compensator) -> str:
 
 
 @dataclass(frozen=True)
-class _Layout:
-    """A layout on a sheet, with what it must show."""
+class _Layout(View):
+    """A layout on a sheet, with what it must show; its zero is the crank's shaft."""
 
     name: str
     found: Compensator
-    strokes: FigureStrokes
     measured: Measured
-    expected: Expected
-    drafting: Drafting
-
-    @cached_property
-    def zero(self) -> complex:
-        """The crank's shaft on paper."""
-        return origin(self.strokes)[0]
-
-    @cached_property
-    def mu(self) -> float:
-        return origin(self.strokes)[1]
 
     @cached_property
     def arms(self) -> list[tuple[complex, complex]]:

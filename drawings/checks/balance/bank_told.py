@@ -88,6 +88,9 @@ def _sums(expected: Expected, kind: str, one: Harmonic) -> Iterator[Told]:
         if abs(value) > one.slack and not (alone and signed < 0):
             angle = Cell(math.degrees(cmath.phase(value)), math.degrees(slack / abs(value)), True)
             yield Told(_plain(letters(kind, signed)), Cell(abs(value), slack), angle)
+    sizes = [abs(value) for value in (one.ahead, one.back) if abs(value) > one.slack]
+    if sizes:
+        yield Told(f"{kind}max", Cell(math.fsum(sizes), 2 * expected.allowed[letters(kind, one.order)]))
 
 
 def _masses(expected: Expected, one: Compensator) -> Iterator[Told]:
@@ -120,11 +123,12 @@ def _phrases(told: str, expected: Expected, drafting: Drafting) -> Iterator[Wron
         ("no order force", lambda order: order in forces and order not in single),
         ("no order moment", lambda order: apart and order in moments and order not in single),
     ]
-    phrases = [(key, ", ".join(str(order) for order in analysis.single if holds(order))) for key, holds in rows]
-    said = {drafting.word(key, orders="\0").partition("\0")[0]: (key, orders) for key, orders in phrases}
-    for start, (key, orders) in said.items():
-        if (start in told) != bool(orders) or (orders and drafting.word(key, orders=orders) not in told):
-            yield within("in", NOTES, text=drafting.word(key, orders=orders or "0"))
+    for key, holds in rows:
+        orders = [str(order) for order in analysis.single if holds(order)]
+        begun = any(drafting.word(key, orders="\0", count=count).partition("\0")[0] in told for count in (1, 2))
+        due = drafting.word(key, orders=", ".join(orders) or "0", count=min(max(len(orders), 1), 2))
+        if begun != bool(orders) or (orders and due not in told):
+            yield within("in", NOTES, text=due)
     if (drafting.word("one plane of a bank") in told) == apart:
         yield within("in", NOTES, text=drafting.word("one plane of a bank"))
     for one in analysis.compensators:

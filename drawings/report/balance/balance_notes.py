@@ -212,11 +212,13 @@ class BalanceNotes(NamedTuple):
         if shares is not None:
             yield self.drafting.word("best shares", **self._best(shares))
 
-    def _best(self, shares: Shares) -> dict[str, str]:
-        force, reaction = shares.least_force, shares.least_reaction
-        numbers = {"share": force.share, "force": force.force, "other": reaction.share, "reaction": reaction.reaction}
-        told = {name: self._rounded(value, 1.0) for name, value in numbers.items()}
-        return {"main": FORCE, "letters": self.shaft, "bare": self._rounded(self._bare, 1.0), **told}
+    def _best(self, found: Shares) -> dict[str, str]:
+        force, reaction = found.least_force, found.least_reaction
+        shares = {"share": force.share, "other": reaction.share}
+        told = {name: self._rounded(value, 1.0) for name, value in shares.items()}
+        sizes = {"force": force.force, "reaction": reaction.reaction, "bare": self._bare}
+        told |= {name: self._rounded(value, self.balance.before.forces.largest) for name, value in sizes.items()}
+        return {"main": FORCE, "letters": self.shaft, **told}
 
     @property
     def _bare(self) -> float:

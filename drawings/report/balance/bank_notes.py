@@ -20,6 +20,7 @@ from plans.study import Study
 
 RPM = 30 / math.pi  # of a rad/s
 HALF_TURN = 180.0  # degrees
+SEVERAL = 2  # orders, however many: a list of 21 is no singular
 EYE = 1e-6  # of a vector: what is less cannot be drawn, a written place of 100 mm being rounded to 1e-4 mm
 
 
@@ -125,6 +126,15 @@ class BankNotes(NamedTuple):
                 angle = self._number(direction(value, one.slack))
                 size = f"{self._number(abs(value))} {unit}{ANGLE}{angle}°"
                 yield f"{lowered(letters(kind, sense * one.order))} = {size}"
+        yield from self._largest(kind, one, unit)
+
+    def _largest(self, kind: str, one: Harmonic, unit: str) -> Iterator[str]:
+        """Say what both vectors come to together where they point alike: the force that the table tells."""
+        pairs = ((one.order, one.ahead), (-one.order, one.back))
+        summed = "+".join(f"|{lowered(letters(kind, signed))}|" for signed, value in pairs if abs(value) > one.slack)
+        if summed:
+            told = {"letter": f"{kind}_{{max}}", "sum": summed, "size": self._number(one.size)}
+            yield self.drafting.word("order largest", unit=unit, **told)
 
     def vanishing(self) -> Iterator[str]:
         """Say which orders one mechanism has none of, and of which forces and moments are balanced by one another."""
@@ -140,9 +150,9 @@ class BankNotes(NamedTuple):
             yield self.drafting.word("one plane of a bank")
 
     def _orders(self, key: str, holds: Callable[[int], bool]) -> Iterator[str]:
-        found = ", ".join(str(order) for order in self.balance.single if holds(order))
+        found = [str(order) for order in self.balance.single if holds(order)]
         if found:
-            yield self.drafting.word(key, orders=found)
+            yield self.drafting.word(key, orders=", ".join(found), count=1 if len(found) == 1 else SEVERAL)
 
     def compensators(self) -> Iterator[str]:
         """Say what is to be put on the shafts of the compensators, and what their offset leaves."""

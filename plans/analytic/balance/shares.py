@@ -114,7 +114,7 @@ def _lightest(course: Course, partial: Sequence[Counterweight], step: complex) -
 
 
 def least(forces: Forces, bends: tuple[float, ...] = ()) -> float:
-    """Find the share in [0, 1] whose largest force is least on either side of where it bends; 0 where there is none."""
+    """Find the share in [0, 1] whose largest force is least, on either side of its bends; 0 where there is none."""
     if np.isnan(_largest(forces(0.0))):  # a mechanism that cannot be assembled
         return 0.0
     if _straight(forces):
