@@ -148,6 +148,17 @@ def test_what_vanishes_is_said_and_has_no_arrow(tmp_path: Path) -> None:
     assert "Order 1: nothing to compensate" in told
 
 
+def test_what_is_too_slight_is_told_and_not_drawn(tmp_path: Path) -> None:
+    """Three cylinders: forces of orders 1, 2, 4 balance one another, and order 6 is 1/6700 of a cylinder's first."""
+    study = study_of("three")
+    all_checked(study, tmp_path)
+    (leaf,) = leaves(study)
+    assert not {"order_forces-6", "order_moments-6", "force_graph"} & set(leaf.metadata["figures"])
+    assert {"order_forces-4", "order_moments-4", "moment_graph"} <= set(leaf.metadata["figures"])
+    assert "Below 1/1000 of the largest, not drawn: order 6" in leaf.description
+    assert "Over the turn F_{max} = 0.8806" in leaf.description
+
+
 def test_the_notes_say_which_polygons_are_left_out_as_mirror_images(tmp_path: Path) -> None:
     """A mass that turns with the crank has no image that turns against it: order 1 is shown both ways, order 2 once."""
     study = study_of("cancelled")
