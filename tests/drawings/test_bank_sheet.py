@@ -49,14 +49,14 @@ def all_checked(study: Study, folder: Path) -> list[Measured]:
     return [checked(leaf, study, folder) for leaf in leaves(study)]
 
 
-@pytest.mark.parametrize("case", some([(name, *paper) for paper in PAPERS for name in SCENES], 9))
+@pytest.mark.parametrize("case", some([(name, *paper) for paper in PAPERS for name in SCENES], 18))
 def test_what_is_drawn_agrees_with_the_analysis(case: tuple[str, str, str, str], tmp_path: Path) -> None:
     study = study_of(*case)
     assert study.comparison("bank").worst <= 1.0
     assert all_checked(study, tmp_path)
 
 
-@pytest.mark.parametrize("fault", some(FAULTS, 8), ids=lambda fault: fault.name)
+@pytest.mark.parametrize("fault", some(FAULTS, 14), ids=lambda fault: fault.name)
 def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path) -> None:
     study = study_of(fault.scene)
     with planted(fault), pytest.raises(SelfCheckFailed) as told:
