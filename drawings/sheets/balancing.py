@@ -24,7 +24,7 @@ from drawings.layout.contents import Panel
 from drawings.layout.picture import SMALLER, Picture
 from drawings.layout.table import RuledTable
 from drawings.page.drafting import Drafting, drafting_of
-from drawings.paper.strokes import Leaf
+from drawings.paper.strokes import Leaf, SheetError
 from drawings.report.balance.balance_report import notes_of
 from drawings.sheets.choice import position
 from drawings.sheets.leaves import Caption, Draft, Exhibit, compositions, lay_out
@@ -37,6 +37,7 @@ from plans.model.balance.linkage import FORCE, Balance, State
 from plans.model.kinetostatics import NOTHING
 from plans.scene.scene import Scene
 from plans.study import Study
+from plans.words.words import message, placed
 
 MAIN = "main"  # what a vector of a scheme is
 SCHEMES = "schemes"  # the schemes are drawn at one scale
@@ -74,6 +75,10 @@ class Balanced:
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheets of a scene's balanced mechanism (row of the table of sheets)."""
     motion: MotionComparison = study.comparison("linkage")
+    if study["linkage"].lost.all():
+        gap = motion.construction.gaps[0]
+        where = {"reason": gap.reason, "where": gap.where, "position": gap.position, "advice": gap.advice}
+        raise SheetError(placed(study.scene.file, message("refused.no_force", **where)))
     return sheets(study.scene, balanced(study["balance"], motion, notes_of(study).all))
 
 
