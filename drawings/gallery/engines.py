@@ -18,9 +18,10 @@ DIGITS = 4
 OPENING = """
 ### The usual engines
 
-What a [bank](../../README.md) of equal cylinders leaves of each order: forces in the largest of one cylinder of that
-order, moments along the shaft in that times the pitch of the cylinders. What of the first order turns with the crank
-(↻) counterweights on the crank take. Angles are in degrees; cylinders at one place along the shaft stand together.
+What a [bank](../../README.md) of equal cylinders leaves of each order: forces as so many times the largest force of
+that order of one cylinder, moments along the shaft as so many times that force by the pitch of the cylinders. What
+turns with the crank alone (↻, of the first order) can be taken by counterweights on the crank. Angles are in degrees;
+cylinders at one place along the shaft stand together.
 
 | engine | cranks | guides | forces left, order: times | moments left, order: times |
 |---|---|---|---|---|

@@ -153,6 +153,11 @@ class _BalancingSheet:
         return self.shown.balance
 
     @property
+    def _shaft(self) -> str:
+        """The letter of the crank's shaft, about which moments are told."""
+        return self.shown.bones.mechanism.drive.pivot
+
+    @property
     def draft(self) -> Draft:
         """Title, figures, tables and notes of the sheets."""
         title = self.drafting.word("balancing sheet title")
@@ -180,7 +185,7 @@ class _BalancingSheet:
         """Show the links before or after; what stands still has no path."""
         bones, states = self.shown.bones, self.shown.states
         kept = [name for name in (BEFORE, AFTER) if name in states and (name == BEFORE or state == AFTER)]
-        paths = {name: states[name].around.r for name in kept if states[name].around.path > self.shown.nothing.way}
+        paths = {name: states[name].around.r for name in kept if states[name].path > self.shown.nothing.way}
         weights = [one for one in self.balance.counterweights if one.needed] if state == AFTER else []
         placed = tuple(placed_weight(one, bones) for one in weights)
         return BalanceScheme(state, bones, self.shown.chains[state], paths, placed, states[state].whole)
@@ -201,7 +206,7 @@ class _BalancingSheet:
     def _rocking(self) -> Iterator[Exhibit]:
         """Show the main moment, if there is any."""
         bones, least = self.shown.bones, self.shown.nothing.moment
-        curve = moment_graph.curve(self.shown.states, bones.study.sense, bones.shown, least, self.drafting)
+        curve = moment_graph.curve(self.shown.states, bones.study.sense, bones.shown, least, self.drafting, self._shaft)
         if curve is not None:
             room = _bounded(curve_graph.measure(curve, moment_graph.NAME, self.drafting))
             yield Exhibit(Panel(room), partial(curve_graph.draw, curve, room, drafting=self.drafting))
@@ -223,7 +228,7 @@ class _BalancingSheet:
     def tables(self) -> tuple[RuledTable, ...]:
         """What the counterweights change, and which they are."""
         shown, drafting = self.shown, self.drafting
-        costs = balance_table.costs(self.balance.before, shown.after, shown.nothing, drafting)
+        costs = balance_table.costs(self.balance.before, shown.after, shown.nothing, drafting, self._shaft)
         weights = self.balance.counterweights
         if not weights:
             return (costs,)

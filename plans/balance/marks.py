@@ -14,6 +14,7 @@ from plans.balance.mass_centre import Chain, Drawing
 from plans.explanation import Explanation, NoMark
 from plans.linkage import marks as motion
 from plans.model.balance.linkage import EPS, ROUNDING
+from plans.rotor.letters import written
 from plans.words.words import Message, message
 
 if TYPE_CHECKING:
@@ -35,16 +36,16 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     if STILL.fullmatch(letter):
         mark = _on((board for board in _still(balance, letter)), letter.removesuffix(AFTER))
         title = message("explain.name", mark=name)
-        return _none(balance) if mark is None else Explanation(title, tuple(behind(mark)), UNITS)
+        return _none(balance) if mark is None else Explanation(title, tuple(behind(mark)), UNITS, letters=written)
     if letter.endswith(AFTER) and balance.after is None:
         return _none(balance)
     wanted = motion.position_of(linkage, position)
     drawing = balance.drawing(letter.endswith(AFTER), wanted)
-    mark = _on(_boards(drawing), letter.removesuffix(AFTER))
+    mark = _on(_boards(drawing), letter.removesuffix(AFTER)) or _ends(drawing).get(letter.removesuffix(AFTER))
     if mark is None:
         return _none(balance)
     title, zeros = motion.title(linkage, name, wanted), frozenset(_zeros(drawing))
-    return Explanation(title, *_steps(behind(mark), study.whole), motion.HOME, zeros=zeros)
+    return Explanation(title, *_steps(behind(mark), study.whole), motion.HOME, written, zeros)
 
 
 def _steps(steps: list[Mark], whole: bool) -> tuple[tuple[Mark, ...], Mapping[str, str], tuple[Message, ...]]:
@@ -72,6 +73,11 @@ def _on(boards: Iterator[Board], letter: str) -> Mark | None:
     return found if found is not None and found.step.inputs and not re.fullmatch(r"Φ_\d+", letter) else None
 
 
+def _ends(drawing: Drawing) -> Mapping[str, Mark]:
+    """Give what the mass centre rests in where there is no vector of a main point to lead to it."""
+    return {"S": drawing.main.end, "a_S": drawing.accelerations.end}
+
+
 def _zeros(drawing: Drawing) -> Iterator[Mark]:
     """Give what closes vectors that close by themselves, and what is turned from it: nothing but rounding."""
     for chain in (drawing.main, drawing.polygon, drawing.accelerations, drawing.shaking):
@@ -87,10 +93,13 @@ def _vanishes(chain: Chain) -> bool:
 
 
 def _none(balance: BalanceStudy) -> NoMark:
-    """Name the marks that there are."""
-    links = [f"h_{stem.link}" for stem in balance.tree.stems]
+    """Name the marks that there are; a vector of a main point that is nothing is none."""
     weights = [f"U_{link}" for link in balance.substitution.needs]
-    names = [*EXAMPLES, *links, *weights]
+    names = [*EXAMPLES, *_vectors(balance, after=False), *weights]
     if balance.after is not None:
-        names += [f"{name}{AFTER}" for name in (*EXAMPLES, *links)]
+        names += [f"{name}{AFTER}" for name in (*EXAMPLES, *_vectors(balance, after=True))]
     return NoMark(tuple(names), None, (*EXAMPLES, *weights[:1]))
+
+
+def _vectors(balance: BalanceStudy, after: bool) -> list[str]:
+    return [f"h_{link}" for link, vector in balance.points(after=after).vectors.items() if vector]

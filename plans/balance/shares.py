@@ -69,6 +69,15 @@ class Superposition:
         """What the whole share adds to the crank's static moment, kg*m."""
         return self.burden(1.0).moment - self.burden(0.0).moment
 
+    @property
+    def bend(self) -> float | None:
+        """The share at which a counterweight whose mass follows is lightest: mass and reaction bend there."""
+        if len({self.burden(share).mass for share in (0.0, 0.5, 1.0)}) == 1:
+            return None
+        own = Burden.of(self.statics.machine.bodies.get(self.link, EMPTY), self.shaft)
+        share = -((self.burden(0.0).moment - own.moment) / self.step).real
+        return share if 2 * SPAN < share < 1 - 2 * SPAN else None
+
     def _machine(self, burden: Burden) -> Machine:
         machine = self.machines(0.0)
         return replace(machine, bodies={**machine.bodies, self.link: burden.body(self.link, self.shaft)})
@@ -140,7 +149,7 @@ class Superposition:
         """The curve of the choice, and its two best shares."""
         curve = tuple(self.choice(float(share)) for share in np.linspace(0, 1, SHARES))
         force = least(self.shaking, lambda _: self._shakes[1])
-        return Shares(curve, self.choice(force), self.choice(least(self.reaction, self._rate)))
+        return Shares(curve, self.choice(force), self.choice(least(self.reaction, self._rate, self.bend)))
 
 
 def largest(forces: Complexes) -> float:
@@ -148,14 +157,23 @@ def largest(forces: Complexes) -> float:
     return float(np.fmax.reduce(np.abs(forces)))
 
 
-def least(forces: Forces, rate: Forces) -> float:
+def least(forces: Forces, rate: Forces, bend: float | None = None) -> float:
     """Find the share in [0, 1] at which the largest force is least: it falls before, and rises after.
 
-    Halved by the sense in which the force of the position that has the largest goes with the share.
+    Where it bends at a share it may do so on either side of that one; no chord is laid across the bend.
     """
-    if np.isnan(largest(forces(0.0))):
-        return 0.0  # the mechanism cannot be assembled
-    low, high = _around(forces)
+    if np.isnan(largest(forces(0.0))) or not rate(0.0).any():
+        return 0.0  # the mechanism cannot be assembled, or nothing is left at sliders and all shares are alike
+    if bend is None:
+        return _lowest(forces, rate, 0.0, 1.0)
+    before, after = max(bend - 2 * SPAN, 0.0), min(bend + 2 * SPAN, 1.0)
+    sides = _lowest(forces, rate, 0.0, before), bend, _lowest(forces, rate, after, 1.0)
+    return min(sides, key=lambda share: largest(forces(share)))
+
+
+def _lowest(forces: Forces, rate: Forces, start: float, end: float) -> float:
+    """Halve by the sense in which the force of the position that has the largest goes with the share."""
+    low, high = _around(forces, start, end)
     if _rises(forces, rate, low) or not _rises(forces, rate, high):
         return low if _rises(forces, rate, low) else high
     for _ in range(HALVINGS):
@@ -164,11 +182,11 @@ def least(forces: Forces, rate: Forces) -> float:
     return (low + high) / 2
 
 
-def _around(forces: Forces) -> tuple[float, float]:
+def _around(forces: Forces, start: float, end: float) -> tuple[float, float]:
     """Give the shares of a row between which the least lies: with a mass that follows, the curve may bend any way."""
-    row = np.linspace(0, 1, SHARES)
-    best = int(np.argmin([largest(forces(float(share))) for share in row]))
-    return float(row[max(best - 1, 0)]), float(row[min(best + 1, SHARES - 1)])
+    row = [start, *(share for share in np.linspace(0, 1, SHARES).tolist() if start < share < end), end]
+    best = int(np.argmin([largest(forces(share)) for share in row]))
+    return row[max(best - 1, 0)], row[min(best + 1, len(row) - 1)]
 
 
 def _rises(forces: Forces, rate: Forces, share: float) -> bool:

@@ -8,15 +8,18 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from geometry.precision import condition
 from plans.balance.main_points import MainPoints
 from plans.balance.mass_centre import Drawing, centre_drawing
 from plans.forces.statics import Statics
 from plans.linkage.assembly_limits import at_angles
 from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.drafts import Drafts
+from plans.linkage.margin import meeting
 from plans.linkage.study import BLOCK, LinkageStudy
 from plans.model.balance.linkage import CONSTRUCTION, STEPS, MassCentre, State
 from plans.model.kinetostatics import Kinetostatics
+from plans.model.motion import Floats
 from plans.model.order import ACCELERATIONS
 
 
@@ -25,7 +28,16 @@ def state(points: MainPoints, statics: Statics) -> State:
     study = statics.study
     centre = mass_centre(points, study, study.turn)
     around = mass_centre(points, study, positions_around(study))
-    return State(centre, around, forces_around(statics))
+    return State(centre, around, forces_around(statics), _magnified(study))
+
+
+def _magnified(study: LinkageStudy) -> Floats:
+    """Give kappa of the worst meeting of a group over the positions of a turn: by so much it magnifies rounding."""
+    drafts = Drafts(study, positions_around(study))
+    found = np.ones(len(drafts.turn))
+    for group in study.groups:
+        found = np.fmax(found, condition(meeting(drafts.positions, group)))
+    return found
 
 
 def turns(study: LinkageStudy) -> bool:

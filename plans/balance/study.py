@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
+from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -147,7 +148,8 @@ class BalanceStudy:
         if self.task.aim == NONE:
             return None
         self.made.setdefault(COSTS)
-        return states.state(self.points_after, self.loaded_statics)
+        after = states.state(self.points_after, self.loaded_statics)
+        return replace(after, beside=self.before.forces.largest)
 
     @cached_property
     def shares(self) -> Shares | None:

@@ -82,18 +82,24 @@ def _couple(board: Board, asked: Asked, weights: Sequence[Mark | None]) -> Mark 
 
     With the masses at angles alpha and beta their force is along (alpha + beta)/2 and is largest where n*phi =
     (beta - alpha)/2. Offset to the left of this line it turns clockwise then. The mass must be a quarter turn ahead of
-    the line there, and so it stands a quarter turn ahead of the first mass.
+    the line there, and so it stands a quarter turn ahead of the first mass. The force of one mass goes round, and the
+    line is the reference guide: one against the crank passes it as its mirror image does that turns with the crank.
     """
     there = [one for one in weights if one is not None]
     if not there or not asked.offset or not asked.shafts:
         return None
-    return _antiphase(board, asked, there)
+    first = there[0] if weights[0] is not None else _mirrored(board, there[0])
+    return _antiphase(board, asked, first, sum(abs(_value(one)) for one in there))
 
 
-def _antiphase(board: Board, asked: Asked, there: Sequence[Mark]) -> Mark:
+def _mirrored(board: Board, one: Mark) -> Mark:
+    """Mirror a mass about the reference guide: it is to the guide as the guide is to the mass."""
+    guide = board.given(f"x,{one.name}", complex(abs(_value(one))), because("reference_guide"))
+    return board.similar(f"{one.name}*", guide, one, guide, why=because("mirrored_about_guide"))
+
+
+def _antiphase(board: Board, asked: Asked, first: Mark, total: float) -> Mark:
     ratio = asked.offset / (asked.shafts or 1.0)
-    total = sum(abs(_value(one)) for one in there)
-    first = there[0]
     share = total / abs(_value(first)) * ratio
     why = because("couple_masses", offset=f"{asked.offset:.10g}", shafts=f"{asked.shafts:.10g}")
     return board.turn(couple_letters(asked.order), first, 1j * share, why)

@@ -80,7 +80,7 @@ class MemberTable(Table):
         missing=Missing("angle of the crank", "crank = 180"),
         also=("phase", "angle", "phi", "φ"),
     )
-    place: Decimal = key(f.COORDINATE, Decimal(0), meaning="Place along the shaft.", also=("z",))
+    place: Decimal = key(f.COORDINATE, Decimal(0), meaning="Place along the shaft.", also=("h", "z"))
     axis: Decimal = key(
         f.ANGLE, Decimal(0), meaning="Direction of its guide from the reference guide: banks of a V, boxer engines."
     )
@@ -148,7 +148,7 @@ class BankTable(Table):
         f.ANGULAR_SPEED,
         None,
         meaning='Angular speed of the shaft, "3000 rpm"; default: that of the drive.',
-        missing=Missing("angular speed", 'speed = "3000 rpm"'),
+        missing=Missing("angular speed", 'speed = "3000 rpm"', 1),
         also=("rpm", "n", "omega", "ω"),
     )
     orders: tuple[int, ...] = key(
@@ -168,6 +168,7 @@ class BankTable(Table):
         many(table(MemberTable), f.NOT_EMPTY, Check(_check_apart), first=f.FEW),
         meaning="The mechanisms of the bank.",
         missing=Missing("list of members", MEMBER, [{"crank": 0}]),
+        also=("member", "cylinders", "cylinder", "mechanisms"),
     )
     compensators: tuple[CompensatorTable, ...] = key(
         many(table(CompensatorTable), Check(_check_orders), first=f.FEW),

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING
 from geometry.board import Mark
 from geometry.steps import behind
 from plans.bank.compensators import COMPENSATORS
+from plans.bank.form import ORDER_LIMIT
 from plans.bank.harmonics import HARMONICS
-from plans.bank.letters import FORCE, MOMENT, SINGLE, STATIC, couple_letters, letters
+from plans.bank.letters import FORCE, MOMENT, SINGLE, STATIC, couple_letters, letters, roman
 from plans.bank.polygons import MOMENTS
 from plans.bank.study import BankStudy, orders_of
 from plans.explanation import Explanation, NoMark, UnknownMark
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from plans.study import Study
 
 LETTERS = re.compile(rf"-?({SINGLE}|{FORCE}|{MOMENT}|{STATIC})_|Φ\(")
+NUMERAL = re.compile(rf"-?(?:{SINGLE}|{FORCE}|{MOMENT}|{STATIC})_(?:{MOMENT},)?-?([IVXLC]+|100)(?:,|$)")
 UNITS = {HARMONICS: "N", MOMENTS: "N*m", COMPENSATORS: "kg*m"}
 
 
@@ -32,7 +34,7 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     bank: BankStudy = study["bank"]
     mark = next((mark for board in bank.boards for mark in board if mark.name == name), None)
     if mark is None:
-        return _no_mark(task)
+        return _other_order(task, name) or _no_mark(task)
     if position:
         raise UnknownMark(message("mark.no_position", mark=name, position=position))
     steps = behind(mark)
@@ -57,6 +59,17 @@ def _zeros(bank: BankStudy) -> Iterator[Mark]:
     for total in (*bank.drawing.forces.values(), *bank.drawing.moments.values()):
         if total.vanishes:
             yield from (total.vector, total.polygon.closing, *total.polygon.closing.step.inputs[:1])
+
+
+def _other_order(task: BankTask, name: str) -> NoMark | None:
+    """Say of a vector of an order that is not told how to have it told."""
+    found, told = NUMERAL.match(name), orders_of(task)
+    strange = (order for order in range(1, ORDER_LIMIT + 1) if found and roman(order) == found[1])
+    order = next(strange, told[0])
+    if order in told:
+        return None
+    orders = ", ".join(map(str, sorted((*told, order))))
+    return NoMark((), message("mark.other_order", order=order, orders=orders), ())
 
 
 def _no_mark(task: BankTask) -> NoMark:

@@ -12,7 +12,6 @@ from plans.scene.lengths import odd_lengths
 from plans.scene.scene import Scene
 
 CLOSE = Decimal("1.5")  # rods to a crank: engines have three to five, and presses more
-OTHER = 9  # times the speed of the drive, or as many times less: rpm written for rad/s is 9.55 times
 
 
 def notes_of(scene: Scene) -> Iterator[Fault]:
@@ -51,8 +50,8 @@ def _stacked(scene: Scene, form: BankTable) -> Iterator[Fault]:
 
 
 def _speed(scene: Scene, form: BankTable) -> Iterator[Fault]:
-    """Find a speed far from that of the drive."""
-    drive = abs(scene.of(LinkageForm).drive.speed) if scene.has(("drive",)) and form.unit is None else None
-    if form.speed and drive and not Decimal(1) / OTHER <= abs(form.speed) / drive <= OTHER:
-        found, wanted = f"{abs(form.speed):.5g}", f"{drive:.5g}"
+    """Find a speed other than that of the drive: forces and balancing of the linkage are told at that one."""
+    drive = scene.of(LinkageForm).drive.speed if scene.has(("drive",)) and form.unit is None else None
+    found, wanted = (f"{one:.5g}" if one else "" for one in (form.speed, drive))
+    if found and wanted and found != wanted:
         yield scene.fault(("bank", "speed"), "bank_speed", found=found, drive=wanted)

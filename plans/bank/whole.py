@@ -8,11 +8,9 @@ from typing import NamedTuple
 import numpy as np
 
 from plans.bank.shaking import Shaking, Source
-from plans.model.balance.bank import EPS, ROUNDING, Member
+from plans.model.balance.bank import EPS, ROUNDING, STEPS, Member
 from plans.model.motion import Complexes, Floats
 from plans.rotor.heading import heading
-
-STEPS = 360  # even positions of a turn
 
 
 class Whole(NamedTuple):

@@ -18,6 +18,13 @@ def own(text: str) -> str:
 
 
 BALANCED = FOUR_BAR.replace("0.04, 0", "0, 0").replace("mass = 4", "mass = 0").replace("mass = 5", "mass = 0")
+PARALLELOGRAM = (
+    FOUR_BAR.replace("C = [0.35, 0]", "C = [0.4, 0]")
+    .replace("BC = 0.3", "BC = 0.1")
+    .replace("B = [0.39, 0.3]", "B = [0.4, 0.1]")
+    .replace("0.12, 0]", "0.05, 0]")
+    .replace("speed = 10\n", "speed = 10\nstart = 30\npositions = 12\n")
+)
 SCENES = {
     "bar": FOUR_BAR + FULL + THREE + counterweight("on = 1", 'shape = "sector"'),
     "engine": ENGINE + '[balance]\naim = "share"\nshare = "force"\n' + counterweight("on = 1", 'radius = "60 mm"'),
@@ -34,6 +41,7 @@ SCENES = {
     "swing": FOUR_BAR.replace("OA = 0.1", "OA = 0.3") + FULL + THREE + ONE,
     "many": FOUR_BAR + "positions = 72\n" + FULL + THREE + ONE,
     "still": BALANCED + FULL + THREE + ONE,
+    "parallel": '[mechanism]\nthrough = "parallel"\n' + PARALLELOGRAM + FULL + THREE + ONE,
 }
 
 

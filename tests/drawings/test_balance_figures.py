@@ -132,7 +132,7 @@ def test_a_disc_and_a_sector_are_drawn_to_scale_and_told() -> None:
     tips = [one for one in arcs if one.radius * mu == pytest.approx(sector, rel=1e-9)]
     assert [one.sweep for one in tips] == pytest.approx([2 * math.pi / 3])
     told = cells(own, "counterweights")
-    assert {"sector 120°", "disc", "103.99", "180", "C", "O"} <= set(told)
+    assert {"sect. 120°", "disc", "103.99", "180", "C", "O"} <= set(told)
 
 
 def test_the_hodograph_of_what_is_balanced_is_that_before_alone(four_bar) -> None:

@@ -50,6 +50,19 @@ def test_what_is_drawn_agrees_with_the_analysis(case: tuple[str, str, str, str],
         checked(leaf, study, tmp_path)
 
 
+def test_a_parallelogram_is_drawn_past_its_change_points(tmp_path: Path) -> None:
+    """Balanced in full it has no load on the frame's hinges: what is beside a change point is rounding, on any road."""
+    study = study_of("parallel", "A3")
+    comparison = study.comparison("balance")
+    for road in (comparison.construction, comparison.analysis):
+        assert road.after is not None
+        assert road.before.reactions["0-3"] > 1
+        zeros = [road.after.path, road.after.shaking, road.after.rocking, road.after.balancing]
+        assert [*zeros, road.after.reactions["0-1"], road.after.reactions["0-3"]] == [0] * 6
+    for leaf in leaves(study):
+        checked(leaf, study, tmp_path)
+
+
 @pytest.mark.parametrize("fault", some(FAULTS, 14), ids=lambda fault: fault.name)
 def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path) -> None:
     study = study_of(fault.scene, "A1")

@@ -99,8 +99,9 @@ def test_a_fault_withholds_the_sheet_at_the_command(run: Run, tmp_path: Path) ->
             (reworded("−628.32", "628.32"), "628.32 for m−II in the table of compensators"),
             (note("1151.9", "1152.9"), "in the notes"),
             (note("138.23", "138.32"), "in the notes"),
+            (note("2303.8", "1151.9"), "in the notes"),
             (note("180°", "0°"), "in the notes"),
-            (note("orders 1, 2, 4, 6 balance", "orders 1, 2, 4 balance"), "in the notes"),
+            (note("order 1, 2, 4, 6 balance", "order 1, 2, 4 balance"), "in the notes"),
             (without("notes"), "n is missing from the notes"),
             (without("force_graph"), "force_graph is missing"),
         ],
@@ -122,10 +123,16 @@ def test_a_slip_is_seen(slip: tuple[Change, str], tmp_path: Path) -> None:
 def test_the_sheet_tells_the_textbook_s_values() -> None:
     """Methods M7.8: two masses of 0.475 kg*m, a couple of 22.8 N*m by an offset of 60 mm, 0.114 kg*m against it."""
     (leaf,) = leaves(study_of("one"))
-    for told in ("F_{I} = 190 N", "= 0.475 kg·m", "M = 22.8 N·m", "= 0.114 kg·m"):
+    for told in ("F_{I} = 190 N", "F_{max} = |F_{I}|+|F_{−I}| = 380 N", "= 0.475 kg·m", "M = 22.8 N·m", "= 0.114 kg·m"):
         assert told in leaf.description
     written = [text.plain for group in leaf.groups for text in texts(group)]
     assert {"0.475", "95", "−20", "0.114"} <= set(written)
+
+
+def test_places_along_the_shaft_bear_another_letter_than_the_offset() -> None:
+    (leaf,) = leaves(study_of("four"))
+    sizes = {text.plain.partition(" = ")[0] for group in leaf.groups for text in texts(group) if " = " in text.plain}
+    assert {"h1", "h4", "z", "L"} <= sizes and not {"z1", "z4", "h"} & sizes
 
 
 def test_what_vanishes_is_said_and_has_no_arrow(tmp_path: Path) -> None:
@@ -137,8 +144,29 @@ def test_what_vanishes_is_said_and_has_no_arrow(tmp_path: Path) -> None:
     }
     assert sums == {"F_VI"}
     told = leaves(study)[0].description
-    assert "Forces of orders 1, 2, 4 balance one another" in told and "Moments of orders 1, 2, 4, 6 balance" in told
+    assert "Forces of order 1, 2, 4 balance one another" in told and "Moments of order 1, 2, 4, 6 balance" in told
     assert "Order 1: nothing to compensate" in told
+
+
+def test_what_is_too_slight_is_told_and_not_drawn(tmp_path: Path) -> None:
+    """Three cylinders: forces of orders 1, 2, 4 balance one another, and order 6 is 1/6700 of a cylinder's first."""
+    study = study_of("three")
+    all_checked(study, tmp_path)
+    (leaf,) = leaves(study)
+    assert not {"order_forces-6", "order_moments-6", "force_graph"} & set(leaf.metadata["figures"])
+    assert {"order_forces-4", "order_moments-4", "moment_graph"} <= set(leaf.metadata["figures"])
+    assert "Below 1/1000 of the largest, not drawn: order 6" in leaf.description
+    assert "Over the turn F_{max} = 0.8806" in leaf.description
+
+
+def test_the_notes_say_which_polygons_are_left_out_as_mirror_images(tmp_path: Path) -> None:
+    """A mass that turns with the crank has no image that turns against it: order 1 is shown both ways, order 2 once."""
+    study = study_of("cancelled")
+    all_checked(study, tmp_path)
+    figures = {name for leaf in leaves(study) for name in leaf.metadata["figures"]}
+    assert "order_forces-1-back" in figures and "order_forces-2-back" not in figures
+    told = leaves(study)[0].description
+    assert "against it; of order 2, 4, 6 the latter is the mirror image in the guide, not shown" in told
 
 
 def test_a_bank_at_rest_in_itself_has_no_graph(tmp_path: Path) -> None:

@@ -11,7 +11,20 @@ from plans.analytic.balance.harmonics import harmonics
 from plans.analytic.balance.mass_centre import bodies as solids
 from plans.analytic.balance.mass_centre import mass_centre
 from plans.analytic.kinematics import Analysis
-from plans.model.balance.linkage import EPS, FULL, NONE, PARTIAL, ROUNDING, SECTOR, SHARE, Place, Task
+from plans.model.balance.linkage import (
+    ANALYSIS,
+    EPS,
+    FULL,
+    NONE,
+    PARTIAL,
+    ROUNDING,
+    SECTOR,
+    SHARE,
+    STEPS,
+    MassCentre,
+    Place,
+    Task,
+)
 from plans.model.machine import GEAR as GEARED
 from plans.model.machine import Transmission
 from tests import parts
@@ -41,6 +54,16 @@ def test_mass_centre_of_the_six_link() -> None:
     """Book 8.2.2, figure 8.7: methods M7.4, all printed digits."""
     centre = rod_six_link().balance(Task(NONE)).before.centre
     assert both(centre.r[0], "0.4288752518", "0.130838553")
+
+
+@pytest.mark.parametrize("count", [1, 10])
+def test_the_extent_of_a_path_is_the_same_however_the_frame_is_turned(count: int) -> None:
+    """Of a crank's end it is the diameter, of a piston's centre the stroke; positions may be very many."""
+    phi = 2 * np.pi * np.arange(count * STEPS + 1) / (count * STEPS)
+    for path, extent in ((0.1 * np.exp(1j * phi), 0.2), (0.3 * np.sin(phi) + 0j, 0.6)):
+        for turn in (0.0, 0.7, 2.1):
+            centre = MassCentre(ANALYSIS, phi, 1.0, path * np.exp(1j * turn) + 5, path, phi)
+            assert centre.path == pytest.approx(extent, rel=1e-12)
 
 
 FOUR_BAR = {

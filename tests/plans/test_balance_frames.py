@@ -10,6 +10,9 @@ from functools import cache
 import numpy as np
 import pytest
 
+from plans.balance.counterweights import counterweights, substituted
+from plans.balance.refusals import Refused
+from plans.balance.shares import Superposition, largest
 from plans.balance.study import BalanceStudy
 from plans.checks.balance.comparison import compare_balance
 from plans.checks.compare import compare
@@ -29,25 +32,33 @@ from plans.model.balance.linkage import (
 from plans.model.machine import Body, Machine
 from plans.model.mechanism import FRAME, Mechanism, Way
 from plans.model.order import ACCELERATIONS
+from plans.model.structure import decompose
 from tests.plans import linkages
 from tests.plans.machines import GEARED, machine, pointed
 from tests.plans.studies import study_of
 
-TURN, SHIFT = cmath.rect(1, 2.3), 0.07 - 0.11j  # of a link's own frame
+SHIFT = 0.07 - 0.11j  # of link 1; each link has a frame of its own, turned and shifted more than that before
 
 
-def own(place: complex) -> complex:
+def turn(link: int) -> complex:
+    """Give the direction that the axis of a link has in its other frame."""
+    return cmath.rect(1, 2.3 * link)
+
+
+def own(place: complex, link: int) -> complex:
     """Tell a place of a link in its other frame."""
-    return place * TURN + SHIFT
+    return place * turn(link) + SHIFT * link
 
 
 def turned(mechanism: Mechanism) -> Mechanism:
     """Tell all links in their other frames."""
 
     def way(told: Way, link: int) -> Way:
-        return told if link == FRAME else Way(own(told.through), told.direction * TURN)
+        return told if link == FRAME else Way(own(told.through, link), told.direction * turn(link))
 
-    links = {n: replace(one, points={p: own(z) for p, z in one.points.items()}) for n, one in mechanism.links.items()}
+    links = {
+        n: replace(one, points={p: own(z, n) for p, z in one.points.items()}) for n, one in mechanism.links.items()
+    }
     slides = tuple(
         replace(s, on_slider=way(s.on_slider, s.slider), on_owner=way(s.on_owner, s.owner)) for s in mechanism.slides
     )
@@ -68,12 +79,12 @@ def bodies(rows: Mapping[int, tuple[float, complex]]) -> dict[int, Body]:
 
 # A drive by a gear, weights and an acceleration: what a share costs the shaft follows from all of them.
 ENGINE = linkages.slider_crank(0.1, 0.4, 0.03, epsilon=40.0)
-GEARS = GEARED._replace(radius=0.06)
+GEARS, SLANT = GEARED._replace(radius=0.06), cmath.rect(9.81, -2.1)  # a machine that stands on a slope
 ENGINE_BODIES = bodies({1: (3, 0.04), 2: (4, 0.15), 3: (8, 0)})
 CROOKED = bodies({1: (3, 0.04 + 0.02j), 2: (4, 0.15 - 0.03j), 3: (8, 0.02 + 0.01j)})
 SHAPER = bodies({1: (4, 0.05 + 0.03j), 2: (1.5, 0.02j), 3: (12, 0.3 - 0.06j), 4: (3, 0.1 + 0.01j), 5: (20, 0.02)})
 CASES = {
-    "share": (ENGINE, machine(CROOKED, transmission=GEARS), Task(SHARE, (Place(1, shape=SECTOR),), None, REACTION)),
+    "share": (ENGINE, machine(CROOKED, SLANT, GEARS), Task(SHARE, (Place(1, shape=SECTOR),), None, REACTION)),
     "full": (ENGINE, machine(ENGINE_BODIES), Task(FULL, (Place(1, at=-0.15), Place(2, at=-0.25)))),
     "partial": (ENGINE, machine(CROOKED), Task(PARTIAL, (Place(1, radius=0.07),))),
     "shaper": (
@@ -88,7 +99,7 @@ CASES = {
 def studies(case: str) -> tuple[BalanceStudy, BalanceStudy]:
     """Study a case on the axes of its links, and in the other frames."""
     mechanism, its, task = CASES[case]
-    other = {link: body._replace(centre=own(body.centre)) for link, body in its.bodies.items()}
+    other = {link: body._replace(centre=own(body.centre, link)) for link, body in its.bodies.items()}
     return study(mechanism, its, task), study(turned(mechanism), replace(its, bodies=other), task)
 
 
@@ -106,13 +117,24 @@ def test_counterweights_are_the_same_in_other_frames(case: str) -> None:
     assert other.left == pytest.approx(first.left, rel=1e-12)
     for old, new in zip(first.counterweights, other.counterweights, strict=True):
         assert new.mass == pytest.approx(old.mass, rel=1e-12)
-        assert new.moment == pytest.approx(old.moment * TURN, rel=1e-12)
-        assert new.centre == pytest.approx(own(old.centre), rel=1e-12)
+        assert new.moment == pytest.approx(old.moment * turn(new.link), rel=1e-12)
+        assert new.centre == pytest.approx(own(old.centre, new.link), rel=1e-12)
     for before, after in ((first.before, other.before), (first.after, other.after)):
         assert before is not None
         assert after is not None
         assert after.centre.r == pytest.approx(before.centre.r, rel=1e-11, abs=1e-14)
         assert after.around.moment == pytest.approx(before.around.moment, rel=1e-9, abs=1e-9)
+
+
+def test_a_place_on_the_line_of_a_link_is_told_along_it() -> None:
+    mechanism, its, task = CASES["full"]
+    other = {link: body._replace(centre=own(body.centre, link)) for link, body in its.bodies.items()}
+    groups = decompose(mechanism)
+    try:
+        found = counterweights(substituted(turned(mechanism), groups, other, task), groups)
+    except Refused as refused:
+        pytest.fail(f"{refused.kind}: {refused.details}")
+    assert [one.centre for one in found] == pytest.approx([own(-0.15, 1), own(-0.25, 2)])
 
 
 def test_a_share_costs_the_shaft_what_plans_of_that_machine_say() -> None:
@@ -132,6 +154,21 @@ def study_at(its: BalanceStudy, one: Choice) -> tuple[float, float]:
     return after.shaking, after.reactions["0-1"]
 
 
+def test_the_best_share_on_either_side_of_the_lightest_counterweight() -> None:
+    """A slow engine whose rod lifts the crank: at the lightest counterweight the reaction is largest of all near it."""
+    bodies_of = bodies({1: (3, 0.04), 2: (4, 0.73), 3: (8, 0)})
+    slow = linkages.slider_crank(0.1, 0.4, omega=0.02, epsilon=0.0)
+    its = study(slow, machine(bodies_of), Task(SHARE, (Place(1, radius=0.15),), None, REACTION))
+    found = compare_balance(its, compare(its.linkage, ACCELERATIONS.number))
+    assert found.agrees
+    every = Superposition(its.statics, its.tree, its.at_share)
+    tried = [largest(every.reaction(float(share))) for share in np.linspace(0, 1, 301)]
+    assert sum(1 for k in range(1, 300) if tried[k] < min(tried[k - 1], tried[k + 1])) == 2  # valleys
+    for shares in (found.construction.shares, found.analysis.shares):
+        assert shares is not None
+        assert shares.least_reaction.reaction <= min(tried)
+
+
 GRID = 500  # of the rectangles that a shape is cut into, each way
 THICK, DENSE = 0.02, 7000.0
 
@@ -139,7 +176,8 @@ THICK, DENSE = 0.02, 7000.0
 @pytest.mark.parametrize(("shape", "half_angle"), [(DISC, np.pi), (SECTOR, 0.6), (SECTOR, 1.9)])
 def test_sizes_of_a_counterweight(shape: str, half_angle: float) -> None:
     """Mass, mass centre and inertia of a disc or sector are those of its plate cut into small pieces."""
-    place = Place(1, mass=5.0, shape=shape, density=DENSE, thickness=THICK, half_angle=half_angle)
+    place = Place(1, mass=5.0, shape=shape, density=DENSE, thickness=THICK)  # a disc has no half angle
+    place = place if shape == DISC else place._replace(half_angle=half_angle)
     outer = Counterweight(place, "O", 0j, 0j, 5.0).outer
     cells = (np.arange(GRID) + 0.5) / GRID
     r, angle = outer * cells[:, None], half_angle * (2 * cells - 1)

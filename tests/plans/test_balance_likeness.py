@@ -156,6 +156,21 @@ def test_links_add_their_own(one: Loaded, data: st.DataObject) -> None:
     assert abs(sum(part.moment[0] for part in found) - whole.moment[0]) <= 2 * slack.moment
 
 
+def test_a_group_of_links_without_mass_changes_nothing() -> None:
+    """A rod and a slider hung on the rocker of the four-bar."""
+    hung = SIX_LINK.partition("4 = {{ mass")[0]
+    alone = FOUR_BAR.replace(", inertia = 0.05", "").replace(", inertia = 0.04", "")
+    task = asked(FULL, Place(1, mass=9), Place(2, radius=0.3))
+    for asking in (Task(), task):
+        six, four = study(hung, asking).balance, study(alone, asking).balance
+        assert six.counterweights == four.counterweights
+        for more, fewer in ((six.before, four.before), (six.after, four.after)):
+            if more is not None and fewer is not None:
+                assert more.around.r == pytest.approx(fewer.around.r, rel=1e-14, abs=1e-16)
+                assert more.around.force == pytest.approx(fewer.around.force, rel=1e-12, abs=1e-12)
+                assert more.around.moment == pytest.approx(fewer.around.moment, rel=1e-12, abs=1e-12)
+
+
 def test_main_points_do_not_know_the_numbers_of_links() -> None:
     its = study(SIX_LINK)
     mechanism, bodies, first = its.linkage.mechanism, its.machine.bodies, its.points().vectors

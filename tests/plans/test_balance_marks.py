@@ -10,7 +10,7 @@ from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from plans.techniques import TECHNIQUES, named
-from tests.plans.balanced import FOUR_BAR
+from tests.plans.balanced import ENGINE, FOUR_BAR
 
 FULL = """
 [balance]
@@ -57,12 +57,25 @@ def test_counterweight_is_told_step_by_step() -> None:
     assert told["m_B3"] == pytest.approx(3)
     assert told["m_B3·AB"] == pytest.approx(1.2)
     assert told["U_2"] == pytest.approx(-1.92)
+    assert found.letters("m_cw2", "ru") == "m_пр2"  # as on the sheet
 
 
 def test_balanced_force_is_nothing_but_rounding() -> None:
     found = marks(studied(), 3, "Φ'")
     assert isinstance(found, Explanation)
     assert found.steps[-1] in found.zeros
+
+
+@pytest.mark.parametrize("name", ["S'", "a_S'"])
+def test_a_mass_centre_that_no_vector_leads_to_rests_in_the_shaft(name: str) -> None:
+    """Methods M7.6: the engine balanced in full has h_1 = h_2 = 0, and S in O."""
+    study = studied(ENGINE.format(positions=12) + FULL.replace("9", "28").replace("6", "16"))
+    found = marks(study, 3, name)
+    assert isinstance(found, Explanation)
+    assert at(found.steps[-1].point, 3) == 0
+    none = marks(study, 3, "h_2'")
+    assert isinstance(none, NoMark)
+    assert "h_2" in none.names and "h_2'" not in none.names
 
 
 @pytest.mark.parametrize("name", ["A", "Φ_2", "U_3", "nothing", "OS1"])

@@ -74,6 +74,26 @@ def test_both_roads_agree(case) -> None:
             assert np.nanmax(one.difference) <= ROADS * EPS * one.largest
 
 
+@pytest.mark.parametrize("aim", [PARTIAL, SHARE])
+def test_both_roads_give_up_on_a_mechanism_that_cannot_be_assembled(aim) -> None:
+    """Its counterweights are known all the same: they ask for no position."""
+    found = compared(ENGINE.replace("through = [0, 0]", "through = [0, 5]"), asked(aim, Place(1, mass=9)))
+    assert found.agrees
+    assert [one.moment for one in found.construction.counterweights] == [pytest.approx(-0.37)]
+
+
+def test_of_a_massless_slider_no_share_is_better_than_none() -> None:
+    """Both roads take the share 0 of a mass that is not there, and nothing shakes with it."""
+    text = ENGINE.partition("2 = {{ mass")[0]
+    found = compared(text, asked(SHARE, Place(1, mass=9)))
+    assert found.agrees
+    for road in (found.construction, found.analysis):
+        assert road.shares is not None
+        for best in (road.shares.least_force, road.shares.least_reaction):
+            assert best.share == 0.0
+            assert max(best.force, best.reaction) <= ROADS * EPS * road.before.shaking
+
+
 def test_what_is_compared() -> None:
     """Every number of a balance by both roads: nothing that is told goes without a road of its own."""
     found = compared(*CASES["a share"])

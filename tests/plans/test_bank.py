@@ -43,16 +43,6 @@ def test_textbook(road) -> None:
     assert f"{one.residual:.10g}" == "22.8" and f"{one.couple:.10g}" == "0.114"
 
 
-@ROADS
-def test_the_couple_is_compensated(road) -> None:
-    """Two masses in antiphase on shafts along the guide make the couple of the offset, and the other way."""
-    (one,), phi = road(BOOK).compensators, np.linspace(0.0, 6.0, 13)
-    pair = one.couple * 20.0**2 * 0.5 * np.sin(phi + one.couple_angle)  # the guide is the real axis
-    line = np.exp(1j * (phi + one.with_angle)) + np.exp(1j * (one.against_angle - phi))
-    offset = (np.conj(0.06j) * one.with_crank * 20.0**2 * line).imag
-    assert np.allclose(pair, -offset, atol=1e-12)
-
-
 ROOT = math.sqrt
 # Bosch, Automotive Handbook, free forces and moments of the usual engines: times F1 or F2 of one cylinder, moments
 # times the pitch too; of an order that is not named nothing is free.

@@ -86,11 +86,19 @@ def test_a_couple_is_explained_by_its_compensator(study: Study) -> None:
 
 
 def test_a_mark_that_is_not_there(study: Study) -> None:
-    answer = marks(study, 0, "F_IX")
+    answer = marks(study, 0, "F_I,7")
     assert isinstance(answer, NoMark)
     assert str(answer.listed) == "marks are f_I, F_I, M_I, F_I,1, mr_II" and "M_-II" in answer.names
     with pytest.raises(UnknownMark, match="same in every position"):
         marks(study, 3, "F_I")
+
+
+@pytest.mark.parametrize("name", ["F_IX", "F_-IX,2", "mr_M,IX"])
+def test_a_mark_of_an_order_that_is_not_told_says_how_to_have_it(study: Study, name: str) -> None:
+    answer = marks(study, 0, name)
+    assert isinstance(answer, NoMark)
+    assert "orders = [1, 2, 9] in [bank]" in str(answer.listed)
+    assert not answer.names
 
 
 def test_a_mark_of_another_technique_draws_no_bank(study: Study) -> None:

@@ -122,6 +122,16 @@ def test_all_that_is_wrong_is_told_at_once() -> None:
     ]
 
 
+@pytest.mark.parametrize("speed", ["", "speed = 0\n", 'speed = "3000 mm"\n'])
+def test_a_bank_with_a_wrong_speed_has_its_mechanism_still(speed: str) -> None:
+    assert [path for path, _ in said(f"sheets = ['bank']\n{BANK.replace(SPEED, speed)}")] == ["bank.speed"]
+
+
+def test_cylinders_are_members() -> None:
+    (fault,) = refused(f"sheets = ['bank']\n{BANK.replace('bank.members', 'bank.cylinders')}")
+    assert "did you mean [[bank.members]]" in str(fault)
+
+
 def test_what_happens_where_rod_and_crank_are_equal_is_said() -> None:
     (fault,) = refused(BANK.replace("140 mm", "40 mm"))
     assert "second dead position" in fault.expected
@@ -166,9 +176,9 @@ def noted(scene: Scene) -> list[tuple[str, str]]:
         (f"{BANK}[[bank.members]]\ncrank = 180\naxis = 180\n", []),
         (f"{BANK}[[bank.members]]\ncrank = 180\nplace = 0.1\n", []),
         (f"{BANK}[[bank.members]]\ncrank = 180\nplace = 100\n", [("members.1.place", "metres")]),
-        (f"{ENGINE}[bank]\nspeed = 180\n{MEMBER}", []),
-        (f"{ENGINE}[bank]\nspeed = 181\n{MEMBER}", [("speed", "bank_speed")]),
-        (f"{ENGINE}[bank]\nspeed = -2.2\n{MEMBER}", [("speed", "bank_speed")]),
+        (f"{ENGINE}[bank]\nspeed = 20\n{MEMBER}", []),
+        (f"{ENGINE}[bank]\nspeed = 21\n{MEMBER}", [("speed", "bank_speed")]),
+        (f"{ENGINE}[bank]\nspeed = -20\n{MEMBER}", [("speed", "bank_speed")]),
     ],
 )
 def test_what_may_be_a_slip_is_noted(text: str, odd: list[tuple[str, str]]) -> None:

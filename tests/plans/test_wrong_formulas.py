@@ -14,7 +14,8 @@ from tests.plans.seeded import everyday, faults, verdicts
 CASES = Path(__file__).parents[1] / "cases"
 MACHINES = "machine_faults", "dynamics_analysis_faults", "run_faults"
 CAMS = "cam_task_faults", "cam_law_faults", "cam_size_faults", "cam_profile_faults"
-NAMES = ("rotor_faults", "balance_construction_faults", "bank_formula_faults", *MACHINES, "cyclogram_faults", *CAMS)
+BALANCES = "balance_construction_faults", "balance_formula_faults", "bank_formula_faults"
+NAMES = ("rotor_faults", *BALANCES, *MACHINES, "cyclogram_faults", *CAMS)
 TABLES = {name: faults(CASES / f"{name}.toml") for name in NAMES}
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import cmath
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -21,7 +21,7 @@ from drawings.paper.strokes import Circle, Leaf, Text
 from drawings.paper.walk import groups
 from plans.model.motion import Complexes
 
-LETTERS = {BEFORE: FORCE, AFTER: f"{FORCE}^*"}
+LETTERS = {BEFORE: FORCE, AFTER: f"{FORCE}'"}
 LEAST = 0.1  # mm: a vector that is shorter may be a point
 LANES = 3.0  # rooms of a letter that a vector of a polygon may stand aside
 
@@ -74,31 +74,47 @@ def shaking(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
     name = shaking_hodograph.NAME
     if name not in leaf.metadata["figures"]:
         return
-    mu, largest = marks.scale(expected.measured, name), max(one.shaking for one in expected.states.values())
-    part, seen = marks.figure(leaf, name), marks.points(expected.measured, name)
-    ends, tips = dict[str, complex](), dict[str, complex]()
-    for state, one in expected.states.items():
-        if one.shaking <= expected.none.force:
-            continue
-        row = {f"{state} {k}": complex(value) for k, value in enumerate(one.centre.force) if cmath.isfinite(value)}
-        numbered = _spread(one.around.force) >= (NUMBERED + expected.near) * mu
-        due = {f"{state} {k}" for k in expected.told} if numbered else set[str]()
-        ends |= {end: value for end, value in row.items() if end in due or end in seen}
-        tips[LETTERS[state]] = row.get(f"{state} {expected.shown}", 0j)
-        if expected.whole:
-            yield from _curve(leaf, expected, state, mu)
-    slack = max(expected.slack(f"{FORCE}{prime}") for prime in PRIMES.values()) + expected.near * mu + KNOWN * largest
-    yield from marks.held(seen, ends, name, slack)
-    if len(tips) > 1:
+    part, mu = marks.figure(leaf, name), marks.scale(expected.measured, name)
+    states = [state for state, one in expected.states.items() if one.shaking > expected.none.force]
+    yield from _ends(expected, states, mu)
+    yield from _arrows(expected, states, mu)
+    for state in states if expected.whole else ():
+        yield from _curve(leaf, expected, state, mu)
+    if len(states) > 1:
         thin, thick = (marks.figure(leaf, f"{name}-{state}") for state in (BEFORE, AFTER))
         yield from marks.thinner(thin, thick, name)
-    yield from marks.explained(part, name, expected.drafting.word("thin before"), len(tips) > 1)
-    arrows = marks.vectors(expected.measured, name)
-    tips = {letter: value for letter, value in tips.items() if letter in arrows or abs(value) > LEAST * mu}
-    yield from marks.held(arrows, tips, name, slack)
+    yield from marks.explained(part, name, expected.drafting.word("thin before"), len(states) > 1)
     yield from marks.titled(part, name, expected.drafting.word("shaking hodograph"))
     if part is not None:
         yield from reading.scales(part, {mu})
+
+
+def _slack(expected: Expected, mu: float) -> float:
+    """Give how far a main vector may be off, N."""
+    largest = max(one.shaking for one in expected.states.values())
+    return max(expected.slack(f"{FORCE}{prime}") for prime in PRIMES.values()) + expected.near * mu + KNOWN * largest
+
+
+def _ends(expected: Expected, states: Sequence[str], mu: float) -> Iterator[Wrong]:
+    """Hold the ends at the positions; those of a curve too small to be numbered may be left out."""
+    name, ends = shaking_hodograph.NAME, dict[str, complex]()
+    seen = marks.points(expected.measured, name)
+    for state in states:
+        one = expected.states[state]
+        numbered = _spread(one.around.force) >= (NUMBERED + expected.near) * mu
+        due = {f"{state} {k}" for k in expected.told} if numbered else set[str]()
+        row = {f"{state} {k}": complex(value) for k, value in enumerate(one.centre.force) if cmath.isfinite(value)}
+        ends |= {end: value for end, value in row.items() if end in due or end in seen}
+    yield from marks.held(seen, ends, name, _slack(expected, mu))
+
+
+def _arrows(expected: Expected, states: Sequence[str], mu: float) -> Iterator[Wrong]:
+    """Hold the vectors in the shown position; one that is too short for an arrow may be left out, one of a gap must."""
+    name = shaking_hodograph.NAME
+    seen = marks.vectors(expected.measured, name)
+    tips = {LETTERS[state]: complex(expected.states[state].centre.force[expected.shown]) for state in states}
+    due = {letter: value for letter, value in tips.items() if letter in seen or abs(value) > LEAST * mu}
+    yield from marks.held(seen, due, name, _slack(expected, mu))
 
 
 def _spread(curve: Complexes) -> float:
@@ -114,6 +130,6 @@ def _curve(leaf: Leaf, expected: Expected, state: str, mu: float) -> Iterator[Wr
     around = expected.states[state].around.force
     near = expected.slack(f"{FORCE}{PRIMES[state]}", "costs") / mu + expected.near
     chains = marks.lines(marks.figure(leaf, f"{name}-{state}"))
-    for spots in runs(np.asarray(around)):
-        if len(spots) > 1 and not marks.follows(chains, [pole + spot / mu for spot in spots], near):
-            yield on("path", name, name=state)
+    places = [[pole + spot / mu for spot in spots] for spots in runs(np.asarray(around))]
+    if not marks.goes_through(chains, places, near):
+        yield on("path", name, name=state)

@@ -36,29 +36,47 @@ def rocking(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
     if name not in leaf.metadata["figures"]:
         return
     part, seen = marks.figure(leaf, name), marks.vectors(expected.measured, name)
-    own = list(expected.states.items())[-1]
-    values = np.where(np.abs(own[1].centre.moment) <= expected.none.moment, 0.0, own[1].centre.moment)
-    mu, largest = marks.scale(expected.measured, name), max(one.rocking for one in expected.states.values())
-    slack = max(expected.slack(f"M_Φ{prime}") for prime in PRIMES.values()) + expected.near * mu + KNOWN * largest
-    told = {str(k) for k in expected.told if abs(values[k]) > SHORT * mu} | seen.keys()
-    due = {str(k): 1j * float(value) for k, value in enumerate(values) if str(k) in told}
-    yield from marks.held(seen, due, name, slack)
-    yield from marks.titled(part, name, expected.drafting.word("rocking graph"))
     scales = {} if part is None else written(part)
-    yield from _scale(scales, "M", mu, name, expected)
-    if part is None or not seen or "φ" not in scales:
+    mu = marks.scale(expected.measured, name) if seen else scales.get("M", 1.0)
+    yield from _ordinates(expected, seen, mu)
+    yield from marks.titled(part, name, expected.drafting.word("rocking graph", point=expected.mechanism.drive.pivot))
+    yield from _scale(scales, "M", mu, expected)
+    yield from _across(scales, "φ")
+    if part is None or "φ" not in scales:
         return
-    zero = _zero(expected, seen, scales["φ"])
+    zero = _zero(expected, seen, scales["φ"]) if seen else _corner(part)
     yield from _feet(expected, seen, zero, scales["φ"])
-    both = expected.whole and len(expected.states) > 1
-    thin, thick = (Group(tuple(_apart(part, before))) for before in (True, False))
-    yield from marks.thinner(thin, Group(_long(thick)), name) if both else ()
-    yield from marks.explained(part, name, expected.drafting.word("thin before"), both)
+    yield from _thin(part, expected)
     for state in expected.states if expected.whole else ():
         yield from _curve(part, expected, state, (zero, scales["φ"], mu))
 
 
-def _scale(scales: Mapping[str, float], letter: str, mu: float, plan: str, expected: Expected) -> Iterator[Wrong]:
+def _ordinates(expected: Expected, seen: Mapping[str, MeasuredVector], mu: float) -> Iterator[Wrong]:
+    """Hold the ordinates at the positions, those of the state that is told last."""
+    own = list(expected.states.values())[-1].centre.moment
+    values = np.where(np.abs(own) <= expected.none.moment, 0.0, own)
+    largest = max(one.rocking for one in expected.states.values())
+    slack = max(expected.slack(f"M_Φ{prime}") for prime in PRIMES.values()) + expected.near * mu + KNOWN * largest
+    told = {str(k) for k in expected.told if abs(values[k]) > SHORT * mu} | seen.keys()
+    due = {str(k): 1j * float(value) for k, value in enumerate(values) if str(k) in told}
+    yield from marks.held(seen, due, moment_graph.NAME, slack)
+
+
+def _thin(part: Group, expected: Expected) -> Iterator[Wrong]:
+    """See that the curve before is the thinner one, and that this is said where there are two."""
+    name, both = moment_graph.NAME, expected.whole and len(expected.states) > 1
+    thin, thick = (Group(tuple(_apart(part, before))) for before in (True, False))
+    yield from marks.thinner(thin, Group(_long(thick)), name) if both else ()
+    yield from marks.explained(part, name, expected.drafting.word("thin before"), both)
+
+
+def _across(scales: Mapping[str, float], letter: str) -> Iterator[Wrong]:
+    """See that the scale of the axis across is written, by which all that stands along it is held."""
+    if letter not in scales:
+        yield message("wrong.scale", text=f"μ_{letter}")
+
+
+def _scale(scales: Mapping[str, float], letter: str, mu: float, expected: Expected) -> Iterator[Wrong]:
     """See that the written scale is the one that the marks are drawn to."""
     language = expected.drafting.language
     if number(scales.get(letter, 0.0), language) != number(mu, language):
@@ -75,6 +93,12 @@ def _zero(expected: Expected, seen: Mapping[str, MeasuredVector], mu: float) -> 
     """Give the place on paper of position 0, by an ordinate that is there."""
     name, one = next(iter(seen.items()))
     return one.start - _stations(expected)[int(name)] / mu
+
+
+def _corner(part: Group) -> complex:
+    """Give the place on paper of position 0, by the axis of the angle: no ordinate of a moment that is 0 is there."""
+    axes = [one for one in part.strokes if isinstance(one, Line) and one.start.imag == one.end.imag]
+    return max(axes, key=lambda one: abs(one.end - one.start)).start if axes else 0j
 
 
 def _feet(expected: Expected, seen: Mapping[str, MeasuredVector], zero: complex, mu: float) -> Iterator[Wrong]:
@@ -122,14 +146,12 @@ def shares(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
         return
     part, seen = marks.figure(leaf, name), marks.vectors(expected.measured, name)
     best = {share_graph.FORCES: found.least_force, share_graph.REACTIONS: found.least_reaction}
-    due = {kind: 1j * _value(one, kind) for kind, one in best.items()}
     mu = marks.scale(expected.measured, name)
-    slack = expected.near * mu + KNOWN * max(abs(value) for value in due.values())
-    due = {kind: value for kind, value in due.items() if kind in seen or abs(value) > (TICK + expected.near) * mu}
-    yield from marks.held(seen, due, name, slack)
+    yield from _least(expected, seen, best, mu)
     yield from marks.titled(part, name, expected.drafting.word("share graph"))
     scales = {} if part is None else written(part)
-    yield from _scale(scales, "F", mu, name, expected)
+    yield from _scale(scales, "F", mu, expected)
+    yield from _across(scales, "k")
     if part is None or not seen or "k" not in scales:
         return
     kind, one = next(iter(seen.items()))
@@ -139,6 +161,16 @@ def shares(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
         yield from _choice(leaf, part, expected, kind, choice, (zero, scales["k"], mu), spots)
     yield from _divisions(part, expected, zero, scales["k"])
     yield from _taken(leaf, expected, zero, scales["k"])
+
+
+def _least(
+    expected: Expected, seen: Mapping[str, MeasuredVector], best: Mapping[str, Choice], mu: float
+) -> Iterator[Wrong]:
+    """Hold the ordinates of the least values; one no longer than a tick may be left out."""
+    due = {kind: 1j * _value(one, kind) for kind, one in best.items()}
+    slack = expected.near * mu + KNOWN * max(abs(value) for value in due.values())
+    due = {kind: value for kind, value in due.items() if kind in seen or abs(value) > (TICK + expected.near) * mu}
+    yield from marks.held(seen, due, share_graph.NAME, slack)
 
 
 def _value(one: Choice, kind: str) -> float:

@@ -130,8 +130,19 @@ def follows(
     far = ~np.any([np.zeros(len(true), bool), *(cover.hides(true, near) for cover in covers)], axis=0)
     if not drawn.size:
         return not far.any()
-    met = np.array([np.abs(drawn - spot).min() for spot in true[far]])
-    return bool((met <= near).all()) and all(_off(true, corner) <= near for corner in drawn)
+    return bool((_nearest(true[far], drawn) <= near).all()) and all(_off(true, corner) <= near for corner in drawn)
+
+
+def goes_through(chains: Sequence[Sequence[complex]], runs: Sequence[Sequence[complex]], near: float) -> bool:
+    """Tell whether chains follow a curve that gaps cut into runs: each run is met, each chain lies on one of them."""
+    long = [np.array(run) for run in runs if len(run) > 1]
+    drawn = np.array([corner for chain in chains for corner in chain])
+    met = all(drawn.size and (_nearest(run, drawn) <= near).all() for run in long)
+    return met and all(any(all(_off(run, corner) <= near for corner in chain) for run in long) for chain in chains)
+
+
+def _nearest(true: Complexes, drawn: Complexes) -> npt.NDArray[np.float64]:
+    return np.array([np.abs(drawn - spot).min() for spot in true])
 
 
 def _off(true: np.ndarray[tuple[int, ...], np.dtype[np.complex128]], spot: complex) -> float:

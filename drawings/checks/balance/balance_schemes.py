@@ -9,6 +9,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
 
+import numpy as np
+
 from drawings.checks import reading
 from drawings.checks.balance import balance_marks as marks
 from drawings.checks.balance.balance_expected import KNOWN, Expected
@@ -28,6 +30,7 @@ from plans.model.mechanism import FRAME
 from plans.model.motion import Complexes
 
 PRIMES = {BEFORE: "", AFTER: "'"}  # behind the names of what is compared
+SPOTS = 72  # of a rim, by which it is told how much of it is free of pairs
 COVERED = 0.5  # of a rim: so much of it can be seen beside the pairs that cover it
 
 
@@ -119,7 +122,7 @@ class _Scheme:
                     yield on("path", self.plan, name=state)
             if state != self.state:
                 yield from marks.thinner(part, marks.figure(self.leaf, f"{self.plan}-{PATH}{self.state}"), self.plan)
-            if part is not None and self.expected.states[state].around.path <= self.expected.none.way:
+            if part is not None and self.expected.states[state].path <= self.expected.none.way:
                 yield on("stranger_on", self.plan, name=name)
 
     def _covers(self) -> Iterator[Cover]:
@@ -152,22 +155,31 @@ class _Scheme:
         radius, middle = one.outer / self.mu, centre if disc else begin
         near = self.slack / self.mu + KNOWN * radius
         right = all(abs(arc.centre - middle) <= near and abs(arc.radius - radius) <= near for arc in arcs)
-        covered = COVERED * whole <= sum(arc.sweep for arc in arcs) <= whole + 2 * near / radius
-        if not right or not covered or (not disc and not _sector(arcs, ends, (begin, centre), one, near)):
+        turns = cmath.phase(centre - begin) + whole * (np.arange(SPOTS + 1) / SPOTS - 0.5)
+        free = ~np.any([cover.hides(middle + radius * np.exp(1j * turns), near) for cover in self._covers()], axis=0)
+        least = min(COVERED, float(free[:-1].mean())) * whole  # a small one may be all under the pairs
+        covered = least <= sum(arc.sweep for arc in arcs) <= whole + 2 * near / radius
+        tips = bool(free[0]), bool(free[-1])
+        if not right or not covered or (not disc and not _sector(arcs, ends, (begin, centre), one, near, tips)):
             yield on("rim", self.plan, name=f"m_cw{one.link}")
 
 
-def _sector(arcs: list[Arc], ends: list[Line], along: tuple[complex, complex], one: Counterweight, near: float) -> bool:
-    """Tell whether a sector opens as far as it must to both sides of its direction, with a line at each side."""
+def _sector(
+    arcs: list[Arc], ends: list[Line], along: tuple[complex, complex], one: Counterweight, near: float,
+    tips: tuple[bool, bool],
+) -> bool:  # fmt: skip
+    """Tell whether a sector opens as far as it must to both sides of its direction, with a line at each free tip."""
     way, half = along[1] - along[0], one.place.half_angle
     turns = [cmath.phase((arc.at(share) - along[0]) / way) for arc in arcs for share in (0.0, 0.5, 1.0)]
     sides = sorted(
         cmath.phase((max(end.start, end.end, key=lambda p: abs(p - along[0])) - along[0]) / way) for end in ends
     )
-    loose = near / abs(way) + near / max(abs(end.end - end.start) for end in ends) if ends else 0.0
-    if not all(abs(turn) <= half + loose for turn in turns) or len(sides) < 2:
+    loose = near / abs(way) + near / max((abs(end.end - end.start) for end in ends), default=abs(way))
+    if not all(abs(turn) <= half + loose for turn in turns):
         return False
-    return abs(sides[0] + half) <= loose and abs(sides[-1] - half) <= loose
+    right = all(min(abs(side + half), abs(side - half)) <= loose for side in sides)
+    met = (any(abs(side - turn) <= loose for side in sides) for turn in (-half, half))
+    return right and all(there or not free for there, free in zip(met, tips, strict=True))
 
 
 def runs(path: Complexes) -> Iterator[list[complex]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -34,12 +34,14 @@ CURVES = {
 SHORT = 0.1  # mm: an ordinate that is shorter may be a point
 
 
-def due(expected: Expected) -> Iterator[str]:
-    """Name the curves that the sheets must show."""
+def due(expected: Expected, figures: Collection[str]) -> Iterator[str]:
+    """Name the curves that the sheets must show, and those that they show of what is hardly more than rounding."""
     for plan, (name, _, _) in CURVES.items():
         first = WHOLE if name == LEFT else name
-        left = expected.compensated and (expected.lasting or expected.straight(LEFT))
-        if expected.acts(first) and (name != LEFT or left):
+        seen = figure_of(expected, plan) in figures
+        lasting = expected.straight(LEFT) or (expected.acts(LEFT, seen) and not expected.faint(LEFT))
+        shown = expected.acts(first, seen) and not expected.faint(first)
+        if shown and (name != LEFT or (expected.compensated and lasting)):
             yield plan
 
 
@@ -53,7 +55,7 @@ def faults(
     measured: Measured, leaf: Leaf, expected: Expected, drafting: Drafting, figures: frozenset[str]
 ) -> Iterator[Wrong]:
     """Hold every curve that a sheet must show."""
-    for plan in due(expected):
+    for plan in due(expected, figures):
         strokes = figure(leaf, figure_of(expected, plan))
         if strokes is not None and figure_of(expected, plan) in figures:
             kind = _Graph if expected.straight(CURVES[plan][0]) else _Hodograph

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from drawings.checks.balance.bank_expected import LINE, Body, Expected
-from drawings.checks.balance.bank_views import origin
-from drawings.checks.cam.cam_strokes import NEAR, FigureStrokes, figure
+from drawings.checks.balance.bank_views import View
+from drawings.checks.cam.cam_strokes import NEAR, figure
 from drawings.checks.reading import reads
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.bank.compensator_layout import COMPENSATOR, speed
@@ -29,7 +29,7 @@ def faults(
         name = name_of(one)
         strokes = figure(leaf, name)
         if strokes is not None and name in figures:
-            yield from _Layout(name, one, strokes, measured, expected, drafting).faults()
+            yield from _Layout(strokes, expected, drafting, name, one, measured).faults()
 
 
 def name_of(one: Compensator) -> str:
@@ -38,24 +38,12 @@ def name_of(one: Compensator) -> str:
 
 
 @dataclass(frozen=True)
-class _Layout:
-    """A layout on a sheet, with what it must show."""
+class _Layout(View):
+    """A layout on a sheet, with what it must show; its zero is the crank's shaft."""
 
     name: str
     found: Compensator
-    strokes: FigureStrokes
     measured: Measured
-    expected: Expected
-    drafting: Drafting
-
-    @cached_property
-    def zero(self) -> complex:
-        """The crank's shaft on paper."""
-        return origin(self.strokes)[0]
-
-    @cached_property
-    def mu(self) -> float:
-        return origin(self.strokes)[1]
 
     @cached_property
     def arms(self) -> list[tuple[complex, complex]]:
@@ -82,7 +70,9 @@ class _Layout:
         if len(self.arms) != len(bodies):
             yield on("mass", self.name, name="?")
         if len(shafts) == len(bodies):
-            yield from self._gears([shafts[one.name] for one in bodies if not one.coupled])
+            own = [one for one in bodies if not one.coupled]
+            turned = max((self._slack(one) for one in own), default=LINE)  # as far as the line itself may be turned
+            yield from self._gears([shafts[one.name] for one in own], turned)
             yield from self._couple([shafts[one.name] for one in bodies if one.coupled])
         marked = {one.name: one for one in self.measured.points if one.plan == self.name}
         known = self.scaled and self.found.asked.mass is not None
@@ -116,7 +106,7 @@ class _Layout:
         if [one.sense for one in own] != [sense] or not self.strokes.lettered(speed(body.turns), [own[0].middle]):
             yield on("sense", self.name, name=body.name)
 
-    def _gears(self, shafts: list[complex]) -> Iterator[Wrong]:
+    def _gears(self, shafts: list[complex], turned: float) -> Iterator[Wrong]:
         """See that two gears touch on the line of the compensators, which is so far from the crank's shaft."""
         if not shafts:
             return
@@ -125,9 +115,9 @@ class _Layout:
         middle, half = (first + last) / 2 - self.zero, abs(first - last) / 2
         offset = (middle * (1j * line).conjugate()).real * self.mu
         asked = self.found.asked.offset
-        if not abs(offset - asked) <= NEAR * self.mu + LINE * abs(middle) * self.mu:
+        if not abs(offset - asked) <= NEAR * self.mu + turned * abs(middle) * self.mu:
             yield on("size", self.name, name="z")
-        level = abs(((first - last) * line.conjugate()).real) <= NEAR + LINE * half
+        level = abs(((first - last) * line.conjugate()).real) <= NEAR + turned * half
         if not level or (first != last and not all(self.strokes.circled(one, half) for one in shafts)):
             yield on("circle", self.name, name=lowered("m"))
         yield from self._said("z", asked)

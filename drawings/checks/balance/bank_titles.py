@@ -26,7 +26,7 @@ def faults(leaf: Leaf, expected: Expected, drafting: Drafting, figures: frozense
     closing = drafting.word("closes by itself")
     for one in expected.polygons():
         strokes = figure(leaf, plan_of(one.kind, one.signed))
-        if strokes is not None and any(closing in text for text in strokes.texts) != one.closed:
+        if strokes is not None and (one.open if any(closing in text for text in strokes.texts) else one.closed):
             yield on("title", plan_of(one.kind, one.signed), text=closing)
 
 

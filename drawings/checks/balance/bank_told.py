@@ -8,7 +8,7 @@ import re
 from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
-from drawings.checks.balance.bank_expected import Expected
+from drawings.checks.balance.bank_expected import LEFT, WHOLE, WHOLE_MOMENT, Expected
 from drawings.checks.rotor_tables import Cell
 from drawings.checks.wrong import Wrong, within
 from drawings.lettering.bank_letters import lowered
@@ -31,6 +31,7 @@ class Told(NamedTuple):
     name: str
     size: Cell
     angle: Cell | None = None
+    sure: bool = True  # that it is there: what is hardly more than rounding may be left out
 
     def holds(self, value: str, angle: str | None) -> bool:
         """Tell whether a note says it."""
@@ -49,7 +50,7 @@ def faults(leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wrong
             told, place
         )
         if found is None:
-            yield within("missing_from", NOTES, name=one.name)
+            yield from [within("missing_from", NOTES, name=one.name)] if one.sure else []
             continue
         rest, place = rest + told[place : found.start()], found.end()
         if not one.holds(*found.groups()):
@@ -59,6 +60,7 @@ def faults(leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wrong
         within("stranger_in", NOTES, text=rest[max(one.start() - 4, 0) : one.end()]) for one in _SAID.finditer(rest)
     )
     yield from _rows(told, expected, drafting)
+    yield from _senses(told, expected, drafting)
     yield from _phrases(told, expected, drafting)
 
 
@@ -76,6 +78,10 @@ def _due(expected: Expected) -> Iterator[Told]:
     for order, force in expected.analysis.forces.items():
         yield from _sums(expected, FORCE, force)
         yield from _sums(expected, MOMENT, expected.analysis.moments[order])
+    for name, letter in ((WHOLE, "Fmax"), (LEFT, "F'max"), (WHOLE_MOMENT, "Mmax")):
+        if expected.faint(name) and expected.acts(name, seen=True):
+            size = Cell(expected.most(name), expected.allowed[name])
+            yield Told(letter, size, sure=expected.acts(name, seen=False))
     for one in expected.analysis.compensators:
         yield from _masses(expected, one)
 
@@ -87,6 +93,9 @@ def _sums(expected: Expected, kind: str, one: Harmonic) -> Iterator[Told]:
         if abs(value) > one.slack and not (alone and signed < 0):
             angle = Cell(math.degrees(cmath.phase(value)), math.degrees(slack / abs(value)), True)
             yield Told(_plain(letters(kind, signed)), Cell(abs(value), slack), angle)
+    sizes = [abs(value) for value in (one.ahead, one.back) if abs(value) > one.slack]
+    if sizes:
+        yield Told(f"{kind}max", Cell(math.fsum(sizes), 2 * expected.allowed[letters(kind, one.order)]))
 
 
 def _masses(expected: Expected, one: Compensator) -> Iterator[Told]:
@@ -118,18 +127,31 @@ def _phrases(told: str, expected: Expected, drafting: Drafting) -> Iterator[Wron
         ("no order", lambda order: order in single),
         ("no order force", lambda order: order in forces and order not in single),
         ("no order moment", lambda order: apart and order in moments and order not in single),
+        ("slight orders", expected.slight),
     ]
-    phrases = [(key, ", ".join(str(order) for order in analysis.single if holds(order))) for key, holds in rows]
-    said = {drafting.word(key, orders="\0").partition("\0")[0]: (key, orders) for key, orders in phrases}
-    for start, (key, orders) in said.items():
-        if (start in told) != bool(orders) or (orders and drafting.word(key, orders=orders) not in told):
-            yield within("in", NOTES, text=drafting.word(key, orders=orders or "0"))
+    for key, holds in rows:
+        orders = ", ".join(str(order) for order in analysis.single if holds(order))
+        begun, due = (drafting.word(key, orders=each) for each in ("\0", orders or "0"))
+        if (begun.partition("\0")[0] in told) != bool(orders) or (orders and due not in told):
+            yield within("in", NOTES, text=due)
     if (drafting.word("one plane of a bank") in told) == apart:
         yield within("in", NOTES, text=drafting.word("one plane of a bank"))
     for one in analysis.compensators:
         idle = drafting.word("no compensator", order=one.asked.order)
         if (idle in told) == any(expected.bodies(one)):
             yield within("in", NOTES, text=idle)
+
+
+def _senses(told: str, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:
+    """See that the notes say of which orders what turns against the crank is not shown."""
+    single = expected.analysis.single
+    lasting = [order for order in single if order not in _vanish(single)]
+    alone = ", ".join(str(order) for order in lasting if expected.alone(order))
+    some = bool(alone) and not all(map(expected.alone, lasting))
+    due = {"some mirror images": some, "mirror image": bool(alone) and not some, "both senses": not alone}
+    (said,) = (drafting.word(key, **({"orders": alone} if some else {})) for key, holds in due.items() if holds)
+    if not re.search(rf"{re.escape(Text(0j, said).plain)}(?!;)", told):
+        yield within("missing_from", NOTES, name=Text(0j, said).plain)
 
 
 def _rows(told: str, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:

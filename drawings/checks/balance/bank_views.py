@@ -40,8 +40,8 @@ def origin(strokes: FigureStrokes) -> tuple[complex, float]:
 
 
 @dataclass(frozen=True)
-class _View:
-    """A view with what it must show."""
+class View:
+    """A view of a bank with what it must show."""
 
     strokes: FigureStrokes
     expected: Expected
@@ -54,10 +54,11 @@ class _View:
 
     @cached_property
     def mu(self) -> float:
+        """Its scale, m/mm."""
         return origin(self.strokes)[1]
 
 
-class _Star(_View):
+class _Star(View):
     """The star of cranks."""
 
     @property
@@ -116,7 +117,7 @@ class _Star(_View):
         return max(ends, key=lambda end: ((end - self.zero) * way.conjugate()).real, default=self.zero)
 
 
-class _Shaft(_View):
+class _Shaft(View):
     """The view across the shaft."""
 
     def faults(self) -> Iterator[Wrong]:
@@ -148,8 +149,8 @@ class _Shaft(_View):
         for one in self.expected.members:
             if one.place:
                 places.setdefault(float(one.place), []).append(one.name)
-        starts = {place: f"z{', '.join(names)} = " for place, names in places.items()}
-        some = any(text.startswith("z") for text in self.strokes.texts)  # where one has no room there is none
+        starts = {place: f"h{', '.join(names)} = " for place, names in places.items()}
+        some = any(text.startswith("h") for text in self.strokes.texts)  # where one has no room there is none
         for place, start in starts.items() if some else ():
             if not any(self._holds(one, start, place) for one in groups((self.strokes.group,))):
                 yield on("size", shaft.NAME, name=start.removesuffix(" = "))

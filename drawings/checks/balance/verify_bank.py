@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from drawings.checks import reading
 from drawings.checks.balance import (
@@ -39,7 +39,9 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
 def check(measured: Measured, leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:
     """Hold what a sheet shows: the figures that its data name, tables, notes, scales."""
     figures = frozenset(leaf.metadata["figures"])
-    wanted = figures if leaf.metadata["of"] > 1 else figures | set(due(expected))
+    own = set(due(expected, figures))
+    wanted = figures if leaf.metadata["of"] > 1 else figures | own
+    yield from (message("wrong.differs", name=name) for name in sorted(figures - own))
     lost = wanted - {one.name for one in groups(leaf.groups)}
     yield from (message("wrong.missing", name=name) for name in sorted(lost))
     yield from bank_marks.polygons(measured, expected, figures)
@@ -50,7 +52,7 @@ def check(measured: Measured, leaf: Leaf, expected: Expected, drafting: Drafting
     yield from bank_titles.faults(leaf, expected, drafting, figures)
     yield from bank_tables.faults(leaf, expected, drafting)
     yield from bank_told.faults(leaf, expected, drafting)
-    graphs = {bank_curves.figure_of(expected, plan) for plan in bank_curves.due(expected)} & GRAPHS.keys()
+    graphs = {bank_curves.figure_of(expected, plan) for plan in bank_curves.due(expected, figures)} & GRAPHS.keys()
     yield from reading.marked_scales(_without(leaf, graphs))
 
 
@@ -59,15 +61,15 @@ def _without(leaf: Leaf, graphs: set[str]) -> Leaf:
     return Leaf(leaf.width, leaf.height, tuple(one for one in leaf.groups if one.name not in graphs))
 
 
-def due(expected: Expected) -> Iterator[str]:
+def due(expected: Expected, figures: Collection[str]) -> Iterator[str]:
     """Name the figures that the sheets of a bank must bear."""
     yield star.NAME
     if any(one.place for one in expected.members):
         yield shaft.NAME
     for one in expected.polygons():
-        if not one.closed or len(one.sides) <= MOST:
+        if one.open or len(one.sides) <= MOST:
             yield plan_of(one.kind, one.signed)
-    yield from {bank_curves.figure_of(expected, plan) for plan in bank_curves.due(expected)}
+    yield from {bank_curves.figure_of(expected, plan) for plan in bank_curves.due(expected, figures)}
     for found in expected.analysis.compensators:
         if any(expected.bodies(found)):
             yield bank_layouts.name_of(found)

@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 from drawings.figures.bank.compensator_layout import COUPLED, MASS
 from drawings.layout.table import RuledTable, TableRow, table
 from drawings.layout.value_table import COLUMNS, row
+from drawings.layout.value_table import DIGITS as FIGURES
 from drawings.lettering.bank_letters import lowered
 from drawings.page.drafting import Drafting
 from drawings.report.balance.bank_notes import direction
@@ -46,12 +47,19 @@ def compensators(balance: BankBalance, drafting: Drafting) -> RuledTable | None:
 
 def results(comparison: Comparison, drafting: Drafting) -> RuledTable | None:
     """Tell what both roads found of every order and of the compensators, with the difference; None of nothing."""
-    told = (one for one in comparison.findings if compared(one))
-    lines = [row(one, f"{lowered(one.name)}, {drafting.word(one.unit)}", (0,), drafting.language) for one in told]
+    lines = [_result(one, drafting) for one in comparison.findings if compared(one)]
     heads = tuple(drafting.word(head) for head in COLUMNS)
     if not lines:
         return None
     return table(lines, drafting.word("quantity"), heads, drafting.hand.text)._replace(name=RESULTS)
+
+
+def _result(one: Finding, drafting: Drafting) -> TableRow:
+    """Give the row of a finding: values to their own digits, as orders differ by powers, shares of the largest."""
+    name, known = f"{lowered(one.name)}, {drafting.word(one.unit)}", float(one.allowed[0]) * 10 ** (FIGURES - 1)
+    own = one._replace(largest=max(float(abs(one.analysis[0])), known))  # rounding has no digits
+    told, shared = (row(each, name, (0,), drafting.language) for each in (own, one))
+    return told._replace(cells=(*told.cells[:-1], shared.cells[-1]))
 
 
 def compared(one: Finding) -> bool:

@@ -8,7 +8,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.report.balance.bank_notes import EYE, mirrored, straight
+from drawings.report.balance.bank_notes import mirrored, straight
+from drawings.report.balance.bank_slight import slight_force, slight_left, slight_moment, slight_order
 from drawings.symbols.polygon import ShownVector
 from plans.bank.letters import FORCE, MOMENT
 from plans.bank.polygons import Total
@@ -56,8 +57,8 @@ class BankView(NamedTuple):
         return heading(Fraction(float(np.degrees(self.task.axis))))
 
     def shown(self) -> Iterator[ShownOrder]:
-        """Give the polygons of every order whose vectors do not vanish; the mirror image of one is left out."""
-        for order in self.balance.single:
+        """Give the polygons of every order that can be seen; the mirror image of one is left out."""
+        for order in (one for one in self.balance.single if not slight_order(self.balance, one)):
             for kind in (FORCE, MOMENT):
                 for signed in (order,) if mirrored(self.balance, order) else (order, -order):
                     if self.acts(kind, signed):
@@ -75,9 +76,11 @@ class BankView(NamedTuple):
             value = complex(side.vector.point) * self.turn
             vectors.append(ShownVector(side.vector.name, SIDE, end, value))
             end += value
-        if not found.vanishes:
+        whole = (self.balance.forces if kind == FORCE else self.balance.moments)[abs(signed)]
+        closed = found.vanishes or abs(complex(found.vector.point)) <= whole.slack
+        if not closed:
             vectors.append(ShownVector(found.vector.name, RESULT, 0j, complex(found.vector.point) * self.turn))
-        return ShownOrder(kind, signed, tuple(vectors), found.vanishes)
+        return ShownOrder(kind, signed, tuple(vectors), closed)
 
     @property
     def straight(self) -> bool:
@@ -86,8 +89,9 @@ class BankView(NamedTuple):
 
     @property
     def lasting(self) -> bool:
-        """Whether the compensators leave some force that can be seen beside that before."""
-        return bool(np.abs(self.balance.left).max() > EYE * np.abs(self.balance.force).max())
+        """Whether the compensators leave some force that can be seen."""
+        left = bool(np.abs(self.balance.left).max() > self.balance.left_slack)
+        return left and not slight_left(self.balance)
 
     @property
     def compensated(self) -> bool:
@@ -97,13 +101,15 @@ class BankView(NamedTuple):
 
     @property
     def shaken(self) -> bool:
-        """Whether a force of the bank is left that is more than rounding."""
-        return bool(np.abs(self.balance.force).max() > self.balance.force_slack)
+        """Whether a force of the bank is left that can be seen."""
+        left = bool(np.abs(self.balance.force).max() > self.balance.force_slack)
+        return left and not slight_force(self.balance)
 
     @property
     def rocked(self) -> bool:
-        """Whether a moment of the bank is left that is more than rounding."""
-        return bool(np.abs(self.balance.moment).max() > self.balance.moment_slack)
+        """Whether a moment of the bank is left that can be seen."""
+        left = bool(np.abs(self.balance.moment).max() > self.balance.moment_slack)
+        return left and not slight_moment(self.balance)
 
     def crank_at(self, one: Member) -> complex:
         """Give the direction of the crank of a member at phi = 0 on the sheet."""

@@ -27,7 +27,7 @@ from drawings.symbols.symbols import ARROW_LENGTH, pole
 from plans.model.balance.bank import Member
 
 NAME = "shaft"
-QUANTITY = "z"
+QUANTITY = "h"
 MARGINS = Margins(4.6, 1.6, 2.6)  # paper around it for letters, in their sizes
 LETTERS, LONGEST = 20.0, 80.0  # it is drawn at least so many letters long, and at most
 RANGE = 2.6  # standard scales are up to 2.5 times apart: one of them fits between the least length and the most
@@ -159,7 +159,7 @@ def _dimensioned(shown: BankView) -> dict[float, str]:
 def _texts(shown: BankView, drafting: Drafting) -> dict[float, str]:
     """Write the dimensions of the places, the nearest to the plane of place 0 first."""
     found = _dimensioned(shown).items()
-    return {where: f"z_{{{names}}} = {drafting.number(1000 * where)}" for where, names in found}
+    return {where: f"h_{{{names}}} = {drafting.number(1000 * where)}" for where, names in found}
 
 
 def _roomy(shown: BankView, drafting: Drafting) -> float:

@@ -29,6 +29,7 @@ MARGINS = Margins(3.2, 1.6, 1.0)  # paper around the graph for letters and numbe
 LETTERS = 18.0  # a graph is drawn at least so many of its letters long: its positions are numbered
 DOT = 0.7  # mm, radius of a point of the curve
 BELOW = -math.pi / 2  # a number stands on the side of its axis away from the ordinate
+ROUNDED = 1e-9  # degrees: angles of positions are rounded sums
 LEAST = 0.05  # mm: a shorter ordinate is a point
 BEFORE = "before"  # the name of the thin curve
 APART = 2.4  # sizes of a number from one number to the next, where they stand apart
@@ -78,7 +79,7 @@ def swing(curve: GraphCurve) -> GraphCurve:
     stations, angles = (np.mod(row - start, TURN) for row in (curve.stations, curve.angles[:-1]))
     values, turns = np.concatenate([curve.values[:-1], curve.ordinates]), np.concatenate([angles, stations])
     order = np.argsort(turns, kind="stable")
-    order = order[turns[order] <= length]
+    order = order[turns[order] <= length + ROUNDED]
     return curve._replace(angles=turns[order], values=values[order], stations=stations)
 
 

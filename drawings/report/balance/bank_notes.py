@@ -12,6 +12,7 @@ import numpy as np
 
 from drawings.lettering.bank_letters import lowered
 from drawings.page.drafting import Drafting
+from drawings.report.balance.bank_slight import slight_force, slight_left, slight_moment, slight_order
 from drawings.report.rotor_notes import ANGLE
 from plans.bank.letters import FORCE, MOMENT, STATIC, couple_letters, letters
 from plans.model.balance.bank import BankBalance, Compensator, Harmonic
@@ -78,7 +79,7 @@ class BankNotes(NamedTuple):
     @property
     def all(self) -> tuple[str, ...]:
         """What is given, what each order comes to, what vanishes, and what compensates."""
-        return *self.given(), *self.sums(), *self.vanishing(), *self.compensators()
+        return *self.given(), *self.sums(), *self.vanishing(), *self.slight(), *self.compensators()
 
     def given(self) -> Iterator[str]:
         """Say how fast the shaft turns, and of a slider-crank what its rod is to its crank."""
@@ -88,9 +89,15 @@ class BankNotes(NamedTuple):
         yield word(counted, n=self._number(task.speed * RPM), omega=self._number(task.speed))
         if task.unit is not None:
             yield word("bank unit", ratio=self._number(task.unit.ratio))
-        orders = (order for order, one in self.balance.single.items() if not one.vanishes)
-        against = any(mirrored(self.balance, order) for order in orders)
-        yield word("mirror image" if against else "both senses")
+        yield self._senses()
+
+    def _senses(self) -> str:
+        """Say of which orders the vectors against the crank are shown, and of which they are mirror images."""
+        orders = [order for order, one in self.balance.single.items() if not one.vanishes]
+        alone = [order for order in orders if mirrored(self.balance, order)]
+        if alone and alone != orders:
+            return self.drafting.word("some mirror images", orders=", ".join(map(str, alone)))
+        return self.drafting.word("mirror image" if alone else "both senses")
 
     def _stand(self) -> Iterator[str]:
         """Say how all mechanisms stand: their cranks, their guides and places unless these are all 0."""
@@ -119,6 +126,15 @@ class BankNotes(NamedTuple):
                 angle = self._number(direction(value, one.slack))
                 size = f"{self._number(abs(value))} {unit}{ANGLE}{angle}°"
                 yield f"{lowered(letters(kind, sense * one.order))} = {size}"
+        yield from self._largest(kind, one, unit)
+
+    def _largest(self, kind: str, one: Harmonic, unit: str) -> Iterator[str]:
+        """Say what both vectors come to together where they point alike: the force that the table tells."""
+        pairs = ((one.order, one.ahead), (-one.order, one.back))
+        summed = "+".join(f"|{lowered(letters(kind, signed))}|" for signed, value in pairs if abs(value) > one.slack)
+        if summed:
+            told = {"letter": f"{kind}_{{max}}", "sum": summed, "size": self._number(one.size)}
+            yield self.drafting.word("order largest", unit=unit, **told)
 
     def vanishing(self) -> Iterator[str]:
         """Say which orders one mechanism has none of, and of which forces and moments are balanced by one another."""
@@ -132,6 +148,20 @@ class BankNotes(NamedTuple):
             yield from apart
         else:
             yield self.drafting.word("one plane of a bank")
+
+    def slight(self) -> Iterator[str]:
+        """Say what is not drawn, being too slight: orders, and the largest force and moment over the turn."""
+        balance = self.balance
+        yield from self._orders("slight orders", lambda order: slight_order(balance, order))
+        rows = (
+            (slight_force, FORCE, "N", balance.force),
+            (slight_left, f"{FORCE}'", "N", balance.left),
+            (slight_moment, MOMENT, "N*m", balance.moment),
+        )
+        for holds, letter, unit, values in rows:
+            if holds(balance):
+                size = self._number(float(np.abs(values).max()))
+                yield self.drafting.word("slight course", letter=letter, size=size, unit=self.drafting.word(unit))
 
     def _orders(self, key: str, holds: Callable[[int], bool]) -> Iterator[str]:
         found = ", ".join(str(order) for order in self.balance.single if holds(order))

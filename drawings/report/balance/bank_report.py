@@ -55,7 +55,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
         subject=_listed(chapter(language, "bank").lstrip(), [*notes.members(), *notes.given()]),
         values=[chapter(language, "bank_orders"), *_orders(study["bank"].balance, drafting)],
         conditions=[
-            *_listed(chapter(language, "bank_sums"), [*notes.sums(), *notes.vanishing()]),
+            *_listed(chapter(language, "bank_sums"), [*notes.sums(), *notes.vanishing(), *notes.slight()]),
             *_listed(chapter(language, "bank_compensators"), [*notes.compensators()]),
         ],
         left_out=[word(language, "report.bank_left_out")],
@@ -65,7 +65,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
 def _orders(balance: BankBalance, drafting: Drafting) -> list[str]:
     """Write the table of the orders."""
     answered = {one.asked.order for one in balance.compensators}
-    lines = header([drafting.word(head) for head in HEADS])
+    lines = header([_plain(drafting.word(head)) for head in HEADS])
     for order, single in balance.single.items():
         force = balance.forces[order].size
         sizes = single.size, force, 0.0 if order in answered else force, balance.moments[order].size

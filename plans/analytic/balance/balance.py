@@ -21,7 +21,7 @@ def balance(course: Course, task: Task, groups: Sequence[Group], share: float | 
         return Balance(ANALYSIS, task, (), {}, before, None, None, course.motion.gaps)
     found = counterweights(mechanism, course.machine, sought(mechanism, groups, task))
     found, chosen = _chosen(course, task, found, share)
-    after = state(course, found.counterweights)
+    after = replace(state(course, found.counterweights), beside=before.forces.largest)
     return Balance(ANALYSIS, task, found.counterweights, found.left, before, after, chosen, course.motion.gaps)
 
 

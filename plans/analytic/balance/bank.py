@@ -22,6 +22,7 @@ from plans.model.balance.bank import (
     EPS,
     HARMONIC,
     ROUNDING,
+    STEPS,
     Asked,
     BankBalance,
     BankTask,
@@ -32,8 +33,6 @@ from plans.model.balance.bank import (
     plain_angle,
 )
 from plans.model.motion import Complexes, Floats
-
-STEPS = 360  # even positions of a turn
 
 
 class Mechanism(Protocol):
@@ -84,11 +83,7 @@ def bank_balance(task: BankTask, mechanism: Mechanism) -> BankBalance:
     places = [float(one.place) for one in task.members]
     moments = {order: _summed(one, task.members, places) for order, one in single.items()}
     found = tuple(_compensator(one, forces[one.order], task.speed) for one in task.asked)
-    phi = np.linspace(0.0, 2 * np.pi, STEPS + 1)
-    turns = {phase: mechanism.shaking(phase) for phase in {one.phase % 360 for one in task.members}}
-    terms = np.array([direction(one.axis) * turns[one.phase % 360] for one in task.members])
-    force, moment = terms.sum(axis=0), np.array(places) @ terms
-    largest = max(mechanism.scale, float(np.max(np.abs(terms))))
+    phi, (force, moment, largest) = np.linspace(0.0, 2 * np.pi, STEPS + 1), _whole(mechanism, task.members, places)
     return BankBalance(
         by=ANALYSIS,
         task=task,
@@ -103,6 +98,15 @@ def bank_balance(task: BankTask, mechanism: Mechanism) -> BankBalance:
         force_slack=HARMONIC * EPS * largest * len(places),
         moment_slack=HARMONIC * EPS * largest * math.fsum(map(abs, places)),
     )
+
+
+def _whole(
+    mechanism: Mechanism, members: Sequence[Member], places: Sequence[float]
+) -> tuple[Complexes, Complexes, float]:
+    """Sum force N and moment N*m of the bank over the turn; give the largest force of one mechanism too, N."""
+    turns = {phase: mechanism.shaking(phase) for phase in {one.phase % 360 for one in members}}
+    terms = np.array([direction(one.axis) * turns[one.phase % 360] for one in members])
+    return terms.sum(axis=0), np.array(places) @ terms, max(mechanism.scale, float(np.max(np.abs(terms))))
 
 
 def _single(mechanism: Mechanism, order: int) -> Harmonic:
@@ -130,11 +134,9 @@ def _sum(terms: Iterable[complex]) -> complex:
 def _compensator(asked: Asked, force: Harmonic, speed: float) -> Compensator:
     """Find the masses whose forces are against those of an order, and those of the couple that their offset makes."""
     square = (asked.order * speed) ** 2
-    sizes = [0.0 if abs(one) <= force.slack else abs(one) for one in (force.ahead, force.back)]
-    angles = [
-        plain_angle(cmath.phase(-one)) if size else None
-        for one, size in zip((force.ahead, force.back), sizes, strict=True)
-    ]
+    against = [0j if abs(one) <= force.slack else -one for one in (force.ahead, force.back)]
+    sizes = [abs(one) for one in against]
+    angles = [plain_angle(cmath.phase(one)) if one else None for one in against]
     residual = math.fsum(sizes) * abs(asked.offset)
     couple = None if asked.shafts is None else residual / (square * asked.shafts)
     return Compensator(
@@ -142,14 +144,19 @@ def _compensator(asked: Asked, force: Harmonic, speed: float) -> Compensator:
         *(sizes[0] / square, angles[0], sizes[1] / square, angles[1]),
         residual,
         couple,
-        _couple_angle(angles, asked.offset) if couple else None,
+        _couple_angle(against, asked.offset) if couple else None,
     )
 
 
-def _couple_angle(angles: Sequence[float | None], offset: float) -> float:
-    """Give the angle of the couple's mass: a quarter turn ahead of the first mass, behind it for an offset below 0."""
-    first = next(angle for angle in angles if angle is not None)
-    return plain_angle(cmath.phase(cmath.rect(1.0, first + math.copysign(math.pi / 2, offset))))
+def _couple_angle(forces: Sequence[complex], offset: float) -> float:
+    """Give the angle of the couple's mass, by the moment of both forces over the turn.
+
+    Off a line u by an offset z to its left they have Re(-z (conj(u) ahead + u conj(back)) e^(i n phi)), and the couple
+    of a mass at an angle has Re(-i conj(u) e^(i angle) e^(i n phi)) of its largest. Of one force alone u is the guide.
+    """
+    ahead, back = forces
+    twice = ahead / abs(ahead) * back / abs(back) if ahead and back else 1.0  # u^2
+    return plain_angle(cmath.phase(1j * offset * (ahead + twice * back.conjugate())))
 
 
 def _pushes(one: Compensator, speed: float, phi: Floats) -> Complexes:

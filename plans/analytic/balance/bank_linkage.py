@@ -8,12 +8,11 @@ from functools import cached_property
 
 import numpy as np
 
-from plans.analytic.balance.bank import STEPS
 from plans.analytic.balance.harmonics import harmonics
 from plans.analytic.balance.mass_centre import mass_centre
 from plans.analytic.kinematics import Analysis
 from plans.analytic.points import acceleration
-from plans.model.balance.bank import Harmonic
+from plans.model.balance.bank import STEPS, Harmonic
 from plans.model.machine import Body
 from plans.model.motion import Complexes, Floats
 from plans.model.rates import Rates

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from itertools import combinations
+from itertools import combinations, pairwise
 
 import numpy as np
 
@@ -35,6 +35,7 @@ class Weighing:
 
     def __init__(self, course: Course, partial: Sequence[Counterweight], step: complex) -> None:
         self.forces, self.reactions = _shaking(course, partial, step), _bearing(course, partial, step)
+        self.lightest = _lightest(course, partial, step)
 
     def force(self, share: float) -> float:
         """Give the largest shaking force N of a share."""
@@ -52,7 +53,7 @@ class Weighing:
     def shares(self) -> Shares:
         """The curve, and the two best."""
         curve = tuple(self.choice(float(share)) for share in np.linspace(0, 1, SHARES))
-        return Shares(curve, self.choice(least(self.forces)), self.choice(least(self.reactions)))
+        return Shares(curve, self.choice(least(self.forces)), self.choice(least(self.reactions, self.lightest)))
 
 
 def shifted(course: Course, partial: Sequence[Counterweight], step: complex, share: float) -> tuple[Counterweight, ...]:
@@ -68,7 +69,7 @@ def _less(one: Counterweight, given: complex) -> Counterweight:
 
 
 def _largest(forces: Complexes) -> float:
-    return float(np.nanmax(np.abs(forces)))
+    return float(np.fmax.reduce(np.abs(forces)))
 
 
 def _turning(course: Course) -> Complexes:
@@ -103,14 +104,32 @@ def _bearing(course: Course, partial: Sequence[Counterweight], step: complex) ->
     return reaction
 
 
-def least(forces: Forces) -> float:
-    """Find the share in [0, 1] whose largest force is least."""
+def _lightest(course: Course, partial: Sequence[Counterweight], step: complex) -> tuple[float, ...]:
+    """Give the share at which a crank's counterweight whose mass follows is lightest: the weights bend there."""
+    crank = next(one for one in partial if one.link == course.mechanism.drive.link)
+    if crank.place.mass is not None or not step:
+        return ()
+    share = (crank.moment * step.conjugate()).real / abs(step) ** 2
+    return (share,) if 0 < share < 1 else ()
+
+
+def least(forces: Forces, bends: tuple[float, ...] = ()) -> float:
+    """Find the share in [0, 1] whose largest force is least, on either side of its bends; 0 where there is none."""
+    if np.isnan(_largest(forces(0.0))):  # a mechanism that cannot be assembled
+        return 0.0
     if _straight(forces):
         start = forces(0.0)
         return lowest(start, forces(1.0) - start)
-    row = np.linspace(0, 1, SHARES)
+    sides = pairwise((0.0, *bends, 1.0))
+    return min((_valley(forces, *side) for side in sides), key=lambda share: _largest(forces(share)))
+
+
+def _valley(forces: Forces, start: float, end: float) -> float:
+    """Find the lowest place between two shares, by a row of them and golden sections."""
+    between = np.linspace(0, 1, SHARES)
+    row = np.array([start, *between[(between > start) & (between < end)], end])
     best = int(np.argmin([_largest(forces(float(share))) for share in row]))
-    low, high = row[max(best - 1, 0)], row[min(best + 1, SHARES - 1)]
+    low, high = row[max(best - 1, 0)], row[min(best + 1, len(row) - 1)]
     return _golden(lambda share: _largest(forces(share)), float(low), float(high))
 
 

@@ -62,4 +62,4 @@ def state(course: Course, added: Sequence[Counterweight] = ()) -> State:
     """Find mass centre and forces with some counterweights, or before there are any."""
     solid, mechanism = bodies(course.machine, added), course.mechanism
     centre, around = (mass_centre(mechanism, solid, motion) for motion in (course.motion, course.turn))
-    return State(centre, around, course.forces(added))
+    return State(centre, around, course.forces(added), course.road.conditions(course.turn))

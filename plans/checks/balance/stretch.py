@@ -27,14 +27,15 @@ class Stretch(NamedTuple):
 
     @property
     def rate(self) -> float:
-        """The largest acceleration of a point of a link 1 m from one that rests, 1/s2."""
+        """The largest acceleration of a point of a link 1 m from one that rests, 1/s2; NaN where there is none."""
         rows = [np.abs(1j * link.epsilon - link.omega**2) for link in self.motion.analysis.links.values()]
-        return float(np.nanmax(rows))
+        return float(np.fmax.reduce(rows, axis=None))
 
     @property
     def size(self) -> float:
         """How far the mechanism reaches from the datum, m."""
-        return float(np.nanmax([np.abs(point.r) for point in self.motion.analysis.points.values()]))
+        rows = [np.abs(point.r) for point in self.motion.analysis.points.values()]
+        return float(np.fmax.reduce(rows, axis=None))
 
     def allowed(self, own: Floats, order: int, largest: float) -> Floats:
         """Add what the analysis needs to what the construction does."""

@@ -19,6 +19,7 @@ from plans.model.motion import Complexes, Floats, Gap
 
 CONSTRUCTION, ANALYSIS = "construction", "analysis"
 ORDERS = (1, 2, 4, 6)  # the orders that are told unless the scene names others
+STEPS = 360  # even positions of a turn at which the whole force is told
 EPS = 2.0**-52
 ROUNDING = 8.0  # a polygon closes within so many eps of the sum of its vectors
 HARMONIC = 64.0  # a harmonic is found within so many eps of the forces that it is part of: 1e-14; what is less is none
@@ -113,7 +114,8 @@ class Compensator(NamedTuple):
 
     `with_crank` turns with the crank, `against` against it; None is the angle of a mass that is not needed. `residual`
     N*m is the largest couple that their offset gives, `couple` kg*m the m*r of each mass of its compensator: two masses
-    in antiphase on shafts whose line is along the largest force of the order, `couple_angle` of the one farther on it.
+    in antiphase on shafts whose line is along the largest force of the order, `couple_angle` of the one farther on it;
+    of a force that goes round the line is the reference guide. They turn with the crank.
     """
 
     asked: Asked
@@ -130,7 +132,7 @@ class Compensator(NamedTuple):
 class BankBalance:
     """The bank by one road: harmonics of one mechanism, of the bank's force N and longitudinal moment N*m.
 
-    The moment is told as the vector sum of z_k*F_k; `force` and `left` are the whole force over STEPS + 1 even
+    The moment is told as the vector sum of h_k*F_k; `force` and `left` are the whole force over STEPS + 1 even
     positions of a turn, before and after the compensators.
     """
 
@@ -146,7 +148,6 @@ class BankBalance:
     moment: Complexes  # of the bank about the plane of place 0, N*m
     force_slack: float  # N: how far rounding can have moved `force` anywhere
     moment_slack: float  # N*m
-    gaps: tuple[Gap, ...] = ()
 
     @property
     def left_slack(self) -> float:
@@ -156,5 +157,5 @@ class BankBalance:
 
     @property
     def unanswered(self) -> tuple[Gap, ...]:
-        """The gaps, as a comparison asks for them."""
-        return self.gaps
+        """The gaps, as a comparison asks for them: every bank has an answer."""
+        return ()

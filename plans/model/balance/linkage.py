@@ -1,7 +1,7 @@
 """Balancing a mechanism: what is asked, counterweights, mass centre, shaking force, what it costs (уравновешивание).
 
-Values alone, SI. A vector fixed in a link is a complex number in the link's own frame, counted from the point at which
-the link begins; vectors of the mechanism are in the scene's axes, places from the datum.
+Values alone, SI. A vector fixed in a link is complex in the link's own frame, from the point at which the link begins;
+vectors of the mechanism are in the scene's axes, places from the datum.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from plans.model.kinetostatics import Kinetostatics
+from plans.model.kinetostatics import NOTHING, Kinetostatics
 from plans.model.motion import Complexes, Floats, Gap
 
 CONSTRUCTION, ANALYSIS = "construction", "analysis"
@@ -21,9 +21,11 @@ NONE, FULL, PARTIAL, SHARE = "none", "full", "partial", "share"  # what is aimed
 FORCE, REACTION = "force", "reaction"  # of a share that is sought: what is to be least at its largest
 DISC, SECTOR = "disc", "sector"  # shapes of a counterweight
 STEPS = 360  # positions of a turn over which paths, hodographs and largest values are taken
+BEYOND = 10  # turns of so many positions are told as the outermost of them alone
 SHARES = 21  # shares from 0 to 1 that the curve of the choice is told at
 EPS = 2.0**-52
 ROUNDING = 8.0  # a static moment is none where it is within so many eps of the sum of what it is made of
+ORDERS = 4  # kappa magnifies roundings of a place, and once more of its velocity, its acceleration and the reactions
 
 
 class Place(NamedTuple):
@@ -102,9 +104,16 @@ class Counterweight(NamedTuple):
         return about if self.place.shape == DISC else about - self.mass * self.distance**2
 
 
-def _largest(row: Complexes | Floats) -> float:
-    """Give the largest size; NaN where there is none at all."""
-    return float(np.fmax.reduce(np.abs(row)))
+def _largest(row: Complexes | Floats, least: Floats) -> float:
+    """Give the largest size, 0 of what is no more than `least`; NaN where there is none at all."""
+    sizes = np.abs(row)
+    return float(np.fmax.reduce(np.where(sizes <= least, 0.0, sizes)))
+
+
+def _outermost(spots: Complexes) -> Complexes:
+    """Give the places that lie outermost in very many directions: the ends of the largest distance."""
+    turns = 2 * np.pi * np.arange(BEYOND * STEPS) / (BEYOND * STEPS)
+    return spots[[int(np.argmax((spots * np.exp(-1j * turn)).real)) for turn in turns]]
 
 
 @dataclass(frozen=True)
@@ -128,9 +137,10 @@ class MassCentre:
 
     @property
     def path(self) -> float:
-        """How far the centre moves, m: the larger side of the box about its path."""
+        """The largest distance m between two places of the centre: however the frame is turned it is the same."""
         known = self.r[np.isfinite(self.r)]
-        return max((float(np.ptp(row)) for row in (known.real, known.imag) if row.size), default=math.nan)
+        ends = known if len(known) <= BEYOND * STEPS else _outermost(known)
+        return max((float(np.abs(known - end).max()) for end in ends), default=math.nan)
 
 
 @dataclass(frozen=True)
@@ -138,12 +148,15 @@ class State:
     """The machine before or after: mass centre at the scene's positions and over a turn, and its forces over a turn.
 
     `around` and `forces` are over STEPS + 1 even positions of a turn from position 0 on; of a crank that cannot turn
-    fully they are over the scene's positions.
+    fully over the scene's. `kappa` is how much the mechanism magnifies rounding there, `beside` N the largest force of
+    the other state: what is within rounding of the larger is 0.
     """
 
     centre: MassCentre
     around: MassCentre
     forces: Kinetostatics
+    kappa: Floats
+    beside: float = 0.0
 
     @property
     def whole(self) -> bool:
@@ -151,24 +164,43 @@ class State:
         return not np.array_equal(self.around.phi, self.centre.phi)
 
     @property
+    def count(self) -> int:
+        """How many positions it is known in; the last of a turn is the first once more."""
+        return len(self.around.phi) - self.whole
+
+    @property
+    def none(self) -> tuple[Floats, Floats]:
+        """The force N and the moment N*m over the turn that are nothing but rounding."""
+        share = np.clip(ORDERS * ROUNDING * EPS * self.kappa**ORDERS, NOTHING, 1.0)
+        force = np.asarray(share * max(self.forces.largest, self.beside))
+        return force, force * self.forces.size
+
+    @property
+    def path(self) -> float:
+        """How far the common mass centre moves over the turn, m."""
+        path = self.around.path
+        return 0.0 if path <= NOTHING * self.forces.size else path
+
+    @property
     def shaking(self) -> float:
         """The largest main vector of the inertia forces, N."""
-        return _largest(self.around.force)
+        return _largest(self.around.force, self.none[0])
 
     @property
     def rocking(self) -> float:
         """The largest main moment of the inertia forces, N*m, by its size."""
-        return _largest(self.around.moment)
+        return _largest(self.around.moment, self.none[1])
 
     @property
     def reactions(self) -> Mapping[str, float]:
         """The largest reaction N of every pair."""
-        return {key: _largest(one.force) for key, one in self.forces.reactions.items()}
+        force, _ = self.none
+        return {key: _largest(one.force, force) for key, one in self.forces.reactions.items()}
 
     @property
     def balancing(self) -> float:
         """The largest balancing moment, N*m, by its size."""
-        return _largest(self.forces.balancing.moment)
+        return _largest(self.forces.balancing.moment, self.none[1])
 
 
 class Choice(NamedTuple):
