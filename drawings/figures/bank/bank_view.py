@@ -56,7 +56,10 @@ class BankView(NamedTuple):
         return heading(Fraction(float(np.degrees(self.task.axis))))
 
     def shown(self) -> Iterator[ShownOrder]:
-        """Give the polygons of every order whose vectors do not vanish; the mirror image of one is left out."""
+        """Give the polygons of every order whose vectors do not vanish.
+
+        The mirror image of one is left out, and what has a single side, which is its sum.
+        """
         for order in self.balance.single:
             for kind in (FORCE, MOMENT):
                 for signed in (order,) if mirrored(self.balance, order) else (order, -order):
@@ -64,10 +67,10 @@ class BankView(NamedTuple):
                         yield self._shown(kind, signed)
 
     def acts(self, kind: str, signed: int) -> bool:
-        """Tell whether one mechanism of the bank has something to lay off in a polygon."""
+        """Tell whether several mechanisms of the bank have something to lay off in a polygon."""
         single = self.balance.single[abs(signed)]
-        off = any(one.place for one in self.task.members) or kind == FORCE
-        return off and abs(single.ahead if signed > 0 else single.back) > single.slack
+        several = sum(1 for one in self.task.members if one.place or kind == FORCE) > 1
+        return several and abs(single.ahead if signed > 0 else single.back) > single.slack
 
     def _shown(self, kind: str, signed: int) -> ShownOrder:
         found, vectors, end = self.polygons[kind][signed], list[ShownVector](), 0j
