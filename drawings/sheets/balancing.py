@@ -28,7 +28,7 @@ from drawings.paper.strokes import Leaf
 from drawings.report.balance.balance_report import notes_of
 from drawings.sheets.balancing_ways import SCHEMES, TOLD, WAYS, Way, weigh
 from drawings.sheets.choice import position
-from drawings.sheets.leaves import Caption, Draft, Exhibit, lay_out
+from drawings.sheets.leaves import EQUATION, Caption, Draft, Exhibit, lay_out
 from drawings.symbols.polygon import ShownVector
 from geometry.board import at
 from plans.balance.mass_centre import Side
@@ -40,7 +40,6 @@ from plans.scene.scene import Scene
 from plans.study import Study
 
 MAIN = "main"  # what a vector of a scheme is
-EQUATION = 120.0  # mm: in a narrower column of notes the equations with numbers are broken at every sign
 LARGEST = 2.2  # times the least size at which it is legible: no polygon or graph is drawn larger than the schemes
 
 

@@ -21,6 +21,7 @@ from drawings.paper.strokes import Group, Leaf
 from drawings.sheets.paragraphs import measure, write
 from plans.scene.scene import Scene
 
+EQUATION = 120.0  # mm: in a narrower column of notes the equations with numbers are broken at every sign
 KEPT = 1.0  # mm inside the frame that letters keep clear of
 ENTRIES = ("designation", "drawn", "checked", "approved", "date", "group", "organisation")  # kept from [sheet]
 
