@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from plans.checks.comparison import Finding
+from plans.rotor.letters import written
 from plans.words.words import term, word
 
 
@@ -33,8 +34,10 @@ def quantity(name: str, language: str) -> str:
 
     >>> quantity("M_bal lever", "en"), quantity("M_bal lever", "ru")
     ('M_bal lever', 'M_bal по рычагу')
+    >>> quantity("m_cw4", "ru")
+    'm_пр4'
     """
     parts = name.split(" ")
     if len(parts) == 1:
-        return term(language, "quantity", name)
+        return written(term(language, "quantity", name), language)
     return " ".join(term(language, "quantity_part", part) for part in parts)

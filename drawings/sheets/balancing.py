@@ -24,7 +24,7 @@ from drawings.layout.contents import Panel
 from drawings.layout.picture import Picture
 from drawings.layout.table import RuledTable
 from drawings.page.drafting import Drafting, drafting_of
-from drawings.paper.strokes import Leaf
+from drawings.paper.strokes import Leaf, SheetError
 from drawings.report.balance.balance_report import notes_of
 from drawings.sheets.balancing_ways import SCHEMES, TOLD, WAYS, Way, weigh
 from drawings.sheets.choice import position
@@ -38,6 +38,7 @@ from plans.model.balance.linkage import FORCE, Balance, State
 from plans.model.kinetostatics import NOTHING
 from plans.scene.scene import Scene
 from plans.study import Study
+from plans.words.words import message, placed
 
 MAIN = "main"  # what a vector of a scheme is
 LARGEST = 2.2  # times the least size at which it is legible: no polygon or graph is drawn larger than the schemes
@@ -73,6 +74,10 @@ class Balanced:
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the sheets of a scene's balanced mechanism (row of the table of sheets)."""
     motion: MotionComparison = study.comparison("linkage")
+    if study["linkage"].lost.all():
+        gap = motion.construction.gaps[0]
+        where = {"reason": gap.reason, "where": gap.where, "position": gap.position, "advice": gap.advice}
+        raise SheetError(placed(study.scene.file, message("refused.no_force", **where)))
     return sheets(study.scene, balanced(study["balance"], motion, notes_of(study).all))
 
 
@@ -127,6 +132,11 @@ class _BalancingSheet:
         return self.shown.balance
 
     @property
+    def _shaft(self) -> str:
+        """The letter of the crank's shaft, about which moments are told."""
+        return self.shown.bones.mechanism.drive.pivot
+
+    @property
     def draft(self) -> Draft:
         """Title, figures, tables and notes of the sheets."""
         title = self.drafting.word("balancing sheet title")
@@ -177,7 +187,7 @@ class _BalancingSheet:
     def _rocking(self) -> Iterator[Exhibit]:
         """Show the main moment, if there is any."""
         bones, least = self.shown.bones, self.shown.nothing.moment
-        curve = moment_graph.curve(self.shown.states, bones.study.sense, bones.shown, least, self.drafting)
+        curve = moment_graph.curve(self.shown.states, bones.study.sense, bones.shown, least, self.drafting, self._shaft)
         if curve is not None:
             room = _bounded(curve_graph.measure(curve, moment_graph.NAME, self.drafting))
             panel = Panel(room, together=self.way.graphs)
@@ -200,7 +210,7 @@ class _BalancingSheet:
     def tables(self) -> tuple[RuledTable, ...]:
         """What the counterweights change, and which they are."""
         shown, drafting = self.shown, self.drafting
-        costs = balance_table.costs(self.balance.before, shown.after, shown.nothing, drafting)
+        costs = balance_table.costs(self.balance.before, shown.after, shown.nothing, drafting, self._shaft)
         weights = self.balance.counterweights
         if not weights:
             return (costs,)

@@ -162,11 +162,12 @@ def least(forces: Forces, rate: Forces, bend: float | None = None) -> float:
 
     Where it bends at a share it may do so on either side of that one; no chord is laid across the bend.
     """
-    if np.isnan(largest(forces(0.0))):
-        return 0.0  # the mechanism cannot be assembled
+    if np.isnan(largest(forces(0.0))) or not rate(0.0).any():
+        return 0.0  # the mechanism cannot be assembled, or nothing is left at sliders and all shares are alike
     if bend is None:
         return _lowest(forces, rate, 0.0, 1.0)
-    sides = _lowest(forces, rate, 0.0, bend - 2 * SPAN), bend, _lowest(forces, rate, bend + 2 * SPAN, 1.0)
+    before, after = max(bend - 2 * SPAN, 0.0), min(bend + 2 * SPAN, 1.0)
+    sides = _lowest(forces, rate, 0.0, before), bend, _lowest(forces, rate, after, 1.0)
     return min(sides, key=lambda share: largest(forces(share)))
 
 

@@ -7,7 +7,6 @@ from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from geometry.errors import ConstructionError
 from plans.balance import states
 from plans.balance.counterweights import counterweights, substituted
 from plans.balance.loaded import loaded
@@ -33,16 +32,11 @@ from plans.model.balance.linkage import (
     Task,
 )
 from plans.model.machine import Machine
-from plans.words.words import message, placed
 
 if TYPE_CHECKING:
     from plans.study import Study
 
 PLANS = CENTRE, COUNTERWEIGHTS, COSTS = "centre", "counterweights", "costs"
-
-
-class NoPosition(ConstructionError):  # noqa: N818  (the exception tree's own word)
-    """A linkage that is to be balanced reaches no position of the scene."""
 
 
 class BalanceStudy:
@@ -174,10 +168,5 @@ class BalanceStudy:
 
 
 def study_of(study: Study) -> BalanceStudy:
-    """Make the study of a scene's balance (row of the table of techniques); some position must be reached."""
-    linkage: LinkageStudy = study["linkage"]
-    if linkage.lost.all():
-        gap, (line, _) = linkage.motion(2).gaps[0], study.scene.place(("balance",))
-        where = {"reason": gap.reason, "where": gap.where, "position": gap.position, "advice": gap.advice}
-        raise NoPosition(placed(f"{study.scene.file}:{line}", message("balance.no_position", **where)))
-    return BalanceStudy(linkage, study["forces"], study.scene.meaning["balance"].task)
+    """Make the study of a scene's balance (row of the table of techniques)."""
+    return BalanceStudy(study["linkage"], study["forces"], study.scene.meaning["balance"].task)

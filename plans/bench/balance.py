@@ -136,7 +136,8 @@ def _at(on: Ground, rounds: int, budget: float) -> list[Row]:
 def _share(balance: BalanceStudy, best: Choice, rounds: int, budget: float) -> Row:
     """Judge the forces at the best share by the machine balanced with it and drawn anew."""
     found = Superposition(balance.statics, balance.tree, balance.at_share).drawn(best.share)
-    error = max(abs(one / other - 1) for one, other in zip(best[1:], found[1:], strict=True))
+    # Where nothing is left at sliders the forces may be none: the difference is told itself.
+    error = max(abs(one - other) / (other or 1.0) for one, other in zip(best[1:], found[1:], strict=True))
     (times,) = interleaved([lambda: _searched(balance)], rounds, budget)
     return Row(SUPERPOSED, None, 0, Errors({LEAST: error}, LEAST), times=times)
 

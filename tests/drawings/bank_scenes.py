@@ -50,7 +50,8 @@ SCENES = {
         "speed = 20\norders = [1, 2]\n",
     ),
     "six": bank(
-        [(0, -250, 0), (120, -150, 0), (240, -50, 0), (240, 50, 0), (120, 150, 0), (0, 250, 0)], compensator(1)
+        [(0, -250, 0), (120, -150, 0), (240, -50, 0), (240, 50, 0), (120, 150, 0), (0, 250, 0)],
+        compensator(1) + compensator(6),
     ),
     "eight": bank([(c, 120 * k, a) for k, c in enumerate((0, 90, 270, 180)) for a in (45, -45)], head="speed = 300\n"),
     "turning": bank(

@@ -6,7 +6,8 @@ import math
 from functools import cache
 from typing import Literal, NamedTuple
 
-from shapely import LineString, MultiLineString, Polygon, STRtree
+import numpy as np
+from shapely import LineString, Polygon, STRtree, linestrings, multilinestrings
 from shapely.geometry.base import BaseGeometry
 
 from drawings.lettering.lettering import outline
@@ -36,8 +37,7 @@ def ink(stroke: Stroke) -> Ink:
     match stroke:
         case Text():
             written = outline(stroke)
-            lines = MultiLineString([_pairs(chain.points, chain.closed) for chain in written if len(chain.points) > 1])
-            return Ink(lines, written[0].style.width / 2, "round") if written else Ink(Polygon())
+            return Ink(_lines(written), written[0].style.width / 2, "round") if written else Ink(Polygon())
         case Line():
             return Ink(LineString(_pairs((stroke.start, stroke.end))), stroke.style.width / 2)
         case Polyline():
@@ -55,6 +55,13 @@ def ink(stroke: Stroke) -> Ink:
             points = tuple(stroke.at(k / count) for k in range(count + 1))
             return Ink(LineString(_pairs(points)), stroke.style.width / 2)
     raise TypeError(stroke)
+
+
+def _lines(chains: tuple[Polyline, ...]) -> BaseGeometry:
+    """Give all chains of a text at once: to make them one by one takes three times as long."""
+    kept = [_pairs(chain.points, chain.closed) for chain in chains if len(chain.points) > 1]
+    points = np.array([point for chain in kept for point in chain]).reshape(-1, 2)
+    return multilinestrings(linestrings(points, indices=np.repeat(np.arange(len(kept)), list(map(len, kept)))))
 
 
 def _pairs(points: tuple[complex, ...], closed: bool = False) -> list[tuple[float, float]]:

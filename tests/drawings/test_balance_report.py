@@ -30,24 +30,25 @@ BOOK = {
         FOUR_BAR,
         asked(FULL, Place(1, mass=9.0), Place(2, mass=6.0)),
         (
-            "(8.7)  h_{1} = (m_{1}·l_{OS1} + (m_{2} + m_{3})·l_{OA})/m = (2·0.04 + 9·0.1)/11 = 0.089091 m",
+            "Vectors of main points (8.7):  h_{1} = (m_{1}·l_{OS1} + (m_{2} + m_{3})·l_{OA})/m = ",
+            "(2·0.04 + 9·0.1)/11 = 0.089091 m",
             "h_{2} = (m_{2}·l_{AS2} + m_{3}·l_{AB})/m = (4·0.18 + 5·0.4)/11 = 0.24727 m",
             "h_{3} = m_{3}·l_{BS3}/m = 5·0.12/11 = 0.054545 m",
-            "to be −1.3 kg·m",
+            "must be −1.3 kg·m",
             "a_{1} = −1.38/9 = −0.15333 m",
-            "to be −1.2 kg·m",
+            "must be −1.2 kg·m",
             "a_{2} = −1.92/6 = −0.32 m",
-            "(8.8)  h_{1}/l_{OA} = h_{2}/l_{AB} = h_{3}/l_{BC} = ",
+            "main-point vectors in proportion to the links (8.8):  h_{1}/l_{OA} = h_{2}/l_{AB} = h_{3}/l_{BC} = ",
             "κ = 0.076923",
             "S rests in (0.026923; 0) m",
-            "15 kg on 11 kg of links",
+            "Counterweights of 15 kg are added to links of 11 kg",
         ),
     ),
     "four-bar, b": (
         FOUR_BAR,
         asked(FULL, Place(1, radius=0.06), Place(3, mass=8.0)),
         (
-            "to be −0.22 kg·m",
+            "must be −0.22 kg·m",
             "m_{cw1} = 0.3/0.06 = 5 kg",
             "a_{3} = −1.44/8 = −0.18 m",
             "S rests in (0.21583; 0) m",
@@ -68,9 +69,9 @@ BOOK = {
         ENGINE,
         asked(PARTIAL, Place(1, mass=2.0)),
         (
-            "to be −0.25 kg·m",
+            "must be −0.25 kg·m",
             "a_{1} = −0.37/2 = −0.185 m",
-            "(8.9)  h_{1}/l_{OA} = h_{2}/l_{AB}",
+            "main-point vectors in proportion to the links (8.9):  h_{1}/l_{OA} = h_{2}/l_{AB}",
             "κ = 0.55882",
             "9.5 kg",
         ),
@@ -83,7 +84,7 @@ BOOK = {
     "engine, a half": (
         ENGINE,
         asked(SHARE, Place(1, mass=2.0), share=0.5),
-        ("to be −0.725 kg·m", "Of 9.5 kg at B the crank balances the share k = 0.5"),
+        ("must be −0.725 kg·m", "Of 9.5 kg at B the crank balances the share k = 0.5"),
     ),
     "slotted link": (
         SHAPER,
@@ -147,15 +148,15 @@ def test_what_needs_nothing_is_said_to_need_nothing() -> None:
     """Catalogue J1: no counterweight, no place in a random direction."""
     own = Study(parse_scene(scene("still")))
     said = "\n".join(notes(own["balance"]).all)
-    assert "Balanced so far already: no counterweight is needed" in said
-    assert "Price" not in said and "a_{" not in said
+    assert "Balanced in this way already: no counterweight is needed" in said
+    assert "added" not in said and "a_{" not in said
 
 
 def test_least_forces_of_a_slow_machine_are_told_as_of_a_fast_one() -> None:
     """A crank a million times as slow has forces of 1e-10 N, and the same best shares."""
     own = Study(parse_scene(scene("engine", "A1").replace("speed = 20", "speed = 2e-5")))
     (slow,) = notes(own["balance"]).choice()
-    assert re.fullmatch(r"Largest Φ is least with k = 0\.58994: 0\.0{9}17162 N;  largest .*: 0\.0{9}18176 N", slow)
+    assert re.fullmatch(r"The largest Φ is least, 0\.0{9}17162 N, with k = 0\.58994;  .*, 0\.0{9}18176 N, with.*", slow)
 
 
 @pytest.fixture(scope="module")
@@ -182,9 +183,14 @@ def test_the_table_of_shares_has_both_best_ones(engine: Study) -> None:
 
 def test_the_screen_says_what_to_put_on_and_what_it_costs(engine: Study) -> None:
     said = headline(engine)
-    assert re.search(
-        r"m_cw1 = [\d.]+/0\.06 = [\d.]+ kg; Price: [\d.]+ kg on 12 kg of links; largest R_01: 473 → ", said
-    )
+    assert re.search(r"m_cw1 = [\d.]+/0\.06 = [\d.]+ kg; Counterweights of [\d.]+ kg are added to links of 12 kg", said)
+    assert "; largest R_01: 473 → " in said
+
+
+def test_the_best_shares_are_told_beside_what_there_was_without_counterweights(engine: Study) -> None:
+    found, said = engine.comparison("balance").analysis, "\n".join(notes(engine["balance"]).all)
+    assert re.search(r"The largest Φ is least, [\d.]+ N, with k = ", said)
+    assert said.endswith(f"without counterweights it is {found.before.reactions['0-1']:.5g} N")
 
 
 def test_reactions_have_the_letter_that_the_scene_gives_them() -> None:

@@ -42,7 +42,7 @@ def checked(leaf: Leaf, study: Study, folder: Path) -> None:
     verify(path, leaf, partial(faults, study=study))
 
 
-@pytest.mark.parametrize("case", some([(name, *paper) for paper in PAPERS for name in SCENES], 8))
+@pytest.mark.parametrize("case", some([(name, *paper) for paper in PAPERS for name in SCENES], 16))
 def test_what_is_drawn_agrees_with_the_analysis(case: tuple[str, str, str, str], tmp_path: Path) -> None:
     study = study_of(*case)
     assert study.comparison("balance").worst <= 1.0
@@ -63,7 +63,7 @@ def test_a_parallelogram_is_drawn_past_its_change_points(tmp_path: Path) -> None
         checked(leaf, study, tmp_path)
 
 
-@pytest.mark.parametrize("fault", some(FAULTS, 9), ids=lambda fault: fault.name)
+@pytest.mark.parametrize("fault", some(FAULTS, 14), ids=lambda fault: fault.name)
 def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path) -> None:
     study = study_of(fault.scene, "A1")
     assert study.comparison("balance").worst <= 1.0

@@ -135,7 +135,7 @@ def test_limits_whose_angles_crowd_have_each_its_own_letter(tmp_path: Path) -> N
     checked(leaf, "cam", study, tmp_path)
 
 
-@pytest.mark.parametrize("fault", some(FAULTS, 24), ids=lambda fault: fault.name)
+@pytest.mark.parametrize("fault", some(FAULTS, 36), ids=lambda fault: fault.name)
 def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path) -> None:
     study = study_of(fault.scene)
     assert study.comparison("cam").worst <= 1.0

@@ -156,7 +156,7 @@ def test_the_pole_distance_joins_both_scales(paper: str) -> None:
 CASES = [("A1", "en", 1), ("A1", "ru", 1), ("A2", "ru", 2), ("A3", "en", 2), ("A3", "ru", 2)]
 
 
-@pytest.mark.parametrize("case", some(CASES, 3))
+@pytest.mark.parametrize("case", some(CASES, 5))
 def test_sheets_are_few_and_no_letter_touches_a_line(case: tuple[str, str, int]) -> None:
     paper, language, count = case
     own = study(paper, language)
@@ -175,7 +175,7 @@ MACHINES = [
 ]
 
 
-@pytest.mark.parametrize("machine", some(MACHINES, 3))
+@pytest.mark.parametrize("machine", some(MACHINES, 4))
 def test_machines_of_every_kind_are_drawn(machine: tuple[str, set[str], set[str]]) -> None:
     asked, names, words = machine
     own = study("A3", asked=asked)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+import pytest
 
 from drawings.checks.force_marks import polygon_marks
 from drawings.checks.labelled import unlettered
@@ -23,11 +24,13 @@ from drawings.paper.walk import flat
 from drawings.pens.svg import svg
 from drawings.symbols.polygon import ShownVector
 from plans.forces.cut import CLOSING, KNOWN
+from tests import parts
 from tests.drawings.collisions import collisions
 from tests.drawings.force_cases import CASES, Forced, forced, leaf, polygons, sheet, spot
 from tests.rows import over
 
 A1 = hand_of("A1")
+SHOWN = sorted(CASES) if parts.whole else sorted(CASES)[::2]
 ROUNDING = 1e-9  # of the greatest force: what the construction may differ from the equilibrium by
 
 
@@ -64,7 +67,8 @@ def test_a_ruler_finds_the_forces_of_the_worked_example() -> None:
         assert abs(found[key].stated - value) <= 1e-5, key
 
 
-@over("name", sorted(set(CASES) - {"shaper at 60"}))
+@pytest.mark.part
+@over("name", [name for name in SHOWN if name != "shaper at 60"])
 def test_every_written_force_is_what_the_equilibrium_of_all_links_gives(name: str) -> None:
     case = forced(name)
     for k in range(0, len(case.study.turn), 5):
@@ -95,7 +99,8 @@ def test_the_check_sees_a_force_that_is_turned_that_lacks_or_that_nobody_knows()
     assert wrong() == ["the force plan of 2-3 in position 0 is missing"]
 
 
-@over("name", sorted(CASES))
+@pytest.mark.part
+@over("name", SHOWN)
 def test_the_sides_of_a_polygon_close_it_and_follow_one_another(name: str) -> None:
     case = forced(name)
     for cut in case.plan.cuts:
@@ -111,7 +116,8 @@ def test_the_sides_of_a_polygon_close_it_and_follow_one_another(name: str) -> No
                 assert min(abs(end - corner) for corner in corners) <= ROUNDING * greatest
 
 
-@over("name", sorted(CASES))
+@pytest.mark.part
+@over("name", SHOWN)
 @over("paper, language", [("A1", "en"), ("A3", "ru")])
 def test_no_letter_touches_a_line_and_each_force_has_its_own(name: str, paper: str, language: str) -> None:
     for k in range(0, len(forced(name).study.turn), 7):
@@ -120,7 +126,8 @@ def test_no_letter_touches_a_line_and_each_force_has_its_own(name: str, paper: s
         assert list(unlettered(drawn)) == []
 
 
-@over("name", sorted(CASES))
+@pytest.mark.part
+@over("name", SHOWN)
 def test_no_two_vectors_lie_on_one_another(name: str) -> None:
     for k in range(0, len(forced(name).study.turn), 3):
         for one in polygons(forced(name), k, A1):
@@ -129,7 +136,8 @@ def test_no_two_vectors_lie_on_one_another(name: str) -> None:
             assert merged == []
 
 
-@over("name", sorted(CASES))
+@pytest.mark.part
+@over("name", SHOWN)
 def test_the_lines_of_a_figure_stay_on_the_paper_that_it_asked_for(name: str) -> None:
     case, hair = forced(name), 1e-6
     for k in range(0, len(case.study.turn), 3):

@@ -85,6 +85,13 @@ def test_a_load_that_rests_on_a_reversal_is_told(tmp_path: Path, capsys: pytest.
     assert said in out
     assert said in report
     assert 'write during = "working direction"' in out
+
+
+@pytest.mark.rest
+def test_a_load_that_follows_its_stroke_rests_on_no_reversal(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    said, english = "its point reverses", ('language = "ru"', 'language = "en"')
     report, _ = written(tmp_path, "press", english)
     assert said not in capsys.readouterr().out + report
     assert "F_us at G of link 7, wherever it goes as on the working stroke" in report

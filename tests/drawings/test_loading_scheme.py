@@ -32,6 +32,7 @@ from plans.model.machine import FORCE, GEAR, Body, Machine, Transmission
 from plans.scene.scene import read_scene
 
 pytest.importorskip("shapely")
+from tests import parts
 from tests.drawings.collisions import collisions
 from tests.rows import over
 
@@ -94,6 +95,7 @@ class Drawn(NamedTuple):
 
 ALL = [(name, number, column) for name, case in CASES.items() for column in case.columns for number in range(3)]
 ALL = [one for one in ALL if one[1] < len(plan_of(one[0]).cuts)]
+SHOWN = ALL if parts.whole else ALL[::2]
 
 
 @cache
@@ -129,7 +131,8 @@ def value(found: Drawn, name: str) -> complex:
     return at(known[name].point, found.column)
 
 
-@over("one", ALL)
+@pytest.mark.part
+@over("one", SHOWN)
 def test_every_arrow_points_as_its_force_does(one: tuple[str, int, int]) -> None:
     found = drawn(*one)
     for force, arrow in zip(found.shown.acting.forces, found.figure.layout.arrows, strict=True):
@@ -138,7 +141,8 @@ def test_every_arrow_points_as_its_force_does(one: tuple[str, int, int]) -> None
         assert abs(run / abs(run) - true / abs(true)) < HAIR, force.name
 
 
-@over("one", ALL)
+@pytest.mark.part
+@over("one", SHOWN)
 def test_every_force_acts_along_a_line_through_its_point(one: tuple[str, int, int]) -> None:
     found = drawn(*one)
     for load in found.cut.loads:
@@ -149,7 +153,8 @@ def test_every_force_acts_along_a_line_through_its_point(one: tuple[str, int, in
                 assert abs(off.imag) < HAIR, load.name
 
 
-@over("one", ALL)
+@pytest.mark.part
+@over("one", SHOWN)
 def test_every_known_force_that_is_not_zero_has_one_arrow_and_one_letter(one: tuple[str, int, int]) -> None:
     found = drawn(*one)
     acting = [load.name for load in found.cut.loads if abs(at(load.force.point, found.column)) > 1e-6]
@@ -159,7 +164,8 @@ def test_every_known_force_that_is_not_zero_has_one_arrow_and_one_letter(one: tu
     assert all(letters.count(plain(name)) == 1 for name in acting)
 
 
-@over("one", ALL)
+@pytest.mark.part
+@over("one", SHOWN)
 def test_every_reaction_is_unknown_and_shown_by_its_parts(one: tuple[str, int, int]) -> None:
     found = drawn(*one)
     parts = [mark.name for support in found.cut.supports for mark in support.parts or (support.force,)]
@@ -172,7 +178,8 @@ def test_a_load_that_rests_on_the_idle_stroke_is_not_drawn() -> None:
     assert "Fus" not in written(found) and "Fus" in written(drawn("shaper", 0, 9))
 
 
-@over("one", ALL)
+@pytest.mark.part
+@over("one", SHOWN)
 def test_no_letter_touches_a_line_or_another_letter(one: tuple[str, int, int]) -> None:
     assert collisions(Leaf(300, 300, (drawn(*one).whole,), lettering="strokes")) == []
 
@@ -183,7 +190,8 @@ def test_no_letter_touches_anything_on_a_large_russian_sheet(one: tuple[str, int
     assert collisions(Leaf(300, 300, (found.whole,), lettering="strokes")) == []
 
 
-@over("one", ALL)
+@pytest.mark.part
+@over("one", SHOWN)
 def test_every_arm_is_square_to_its_line_of_action_and_as_long_as_it_is_stated(one: tuple[str, int, int]) -> None:
     found = drawn(*one)
     layout, stated = found.figure.layout, {arm.letter: arm for arm in found.shown.arms}
@@ -195,7 +203,8 @@ def test_every_arm_is_square_to_its_line_of_action_and_as_long_as_it_is_stated(o
         assert written(found).count(plain(arm.letter.replace("{", "").replace("}", ""))) == 1
 
 
-@over("one", ALL)
+@pytest.mark.part
+@over("one", SHOWN)
 def test_the_equations_of_moments_hold_with_the_arms_of_the_drawing(one: tuple[str, int, int]) -> None:
     """Sum of sense times force times arm, and the couples: zero, as the book writes it."""
     found = drawn(*one)
@@ -238,7 +247,8 @@ def test_a_guide_presses_where_the_moments_about_the_pin_balance(column: int) ->
     assert "x05" in written(found)
 
 
-@over("one", ALL)
+@pytest.mark.part
+@over("one", SHOWN)
 def test_every_couple_turns_as_its_moment_does(one: tuple[str, int, int]) -> None:
     found = drawn(*one)
     signs = {couple.name: at(couple.moment.point, found.column).real for couple in found.cut.couples}
@@ -253,14 +263,16 @@ def test_every_couple_turns_as_its_moment_does(one: tuple[str, int, int]) -> Non
         assert written(found).count(plain(moment.name)) == 1
 
 
-@over("one", ALL)
+@pytest.mark.part
+@over("one", SHOWN)
 def test_every_link_bears_its_number_and_every_point_its_letter(one: tuple[str, int, int]) -> None:
     found, letters = drawn(*one), written(drawn(*one))
     assert all(letters.count(str(link)) == 1 for link in found.cut.links)
     assert all(letters.count(plain(name)) == 1 for name in found.shown.named)
 
 
-@over("one", ALL)
+@pytest.mark.part
+@over("one", SHOWN)
 def test_two_arrows_of_one_line_of_action_do_not_cover_each_other(one: tuple[str, int, int]) -> None:
     arrows = list(drawn(*one).figure.layout.arrows)
     for k, first in enumerate(arrows):
@@ -271,7 +283,8 @@ def test_two_arrows_of_one_line_of_action_do_not_cover_each_other(one: tuple[str
                 assert high < HAIR or low > first.length - HAIR, (first.letter, second.letter)
 
 
-@over("one", ALL)
+@pytest.mark.part
+@over("one", SHOWN)
 def test_every_line_stays_in_the_room_that_was_measured(one: tuple[str, int, int]) -> None:
     layout = drawn(*one).figure.layout
     box = layout.box

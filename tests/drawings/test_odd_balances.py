@@ -5,18 +5,16 @@ The scenes are tests/cases/odd_balances/*.toml, each with what is odd about it.
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
 
 from drawings.commands.draw import draw
-from plans.balance.study import NoPosition
-from plans.scene.scene import parse_scene
-from plans.study import Study
-from plans.words.words import said
+from tests.drawings.conftest import Run
 from tests.drawings.planting import ROOT
 from tests.parts import some
-from tests.plans.banks import FOUR_BAR, counterweight
+from tests.plans.banks import ENGINE, counterweight
 
 SCENES = sorted((ROOT / "tests" / "cases" / "odd_balances").glob("*.toml"))
 
@@ -28,10 +26,17 @@ def test_it_is_drawn(scene: Path, tmp_path: Path) -> None:
     assert all(comparison.worst <= 1.0 for comparison in sheets.study.comparisons)
 
 
-def test_a_linkage_that_reaches_no_position_has_no_balance() -> None:
-    text = FOUR_BAR.replace("AB = 0.4", "AB = 0.01").replace("speed = 10", "speed = 10\nstart = 180\npositions = 1")
-    study = Study(parse_scene(text + '[balance]\naim = "full"\n' + counterweight("on = 1", "mass = 1")))
-    with pytest.raises(NoPosition) as told:
-        _ = study["balance"]
-    assert "no position has a mass centre: out of reach at B, in position 0" in str(told.value)
-    assert "ни в одном положении нет центра масс" in said(told.value, "ru")
+@pytest.mark.parametrize("aim", ["full", "share"])
+def test_a_linkage_that_reaches_no_position_has_numbers_but_no_sheet(aim: str, run: Run, tmp_path: Path) -> None:
+    path, engine = tmp_path / "lost.toml", ENGINE.replace("AB = 0.4", "AB = 0.05").replace("B = [0.5, 0]", "B = [0, 0]")
+    weights = counterweight("on = 1", "mass = 5") + (counterweight("on = 2", "mass = 2") if aim == "full" else "")
+    path.write_text(
+        f'sheets = ["balancing"]\n{engine}positions = [80, 90]\n[balance]\naim = "{aim}"\n{weights}', "utf-8"
+    )
+    code, out, _ = run("solve", path)
+    found = json.loads(out)["balance"]
+    assert (code, found["before"]["force"], found["after"]["path"]) == (4, None, None)
+    assert found["counterweights"][0]["mass"] == 5
+    code, _, err = run("draw", path, "-o", tmp_path)
+    assert code == 3
+    assert "no position has forces: out of reach at B, in position 0" in err

@@ -95,8 +95,10 @@ def _told(command: Sequence[str]) -> str:
 
 @cache
 def _compiled(path: str) -> CodeType:
-    """Compile a file that has no fault, once for all runs."""
-    return compile(Path(path).read_bytes(), path, "exec", dont_inherit=True)
+    """Give the code of a file that has no fault, once for all runs, from its bytecode where that is kept."""
+    code = SourceFileLoader(path, path).get_code(path)
+    assert code is not None
+    return code
 
 
 class _Loader(SourceFileLoader):

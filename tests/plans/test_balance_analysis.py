@@ -27,6 +27,7 @@ from plans.model.balance.linkage import (
 )
 from plans.model.machine import GEAR as GEARED
 from plans.model.machine import Transmission
+from tests import parts
 from tests.plans import linkages
 from tests.plans.balance_cases import bodies, engine, four_bar, rod_six_link, six_link
 
@@ -177,8 +178,13 @@ def test_masses_follow_from_static_moments(place) -> None:
 GEAR = Transmission(GEARED, 0.18, 3.6, 0.35)
 
 
-@pytest.mark.parametrize("place", [Place(1, mass=20), Place(1, radius=0.05), Place(1, shape=SECTOR)])
-@pytest.mark.parametrize(("drive", "epsilon"), [(Transmission(), 0.0), (GEAR, 0.0), (GEAR, 300.0)])
+PLACES = Place(1, mass=20), Place(1, radius=0.05), Place(1, shape=SECTOR)
+DRIVES = (Transmission(), 0.0), (GEAR, 0.0), (GEAR, 300.0)
+
+
+@pytest.mark.part
+@pytest.mark.parametrize("place", PLACES if parts.whole else PLACES[1:2])
+@pytest.mark.parametrize(("drive", "epsilon"), DRIVES if parts.whole else DRIVES[::2])
 def test_the_best_share_is_least_of_all(place, drive, epsilon) -> None:
     """By trying a thousand shares, whose reaction is that of a full force analysis: none is better."""
     case = engine(0.02)

@@ -82,6 +82,18 @@ def test_both_roads_give_up_on_a_mechanism_that_cannot_be_assembled(aim) -> None
     assert [one.moment for one in found.construction.counterweights] == [pytest.approx(-0.37)]
 
 
+def test_of_a_massless_slider_no_share_is_better_than_none() -> None:
+    """Both roads take the share 0 of a mass that is not there, and nothing shakes with it."""
+    text = ENGINE.partition("2 = {{ mass")[0]
+    found = compared(text, asked(SHARE, Place(1, mass=9)))
+    assert found.agrees
+    for road in (found.construction, found.analysis):
+        assert road.shares is not None
+        for best in (road.shares.least_force, road.shares.least_reaction):
+            assert best.share == 0.0
+            assert max(best.force, best.reaction) <= ROADS * EPS * road.before.shaking
+
+
 def test_what_is_compared() -> None:
     """Every number of a balance by both roads: nothing that is told goes without a road of its own."""
     found = compared(*CASES["a share"])

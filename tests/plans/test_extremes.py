@@ -11,6 +11,7 @@ from plans.linkage.reading.linkage import mechanism_of
 from plans.linkage.study import LinkageStudy, NoExtreme
 from plans.model.mechanism import Mechanism
 from plans.scene.scene import parse_scene
+from tests import parts
 from tests.plans import linkages
 from tests.plans.digits import printed
 from tests.plans.studies import driven, shown, study_of, value
@@ -76,7 +77,8 @@ def test_extremes_of_the_slotted_link():
 
 
 @pytest.mark.parametrize("omega", [10.0, -10.0], ids=["counter-clockwise", "clockwise"])
-@pytest.mark.parametrize("name", ALL)
+@pytest.mark.part
+@pytest.mark.parametrize("name", ALL if parts.whole else list(ALL)[::2])
 def test_notches_and_analysis_agree(name, omega):
     mechanism = driven(ALL[name], omega, 0)
     study = study_of(mechanism, None)

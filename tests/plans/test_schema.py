@@ -25,6 +25,7 @@ from plans.scene.schema import schema
 from plans.scene.source import read_source
 from plans.scene.tables import holders_of, read_parts, tables_of
 from plans.scene.units import Kind
+from tests import parts
 from tests.rows import over
 
 ROOT = Path(__file__).parent.parent.parent
@@ -90,7 +91,8 @@ def test_the_schema_is_one() -> None:
     assert FORM["$schema"] == "https://json-schema.org/draft/2020-12/schema"
 
 
-@over("path", SCENES)
+@pytest.mark.part
+@over("path", SCENES if parts.whole else SCENES[::2])
 def test_an_editor_says_of_a_scene_what_its_reader_says(path: Path) -> None:
     if tables := readable(path):
         marked = [error.message for error in EDITOR.iter_errors(tables)]

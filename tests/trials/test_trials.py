@@ -28,7 +28,7 @@ from tests.trials.series import trials
 from tests.trials.table import failing, table
 from tests.trials.trial import ALONE, APART, KINDS, SLOW, TRACEBACK, WARNED, WITHHELD, text_of, tried
 
-SHARE = 50 if parts.whole else 800
+SHARE = 50 if parts.whole else 1600
 
 
 @pytest.mark.part

@@ -99,11 +99,12 @@ def _weight(one: Counterweight, expected: Expected) -> list[Cell]:
 def costs(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
     """Read the table of what is largest before and after back."""
     word, after = expected.drafting.word, expected.after
-    keys = ("largest value", "before column", *(("after column", "change column") if after is not None else ()))
+    keys = ("before column", *(("after column", "change column") if after is not None else ()))
+    heads = word("largest value", count=expected.balance.before.count), *map(word, keys)
     was = dict(_largest(expected, expected.balance.before))
     now = {} if after is None else dict(_largest(expected, after))
     rows = {name: _change(value, now.get(name)) for name, value in was.items()}
-    yield from _table(leaf, COSTS, [word(key) for key in keys], rows)
+    yield from _table(leaf, COSTS, heads, rows)
 
 
 def _largest(expected: Expected, state: State) -> Iterator[tuple[str, float]]:
@@ -111,7 +112,8 @@ def _largest(expected: Expected, state: State) -> Iterator[tuple[str, float]]:
     none, word = expected.none, expected.drafting.word
     yield word("path of S", unit=word("mm")), MILLIMETRES * _rounded(state.path, none.way)
     yield f"{FORCE}, {word('N')}", _rounded(state.shaking, none.force)
-    yield f"{MOMENT}, {word('N*m')}", _rounded(state.rocking, none.moment)
+    shaft = expected.mechanism.drive.pivot
+    yield word("moment about", letter=MOMENT, point=shaft, unit=word("N*m")), _rounded(state.rocking, none.moment)
     drafting = expected.drafting
     for key, one in state.forces.reactions.items():
         letter = drafting.letter(with_index(f"{drafting.reactions}_{indices(one.giver, one.taker)}"))

@@ -21,7 +21,7 @@ from drawings.paper.strokes import Circle, Leaf, Text
 from drawings.paper.walk import groups
 from plans.model.motion import Complexes
 
-LETTERS = {BEFORE: FORCE, AFTER: f"{FORCE}^*"}
+LETTERS = {BEFORE: FORCE, AFTER: f"{FORCE}'"}
 LEAST = 0.1  # mm: a vector that is shorter may be a point
 LANES = 3.0  # rooms of a letter that a vector of a polygon may stand aside
 

@@ -39,7 +39,7 @@ def rocking(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
     scales = {} if part is None else written(part)
     mu = marks.scale(expected.measured, name) if seen else scales.get("M", 1.0)
     yield from _ordinates(expected, seen, mu)
-    yield from marks.titled(part, name, expected.drafting.word("rocking graph"))
+    yield from marks.titled(part, name, expected.drafting.word("rocking graph", point=expected.mechanism.drive.pivot))
     yield from _scale(scales, "M", mu, expected)
     yield from _across(scales, "φ")
     if part is None or "φ" not in scales:

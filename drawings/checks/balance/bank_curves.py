@@ -38,8 +38,10 @@ def due(expected: Expected, figures: Collection[str]) -> Iterator[str]:
     """Name the curves that the sheets must show, and those that they show of what is hardly more than rounding."""
     for plan, (name, _, _) in CURVES.items():
         first = WHOLE if name == LEFT else name
-        left = expected.compensated and (expected.lasting or expected.straight(LEFT))
-        if expected.acts(first, figure_of(expected, plan) in figures) and (name != LEFT or left):
+        seen = figure_of(expected, plan) in figures
+        lasting = expected.straight(LEFT) or (expected.acts(LEFT, seen) and not expected.faint(LEFT))
+        shown = expected.acts(first, seen) and not expected.faint(first)
+        if shown and (name != LEFT or (expected.compensated and lasting)):
             yield plan
 
 

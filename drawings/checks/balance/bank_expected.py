@@ -19,6 +19,7 @@ from plans.model.motion import Complexes
 PAPER = 1e-6  # of a vector: so much of 100 mm is the last digit of a written place
 DOUBTFUL = 4.0  # each road has its own bound of rounding: so near to one what is seen may be, or be left out
 LINE = 1e-9  # of a unit direction: a sine that is less is of an angle that was rounded
+SEEN = 1 / 1000  # of the largest order of one mechanism: less is no longer than a line is wide, and bears no figure
 WHOLE, LEFT, WHOLE_MOMENT = "ΣF", "ΣF'", "ΣM"  # the findings over the turn
 
 
@@ -106,9 +107,26 @@ class Expected:
         rows = force if name != WHOLE_MOMENT else (self.analysis.moment,)
         return all(bool(np.abs(row.imag).max() <= PAPER * np.abs(rows[0]).max()) for row in rows)
 
+    @cached_property
+    def largest(self) -> float:
+        """The largest force of an order of one mechanism, N."""
+        return max(abs(one.ahead) + abs(one.back) for one in self.analysis.single.values())
+
+    def slight(self, order: int) -> bool:
+        """Tell whether an order is there, but is not to be drawn beside the largest: none asks for compensators."""
+        own, bank = self.analysis.single[order], self.analysis.forces[order]
+        asked = order in [one.order for one in self.task.asked]
+        least = SEEN * self.largest
+        return not (asked or own.vanishes or max(abs(one.ahead) + abs(one.back) for one in (own, bank)) >= least)
+
+    @property
+    def seen(self) -> Mapping[int, Harmonic]:
+        """The orders of one mechanism that are to be drawn."""
+        return {order: one for order, one in self.analysis.single.items() if not self.slight(order)}
+
     def polygons(self) -> Iterator[Polygon]:
         """Give the polygons of several vectors: with the crank, and against it where that is no mirror image."""
-        for order, single in self.analysis.single.items():
+        for order, single in self.seen.items():
             for kind in (FORCE, MOMENT):
                 for signed in (order, -order):
                     alone = signed < 0 and self.alone(order)
@@ -155,15 +173,21 @@ class Expected:
         """Whether some compensator has a mass."""
         return any(any(self.bodies(one)) for one in self.analysis.compensators)
 
-    @property
-    def lasting(self) -> bool:
-        """Whether the compensators leave some force that can be drawn beside that before."""
-        return bool(np.abs(self.analysis.left).max() > PAPER * np.abs(self.analysis.force).max())
-
     def acts(self, name: str, seen: bool) -> bool:
         """Whether more than rounding is left of what is followed over the turn, and is seen or must be."""
-        slack = self.analysis.moment_slack if name == WHOLE_MOMENT else self.analysis.force_slack
-        return bool(np.abs(self.force_of(name)).max() > (slack / DOUBTFUL if seen else slack * DOUBTFUL))
+        analysis = self.analysis
+        slacks = {WHOLE: analysis.force_slack, LEFT: analysis.left_slack, WHOLE_MOMENT: analysis.moment_slack}
+        return self.most(name) > (slacks[name] / DOUBTFUL if seen else slacks[name] * DOUBTFUL)
+
+    def most(self, name: str) -> float:
+        """Give the largest of what is followed over the turn."""
+        return float(np.abs(self.force_of(name)).max())
+
+    def faint(self, name: str) -> bool:
+        """Whether what is followed over the turn is not to be drawn by itself, being slight."""
+        arm = max(abs(float(one.place)) for one in self.members) if name == WHOLE_MOMENT else 1.0
+        due = {WHOLE: not self.compensated, LEFT: self.compensated}.get(name, True)
+        return due and self.most(name) < SEEN * self.largest * arm
 
     def bodies(self, one: Compensator) -> Iterator[Body]:
         """Give the masses of a compensator at phi = 0."""

@@ -8,7 +8,7 @@ import re
 from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
-from drawings.checks.balance.bank_expected import Expected
+from drawings.checks.balance.bank_expected import LEFT, WHOLE, WHOLE_MOMENT, Expected
 from drawings.checks.rotor_tables import Cell
 from drawings.checks.wrong import Wrong, within
 from drawings.lettering.bank_letters import lowered
@@ -31,6 +31,7 @@ class Told(NamedTuple):
     name: str
     size: Cell
     angle: Cell | None = None
+    sure: bool = True  # that it is there: what is hardly more than rounding may be left out
 
     def holds(self, value: str, angle: str | None) -> bool:
         """Tell whether a note says it."""
@@ -49,7 +50,7 @@ def faults(leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wrong
             told, place
         )
         if found is None:
-            yield within("missing_from", NOTES, name=one.name)
+            yield from [within("missing_from", NOTES, name=one.name)] if one.sure else []
             continue
         rest, place = rest + told[place : found.start()], found.end()
         if not one.holds(*found.groups()):
@@ -77,6 +78,10 @@ def _due(expected: Expected) -> Iterator[Told]:
     for order, force in expected.analysis.forces.items():
         yield from _sums(expected, FORCE, force)
         yield from _sums(expected, MOMENT, expected.analysis.moments[order])
+    for name, letter in ((WHOLE, "Fmax"), (LEFT, "F'max"), (WHOLE_MOMENT, "Mmax")):
+        if expected.faint(name) and expected.acts(name, seen=True):
+            size = Cell(expected.most(name), expected.allowed[name])
+            yield Told(letter, size, sure=expected.acts(name, seen=False))
     for one in expected.analysis.compensators:
         yield from _masses(expected, one)
 
@@ -122,12 +127,12 @@ def _phrases(told: str, expected: Expected, drafting: Drafting) -> Iterator[Wron
         ("no order", lambda order: order in single),
         ("no order force", lambda order: order in forces and order not in single),
         ("no order moment", lambda order: apart and order in moments and order not in single),
+        ("slight orders", expected.slight),
     ]
     for key, holds in rows:
-        orders = [str(order) for order in analysis.single if holds(order)]
-        begun = any(drafting.word(key, orders="\0", count=count).partition("\0")[0] in told for count in (1, 2))
-        due = drafting.word(key, orders=", ".join(orders) or "0", count=min(max(len(orders), 1), 2))
-        if begun != bool(orders) or (orders and due not in told):
+        orders = ", ".join(str(order) for order in analysis.single if holds(order))
+        begun, due = (drafting.word(key, orders=each) for each in ("\0", orders or "0"))
+        if (begun.partition("\0")[0] in told) != bool(orders) or (orders and due not in told):
             yield within("in", NOTES, text=due)
     if (drafting.word("one plane of a bank") in told) == apart:
         yield within("in", NOTES, text=drafting.word("one plane of a bank"))

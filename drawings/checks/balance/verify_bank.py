@@ -39,7 +39,9 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
 def check(measured: Measured, leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:
     """Hold what a sheet shows: the figures that its data name, tables, notes, scales."""
     figures = frozenset(leaf.metadata["figures"])
-    wanted = figures if leaf.metadata["of"] > 1 else figures | set(due(expected, figures))
+    own = set(due(expected, figures))
+    wanted = figures if leaf.metadata["of"] > 1 else figures | own
+    yield from (message("wrong.differs", name=name) for name in sorted(figures - own))
     lost = wanted - {one.name for one in groups(leaf.groups)}
     yield from (message("wrong.missing", name=name) for name in sorted(lost))
     yield from bank_marks.polygons(measured, expected, figures)

@@ -78,21 +78,24 @@ class Quantity(NamedTuple):
         return 0.0 if abs(value) <= self.least else value
 
 
-def costs(before: State, after: State | None, none: Nothing, drafting: Drafting) -> RuledTable:
+def costs(before: State, after: State | None, none: Nothing, drafting: Drafting, shaft: str) -> RuledTable:
     """Tell what is largest of the mass centre's way, main vector and moment, reactions, balancing moment, and mass."""
     heads = ("before column", "after column", "change column")
+    told = quantities(before, none, drafting, shaft)
     words = tuple(drafting.word(head) for head in (heads if after is not None else heads[:1]))
-    lines = [TableRow(one.name, _cells(one, before, after, drafting)) for one in quantities(before, none, drafting)]
-    return table(lines, drafting.word("largest value"), words, drafting.hand.text)._replace(name=COSTS)
+    lines = [TableRow(one.name, _cells(one, before, after, drafting)) for one in told]
+    heading = drafting.word("largest value", count=before.count)
+    return table(lines, heading, words, drafting.hand.text)._replace(name=COSTS)
 
 
-def quantities(state: State, none: Nothing, drafting: Drafting) -> Iterator[Quantity]:
+def quantities(state: State, none: Nothing, drafting: Drafting, shaft: str) -> Iterator[Quantity]:
     """List what is told of a state, every pair's reaction among it."""
     word = drafting.word
     way = word("path of S", unit=word("mm"))
     yield Quantity(way, lambda one: MILLIMETRES * one.path, MILLIMETRES * none.way)
     yield Quantity(f"{FORCE}, {word('N')}", lambda one: one.shaking, none.force)
-    yield Quantity(f"{MOMENT}, {word('N*m')}", lambda one: one.rocking, none.moment)
+    moment = word("moment about", letter=MOMENT, point=shaft, unit=word("N*m"))
+    yield Quantity(moment, lambda one: one.rocking, none.moment)
     for key, pair in state.forces.reactions.items():
         letter = letter_of(f"R_{indices(pair.giver, pair.taker)}", drafting)
         yield Quantity(f"{letter}, {word('N')}", partial(_reaction, key), none.force)

@@ -16,8 +16,10 @@ from plans.model.motion import Floats
 NAME = "rocking"
 
 
-def curve(states: Mapping[str, State], sense: int, shown: int, least: float, drafting: Drafting) -> GraphCurve | None:
-    """Give the main moments of the states, at the positions that of the last; None where all are below `least` N*m.
+def curve(
+    states: Mapping[str, State], sense: int, shown: int, least: float, drafting: Drafting, point: str
+) -> GraphCurve | None:
+    """Give the main moments about a point, at the positions the last one; None where all are below `least` N*m.
 
     Of a crank that cannot turn fully there are the ordinates at its positions alone.
     """
@@ -26,7 +28,7 @@ def curve(states: Mapping[str, State], sense: int, shown: int, least: float, dra
         return None
     numbers = told(len(own.centre.phi), shown)
     stations = np.degrees(sense * (own.centre.phi - own.centre.phi[0]))[list(numbers)] % TURN
-    ordinates, title = _seen(own.centre.moment, least)[list(numbers)], drafting.word("rocking graph")
+    ordinates, title = _seen(own.centre.moment, least)[list(numbers)], drafting.word("rocking graph", point=point)
     bare = GraphCurve(MOMENT, "N*m", np.array([0.0, TURN]), np.full(2, np.nan), stations, ordinates, title)
     bare = bare._replace(numbers=numbers)
     if not own.whole:

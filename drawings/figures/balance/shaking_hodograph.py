@@ -113,8 +113,8 @@ class ShakingFigure:
 
 
 def letter_of(state: str) -> str:
-    """Letter the main vector of a state: after balancing it bears a star."""
-    return f"{FORCE}^*" if state == AFTER else FORCE
+    """Letter the main vector of a state: after balancing it bears a prime."""
+    return f"{FORCE}'" if state == AFTER else FORCE
 
 
 def measure(shown: ShakingHodograph, drafting: Drafting) -> Picture:

@@ -10,7 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.report.balance.bank_notes import EYE, mirrored, straight
+from drawings.report.balance.bank_notes import mirrored, straight
+from drawings.report.balance.bank_slight import slight_force, slight_left, slight_moment, slight_order
 from drawings.symbols.polygon import ShownVector
 from plans.bank.letters import FORCE, MOMENT
 from plans.bank.polygons import Total
@@ -71,11 +72,11 @@ class BankView(NamedTuple):
         return heading(Fraction(float(np.degrees(self.task.axis))))
 
     def shown(self) -> Iterator[ShownOrder]:
-        """Give the polygons of every order whose vectors do not vanish.
+        """Give the polygons of every order that can be seen.
 
         The mirror image of one is left out, and what has a single side, which is its sum.
         """
-        for order in self.balance.single:
+        for order in (one for one in self.balance.single if not slight_order(self.balance, one)):
             for kind in (FORCE, MOMENT):
                 for signed in (order,) if mirrored(self.balance, order) else (order, -order):
                     if self.acts(kind, signed):
@@ -105,8 +106,9 @@ class BankView(NamedTuple):
 
     @property
     def lasting(self) -> bool:
-        """Whether the compensators leave some force that can be seen beside that before."""
-        return bool(np.abs(self.balance.left).max() > EYE * np.abs(self.balance.force).max())
+        """Whether the compensators leave some force that can be seen."""
+        left = bool(np.abs(self.balance.left).max() > self.balance.left_slack)
+        return left and not slight_left(self.balance)
 
     @property
     def compensated(self) -> bool:
@@ -116,13 +118,15 @@ class BankView(NamedTuple):
 
     @property
     def shaken(self) -> bool:
-        """Whether a force of the bank is left that is more than rounding."""
-        return bool(np.abs(self.balance.force).max() > self.balance.force_slack)
+        """Whether a force of the bank is left that can be seen."""
+        left = bool(np.abs(self.balance.force).max() > self.balance.force_slack)
+        return left and not slight_force(self.balance)
 
     @property
     def rocked(self) -> bool:
-        """Whether a moment of the bank is left that is more than rounding."""
-        return bool(np.abs(self.balance.moment).max() > self.balance.moment_slack)
+        """Whether a moment of the bank is left that can be seen."""
+        left = bool(np.abs(self.balance.moment).max() > self.balance.moment_slack)
+        return left and not slight_moment(self.balance)
 
     def crank_at(self, one: Member) -> complex:
         """Give the direction of the crank of a member at phi = 0 on the sheet."""

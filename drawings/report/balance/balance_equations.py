@@ -129,7 +129,8 @@ class Equations(NamedTuple):
         letters = [f"{lowered(f'h_{one.link}')}/l_{{{one.letter}}}" for one in loops]
         numbers = [f"{self._share(vectors[one.link], one.length)}/{self._number(abs(one.length))}" for one in loops]
         number = "(8.8)" if len(loops) == len(self.tree.stems) else "(8.9)"
-        return f"{number}  {EQUALS.join([*letters, *numbers, 'κ', self.vector(ratios[0], abs(ratios[0]))])}"
+        told = EQUALS.join([*letters, *numbers, "κ", self.vector(ratios[0], abs(ratios[0]))])
+        return self.drafting.word("alike", number=number, told=told)
 
     def _share(self, vector: complex, length: complex) -> str:
         return self.vector(vector * abs(length) / length, abs(vector))

@@ -55,7 +55,7 @@ class BalanceNotes(NamedTuple):
     def main_points(self) -> Iterator[str]:
         """Write the vectors of main points (8.7), and say of which links vectors are variable."""
         for number, line in enumerate(self.equations.main_points(self.vectors[0])):
-            yield line if number else f"(8.7)  {line}"
+            yield line if number else self.drafting.word("main points", told=line)
         constant = sum((self._share(stem) * stem.at for stem in self.tree.rooted), 0j)
         if abs(constant) > NOTHING * self.equations.reach:
             x, y = (self._rounded(part, abs(constant)) for part in (constant.real, constant.imag))
@@ -216,9 +216,15 @@ class BalanceNotes(NamedTuple):
         force, reaction = found.least_force, found.least_reaction
         shares = {"share": force.share, "other": reaction.share}
         told = {name: self._rounded(value, 1.0) for name, value in shares.items()}
-        sizes = {"force": force.force, "reaction": reaction.reaction}
+        sizes = {"force": force.force, "reaction": reaction.reaction, "bare": self._bare}
         told |= {name: self._rounded(value, self.balance.before.forces.largest) for name, value in sizes.items()}
         return {"main": FORCE, "letters": self.shaft, **told}
+
+    @property
+    def _bare(self) -> float:
+        """The largest reaction N of the crank's shaft without counterweights."""
+        before = self.balance.before
+        return next(before.reactions[key] for key, one in before.forces.reactions.items() if self._of_shaft(one))
 
     def _body(self, link: int) -> Body:
         return self.machine.bodies.get(link, Body(link, 0.0, 0.0, 0j))

@@ -81,8 +81,9 @@ def _sizes(one: Counterweight, notes: BalanceNotes) -> list[str]:
 def costs(notes: BalanceNotes) -> Iterator[str]:
     """Tell what is largest over the turn before and after, and by how many per cent it changes."""
     drafting, after = notes.drafting, notes.after
-    keys = ("largest value", "before column", *(("after column", "change column") if after is not None else ()))
-    yield from header([drafting.word(key) for key in keys])
+    keys = ("before column", *(("after column", "change column") if after is not None else ()))
+    heading = drafting.word("largest value", count=notes.balance.before.count)
+    yield from header([heading, *map(drafting.word, keys)])
     was = _largest(notes, notes.balance.before)
     now = {} if after is None else _largest(notes, after)
     for name, (value, least) in was.items():
@@ -95,10 +96,11 @@ def _largest(notes: BalanceNotes, state: State) -> dict[str, tuple[float, float]
     drafting, before = notes.drafting, notes.balance.before
     newtons, moments = drafting.word("N"), drafting.word("N*m")
     force, moment = before.forces.nothing
+    shaft = notes.mechanism.drive.pivot
     found = {
         drafting.word("path of S", unit=drafting.word("m")): (state.path, NOTHING * notes.equations.reach),
         f"{FORCE}, {newtons}": (state.shaking, force),
-        f"{MOMENT}, {moments}": (state.rocking, moment),
+        drafting.word("moment about", letter=MOMENT, point=shaft, unit=moments): (state.rocking, moment),
     }
     for key, one in before.forces.reactions.items():
         letter = notes.reaction(one.giver, one.taker).replace("{", "").replace("}", "")

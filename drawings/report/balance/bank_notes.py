@@ -12,6 +12,7 @@ import numpy as np
 
 from drawings.lettering.bank_letters import lowered
 from drawings.page.drafting import Drafting
+from drawings.report.balance.bank_slight import slight_force, slight_left, slight_moment, slight_order
 from drawings.report.rotor_notes import ANGLE
 from plans.bank.letters import FORCE, MOMENT, STATIC, couple_letters, letters
 from plans.model.balance.bank import BankBalance, Compensator, Harmonic
@@ -20,7 +21,6 @@ from plans.study import Study
 
 RPM = 30 / math.pi  # of a rad/s
 HALF_TURN = 180.0  # degrees
-SEVERAL = 2  # orders, however many: a list of 21 is no singular
 EYE = 1e-6  # of a vector: what is less cannot be drawn, a written place of 100 mm being rounded to 1e-4 mm
 
 
@@ -79,7 +79,7 @@ class BankNotes(NamedTuple):
     @property
     def all(self) -> tuple[str, ...]:
         """What is given, what each order comes to, what vanishes, and what compensates."""
-        return *self.given(), *self.sums(), *self.vanishing(), *self.compensators()
+        return *self.given(), *self.sums(), *self.vanishing(), *self.slight(), *self.compensators()
 
     def given(self) -> Iterator[str]:
         """Say how fast the shaft turns, and of a slider-crank what its rod is to its crank."""
@@ -149,10 +149,24 @@ class BankNotes(NamedTuple):
         else:
             yield self.drafting.word("one plane of a bank")
 
+    def slight(self) -> Iterator[str]:
+        """Say what is not drawn, being too slight: orders, and the largest force and moment over the turn."""
+        balance = self.balance
+        yield from self._orders("slight orders", lambda order: slight_order(balance, order))
+        rows = (
+            (slight_force, FORCE, "N", balance.force),
+            (slight_left, f"{FORCE}'", "N", balance.left),
+            (slight_moment, MOMENT, "N*m", balance.moment),
+        )
+        for holds, letter, unit, values in rows:
+            if holds(balance):
+                size = self._number(float(np.abs(values).max()))
+                yield self.drafting.word("slight course", letter=letter, size=size, unit=self.drafting.word(unit))
+
     def _orders(self, key: str, holds: Callable[[int], bool]) -> Iterator[str]:
-        found = [str(order) for order in self.balance.single if holds(order)]
+        found = ", ".join(str(order) for order in self.balance.single if holds(order))
         if found:
-            yield self.drafting.word(key, orders=", ".join(found), count=1 if len(found) == 1 else SEVERAL)
+            yield self.drafting.word(key, orders=found)
 
     def compensators(self) -> Iterator[str]:
         """Say what is to be put on the shafts of the compensators, and what their offset leaves."""

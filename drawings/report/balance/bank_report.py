@@ -55,7 +55,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
         subject=_listed(chapter(language, "bank").lstrip(), [*notes.members(), *notes.given()]),
         values=[chapter(language, "bank_orders"), *_orders(study["bank"].balance, drafting)],
         conditions=[
-            *_listed(chapter(language, "bank_sums"), [*notes.sums(), *notes.vanishing()]),
+            *_listed(chapter(language, "bank_sums"), [*notes.sums(), *notes.vanishing(), *notes.slight()]),
             *_listed(chapter(language, "bank_compensators"), [*notes.compensators()]),
         ],
         left_out=[word(language, "report.bank_left_out")],

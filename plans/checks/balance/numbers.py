@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeAlias
@@ -111,13 +112,13 @@ def _weight(one: Counterweight) -> dict[str, Any]:
 
 
 def _state(one: State) -> dict[str, Any]:
-    """Give what is largest over a turn."""
+    """Give what is largest over a turn; null of a mechanism that reaches no position."""
     return {
-        "path": one.path,
-        "force": one.shaking,
-        "moment": one.rocking,
-        "reactions": dict(one.reactions),
-        "balancing": one.balancing,
+        "path": _known(one.path),
+        "force": _known(one.shaking),
+        "moment": _known(one.rocking),
+        "reactions": {key: _known(largest) for key, largest in one.reactions.items()},
+        "balancing": _known(one.balancing),
     }
 
 
@@ -129,8 +130,12 @@ def _shares(found: Shares) -> dict[str, Any]:
     }
 
 
-def _choice(one: Choice) -> dict[str, float]:
-    return {"share": one.share, "force": one.force, "reaction": one.reaction}
+def _choice(one: Choice) -> dict[str, float | None]:
+    return {"share": one.share, "force": _known(one.force), "reaction": _known(one.reaction)}
+
+
+def _known(value: float) -> float | None:
+    return value if math.isfinite(value) else None
 
 
 def _vector(value: complex) -> list[float]:

@@ -1,7 +1,7 @@
 """Balancing a mechanism: what is asked, counterweights, mass centre, shaking force, what it costs (уравновешивание).
 
-Values alone, SI. A vector fixed in a link is a complex number in the link's own frame, counted from the point at which
-the link begins; vectors of the mechanism are in the scene's axes, places from the datum.
+Values alone, SI. A vector fixed in a link is complex in the link's own frame, from the point at which the link begins;
+vectors of the mechanism are in the scene's axes, places from the datum.
 """
 
 from __future__ import annotations
@@ -25,9 +25,7 @@ BEYOND = 10  # turns of so many positions are told as the outermost of them alon
 SHARES = 21  # shares from 0 to 1 that the curve of the choice is told at
 EPS = 2.0**-52
 ROUNDING = 8.0  # a static moment is none where it is within so many eps of the sum of what it is made of
-# Beside a dead centre kappa magnifies the roundings of a place, and once more those of its velocity, its acceleration
-# and the reactions: the roundings of all four are in the last.
-ORDERS = 4
+ORDERS = 4  # kappa magnifies roundings of a place, and once more of its velocity, its acceleration and the reactions
 
 
 class Place(NamedTuple):
@@ -113,9 +111,9 @@ def _largest(row: Complexes | Floats, least: Floats) -> float:
 
 
 def _outermost(spots: Complexes) -> Complexes:
-    """Give the places that lie outermost in each of very many directions: the ends of the largest distance."""
-    ways = np.exp(2j * np.pi * np.arange(BEYOND * STEPS) / (BEYOND * STEPS))
-    return spots[[int(np.argmax((spots * way.conjugate()).real)) for way in ways]]
+    """Give the places that lie outermost in very many directions: the ends of the largest distance."""
+    turns = 2 * np.pi * np.arange(BEYOND * STEPS) / (BEYOND * STEPS)
+    return spots[[int(np.argmax((spots * np.exp(-1j * turn)).real)) for turn in turns]]
 
 
 @dataclass(frozen=True)
@@ -150,8 +148,8 @@ class State:
     """The machine before or after: mass centre at the scene's positions and over a turn, and its forces over a turn.
 
     `around` and `forces` are over STEPS + 1 even positions of a turn from position 0 on; of a crank that cannot turn
-    fully they are over the scene's positions. `kappa` is how much the mechanism magnifies rounding there, `beside` N
-    the largest force of the other state: what is within rounding of the larger is 0.
+    fully over the scene's. `kappa` is how much the mechanism magnifies rounding there, `beside` N the largest force of
+    the other state: what is within rounding of the larger is 0.
     """
 
     centre: MassCentre
@@ -166,14 +164,15 @@ class State:
         return not np.array_equal(self.around.phi, self.centre.phi)
 
     @property
-    def rounding(self) -> Floats:
-        """The share of the largest force that is nothing but rounding, over the turn."""
-        return np.asarray(np.fmin(1.0, np.fmax(NOTHING, ORDERS * ROUNDING * EPS * self.kappa**ORDERS)))
+    def count(self) -> int:
+        """How many positions it is known in; the last of a turn is the first once more."""
+        return len(self.around.phi) - self.whole
 
     @property
     def none(self) -> tuple[Floats, Floats]:
         """The force N and the moment N*m over the turn that are nothing but rounding."""
-        force = self.rounding * max(self.forces.largest, self.beside)
+        share = np.clip(ORDERS * ROUNDING * EPS * self.kappa**ORDERS, NOTHING, 1.0)
+        force = np.asarray(share * max(self.forces.largest, self.beside))
         return force, force * self.forces.size
 
     @property
@@ -195,7 +194,8 @@ class State:
     @property
     def reactions(self) -> Mapping[str, float]:
         """The largest reaction N of every pair."""
-        return {key: _largest(one.force, self.none[0]) for key, one in self.forces.reactions.items()}
+        force, _ = self.none
+        return {key: _largest(one.force, force) for key, one in self.forces.reactions.items()}
 
     @property
     def balancing(self) -> float:
