@@ -13,6 +13,8 @@ from drawings.gallery.catalogue import Entry, catalogue
 from geometry.errors import DraftError
 from plans.words.words import message
 
+WORD = 4  # letters of a word that is looked for within names and titles
+
 
 class UnknownName(DraftError, ValueError):  # noqa: N818  (the message's own word)
     """A name that no scene of the gallery has."""
@@ -45,9 +47,16 @@ def found(entries: Sequence[Entry], name: str) -> Entry:
     for entry in entries:
         if entry.name == name:
             return entry
-    near = difflib.get_close_matches(name.removesuffix(".toml"), [entry.name for entry in entries], 1)
+    near = _near(entries, name.removesuffix(".toml").casefold())
     hint = message("gallery.near", name=near[0]) if near else message("gallery.any")
     raise UnknownName(message("gallery.unknown", name=name, names=listed(entries), hint=hint))
+
+
+def _near(entries: Sequence[Entry], asked: str) -> list[str]:
+    """Find the scene that is likely meant: its name or title holds what is asked, or else is spelt nearly so."""
+    holding = [entry.name for entry in entries if asked in f"{entry.name} {entry.title}".casefold()]
+    named = difflib.get_close_matches(asked, [entry.name for entry in entries], 1)
+    return difflib.get_close_matches(asked, holding, 1, 0.0) if len(asked) >= WORD and holding else named
 
 
 def _put(path: Path, scene: bytes) -> None:

@@ -15,12 +15,15 @@ from plans.scene.lengths import HUNDREDS, odd_lengths
 from plans.scene.scene import Scene
 from plans.scene.units import WORKING
 
+LIGHTEST = 100  # kg/m3: half of cork; no metal has so many g/cm3
+
 
 def notes_of(scene: Scene) -> Iterator[Fault]:
     """Give the notes on a scene's balancing (row of the table of techniques)."""
     form = scene.of(BalanceForm).balance
     yield from odd_lengths(scene, dict(_lengths(form)))
     yield from _heavy(scene, form)
+    yield from _light(scene, form)
     if form.aim == NONE and form.counterweights:
         yield scene.fault(("balance", "counterweights"), "idle_counterweights")
     survey: Survey = scene.meaning["linkage"]
@@ -34,6 +37,14 @@ def _lengths(form: BalanceTable) -> Iterator[tuple[Path, Decimal]]:
         sizes = {"radius": one.radius, "at": one.at, "thickness": one.thickness}
         path: Path = ("balance", "counterweights", number)
         yield from (((*path, name), abs(size)) for name, size in sizes.items() if size and name in one.given)
+
+
+def _light(scene: Scene, form: BalanceTable) -> Iterator[Fault]:
+    """Find densities that no solid weight has: a bare number of g/cm3."""
+    for number, one in enumerate(form.counterweights):
+        if "density" in one.given and one.density < LIGHTEST:
+            path = ("balance", "counterweights", number, "density")
+            yield scene.fault(path, "light_density", density=f"{one.density.normalize():f}")
 
 
 def _heavy(scene: Scene, form: BalanceTable) -> Iterator[Fault]:

@@ -101,6 +101,12 @@ def test_new_reads_titles_without_reading_scenes() -> None:
     assert not loaded & {"numpy", "pydantic", "svgwrite", "plans.scene.scene", "drawings.gallery.index"}
 
 
+@pytest.mark.parametrize(("asked", "name"), [("balance", "balance"), ("balancing", "balanc"), ("bank", "bank")])
+def test_a_word_of_a_name_or_title_is_enough(asked: str, name: str) -> None:
+    with pytest.raises(DraftError, match=f"Fix: plandraft new [a-z-]*{name}"):
+        new.found(ENTRIES, asked)
+
+
 def test_a_name_that_resembles_none_is_told_to_choose() -> None:
     with pytest.raises(DraftError, match="Fix: take one of them"):
         new.found(ENTRIES, "q")

@@ -210,6 +210,8 @@ def noted(text: str, linkage: str = FOUR_BAR) -> list[tuple[str, str]]:
         (ALL + counterweight("on = 1", "radius = 150"), [("counterweights.0.radius", "metres")]),
         (ALL + counterweight("on = 1", "radius = '150 m'"), []),
         (ALL + counterweight("on = 1", "at = -150"), [("counterweights.0.at", "metres")]),
+        (ALL + counterweight("on = 1", "mass = 1", "density = 7.85"), [("counterweights.0.density", "light_density")]),
+        (ALL + counterweight("on = 1", "mass = 1", "density = '7.85 g/cm3'"), []),
         (ALL + counterweight("on = 1", "at = -0.15", "thickness = 30"), [("counterweights.0.thickness", "enormous")]),
     ],
 )

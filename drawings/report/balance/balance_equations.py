@@ -17,7 +17,8 @@ from plans.model.kinetostatics import NOTHING
 from plans.model.machine import Body
 from plans.model.mechanism import FRAME, Mechanism
 
-EQUALS = "\N{NO-BREAK SPACE}= "  # a long equation may be broken behind it
+NO_BREAK = "\N{NO-BREAK SPACE}"
+EQUALS = f"{NO_BREAK}= "  # a long equation may be broken behind it
 
 
 class Moment(NamedTuple):
@@ -77,7 +78,7 @@ class Equations(NamedTuple):
             told = [self._term(one.mass, arm.real) for one, arm in zip(moments, arms, strict=True)]
             parts.append(f"{bracketed(told)}/{self._number(self.mass)}")
         size = sum(one.mass * abs(one.arm) for one in moments) / self.mass
-        return EQUALS.join([*parts, f"{self.vector(vector / along, size)}\N{NO-BREAK SPACE}{self.drafting.word('m')}"])
+        return EQUALS.join([*parts, f"{self.vector(vector / along, size)}{NO_BREAK}{self.drafting.word('m')}"])
 
     def _term(self, mass: float, arm: float) -> str:
         return f"{'−' if arm < 0 else ''}{self._number(mass)}·{self._number(abs(arm))}"
