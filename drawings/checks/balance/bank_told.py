@@ -94,8 +94,8 @@ def _sums(expected: Expected, kind: str, one: Harmonic) -> Iterator[Told]:
             angle = Cell(math.degrees(cmath.phase(value)), math.degrees(slack / abs(value)), True)
             yield Told(_plain(letters(kind, signed)), Cell(abs(value), slack), angle)
     sizes = [abs(value) for value in (one.ahead, one.back) if abs(value) > one.slack]
-    if sizes:
-        yield Told(f"{kind}max", Cell(math.fsum(sizes), 2 * expected.allowed[letters(kind, one.order)]))
+    if sizes and kind == FORCE:
+        yield Told("Fmax", Cell(math.fsum(sizes), 2 * expected.allowed[letters(kind, one.order)]))
 
 
 def _masses(expected: Expected, one: Compensator) -> Iterator[Told]:

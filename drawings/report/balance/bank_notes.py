@@ -126,14 +126,14 @@ class BankNotes(NamedTuple):
                 angle = self._number(direction(value, one.slack))
                 size = f"{self._number(abs(value))} {unit}{ANGLE}{angle}°"
                 yield f"{lowered(letters(kind, sense * one.order))} = {size}"
-        yield from self._largest(kind, one, unit)
+        yield from self._largest(one, unit) if kind == FORCE else ()
 
-    def _largest(self, kind: str, one: Harmonic, unit: str) -> Iterator[str]:
+    def _largest(self, one: Harmonic, unit: str) -> Iterator[str]:
         """Say what both vectors come to together where they point alike: the force that the table tells."""
         pairs = ((one.order, one.ahead), (-one.order, one.back))
-        summed = "+".join(f"|{lowered(letters(kind, signed))}|" for signed, value in pairs if abs(value) > one.slack)
+        summed = "+".join(f"|{lowered(letters(FORCE, signed))}|" for signed, value in pairs if abs(value) > one.slack)
         if summed:
-            told = {"letter": f"{kind}_{{max}}", "sum": summed, "size": self._number(one.size)}
+            told = {"letter": f"{FORCE}_{{max}}", "sum": summed, "size": self._number(one.size)}
             yield self.drafting.word("order largest", unit=unit, **told)
 
     def vanishing(self) -> Iterator[str]:
