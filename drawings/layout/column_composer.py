@@ -11,7 +11,7 @@ from typing import NamedTuple
 from drawings.layout.block import TextBlock
 from drawings.layout.columns import Column, Filled, Part, Zone, fill
 from drawings.layout.contents import Composition, Contents, at_foot
-from drawings.layout.footing import NARROW, PAD, Foot, Notes, feet
+from drawings.layout.footing import PAD, Foot, Notes, feet
 from drawings.layout.picture import Ladder, Picture
 from drawings.layout.stacking import even, stacks
 from drawings.layout.table import RuledTable, Setting
@@ -191,10 +191,10 @@ def _standing(
     """List widths of a zone with the ways to stand its foot in it."""
     needed = PAD if wide and notes else 0.0
     if block is None:
-        widths = {wide + needed + NARROW * k for k in (1, 2)} if notes else {wide}
+        widths = {wide + needed + notes.least * k for k in (1, 2)} if notes else {wide}
     else:
         widths = {block.width, max(wide, block.width), wide + PAD + block.width, room.width}
-        widths |= {wide + needed + NARROW * k + PAD + block.width for k in (1, 2)} if notes else set()
+        widths |= {wide + needed + notes.least * k + PAD + block.width for k in (1, 2)} if notes else set()
     for width in sorted(one for one in widths if one <= room.width):
         left = room.left if block is None else block.right - width
         column = Field(left, room.bottom, left + width, room.top)

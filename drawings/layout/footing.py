@@ -15,10 +15,14 @@ BROKEN = 0.9  # share of a line that words fill on average when it is broken bet
 
 
 class Notes(NamedTuple):
-    """What the sheet says in words: the length of each paragraph in one line, and the step of the lines, mm."""
+    """What the sheet says in words: the length of each paragraph in one line, the step of the lines, mm.
+
+    They stand in no column of less than `least` mm.
+    """
 
     lengths: tuple[float, ...]
     step: float
+    least: float = NARROW
 
     def height(self, width: float) -> float:
         """Give the height, mm, of the notes broken at a width."""
@@ -48,7 +52,7 @@ def feet(
         low = max(column.bottom + high, floor - PAD if block is not None else column.bottom)
         if notes is None:
             yield Foot(low, corner, None)
-        elif beside.width >= NARROW:  # table, notes and block stand in one row
+        elif beside.width >= notes.least:  # table, notes and block stand in one row
             tall = notes.height(beside.width)
             yield Foot(max(low, column.bottom + tall), corner, _upright(beside, column.bottom, tall))
         if notes is not None and block is not None and wide:  # the notes stand on the block, the table beside both
@@ -58,7 +62,7 @@ def feet(
         yield Foot(floor + high, complex(column.left, floor + high), None)
     else:
         row = _one_row(column, ends, 0.0)
-        if block is not None and row.width >= NARROW:  # notes and block in one row, the table on them
+        if block is not None and row.width >= notes.least:  # notes and block in one row, the table on them
             tall = notes.height(row.width)
             top = max(floor - PAD, column.bottom + tall)
             yield _under_table(column, top, wide, high, _upright(row, column.bottom, tall))

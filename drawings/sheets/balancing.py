@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property, partial
-from typing import Any, NamedTuple
+from typing import Any
 
 from drawings.figures.balance import (
     balance_scheme,
@@ -21,13 +21,14 @@ from drawings.figures.forces.force_letters import REACTION
 from drawings.figures.graphs import curve_graph
 from drawings.figures.linkage.skeleton import Skeletons, skeletons
 from drawings.layout.contents import Panel
-from drawings.layout.picture import SMALLER, Picture
+from drawings.layout.picture import Picture
 from drawings.layout.table import RuledTable
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf, SheetError
 from drawings.report.balance.balance_report import notes_of
+from drawings.sheets.balancing_ways import SCHEMES, TOLD, WAYS, Way, weigh
 from drawings.sheets.choice import position
-from drawings.sheets.leaves import Caption, Draft, Exhibit, compositions, lay_out
+from drawings.sheets.leaves import EQUATION, Caption, Draft, Exhibit, lay_out
 from drawings.symbols.polygon import ShownVector
 from geometry.board import at
 from plans.balance.mass_centre import Side
@@ -40,8 +41,6 @@ from plans.study import Study
 from plans.words.words import message, placed
 
 MAIN = "main"  # what a vector of a scheme is
-SCHEMES = "schemes"  # the schemes are drawn at one scale
-TOLD, RESULTS = "told", "results"  # columns: of static moments and what stands under them, of the tables alone
 LARGEST = 2.2  # times the least size at which it is legible: no polygon or graph is drawn larger than the schemes
 
 
@@ -109,31 +108,11 @@ def sheets(scene: Scene, shown: Balanced) -> tuple[Leaf, ...]:
     return lay_out(scene, [_draft(scene, shown)])
 
 
-class Way(NamedTuple):
-    """A way to show it: the keys of the columns of the schemes, "" apart, and of the tables, "" at the foot."""
-
-    schemes: str
-    tables: str
-    finest: float = 0.0  # scale mu than which the schemes are drawn no larger
-
-
-WAYS = tuple(Way(schemes, tables) for schemes in (SCHEMES, "") for tables in (TOLD, RESULTS, ""))
-
-
 def _draft(scene: Scene, shown: Balanced) -> Draft:
     """Take the way whose figures can be read on the fewest sheets, with the largest schemes, all of one size."""
-    weighed = {way: _weight(scene, _BalancingSheet(scene, shown, way).draft) for way in WAYS}
+    weighed = {way: weigh(scene, _BalancingSheet(scene, shown, way).draft) for way in WAYS}
     way = min(WAYS, key=lambda one: weighed[one])
-    return _BalancingSheet(scene, shown, way._replace(finest=weighed[way][-1])).draft
-
-
-def _weight(scene: Scene, draft: Draft) -> tuple[int, int, float]:
-    """Weigh a draft: figures that are too small, sheets, the scale that the schemes get."""
-    composed = compositions(scene, draft)
-    spots = {name: spot for one in composed for name, spot in one.spots.items()}
-    rooms = (one.panel.item for one in draft.shows if isinstance(one.panel.item, Picture))
-    small = sum(one.extent(spots[one.name].scale) < one.least * SMALLER for one in rooms)
-    return small, len(composed), spots[SCHEME + BEFORE].scale.mu
+    return _BalancingSheet(scene, shown, way._replace(finest=weighed[way].scale)).draft
 
 
 @dataclass(frozen=True)
@@ -164,14 +143,16 @@ class _BalancingSheet:
         shows: tuple[Exhibit | Caption, ...] = (
             *self._schemes(),
             *self._polygon(),
-            *self._captions(),
+            *(() if self.way.graphs else self._captions()),
             *self._shaking(),
             *self._rocking(),
             *self._shares(),
+            *(self._captions() if self.way.graphs else ()),
         )
-        tables = () if self.way.tables else self.tables
+        captioned = self._keys
+        tables = tuple(table for table in self.tables if table.name not in captioned)
         facts = partial(_facts, self.shown.bones.shown)
-        return Draft("balancing", title, shows, tables, self.shown.notes, facts, SCHEME + BEFORE)
+        return Draft("balancing", title, shows, tables, self.shown.notes, facts, SCHEME + BEFORE, EQUATION)
 
     def _schemes(self) -> Iterator[Exhibit]:
         schemes = [self._scheme(state) for state in self.shown.states]
@@ -201,7 +182,7 @@ class _BalancingSheet:
         states, whole = self.shown.states, self.balance.before.whole
         shown = shaking_hodograph.hodograph(states, self.shown.bones.shown, self.shown.nothing.force, whole)
         if shown.vectors:
-            yield self._exhibit(shaking_hodograph, shown)
+            yield self._exhibit(shaking_hodograph, shown, self.way.graphs)
 
     def _rocking(self) -> Iterator[Exhibit]:
         """Show the main moment, if there is any."""
@@ -209,7 +190,8 @@ class _BalancingSheet:
         curve = moment_graph.curve(self.shown.states, bones.study.sense, bones.shown, least, self.drafting, self._shaft)
         if curve is not None:
             room = _bounded(curve_graph.measure(curve, moment_graph.NAME, self.drafting))
-            yield Exhibit(Panel(room), partial(curve_graph.draw, curve, room, drafting=self.drafting))
+            panel = Panel(room, together=self.way.graphs)
+            yield Exhibit(panel, partial(curve_graph.draw, curve, room, drafting=self.drafting))
 
     def _shares(self) -> Iterator[Exhibit]:
         """Show the choice of the share, where there is one."""
@@ -218,9 +200,9 @@ class _BalancingSheet:
             best = shares.least_force if task.least == FORCE else shares.least_reaction
             taken = best.share if task.share is None else task.share
             letter = share_graph.reaction_letter(self.shown.bones.mechanism.drive.link, self.drafting)
-            yield self._exhibit(share_graph, share_graph.ShareGraph(shares, taken, letter))
+            yield self._exhibit(share_graph, share_graph.ShareGraph(shares, taken, letter), self.way.graphs)
 
-    def _exhibit(self, figure: Any, shown: Any, together: str = "") -> Exhibit:
+    def _exhibit(self, figure: Any, shown: Any, together: str) -> Exhibit:
         room = _bounded(figure.measure(shown, self.drafting))
         return Exhibit(Panel(room, together=together), partial(figure.draw, shown, room, drafting=self.drafting))
 
@@ -236,9 +218,16 @@ class _BalancingSheet:
 
     def _captions(self) -> Iterator[Caption]:
         """Set the tables among the figures, the counterweights first, unless they stand at the foot."""
-        for table in reversed(self.tables) if self.way.tables else ():
+        keys = self._keys
+        for table in (one for one in reversed(self.tables) if one.name in keys):
             write: Callable[..., Any] = partial(table.write, drafting=self.drafting)
-            yield Caption(Panel(table.block(table.name), together=self.way.tables), write)
+            yield Caption(Panel(table.block(table.name), together=keys[table.name]), write)
+
+    @property
+    def _keys(self) -> dict[str, str]:
+        """The columns of the tables that stand among the figures, by the names of the tables."""
+        keys = zip((balance_table.WEIGHTS, balance_table.COSTS), self.way.tables, strict=True)
+        return {name: key for name, key in keys if key}
 
 
 def _bounded(room: Picture) -> Picture:

@@ -19,7 +19,7 @@ from drawings.layout.contents import Panel
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.report.balance.bank_notes import BankNotes, crank_of, straight
-from drawings.sheets.leaves import Draft, Exhibit, lay_out
+from drawings.sheets.leaves import EQUATION, Draft, Exhibit, lay_out
 from plans.bank.letters import FORCE as F
 from plans.bank.letters import MOMENT as M
 from plans.checks.comparison import Comparison
@@ -56,7 +56,8 @@ def sheets(scene: Scene, shown: BankView, comparison: Comparison) -> tuple[Leaf,
     tables = [*(write(shown.balance, drafting) for write in told), bank_table.results(comparison, drafting)]
     notes = BankNotes(shown.balance, drafting).all
     title = drafting.word("bank sheet title")
-    return lay_out(scene, [Draft("bank", title, shows, tuple(one for one in tables if one is not None), notes, _facts)])
+    there = tuple(one for one in tables if one is not None)
+    return lay_out(scene, [Draft("bank", title, shows, there, notes, _facts, narrow=EQUATION)])
 
 
 def _facts(names: Collection[str]) -> dict[str, Any]:

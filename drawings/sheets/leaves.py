@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 from drawings.layout.composer import compose
 from drawings.layout.contents import Composition, Contents, Panel
 from drawings.layout.figure import Figure
+from drawings.layout.footing import NARROW
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.layout.picture import SMALLER, Picture, Spot
@@ -20,6 +21,7 @@ from drawings.paper.strokes import Group, Leaf
 from drawings.sheets.paragraphs import measure, write
 from plans.scene.scene import Scene
 
+EQUATION = 120.0  # mm: in a narrower column of notes the equations with numbers are broken at every sign
 KEPT = 1.0  # mm inside the frame that letters keep clear of
 ENTRIES = ("designation", "drawn", "checked", "approved", "date", "group", "organisation")  # kept from [sheet]
 
@@ -43,7 +45,8 @@ class Draft:
     """What the sheets of one kind show: figures and lettering in their order, tables, notes.
 
     `facts` gives what the data of a sheet say of it beside title and number, by the names of the figures that it bears.
-    `scaled` is the figure whose scale the title block states: the foremost one, unless it is named.
+    `scaled` is the figure whose scale the title block states: the foremost one, unless it is named. The notes stand in
+    no column of less than `narrow` mm.
     """
 
     kind: str
@@ -53,6 +56,7 @@ class Draft:
     notes: tuple[str, ...]
     facts: Callable[[Collection[str]], Mapping[str, Any]]
     scaled: str = ""
+    narrow: float = NARROW
 
 
 def lay_out(scene: Scene, drafts: Sequence[Draft]) -> tuple[Leaf, ...]:
@@ -105,7 +109,7 @@ class _Leaves:
     def contents(self) -> Contents:
         """All that the sheets must show, measured."""
         panels = tuple(one.panel for one in self.draft.shows)
-        return Contents(panels, self.draft.tables, measure(self.draft.notes, self.page.hand.text))
+        return Contents(panels, self.draft.tables, measure(self.draft.notes, self.page.hand.text, self.draft.narrow))
 
     def leaf(self, composed: Composition, number: int, count: int) -> Leaf:
         """Draw one sheet: the lines of all its figures first, then the letters among them."""

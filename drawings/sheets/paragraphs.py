@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from drawings.layout.footing import Notes
+from drawings.layout.footing import NARROW, Notes
 from drawings.lettering.lettering import text_width
 from drawings.page.page import Field
 from drawings.paper.strokes import LEAN, Group, Stroke, Text
@@ -15,9 +15,9 @@ CLEAR = 0.5  # mm from a line of notes to the frame
 STEP = 1.8  # sizes of the letters from line to line: GOST 2.304-81 asks for 1.7 at least
 
 
-def measure(paragraphs: Sequence[str], size: float) -> Notes:
-    """Measure what notes need on paper."""
-    return Notes(tuple(text_width(Text(0j, _marked(note), size)) for note in paragraphs), STEP * size)
+def measure(paragraphs: Sequence[str], size: float, least: float = NARROW) -> Notes:
+    """Measure what notes need on paper, in columns of no less than `least` mm."""
+    return Notes(tuple(text_width(Text(0j, _marked(note), size)) for note in paragraphs), STEP * size, least)
 
 
 def write(paragraphs: Sequence[str], field: Field, size: float, edge: float) -> Group:

@@ -160,6 +160,7 @@ def shares(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
         spots = [zero + each.share / scales["k"] + 1j * _value(each, kind) / mu for each in found.curve]
         yield from _choice(leaf, part, expected, kind, choice, (zero, scales["k"], mu), spots)
     yield from _divisions(part, expected, zero, scales["k"])
+    yield from _levels(part, expected, zero, mu)
     yield from _taken(leaf, expected, zero, scales["k"])
 
 
@@ -214,6 +215,16 @@ def _divisions(part: Group, expected: Expected, zero: complex, across: float) ->
         share = k / share_graph.DIVISIONS
         if not _lettered(part, expected.drafting.number(share), zero + share / across):
             yield on("letter", share_graph.NAME, name=expected.drafting.number(share))
+
+
+def _levels(part: Group, expected: Expected, zero: complex, up: float) -> Iterator[Wrong]:
+    """See that the axis of forces is numbered rightly, up to the largest force of both curves."""
+    name, found, step = share_graph.NAME, expected.balance.shares, share_graph.LEVEL * up
+    assert found is not None  # asked before
+    high = max(_value(one, kind) for one in found.curve for kind in (share_graph.FORCES, share_graph.REACTIONS))
+    for k in range(1, int(high * (1 - KNOWN) / step) + 1):
+        if not _lettered(part, expected.drafting.number(k * step), zero + 1j * share_graph.LEVEL * k):
+            yield on("letter", name, name=expected.drafting.number(k * step))
 
 
 def _tells(text: str, letter: str, best: Choice, kind: str, expected: Expected) -> bool:

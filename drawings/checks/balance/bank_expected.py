@@ -125,13 +125,13 @@ class Expected:
         return {order: one for order, one in self.analysis.single.items() if not self.slight(order)}
 
     def polygons(self) -> Iterator[Polygon]:
-        """Give the polygons that have vectors: with the crank, and against it where that is no mirror image."""
+        """Give the polygons of several vectors: with the crank, and against it where that is no mirror image."""
         for order, single in self.seen.items():
             for kind in (FORCE, MOMENT):
                 for signed in (order, -order):
                     alone = signed < 0 and self.alone(order)
                     found = self._polygon(kind, signed, single)
-                    if found.sides and not alone:
+                    if len(found.sides) > 1 and not alone:
                         yield found
 
     def _polygon(self, kind: str, signed: int, single: Harmonic) -> Polygon:

@@ -30,6 +30,7 @@ RATIO = 1.5  # it is drawn so many times as long as high
 MARGINS = Margins(3.6, 2.6, 0.8)  # paper around it for letters, in their sizes
 LETTERS = 20.0  # it is drawn at least so many of its letters long
 DIVISIONS = 4  # of the whole share, with numbers
+LEVEL = 20.0  # mm from one numbered force to the next: a whole number of newtons at standard scales from 0.05 on
 DOT = 1.0  # mm, radius of the points of the least values
 
 
@@ -101,6 +102,7 @@ def draw(shown: ShareGraph, room: Picture, spot: Spot, drafting: Drafting) -> Sh
             Line(axes.on(k / DIVISIONS) - 1j * TICK, axes.on(k / DIVISIONS) + 1j * TICK, hand.other)
             for k in range(1, DIVISIONS + 1)
         ),
+        *(Line(axes.on(0.0, force) - TICK, axes.on(0.0, force) + TICK, hand.other) for force in levels(shown.high, up)),
         _taken(shown, axes, hand),
         *(part for name in (FORCES, REACTIONS) for part in _curve(shown, name, axes, up, drafting)),
     )
@@ -131,6 +133,8 @@ def _letters(shown: ShareGraph, axes: Axes, drafting: Drafting) -> Iterator[Lett
     hand, number = drafting.hand, drafting.number
     yield Letter(axes.on(0.0, shown.high) + 1j * BEYOND, drafting.word(UNIT), hand.letter, 0.0)
     yield Letter(axes.on(1.0) + BEYOND, SHARE, hand.letter, math.pi / 2)
+    for force in levels(shown.high, axes.up):
+        yield Letter(axes.on(0.0, force), number(force), hand.number, math.pi, TICK + 0.6)
     for k in range(DIVISIONS + 1):
         yield Letter(axes.on(k / DIVISIONS), number(k / DIVISIONS), hand.number, -math.pi / 2, TICK + 0.6)
     for name, letter in curve_letters(shown.reaction).items():
@@ -139,6 +143,16 @@ def _letters(shown: ShareGraph, axes: Axes, drafting: Drafting) -> Iterator[Lett
         best = shown.best[name]
         text = least_text(best, name, letter, drafting)
         yield Letter(axes.on(best.share, value_of(best, name)), text, hand.number, math.pi / 2, 1.6)
+
+
+def levels(high: float, up: Scale) -> list[float]:
+    """Give the forces N that are numbered on the axis, up to the largest one.
+
+    >>> levels(1255.9, Scale(25.0, "F", "N"))
+    [500.0, 1000.0]
+    """
+    step = LEVEL * up.mu
+    return [k * step for k in range(1, int(high / step) + 1)]
 
 
 def least_text(best: Choice, name: str, letter: str, drafting: Drafting) -> str:

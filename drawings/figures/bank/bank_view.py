@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+import cmath
+import math
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -17,6 +19,7 @@ from plans.model.balance.bank import BankBalance, BankTask, Member
 from plans.model.motion import Complexes
 from plans.rotor.heading import heading
 
+ALIKE = 0.1  # degrees: vectors whose directions differ by less are laid off as if they had one
 SIDE, RESULT = "side", "result"  # what a vector is: of one member, or of all together
 
 
@@ -32,6 +35,18 @@ class ShownOrder(NamedTuple):
     def points(self) -> list[complex]:
         """All true points that the figure must hold."""
         return [0j, *(one.end for one in self.vectors)]
+
+
+def fanned(sides: Sequence[tuple[str, complex]]) -> list[tuple[str, complex]]:
+    """Order the sides of a polygon by their directions, from that of the first one on: no side crosses another then.
+
+    >>> [name for name, _ in fanned([("1", 1 + 0j), ("2", -1j), ("3", 2j), ("4", 3 + 0j)])]
+    ['1', '4', '3', '2']
+    """
+    first = next((value for _, value in sides if value), 1 + 0j)
+    return sorted(
+        sides, key=lambda side: round(math.degrees(cmath.phase(side[1] / first)) / ALIKE) % round(360 / ALIKE)
+    )
 
 
 class BankView(NamedTuple):
@@ -57,7 +72,10 @@ class BankView(NamedTuple):
         return heading(Fraction(float(np.degrees(self.task.axis))))
 
     def shown(self) -> Iterator[ShownOrder]:
-        """Give the polygons of every order that can be seen; the mirror image of one is left out."""
+        """Give the polygons of every order that can be seen.
+
+        The mirror image of one is left out, and what has a single side, which is its sum.
+        """
         for order in (one for one in self.balance.single if not slight_order(self.balance, one)):
             for kind in (FORCE, MOMENT):
                 for signed in (order,) if mirrored(self.balance, order) else (order, -order):
@@ -65,17 +83,16 @@ class BankView(NamedTuple):
                         yield self._shown(kind, signed)
 
     def acts(self, kind: str, signed: int) -> bool:
-        """Tell whether one mechanism of the bank has something to lay off in a polygon."""
+        """Tell whether several mechanisms of the bank have something to lay off in a polygon."""
         single = self.balance.single[abs(signed)]
-        off = any(one.place for one in self.task.members) or kind == FORCE
-        return off and abs(single.ahead if signed > 0 else single.back) > single.slack
+        several = sum(1 for one in self.task.members if one.place or kind == FORCE) > 1
+        return several and abs(single.ahead if signed > 0 else single.back) > single.slack
 
     def _shown(self, kind: str, signed: int) -> ShownOrder:
         found, vectors, end = self.polygons[kind][signed], list[ShownVector](), 0j
-        for side in found.polygon.sides:
-            value = complex(side.vector.point) * self.turn
-            vectors.append(ShownVector(side.vector.name, SIDE, end, value))
-            end += value
+        for name, point in fanned([(side.vector.name, complex(side.vector.point)) for side in found.polygon.sides]):
+            vectors.append(ShownVector(name, SIDE, end, point * self.turn))
+            end += point * self.turn
         whole = (self.balance.forces if kind == FORCE else self.balance.moments)[abs(signed)]
         closed = found.vanishes or abs(complex(found.vector.point)) <= whole.slack
         if not closed:
