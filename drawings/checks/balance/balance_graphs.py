@@ -9,6 +9,7 @@ import numpy as np
 from drawings.checks.balance import balance_marks as marks
 from drawings.checks.balance.balance_expected import KNOWN, Expected
 from drawings.checks.balance.balance_schemes import PRIMES
+from drawings.checks.balance.share_level import level
 from drawings.checks.dynamics_graphs import written
 from drawings.checks.labelled import NEAREST, distance, labels_of
 from drawings.checks.reading import reads
@@ -162,6 +163,7 @@ def shares(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
     yield from _divisions(part, expected, zero, scales["k"])
     yield from _levels(part, expected, zero, mu)
     yield from _taken(leaf, expected, zero, scales["k"])
+    yield from level(leaf, part, expected, zero, (scales["k"], mu))
 
 
 def _least(
