@@ -86,7 +86,9 @@ def run(
     here.mkdir()
     (here / "scene.toml").write_text(SCENE, "utf-8")
     command = [sys.executable, *around.options, "-c", RUNNER, around.locale, around.umask, *map(" ".join, commands)]
-    inherited = {name: os.environ[name] for name in ("PATH", "SYSTEMROOT", "HOME") if name in os.environ}
+    inherited = {
+        name: os.environ[name] for name in ("PATH", "SYSTEMROOT", "HOME", "PYTHONPYCACHEPREFIX") if name in os.environ
+    }
     environment = {**inherited, "PYTHONPATH": str(ROOT), **around.environment}
     if around.locale and made(around.locale, locales):
         environment["LOCPATH"] = locales

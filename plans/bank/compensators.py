@@ -3,6 +3,7 @@
 A mass that turns n times as fast as the crank has the force m*r*(n*omega)^2; laid off against the vector that turns
 with the crank, and another against the one that turns against it, both together are against the force of order n. Where
 their line is off the shaft their largest force makes a couple, as large as two masses in antiphase on two shafts make.
+One mass of order 1 that turns with the crank stands on the crank itself, off which there is no line.
 """
 
 from __future__ import annotations
@@ -50,7 +51,7 @@ class Weights:
             with_angle=_angle(self.ahead),
             against=abs(back),
             against_angle=_angle(self.back),
-            residual=harmonic.size * abs(asked.offset),
+            residual=0.0 if _on_crank(asked, self.ahead, self.back) else harmonic.size * abs(asked.offset),
             couple=None if asked.shafts is None else abs(couple),
             couple_angle=_angle(self.couple),
         )
@@ -77,7 +78,7 @@ def _weight(board: Board, speed: float, found: Polygons, signed: int) -> Mark | 
     return board.turn(letters(STATIC, signed), total.polygon.closing, 1 / (signed * speed) ** 2, why)
 
 
-def _couple(board: Board, asked: Asked, weights: Sequence[Mark | None]) -> Mark | None:
+def _couple(board: Board, asked: Asked, weights: tuple[Mark | None, Mark | None]) -> Mark | None:
     """Give the mass on the shaft that is farther along the line of the force, against the couple of the offset.
 
     With the masses at angles alpha and beta their force is along (alpha + beta)/2 and is largest where n*phi =
@@ -86,10 +87,15 @@ def _couple(board: Board, asked: Asked, weights: Sequence[Mark | None]) -> Mark 
     line is the reference guide: one against the crank passes it as its mirror image does that turns with the crank.
     """
     there = [one for one in weights if one is not None]
-    if not there or not asked.offset or not asked.shafts:
+    if not there or not asked.offset or not asked.shafts or _on_crank(asked, *weights):
         return None
     first = there[0] if weights[0] is not None else _mirrored(board, there[0])
     return _antiphase(board, asked, first, sum(abs(_value(one)) for one in there))
+
+
+def _on_crank(asked: Asked, ahead: Mark | None, back: Mark | None) -> bool:
+    """Tell whether the mass is a counterweight on the crank: its polygon against the crank closes by itself."""
+    return asked.order == 1 and ahead is not None and back is None
 
 
 def _mirrored(board: Board, one: Mark) -> Mark:

@@ -57,6 +57,7 @@ SCENES = {
     "turning": bank(
         [(0, 0, 0)], compensator(1, "mass = 1"), f"{ENGINE}rotating = 1\n".replace("9.5", "0"), "speed = 9\n"
     ),
+    "unlike": bank([(0, -50, 0), (0, 50, 0)], compensator(1, 'mass = "2 kg"', 'offset = "60 mm"'), TURNING),
     "cancelled": bank([(0, -50, 0), (180, 50, 0)], compensator(2, "mass = 1"), TURNING),
     "radial": bank([(0, 0, 40 * k) for k in range(9)], unit=TURNING),
     "twelve": bank([(30 * k, 20 * k, 0) for k in range(12)], unit=TURNING),

@@ -135,6 +135,25 @@ def test_places_along_the_shaft_bear_another_letter_than_the_offset() -> None:
     assert {"h1", "h4", "z", "L"} <= sizes and not {"z1", "z4", "h"} & sizes
 
 
+def test_what_turns_with_the_crank_alone_is_a_counterweight_on_it(tmp_path: Path) -> None:
+    study = study_of("vee")
+    all_checked(study, tmp_path)
+    (leaf,) = leaves(study)
+    written = {text.plain for group in leaf.groups for text in texts(group)}
+    assert "Counterweight on the crank, φ = 0" in written and "Compensator of order 1, φ = 0" not in written
+    assert "a counterweight on the crank itself" in leaf.description
+    assert not any(text.startswith("z = ") for text in written)
+
+
+def test_unlike_vectors_leave_couples_that_a_counterweight_would_not(tmp_path: Path) -> None:
+    """Two cylinders together: what turns at their pins, 2*0.6 kg at 40 mm, is all the difference of both vectors."""
+    study = study_of("unlike")
+    all_checked(study, tmp_path)
+    told = " ".join(leaf.description for leaf in leaves(study))
+    assert "F_{I} and F_{−I} differ: couples by the distances of the two shafts are not counted" in told
+    assert "mr_{O} = (F_{I}−F_{−I})/ω² = 0.048 kg·m\N{NO-BREAK SPACE}∠\N{NO-BREAK SPACE}180°" in told
+
+
 def test_what_vanishes_is_said_and_has_no_arrow(tmp_path: Path) -> None:
     """Six cylinders in line: orders 1, 2 and 4 close by themselves, and nothing is there to be compensated."""
     study = study_of("six")

@@ -359,7 +359,7 @@ def spoilt(stroke: Stroke, spoil: Callable[[Line, dict[str, str]], Group], done:
     return replace(stroke, strokes=tuple(spoilt(part, spoil, done) for part in stroke.strokes))
 
 
-@pytest.mark.parametrize("spoil", [shifted, reversed_, dropped, misnamed, stretched, named_twice])
+@pytest.mark.parametrize("spoil", some([shifted, reversed_, dropped, misnamed, stretched, named_twice], 3))
 def test_a_sheet_with_one_wrong_vector_is_withheld(
     run: Run, before: Path, monkeypatch: pytest.MonkeyPatch, spoil: Callable[[Line, dict[str, str]], Group]
 ) -> None:
@@ -751,7 +751,8 @@ WAYS: dict[str, dict[str, Any]] = {
 }
 
 
-@pytest.mark.parametrize("way", some(WAYS, 2))
+@pytest.mark.rest  # every day tests/test_determinism.py asks it
+@pytest.mark.parametrize("way", WAYS)
 def test_the_same_scene_gives_the_same_bytes(run: Run, tmp_path: Path, way: str) -> None:
     run("draw", SHAPER, "-o", tmp_path / "here")
     cwd = tmp_path if "another folder" in way else ROOT

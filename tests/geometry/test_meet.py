@@ -20,9 +20,11 @@ import pytest
 from geometry import meet
 from geometry.board import Board
 from geometry.meet import EPS, Meeting, arc_arc, cross, dot, line_arc, line_line, tangent_direction
+from tests import parts
 
 U = EPS / 2
-CASES = 120
+pytestmark = pytest.mark.part
+CASES = 120 if parts.whole else 40
 # A thousand positions are found with c up to 1 in nearly all families; what exceeds it does so by its own last
 # rotation, three roundings, where the data themselves bring hardly more: short links 1.5, slots 2.6.
 SHORT_LINK, SLOT = 1.6, 3.0

@@ -21,9 +21,17 @@ def members(*rows: tuple[int, int]) -> tuple[Member, ...]:
 COUPLED = {
     "along the guide": BOOK,
     "along a line of its own": task(members((0, 0), (100, -40)))._replace(asked=(Asked(2, 2.0, -0.06, 0.5),)),
-    "round with the crank": task(members((25, 50), (25, -40)))._replace(asked=(Asked(1, 2.0, 0.06, 0.5),)),
+    "round with the crank": task(members((25, 50), (25, -10)))._replace(asked=(Asked(2, 2.0, 0.06, 0.5),)),
     "round against it": task(members((0, 10), (0, 130), (0, 250)))._replace(asked=(Asked(2, 2.0, 0.06, 0.5),)),
 }
+
+
+@pytest.mark.parametrize("road", [drawn, summed])
+def test_a_mass_that_turns_as_the_crank_does_has_no_offset(road) -> None:
+    """A V of 90 degrees: the first harmonic goes round with the crank, and a counterweight on the crank takes it."""
+    (one,) = road(task(members((25, 45), (25, -45)))._replace(asked=(Asked(1, 2.0, 0.06, 0.5),))).compensators
+    assert one.on_crank and one.with_crank > 0 == one.against
+    assert (one.residual, one.couple or 0.0, one.couple_angle) == (0.0, 0.0, None)
 
 
 @pytest.mark.parametrize("road", [drawn, summed])

@@ -201,6 +201,11 @@ class Expected:
             yield Body(name, one.couple, way, order, True)
             yield Body(f"{name}'", one.couple, -way, order, True)
 
+    @staticmethod
+    def carried(one: Compensator) -> bool:
+        """Tell whether the crank itself carries the mass: it alone turns, and as fast as the crank."""
+        return one.asked.order == 1 and one.against_angle is None is not one.with_angle
+
     def line(self, one: Compensator) -> complex:
         """Give the line of the largest force of an order on the sheet, towards where the reference guide goes."""
         if one.with_angle is None or one.against_angle is None:

@@ -114,7 +114,10 @@ class _Layout(View):
         line = self.expected.line(self.found)
         middle, half = (first + last) / 2 - self.zero, abs(first - last) / 2
         offset = (middle * (1j * line).conjugate()).real * self.mu
-        asked = self.found.asked.offset
+        carried = self.expected.carried(self.found)
+        asked = 0.0 if carried else self.found.asked.offset
+        if carried and not abs(middle) <= NEAR:
+            yield on("mass", self.name, name="m_I")
         if not abs(offset - asked) <= NEAR * self.mu + turned * abs(middle) * self.mu:
             yield on("size", self.name, name="z")
         level = abs(((first - last) * line.conjugate()).real) <= NEAR + turned * half

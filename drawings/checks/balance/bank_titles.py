@@ -14,6 +14,7 @@ from drawings.page.drafting import Drafting
 from drawings.paper.strokes import Leaf, Text
 from plans.bank.letters import MOMENT
 
+COUNTERWEIGHT = "counterweight on crank"  # of a compensator that the crank itself carries
 GRAPHS = {"force_graph": "bank force title", "moment_graph": "bank moment title"}  # the phrases of their titles
 
 
@@ -40,7 +41,8 @@ def _titles(expected: Expected, drafting: Drafting) -> Iterator[tuple[str, str]]
         name = bank_curves.figure_of(expected, plan)
         yield name, drafting.word(GRAPHS.get(name, f"hodograph of {plan}"))
     for found in expected.analysis.compensators:
-        yield bank_layouts.name_of(found), drafting.word("compensator of order", order=found.asked.order)
+        own = {} if expected.carried(found) else {"order": found.asked.order}
+        yield bank_layouts.name_of(found), drafting.word("compensator of order" if own else COUNTERWEIGHT, **own)
 
 
 def _phrase(one: Polygon) -> str:

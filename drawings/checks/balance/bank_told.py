@@ -8,7 +8,7 @@ import re
 from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
-from drawings.checks.balance.bank_expected import LEFT, WHOLE, WHOLE_MOMENT, Expected
+from drawings.checks.balance.bank_expected import LEFT, PAPER, WHOLE, WHOLE_MOMENT, Expected
 from drawings.checks.rotor_tables import Cell
 from drawings.checks.wrong import Wrong, within
 from drawings.lettering.bank_letters import lowered
@@ -104,6 +104,11 @@ def _masses(expected: Expected, one: Compensator) -> Iterator[Told]:
     bodies = [body for body in expected.bodies(one) if not body.coupled]
     for body in bodies:
         yield Told(_plain(letters("mr", body.turns)), Cell(body.moment, slack))
+    if _unlike(one) and order == 1 and one.with_crank > one.against and one.with_angle is not None:
+        angle = Cell(math.degrees(one.with_angle), math.degrees(2 * slack / one.with_crank), True)
+        yield Told("mrO", Cell(one.with_crank - one.against, 2 * slack), angle)
+    if expected.carried(one):
+        return
     square = (order * expected.task.speed) ** 2
     couple = sum(body.moment for body in bodies) * square * abs(one.asked.offset)
     if couple:
@@ -112,6 +117,13 @@ def _masses(expected: Expected, one: Compensator) -> Iterator[Told]:
         if one.asked.shafts is not None:
             arm = square * one.asked.shafts
             yield Told(_plain(couple_letters(order)), Cell(couple / arm, wide / arm))
+
+
+def _unlike(one: Compensator) -> bool:
+    """Tell whether the masses on two shafts of their own are of unlike size."""
+    more, less = max(one.with_crank, one.against), min(one.with_crank, one.against)
+    alone = one.asked.order == 1 and one.against_angle is None
+    return not alone and more - less > PAPER * more
 
 
 def _plain(name: str) -> str:
@@ -137,9 +149,16 @@ def _phrases(told: str, expected: Expected, drafting: Drafting) -> Iterator[Wron
     if (drafting.word("one plane of a bank") in told) == apart:
         yield within("in", NOTES, text=drafting.word("one plane of a bank"))
     for one in analysis.compensators:
-        idle = drafting.word("no compensator", order=one.asked.order)
+        order = one.asked.order
+        idle = drafting.word("no compensator", order=order)
         if (idle in told) == any(expected.bodies(one)):
             yield within("in", NOTES, text=idle)
+        pair = {key: lowered(letters(FORCE, signed)) for key, signed in (("ahead", order), ("back", -order))}
+        unlike = Text(0j, drafting.word("unequal vectors", **pair)).plain
+        if (unlike in told) != _unlike(one):
+            yield within("in", NOTES, text=unlike)
+    if (drafting.word("on crank") in told) != any(map(expected.carried, analysis.compensators)):
+        yield within("in", NOTES, text=drafting.word("on crank"))
 
 
 def _senses(told: str, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:

@@ -85,16 +85,21 @@ class Layout(NamedTuple):
         return min((one for one in self.radii if one), default=0.0) > SMALL * self.gear
 
     @property
+    def offset(self) -> float:
+        """The distance m of the line of the compensators from the crank's shaft, on which a counterweight is."""
+        return 0.0 if self.found.on_crank else self.found.asked.offset
+
+    @property
     def gear(self) -> float:
         """The radius m of the gears as they are drawn."""
-        asked = self.found.asked
-        least = max(abs(asked.offset) * OF_OFFSET, (asked.shafts or 0.0) * OF_SHAFTS)
+        shafts = (self.found.asked.shafts if self.found.couple_angle is not None else None) or 0.0
+        least = max(abs(self.offset) * OF_OFFSET, shafts * OF_SHAFTS)
         return max(max(self.radii) * ROUND, least) or NOMINAL
 
     @property
     def middle(self) -> complex:
-        """The middle between the two shafts, on the line of the compensators."""
-        return self.found.asked.offset * self.across - (1 + UNDER) * self.gear * self.line
+        """The middle between the two shafts, on the line of the compensators; the crank's shaft of a counterweight."""
+        return 0j if self.found.on_crank else self.offset * self.across - (1 + UNDER) * self.gear * self.line
 
     def weights(self) -> Iterator[Weight]:
         """Give the masses that are needed, at phi = 0: the one that turns with the crank on the left."""

@@ -86,6 +86,8 @@ def measure(shown: Layout, drafting: Drafting) -> Picture:
 
 def title_of(shown: Layout, drafting: Drafting) -> str:
     """Give the title of a layout."""
+    if shown.found.on_crank:
+        return drafting.word("counterweight on crank")
     return drafting.word("compensator of order", order=shown.found.asked.order)
 
 
@@ -106,9 +108,9 @@ def draw(shown: Layout, sense: float, room: Picture, spot: Spot, drafting: Draft
 
 def _axes(shown: Layout, place: Place, hand: Hand) -> Iterator[Stroke]:
     """Draw the line of the force through the shaft of the crank, and that of the compensators beside it."""
-    far = place.length((2 + UNDER) * shown.gear) * shown.line
+    far = place.length((1 if shown.found.on_crank else 2 + UNDER) * shown.gear) * shown.line
     up = (HINGE + 4) * hand.symbol * shown.line
-    offset = place.on(shown.found.asked.offset * shown.across)
+    offset = place.on(shown.offset * shown.across)
     for start in [place.on(0j)] + ([offset] if abs(offset - place.on(0j)) > POINT else []):
         yield Line(start - far, start + up, fit(hand.axis, abs(far) + abs(up)))
 
@@ -116,7 +118,7 @@ def _axes(shown: Layout, place: Place, hand: Hand) -> Iterator[Stroke]:
 def _gear(shown: Layout, one: Weight, place: Place, hand: Hand, sense: float) -> Iterator[Stroke]:
     """Draw a shaft with its gear and the sense in which it turns; the couple's shafts have no gears of their own."""
     centre, (start, sweep), own = place.on(one.shaft), TURN, math.copysign(1.0, one.turns * sense)
-    if one.geared:
+    if one.geared and not shown.found.on_crank:
         radius = place.length(shown.gear)
         yield Circle(centre, radius, fit(hand.axis, math.tau * radius, True))
     begin = start if own > 0 else start + sweep
@@ -140,10 +142,10 @@ def _mass(shown: Layout, one: Weight, place: Place, hand: Hand) -> Group:
 def _sizes(shown: Layout, place: Place, drafting: Drafting) -> Iterator[Dimension]:
     """Dimension the offset of the compensators' line, and the distance of the couple's shafts."""
     asked, off = shown.found.asked, OFF * drafting.hand.symbol
-    if asked.offset:
+    if shown.offset:
         up = (off + HINGE * drafting.hand.symbol) * shown.line
-        text = f"z = {drafting.number(1000 * asked.offset)}"
-        yield Dimension(text, place.on(0j), place.on(asked.offset * shown.across), up)
+        text = f"z = {drafting.number(1000 * shown.offset)}"
+        yield Dimension(text, place.on(0j), place.on(shown.offset * shown.across), up)
     shafts = [place.on(one.shaft) for one in shown.weights() if not one.geared]
     if shafts and asked.shafts:
         aside = -(place.length(SHARE * shown.gear) + off) * shown.across

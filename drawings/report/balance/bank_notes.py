@@ -184,10 +184,25 @@ class BankNotes(NamedTuple):
             if angle is not None:
                 told = {"force": lowered(letters(FORCE, sense * order)), "square": square, "moment": number(moment)}
                 yield word("compensator mass", letters=lowered(letters(STATIC, sense * order)), **told)
+        yield from self._unequal(one)
         if asked.offset and one.residual:
             yield word("compensator couple", residual=number(one.residual))
         if asked.shafts is not None and one.couple:
             yield word("couple mass", letters=lowered(couple_letters(order)), square=square, moment=number(one.couple))
+
+    def _unequal(self, one: Compensator) -> Iterator[str]:
+        """Say what two vectors of unlike size ask for: the crank itself carries what turns with it alone."""
+        order, word = one.asked.order, self.drafting.word
+        if one.on_crank:
+            yield word("on crank")
+        elif abs(one.with_crank - one.against) > EYE * max(one.with_crank, one.against):
+            pair = {"ahead": lowered(letters(FORCE, order)), "back": lowered(letters(FORCE, -order))}
+            yield word("unequal vectors", **pair)
+            if order == 1 and one.with_angle is not None and one.with_crank > one.against:
+                slack = self.balance.forces[order].slack / self.balance.task.speed**2
+                angle = direction(cmath.rect(one.with_crank, one.with_angle), slack)
+                moment = self._number(one.with_crank - one.against)
+                yield word("better on crank", moment=moment, angle=f"{ANGLE}{self._number(angle)}", **pair)
 
     def members(self) -> Iterator[str]:
         """Say where each mechanism of the bank stands."""

@@ -137,7 +137,8 @@ def _compensator(asked: Asked, force: Harmonic, speed: float) -> Compensator:
     against = [0j if abs(one) <= force.slack else -one for one in (force.ahead, force.back)]
     sizes = [abs(one) for one in against]
     angles = [plain_angle(cmath.phase(one)) if one else None for one in against]
-    residual = math.fsum(sizes) * abs(asked.offset)
+    single = asked.order == 1 and sizes[0] > 0.0 == sizes[1]  # on the crank, whatever offset is asked for
+    residual = 0.0 if single else math.fsum(sizes) * abs(asked.offset)
     couple = None if asked.shafts is None else residual / (square * asked.shafts)
     return Compensator(
         asked,

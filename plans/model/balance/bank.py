@@ -115,7 +115,8 @@ class Compensator(NamedTuple):
     `with_crank` turns with the crank, `against` against it; None is the angle of a mass that is not needed. `residual`
     N*m is the largest couple that their offset gives, `couple` kg*m the m*r of each mass of its compensator: two masses
     in antiphase on shafts whose line is along the largest force of the order, `couple_angle` of the one farther on it;
-    of a force that goes round the line is the reference guide. They turn with the crank.
+    of a force that goes round the line is the reference guide. They turn with the crank. Both count the offset alone,
+    not how far from one another and from the crank the two shafts are: equal masses make no couple by that.
     """
 
     asked: Asked
@@ -126,6 +127,11 @@ class Compensator(NamedTuple):
     residual: float = 0.0
     couple: float | None = None
     couple_angle: float | None = None
+
+    @property
+    def on_crank(self) -> bool:
+        """Whether it is one mass that turns as the crank does, which is a counterweight on the crank itself."""
+        return self.asked.order == 1 and self.with_angle is not None and self.against_angle is None
 
 
 @dataclass(frozen=True)
