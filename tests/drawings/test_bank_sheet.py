@@ -8,18 +8,20 @@ from __future__ import annotations
 import math
 import re
 from functools import cache, partial
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
 
 from drawings.checks.balance.verify_bank import faults
 from drawings.checks.verify import SelfCheckFailed, verify
+from drawings.figures.bank.bank_view import SIDE
 from drawings.lettering.lettering import lettered
 from drawings.measure.measure import Measured
 from drawings.paper.strokes import Leaf
 from drawings.pens.svg import svg
 from drawings.report.balance.bank_report import chapters, headline, subject
-from drawings.sheets.bank import leaves
+from drawings.sheets.bank import leaves, view_of
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from plans.words.words import said
@@ -205,3 +207,12 @@ def test_the_report_tells_the_bank() -> None:
     assert f"| 2 | {second:.1f}" in told
     assert "mr_II = F_II/(2ω)² = 0.0029" in headline(study)
     assert subject(study).structure == "bank of 4 slider-cranks"
+
+
+def test_a_single_vector_makes_no_polygon_and_many_make_a_convex_one() -> None:
+    alone = [name for leaf in leaves(study_of("one")) for name in leaf.metadata["figures"]]
+    assert not [name for name in alone if name.startswith("order_")]
+    first = next(view_of(study_of("six")).shown())
+    ends = [side.value for side in first.vectors if side.kind == SIDE]
+    turns = [(before.conjugate() * after).imag for before, after in pairwise(ends)]
+    assert len(ends) == 6 and min(turns) > -1e-9 * abs(ends[0]) ** 2
