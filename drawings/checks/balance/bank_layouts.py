@@ -73,7 +73,7 @@ class _Layout(View):
             own = [one for one in bodies if not one.coupled]
             turned = max((self._slack(one) for one in own), default=LINE)  # as far as the line itself may be turned
             yield from self._gears([shafts[one.name] for one in own], turned)
-            yield from self._couple([shafts[one.name] for one in bodies if one.coupled])
+            yield from self._couple([shafts[one.name] for one in bodies if one.coupled], turned)
         marked = {one.name: one for one in self.measured.points if one.plan == self.name}
         known = self.scaled and self.found.asked.mass is not None
         lost = {one.name for one in bodies if known and not one.coupled} ^ marked.keys()
@@ -125,16 +125,14 @@ class _Layout(View):
             yield on("circle", self.name, name=lowered("m"))
         yield from self._said("z", asked)
 
-    def _couple(self, shafts: list[complex]) -> Iterator[Wrong]:
+    def _couple(self, shafts: list[complex], turned: float) -> Iterator[Wrong]:
         """See that the couple's shafts stand along the line, so far from one another."""
         asked = self.found.asked.shafts
         if not shafts or asked is None:
             return
         first, last = shafts
-        if (
-            not abs((first - last) * self.mu - asked * self.expected.line(self.found))
-            <= (NEAR + LINE) * self.mu + LINE * asked
-        ):
+        apart = (first - last) * self.mu - asked * self.expected.line(self.found)
+        if not abs(apart) <= (NEAR + LINE) * self.mu + turned * asked:
             yield on("size", self.name, name="L")
         yield from self._said("L", asked)
 

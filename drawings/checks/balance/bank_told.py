@@ -8,7 +8,7 @@ import re
 from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
-from drawings.checks.balance.bank_expected import LEFT, PAPER, WHOLE, WHOLE_MOMENT, Expected
+from drawings.checks.balance.bank_expected import DOUBTFUL, LEFT, PAPER, WHOLE, WHOLE_MOMENT, Expected
 from drawings.checks.rotor_tables import Cell
 from drawings.checks.wrong import Wrong, within
 from drawings.lettering.bank_letters import lowered
@@ -104,9 +104,11 @@ def _masses(expected: Expected, one: Compensator) -> Iterator[Told]:
     bodies = [body for body in expected.bodies(one) if not body.coupled]
     for body in bodies:
         yield Told(_plain(letters("mr", body.turns)), Cell(body.moment, slack))
-    if _unlike(one) and order == 1 and one.with_crank > one.against and one.with_angle is not None:
+    doubtful = _alike(one, expected)
+    more = one.with_crank - one.against
+    if order == 1 and one.with_angle is not None and (doubtful or (_unlike(one) and more > 0)):
         angle = Cell(math.degrees(one.with_angle), math.degrees(2 * slack / one.with_crank), True)
-        yield Told("mrO", Cell(one.with_crank - one.against, 2 * slack), angle)
+        yield Told("mrO", Cell(more, 2 * slack), angle, sure=not doubtful)
     if expected.carried(one):
         return
     square = (order * expected.task.speed) ** 2
@@ -124,6 +126,11 @@ def _unlike(one: Compensator) -> bool:
     more, less = max(one.with_crank, one.against), min(one.with_crank, one.against)
     alone = one.asked.order == 1 and one.against_angle is None
     return not alone and more - less > PAPER * more
+
+
+def _alike(one: Compensator, expected: Expected) -> bool:
+    """Tell whether rounding may be all that the masses differ by: they may be told apart or not."""
+    return abs(one.with_crank - one.against) <= DOUBTFUL * expected.slack_of(one)
 
 
 def _plain(name: str) -> str:
@@ -155,7 +162,7 @@ def _phrases(told: str, expected: Expected, drafting: Drafting) -> Iterator[Wron
             yield within("in", NOTES, text=idle)
         pair = {key: lowered(letters(FORCE, signed)) for key, signed in (("ahead", order), ("back", -order))}
         unlike = Text(0j, drafting.word("unequal vectors", **pair)).plain
-        if (unlike in told) != _unlike(one):
+        if (unlike in told) != _unlike(one) and not _alike(one, expected):
             yield within("in", NOTES, text=unlike)
     if (drafting.word("on crank") in told) != any(map(expected.carried, analysis.compensators)):
         yield within("in", NOTES, text=drafting.word("on crank"))

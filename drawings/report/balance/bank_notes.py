@@ -193,13 +193,13 @@ class BankNotes(NamedTuple):
     def _unequal(self, one: Compensator) -> Iterator[str]:
         """Say what two vectors of unlike size ask for: the crank itself carries what turns with it alone."""
         order, word = one.asked.order, self.drafting.word
+        slack = self.balance.forces[order].slack / (order * self.balance.task.speed) ** 2
         if one.on_crank:
             yield word("on crank")
-        elif abs(one.with_crank - one.against) > EYE * max(one.with_crank, one.against):
+        elif abs(one.with_crank - one.against) > max(EYE * max(one.with_crank, one.against), slack):
             pair = {"ahead": lowered(letters(FORCE, order)), "back": lowered(letters(FORCE, -order))}
             yield word("unequal vectors", **pair)
             if order == 1 and one.with_angle is not None and one.with_crank > one.against:
-                slack = self.balance.forces[order].slack / self.balance.task.speed**2
                 angle = direction(cmath.rect(one.with_crank, one.with_angle), slack)
                 moment = self._number(one.with_crank - one.against)
                 yield word("better on crank", moment=moment, angle=f"{ANGLE}{self._number(angle)}", **pair)
