@@ -36,6 +36,7 @@ from plans.balance.study import BalanceStudy
 from plans.checks.compare import MotionComparison
 from plans.model.balance.linkage import FORCE, Balance, State
 from plans.model.kinetostatics import NOTHING
+from plans.model.mechanism import FRAME
 from plans.scene.scene import Scene
 from plans.study import Study
 from plans.words.words import message, placed
@@ -200,7 +201,17 @@ class _BalancingSheet:
             best = shares.least_force if task.least == FORCE else shares.least_reaction
             taken = best.share if task.share is None else task.share
             letter = share_graph.reaction_letter(self.shown.bones.mechanism.drive.link, self.drafting)
-            yield self._exhibit(share_graph, share_graph.ShareGraph(shares, taken, letter), self.way.graphs)
+            yield self._exhibit(share_graph, share_graph.ShareGraph(shares, taken, letter, self._bare), self.way.graphs)
+
+    @property
+    def _bare(self) -> float:
+        """The largest reaction N of the crank's shaft without counterweights."""
+        crank, state = self.shown.bones.mechanism.drive.link, self.balance.before
+        return next(
+            state.reactions[key]
+            for key, one in state.forces.reactions.items()
+            if (one.giver, one.taker) == (FRAME, crank)
+        )
 
     def _exhibit(self, figure: Any, shown: Any, together: str) -> Exhibit:
         room = _bounded(figure.measure(shown, self.drafting))

@@ -9,6 +9,7 @@ import numpy as np
 from drawings.checks.balance import balance_marks as marks
 from drawings.checks.balance.balance_expected import KNOWN, Expected
 from drawings.checks.balance.balance_schemes import PRIMES
+from drawings.checks.balance.share_level import level, taken
 from drawings.checks.dynamics_graphs import written
 from drawings.checks.labelled import NEAREST, distance, labels_of
 from drawings.checks.reading import reads
@@ -21,7 +22,6 @@ from drawings.measure.measured import MeasuredVector
 from drawings.paper.strokes import Group, Leaf, Line, Polyline, Stroke, Text
 from drawings.paper.walk import walk
 from drawings.symbols.symbols import TICK
-from plans.model.balance.linkage import FORCE as LEAST_FORCE
 from plans.model.balance.linkage import Choice
 from plans.words.words import message
 
@@ -161,7 +161,8 @@ def shares(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
         yield from _choice(leaf, part, expected, kind, choice, (zero, scales["k"], mu), spots)
     yield from _divisions(part, expected, zero, scales["k"])
     yield from _levels(part, expected, zero, mu)
-    yield from _taken(leaf, expected, zero, scales["k"])
+    yield from taken(leaf, expected, zero, scales["k"])
+    yield from level(leaf, part, expected, zero, (scales["k"], mu))
 
 
 def _least(
@@ -235,16 +236,3 @@ def _tells(text: str, letter: str, best: Choice, kind: str, expected: Expected) 
         return False
     largest = _value(best, kind)
     return reads(share, best.share, KNOWN, DIGITS) and reads(size, largest, KNOWN * largest, DIGITS)
-
-
-def _taken(leaf: Leaf, expected: Expected, zero: complex, across: float) -> Iterator[Wrong]:
-    """Hold the line of the share that is taken."""
-    name, task, found = share_graph.NAME, expected.balance.task, expected.balance.shares
-    assert found is not None  # asked before
-    best = found.least_force if task.least == LEAST_FORCE else found.least_reaction
-    share = best.share if task.share is None else task.share
-    part = marks.figure(leaf, f"{name}-{share_graph.TAKEN}")
-    lines = [one for one in (part.strokes if part is not None else ()) if isinstance(one, Line)]
-    spot = zero.real + share / across
-    if not lines or any(abs(end.real - spot) > 2 * expected.near for one in lines for end in (one.start, one.end)):
-        yield on("line", name)

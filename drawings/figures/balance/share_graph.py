@@ -25,7 +25,7 @@ from plans.model.balance.linkage import Choice, Shares
 
 NAME, SYMBOL, UNIT = "shares", "F", "N"
 SHARE, ONE = "k", "1"  # the letter and the unit of the share
-FORCES, REACTIONS, TAKEN = "force", "reaction", "taken"  # the curves, and the share that was taken
+FORCES, REACTIONS, TAKEN, BARE = "force", "reaction", "taken", "bare"  # curves, the share taken, no counterweights
 RATIO = 1.5  # it is drawn so many times as long as high
 MARGINS = Margins(3.6, 2.6, 0.8)  # paper around it for letters, in their sizes
 LETTERS = 20.0  # it is drawn at least so many of its letters long
@@ -40,6 +40,7 @@ class ShareGraph(NamedTuple):
     shares: Shares
     taken: float
     reaction: str  # marked up: "R_{01}"
+    bare: float = 0.0  # the largest reaction N of the shaft without counterweights
 
     @property
     def rows(self) -> dict[str, list[tuple[float, float]]]:
@@ -57,7 +58,7 @@ class ShareGraph(NamedTuple):
     @property
     def high(self) -> float:
         """The largest value, N."""
-        return max(value for row in self.rows.values() for _, value in row)
+        return max(self.bare, *(value for row in self.rows.values() for _, value in row))
 
 
 def value_of(one: Choice, name: str) -> float:
@@ -104,6 +105,7 @@ def draw(shown: ShareGraph, room: Picture, spot: Spot, drafting: Drafting) -> Sh
         ),
         *(Line(axes.on(0.0, force) - TICK, axes.on(0.0, force) + TICK, hand.other) for force in levels(shown.high, up)),
         _taken(shown, axes, hand),
+        Group((Line(axes.on(0.0, shown.bare), axes.on(1.0, shown.bare), hand.other),), f"{NAME}-{BARE}"),
         *(part for name in (FORCES, REACTIONS) for part in _curve(shown, name, axes, up, drafting)),
     )
     return ShareFigure(lines, tuple(_letters(shown, axes, drafting)))
@@ -137,6 +139,8 @@ def _letters(shown: ShareGraph, axes: Axes, drafting: Drafting) -> Iterator[Lett
         yield Letter(axes.on(0.0, force), number(force), hand.number, math.pi, TICK + 0.6)
     for k in range(DIVISIONS + 1):
         yield Letter(axes.on(k / DIVISIONS), number(k / DIVISIONS), hand.number, -math.pi / 2, TICK + 0.6)
+    level = drafting.word("bare level", letter=curve_letters(shown.reaction)[REACTIONS])
+    yield Letter(axes.on(0.5, shown.bare), level, hand.number, math.pi / 2, 0.8)
     for name, letter in curve_letters(shown.reaction).items():
         share, value = shown.rows[name][-1]
         yield Letter(axes.on(share, value), letter, hand.letter, 0.0)
