@@ -9,7 +9,7 @@ import numpy as np
 from drawings.checks.balance import balance_marks as marks
 from drawings.checks.balance.balance_expected import KNOWN, Expected
 from drawings.checks.balance.balance_schemes import PRIMES
-from drawings.checks.balance.share_level import level, taken
+from drawings.checks.balance.share_level import bare, level, taken
 from drawings.checks.dynamics_graphs import written
 from drawings.checks.labelled import NEAREST, distance, labels_of
 from drawings.checks.reading import reads
@@ -219,10 +219,11 @@ def _divisions(part: Group, expected: Expected, zero: complex, across: float) ->
 
 
 def _levels(part: Group, expected: Expected, zero: complex, up: float) -> Iterator[Wrong]:
-    """See that the axis of forces is numbered rightly, up to the largest force of both curves."""
+    """See that the axis of forces is numbered rightly, up to the largest force that the graph shows."""
     name, found, step = share_graph.NAME, expected.balance.shares, share_graph.LEVEL * up
     assert found is not None  # asked before
-    high = max(_value(one, kind) for one in found.curve for kind in (share_graph.FORCES, share_graph.REACTIONS))
+    curves = (_value(one, kind) for one in found.curve for kind in (share_graph.FORCES, share_graph.REACTIONS))
+    high = max(bare(expected), *curves)
     for k in range(1, int(high * (1 - KNOWN) / step) + 1):
         if not _lettered(part, expected.drafting.number(k * step), zero + 1j * share_graph.LEVEL * k):
             yield on("letter", name, name=expected.drafting.number(k * step))

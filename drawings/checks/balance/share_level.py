@@ -19,8 +19,8 @@ NAME = f"{share_graph.NAME}-{share_graph.BARE}"
 def level(leaf: Leaf, part: Group, expected: Expected, zero: complex, scales: tuple[float, float]) -> Iterator[Wrong]:
     """Hold the level line from share 0 to share 1, and its letter over the middle."""
     across, up = scales
-    start = zero + 1j * _bare(expected) / up
-    end, near = start + 1 / across, 2 * expected.near + KNOWN * _bare(expected) / up
+    start = zero + 1j * bare(expected) / up
+    end, near = start + 1 / across, 2 * expected.near + KNOWN * bare(expected) / up
     lines = marks.lines(marks.figure(leaf, NAME))
     if len(lines) != 1 or abs(lines[0][0] - start) > near or abs(lines[0][-1] - end) > near + KNOWN / across:
         yield on("line", share_graph.NAME)
@@ -31,7 +31,7 @@ def level(leaf: Leaf, part: Group, expected: Expected, zero: complex, scales: tu
         yield on("letter", share_graph.NAME, name=text)
 
 
-def _bare(expected: Expected) -> float:
+def bare(expected: Expected) -> float:
     """Give the largest reaction of the crank's shaft before balancing, N."""
     before, pair = expected.balance.before, (FRAME, expected.mechanism.drive.link)
     return next(before.reactions[key] for key, one in before.forces.reactions.items() if (one.giver, one.taker) == pair)
