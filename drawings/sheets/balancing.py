@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property, partial
-from typing import Any
+from typing import Any, TypeVar
 
 from drawings.figures.balance import (
     balance_scheme,
@@ -43,6 +43,9 @@ from plans.words.words import message, placed
 
 MAIN = "main"  # what a vector of a scheme is
 LARGEST = 2.2  # times the least size at which it is legible: no polygon or graph is drawn larger than the schemes
+
+
+Shown = TypeVar("Shown", Exhibit, Caption)
 
 
 @dataclass(frozen=True)
@@ -111,9 +114,10 @@ def sheets(scene: Scene, shown: Balanced) -> tuple[Leaf, ...]:
 
 def _draft(scene: Scene, shown: Balanced) -> Draft:
     """Take the way whose figures can be read on the fewest sheets, with the largest schemes, all of one size."""
-    weighed = {way: weigh(scene, _BalancingSheet(scene, shown, way).draft) for way in WAYS}
+    sheet = _BalancingSheet(scene, shown)
+    weighed = {way: weigh(scene, sheet.draft(way)) for way in WAYS}
     way = min(WAYS, key=lambda one: weighed[one])
-    return _BalancingSheet(scene, shown, way._replace(finest=weighed[way].scale)).draft
+    return sheet.draft(way._replace(finest=weighed[way].scale))
 
 
 @dataclass(frozen=True)
@@ -122,7 +126,6 @@ class _BalancingSheet:
 
     scene: Scene
     shown: Balanced
-    way: Way
 
     @cached_property
     def drafting(self) -> Drafting:
@@ -137,31 +140,29 @@ class _BalancingSheet:
         """The letter of the crank's shaft, about which moments are told."""
         return self.shown.bones.mechanism.drive.pivot
 
-    @property
-    def draft(self) -> Draft:
-        """Title, figures, tables and notes of the sheets."""
-        title = self.drafting.word("balancing sheet title")
-        shows: tuple[Exhibit | Caption, ...] = (
-            *self._schemes(),
-            *self._polygon(),
-            *(() if self.way.graphs else self._captions()),
-            *self._shaking(),
-            *self._rocking(),
-            *self._shares(),
-            *(self._captions() if self.way.graphs else ()),
-        )
-        captioned = self._keys
-        tables = tuple(table for table in self.tables if table.name not in captioned)
-        facts = partial(_facts, self.shown.bones.shown)
+    def draft(self, way: Way) -> Draft:
+        """Title, figures, tables and notes of the sheets, in a way to stand them."""
+        captions = tuple(_standing(one, way.column(one.panel.item.name)) for one in self._captions)
+        captions = tuple(one for one in captions if one.panel.together)
+        graphs = tuple(_standing(one, way.graphs) for one in self._graphs)
+        shows: tuple[Exhibit | Caption, ...] = (*self._schemes(way), *self._polygon)
+        shows += (*graphs, *captions) if way.graphs else (*captions, *graphs)
+        title, facts = self.drafting.word("balancing sheet title"), partial(_facts, self.shown.bones.shown)
+        tables = tuple(table for table in self.tables if not way.column(table.name))
         return Draft("balancing", title, shows, tables, self.shown.notes, facts, SCHEME + BEFORE, EQUATION)
 
-    def _schemes(self) -> Iterator[Exhibit]:
+    def _schemes(self, way: Way) -> Iterator[Exhibit]:
+        for shown, measured in self._rooms:
+            room = measured._replace(finest=way.finest)
+            draw = partial(balance_scheme.draw, shown, room, drafting=self.drafting)
+            yield Exhibit(Panel(room, together=way.schemes, scale=SCHEMES), draw)
+
+    @cached_property
+    def _rooms(self) -> tuple[tuple[BalanceScheme, Picture], ...]:
+        """The schemes with the rooms that they take, of one size."""
         schemes = [self._scheme(state) for state in self.shown.states]
         points = [spot for one in schemes for spot in one.points]
-        for shown in schemes:
-            room = balance_scheme.measure(shown, points, self.drafting)._replace(finest=self.way.finest)
-            draw = partial(balance_scheme.draw, shown, room, drafting=self.drafting)
-            yield Exhibit(Panel(room, together=self.way.schemes, scale=SCHEMES), draw)
+        return tuple((one, balance_scheme.measure(one, points, self.drafting)) for one in schemes)
 
     def _scheme(self, state: str) -> BalanceScheme:
         """Show the links before or after; what stands still has no path."""
@@ -172,18 +173,24 @@ class _BalancingSheet:
         placed = tuple(placed_weight(one, bones) for one in weights)
         return BalanceScheme(state, bones, self.shown.chains[state], paths, placed, states[state].whole)
 
-    def _polygon(self) -> Iterator[Exhibit]:
+    @cached_property
+    def _polygon(self) -> tuple[Exhibit, ...]:
         moments = self.shown.moments
         least = NOTHING * sum(map(abs, moments.values()))
         shown = static_polygon.polygon(self.shown.bones.shown, moments, least)
-        yield self._exhibit(static_polygon, shown, TOLD)
+        return (_standing(self._exhibit(static_polygon, shown), TOLD),)
+
+    @cached_property
+    def _graphs(self) -> tuple[Exhibit, ...]:
+        """The hodographs and graphs that there are, wherever they stand."""
+        return (*self._shaking(), *self._rocking(), *self._shares())
 
     def _shaking(self) -> Iterator[Exhibit]:
         """Show the hodographs of the main vector, if there is any."""
         states, whole = self.shown.states, self.balance.before.whole
         shown = shaking_hodograph.hodograph(states, self.shown.bones.shown, self.shown.nothing.force, whole)
         if shown.vectors:
-            yield self._exhibit(shaking_hodograph, shown, self.way.graphs)
+            yield self._exhibit(shaking_hodograph, shown)
 
     def _rocking(self) -> Iterator[Exhibit]:
         """Show the main moment, if there is any."""
@@ -191,8 +198,7 @@ class _BalancingSheet:
         curve = moment_graph.curve(self.shown.states, bones.study.sense, bones.shown, least, self.drafting, self._shaft)
         if curve is not None:
             room = _bounded(curve_graph.measure(curve, moment_graph.NAME, self.drafting))
-            panel = Panel(room, together=self.way.graphs)
-            yield Exhibit(panel, partial(curve_graph.draw, curve, room, drafting=self.drafting))
+            yield Exhibit(Panel(room), partial(curve_graph.draw, curve, room, drafting=self.drafting))
 
     def _shares(self) -> Iterator[Exhibit]:
         """Show the choice of the share, where there is one."""
@@ -201,7 +207,7 @@ class _BalancingSheet:
             best = shares.least_force if task.least == FORCE else shares.least_reaction
             taken = best.share if task.share is None else task.share
             letter = share_graph.reaction_letter(self.shown.bones.mechanism.drive.link, self.drafting)
-            yield self._exhibit(share_graph, share_graph.ShareGraph(shares, taken, letter, self._bare), self.way.graphs)
+            yield self._exhibit(share_graph, share_graph.ShareGraph(shares, taken, letter, self._bare))
 
     @property
     def _bare(self) -> float:
@@ -213,9 +219,9 @@ class _BalancingSheet:
             if (one.giver, one.taker) == (FRAME, crank)
         )
 
-    def _exhibit(self, figure: Any, shown: Any, together: str) -> Exhibit:
+    def _exhibit(self, figure: Any, shown: Any) -> Exhibit:
         room = _bounded(figure.measure(shown, self.drafting))
-        return Exhibit(Panel(room, together=together), partial(figure.draw, shown, room, drafting=self.drafting))
+        return Exhibit(Panel(room), partial(figure.draw, shown, room, drafting=self.drafting))
 
     @cached_property
     def tables(self) -> tuple[RuledTable, ...]:
@@ -227,18 +233,18 @@ class _BalancingSheet:
             return (costs,)
         return costs, balance_table.counterweights(weights, shown.bones.mechanism, drafting)
 
-    def _captions(self) -> Iterator[Caption]:
-        """Set the tables among the figures, the counterweights first, unless they stand at the foot."""
-        keys = self._keys
-        for table in (one for one in reversed(self.tables) if one.name in keys):
-            write: Callable[..., Any] = partial(table.write, drafting=self.drafting)
-            yield Caption(Panel(table.block(table.name), together=keys[table.name]), write)
+    @cached_property
+    def _captions(self) -> tuple[Caption, ...]:
+        """The tables as they stand among the figures, the counterweights first."""
+        return tuple(
+            Caption(Panel(table.block(table.name)), partial(table.write, drafting=self.drafting))
+            for table in reversed(self.tables)
+        )
 
-    @property
-    def _keys(self) -> dict[str, str]:
-        """The columns of the tables that stand among the figures, by the names of the tables."""
-        keys = zip((balance_table.WEIGHTS, balance_table.COSTS), self.way.tables, strict=True)
-        return {name: key for name, key in keys if key}
+
+def _standing(one: Shown, together: str) -> Shown:
+    """Stand what is shown in a column."""
+    return one._replace(panel=one.panel._replace(together=together))
 
 
 def _bounded(room: Picture) -> Picture:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from drawings.figures.balance import balance_table
 from drawings.figures.balance.scheme import BEFORE, SCHEME
 from drawings.layout.picture import SMALLER, Picture
 from drawings.sheets.leaves import Draft, compositions
@@ -23,6 +24,10 @@ class Way(NamedTuple):
     tables: tuple[str, str]
     graphs: str = ""
     finest: float = 0.0  # scale mu than which the schemes are drawn no larger
+
+    def column(self, table: str) -> str:
+        """Give the key of the column in which a table stands, by its name; "" at the foot."""
+        return self.tables[(balance_table.WEIGHTS, balance_table.COSTS).index(table)]
 
 
 WAYS = tuple(

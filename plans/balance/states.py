@@ -27,7 +27,7 @@ def state(points: MainPoints, statics: Statics) -> State:
     """Give the state of a machine whose main points are known; `statics` are the forces of that machine."""
     study = statics.study
     centre = mass_centre(points, study, study.turn)
-    around = mass_centre(points, study, positions_around(study))
+    around = mass_centre(points, study, positions_around(study)) if turns(study) else centre
     return State(centre, around, forces_around(statics), _magnified(study))
 
 

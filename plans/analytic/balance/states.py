@@ -61,5 +61,6 @@ def inertia(mechanism: Mechanism, machine: Machine, added: Sequence[Counterweigh
 def state(course: Course, added: Sequence[Counterweight] = ()) -> State:
     """Find mass centre and forces with some counterweights, or before there are any."""
     solid, mechanism = bodies(course.machine, added), course.mechanism
-    centre, around = (mass_centre(mechanism, solid, motion) for motion in (course.motion, course.turn))
+    centre = mass_centre(mechanism, solid, course.motion)
+    around = centre if course.turn is course.motion else mass_centre(mechanism, solid, course.turn)
     return State(centre, around, course.forces(added), course.road.conditions(course.turn))

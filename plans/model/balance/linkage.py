@@ -148,8 +148,8 @@ class State:
     """The machine before or after: mass centre at the scene's positions and over a turn, and its forces over a turn.
 
     `around` and `forces` are over STEPS + 1 even positions of a turn from position 0 on; of a crank that cannot turn
-    fully over the scene's. `kappa` is how much the mechanism magnifies rounding there, `beside` N the largest force of
-    the other state: what is within rounding of the larger is 0.
+    fully over the scene's, and `around` is `centre` itself. `kappa` is how much the mechanism magnifies rounding there,
+    `beside` N the largest force of the other state: what is within rounding of the larger is 0.
     """
 
     centre: MassCentre
@@ -161,7 +161,7 @@ class State:
     @property
     def whole(self) -> bool:
         """Whether it is known over a whole turn, and not at the scene's positions alone."""
-        return not np.array_equal(self.around.phi, self.centre.phi)
+        return self.around is not self.centre
 
     @property
     def count(self) -> int:
