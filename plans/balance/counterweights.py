@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from plans.balance.refusals import IDLE, NO_SHARE, Refused
-from plans.balance.substitution import KINDS, Substitution
+from plans.balance.substitution import KINDS, Substitution, instead_of_crank
 from plans.balance.sums import Term
 from plans.balance.weights import begins
 from plans.model.balance.linkage import NONE, SHARE, Counterweight, Task
@@ -30,6 +30,8 @@ def substituted(
     drive = mechanism.drive
     if task.aim == SHARE:
         _share(found, groups, share)
+    for rod in (one for one in groups if isinstance(one, Dyad) and instead_of_crank(mechanism, task, one)):
+        found.balance_by_rod(rod, drive.pivot)
     found.balance(drive.link, drive.pivot, (drive.link,))
     return found
 

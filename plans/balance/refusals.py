@@ -6,7 +6,7 @@ from plans.model.balance.linkage import Task
 from plans.scene.faults import SceneError
 from plans.scene.scene import Scene
 
-NEEDED, FREE, CARRIED, NEGATIVE, OFF, NO_SHARE, IDLE = (
+NEEDED, FREE, CARRIED, NEGATIVE, OFF, NO_SHARE, IDLE, NO_MASS = (
     "needs_counterweight",
     "slides_on_frame",
     "slides_on_link",
@@ -14,6 +14,7 @@ NEEDED, FREE, CARRIED, NEGATIVE, OFF, NO_SHARE, IDLE = (
     "counterweight_off_line",
     "no_reciprocating",
     "idle_counterweight",
+    "rod_without_mass",
 )
 AIMED = (FREE, CARRIED, NO_SHARE)  # kinds that the aim is at fault for
 

@@ -11,10 +11,10 @@ from functools import cached_property
 from typing import NamedTuple
 
 from plans.balance.main_points import EMPTY
-from plans.balance.refusals import CARRIED, FREE, NEEDED, Refused
+from plans.balance.refusals import CARRIED, FREE, NEEDED, NO_MASS, Refused
 from plans.balance.sums import Sums, Term
 from plans.balance.weights import weight_of
-from plans.model.balance.linkage import EPS, FULL, ROUNDING, Counterweight, Task
+from plans.model.balance.linkage import EPS, FULL, PARTIAL, ROUNDING, Counterweight, Place, Task
 from plans.model.dyad import Dyad
 from plans.model.machine import Body
 from plans.model.mechanism import FRAME, Mechanism, Slide
@@ -101,11 +101,39 @@ class Substitution:
         if place is None:
             raise Refused(NEEDED, links=tuple(map(str, would_do)), link=would_do[0])
         mark = self.sums.moments.close(f"U_{link}", moment.mark, why=because("counterweight_moment", link=link))
-        need = Term(mark, moment.size)
+        found = self._carried(place, begin, Term(mark, moment.size))
+        self.put(link, begin, found.origin, self._added(found))
+
+    def _carried(self, place: Place, begin: str, need: Term) -> Counterweight:
+        """Put down the counterweight of a link by the static moment that it must have."""
         found = weight_of(self.mechanism, place, begin, need)
-        self.counterweights[link], self.needs[link] = found, need
-        why = because("counterweight_mass", link=link)
-        self.put(link, begin, found.origin, self.sums.mass(f"m_cw{link}", found.mass, why))
+        self.counterweights[place.link], self.needs[place.link] = found, need
+        return found
+
+    def _added(self, found: Counterweight) -> Term:
+        return self.sums.mass(f"m_cw{found.link}", found.mass, because("counterweight_mass", link=found.link))
+
+    def balance_by_rod(self, rod: Dyad, pivot: str) -> None:
+        """Bring the crank's static moment to zero by a counterweight on the rod: its masses at both hinges do it (8.9).
+
+        With static moment U about the crank's pin it is U/AB at the slider, and the rest of its mass at the pin.
+        """
+        (link, _), (crank, _), outer = rod.links, rod.hosts, rod.hinge(0)
+        place = self.task.place(link)
+        assert place is not None  # asked before
+        if self._rests(crank, self.moment(crank, pivot)):
+            return
+        if place.mass is None:
+            raise Refused(NO_MASS, link)
+        added = self.sums.mass(f"m_cw{link}", place.mass, because("counterweight_mass", link=link))
+        terms, why = (added, self.share(crank, pivot, outer)), because("rod_for_crank", link=link, point=rod.pin)
+        at_slider = self.sums.total(f"m_{rod.pin}{link}′", terms, self.sums.no_mass, why)
+        arm = self.sums.arm(f"{outer}{rod.pin}", self.at_point(link, outer), self.at_point(link, rod.pin), link)
+        why = because("counterweight_moment", link=link)
+        self._carried(place, outer, self.sums.moment(f"U_{link}", at_slider, arm, why))
+        self.keep(rod.pin, at_slider)
+        rest = self.sums.less(f"m_{outer}{link}′", added, at_slider, because("rest_of_mass", link=link))
+        self.hand_on(crank, outer, rest)
 
     def _rests(self, link: int, moment: Term) -> bool:
         """Tell whether a static moment is none: the place of a mass centre is rounded, too, as the lengths are."""
@@ -133,6 +161,12 @@ def carrier(task: Task, dyad: Dyad) -> int:
     return next((end for end in allowed if dyad.hosts[end] == FRAME), allowed[0])
 
 
+def instead_of_crank(mechanism: Mechanism, task: Task, dyad: Dyad) -> bool:
+    """Tell whether a rod on the crank balances it in part, the crank itself having no place for a counterweight."""
+    hung = (dyad.kind, dyad.hosts) == ("RRP", (mechanism.drive.link, FRAME))
+    return hung and task.aim == PARTIAL and None is task.place(mechanism.drive.link) != task.place(dyad.links[0])
+
+
 def _rrr(found: Substitution, dyad: Dyad) -> None:
     """Replace the other link's masses at its hinges, and balance the carrying link with that at the inner one."""
     end = carrier(found.task, dyad)
@@ -152,7 +186,8 @@ def _rrp(found: Substitution, dyad: Dyad) -> None:
     outer, pin = dyad.hinge(0), dyad.pin
     found.turn_onto(slider, pin, dyad.hosts[1], dyad.slide(1))
     found.put(rod, pin, found.at_point(rod, pin), found.mass(slider))
-    if found.task.aim != FULL and dyad.hosts[1] == FRAME and found.task.place(rod) is None:
+    free = found.task.place(rod) is None or instead_of_crank(found.mechanism, found.task, dyad)
+    if found.task.aim != FULL and dyad.hosts[1] == FRAME and free:
         stays = found.share(rod, outer, pin)
         found.keep(pin, stays)
         whole = found.sums.less(f"m_{outer}{rod}", found.mass(rod), stays, because("rest_of_mass", link=rod))

@@ -100,6 +100,18 @@ positions = {positions}
 3 = {{ mass = 8 }}
 """
 
+# Two such sliders at a right angle on one crank pin, the second rod with its centre off its line.
+TWIN = (
+    ENGINE.replace('3 = "B"\n', '3 = "B"\n4 = "AC"\n5 = "C"\n')
+    .replace("AB = 0.40\n", "AB = 0.40\nAC = 0.30\n")
+    .replace(
+        "[mechanism.sketch]",
+        "[[mechanism.slides]]\nlink = 5\nalong = {{ through = [0, 0], angle = 90 }}\n[mechanism.sketch]",
+    )
+    .replace("B = [0.44, 0]\n", "B = [0.44, 0]\nC = [0, 0.28]\n")
+    + "4 = {{ mass = 3, centre = [0.10, 0.02], inertia = 0.05 }}\n5 = {{ mass = 6 }}\n"
+)
+
 # The slotted link of figure 8.10 with the attached slider-crank CDE; link 3 swings about C below the crank.
 SHAPER = """
 sheets = ["forces"]

@@ -166,6 +166,7 @@ def test_mass_from_place(place: Place, distance: float | None, mass: float | Non
         (ENGINE, asked(FULL, Place(1, mass=9)), "", "on link 2"),
         (ENGINE, asked(PARTIAL, Place(1, at=0.1)), "counterweights[0].at", "3.7 kg"),
         (ENGINE, asked(PARTIAL, Place(1, mass=2), Place(3, mass=1)), "counterweights[1].on", "1 or 2"),
+        (ENGINE, asked(PARTIAL, Place(2, radius=0.6)), "counterweights[0].on", "its mass"),
         (FOUR_BAR, asked(SHARE, Place(1, mass=9), Place(2, mass=6), share=0.5), "balance", "reciprocating"),
         (YOKE, asked(FULL, Place(1, mass=2)), "balance", "link 3 slides on the frame"),
         (YOKE, asked(PARTIAL, Place(1, at=-0.05)), "counterweights[0].at", "degrees"),

@@ -24,7 +24,7 @@ from plans.model.balance.linkage import FULL, NONE, PARTIAL, REACTION, SECTOR, S
 from tests.parts import examples
 from tests.plans import linkages
 from tests.plans.balance_cases import bodies
-from tests.plans.balanced import ENGINE, FOUR_BAR, SHAPER, SIX_LINK, asked, study
+from tests.plans.balanced import ENGINE, FOUR_BAR, SHAPER, SIX_LINK, TWIN, asked, study
 from tests.plans.chains import chains
 from tests.plans.machines import pointed
 from tests.plans.studies import study_of
@@ -35,6 +35,8 @@ CASES = {
     "one of two": (FOUR_BAR, asked(FULL, Place(1, shape=SECTOR), Place(2, mass=6), Place(3, mass=8))),
     "as it is": (SIX_LINK, Task(NONE)),
     "engine in part": (ENGINE, asked(PARTIAL, Place(1, mass=2))),
+    "engine in part by the rod": (ENGINE, asked(PARTIAL, Place(2, mass=10))),
+    "two rods of which one carries": (TWIN, asked(PARTIAL, Place(4, mass=6), Place(2, mass=3))),
     "engine in full": (ENGINE, asked(FULL, Place(1, at=-0.15), Place(2, at=-0.25))),
     "a share": (ENGINE, asked(SHARE, Place(1, radius=0.1), share=0.4)),
     "least force": (ENGINE, asked(SHARE, Place(1, mass=20))),

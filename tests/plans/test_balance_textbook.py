@@ -79,6 +79,16 @@ def test_slider_crank_balanced_in_part() -> None:
     assert its.left == pytest.approx({"B": 0.5588235294 * 17}, rel=DIGITS)
 
 
+def test_slider_crank_balanced_in_part_by_the_rod() -> None:
+    """The one counterweight of (8.9) may stand on AB as well: h1/OA = h2/AB with its mass behind the pin."""
+    its = study(ENGINE, asked(PARTIAL, Place(2, mass=10)))
+    kappa = (3 * 0.04 / 0.1 + 4 + 10 + 8) / 25  # h1/OA, where the counterweight's place does not enter
+    assert moments(its) == pytest.approx({2: kappa * 25 * 0.4 - 8 * 0.4}, rel=DIGITS)
+    assert its.after is not None
+    assert its.after.centre.r == pytest.approx(kappa * its.linkage.motion(0).points["B"].r, rel=DIGITS, abs=1e-16)
+    assert its.left == pytest.approx({"B": kappa * 25}, rel=DIGITS)
+
+
 def test_slider_crank_balanced_in_full() -> None:
     its = study(ENGINE, ENGINE_FULL)
     assert [one.centre for one in its.counterweights] == pytest.approx([-0.1042857143, -0.2375], rel=DIGITS)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from plans.model.balance.linkage import FULL, Counterweight, Place, Task
+from plans.model.balance.linkage import FULL, PARTIAL, Counterweight, Place, Task
 from plans.model.group import Group, Pair
 from plans.model.mechanism import FRAME, Mechanism
 
@@ -22,14 +22,30 @@ def sought(mechanism: Mechanism, groups: Sequence[Group], task: Task) -> Sought:
     """Tell what a task seeks: one counterweight of the crank and of each group, or the mass at a guide of the frame."""
     drive = mechanism.drive
     links, left = {drive.link} if task.place(drive.link) else set(), []
+    rod = _rod(mechanism, groups, task)
     for group in groups:
         carrier = _carrier(group, task)
+        if rod is not None and carrier != rod and _on_crank(mechanism, group):
+            carrier = None  # one rod is enough
         if carrier is not None:
             links.add(carrier)
-        elif task.aim != FULL:
+        if task.aim != FULL and (carrier is None or carrier == rod):
             left += _left(mechanism, group)
     blanks = tuple(_blank(mechanism, groups, place) for place in task.places)
     return Sought(blanks, frozenset(links), tuple(left))
+
+
+def _rod(mechanism: Mechanism, groups: Sequence[Group], task: Task) -> int | None:
+    """Give the first rod on the crank that may carry where the crank may not: it balances the crank in part."""
+    if task.aim != PARTIAL or task.place(mechanism.drive.link):
+        return None
+    rods = (group.links[0] for group in groups if _on_crank(mechanism, group))
+    return next((link for link in rods if task.place(link)), None)
+
+
+def _on_crank(mechanism: Mechanism, group: Group) -> bool:
+    """Tell whether a group is a rod on the crank with its slider on the frame."""
+    return group.kind == "RRP" and [pair.giver for pair in group.outer_pairs] == [mechanism.drive.link, FRAME]
 
 
 def _carrier(group: Group, task: Task) -> int | None:
