@@ -39,7 +39,7 @@ from plans.model.order import POSITIONS
 
 NAME = POSITIONS.plan
 # Paper around the plan of positions in sizes of its letters: numbers, symbols, and above it the dimension of a stroke.
-MARGINS = Margins(3.5, 3.5, 11.0)
+MARGINS = Margins(3.5, 3.5, 5.0)
 STEPS = 360  # of a circle that is cut at a figure's box
 NOTCH = 9.0  # mm of a notch arc kept on each side of its meeting
 HATCH, SLANT = 2.5, 0.02  # mm of hatching on the barred part of the crank circle, and its slant, rad
