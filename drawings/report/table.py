@@ -26,6 +26,14 @@ REPORTS: Final[Mapping[str, Report]] = {
         idle="drawings.report.idle:nothing",
         faults="drawings.report.motion_report:faults",
     ),
+    "diagrams": Report(
+        subject="drawings.report.linkage_subject:subject",
+        chapters="drawings.report.diagrams_report:chapters",
+        headline="drawings.report.diagrams_report:headline",
+        remarks="drawings.report.diagrams_report:remarks",
+        idle="drawings.report.idle:nothing",
+        faults="drawings.report.diagrams_report:faults",
+    ),
     "forces": Report(
         subject="drawings.report.linkage_subject:subject",
         chapters="drawings.report.force_report:chapters",
