@@ -9,9 +9,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from drawings.figures.graphs.axes import BEYOND, Axes, every, numbered
+from drawings.figures.graphs.axes import BEYOND, Axes
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot
+from drawings.layout.thinning import every, numbered
 from drawings.lettering.lettering import text_width
 from drawings.page.drafting import Drafting
 from drawings.page.scale import Scale, fitting

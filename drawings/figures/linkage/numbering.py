@@ -9,11 +9,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.figures.graphs.axes import numbered
 from drawings.figures.linkage.pairs import Pairs
 from drawings.figures.linkage.skeleton import Poses, Skeletons
 from drawings.layout.labels import Labels
 from drawings.layout.place import Place
+from drawings.layout.thinning import numbered
 from drawings.lettering.lettering import text_width
 from drawings.lettering.words import number
 from drawings.paper.hand import Hand
