@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from drawings.checks.labelled import unlettered
@@ -12,6 +12,8 @@ from drawings.measure.measure import Measured, check, measure_file
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Leaf
 from geometry.errors import DraftError
+from plans.model.order import ORDERS
+from plans.scene.sheet import SheetTable
 from plans.words.words import Message, message
 
 TOLD = 5  # mismatches told one by one
@@ -48,6 +50,32 @@ def verify_report(wrong: Iterable[Wrong]) -> None:
     told = list(wrong)
     if told:
         raise SelfCheckFailed(message("check.report", marks=_first(told)))
+
+
+def verify_scales(sheets: Sequence[tuple[Mapping[str, str], Measured]], sheet: SheetTable) -> None:
+    """See that measured sheets, each with the keys of its figures, have the scales that are stated, and common ones."""
+    wrong: list[Wrong] = list(
+        dict.fromkeys((*_not_stated(sheets, dict(sheet.scale.stated)), *_not_common(sheets, sheet.scales)))
+    )
+    if wrong:
+        raise SelfCheckFailed(message("check.sheet", marks=_first(wrong)))
+
+
+def _not_stated(sheets: Sequence[tuple[Mapping[str, str], Measured]], stated: Mapping[str, float]) -> Iterator[Message]:
+    """Give the figures whose marks have another scale than the scene states for them."""
+    for keys, measured in sheets:
+        for mark in (*measured.vectors, *measured.points, *measured.profiles):
+            figure = f"{mark.plan.replace(' ', '-')}-"
+            key = next((key for begin, key in keys.items() if figure.startswith(begin)), "")
+            if mark.scale != stated.get(key, mark.scale):
+                yield on("scale_stated", mark.plan)
+
+
+def _not_common(sheets: Sequence[tuple[Mapping[str, str], Measured]], scales: str) -> Iterator[Message]:
+    """Give the plans of an order whose vectors have several scales where one was to be common."""
+    for plan in [order.plan for order in ORDERS[1:]] if scales == "common" else []:
+        if len({vector.scale for _, measured in sheets for vector in measured.vectors if vector.plan == plan}) > 1:
+            yield on("scale_common", plan)
 
 
 def _first(wrong: list[Wrong]) -> Message | tuple[Wrong, ...]:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from plans.scene import fields as f
-from plans.scene.tables import Table, key
+from plans.scene.scales import ScaleTable
+from plans.scene.tables import Table, key, table
 from plans.words.words import languages
 
 LANGUAGES = languages()
@@ -26,6 +27,11 @@ class SheetTable(Table):
         meaning="Lettering as strokes of our own alphabet, or as text in the fonts of the viewer.",
     )
     notation: str = key(f.words("mu", "K"), "mu", meaning="Scale factors mu (true units a mm), or K = 1/mu.")
+    scales: str = key(
+        f.words("common", "each"),
+        "common",
+        meaning="Scales of velocity plans, and of acceleration plans: one common to the whole set, or each its own.",
+    )
     designation: str = key(f.TEXT, "", meaning="For the title block: designation of the document.")
     drawn: str = key(f.TEXT, "", meaning="Who drew the sheet.")
     checked: str = key(f.TEXT, "", meaning="Who checked it.")
@@ -33,3 +39,8 @@ class SheetTable(Table):
     date: str = key(f.TEXT, "", meaning="Date, as it shall stand on the sheet.")
     group: str = key(f.TEXT, "", meaning="Group of students.")
     organisation: str = key(f.TEXT, "", meaning="Organisation.")
+    scale: ScaleTable = key(
+        table(ScaleTable),
+        ScaleTable(),
+        meaning="Scales that figures must have; default: the largest standard ones that fit.",
+    )
