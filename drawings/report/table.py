@@ -19,23 +19,23 @@ class Report(NamedTuple):
 
 REPORTS: Final[Mapping[str, Report]] = {
     "linkage": Report(
-        subject="drawings.report.linkage_subject:subject",
-        chapters="drawings.report.motion_report:chapters",
-        headline="drawings.report.motion_report:headline",
-        remarks="drawings.report.motion_report:remarks",
+        subject="drawings.report.linkage.linkage_subject:subject",
+        chapters="drawings.report.linkage.motion_report:chapters",
+        headline="drawings.report.linkage.motion_report:headline",
+        remarks="drawings.report.linkage.motion_report:remarks",
         idle="drawings.report.idle:nothing",
-        faults="drawings.report.motion_report:faults",
+        faults="drawings.report.linkage.motion_report:faults",
     ),
     "forces": Report(
-        subject="drawings.report.linkage_subject:subject",
-        chapters="drawings.report.force_report:chapters",
-        headline="drawings.report.force_report:headline",
-        remarks="drawings.report.force_report:remarks",
+        subject="drawings.report.linkage.linkage_subject:subject",
+        chapters="drawings.report.forces.force_report:chapters",
+        headline="drawings.report.forces.force_report:headline",
+        remarks="drawings.report.forces.force_report:remarks",
         idle="drawings.report.idle:of_forces",
         faults="drawings.checks.verify_friction:report_faults",
     ),
     "dynamics": Report(
-        subject="drawings.report.linkage_subject:subject",
+        subject="drawings.report.linkage.linkage_subject:subject",
         chapters="drawings.report.dynamics_report:chapters",
         headline="drawings.report.dynamics_report:headline",
         remarks="drawings.report.dynamics_report:remarks",
@@ -43,7 +43,7 @@ REPORTS: Final[Mapping[str, Report]] = {
         faults="drawings.report.dynamics_report:faults",
     ),
     "balance": Report(
-        subject="drawings.report.linkage_subject:subject",
+        subject="drawings.report.linkage.linkage_subject:subject",
         chapters="drawings.report.balance.balance_report:chapters",
         headline="drawings.report.balance.balance_report:headline",
         remarks="drawings.report.balance.balance_report:remarks",

@@ -14,6 +14,7 @@ from drawings.lettering.words import decimal, number, span
 from drawings.paper.limits import MANY
 from drawings.report.chapters import Chapters
 from drawings.report.gap_lines import gap_line, gap_lines, positions
+from drawings.report.linkage.greatest import first_numbers
 from drawings.report.markdown import chapter, header, heading, row
 from drawings.report.stroke_lines import stroke_line
 from plans.checks.compare import NOT_GRADED, MotionComparison, notches
@@ -47,8 +48,9 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
 
 
 def headline(study: Study) -> str:
-    """Say which link is the output, and who chose it."""
-    return shown(study["linkage"])
+    """Say which link is the output, and who chose it; then its stroke and its greatest velocity and acceleration."""
+    linkage = study["linkage"]
+    return "\n".join(filter(None, (shown(linkage), first_numbers(linkage, study.comparison("linkage").construction))))
 
 
 def remarks(study: Study) -> list[Message]:
