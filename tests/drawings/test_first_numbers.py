@@ -50,7 +50,7 @@ def test_the_greatest_balancing_moment_is_that_of_the_energy() -> None:
     load = np.where(speed > 0, 400 * speed, 0.0)
     moment = (4 * rate * speed + 0.3 * 9.81 * crank * omega * np.cos(phi) + load) / omega
     where = int(np.argmax(np.abs(moment)))
-    out = '[output]\nlink = 3\npoint = "B"\nworking = "right"\n\n[masses]'
+    out = '[output]\nlink = 3\nworking = "right"\n\n[masses]'
     assert number(said("scotch-yoke", ("[masses]", out)), "M_bal") == (
         pytest.approx(np.abs(moment[where]), rel=5e-5),
         where,
