@@ -114,7 +114,7 @@ def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
     manifest = manifest_of(scene.file, scene.content, contents)
     with staged(contents) as written:
         with trace.stage("measuring"):
-            verify_report(faults(text, study))
+            verify_report(faults(text, study, leaves))
             for path, (kind, leaf) in sheets.items():
                 verify(written[path], leaf, partial(named(SHEETS[kind].faults), study=study))
             for path, enclosure in enclosures.items():

@@ -42,7 +42,7 @@ def remarks(study: Study) -> list[str]:
     return [word(study.scene.sheet.language, "sheet.cyclogram by trial")] if trial else []
 
 
-def faults(text: str, study: Study) -> Iterator[Message]:
+def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[Message]:
     """Find no fault: the numbers are printed from the comparison that was judged."""
     yield from ()
 

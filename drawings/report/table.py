@@ -14,7 +14,7 @@ class Report(NamedTuple):
     headline: str  # of a study to a line about it on the screen, or nothing
     remarks: str  # of a study to lines of warning: gaps, dead centres, jams
     idle: str  # of a scene whose sheets do not ask for it to lines that say what is left out of it
-    faults: str  # of a report's text and a study to what is wrong with it
+    faults: str  # of a report's text, a study and the leaves by their sheets to what is wrong with it
 
 
 REPORTS: Final[Mapping[str, Report]] = {
@@ -24,7 +24,7 @@ REPORTS: Final[Mapping[str, Report]] = {
         headline="drawings.report.linkage.motion_report:headline",
         remarks="drawings.report.linkage.motion_report:remarks",
         idle="drawings.report.idle:nothing",
-        faults="drawings.report.linkage.motion_report:faults",
+        faults="drawings.checks.note.linkage_note:faults",
     ),
     "forces": Report(
         subject="drawings.report.linkage.linkage_subject:subject",
@@ -32,7 +32,7 @@ REPORTS: Final[Mapping[str, Report]] = {
         headline="drawings.report.forces.force_report:headline",
         remarks="drawings.report.forces.force_report:remarks",
         idle="drawings.report.idle:of_forces",
-        faults="drawings.checks.verify_friction:report_faults",
+        faults="drawings.checks.note.force_note:faults",
     ),
     "dynamics": Report(
         subject="drawings.report.linkage.linkage_subject:subject",
