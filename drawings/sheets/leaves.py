@@ -153,6 +153,8 @@ class _Leaves:
                 "sheet": draft.kind,
                 "title": self.title,
                 **draft.facts(composed.spots.keys()),
+                "notes": composed.notes is not None,
+                "rows": {one.table.name: one.table.rows for one in composed.tables},
                 "number": number,
                 "of": count,
             },
