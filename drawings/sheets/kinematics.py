@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from drawings.figures.linkage import missing_plan, position_plan, vector_plan
+from drawings.figures.linkage.masses import unnamed
 from drawings.figures.linkage.skeleton import Skeletons, skeletons
 from drawings.figures.linkage.vector_plan import VectorDiagram, diagram
 from drawings.layout import value_table
@@ -102,7 +103,8 @@ class _KinematicsSheet:
 
     def _diagram(self, subject: str, k: int) -> VectorDiagram:
         drafts = self.study.drafts()
-        return diagram(drafts.velocities if subject == VELOCITIES.plan else drafts.accelerations, k)
+        plan = drafts.velocities if subject == VELOCITIES.plan else drafts.accelerations
+        return diagram(plan, k, unnamed(self.study.scene, self.study.mechanism.links))
 
     def _why(self, subject: str, k: int) -> str:
         """Say in words why a plan is not drawn."""
