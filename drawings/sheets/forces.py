@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property, partial
 from typing import Any
@@ -16,13 +16,15 @@ from drawings.figures.forces.force_letters import letter_of
 from drawings.figures.graphs import curve_graph, hodograph
 from drawings.layout import value_table
 from drawings.layout.contents import Panel
-from drawings.layout.table import RuledTable
+from drawings.layout.picture import Spot
+from drawings.layout.table import Later, RuledTable
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.sheets.choice import force_positions
 from drawings.sheets.force_notes import notes
 from drawings.sheets.leaves import Caption, Draft, Exhibit, lay_out
 from plans.checks.force_comparison import ForceComparison
+from plans.checks.hand.forces import forces_by_hand
 from plans.forces.cut import Cut, indices
 from plans.forces.force import ForcePlan
 from plans.forces.primary import BALANCING
@@ -69,7 +71,8 @@ class _ForceSheet:
         columns = (one for cut in self.plan.cuts for one in self._column(cut))
         loose = (*self._lever(), *self._graph(), *self._hodographs())
         title = self.drafting.word("forces sheet title")
-        return Draft("forces", title, (*columns, *loose), (self._table(),), tuple(words), self._facts)
+        shows = (*columns, *loose)
+        return Draft("forces", title, shows, (self._table(),), tuple(words), self._facts, later=self._later)
 
     @property
     def plan(self) -> ForcePlan:
@@ -149,6 +152,11 @@ class _ForceSheet:
         drafting = self.drafting
         lines = force_table.rows(self.comparison, self.position, drafting.language, drafting.reactions)
         return value_table.table(lines, (self.position,), drafting)
+
+    def _later(self, spots: Mapping[str, Spot]) -> Callable[[Later], str]:
+        """Write what a hand may be out in the table, at the scales of the figures."""
+        scales = {name: spot.scale.mu for name, spot in spots.items()}
+        return value_table.by_hand(forces_by_hand(self.statics, self.position, scales), self.drafting.language)
 
     def _facts(self, names: Collection[str]) -> dict[str, Any]:
         """Say in the data of a sheet whose forces its figures show."""
