@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from drawings.checks.labelled import unlettered
 from drawings.checks.wrong import Wrong, on
 from drawings.files.enclosure import Enclosure
 from drawings.measure.measure import Measured, check, measure_file
+from drawings.page.page import BLOCK
+from drawings.page.title_cell import NUMBERS
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Leaf
+from drawings.paper.walk import groups, texts
 from geometry.errors import DraftError
+from plans.model.order import ORDERS
+from plans.scene.sheet import SheetTable
 from plans.words.words import Message, message
 
 TOLD = 5  # mismatches told one by one
@@ -48,6 +53,55 @@ def verify_report(wrong: Iterable[Wrong]) -> None:
     told = list(wrong)
     if told:
         raise SelfCheckFailed(message("check.report", marks=_first(told)))
+
+
+def verify_scales(sheets: Sequence[tuple[Mapping[str, str], Measured]], sheet: SheetTable) -> None:
+    """See that measured sheets, each with the keys of its figures, have the scales that are stated, and common ones."""
+    wrong: list[Wrong] = list(
+        dict.fromkeys((*_not_stated(sheets, dict(sheet.scale.stated)), *_not_common(sheets, sheet.scales)))
+    )
+    if wrong:
+        raise SelfCheckFailed(message("check.sheet", marks=_first(wrong)))
+
+
+def verify_documents(leaves: Mapping[str, Sequence[Leaf]], sheet: SheetTable) -> None:
+    """See that the sheets of a set are numbered through each document, and bear its designation."""
+    documents: dict[str, list[tuple[str, Leaf]]] = {}
+    for kind, own in leaves.items():
+        documents.setdefault(sheet.designated(kind), []).extend((kind, leaf) for leaf in own)
+    wrong = [fault for name, own in documents.items() for fault in _misnumbered(name, own, sheet.standard)]
+    if wrong:
+        raise SelfCheckFailed(message("check.sheet", marks=_first(wrong)))
+
+
+def _misnumbered(name: str, document: Sequence[tuple[str, Leaf]], standard: str) -> Iterator[Wrong]:
+    """Give the sheets of a document whose title block says another number, count or designation."""
+    count = len(document)
+    for number, (kind, leaf) in enumerate(document, 1):
+        gost = [f"{number}"] * (count > 1) + [f"{count}"] * (number == 1)
+        block = [group for group in groups(leaf.groups) if group.name in (BLOCK, NUMBERS)]
+        told = [text.plain for group in block if group.name == NUMBERS for text in texts(group.strokes)]
+        if told != (gost if standard == "GOST" else [f"{number}/{count}"]):
+            yield message("wrong.sheet_number", number=number, count=count, kind=kind)
+        if name.replace(" ", "") not in "".join(text.plain for text in texts(block)).replace(" ", ""):
+            yield message("wrong.designation", name=name, kind=kind)
+
+
+def _not_stated(sheets: Sequence[tuple[Mapping[str, str], Measured]], stated: Mapping[str, float]) -> Iterator[Message]:
+    """Give the figures whose marks have another scale than the scene states for them."""
+    for keys, measured in sheets:
+        for mark in (*measured.vectors, *measured.points, *measured.profiles):
+            figure = f"{mark.plan.replace(' ', '-')}-"
+            key = next((key for begin, key in keys.items() if figure.startswith(begin)), "")
+            if mark.scale != stated.get(key, mark.scale):
+                yield on("scale_stated", mark.plan)
+
+
+def _not_common(sheets: Sequence[tuple[Mapping[str, str], Measured]], scales: str) -> Iterator[Message]:
+    """Give the plans of an order whose vectors have several scales where one was to be common."""
+    for plan in [order.plan for order in ORDERS[1:]] if scales == "common" else []:
+        if len({vector.scale for _, measured in sheets for vector in measured.vectors if vector.plan == plan}) > 1:
+            yield on("scale_common", plan)
 
 
 def _first(wrong: list[Wrong]) -> Message | tuple[Wrong, ...]:

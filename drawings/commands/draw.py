@@ -18,7 +18,7 @@ from drawings.files.manifest import manifest_name, manifest_of, read_manifest
 from drawings.files.sheet_set import output_folder, publish
 from drawings.lettering.lettering import lettered
 from drawings.report.report import faults, headlines, remarks, report, summary
-from drawings.sheets.admission import of_title
+from drawings.sheets.admission import of_scales, of_title
 from drawings.sheets.table import SHEETS
 from plans.scene.scene import Scene, read_scene
 from plans.study import Study
@@ -91,6 +91,7 @@ def _of_study(study: Study, folder: Path, trace: Trace) -> SheetSet:
 def _admit(scene: Scene) -> None:
     """Refuse what no sheet can show, before any work."""
     of_title(scene)
+    of_scales(scene)
     for kind in scene.sheets:
         named(SHEETS[kind].admit)(scene)
 
@@ -98,12 +99,13 @@ def _admit(scene: Scene) -> None:
 def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
     """Lay out, write beside, measure back, and only then give the sheets their names: all of them or none."""
     with trace.stage("imports"):
-        from drawings.checks.verify import verify, verify_enclosure, verify_report
+        from drawings.checks.verify import verify, verify_documents, verify_enclosure, verify_report, verify_scales
         from drawings.pens.svg import svg
+        from drawings.sheets.documents import bind
 
     scene, stem = study.scene, _stem(study.scene)
     with trace.stage("layout"):
-        leaves = {kind: named(SHEETS[kind].leaves)(study) for kind in scene.sheets}
+        leaves = bind({kind: named(SHEETS[kind].leaves)(study) for kind in scene.sheets}, scene)
     with trace.stage("writing"):
         sheets = dict(_placed(folder, stem, leaves))
         text = report(study, leaves)
@@ -114,9 +116,13 @@ def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
     manifest = manifest_of(scene.file, scene.content, contents)
     with staged(contents) as written:
         with trace.stage("measuring"):
-            verify_report(faults(text, study))
-            for path, (kind, leaf) in sheets.items():
-                verify(written[path], leaf, partial(named(SHEETS[kind].faults), study=study))
+            verify_report(faults(text, study, leaves))
+            verify_documents(leaves, scene.sheet)
+            measured = [
+                (kind, verify(written[path], leaf, partial(named(SHEETS[kind].faults), study=study)))
+                for path, (kind, leaf) in sheets.items()
+            ]
+            verify_scales([(SHEETS[kind].scales, one) for kind, one in measured], scene.sheet)
             for path, enclosure in enclosures.items():
                 verify_enclosure(written[path], enclosure)
         for path in publish(folder, manifest, written):

@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from drawings.layout import column_composer, foremost_composer
-from drawings.layout.contents import Composition, Contents, Panel, TableSpot
-from drawings.layout.picture import Spot
+from drawings.layout.contents import Composition, Contents, Item, Panel, TableSpot
+from drawings.layout.picture import Picture, Spot
 from drawings.layout.table import RuledTable
 from drawings.page.page import Page
 from drawings.page.scale import Scale
@@ -40,7 +40,7 @@ def _tabled(one: Composition, further: Mapping[str, RuledTable]) -> Composition:
 def _levelled(contents: Contents, composed: Sequence[Composition]) -> tuple[Composition, ...]:
     """Draw figures that want one scale at the smallest scale that one of them has."""
     spots = {name: spot for one in composed for name, spot in one.spots.items()}
-    keys = {panel.item.name: panel.scale for panel in contents.panels if panel.scale}
+    keys = {panel.item.name: panel.scale for panel in contents.panels if panel.scale and _sized(panel.item)}
     scales: dict[str, Scale] = {}
     for name, key in keys.items():
         scales[key] = max(scales.get(key, spots[name].scale), spots[name].scale)
@@ -48,3 +48,8 @@ def _levelled(contents: Contents, composed: Sequence[Composition]) -> tuple[Comp
     return tuple(
         one._replace(spots={name: shared.get(name, spot) for name, spot in one.spots.items()}) for one in composed
     )
+
+
+def _sized(item: Item) -> bool:
+    """Tell whether an item is more than a point, which has any scale."""
+    return isinstance(item, Picture) and max(item.wide, item.high) > 0

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from drawings.layout.place import Place
@@ -36,6 +36,7 @@ class Picture(NamedTuple):
     least: float  # mm: lines drawn smaller are hidden by their letters
     most: float = math.inf  # mm: lines drawn larger would be out of proportion
     finest: float = 0.0  # mu: it is drawn at no larger scale
+    exact: float = 0.0  # mu: it is drawn at this scale and no other, if there is one
 
     def size(self, scale: Scale) -> tuple[float, float]:
         """Give width and height on paper, mm, margins and heading included."""
@@ -52,6 +53,8 @@ class Picture(NamedTuple):
         across, up = width - 2 * self.margins.side, height - self.margins.below - self.margins.above
         if across <= 0 or up <= 0 or self.heading > width:
             return Ladder(self.name, (), self.least, weight)
+        if self.exact:
+            return Ladder(self.name, tuple(self._only(width, height)), self.least, weight)
         extent, room = (self.wide, across) if self.wide * up >= self.high * across else (self.high, up)
         room = min(room, self.most)
         rungs: list[Rung] = []
@@ -61,6 +64,17 @@ class Picture(NamedTuple):
                 rungs.append(Rung(scale, *self.size(scale), self.extent(scale)))
             room = extent / scale.mu * SMALLER
         return Ladder(self.name, tuple(rungs), self.least, weight)
+
+    def at(self, mu: float) -> Picture:
+        """Give the picture to be drawn at a scale that is asked for, however small its lines are."""
+        return self._replace(exact=mu, least=0.0, most=math.inf, finest=0.0)
+
+    def _only(self, width: float, height: float) -> Iterator[Rung]:
+        """Give the scale that is asked for, if the picture fits a room so."""
+        scale = Scale(self.exact, self.letter, self.unit)
+        wide, high = self.size(scale)
+        if wide * SMALLER <= width and high * SMALLER <= height:
+            yield Rung(scale, wide, high, self.extent(scale))
 
     def place(self, box: Field, scale: Scale) -> Place:
         """Place the picture in a box of its size: its middle in the middle of what the margins leave."""

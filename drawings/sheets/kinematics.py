@@ -94,7 +94,11 @@ class _KinematicsSheet:
             return Exhibit(Panel(absent, together=str(k)), partial(missing_plan.draw, why, drafting=self.drafting))
         room = vector_plan.measure(shown, name, self.drafting)
         draw = partial(vector_plan.draw, shown, room, drafting=self.drafting)
-        return Exhibit(Panel(room, together=str(k)), draw)
+        return Exhibit(Panel(room, together=str(k), scale=self._shared(subject)), draw)
+
+    def _shared(self, subject: str) -> str:
+        """Name the common scale of all plans of a kind; each has its own where the scene asks for that."""
+        return subject if self.study.scene.sheet.scales == "common" else ""
 
     def _diagram(self, subject: str, k: int) -> VectorDiagram:
         drafts = self.study.drafts()

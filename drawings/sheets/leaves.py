@@ -17,13 +17,14 @@ from drawings.layout.picture import SMALLER, Picture, Spot
 from drawings.layout.table import RuledTable
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.page.page import Field, Page, page_of
-from drawings.paper.strokes import Group, Leaf
+from drawings.paper.strokes import Group, Leaf, SheetError
 from drawings.sheets.paragraphs import measure, write
+from drawings.sheets.stated_scales import StatedScales
 from plans.scene.scene import Scene
 
 EQUATION = 120.0  # mm: in a narrower column of notes the equations with numbers are broken at every sign
 KEPT = 1.0  # mm inside the frame that letters keep clear of
-ENTRIES = ("designation", "drawn", "checked", "approved", "date", "group", "organisation")  # kept from [sheet]
+ENTRIES = ("drawn", "checked", "approved", "date", "group", "organisation")  # kept from [sheet]
 
 
 class Exhibit(NamedTuple):
@@ -67,7 +68,7 @@ def lay_out(scene: Scene, drafts: Sequence[Draft]) -> tuple[Leaf, ...]:
 def lay_out_each(drafts: Sequence[tuple[Scene, Draft]]) -> tuple[Leaf, ...]:
     """Lay out drafts whose sheets differ in what their scene says of them, such as the format."""
     own = [_Leaves(scene, draft) for scene, draft in drafts]
-    composed = [(one, sheet) for one in own for sheet in compose(one.contents, one.page)]
+    composed = [(one, sheet) for one in own for sheet in one.composed()]
     return tuple(one.leaf(sheet, k + 1, len(composed)) for k, (one, sheet) in enumerate(composed))
 
 
@@ -82,8 +83,7 @@ def cost(scene: Scene, draft: Draft) -> tuple[int, int]:
 
 def compositions(scene: Scene, draft: Draft) -> Sequence[Composition]:
     """Give where all that a draft shows would stand, sheet by sheet, before anything is drawn."""
-    own = _Leaves(scene, draft)
-    return compose(own.contents, own.page)
+    return _Leaves(scene, draft).composed()
 
 
 @dataclass(frozen=True)
@@ -95,11 +95,15 @@ class _Leaves:
 
     @cached_property
     def page(self) -> Page:
-        return page_of(self.scene)
+        return page_of(self.scene, self.draft.kind)
 
     @cached_property
     def drafting(self) -> Drafting:
         return drafting_of(self.scene)
+
+    @property
+    def scales(self) -> StatedScales:
+        return StatedScales(self.scene, self.draft.kind, self.page)
 
     @property
     def title(self) -> str:
@@ -108,8 +112,29 @@ class _Leaves:
     @cached_property
     def contents(self) -> Contents:
         """All that the sheets must show, measured."""
-        panels = tuple(one.panel for one in self.draft.shows)
+        return self._with(self.scales.panels(self._panels))
+
+    @property
+    def free(self) -> Contents:
+        """The same without the scales that the scene states."""
+        return self._with(self._panels)
+
+    @property
+    def _panels(self) -> tuple[Panel, ...]:
+        return tuple(one.panel for one in self.draft.shows)
+
+    def _with(self, panels: tuple[Panel, ...]) -> Contents:
         return Contents(panels, self.draft.tables, measure(self.draft.notes, self.page.hand.text, self.draft.narrow))
+
+    def composed(self) -> Sequence[Composition]:
+        """Compose the sheets; where they have no room it may be for the scales that the scene states."""
+        try:
+            return compose(self.contents, self.page)
+        except SheetError:
+            if self.scales.stated and self.contents != self.free:
+                compose(self.free, self.page)
+                raise self.scales.crowded from None
+            raise
 
     def leaf(self, composed: Composition, number: int, count: int) -> Leaf:
         """Draw one sheet: the lines of all its figures first, then the letters among them."""
@@ -157,6 +182,7 @@ class _Leaves:
         return {
             "title": self.title,
             "subtitle": self.draft.title,
+            "designation": self.page.designation,
             **{key: getattr(self.scene.sheet, key) for key in ENTRIES},
             "scale": spot.scale.ratio(self.drafting.language) if spot is not None else "",
             "sheet": str(number),

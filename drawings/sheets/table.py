@@ -6,6 +6,7 @@ A row is text alone, "module:name": nothing of a sheet is imported before a scen
 from __future__ import annotations
 
 from collections.abc import Mapping
+from types import MappingProxyType
 from typing import Final, NamedTuple
 
 
@@ -15,6 +16,7 @@ class Sheet(NamedTuple):
     admit: str  # of a scene to nothing: raises what the sheet cannot show, before any work
     leaves: str  # of a study to the leaves laid out, one or several
     faults: str  # of a measured sheet, its leaf and a study to what is wrong with it, in words
+    scales: Mapping[str, str] = MappingProxyType({})  # how names of figures begin, and their keys of [sheet.scale]
     enclosures: str = ""  # of a study to the files beside its sheets
 
 
@@ -23,51 +25,61 @@ SHEETS: Final[Mapping[str, Sheet]] = {
         admit="drawings.sheets.linkage_admission:of_linkage",
         leaves="drawings.sheets.kinematics:leaves",
         faults="drawings.checks.verify_kinematics:faults",
+        scales={"positions": "length", "velocities-": "velocity", "accelerations-": "acceleration"},
     ),
     "positions": Sheet(
         admit="drawings.sheets.linkage_admission:of_linkage",
         leaves="drawings.sheets.positions:leaves",
         faults="drawings.checks.verify_kinematics:faults",
+        scales={"positions": "length"},
     ),
     "forces": Sheet(
         admit="drawings.sheets.force_admission:of_forces",
         leaves="drawings.sheets.forces:leaves",
         faults="drawings.checks.verify_forces:faults",
+        scales={"scheme-": "scheme", "forces-": "force", "lever": "lever"},
     ),
     "dynamics": Sheet(
         admit="drawings.sheets.linkage_admission:of_linkage",
         leaves="drawings.sheets.dynamics:leaves",
         faults="drawings.checks.verify_dynamics:faults",
+        scales={"flywheel_sketch": "wheel"},
     ),
     "balancing": Sheet(
         admit="drawings.sheets.force_admission:of_forces",
         leaves="drawings.sheets.balancing:leaves",
         faults="drawings.checks.balance.verify_balancing:faults",
+        scales={"scheme-": "scheme", "static-moments": "unbalance", "shaking": "force"},
     ),
     "bank": Sheet(
         admit="drawings.sheets.bank:admit",
         leaves="drawings.sheets.bank:leaves",
         faults="drawings.checks.balance.verify_bank:faults",
+        scales={"star": "scheme", "shaft": "scheme", "order_forces-": "force", "order_moments-": "moment"},
     ),
     "rotor": Sheet(
         admit="drawings.sheets.rotor:admit",
         leaves="drawings.sheets.rotor:leaves",
         faults="drawings.checks.verify_rotor:faults",
+        scales={"across": "rotor", "along": "rotor", "unbalances": "unbalance", "couples": "couple"},
     ),
     "cam": Sheet(
         admit="drawings.sheets.cam_admission:of_cams",
         leaves="drawings.sheets.cam:leaves",
         faults="drawings.checks.cam.verify_cam:faults",
+        scales={"sizes": "cam", "profile": "cam"},
     ),
     "profile": Sheet(
         admit="drawings.sheets.cam_admission:of_cams",
         leaves="drawings.sheets.cam_profile:leaves",
         faults="drawings.checks.cam.verify_profile:faults",
         enclosures="drawings.checks.cam.coordinates:enclosures",
+        scales={"manufacturing": "cam"},
     ),
     "cyclogram": Sheet(
         admit="drawings.sheets.linkage_admission:of_linkage",
         leaves="drawings.sheets.cyclogram:leaves",
         faults="drawings.checks.verify_cyclogram:faults",
+        scales={"characteristic": "length"},
     ),
 }

@@ -1,0 +1,121 @@
+"""Scales that the scene states (заданные масштабы): which figures they govern, and whether these fit at them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import chain
+from typing import NamedTuple
+
+from drawings.layout.contents import Panel
+from drawings.layout.picture import SMALLER, Picture
+from drawings.layout.trials import room_of
+from drawings.page.page import Field, Page
+from drawings.page.scale import Scale
+from drawings.paper.strokes import SheetError
+from drawings.sheets.admission import of_scale
+from drawings.sheets.table import SHEETS
+from plans.scene.scene import Scene
+from plans.words.words import message
+
+NEAREST = 3  # standard scales that a refusal names
+
+
+def key_of(kind: str, figure: str) -> str:
+    """Give the key of [sheet.scale] that governs a figure of a kind of sheet, or nothing.
+
+    >>> key_of("kinematics", "velocities-4"), key_of("kinematics", "values")
+    ('velocity', '')
+    """
+    return next((key for begin, key in SHEETS[kind].scales.items() if figure.startswith(begin)), "")
+
+
+class StatedScales(NamedTuple):
+    """What a scene says of the scales of one kind of sheet on its page."""
+
+    scene: Scene
+    kind: str
+    page: Page
+
+    @property
+    def stated(self) -> Mapping[str, float]:
+        """The scales that the scene states, by their keys."""
+        return dict(self.scene.sheet.scale.stated)
+
+    def panels(self, panels: Sequence[Panel]) -> tuple[Panel, ...]:
+        """Give the figures that are governed the scale that they must have; one at which they do not fit is refused."""
+        governed = [self._governed(panel) for panel in panels]
+        for name in self.stated:
+            self._see(name, [one for one in self._pictures(panels) if key_of(self.kind, one.name) == name])
+        return tuple(governed)
+
+    @property
+    def crowded(self) -> SheetError:
+        """Say that nothing was composed because of the scales that the scene states."""
+        said = message("refused.scale_crowded", format=self.page.name)
+        return SheetError(of_scale(self.scene, next(iter(self.stated)), said))
+
+    def _governed(self, panel: Panel) -> Panel:
+        mu = self.stated.get(key_of(self.kind, panel.item.name), 0.0)
+        if not (mu and isinstance(panel.item, Picture)):
+            return panel
+        return panel._replace(item=panel.item.at(mu))
+
+    def _pictures(self, panels: Sequence[Panel]) -> Iterator[Picture]:
+        """Give all figures that are more than a point."""
+        items = (panel.item for panel in panels)
+        return (one for one in items if isinstance(one, Picture) and (one.wide or one.high))
+
+    def _see(self, name: str, pictures: Sequence[Picture]) -> None:
+        """See that the largest of the figures of a scale is large enough to be lettered, and that each fits."""
+        mu = self.stated[name]
+        for one in pictures:
+            size = one.size(Scale(mu, one.letter, one.unit))
+            if not any(_holds(room, size) for room in self._rooms):
+                raise self._refused(
+                    name, one, "refused.scale_large", **_millimetres(wide=size[0], high=size[1]), **self._room(size)
+                )
+        largest = max(pictures, key=lambda one: max(one.wide, one.high), default=None)
+        if largest is not None and (extent := max(largest.wide, largest.high) / mu) < largest.least * SMALLER:
+            raise self._refused(
+                name, largest, "refused.scale_small", size=f"{extent:.0f}", least=f"{largest.least:.0f}"
+            )
+
+    @property
+    def _rooms(self) -> tuple[Field, ...]:
+        """The rooms beside and above the title block."""
+        room, block = room_of(self.page), self.page.block
+        return room._replace(bottom=max(room.bottom, block.top)), room._replace(right=min(room.right, block.left))
+
+    def _room(self, size: tuple[float, float]) -> dict[str, str]:
+        """Give the room that a figure fits best."""
+        best = max(self._rooms, key=lambda room: min(room.width / size[0], room.height / size[1]))
+        return _millimetres(best.width, best.height, ("across", "up"))
+
+    def _refused(self, name: str, picture: Picture, why: str, **parts: object) -> SheetError:
+        mu, length = self.stated[name], picture.letter == "l"
+        scales = tuple(_written(fit, length) for fit in self._fitting(picture)) or (_written(mu, length),)
+        said = message(why, name=name, scale=_written(mu, length), scales=scales, **parts)
+        return SheetError(of_scale(self.scene, name, said))
+
+    def _fitting(self, picture: Picture) -> list[float]:
+        """Give the standard scales at which a figure fits and can be read, nearest to what is stated first."""
+        rungs = chain.from_iterable(
+            picture.ladder(room.width, room.height, self.page.standard).rungs for room in self._rooms
+        )
+        fit = {rung.scale.mu for rung in rungs if rung.extent >= picture.least * SMALLER}
+        mu = self.stated[key_of(self.kind, picture.name)]
+        return sorted(sorted(fit, key=lambda one: max(one / mu, mu / one))[:NEAREST])
+
+
+def _holds(room: Field, size: tuple[float, float]) -> bool:
+    return room.width >= size[0] * SMALLER and room.height >= size[1] * SMALLER
+
+
+def _millimetres(wide: float, high: float, names: tuple[str, str] = ("wide", "high")) -> dict[str, str]:
+    """Write two sizes in whole millimetres."""
+    return {name: f"{size:.0f}" for name, size in zip(names, (wide, high), strict=True)}
+
+
+def _written(mu: float, length: bool) -> str:
+    """Write a scale as the scene would."""
+    return f'"{Scale(mu, "l", "m").ratio("en")}"' if length else f"{mu:.6g}"

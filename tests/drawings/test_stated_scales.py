@@ -1,0 +1,134 @@
+"""Scales of a set: common to the plans of an order, or stated by the scene; a wrong one is refused, or withheld."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from copy import copy
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from drawings.checks.verify import SelfCheckFailed, verify_scales
+from drawings.measure.measure import Measured, measure_file
+from drawings.paper.strokes import SheetError
+from drawings.pens.svg import svg
+from drawings.sheets import forces, kinematics
+from drawings.sheets.admission import of_scales
+from drawings.sheets.table import SHEETS
+from plans.linkage.reading.form import LinkageForm
+from plans.scene.faults import SceneError
+from plans.scene.scales import ScaleTable
+from plans.scene.scene import Scene, parse_scene
+from plans.study import Study
+
+GALLERY = Path(__file__).parents[2] / "drawings/gallery"
+LOADED = (GALLERY / "slider-crank.toml").read_text("utf-8")
+BASE = LOADED.replace(', "forces"]', "]").replace("forces = [2]", "")
+KEYS = SHEETS["kinematics"].scales
+
+
+def scene_of(more: str = "") -> Scene:
+    return parse_scene(f"{BASE}\n{more}")
+
+
+@cache
+def made() -> Study:
+    study = Study(scene_of())
+    study.comparison("linkage")
+    return study
+
+
+def measured(scene: Scene, folder: Path) -> list[Measured]:
+    """Lay out and measure the sheets of a scene, whose mechanism is the same for all."""
+    linkage = copy(made()["linkage"])
+    vars(linkage).update(scene=scene, form=scene.of(LinkageForm))
+    found = []
+    for k, leaf in enumerate(kinematics.sheets(linkage, made().comparison("linkage"))):
+        (path := folder / f"{k}.svg").write_bytes(svg(leaf))
+        found.append(measure_file(path))
+    return found
+
+
+def scales(sheets: Iterable[Measured], plan: str) -> set[float]:
+    return {mark.scale for one in sheets for mark in (*one.vectors, *one.points) if mark.plan == plan}
+
+
+def test_plans_of_an_order_have_one_scale_by_default_and_each_its_own_where_that_is_asked(tmp_path: Path) -> None:
+    plans = BASE.replace("plans = [2, 8]", "plans = [0, 1, 3]")
+    common, each = (measured(parse_scene(plans + more), tmp_path) for more in ("", '\nscales = "each"\n'))
+    assert len(scales(common, "velocities")) == len(scales(common, "accelerations")) == 1
+    assert len(scales(each, "accelerations")) > 1
+    assert scales(common, "accelerations") == {max(scales(each, "accelerations"))}
+    with pytest.raises(SelfCheckFailed, match="the scale of accelerations, which is not the common one"):
+        verify_scales([(KEYS, one) for one in each], scene_of().sheet)
+
+
+def test_a_figure_has_the_scale_that_the_scene_states(tmp_path: Path) -> None:
+    scene = scene_of('[sheet.scale]\nlength = "2:3"\nvelocity = 0.07\nacceleration = 25\n')
+    sheets = measured(scene, tmp_path)
+    assert [scales(sheets, plan) for plan in ("positions", "velocities", "accelerations")] == [{0.0015}, {0.07}, {25.0}]
+    verify_scales([(KEYS, one) for one in sheets], scene.sheet)
+    for key in KEYS.values():
+        other = scene.sheet.changed(scale=scene.sheet.scale.changed(**{key: 1}))
+        with pytest.raises(SelfCheckFailed, match="which the scene states otherwise"):
+            verify_scales([(KEYS, one) for one in sheets], other)
+
+
+def test_a_scale_at_which_a_figure_does_not_fit_is_refused_with_its_size_its_room_and_scales_that_fit() -> None:
+    with pytest.raises(SheetError) as refused:
+        kinematics.leaves(Study(scene_of('[sheet.scale]\nlength = "5:1"\n')))
+    line = len(BASE.splitlines()) + 3
+    said = str(refused.value)
+    assert said.startswith(f'scene.toml:{line}:1: sheet.scale.length = "5:1": ')
+    # The cylinder is 165 mm above the crank's circle of 90: five times 0.25 m is more than the 584 mm of A1.
+    assert float(said.split(" x ")[1].split(maxsplit=1)[0]) > 5 * 250 > 584
+    fitting = said.partition("Fix: choose ")[2].partition(",")[0].split(" or ")
+    assert len(fitting) == 3
+    assert '"1:1"' in fitting
+
+
+def test_a_scale_at_which_the_largest_plan_cannot_be_lettered_is_refused() -> None:
+    with pytest.raises(SheetError, match=r"sheet.scale.velocity = 3: .* is \d mm large, and its letters need"):
+        kinematics.leaves(Study(scene_of("[sheet.scale]\nvelocity = 3\n")))
+
+
+def test_scales_at_which_figures_fit_alone_and_not_together_are_refused() -> None:
+    scene = parse_scene(f'{LOADED}\n[sheet.scale]\nscheme = "3:2"\nforce = 18\n')
+    with pytest.raises(SheetError, match="stand together do not fit format A1"):
+        forces.leaves(Study(scene))
+
+
+def test_a_scale_of_figures_that_no_sheet_has_is_refused_and_those_are_listed_that_some_has() -> None:
+    with pytest.raises(SheetError, match=r"sheet.scale.cam: .* choose from length or velocity or acceleration$"):
+        of_scales(scene_of("[sheet.scale]\ncam = 0.001\n"))
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ('length = "1:0"', "a ratio of two numbers above 0"),
+        ('length = "half"', "a ratio of two numbers above 0"),
+        ("velocity = 0", "this scale factor to be greater than 0"),
+        ("length = -1", "this scale factor to be greater than 0"),
+        ("speed = 1", "expected a key of [sheet.scale]"),
+    ],
+)
+def test_a_wrong_scale_is_refused_at_its_line(text: str, says: str) -> None:
+    with pytest.raises(SceneError) as refused:
+        scene_of(f"[sheet.scale]\n{text}\n")
+    (fault,) = refused.value.faults
+    assert fault.line == len(BASE.splitlines()) + 3
+    assert says in str(refused.value)
+
+
+def test_a_ratio_is_metres_a_millimetre() -> None:
+    found = dict(scene_of('[sheet.scale]\nlength = "1:2.5"\nscheme = "3:2"\ncam = 0.004\n').sheet.scale.stated)
+    assert found == {"length": 0.0025, "scheme": pytest.approx(0.001 * 2 / 3), "cam": 0.004}
+    assert all(math.isfinite(mu) for mu in found.values())
+
+
+def test_every_key_governs_figures_of_some_sheet() -> None:
+    governed = {key for sheet in SHEETS.values() for key in sheet.scales.values()}
+    assert governed == set(ScaleTable.keys)
