@@ -2,14 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
-import pytest
-
-from plans.model.diagrams import Diagrams
-from plans.scene.scene import parse_scene
-from plans.study import Study
-from plans.words.words import Message
-
 # A sine mechanism (Scotch yoke) of radius r: S = r (1 - cos φ) from its dead centre, so that all is known exactly.
 YOKE = """
 sheets = ["kinematics"]
@@ -53,4 +45,11 @@ speed = 10
 {drive}
 {rest}
 """
-CRANK_ROCKER = {"apart": 0.35, "rod": 0.4, "rocker": 0.3, "sketch": "[0.39, 0.30]", "drive": "positions = 12", "rest": ""}
+CRANK_ROCKER = {
+    "apart": 0.35,
+    "rod": 0.4,
+    "rocker": 0.3,
+    "sketch": "[0.39, 0.30]",
+    "drive": "positions = 12",
+    "rest": "",
+}

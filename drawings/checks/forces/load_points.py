@@ -51,9 +51,12 @@ def _positions(
     dots = np.array([one.centre for one in walk((group,)) if isinstance(one, Circle)])
     labels = labels_of((group,))
     told = {int(text.plain) for text in texts((group,)) if text.plain.isdigit()} | {int(leaf.metadata["position"])}
+    lettered = not any(name.isdigit() for name in own)  # else numbers of corners stand among those of positions
     near = 3 * measured.quantum + KNOWN * abs(whole.value) / whole.scale
     for k in sorted(one for one in told if one < len(spots) and not math.isnan(spots[one].real)):
-        if not has(dots, spots[k], near) or not distance(labels.get(str(k), ()), [spots[k]]) <= NEAREST:
+        off = [distance([label], [spots[k]]) for label in labels.get(str(k), ())]
+        astray = max(off, default=math.inf) if lettered else min(off, default=math.inf)
+        if not has(dots, spots[k], near) or not astray <= NEAREST:
             yield on("differs_at", plan, name=str(k), position=k)
 
 
