@@ -10,6 +10,8 @@ from typing import Any
 
 import numpy as np
 
+from drawings.figures.dynamics import load_diagram
+from drawings.figures.dynamics.load_course import courses
 from drawings.figures.forces import force_polygon, force_table, lever_plan, loading_scheme
 from drawings.figures.forces.force_equations import Equations
 from drawings.figures.forces.force_letters import letter_of
@@ -69,7 +71,7 @@ class _ForceSheet:
         """Title, figures, equations, table and notes of the sheets."""
         words = notes(self.statics, self.position, self.drafting.language)
         columns = (one for cut in self.plan.cuts for one in self._column(cut))
-        loose = (*self._lever(), *self._graph(), *self._hodographs())
+        loose = (*self._lever(), *self._loads(), *self._graph(), *self._hodographs())
         title = self.drafting.word("forces sheet title")
         shows = (*columns, *loose)
         return Draft("forces", title, shows, (self._table(),), tuple(words), self._facts, later=self._later)
@@ -117,6 +119,15 @@ class _ForceSheet:
             shown = lever_plan.hanging(plans.plan, plans.lever, self.position)
             room = lever_plan.measure(shown, "lever", self.drafting)
             yield Exhibit(Panel(room), partial(lever_plan.draw, shown, room, drafting=self.drafting))
+
+    def _loads(self) -> Iterator[Exhibit]:
+        """Each load that changes over a stroke, with its positions: once in a set, on its first sheet."""
+        if self.position != self.chosen[0]:
+            return
+        for course in courses(self.statics.machine, self.statics.strokes, self.comparison.motion.construction):
+            room = load_diagram.measure(course, self.drafting)
+            draw = partial(load_diagram.draw, course, room, drafting=self.drafting)
+            yield Exhibit(Panel(room), draw)
 
     def _graph(self) -> Iterator[Exhibit]:
         """The balancing moment over the turn, or the swing, of the crank: once in a set, on its first sheet."""
