@@ -66,7 +66,11 @@ def forces(comparison: ForceComparison, statics: Statics, language: str) -> Iter
     yield from _bodies(statics.machine, language)
     yield from counted_strokes(statics, language)
     yield from _reactions(found, language)
-    yield from (gap_line("report.force_gap", gap, language) for gap in found.gaps if gap.plan == FORCES)
+    yield from (
+        gap_line("report.force_gap", gap, statics.study.mechanism.drive, language)
+        for gap in found.gaps
+        if gap.plan == FORCES
+    )
     if statics.friction is not None:
         yield from _friction(statics.friction, language)
 
