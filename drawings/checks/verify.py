@@ -9,8 +9,11 @@ from drawings.checks.labelled import unlettered
 from drawings.checks.wrong import Wrong, on
 from drawings.files.enclosure import Enclosure
 from drawings.measure.measure import Measured, check, measure_file
+from drawings.page.page import BLOCK
+from drawings.page.title_cell import NUMBERS
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Leaf
+from drawings.paper.walk import groups, texts
 from geometry.errors import DraftError
 from plans.model.order import ORDERS
 from plans.scene.sheet import SheetTable
@@ -59,6 +62,29 @@ def verify_scales(sheets: Sequence[tuple[Mapping[str, str], Measured]], sheet: S
     )
     if wrong:
         raise SelfCheckFailed(message("check.sheet", marks=_first(wrong)))
+
+
+def verify_documents(leaves: Mapping[str, Sequence[Leaf]], sheet: SheetTable) -> None:
+    """See that the sheets of a set are numbered through each document, and bear its designation."""
+    documents: dict[str, list[tuple[str, Leaf]]] = {}
+    for kind, own in leaves.items():
+        documents.setdefault(sheet.designated(kind), []).extend((kind, leaf) for leaf in own)
+    wrong = [fault for name, own in documents.items() for fault in _misnumbered(name, own, sheet.standard)]
+    if wrong:
+        raise SelfCheckFailed(message("check.sheet", marks=_first(wrong)))
+
+
+def _misnumbered(name: str, document: Sequence[tuple[str, Leaf]], standard: str) -> Iterator[Wrong]:
+    """Give the sheets of a document whose title block says another number, count or designation."""
+    count = len(document)
+    for number, (kind, leaf) in enumerate(document, 1):
+        gost = [f"{number}"] * (count > 1) + [f"{count}"] * (number == 1)
+        block = [group for group in groups(leaf.groups) if group.name in (BLOCK, NUMBERS)]
+        told = [text.plain for group in block if group.name == NUMBERS for text in texts(group.strokes)]
+        if told != (gost if standard == "GOST" else [f"{number}/{count}"]):
+            yield message("wrong.sheet_number", number=number, count=count, kind=kind)
+        if name.replace(" ", "") not in "".join(text.plain for text in texts(block)).replace(" ", ""):
+            yield message("wrong.designation", name=name, kind=kind)
 
 
 def _not_stated(sheets: Sequence[tuple[Mapping[str, str], Measured]], stated: Mapping[str, float]) -> Iterator[Message]:

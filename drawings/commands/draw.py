@@ -99,12 +99,13 @@ def _admit(scene: Scene) -> None:
 def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
     """Lay out, write beside, measure back, and only then give the sheets their names: all of them or none."""
     with trace.stage("imports"):
-        from drawings.checks.verify import verify, verify_enclosure, verify_report, verify_scales
+        from drawings.checks.verify import verify, verify_documents, verify_enclosure, verify_report, verify_scales
         from drawings.pens.svg import svg
+        from drawings.sheets.documents import bind
 
     scene, stem = study.scene, _stem(study.scene)
     with trace.stage("layout"):
-        leaves = {kind: named(SHEETS[kind].leaves)(study) for kind in scene.sheets}
+        leaves = bind({kind: named(SHEETS[kind].leaves)(study) for kind in scene.sheets}, scene)
     with trace.stage("writing"):
         sheets = dict(_placed(folder, stem, leaves))
         text = report(study, leaves)
@@ -115,7 +116,8 @@ def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
     manifest = manifest_of(scene.file, scene.content, contents)
     with staged(contents) as written:
         with trace.stage("measuring"):
-            verify_report(faults(text, study))
+            verify_report(faults(text, study, leaves))
+            verify_documents(leaves, scene.sheet)
             measured = [
                 (kind, verify(written[path], leaf, partial(named(SHEETS[kind].faults), study=study)))
                 for path, (kind, leaf) in sheets.items()

@@ -4,14 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from types import ModuleType
 
 from drawings.page import frame, reference
 from drawings.page.blocks import form1, iso7200
+from drawings.page.title_cell import NUMBERS
 from drawings.paper.formats import BLOCKS, BORDERS, PORTRAIT, Field, lies, size_of
 from drawings.paper.hand import Hand, hand_of
 from drawings.paper.strokes import INK, Circle, Group, LineStyle, SheetError, Stroke, stated
 from plans.scene.scene import Scene
 from plans.words.words import placed
+
+BLOCK = "title-block"  # the name of its group
 
 __all__ = ["Field", "Page", "page_of"]  # figures take their fields from the page
 
@@ -90,16 +94,26 @@ class Page:
 
     def title_block(self, entries: Mapping[str, str], language: str) -> Group:
         """Draw the title block, filled: title, designation, names, date, organisation, scale, sheet numbers."""
-        at = complex(self.block.left, self.block.bottom)
-        draw = iso7200.block if self.standard == "ISO" else form1.block
-        return Group(tuple(draw(at, entries, self.hand, language)), "title-block")
+        return Group(tuple(self._form.block(self._corner, entries, self.hand, language)), BLOCK)
+
+    def numbers(self, sheet: int, sheets: int) -> Group:
+        """Write what the title block says of the sheet among those of its document."""
+        return Group(tuple(self._form.numbers(self._corner, str(sheet), str(sheets))), NUMBERS)
+
+    @property
+    def _form(self) -> ModuleType:
+        return iso7200 if self.standard == "ISO" else form1
+
+    @property
+    def _corner(self) -> complex:
+        return complex(self.block.left, self.block.bottom)
 
 
-def page_of(scene: Scene) -> Page:
-    """Give the page that a scene asks for; one that its standard does not have is refused at its line."""
+def page_of(scene: Scene, kind: str = "") -> Page:
+    """Give the page that a scene asks for, of a kind of sheet; one that its standard does not have is refused."""
     sheet = scene.sheet
     try:
-        return Page(sheet.format, sheet.orientation, sheet.standard, sheet.language, sheet.designation)
+        return Page(sheet.format, sheet.orientation, sheet.standard, sheet.language, sheet.designated(kind))
     except SheetError as error:
         line, column = scene.place(("sheet", "orientation"))
         raise SheetError(placed(f"{scene.file}:{line}:{column}", error.args[0])) from None

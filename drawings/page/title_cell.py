@@ -14,6 +14,7 @@ from drawings.paper.strokes import Anchor, Run, Text
 CLEAR = 0.35  # mm from the middle of a line to the lettering: half of the widest line
 STEP = 1.7  # from line to line in sizes, the least of GOST 2.304-81
 ELLIPSIS = "…"
+NUMBERS = "sheet-numbers"  # the name of what a title block says of the sheet among those of its document
 # Room in mm at the foot of a title for its subtitle: a line of 2.5, two of them, two of 3.5.
 FEET = (5.0, 8.9, 12.0)
 

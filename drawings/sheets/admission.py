@@ -16,7 +16,10 @@ CELLS = ("designation", "drawn", "checked", "approved", "date", "group", "organi
 
 def of_title(scene: Scene) -> None:
     """See that the title block can be lettered."""
-    letter(scene, [(("title",), scene.title), *((("sheet", cell), getattr(scene.sheet, cell)) for cell in CELLS)])
+    cells = ((("sheet", cell), getattr(scene.sheet, cell)) for cell in CELLS)
+    own = scene.sheet.designations
+    documents = ((("sheet", "designations", kind), getattr(own, kind)) for kind in own.keys)
+    letter(scene, [(("title",), scene.title), *cells, *documents])
 
 
 def of_scales(scene: Scene) -> None:

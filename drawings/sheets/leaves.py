@@ -24,7 +24,7 @@ from plans.scene.scene import Scene
 
 EQUATION = 120.0  # mm: in a narrower column of notes the equations with numbers are broken at every sign
 KEPT = 1.0  # mm inside the frame that letters keep clear of
-ENTRIES = ("designation", "drawn", "checked", "approved", "date", "group", "organisation")  # kept from [sheet]
+ENTRIES = ("drawn", "checked", "approved", "date", "group", "organisation")  # kept from [sheet]
 
 
 class Exhibit(NamedTuple):
@@ -95,7 +95,7 @@ class _Leaves:
 
     @cached_property
     def page(self) -> Page:
-        return page_of(self.scene)
+        return page_of(self.scene, self.draft.kind)
 
     @cached_property
     def drafting(self) -> Drafting:
@@ -182,6 +182,7 @@ class _Leaves:
         return {
             "title": self.title,
             "subtitle": self.draft.title,
+            "designation": self.page.designation,
             **{key: getattr(self.scene.sheet, key) for key in ENTRIES},
             "scale": spot.scale.ratio(self.drafting.language) if spot is not None else "",
             "sheet": str(number),

@@ -10,6 +10,21 @@ from plans.words.words import languages
 LANGUAGES = languages()
 
 
+class DesignationTable(Table):
+    """Designations of kinds of sheets that are documents of their own, where they are."""
+
+    kinematics: str = key(f.TEXT, "", meaning="Of the kinematics sheets.")
+    positions: str = key(f.TEXT, "", meaning="Of the sheet of positions.")
+    forces: str = key(f.TEXT, "", meaning="Of the force sheets.")
+    dynamics: str = key(f.TEXT, "", meaning="Of the sheets of the machine's motion.")
+    balancing: str = key(f.TEXT, "", meaning="Of the sheets of a balanced mechanism.")
+    bank: str = key(f.TEXT, "", meaning="Of the sheets of a bank of cylinders.")
+    rotor: str = key(f.TEXT, "", meaning="Of the sheets of a rotor.")
+    cam: str = key(f.TEXT, "", meaning="Of the sheets of cams.")
+    profile: str = key(f.TEXT, "", meaning="Of the drawings of cams' profiles.")
+    cyclogram: str = key(f.TEXT, "", meaning="Of the cyclogram.")
+
+
 class SheetTable(Table):
     """What stands on every sheet: language, standard, format, and the title block."""
 
@@ -32,7 +47,11 @@ class SheetTable(Table):
         "common",
         meaning="Scales of velocity plans, and of acceleration plans: one common to the whole set, or each its own.",
     )
-    designation: str = key(f.TEXT, "", meaning="For the title block: designation of the document.")
+    designation: str = key(
+        f.TEXT,
+        "",
+        meaning="For the title block: designation of the document, of which all sheets of the scene are sheets.",
+    )
     drawn: str = key(f.TEXT, "", meaning="Who drew the sheet.")
     checked: str = key(f.TEXT, "", meaning="Who checked it.")
     approved: str = key(f.TEXT, "", meaning="Who approved it.")
@@ -44,3 +63,13 @@ class SheetTable(Table):
         ScaleTable(),
         meaning="Scales that figures must have; default: the largest standard ones that fit.",
     )
+    designations: DesignationTable = key(
+        table(DesignationTable),
+        DesignationTable(),
+        meaning="Designations of sheets that are documents of their own, numbered and counted by themselves.",
+    )
+
+    def designated(self, kind: str) -> str:
+        """Give the designation of the document that a kind of sheet belongs to."""
+        own: str = getattr(self.designations, kind, "")
+        return own or self.designation

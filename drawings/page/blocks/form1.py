@@ -6,10 +6,10 @@ import re
 from collections.abc import Iterator, Mapping
 
 from drawings.lettering.words import word
-from drawings.page.title_cell import TitleCell, write_title
+from drawings.page.title_cell import NUMBERS, TitleCell, write_title
 from drawings.paper.formats import Field
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Line, LineStyle, Polyline, Stroke, Text
+from drawings.paper.strokes import Group, Line, LineStyle, Polyline, Stroke, Text
 
 Segments = tuple[tuple[tuple[int, int], tuple[int, int]], ...]
 
@@ -44,10 +44,10 @@ TITLE = TitleCell(65, 15, 70, 25, 5.0)  # graph 1
 ENTRIES = {
     "designation": TitleCell(65, 40, 120, 15, 7.0), "group": TitleCell(65, 0, 70, 15),
     "organisation": TitleCell(135, 0, 50, 15, 5.0), "scale": TitleCell(167, 20, 18, 15, 5.0),
-    "sheet": TitleCell(146, 15, 9, 5), "sheets": TitleCell(169, 15, 16, 5),
     "date": TitleCell(55, 25, 10, 5, 2.5, least=1.8, pad=0.6),
     **{key: CAPTIONS[key]._replace(left=17, width=23, least=1.8) for key in ROLES},
 }  # fmt: skip
+SHEET, SHEETS = TitleCell(146, 15, 9, 5), TitleCell(169, 15, 16, 5)  # graphs 7 and 8
 _YEAR_FIRST = re.compile(r"\d\d(\d\d)-(\d\d)-(\d\d)")
 _YEAR_LAST = re.compile(r"(\d\d)\.(\d\d)\.\d\d(\d\d)")
 
@@ -60,10 +60,7 @@ BELOW = {"copied": 110.0, "format": 40.0}
 
 
 def block(corner: complex, entries: Mapping[str, str], hand: Hand, language: str) -> Iterator[Stroke]:
-    """Draw form 1, filled; every sheet of a drawing has it, which 2.104 allows beside form 2a for the following ones.
-
-    TitleCell 7 is empty where there is one sheet only, and graph 8 is filled on the first sheet only.
-    """
+    """Draw form 1, filled; following sheets have it too, which 2.104 allows beside form 2a."""
     for segments, width in ((THICK, hand.main), (THIN, hand.construction)):
         for start, end in segments:
             yield Line(corner + complex(*start), corner + complex(*end), LineStyle(width, cap="round"))
@@ -72,17 +69,20 @@ def block(corner: complex, entries: Mapping[str, str], hand: Hand, language: str
     filled = {key: text for key, text in _entries(entries).items() if text}
     for key, graph in ENTRIES.items():
         yield from graph.letter(corner, filled[key]) if key in filled else ()
+    yield Group(tuple(numbers(corner, entries.get("sheet", ""), entries.get("sheets", ""))), NUMBERS)
     yield from write_title(TITLE, corner, filled.get("title", ""), filled.get("subtitle", ""))
 
 
 def _entries(entries: Mapping[str, str]) -> dict[str, str]:
-    filled = dict(entries)
-    filled["date"] = short_date(entries.get("date", ""))
-    if entries.get("sheets", "1") == "1":
-        filled["sheet"] = ""
-    elif entries.get("sheet", "1") != "1":
-        filled["sheets"] = ""
-    return filled
+    return {**entries, "date": short_date(entries.get("date", ""))}
+
+
+def numbers(corner: complex, sheet: str, sheets: str) -> Iterator[Stroke]:
+    """Fill graphs 7 and 8: 7 is empty where a document has one sheet only, 8 is filled on its first sheet only."""
+    if sheet and sheets not in ("", "1"):
+        yield from SHEET.letter(corner, sheet)
+    if sheets and sheet in ("", "1"):
+        yield from SHEETS.letter(corner, sheets)
 
 
 def short_date(date: str) -> str:

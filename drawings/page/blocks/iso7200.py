@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from drawings.lettering.words import word
-from drawings.page.title_cell import TitleCell, write_title
+from drawings.page.title_cell import NUMBERS, TitleCell, write_title
 from drawings.paper.formats import BLOCKS
 from drawings.paper.hand import Hand
-from drawings.paper.strokes import Line, LineStyle, Polyline, Run, Stroke, Text
+from drawings.paper.strokes import Group, Line, LineStyle, Polyline, Run, Stroke, Text
 
 # The data fields: place from the block's lower left corner, mm, and the largest letters of what is filled in. Rows are
 # 12 high, where the example has 9 with captions of 1.8. Beside the standard's own fields stand the one who checked, as
@@ -41,18 +41,28 @@ def block(corner: complex, entries: Mapping[str, str], hand: Hand, language: str
         yield Text(at, (Run(word(language, f"{key} field")),), CAPTION, "start", True)
     outline = (corner, corner + width, corner + complex(width, height), corner + 1j * height)
     yield Polyline(outline, True, LineStyle(hand.main))
-    rooms = {key: cell._replace(height=cell.height - UNDER, anchor="start", pad=PAD) for key, cell in CELLS.items()}
     for key, text in _values(entries, language):
-        yield from rooms[key].letter(corner, text) if text else ()
-    yield from write_title(rooms["title"], corner, entries.get("title", ""), entries.get("subtitle", ""))
+        yield from _room(key).letter(corner, text) if text else ()
+    yield Group(tuple(numbers(corner, entries.get("sheet", ""), entries.get("sheets", ""))), NUMBERS)
+    yield from write_title(_room("title"), corner, entries.get("title", ""), entries.get("subtitle", ""))
+
+
+def numbers(corner: complex, sheet: str, sheets: str) -> Iterator[Stroke]:
+    """Fill the field of the sheet's number, which is mandatory, of one sheet too."""
+    yield from _room("sheet").letter(corner, f"{sheet or '1'}/{sheets or '1'}")
+
+
+def _room(key: str) -> TitleCell:
+    """Give what the caption of a field leaves of it."""
+    cell = CELLS[key]
+    return cell._replace(height=cell.height - UNDER, anchor="start", pad=PAD)
 
 
 def _values(entries: Mapping[str, str], language: str) -> Iterator[tuple[str, str]]:
-    """Give what is filled in; the number of the sheet is mandatory, of one sheet too."""
+    """Give what is filled in beside title and numbers."""
     yield from ((key, entries.get(entry, "")) for key, entry in GIVEN.items())
     yield "type", entries.get("type") or word(language, "document type")
     yield "code", language
-    yield "sheet", f"{entries.get('sheet') or '1'}/{entries.get('sheets') or '1'}"
 
 
 def _walls(corner: complex, cell: TitleCell, hand: Hand) -> Iterator[Line]:

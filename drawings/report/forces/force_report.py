@@ -8,12 +8,16 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from drawings.lettering import words as lettering
 from drawings.lettering.words import number, runs
 from drawings.report.chapters import Chapters
 from drawings.report.gap_lines import gap_line, gap_lines
+from drawings.report.linkage.greatest import DIGITS as FEW_DIGITS
+from drawings.report.linkage.greatest import greatest
 from drawings.report.markdown import chapter, header, row
 from drawings.report.stroke_lines import stroke_line
 from plans.checks.force_comparison import ForceComparison
+from plans.forces.primary import BalancingQuantity, balancing_quantity
 from plans.forces.reversals import reversals
 from plans.forces.statics import Statics
 from plans.forces.stroke import asks
@@ -44,8 +48,29 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
 
 
 def headline(study: Study) -> str:
-    """Say of loads of one stroke alone that their output reverses within it."""
-    return "\n".join(_reversals(study["forces"], study.scene.sheet.language))
+    """Give the greatest balancing moment; say of loads of one stroke alone that their output reverses within it."""
+    language = study.scene.sheet.language
+    return "\n".join(
+        [
+            *_greatest(study["forces"], study.comparison("forces").construction, language),
+            *_reversals(study["forces"], language),
+        ]
+    )
+
+
+def _greatest(statics: Statics, found: Kinetostatics, language: str) -> Iterator[str]:
+    told = balancing_quantity(statics.study.mechanism.drive)
+    largest = greatest(told.share * found.balancing.moment)
+    if largest is not None:
+        size, unit = number(largest[0], language, FEW_DIGITS), lettering.word(language, told.unit)
+        yield word(
+            language,
+            "report.greatest",
+            letter=lettering.letter(language, told.name),
+            size=size,
+            unit=unit,
+            position=largest[1],
+        )
 
 
 def remarks(study: Study) -> list[Message]:
@@ -65,7 +90,7 @@ def forces(comparison: ForceComparison, statics: Statics, language: str) -> Iter
     found = comparison.construction
     yield from _bodies(statics.machine, language)
     yield from counted_strokes(statics, language)
-    yield from _reactions(found, language)
+    yield from _reactions(found, balancing_quantity(statics.study.mechanism.drive), language)
     yield from (
         gap_line("report.force_gap", gap, statics.study.mechanism.drive, language)
         for gap in found.gaps
@@ -114,11 +139,12 @@ def _angles(angles: Sequence[float], language: str) -> Iterator[str]:
     return (f"{number(float(np.degrees(angle)), language)}°" for angle in angles)
 
 
-def _reactions(found: Kinetostatics, language: str) -> Iterator[str]:
+def _reactions(found: Kinetostatics, told: BalancingQuantity, language: str) -> Iterator[str]:
     yield chapter(language, "reactions")
     reactions = sorted(found.reactions.values(), key=lambda one: (one.giver, one.taker))
     force, moment = found.nothing
-    columns = {"M_bal": _sized(found.balancing.moment, moment)}
+    name, _, share = told
+    columns = {name: share * _sized(found.balancing.moment, moment)}
     for one in reactions:
         pair = f"{one.giver}-{one.taker}"
         columns[word(language, "report.reaction", pair=pair, point=one.point)] = _sized(one.force, force)

@@ -1,0 +1,91 @@
+"""Documents of a set: sheets of one designation are numbered through; a wrong number or designation is withheld."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+
+import pytest
+
+from drawings.checks.verify import SelfCheckFailed, verify_documents
+from drawings.page.page import Page, page_of
+from drawings.page.title_cell import NUMBERS
+from drawings.paper.strokes import Group, Leaf
+from drawings.paper.walk import groups, texts
+from drawings.sheets.documents import bind
+from plans.scene.scene import Scene, parse_scene
+from plans.scene.sheet import DesignationTable
+from plans.techniques import TECHNIQUES
+
+ROTOR = "[rotor]\nspeed = 100\n[[rotor.masses]]\nmass = 1\nradius = 0.1\nangle = 0\n"
+SHEETS = {"kinematics": 2, "forces": 1, "cam": 2}
+OWN = '[sheet.designations]\nforces = "ТММ.05.12.002"\n'
+
+
+def scene_of(more: str = "") -> Scene:
+    return parse_scene(f'{ROTOR}[sheet]\ndesignation = "TMM 05.12"\n{more}')
+
+
+def laid_out(scene: Scene) -> Mapping[str, Sequence[Leaf]]:
+    """Lay out sheets that bear a title block alone, counted kind by kind as they are before they are bound."""
+    return {kind: [leaf(page_of(scene, kind), k + 1, count) for k in range(count)] for kind, count in SHEETS.items()}
+
+
+def leaf(page: Page, number: int, count: int) -> Leaf:
+    entries = {"designation": page.designation, "sheet": str(number), "sheets": str(count)}
+    return Leaf(*page.size, (page.title_block(entries, "en"),), title="", description="", metadata={})
+
+
+def numbers(leaves: Mapping[str, Sequence[Leaf]]) -> list[list[str]]:
+    found = (group for own in leaves.values() for one in own for group in groups(one.groups) if group.name == NUMBERS)
+    return [[text.plain for text in texts(group.strokes)] for group in found]
+
+
+def test_all_sheets_of_a_scene_are_one_document_unless_it_says_otherwise() -> None:
+    bound = bind(laid_out(scene_of()), scene_of())
+    assert numbers(bound) == [["1", "5"], ["2"], ["3"], ["4"], ["5"]]
+    assert bound["forces"][0].metadata["document"] == {"designation": "TMM 05.12", "sheet": 3, "sheets": 5}
+    verify_documents(bound, scene_of().sheet)
+
+
+def test_sheets_with_a_designation_of_their_own_are_a_document_of_their_own() -> None:
+    scene = scene_of(OWN)
+    bound = bind(laid_out(scene), scene)
+    assert numbers(bound) == [["1", "4"], ["2"], ["1"], ["3"], ["4"]]
+    assert "ТММ.05.12.002" in [text.plain for text in texts(bound["forces"][0].groups)]
+    assert "ТММ.05.12.002" not in [text.plain for text in texts(bound["cam"][0].groups)]
+    verify_documents(bound, scene.sheet)
+
+
+def test_by_iso_every_sheet_says_how_many_there_are() -> None:
+    scene = scene_of(f'standard = "ISO"\n{OWN}')
+    bound = bind(laid_out(scene), scene)
+    assert numbers(bound) == [["1/4"], ["2/4"], ["1/1"], ["3/4"], ["4/4"]]
+    verify_documents(bound, scene.sheet)
+
+
+def misnumbered(one: Leaf, page: Page) -> Group:
+    return page.numbers(2, 7)
+
+
+def misnamed(one: Leaf, page: Page) -> Group:
+    return replace(page, designation="TMM 05.21").title_block(
+        {"designation": "TMM 05.21", "sheet": "1", "sheets": "5"}, "en"
+    )
+
+
+@pytest.mark.parametrize(
+    ("plant", "says"),
+    [(misnumbered, "number 1 of 5 in the title block"), (misnamed, "designation TMM 05.12 in the title block")],
+)
+def test_a_title_block_that_says_otherwise_is_withheld(plant: Callable[[Leaf, Page], Group], says: str) -> None:
+    scene = scene_of()
+    bound = dict(bind(laid_out(scene), scene))
+    first = bound["kinematics"][0]
+    wrong = replace(first, groups=(plant(first, page_of(scene)),))
+    with pytest.raises(SelfCheckFailed, match=says):
+        verify_documents({**bound, "kinematics": (wrong, *bound["kinematics"][1:])}, scene.sheet)
+
+
+def test_every_kind_of_sheet_can_be_a_document_of_its_own() -> None:
+    assert set(DesignationTable.keys) == {sheet for row in TECHNIQUES.values() for sheet in row.sheets}
