@@ -119,7 +119,8 @@ class _KinematicsSheet:
 
     def _tables(self) -> tuple[RuledTable, ...]:
         """The table of values, without what the scene states."""
-        given = {f"{symbol}_{self.study.mechanism.drive.link}" for symbol in ("ω", "ε")}
+        drive = self.study.mechanism.drive
+        given = {f"{symbol}_{drive.link}" for symbol in "ωε"} if drive.turns else {f"{k}_{drive.end}" for k in "va"}
         language = self.drafting.language
         parts = findings(self.study, self.comparison) if self.positions else ()
         lines = value_table.rows(self.comparison, self.positions, given, language, parts) if self.positions else []
