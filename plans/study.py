@@ -83,8 +83,13 @@ class Study:
 
 
 def rows_of(scene: Scene) -> Iterator[Technique]:
-    """Give the techniques that a scene has tables of."""
-    return (row for row in TECHNIQUES.values() if any(scene.has((table,)) for table in row.tables))
+    """Give the techniques that a scene has tables of, or of what a technique without any rests on."""
+    return (row for row in TECHNIQUES.values() if any(scene.has((table,)) for table in _homes(row)))
+
+
+def _homes(row: Technique) -> Iterable[str]:
+    """Give the tables by which a scene has a technique."""
+    return row.tables or tuple(table for name in row.needs for table in TECHNIQUES[name].tables)
 
 
 def plans_of(scene: Scene) -> Iterable[str]:

@@ -31,6 +31,7 @@ class Technique(NamedTuple):
 
 
 MOTION: Final = ("extremes", "positions", "velocities", "accelerations")
+DIAGRAMS: Final = ("diagrams",)
 DYNAMICS: Final = ("reduction", "works", "flywheel", "speeds", "run")
 BALANCE: Final = ("centre", "counterweights", "costs")
 BANK: Final = ("harmonics", "compensators")
@@ -48,7 +49,21 @@ TECHNIQUES: Final[Mapping[str, Technique]] = {
         numbers="plans.checks.motion_numbers:numbers",
         marks="plans.linkage.marks:marks",
         plans=MOTION,
-        sheets={"kinematics": MOTION, "positions": ("positions",)},
+        sheets={"kinematics": (*MOTION, *DIAGRAMS), "positions": ("positions",)},
+    ),
+    "diagrams": Technique(
+        form="plans.diagrams.form:DiagramsForm",
+        tables=(),
+        shares={"sheet": ("diagrams",)},
+        meaning="plans.diagrams.form:DiagramsSurvey",
+        notes="plans.diagrams.form:notes_of",
+        study="plans.diagrams.study:study_of",
+        comparison="plans.checks.diagrams_comparison:comparison_of",
+        numbers="plans.checks.diagrams_numbers:numbers",
+        marks="plans.diagrams.marks:marks",
+        plans=DIAGRAMS,
+        sheets={},
+        needs=("linkage",),
     ),
     "forces": Technique(
         form="plans.forces.reading.form:ForceForm",
@@ -162,6 +177,27 @@ def named(text: str) -> Any:
     """
     module, _, name = text.partition(":")
     return getattr(import_module(module), name)
+
+
+def makers_of(sheet: str) -> tuple[str, ...]:
+    """Give the techniques that make the plans which a sheet needs.
+
+    >>> makers_of("kinematics")
+    ('linkage', 'diagrams')
+    """
+    needed = TECHNIQUES[technique_of(sheet)].sheets[sheet]
+    return tuple(name for name, technique in TECHNIQUES.items() if not set(technique.plans).isdisjoint(needed))
+
+
+def sheet_of(technique: str) -> str:
+    """Give the first sheet of a technique, or of one that has none of its own the first that shows what it makes.
+
+    >>> sheet_of("forces"), sheet_of("diagrams")
+    ('forces', 'kinematics')
+    """
+    own = TECHNIQUES[technique].sheets
+    others = (sheet for row in TECHNIQUES.values() for sheet in row.sheets if technique in makers_of(sheet))
+    return next(iter(own), "") or next(others)
 
 
 def technique_of(sheet: str) -> str:

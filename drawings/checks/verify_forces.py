@@ -11,6 +11,8 @@ import numpy as np
 
 from drawings.checks import reading
 from drawings.checks.force_marks import lever_marks, polygon_marks
+from drawings.checks.forces.balancing_graph import PLAN as BALANCING
+from drawings.checks.forces.balancing_graph import ordinates
 from drawings.checks.reading import plain, reads, scales
 from drawings.checks.verify_friction import friction_of
 from drawings.checks.wrong import on
@@ -146,7 +148,7 @@ class _Check:
         """Read the written scale of each figure whose vectors are to one scale."""
         for group in self.leaf.groups:
             stated = {float(s.data["scale"]) for s in groups((group,)) if s.data.get("kind") in ("vector", "point")}
-            if len(stated) == 1 and group.name != "balancing":
+            if len(stated) == 1 and group.name != BALANCING:
                 yield from scales(group, stated)
 
     def curves(self) -> Iterator[Message]:
@@ -154,7 +156,9 @@ class _Check:
         told = self.comparison.analysis
         moments = {str(k): complex(0, value) for k, value in enumerate(told.balancing.moment)}
         largest = max(np.nanmax(one.allowed) for one in self.comparison.of("forces") if one.name.startswith("M_bal"))
-        yield from self._held("balancing", moments, 2 * float(largest) + told.nothing[1])
+        slack = 2 * float(largest) + told.nothing[1]
+        yield from self._held(BALANCING, moments, slack)
+        yield from ordinates(self.measured, self.leaf, told.balancing.moment, slack)
         language, sheet = self.statics.study.scene.sheet.language, self.statics.form.sheet
         for key in sheet.hodographs:
             one = told.reactions[key]

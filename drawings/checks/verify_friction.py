@@ -17,7 +17,6 @@ from plans.forces.cut import indices
 from plans.model.kinetostatics import NOTHING
 from plans.model.losses import Friction
 from plans.model.motion import Floats
-from plans.study import Study
 from plans.words import words
 from plans.words.words import Message, message
 
@@ -127,11 +126,6 @@ def reads(text: str, value: float, slack: float, language: str = "en", digits: i
     if text in {number(one, language, digits) for one in near}:
         return True
     return abs(float(text.replace("−", "-").replace(",", ".")) - value) <= slack
-
-
-def report_faults(text: str, study: Study) -> Iterator[Message]:
-    """Read what the report of a scene says of its friction."""
-    return report_of(text, study.comparison("forces"), study.scene.sheet.language)
 
 
 def report_of(text: str, comparison: ForceComparison, language: str) -> Iterator[Message]:

@@ -6,6 +6,8 @@ import math
 from collections.abc import Iterator
 
 from drawings.checks import reading
+from drawings.checks.linkage import position_marks
+from drawings.checks.linkage.laid import LaidMechanism, ground
 from drawings.checks.wrong import on
 from drawings.figures.linkage.vector_plan import LEAST
 from drawings.measure.measure import Measured
@@ -28,6 +30,7 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Message]:
             yield from _plans(measured, linkage, comparison, k)
     if leaf.metadata["shown"] is not None:
         yield from _points(measured, comparison, leaf.metadata["shown"])
+        yield from _positions(measured, leaf, linkage, comparison)
     yield from reading.marked_scales(leaf)
     yield from reading.tables(leaf, {finding.name.replace("_", ""): finding for finding in comparison.findings})
 
@@ -55,6 +58,23 @@ def _allowed(comparison: MotionComparison, vector: MeasuredVector, measured: Mea
     position = vector.position or 0
     own = max((float(finding.allowed[position]) for finding in comparison.of(vector.plan)), default=0.0)
     return 2 * own + 2 * measured.quantum * vector.scale
+
+
+def _positions(measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: MotionComparison) -> Iterator[Message]:
+    """Hold the mass centres of the plan of positions, and what stands beside its links, against the analysis."""
+    at = ground(measured)
+    if at is None:
+        return
+    laid = LaidMechanism(study, comparison.analysis, leaf.metadata["shown"], at)
+    seen = {mark.name: mark for mark in measured.points if mark.plan == POSITIONS.plan}
+    allowed = max(float(finding.allowed[laid.position]) for finding in comparison.of(POSITIONS.plan))
+    for name, (link, own) in laid.centres.items():
+        mark, true = seen.get(name), laid.true(link, own)
+        if mark is None and not math.isnan(true.real):
+            yield message("wrong.point_missing", name=name)
+        elif mark is not None and not abs(mark.value - true) <= 2 * allowed + 2 * measured.quantum * mark.scale:
+            yield message("wrong.point_differs", name=name)
+    yield from position_marks.faults(leaf, laid)
 
 
 def _points(measured: Measured, comparison: MotionComparison, shown: int) -> Iterator[Message]:

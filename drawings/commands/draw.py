@@ -116,7 +116,7 @@ def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
     manifest = manifest_of(scene.file, scene.content, contents)
     with staged(contents) as written:
         with trace.stage("measuring"):
-            verify_report(faults(text, study))
+            verify_report(faults(text, study, leaves))
             verify_documents(leaves, scene.sheet)
             measured = [
                 (kind, verify(written[path], leaf, partial(named(SHEETS[kind].faults), study=study)))

@@ -51,7 +51,7 @@ def remarks(study: Study) -> list[Message]:
     return [message("cam.flaw", cam=name, flaw=_plain(line)) for name, line in lines]
 
 
-def faults(text: str, study: Study) -> Iterator[Message]:
+def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[Message]:
     """Find no fault: the numbers of a cam are printed from the comparison that was judged."""
     yield from ()
 

@@ -7,9 +7,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from drawings.page.drafting import Drafting, drafting_of
-from drawings.report import linkage_subject
 from drawings.report.chapters import Chapters
 from drawings.report.cyclogram_notes import CyclogramNotes
+from drawings.report.linkage import linkage_subject
 from drawings.report.markdown import chapter
 from drawings.report.subject import Subject
 from plans.cyclogram.study import CYCLOGRAM, CyclogramStudy
@@ -42,7 +42,7 @@ def remarks(study: Study) -> list[str]:
     return [word(study.scene.sheet.language, "sheet.cyclogram by trial")] if trial else []
 
 
-def faults(text: str, study: Study) -> Iterator[Message]:
+def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[Message]:
     """Find no fault: the numbers are printed from the comparison that was judged."""
     yield from ()
 

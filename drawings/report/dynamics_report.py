@@ -12,7 +12,7 @@ from drawings.report import dynamics_tables as tables
 from drawings.report import run_tables
 from drawings.report.chapters import Chapters
 from drawings.report.dynamics_notes import DynamicsNotes
-from drawings.report.force_report import counted_strokes
+from drawings.report.forces.force_report import counted_strokes
 from drawings.report.markdown import chapter, header, row
 from plans.dynamics.loop import loop
 from plans.dynamics.methods import methods
@@ -43,7 +43,7 @@ def remarks(study: Study) -> list[Message]:
     return [message("dynamics.stops")] if notes_of(study).stops else []
 
 
-def faults(text: str, study: Study) -> Iterator[Message]:
+def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[Message]:
     """Find no fault: the numbers of the report are printed from the comparison that was judged."""
     yield from ()
 

@@ -59,9 +59,9 @@ def remarks(study: Study) -> list[Message]:
     return [line for name in study.techniques for line in named(REPORTS[name].remarks)(study)]
 
 
-def faults(text: str, study: Study) -> Iterator[Message]:
+def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[Message]:
     """Give what a report tells otherwise than the analysis."""
-    return (fault for name in study.techniques for fault in named(REPORTS[name].faults)(text, study))
+    return (fault for name in study.techniques for fault in named(REPORTS[name].faults)(text, study, leaves))
 
 
 def summary(comparisons: Iterable[Comparison], language: str) -> str:

@@ -14,28 +14,36 @@ class Report(NamedTuple):
     headline: str  # of a study to a line about it on the screen, or nothing
     remarks: str  # of a study to lines of warning: gaps, dead centres, jams
     idle: str  # of a scene whose sheets do not ask for it to lines that say what is left out of it
-    faults: str  # of a report's text and a study to what is wrong with it
+    faults: str  # of a report's text, a study and the leaves by their sheets to what is wrong with it
 
 
 REPORTS: Final[Mapping[str, Report]] = {
     "linkage": Report(
-        subject="drawings.report.linkage_subject:subject",
-        chapters="drawings.report.motion_report:chapters",
-        headline="drawings.report.motion_report:headline",
-        remarks="drawings.report.motion_report:remarks",
+        subject="drawings.report.linkage.linkage_subject:subject",
+        chapters="drawings.report.linkage.motion_report:chapters",
+        headline="drawings.report.linkage.motion_report:headline",
+        remarks="drawings.report.linkage.motion_report:remarks",
         idle="drawings.report.idle:nothing",
-        faults="drawings.report.motion_report:faults",
+        faults="drawings.checks.note.linkage_note:faults",
+    ),
+    "diagrams": Report(
+        subject="drawings.report.linkage_subject:subject",
+        chapters="drawings.report.diagrams_report:chapters",
+        headline="drawings.report.diagrams_report:headline",
+        remarks="drawings.report.diagrams_report:remarks",
+        idle="drawings.report.idle:nothing",
+        faults="drawings.report.diagrams_report:faults",
     ),
     "forces": Report(
-        subject="drawings.report.linkage_subject:subject",
-        chapters="drawings.report.force_report:chapters",
-        headline="drawings.report.force_report:headline",
-        remarks="drawings.report.force_report:remarks",
+        subject="drawings.report.linkage.linkage_subject:subject",
+        chapters="drawings.report.forces.force_report:chapters",
+        headline="drawings.report.forces.force_report:headline",
+        remarks="drawings.report.forces.force_report:remarks",
         idle="drawings.report.idle:of_forces",
-        faults="drawings.checks.verify_friction:report_faults",
+        faults="drawings.checks.note.force_note:faults",
     ),
     "dynamics": Report(
-        subject="drawings.report.linkage_subject:subject",
+        subject="drawings.report.linkage.linkage_subject:subject",
         chapters="drawings.report.dynamics_report:chapters",
         headline="drawings.report.dynamics_report:headline",
         remarks="drawings.report.dynamics_report:remarks",
@@ -43,7 +51,7 @@ REPORTS: Final[Mapping[str, Report]] = {
         faults="drawings.report.dynamics_report:faults",
     ),
     "balance": Report(
-        subject="drawings.report.linkage_subject:subject",
+        subject="drawings.report.linkage.linkage_subject:subject",
         chapters="drawings.report.balance.balance_report:chapters",
         headline="drawings.report.balance.balance_report:headline",
         remarks="drawings.report.balance.balance_report:remarks",

@@ -1,16 +1,22 @@
-"""Which positions a kinematics sheet shows: one in full lines, and those whose plans are drawn (выбор положений)."""
+"""Which positions sheets show: one in full lines, those whose plans, and those whose forces are drawn (положения)."""
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import Any
 
 import numpy as np
 
 from drawings.paper.strokes import SheetError
 from plans.checks.compare import MotionComparison
+from plans.checks.force_comparison import ForceComparison
+from plans.forces.reading.form import ForceForm
+from plans.forces.statics import Statics
 from plans.linkage.study import LinkageStudy
 from plans.linkage.travel import frame_slide
 from plans.words.words import message, placed
+
+CHOICES = 12  # positions that a message offers at most
 
 
 def position(study: LinkageStudy, comparison: MotionComparison) -> int:
@@ -30,7 +36,7 @@ def position_asked(study: LinkageStudy) -> int | None:
     if not free.any():
         return 0  # nothing can be assembled: the sheet explains why, in the first position
     if wanted is not None and study.lost[wanted]:
-        others = ", ".join(str(k) for k in np.flatnonzero(free)[:12])
+        others = ", ".join(str(k) for k in np.flatnonzero(free)[:CHOICES])
         refused = message("refused.position", position=wanted, positions=others)
         raise SheetError(placed(study.scene.file, refused))
     return None if wanted is None else int(wanted)
@@ -50,6 +56,45 @@ def plans(study: LinkageStudy, comparison: MotionComparison, shown: int) -> tupl
         return (shown,)
     other = _best(telling, free & ~_working(study), free)
     return tuple(sorted((shown, other)))
+
+
+def force_positions(statics: Statics, comparison: ForceComparison) -> tuple[int, ...]:
+    """Give the positions whose forces are drawn: the scene's own, or the one that the machine is worked out for.
+
+    That is one in which its useful loads act, those with plans before all others, of the largest balancing moment.
+    """
+    study = statics.study
+    roads = comparison.analysis, comparison.construction
+    gone = {gap.position: gap for road in roads for gap in road.gaps}
+    have = [k for k in range(len(study.turn)) if k not in gone]
+    if not have:
+        first = gone[min(gone)]
+        where = {"reason": first.reason, "where": first.where, "position": first.position, "advice": first.advice}
+        raise SheetError(placed(study.scene.file, message("refused.no_force", **where)))
+    wanted = study.scene.of(ForceForm).sheet.forces
+    for index, k in enumerate(wanted):
+        if k in gone:
+            line, column = study.scene.place(("sheet", "forces", index))
+            where = {"reason": gone[k].reason, "where": gone[k].where, "position": k}
+            refused = message("refused.no_forces", **where, positions=", ".join(map(str, have[:CHOICES])))
+            raise SheetError(placed(f"{study.scene.file}:{line}:{column}", refused))
+    asked = position_asked(study)
+    return wanted or (asked if asked in have else _hardest(statics, comparison, have),)
+
+
+def _hardest(statics: Statics, comparison: ForceComparison, have: Collection[int]) -> int:
+    """Give the position of the largest balancing moment, where loads act if they act anywhere."""
+    loading, (newton, torque) = statics.drafts().loading, comparison.construction.nothing
+    count = len(statics.study.turn)
+    loaded, possible, plans = (np.zeros(count, dtype=bool) for _ in range(3))
+    for load in loading.forces:
+        loaded |= load.useful & (np.abs(load.force) > newton)
+    for twist in loading.moments:
+        loaded |= twist.useful & (np.abs(twist.moment) > torque)
+    possible[list(have)] = True
+    plans[list(statics.study.form.sheet.plans)] = True
+    moments = np.where(possible, np.abs(comparison.construction.balancing.moment), np.nan)
+    return _best(moments, loaded & (plans if (plans & loaded & possible).any() else True), possible)
 
 
 def _telling(study: LinkageStudy, comparison: MotionComparison, order: int) -> Any:

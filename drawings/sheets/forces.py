@@ -18,23 +18,20 @@ from drawings.layout import value_table
 from drawings.layout.contents import Panel
 from drawings.layout.table import RuledTable
 from drawings.page.drafting import Drafting, drafting_of
-from drawings.paper.strokes import Leaf, SheetError
-from drawings.sheets.choice import position
+from drawings.paper.strokes import Leaf
+from drawings.sheets.choice import force_positions
 from drawings.sheets.force_notes import notes
 from drawings.sheets.leaves import Caption, Draft, Exhibit, lay_out
 from plans.checks.force_comparison import ForceComparison
 from plans.forces.cut import Cut, indices
 from plans.forces.force import ForcePlan
 from plans.forces.primary import BALANCING
-from plans.forces.reading.form import ForceForm
 from plans.forces.statics import Statics
 from plans.linkage.study import LinkageStudy
 from plans.model.kinetostatics import Kinetostatics
 from plans.model.structure import formula
 from plans.study import Study
-from plans.words.words import message, placed
 
-CHOICES = 12  # positions that a message offers at most
 LARGEST = 2.2  # times the least size at which it is legible: a crank is not drawn larger than the mechanism
 POLYGON = "forces-"  # before a cut's links: the name of its force plan
 STEPS = 720  # of a graph over a turn: half a degree, less than the width of a line on any sheet
@@ -47,31 +44,8 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
 
 def sheets(study: LinkageStudy, comparison: ForceComparison, statics: Statics) -> tuple[Leaf, ...]:
     """Lay out the force sheets: one for each position that is asked for, and following ones where one has no room."""
-    return lay_out(
-        study.scene, [_ForceSheet(study, comparison, statics, k).draft for k in positions(study, comparison)]
-    )
-
-
-def positions(study: LinkageStudy, comparison: ForceComparison) -> tuple[int, ...]:
-    """Give the positions whose forces are drawn: the scene's own, or the one that is shown in full lines."""
-    roads = comparison.analysis, comparison.construction
-    gone = {gap.position: gap for road in roads for gap in road.gaps}
-    have = [k for k in range(len(study.turn)) if k not in gone]
-    if not have:
-        first = gone[min(gone)]
-        where = {"reason": first.reason, "where": first.where, "position": first.position, "advice": first.advice}
-        raise SheetError(placed(study.scene.file, message("refused.no_force", **where)))
-    wanted = study.scene.of(ForceForm).sheet.forces
-    for index, k in enumerate(wanted):
-        if k in gone:
-            line, column = study.scene.place(("sheet", "forces", index))
-            where = {"reason": gone[k].reason, "where": gone[k].where, "position": k}
-            refused = message("refused.no_forces", **where, positions=", ".join(map(str, have[:CHOICES])))
-            raise SheetError(placed(f"{study.scene.file}:{line}:{column}", refused))
-    if wanted:
-        return wanted
-    shown = position(study, comparison.motion)
-    return (shown if shown in have else have[0],)
+    chosen = force_positions(statics, comparison)
+    return lay_out(study.scene, [_ForceSheet(study, comparison, statics, k, chosen).draft for k in chosen])
 
 
 @dataclass(frozen=True)
@@ -82,6 +56,7 @@ class _ForceSheet:
     comparison: ForceComparison
     statics: Statics
     position: int
+    chosen: tuple[int, ...]  # all positions that the set has sheets of
 
     @cached_property
     def drafting(self) -> Drafting:
@@ -92,7 +67,7 @@ class _ForceSheet:
         """Title, figures, equations, table and notes of the sheets."""
         words = notes(self.statics, self.position, self.drafting.language)
         columns = (one for cut in self.plan.cuts for one in self._column(cut))
-        loose = (*self._lever(), self._graph(), *self._hodographs())
+        loose = (*self._lever(), *self._graph(), *self._hodographs())
         title = self.drafting.word("forces sheet title")
         return Draft("forces", title, (*columns, *loose), (self._table(),), tuple(words), self._facts)
 
@@ -140,12 +115,14 @@ class _ForceSheet:
             room = lever_plan.measure(shown, "lever", self.drafting)
             yield Exhibit(Panel(room), partial(lever_plan.draw, shown, room, drafting=self.drafting))
 
-    def _graph(self) -> Exhibit:
-        """The balancing moment over the turn, or the swing, of the crank."""
+    def _graph(self) -> Iterator[Exhibit]:
+        """The balancing moment over the turn, or the swing, of the crank: once in a set, on its first sheet."""
+        if self.position != self.chosen[0]:
+            return
         curve = self._curve()
         curve = curve._replace(title=self.drafting.word("balancing graph" if curve.closed else "balancing swing"))
         room = curve_graph.measure(curve, "balancing", self.drafting)
-        return Exhibit(Panel(room), partial(curve_graph.draw, curve, room, drafting=self.drafting))
+        yield Exhibit(Panel(room), partial(curve_graph.draw, curve, room, drafting=self.drafting))
 
     def _curve(self) -> curve_graph.GraphCurve:
         own, least = self.forces, self.forces.nothing[1]
@@ -155,7 +132,8 @@ class _ForceSheet:
         dense, ordinates = (np.where(np.abs(row) <= least, 0.0, row) for row in moments)
         dense = curve_graph.bounded(dense, ordinates)
         letter = letter_of(BALANCING, self.drafting)
-        return curve_graph.swing(curve_graph.GraphCurve(letter, "N*m", angles, dense, stations, ordinates))
+        curve = curve_graph.GraphCurve(letter, "N*m", angles, dense, stations, ordinates, shown=self.chosen)
+        return curve_graph.swing(curve)
 
     def _hodographs(self) -> Iterator[Exhibit]:
         """The reactions whose hodographs the scene asks for."""

@@ -10,8 +10,15 @@ from plans.analytic.constraints import TURN, Constraints, X, Y
 from plans.analytic.points import place
 from plans.model.kinetostatics import Balancing
 from plans.model.machine import FORCE, GEAR, Transmission
-from plans.model.mechanism import Drive, Mechanism
+from plans.model.mechanism import FRAME, Drive, Mechanism
 from plans.model.motion import Complexes, Floats
+
+
+class Multipliers(NamedTuple):
+    """Poses (N, links, 3), and the multiplier of the drive's equation at them, N*m."""
+
+    poses: Floats
+    drive: Floats
 
 
 class Action(NamedTuple):
@@ -23,8 +30,10 @@ class Action(NamedTuple):
 
 
 def action(transmission: Transmission, mechanism: Mechanism, constraints: Constraints, poses: Floats) -> Action | None:
-    """Give the line of action of a drive by force; None where a moment drives."""
+    """Give the line of action of a crank driven by force; None where a moment drives it, and of a slide."""
     drive, own = mechanism.drive, mechanism.links[mechanism.drive.link].points
+    if drive.guide is not None:
+        return None
     shaft = place(constraints, poses, drive.link, own[drive.pivot])
     if transmission.kind == FORCE:
         end = place(constraints, poses, drive.link, own[drive.end])
@@ -55,9 +64,22 @@ def unit_force(constraints: Constraints, poses: Floats, line: Action) -> Floats:
     return row[:, 1:].reshape(len(poses), -1)
 
 
-def balancing(constraints: Constraints, line: Action | None, multiplier: Floats) -> Balancing:
-    """Read the drive's multiplier, N*m: the moment itself, or the force times `size`."""
+def balancing(mechanism: Mechanism, constraints: Constraints, line: Action | None, forces: Multipliers) -> Balancing:
+    """Read the drive's multiplier, N*m: the moment itself, or the force times `size`; of a slide times its unit."""
+    poses, multiplier = forces
+    if mechanism.drive.guide is not None:
+        return _pushed(mechanism.drive, mechanism, constraints, poses, multiplier)
     if line is None:
         return Balancing(multiplier)
     force = multiplier / constraints.size * line.along
     return Balancing((np.conj(line.r - line.shaft) * force).imag, force, line.r)
+
+
+def _pushed(
+    drive: Drive, mechanism: Mechanism, constraints: Constraints, poses: Floats, multiplier: Floats
+) -> Balancing:
+    """Give the force along its guide with which a slide is pushed, at its named point."""
+    assert drive.guide is not None  # it is pushed along
+    along = drive.guide.way(FRAME).direction
+    r = place(constraints, poses, drive.link, mechanism.links[drive.link].points[drive.end])
+    return Balancing(multiplier, np.asarray(multiplier / drive.unit * along), r)

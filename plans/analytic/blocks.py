@@ -62,7 +62,7 @@ def _equations(constraints: Constraints) -> list[tuple[int, tuple[int, ...]]]:
     joints = [(int(a), int(b)) for a, b in constraints.links.T]
     hinged, slid = joints[: constraints.hinges], joints[constraints.hinges :]
     rows = [*enumerate(hinged)] * 2 + [*enumerate(slid, constraints.hinges)] * 2
-    return [*rows, (len(joints), (constraints.crank,))]
+    return [*rows, (len(joints), constraints.drive.moved)]
 
 
 def _keepers(constraints: Constraints) -> list[int]:
@@ -121,5 +121,5 @@ def _block(constraints: Constraints, links: list[int], keepers: list[int]) -> Bl
     joints = constraints.links.shape[1]
     rows = [row for row, keeper in enumerate(keepers) if keeper in links]
     own = {joint for row, (joint, _) in enumerate(_equations(constraints)) if keepers[row] in links}
-    equations = constraints.part(links, sorted(own - {joints}))
+    equations = constraints.part(links, sorted(own - {joints}), joints in own)
     return Block(equations, np.array(rows, dtype=np.intp), equations.columns - FREEDOM)

@@ -143,13 +143,11 @@ def transfer(constraints: Constraints, poses: Floats, order: int) -> tuple[Float
     jacobian = constraints.jacobian(at)
     unit = np.zeros(jacobian.shape[:2])
     unit[:, -1] = 1.0  # the drive is the last equation
-    first = as_poses(_refine(jacobian, unit))
-    first[:, constraints.crank, TURN] = 1.0  # the crank turns as the crank does, with no rounding
+    first = constraints.drive.told(as_poses(_refine(jacobian, unit)), 1.0)
     if order == 1:
         return (first,)
     second = as_poses(_refine(jacobian, -constraints.convective(at, first)))
-    second[:, constraints.crank, TURN] = 0.0
-    return first, second
+    return first, constraints.drive.told(second, 0.0)
 
 
 def _refine(jacobian: Floats, right: Floats) -> Floats:

@@ -13,28 +13,22 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from plans.analytic import placement
+from plans.analytic.drive import DriveEquation, SlidingDrive, drive_equation
+from plans.analytic.placement import Placement
 from plans.model.mechanism import Mechanism, StructureError, Way
 from plans.model.motion import Complexes, Floats
 from plans.words.words import message
 
 Indices = npt.NDArray[np.intp]
-X, Y, TURN = range(3)
+X, Y, TURN = placement.X, placement.Y, placement.TURN
 _SIGNS = np.array([[1.0], [-1.0]])  # a hinge is the first link's point less the second's
-
-
-class Placement(NamedTuple):
-    """Where N poses put the joints, hinges before slides; arms run from a link's origin to the joint."""
-
-    turns: Complexes  # (N, links): unit directions of the links' own +x axes
-    arms: Complexes  # (N, 2, joints): of a slide, to a point of its line
-    apart: Complexes  # (N, joints): from the second link's point to the first's
-    ways: Complexes  # (N, 2, S): directions of slider's and owner's line
 
 
 class Constraints(NamedTuple):
     """The joints of a mechanism, or of some of its links, as equations of the poses.
 
-    Rows: hinges x, hinges y, directions, lines, and the drive where the crank is among the links that are sought.
+    Rows: hinges x, hinges y, directions, lines, and the drive where it gives a pose that is sought.
     """
 
     size: float  # m, the unit of length
@@ -43,8 +37,9 @@ class Constraints(NamedTuple):
     links: Indices  # (2, joints): the two links of each joint, by place in `numbers`; of a slide slider and owner
     points: Complexes  # (2, joints): the hinge, or a point of the common line, in either link's own frame
     slide_ways: Complexes  # (2, S): unit directions of the common line in either
-    crank: int  # place of the crank in `numbers`
-    crank_way: complex  # unit direction from pivot to end in the crank's own frame
+    crank: int  # place of the primary link in `numbers`
+    drive: DriveEquation
+    driven: bool  # whether the drive's equation is among them
     pattern: Floats  # (rows, 3 links): the entries of the Jacobian that never change
     changing: Indices  # the places of those that do, in the order in which `jacobian` makes them
     sought: Indices  # places of the links whose poses the equations are to give
@@ -62,8 +57,6 @@ class Constraints(NamedTuple):
         feet = [(_foot(s.on_slider), _foot(s.on_owner)) for s in slides]
         links = _indices((numbers.index(a), numbers.index(b)) for a, b in joined)
         ways = _places((s.on_slider.direction, s.on_owner.direction) for s in slides)
-        arm = own[drive.link][drive.end] - own[drive.link][drive.pivot]
-        crank = numbers.index(drive.link)
         return cls(
             size=size,
             numbers=numbers,
@@ -71,24 +64,30 @@ class Constraints(NamedTuple):
             links=links,
             points=_places([(own[a][p], own[b][p]) for a, b, p in pairs] + feet) / size,
             slide_ways=ways / np.abs(ways),
-            crank=crank,
-            crank_way=arm / abs(arm),
-            pattern=_pattern(len(numbers), links, count, crank),
+            crank=numbers.index(drive.link),
+            drive=drive_equation(mechanism, numbers, count, size),
+            driven=True,
+            pattern=_pattern(len(numbers), links, count),
             changing=_changing(len(numbers), links, count),
             sought=np.arange(1, len(numbers)),
         )
 
-    def part(self, sought: Sequence[int], joints: Sequence[int]) -> Constraints:
-        """Give the equations of some joints alone, for the poses of some links; the others are given."""
+    def part(self, sought: Sequence[int], joints: Sequence[int], driven: bool) -> Constraints:
+        """Give the equations of some joints alone, perhaps of the drive, for some links; the others are given."""
         chosen = np.array(sorted(joints), dtype=np.intp)
         count, links = int((chosen < self.hinges).sum()), self.links[:, chosen]
-        pattern = _pattern(len(self.numbers), links, count, self.crank)
+        drive, pattern = self.drive, _pattern(len(self.numbers), links, count)
+        if driven and isinstance(drive, SlidingDrive):
+            joint = int(np.searchsorted(chosen, drive.joint))
+            drive = drive._replace(slide=joint - count, joint=joint)
         return self._replace(
             hinges=count,
             links=links,
             points=self.points[:, chosen],
             slide_ways=self.slide_ways[:, chosen[count:] - self.hinges],
-            pattern=pattern if self.crank in sought else pattern[:-1],
+            drive=drive,
+            driven=driven,
+            pattern=pattern if driven else pattern[:-1],
             changing=_changing(len(self.numbers), links, count),
             sought=np.array(sorted(sought), dtype=np.intp),
         )
@@ -119,10 +118,9 @@ class Constraints(NamedTuple):
         # The angle between the two directions, not its sine: a slider turned end for end is no solution.
         askew = -np.angle(slider * owner)
         joints = (apart.real, apart.imag, askew, (owner * off).imag)
-        if len(self.pattern) == 2 * self.links.shape[1]:
+        if not self.driven:
             return np.concatenate(joints, axis=1)
-        lag = np.angle(at.turns[:, self.crank] * self.crank_way * np.exp(-1j * phi))
-        return np.concatenate((*joints, lag[:, None]), axis=1)
+        return np.concatenate((*joints, self.drive.lag(at, phi)[:, None]), axis=1)
 
     def jacobian(self, at: Placement) -> Floats:
         """Differentiate the equations by the poses that are sought, (N, rows, 3 sought)."""
@@ -137,6 +135,8 @@ class Constraints(NamedTuple):
             (-hinged.imag, hinged.real, -way.imag, way.real, way.imag, -way.real, *levers), axis=1
         )
         shaped = full.reshape(count, *self.pattern.shape)
+        if self.driven:
+            shaped[:, -1] = self.drive.row(at, self.pattern.shape[1])
         return shaped[:, :, 3:] if len(self.sought) == len(self.numbers) - 1 else shaped[:, :, self.columns]
 
     def convective(self, at: Placement, rates: Floats) -> Floats:
@@ -149,9 +149,8 @@ class Constraints(NamedTuple):
         off = at.apart[:, self.hinges :]
         lines = apart[:, self.hinges :] - 2j * turning * (moving[:, 0] - moving[:, 1]) - turning**2 * off
         bends = (at.ways[:, 1].conj() * lines).imag
-        return np.concatenate(
-            (still.real, still.imag, np.zeros_like(turning), bends, np.zeros((len(rates), 1))), axis=1
-        )
+        rows = (still.real, still.imag, np.zeros_like(turning), bends)
+        return np.concatenate((*rows, self.drive.bend(at, lines)[:, None]) if self.driven else rows, axis=1)
 
 
 def _indices(pairs: Iterable[tuple[int, int]]) -> Indices:
@@ -175,7 +174,7 @@ def _size(mechanism: Mechanism) -> float:
     return float(2.0 ** round(np.log2(max(points + lines))))
 
 
-def _pattern(count: int, links: Indices, hinges: int, crank: int) -> Floats:
+def _pattern(count: int, links: Indices, hinges: int) -> Floats:
     slides = links[:, hinges:]
     pattern = np.zeros((2 * links.shape[1] + 1, 3 * count))
     rows, directions = np.arange(hinges), 2 * hinges + np.arange(slides.shape[1])
@@ -183,7 +182,6 @@ def _pattern(count: int, links: Indices, hinges: int, crank: int) -> Floats:
         pattern[rows, 3 * links[side, :hinges] + X] = sign
         pattern[rows + hinges, 3 * links[side, :hinges] + Y] = sign
         pattern[directions, 3 * slides[side] + TURN] = -sign
-    pattern[-1, 3 * crank + TURN] = 1.0
     return pattern
 
 

@@ -14,7 +14,7 @@ import numpy as np
 
 from plans.analytic.blocks import Block
 from plans.analytic.closure import EPS, SQRT_EPS, as_poses, closed
-from plans.analytic.constraints import TURN, Constraints
+from plans.analytic.constraints import Constraints
 from plans.analytic.sharpness import sharpness
 from plans.model.motion import CHANGE_POINT, DEAD_CENTRE, PARALLEL_GUIDES, Floats
 
@@ -102,7 +102,7 @@ def end_of(constraints: Constraints, blocks: Sequence[Block], way: Sequence[Stat
     fold = _fold(constraints, last, sense)
     if fold is None:
         return End(last.phi, _root(way, _place(block, blocks), 0.0, power=2), DEAD_CENTRE, sense)
-    turned = float(fold.poses[constraints.crank, TURN] - last.poses[constraints.crank, TURN])
+    turned = _apart(constraints, fold.poses, last)
     limit = TOUCHING * EPS * _perimeter(block, fold.poses) / _parting(block, loss)
     return End(last.phi, last.phi + turned, DEAD_CENTRE, sense, fold, limit)
 
@@ -203,23 +203,37 @@ def _fold(constraints: Constraints, last: Station, sense: float) -> Fold | None:
     """Follow the path of the mechanism, not the crank, to where the crank angle has its maximum."""
     along = sense * last.first[1:].ravel()
     along /= np.linalg.norm(along)
-    poses, crank = last.poses, 3 * (constraints.crank - 1) + TURN
+    poses = last.poses
     step = np.inf
     for _ in range(ROUNDS):
         try:
             poses, rates, bends = _on_path(constraints, poses, along)
         except np.linalg.LinAlgError:
             return None
-        if not bends[crank] * sense < 0.0:
+        rate, bend = _driven(constraints, poses, rates, bends)
+        if not bend * sense < 0.0:
             return None
-        before, step = step, -rates[crank] / bends[crank]
+        before, step = step, -rate / bend
         fine = abs(step) <= SQRT_EPS
         if fine and abs(step) >= abs(before) / 2.0:
             break
         poses = poses + _pose(step * (rates + step / 2.0 * bends))
-    if not closed(constraints, poses[None], poses[None, constraints.crank, TURN] + np.angle(constraints.crank_way))[0]:
+    if not closed(constraints, poses[None], constraints.drive.coordinate(constraints.place(poses[None])))[0]:
         return None
-    return Fold(poses, _pose(rates), _pose(bends), float(bends[crank]))
+    return Fold(poses, _pose(rates), _pose(bends), bend)
+
+
+def _apart(constraints: Constraints, poses: Floats, last: Station) -> float:
+    """Give how far the drive goes from a station to poses beside it."""
+    return float(constraints.drive.lag(constraints.place(poses[None]), np.array([last.phi]))[0])
+
+
+def _driven(constraints: Constraints, poses: Floats, rates: Floats, bends: Floats) -> tuple[float, float]:
+    """Give the first and the second derivative of the drive's coordinate on a path, from those of the poses."""
+    at = constraints.place(poses[None])
+    row = constraints.jacobian(at)[0, -1]
+    quadratic = constraints.convective(at, as_poses(rates[None]))[0, -1]
+    return float(row @ rates), float(row @ bends + quadratic)
 
 
 def _on_path(constraints: Constraints, poses: Floats, along: Floats) -> tuple[Floats, Floats, Floats]:

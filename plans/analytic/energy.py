@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from plans.analytic.closure import EPS, close, transfer
-from plans.analytic.constraints import TURN, Constraints
+from plans.analytic.constraints import Constraints
 from plans.analytic.inertia import potential, reduced_inertia
 from plans.analytic.kinematics import Analysis
 from plans.analytic.positions import blocks
@@ -94,11 +94,11 @@ def _around(constraints: Constraints, poses: Floats, first: Floats, step: float)
 
     Each ring is guessed from those within it, by the polynomial through them.
     """
-    crank = poses[:, constraints.crank, TURN] + np.angle(constraints.crank_way)
+    drive = constraints.drive.coordinate(constraints.place(poses))
     rings = [np.stack((poses, poses))]
     for ring in range(1, RINGS + 1):
         guess = np.stack((poses + step * first, poses - step * first)) if ring == 1 else _guess(rings)
-        rings.append(_closed(constraints, guess, poses, np.stack((crank + ring * step, crank - ring * step))))
+        rings.append(_closed(constraints, guess, poses, np.stack((drive + ring * step, drive - ring * step))))
     return np.array(rings[1:])
 
 

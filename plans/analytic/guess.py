@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from plans.analytic.constraints import TURN, Constraints, X, Y
-from plans.model.mechanism import FRAME, Mechanism, Slide
+from plans.model.mechanism import FRAME, Drive, Mechanism, Slide
 from plans.model.motion import Floats
 
 Pose = tuple[complex, float]  # origin m and turn rad of a link's own frame
@@ -32,8 +32,7 @@ class Guess:
         links, drive = self.mechanism.links, self.mechanism.drive
         self.places |= {**self.mechanism.sketch, **links[FRAME].points}
         self.known[FRAME] = (0j, 0.0)
-        arm = links[drive.link].points[drive.end] - links[drive.link].points[drive.pivot]
-        self._put(drive.link, drive.pivot, self.phi - cmath.phase(arm))
+        self._put(drive.link, drive.pivot, self._primary(drive))
         while len(self.known) < len(links):
             self._next()
         poses = np.zeros((len(links), 3))
@@ -42,6 +41,16 @@ class Guess:
             poses[place, [X, Y]] = np.array((origin.real, origin.imag)) / constraints.size
             poses[place, TURN] = turn
         return poses
+
+    def _primary(self, drive: Drive) -> float:
+        """Give the turn of the primary link; a slider that is pushed along is put in its place."""
+        points = self.mechanism.links[drive.link].points
+        if drive.guide is None:
+            return self.phi - cmath.phase(points[drive.end] - points[drive.pivot])
+        line = drive.guide.on_owner
+        left = ((points[drive.pivot] - drive.guide.on_slider.through) / drive.guide.on_slider.direction).imag
+        self.places[drive.pivot] = line.through + (drive.unit * self.phi + 1j * left) * line.direction
+        return cmath.phase(line.direction / drive.guide.on_slider.direction)
 
     def _next(self) -> None:
         """Place one more link by the surest rule that applies to any."""

@@ -11,12 +11,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from plans.analytic.action import action, balancing, unit_force
+from plans.analytic.action import Multipliers, action, balancing, unit_force
 from plans.analytic.closure import BLUNT, inverses, rank_loss, reciprocal_condition, solutions
-from plans.analytic.constraints import TURN, Constraints, Placement, X, Y
+from plans.analytic.constraints import TURN, Constraints, X, Y
 from plans.analytic.gaps import unbalanced
 from plans.analytic.inertia import borne
 from plans.analytic.kinematics import Analysis
+from plans.analytic.placement import Placement
 from plans.analytic.positions import blocks
 from plans.model.group import Pair
 from plans.model.kinetostatics import INDETERMINATE, Kinetostatics, Loading, Reaction, without_forces
@@ -41,7 +42,7 @@ def kinetostatics(
         by="analysis",
         phi=motion.phi,
         reactions=_in_order(pairs, _hinge_reactions(forces, pairs) | _sliding(forces, pairs)),
-        balancing=balancing(constraints, line, multipliers[:, -1]),
+        balancing=balancing(mechanism, constraints, line, Multipliers(poses, multipliers[:, -1])),
         gaps=_gaps(motion, singular | _lost(constraints, poses, motion)),
     )
 

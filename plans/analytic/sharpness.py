@@ -11,7 +11,7 @@ import numpy as np
 
 from plans.analytic.blocks import Block
 from plans.analytic.closure import SQRT_EPS, inverses
-from plans.analytic.constraints import Placement
+from plans.analytic.placement import Placement
 from plans.model.motion import Complexes, Floats
 
 # Less sharp than this, two assemblies of a block lie hardly farther apart than the rounding of their poses, eps over

@@ -125,7 +125,9 @@ def survey(shape: Shape, start: Assembly, ahead: Floats) -> March:
     up, down = _March([first], most, 1.0), _March([first], least, -1.0)
     upper, lower = _march(shape, up, down)
     # What lies beyond one end may be reached the other way round.
-    if upper and not lower:
+    if not shape.mechanism.drive.turns:
+        pass
+    elif upper and not lower:
         lost = ahead > upper.reached - start.phi
         down.goal = start.phi - (FULL - float(np.min(ahead, where=lost, initial=FULL)))
         (lower,) = _march(shape, down)
@@ -137,8 +139,8 @@ def survey(shape: Shape, start: Assembly, ahead: Floats) -> March:
 
 
 def whole_turn(shape: Shape, turn: March) -> March | None:
-    """Lengthen a march on both sides until it comes round; None where the crank cannot make a full turn."""
-    if turn.ends:
+    """Lengthen a march on both sides until it comes round; None where the drive cannot make a full turn."""
+    if turn.ends or not shape.mechanism.drive.turns:
         return None
     low, high = turn.stations[0].phi, turn.stations[-1].phi
     half = (FULL - (high - low)) / 2.0

@@ -198,3 +198,8 @@ class BalanceForm(TechniqueForm):
         meaning="Balancing of the linkage (уравновешивание механизма): aim, counterweights.",
         missing=Missing("table", '[balance] with aim = "none"', {}),
     )
+
+    @property
+    def needs_turn(self) -> bool:
+        """Whether it is told over a turn of the drive: it is."""
+        return True

@@ -99,7 +99,7 @@ def _would_do(survey: Survey, aim: str = PARTIAL) -> Message:
 def check_moving(survey: Survey, path: Path) -> None:
     """See that the crank turns, and that a moving link has a mass: nothing shakes the frame otherwise."""
     scene = survey.scene
-    if survey.form.drive.speed == 0:
+    if survey.form.drive.omega == 0 and survey.form.drive.stroke is None:
         survey.report(("drive", "speed"), "crank_at_rest")
     if not any(mass for _, mass in masses(scene)):
         survey.report(("masses",) if scene.has(("masses",)) else path, "massless")

@@ -216,3 +216,8 @@ class BankForm(TechniqueForm):
         """See that its mechanism is known: nothing else of a bank is worth its while otherwise."""
         if scene.meaning["bank"].faults:
             raise SceneError(scene.meaning.faults)
+
+    @property
+    def needs_turn(self) -> bool:
+        """Whether it is told over a turn of the drive: that of a bank of the scene's linkage is."""
+        return self.bank.unit is None

@@ -44,7 +44,7 @@ def _speed(scene: Scene, form: BankTable) -> Decimal:
     """Give the speed; of a bank that is at fault it is no matter."""
     if form.speed is not None:
         return form.speed
-    return scene.of(LinkageForm).drive.speed if scene.has((LINKAGE,)) else Decimal(0)
+    return scene.of(LinkageForm).drive.omega if scene.has((LINKAGE,)) else Decimal(0)
 
 
 def _unit(one: UnitTable) -> Unit:

@@ -15,6 +15,7 @@ import numpy as np
 
 from geometry import meet as loci
 from geometry.board import Arc, Line, Mark
+from geometry.hand_error import EDGE, pricked_givens
 from geometry.meet import cross
 from geometry.steps import behind
 from plans.bench.error import shares
@@ -25,15 +26,8 @@ from plans.model.order import ORDERS
 DRAWINGS = 200  # of which 5 % are ten: enough to tell where the worst of them begin
 SLIPS = (0.1, 0.2)  # mm: a good hand's and a fair one's
 SEED = 1
-EDGE = 100.0  # mm of a set square's edge that lies along a line: a longer line is carried no more truly
 RATES = {told.key for order in ORDERS[1:] for told in (order.point, order.link)}
 TOLD = 0.01  # of the largest: a smaller value has no per cent of itself
-
-# Which inputs of a verb are places on the paper, where a given point must have been pricked.
-_PLACES = {
-    "lay_off": (0,), "join": (0, 1), "parallel": (0,), "square": (0,), "arc": (0,), "tangent": (0, 1),
-    "moment": (0, 1), "balance": (0,),
-}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -47,26 +41,40 @@ class Draughtsman:
 
     def pricked(self, plan: str) -> Complexes:
         """Give by how much the points pricked on a plan are out, true units, (drawings, positions)."""
+        if plan not in self.scales:
+            return np.zeros(1, dtype=np.complex128)
         mu = self.scales[plan]
         x, y = self.chance.uniform(-1.0, 1.0, (2, self.drawings, len(mu)))
         return np.asarray(self.slip * mu * (x + 1j * y))
 
     def carried(self, plan: str, vector: Complexes) -> Complexes:
         """Give by how much vectors are out that were carried away from a plan with set square and dividers."""
+        if plan not in self.scales:
+            return np.zeros(1, dtype=np.complex128)
         length = np.abs(vector) / self.scales[plan]
         return np.asarray(self.pricked(plan) * np.maximum(length / EDGE, 1.0))
 
 
 def drawn(replay: Replay, hand: Draughtsman) -> dict[tuple[str, str], Any]:
     """Draw the record by hand; give what is read off the drawings, each (drawings, positions)."""
-    done: dict[Mark, Any] = {}
-    marks = behind(*replay.wanted)
-    places = {mark.step.inputs[k] for mark in marks for k in _PLACES.get(mark.step.op, ())}
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return _read(replay, copies(hand, *replay.wanted), (hand.drawings, len(replay.positions)))
+
+
+def copies(hand: Draughtsman, *wanted: Mark) -> dict[Mark, Any]:
+    """Draw the record behind some marks by hand: each mark as it came to lie; one on a plan without a scale is known."""
+    marks = behind(*wanted)
+    places, done = pricked_givens(marks), dict[Mark, Any]()
     with np.errstate(invalid="ignore", divide="ignore"):  # loci that the hand made miss each other are NaN
         for mark in marks:
             inputs = [done[source] for source in mark.step.inputs]
-            done[mark] = _given(hand, mark, mark in places) if not inputs else _RULES[mark.step.op](hand, mark, inputs)
-        return _read(replay, done, (hand.drawings, len(replay.positions)))
+            if mark.subject not in hand.scales:
+                done[mark] = mark.value
+            elif not inputs:
+                done[mark] = _given(hand, mark, mark in places)
+            else:
+                done[mark] = _RULES[mark.step.op](hand, mark, inputs)
+    return done
 
 
 def _read(replay: Replay, done: Mapping[Mark, Any], shape: tuple[int, int]) -> dict[tuple[str, str], Any]:

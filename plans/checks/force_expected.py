@@ -30,7 +30,7 @@ class ExpectedForces:
         links = (self.mechanism.drive.link,) if group is None else group.links
         told = {name: force for link in links for name, force in self._acting(link)}
         if group is None:
-            outer = [Pair(FRAME, links[0], self.mechanism.drive.pivot)]
+            outer = [Pair(FRAME, links[0], self.mechanism.drive.guide or self.mechanism.drive.pivot)]
             if self.found.balancing.force is not None:
                 told[DRIVING] = complex(self.found.balancing.force[self.k])
         else:

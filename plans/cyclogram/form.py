@@ -87,3 +87,8 @@ class CyclogramForm(TechniqueForm):
         meaning="The cyclogram of a machine (циклограмма): its tool, the overrun, where the load changes.",
         missing=Missing("table", f"[cyclogram] with {EXAMPLE}", {}),
     )
+
+    @property
+    def needs_turn(self) -> bool:
+        """Whether it is told over a turn of the drive: it is."""
+        return True

@@ -93,3 +93,8 @@ class DynamicsForm(TechniqueForm):
         missing=Missing("table", '[dynamics] with fluctuation = "1/80"', {}),
     )
     drive: SpeedTable = key(table(SpeedTable), SpeedTable(), meaning="Where the speed of the crank comes from.")
+
+    @property
+    def needs_turn(self) -> bool:
+        """Whether it is told over a turn of the drive: it is."""
+        return True

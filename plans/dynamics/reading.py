@@ -23,7 +23,7 @@ class DynamicsSurvey(NamedTuple):
 def task_of(scene: Scene) -> Task:
     """Make the task: without a speed of its own it is the drive's, in whatever sense the crank turns."""
     form = scene.of(DynamicsForm).dynamics
-    speed = scene.of(LinkageForm).drive.speed if form.speed is None else form.speed
+    speed = scene.of(LinkageForm).drive.omega if form.speed is None else form.speed
     delta = None if form.fluctuation is None else float(form.fluctuation)
     return Task(abs(float(speed)), delta, form.divisions, tuple(_shafts(form)), _rim(form))
 
@@ -49,9 +49,11 @@ def survey_of(meaning: Meaning) -> DynamicsSurvey:
     scene = meaning.scene
     form, drive = scene.of(DynamicsForm).dynamics, scene.of(LinkageForm).drive
     still = ("dynamics", "speed") if form.speed is not None else ("drive", "speed")
-    speed = drive.speed if form.speed is None else form.speed
+    speed = drive.omega if form.speed is None else form.speed
     return DynamicsSurvey(
-        [scene.fault(still, "crank_at_rest")] if speed == 0 else [*_motor_faults(meaning, abs(speed))]
+        [scene.fault(still, "crank_at_rest")]
+        if speed == 0 and drive.stroke is None
+        else [*_motor_faults(meaning, abs(speed))]
     )
 
 
@@ -74,7 +76,7 @@ def notes_of(scene: Scene) -> Iterator[Fault]:
     form = scene.of(DynamicsForm).dynamics
     if form.fluctuation is not None and form.fluctuation > LARGE:
         yield scene.fault(("dynamics", "fluctuation"), "large_fluctuation", found=f"{float(form.fluctuation):g}")
-    motor, speed, drive = motor_of(form.motor), task_of(scene).speed, abs(float(scene.of(LinkageForm).drive.speed))
+    motor, speed, drive = motor_of(form.motor), task_of(scene).speed, abs(float(scene.of(LinkageForm).drive.omega))
     if drive and speed and not 1 / OTHER <= speed / drive <= OTHER:
         yield scene.fault(("dynamics", "speed"), "other_speed", found=f"{speed:.5g}", drive=f"{drive:.5g}")
     free = motor.speed(0.0) if motor else None

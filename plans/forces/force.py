@@ -36,6 +36,7 @@ class ForcePlan:
         self.drive: Mark | None = None  # force by which the crank is driven; None: a moment drives it
         self.driven: Mark | None = None  # where it acts
         self.balancing = self.pole  # moment about the shaft, once it is found
+        self.shaft = self.pole  # of a slide that is pushed along the centre of a wheel that would roll on it
         self._places: dict[tuple[str, int], Mark] = {}
         for _, body in sorted(machine.bodies.items()):
             self.loads[body.link] += self._body(body)
@@ -99,7 +100,19 @@ class ForcePlan:
         """Give this plan as it is on other boards, whose marks are named by those of this one."""
         other = copy(self)
         other.positions, other.velocities, other.accelerations = below
-        for name in ("board", "pole", "loads", "couples", "given", "cuts", "drive", "driven", "balancing", "_places"):
+        for name in (
+            "board",
+            "pole",
+            "loads",
+            "couples",
+            "given",
+            "cuts",
+            "drive",
+            "driven",
+            "balancing",
+            "shaft",
+            "_places",
+        ):
             vars(other)[name] = remade(vars(self)[name], made, boards)
         return other
 

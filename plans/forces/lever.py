@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING, NamedTuple
 from geometry.board import Board, Mark
 from plans.forces.cut import REACTION, Couple, Load
 from plans.forces.primary import BALANCING, DRIVING
+from plans.linkage.groups import guide
+from plans.model.mechanism import FRAME
 from plans.words.words import because
 
 if TYPE_CHECKING:
@@ -59,8 +61,7 @@ def lever(plan: ForcePlan) -> Lever | None:
         return None
     terms = [moment for _, moment in moments]
     force = board.balance(DRIVING, pole, line, *terms, why=because("lever_balance"))
-    shaft = plan.positions.point(plan.mechanism.drive.pivot)
-    moment = board.moment(BALANCING, shaft, point, force, because("shaft_moment"))
+    moment = board.moment(BALANCING, plan.shaft, point, force, because("shaft_moment"))
     return Lever(board, pole, tuple(loads), tuple(pairs), tuple(moments), image, force, moment)
 
 
@@ -99,6 +100,10 @@ def _turning(board: Board, pair: Pairing) -> Mark:
 def _drive(plan: ForcePlan, board: Board) -> tuple[Mark, Mark, Mark]:
     """Give the turned image of the point where the drive acts, that point, and the line of its force on the lever."""
     base, speeds, drive = plan.positions, plan.velocities, plan.mechanism.drive
+    if drive.guide is not None:
+        point, along = base.point(drive.end), guide.direction(base, drive.guide, FRAME)
+        turned = _turned(board, speeds.point(drive.end))
+        return turned, point, board.parallel(f"∥{along.name}", turned, along, because("pushed_along"))
     if plan.driven is None or plan.driven is base.point(drive.end):
         point, image, arm = base.point(drive.end), speeds.point(drive.end), base.arm(drive.link)
         turned = _turned(board, image)

@@ -8,8 +8,9 @@ from geometry.board import Mark
 from plans.forces import polygon as statics
 from plans.forces.cut import CLOSING, PART, Cut, Equation, Side, indices
 from plans.forces.force import ForcePlan
+from plans.linkage.groups import guide
 from plans.model.machine import FORCE, GEAR, Transmission
-from plans.model.mechanism import FRAME
+from plans.model.mechanism import FRAME, Slide
 from plans.words.words import because
 
 DRIVING, BALANCING = "P_bal", "M_bal"
@@ -17,9 +18,44 @@ NOTHING = because("no_moment")
 
 
 def primary(plan: ForcePlan) -> Cut:
+    """Balance the primary link, and close its polygon in the frame: a crank by moments, a slide along its guide."""
+    slide = plan.mechanism.drive.guide
+    return _turned(plan) if slide is None else _pushed(plan, slide)
+
+
+def _pushed(plan: ForcePlan, slide: Slide) -> Cut:
+    """Close the polygon of a slide along its guide and square to it; no moment is needed for what pushes it."""
+    drive, board = plan.mechanism.drive, plan.board
+    (loads, couples), along = plan.acting(drive.link), guide.direction(plan.positions, slide, FRAME)
+    laid = statics.chain(plan, str(drive.link), *statics.known_sides(loads))
+    lead = statics.direction_on(plan, along)
+    lines = (
+        board.parallel(f"∥{lead.name}", laid.start, lead, because("pushed_along")),
+        board.square(f"⊥{lead.name}", laid.end, lead, because("guide_presses")),
+    )
+    name = f"R_{indices(FRAME, drive.link)}"
+    closed = statics.close(plan, laid, (DRIVING, name), lines)
+    plan.driven = plan.positions.point(slide.point)
+    plan.drive = board.join(DRIVING, closed.corner, laid.start, because("closing"))
+    plan.shaft = _wheel(plan, along, plan.driven)
+    plan.balancing = board.moment(BALANCING, plan.shaft, plan.driven, plan.drive, because("wheel_moment"))
+    force = board.join(name, laid.end, closed.corner, because("closing"))
+    support = statics.support(plan, (FRAME, drive.link), slide, force, (), loads, couples)
+    return Cut(None, (drive.link,), tuple(loads), tuple(couples), (support,), None, (), closed.polygon)
+
+
+def _wheel(plan: ForcePlan, along: Mark, end: Mark) -> Mark:
+    """Mark the centre of the wheel that would roll on the slide, of the drive's unit as its radius."""
+    board, unit = plan.positions.board, plan.mechanism.drive.unit
+    arm = board.turn(f"r{plan.mechanism.drive.link}", along, 1j * unit, because("wheel_radius"))
+    return board.lay_off(f"W{plan.mechanism.drive.link}", end, arm, because("wheel_centre"))
+
+
+def _turned(plan: ForcePlan) -> Cut:
     """Balance the crank by moments about its shaft, then close its polygon in the frame (figure 6.17)."""
     drive, board = plan.mechanism.drive, plan.board
     shaft, (loads, couples) = plan.positions.point(drive.pivot), plan.acting(drive.link)
+    plan.shaft = shaft
     terms, line = statics.moments(plan, shaft, loads, couples), _line(plan)
     why, driving = because("moments", point=shaft.name, link=drive.link), list[tuple[str, Mark, str]]()
     if line is None:

@@ -67,6 +67,17 @@ def even(start: Fraction, count: int, sense: int) -> CrankPositions:
     return from_direction(complex(directions_of([start])[0]), float(np.radians(float(start))), count, sense)
 
 
+def stroke(begin: Fraction, end: Fraction, steps: int, unit: float) -> CrankPositions:
+    """Divide the stroke of a slide, m, into equal steps: one position more than steps, in units of `unit` m.
+
+    >>> stroke(Fraction(1, 10), Fraction(5, 10), 4, 2.0).phi.tolist()
+    [0.05, 0.1, 0.15, 0.2, 0.25]
+    """
+    ways = [begin + (end - begin) * k / steps for k in range(steps + 1)]
+    phi = np.array([float(way) for way in ways]) / unit
+    return CrankPositions(phi, np.exp(1j * phi))
+
+
 def listed(angles: Sequence[Fraction]) -> CrankPositions:
     """Take crank angles in degrees as the scene lists them, less the whole turns that they have in common.
 

@@ -72,7 +72,7 @@ def extremes(sweep: Sweep, out: Output) -> ExtremePositions | None:
     The working stroke comes first (рабочий ход): that to which the crank gives the larger angle, or as the output says.
     """
     turns = out.link == sweep.mechanism.drive.link and out.parting is None
-    if turns or sweep.barred:
+    if turns or not sweep.mechanism.drive.turns or sweep.barred:
         return None
     travel = Travel(_resting(sweep), out)
     rests = travel.rests()

@@ -13,6 +13,7 @@ from geometry.tracing import Tracing
 from plans.linkage.angles import heading
 from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.plan import Plan
+from plans.linkage.primary import PRIMARIES
 from plans.model.motion import LinkMotion, Motion, PointMotion
 from plans.model.rates import Rates
 
@@ -27,7 +28,8 @@ class PlanTemplate:
         links = plans[0].mechanism.links
         letters = sorted({point for link in links.values() for point in link.points})
         images = {letter: [plan.point(letter) for plan in plans] for letter in letters}
-        free = plans[0].board["φ"]
+        self.primary = PRIMARIES[plans[0].mechanism.drive.kind]
+        free = plans[0].board[self.primary.free]
         tracing = Tracing((mark for plan in plans for mark in plan.board), free)
         self.tracing = tracing
         arms = {link: (image.arm, image.span) for link, image in sorted(plans[0].images.items()) if image.arm}
@@ -60,10 +62,11 @@ class PlanTemplate:
     @np.errstate(invalid="ignore", divide="ignore")  # a gap is NaN inside, and is named outside
     def follow(self, turn: CrankPositions) -> list[Any]:
         """Work out all numbers of the plans at other crank positions."""
+        values = self.primary.values(self.plans[0].mechanism, turn)
         if turn.rates is None:
-            return self.tracing.follow(turn.directions)
+            return self.tracing.follow(values)
         rates = zip(self.tracing.sizes, turn.rates, strict=False)  # a pattern of velocities has no epsilon
-        return self.tracing.follow(turn.directions, {mark: mark.step.size * rate for mark, rate in rates})
+        return self.tracing.follow(values, {mark: mark.step.size * rate for mark, rate in rates})
 
     def clear(self, numbers: list[Any]) -> bool:
         """Tell whether no meeting of the plans is near a miss or a dead centre."""

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from typing import NamedTuple
 
-from plans.linkage import crank
 from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.groups.vectors import Vector
 from plans.linkage.plan import Plan
-from plans.model.mechanism import CRANK, Mechanism
+from plans.linkage.primaries import crank, slider
+from plans.model.mechanism import CRANK, SLIDER, Mechanism
+from plans.model.motion import Complexes
 from plans.model.rates import Rates
 
 
@@ -20,8 +21,13 @@ class Primary(NamedTuple):
     velocities: Callable[[Plan, Rates], None]
     accelerations: Callable[[Plan, Rates], None]
     vectors: Callable[[Mechanism], Iterable[Vector]]  # that its plans must have, beside those of its points
+    free: str  # the given mark that takes another value in each position
+    values: Callable[[Mechanism, CrankPositions], Complexes]  # of that mark
 
 
 PRIMARIES: Mapping[str, Primary] = {
-    CRANK: Primary(crank.positions, crank.velocities, crank.accelerations, crank.vectors),
+    CRANK: Primary(crank.positions, crank.velocities, crank.accelerations, crank.vectors, crank.FREE, crank.values),
+    SLIDER: Primary(
+        slider.positions, slider.velocities, slider.accelerations, slider.vectors, slider.FREE, slider.values
+    ),
 }

@@ -15,7 +15,7 @@ from geometry.errors import ConstructionError, DraftError
 from plans.linkage import assembly_limits, gaps
 from plans.linkage.assembly_limits import Sweep
 from plans.linkage.barrier import Barrier
-from plans.linkage.crank_positions import CrankPositions, even, from_direction, listed
+from plans.linkage.crank_positions import CrankPositions, even, from_direction, listed, stroke
 from plans.linkage.drafts import Drafts
 from plans.linkage.extreme import ExtremePositions, extremes, output
 from plans.linkage.obstruction import obstruction
@@ -112,11 +112,14 @@ class LinkageStudy:
     def assembly(self) -> Assembly:
         """The assembly that the sketch chooses."""
         first = self.form.drive.first
-        start = None if first is None else listed([Fraction(first)])
+        start = None if first is None else self._begun(Fraction(first))
         try:
             return assembly(self.mechanism, self.groups, start, self.looks)
         except SketchError as error:
             raise SketchError(self._at("sketch", error), error.points) from None
+
+    def _begun(self, first: Fraction) -> CrankPositions:
+        return listed([first]) if self.mechanism.drive.turns else self.turn.part([0])
 
     @cached_property
     def looks(self) -> CrankPositions:
@@ -124,7 +127,7 @@ class LinkageStudy:
 
         Of a scene with as many positions at most also at all of them: one may be assembled where no whole degree is.
         """
-        degrees = even(Fraction(0), 360, 1)
+        degrees = even(Fraction(0), 360, 1) if self.mechanism.drive.turns else self._stroke(360)
         if self.form.drive.first is None or len(self.turn) > len(degrees):
             return degrees
         phi = np.concatenate((degrees.phi, self.turn.phi))
@@ -174,6 +177,8 @@ class LinkageStudy:
 
     def _turn(self) -> CrankPositions:
         drive = self.form.drive
+        if not self.mechanism.drive.turns:
+            return self._stroke(drive.count - 1)
         if isinstance(drive.positions, tuple):
             return listed([Fraction(angle) for angle in drive.positions])
         if drive.first is not None:
@@ -184,6 +189,11 @@ class LinkageStudy:
         return from_direction(
             self.extreme_positions.directions[0], self.extreme_positions.extremes.phi[0], drive.positions, self.sense
         )
+
+    def _stroke(self, steps: int) -> CrankPositions:
+        told = self.form.drive.stroke
+        assert told is not None  # asked only of a stroke
+        return stroke(Fraction(told.from_), Fraction(told.to), steps, self.mechanism.drive.unit)
 
     def no_extreme(self) -> Message:
         """Say why the output has no extreme positions."""
@@ -214,7 +224,7 @@ class LinkageStudy:
     @cached_property
     def span(self) -> tuple[float, float]:
         """Crank angles, rad, between which the drive turns: a whole turn, or what listed angles span."""
-        if isinstance(self.form.drive.positions, int):
+        if isinstance(self.form.drive.positions, int) and self.mechanism.drive.turns:
             return 0.0, 2 * np.pi
         return float(self.turn.phi.min()), float(self.turn.phi.max())
 

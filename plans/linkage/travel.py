@@ -42,10 +42,7 @@ class Travel:
         if self.out.parting is not None:
             apart, along = self._parting(self.out.parting, seen)
             return np.asarray(dot(along, apart.r))
-        if self.slide is None:
-            return seen.links[self.out.link].angle
-        way = self.slide.way(FRAME)
-        return np.asarray(dot(way.direction, seen.points[self._pin(self.slide)].r - way.through))
+        return self.rows(seen)[0]
 
     def speed(self, turn: CrankPositions) -> Floats:
         """Read off the velocity plan the output's velocity, or its omega."""
@@ -53,10 +50,14 @@ class Travel:
         if self.out.parting is not None:  # its point and the other are on the line, so that turning moves neither along
             apart, along = self._parting(self.out.parting, seen)
             return np.asarray(dot(along, apart.v))
+        return self.rows(seen)[1]
+
+    def rows(self, seen: Motion) -> tuple[Floats, ...]:
+        """Read the coordinate off a motion, with its derivatives by time; of an output that parts from no other."""
         if self.slide is None:
-            return seen.links[self.out.link].omega
-        along = seen.points[self._pin(self.slide)].v
-        return np.asarray(dot(self.slide.way(FRAME).direction, along))
+            return tuple(seen.links[self.out.link])
+        way, (place, *rates) = self.slide.way(FRAME), seen.points[self._pin(self.slide)]
+        return tuple(np.asarray(dot(way.direction, one)) for one in (place - way.through, *rates))
 
     def _parting(self, parting: Parting, seen: Motion) -> tuple[PointMotion, Complexes]:
         """Give place and velocity of the output's point from the other, and the unit direction of their line."""

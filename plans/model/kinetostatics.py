@@ -75,7 +75,10 @@ class Reaction(NamedTuple):
 
 
 class Balancing(NamedTuple):
-    """What the drive gives: the moment N*m about the shaft, and where it drives by a force that force N at `r` m."""
+    """What the drive gives: the moment N*m about the shaft, and where it drives by a force that force N at `r` m.
+
+    Of a slide that is pushed along the moment is that of the force on a wheel of the drive's unit as its radius.
+    """
 
     moment: Floats
     force: Complexes | None = None
@@ -143,7 +146,7 @@ def pair(one: int, other: int, joint: Joint) -> Pair:
 
 def pairs(mechanism: Mechanism, groups: Sequence[Group]) -> tuple[Pair, ...]:
     """Give all lower pairs in solving order; a hinge of several links is told as the groups hang on it."""
-    found = [pair(FRAME, mechanism.drive.link, mechanism.drive.pivot)]
+    found = [pair(FRAME, mechanism.drive.link, mechanism.drive.guide or mechanism.drive.pivot)]
     for group in groups:
         found += [pair(*told) for told in (*group.outer_pairs, *group.inner_pairs)]
     return tuple(found)

@@ -14,7 +14,7 @@ from functools import cached_property
 from geometry.errors import DraftError
 
 FRAME = 0
-CRANK = "crank"  # kind of primary link: a crank on the frame
+CRANK, SLIDER = "crank", "slider"  # kinds of primary link: a crank on the frame, a slider on it that is pushed along
 # What may carry a linkage through its change points: another one beside it, set at another angle, or its inertia.
 SLOWER, FASTER = "slower", "faster"  # the working stroke, by the time that it takes
 PARALLEL, INERTIA = "parallel", "inertia"
@@ -63,7 +63,11 @@ class Slide:
 
 @dataclass(frozen=True, slots=True)
 class Drive:
-    """The drive (привод): the crank's number, fixed hinge, far end, angular velocity rad/s and acceleration rad/s2."""
+    """The drive (привод): the crank's number, fixed hinge, far end, angular velocity rad/s and acceleration rad/s2.
+
+    Of a slide that is pushed along the coordinate is its way in units of `unit` m, as if a wheel of that radius rolled
+    on it: `omega` and `epsilon` are that wheel's, `pivot` and `end` the slide's named point.
+    """
 
     link: int
     pivot: str
@@ -71,6 +75,13 @@ class Drive:
     omega: float
     epsilon: float
     kind: str = CRANK  # of primary link
+    guide: Slide | None = None  # the slide that is pushed along
+    unit: float = 1.0  # m; of a crank a radian
+
+    @property
+    def turns(self) -> bool:
+        """Whether its coordinate comes round: that of a slide does not."""
+        return self.guide is None
 
 
 @dataclass(frozen=True, slots=True)

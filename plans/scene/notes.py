@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from plans.scene.demand import reading
 from plans.scene.faults import Fault, Path
 from plans.scene.scene import Scene
-from plans.techniques import TECHNIQUES, Technique, named, technique_of
+from plans.techniques import TECHNIQUES, Technique, makers_of, named, sheet_of
 
 
 def notes_of(scene: Scene, asked: Iterable[str] = ()) -> list[Fault]:
@@ -26,10 +26,11 @@ def _mark(scene: Scene) -> Iterator[Fault]:
 def _unused(scene: Scene, asked: Iterable[str]) -> Iterator[Fault]:
     """Find what only techniques need of which no sheet is wanted."""
     paced = (name for name, row in TECHNIQUES.items() if row.pace and any(map(scene.has, _shared(row))))
-    wanted_by = [*map(technique_of, scene.sheets), *asked, *paced]
+    wanted_by = [*(name for sheet in scene.sheets for name in makers_of(sheet)), *asked, *paced]
     used = reading([*wanted_by, *(other for name in wanted_by for other in asked_by(scene, name))])
-    for technique in (TECHNIQUES[name] for name in scene.techniques if name not in used):
-        wanted = ", ".join(f'"{sheet}"' for sheet in (*scene.sheets, next(iter(technique.sheets))))
+    for name in (name for name in scene.techniques if name not in used):
+        technique = TECHNIQUES[name]
+        wanted = ", ".join(f'"{sheet}"' for sheet in (*scene.sheets, sheet_of(name)))
         keys: list[Path] = [(name,) for name in technique.tables]
         keys += _shared(technique)
         yield from (scene.fault(path, "unused", wanted=wanted) for path in keys if scene.has(path))

@@ -32,6 +32,11 @@ class TechniqueForm(Table):
         return ()
 
     @property
+    def needs_turn(self) -> bool:
+        """Whether it is told over a turn of the drive, which a drive over a stroke has not."""
+        return False
+
+    @property
     def counts_stroke(self) -> bool:
         """Whether something depends on which stroke of the output is the working one."""
         return False

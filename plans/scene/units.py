@@ -73,6 +73,9 @@ ANGULAR_ACCELERATION = Kind(
 ACCELERATION = _kind(
     "acceleration", "m/s2", "1e-9", "1e9", **{"cm/s2": "0.01", "mm/s2": "0.001", "м/с2": "1", "мм/с2": "0.001"}
 )
+VELOCITY = _kind(
+    "velocity", "m/s", "1e-9", "1e9", **{"cm/s": "0.01", "mm/s": "0.001", "м/с": "1", "см/с": "0.01", "мм/с": "0.001"}
+)
 MASS = _kind("mass", "kg", "1e-12", "1e12", g="0.001", t="1000", кг="1", г="0.001", т="1000")
 INERTIA = _kind(
     "moment of inertia", "kg*m2", "1e-24", "1e18", **{"kg*cm2": "0.0001", "kg*mm2": "0.000001", "кг*м2": "1"}

@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.report.motion_report import shallow
+from drawings.report.linkage.motion_report import shallow
 from geometry.errors import DraftError
 from plans.checks.compare import MotionComparison, compare, compare_extremes
 from plans.checks.comparison import Comparison

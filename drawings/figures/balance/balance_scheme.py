@@ -20,6 +20,7 @@ from drawings.figures.linkage.guides import frame_slides, grounds, travel
 from drawings.figures.linkage.link_numbers import link_numbers
 from drawings.figures.linkage.pairs import Pairs
 from drawings.figures.linkage.rotation import turnings
+from drawings.figures.linkage.ties import ties
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels, free_side
 from drawings.layout.parallel_offsets import APART, Segment, offset
@@ -73,7 +74,7 @@ class SchemeFigure:
         body, stands = list(self.pairs.bars()), list(self.pairs.stands())
         blocks = [block for _, block in self.pairs.blocks]
         ink.draw([*body, *blocks, *stands])
-        under = [*self._axes(), *self._ties(), *self._holders()]
+        under = [*self._axes(), *ties(self.pairs), *self._holders()]
         return (
             self._heading(),
             *self._paths(),
@@ -111,16 +112,6 @@ class SchemeFigure:
     def _axes(self) -> Iterator[Stroke]:
         for slide in frame_slides(self.shown.bones):
             yield Line(*travel(self.shown.bones, slide, self.place, self.pairs.hand), self._hand.axis)
-
-    def _ties(self) -> Iterator[Stroke]:
-        """Tie each mass centre that lies off its link's bars to the link's nearest point."""
-        for name, (link, _) in self.shown.bones.masses.items():
-            if name not in self.pairs.centres:
-                continue
-            spot = self.pairs.centres[name]
-            points = [self.place.on(self.shown.named[one]) for one in self.shown.bones.mechanism.links[link].points]
-            if points and not any(_on(bar, spot, MASS * self._hand.symbol) for bar in self.pairs.bars()):
-                yield Line(min(points, key=lambda point: abs(point - spot)), spot, self._hand.other)
 
     def _holders(self) -> Iterator[Stroke]:
         """Draw what holds counterweights: the line from their link's beginning."""
@@ -211,15 +202,6 @@ class SchemeFigure:
     def _heading(self) -> Group:
         title = title_of(self.shown, self.drafting)
         return heading(self.box.box, title, self.drafting.scale(self.box.scale), self._hand)
-
-
-def _on(bar: Stroke, spot: complex, near: float) -> bool:
-    """Tell whether a spot lies on a bar, or so near."""
-    if not isinstance(bar, Line) or bar.start == bar.end:
-        return False
-    off = (spot - bar.start) / (bar.end - bar.start)
-    past = 2 * near / abs(bar.end - bar.start)  # a bar ends at the symbol of the mass centre itself
-    return -past <= off.real <= 1 + past and abs(off.imag) * abs(bar.end - bar.start) <= near
 
 
 def _length(spots: list[complex]) -> float:

@@ -99,7 +99,7 @@ class BalanceScheme:
     def _links(self) -> Iterator[complex]:
         """Give the ends of all bars, slots as long as their stones' travel, and the ends of the frame's guides."""
         numbered, k = self.bones.numbered, self.shown
-        bars = [(one.link, bar) for one in outlines(self.bones, self.bones.travels, whole=True) for bar in one.bars]
+        bars = [(one.link, bar) for one in outlines(self.bones, self.bones.travels) for bar in one.bars]
         ends = [complex(numbered.of(link, spot)[k]) for link, bar in bars for spot in bar]
         for slide, travel in self.bones.travels.items():
             if slide.owner == FRAME:

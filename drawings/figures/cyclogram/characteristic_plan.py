@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from drawings.figures.linkage import position_plan
+from drawings.figures.linkage import position_letters, position_plan
 from drawings.figures.linkage.pairs import Pairs
 from drawings.figures.linkage.skeleton import Skeletons, skeletons
 from drawings.figures.linkage.stroke_dimension import clearest, length, stroke
@@ -48,7 +48,7 @@ class CharacteristicFigure:
 
     def letter(self, labels: Labels) -> tuple[Group, ...]:
         """Give the whole figure, its points lettered and its positions numbered."""
-        return *self.lines, position_plan.letters(self.pairs, labels)
+        return *self.lines, position_letters.letters(self.pairs, labels)
 
 
 def bones_of(study: CyclogramStudy) -> Skeletons:

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.figures.graphs.axes import every
+from drawings.layout.thinning import every
 from plans.model.dynamics import TURN, Cycle
 from plans.model.edge_names import edge_names
 from plans.model.motion import Floats

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
@@ -40,16 +39,6 @@ def arrow(start: complex, end: complex, hand: Hand) -> Iterator[Stroke]:
     head = arrowhead(start, end, hand.symbol)
     if head is not None:
         yield head
-
-
-def every(least: float, whole: int) -> int:
-    """Choose how many positions apart numbers stand: a divisor of the whole turn, if one is not much above the least.
-
-    >>> every(1.4, 24), every(4.1, 24), every(2.0, 23)
-    (2, 6, 2)
-    """
-    first = max(math.ceil(least), 1)
-    return next((step for step in range(first, 2 * first) if whole % step == 0), first)
 
 
 def chosen(values: Sequence[float], apart: float) -> tuple[int, ...]:

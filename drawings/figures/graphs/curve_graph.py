@@ -9,9 +9,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from drawings.figures.graphs.axes import BEYOND, Axes, every
+from drawings.figures.graphs.axes import BEYOND, Axes
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot
+from drawings.layout.thinning import every, numbered
 from drawings.lettering.lettering import text_width
 from drawings.page.drafting import Drafting
 from drawings.page.scale import Scale, fitting
@@ -33,6 +34,8 @@ ROUNDED = 1e-9  # degrees: angles of positions are rounded sums
 LEAST = 0.05  # mm: a shorter ordinate is a point
 BEFORE = "before"  # the name of the thin curve
 APART = 2.4  # sizes of a number from one number to the next, where they stand apart
+SPARE = 0.5  # sizes of a number that stay free between two
+DOTTED = 3.0  # radii of a point from one point to the next: nearer ones run into a line
 
 
 class GraphCurve(NamedTuple):
@@ -51,6 +54,7 @@ class GraphCurve(NamedTuple):
     divisions: int = 0  # of the whole turn, where its end has a number and numbers stand apart
     before: Floats | None = None  # what the quantity was before a change, as dense: a thin curve
     numbers: tuple[int, ...] = ()  # of the positions, where these are not all
+    shown: tuple[int, ...] = ()  # the places of those that the sheets of its set are of: they are always numbered
 
     @property
     def span(self) -> tuple[float, float]:
@@ -150,10 +154,14 @@ def draw(curve: GraphCurve, room: Picture, spot: Spot, drafting: Drafting) -> Gr
     return GraphFigure(curve, room.name, lines, tuple(stations), axes, hand)
 
 
-def _numbered(curve: GraphCurve, frame: Axes, hand: Hand) -> int:
-    """Choose how many positions apart numbers and ordinates stand."""
-    length = abs(frame.on(curve.length) - frame.zero)
-    return every(APART * hand.number * curve.divisions / length, curve.divisions) if curve.divisions else 1
+def _numbered(curve: GraphCurve, feet: Sequence[complex], length: float, hand: Hand) -> tuple[int, ...]:
+    """Choose the positions that bear numbers and ordinates: no nearer to one another than their letters."""
+    if curve.divisions:
+        step = every(APART * hand.number * curve.divisions / length, curve.divisions)
+        return tuple(range(0, len(feet), step))
+    last = max(curve.numbers, default=len(feet) - 1)
+    wide = text_width(Text(0j, str(last), hand.number))
+    return numbered(feet, length, wide + SPARE * hand.number, curve.shown)
 
 
 def _axes(curve: GraphCurve, frame: Axes, hand: Hand) -> Iterator[Stroke]:
@@ -168,24 +176,29 @@ def _ordinates(
 ) -> tuple[list[Stroke], list[tuple[str, complex, float]]]:
     """Draw tick, ordinate and point of each position that is no gap; each ordinate can be measured.
 
-    Where numbers have no room, a position between two of them has its tick and its point alone.
+    Where numbers have no room, a position between two of them has its tick and its point alone, and where even these
+    have none, not all positions have them.
     """
     strokes: list[Stroke] = []
     stations: list[tuple[str, complex, float]] = []
-    quantity, step = frame.up.letter, _numbered(curve, frame, hand)
-    for k, (angle, value) in enumerate(zip(curve.stations, curve.ordinates, strict=True)):
-        if angle > curve.length:  # a gap beyond the last position that is held
-            continue
-        foot, number = frame.on(float(angle)), curve.numbers[k] if curve.numbers else k
-        if k % step == 0:
+    gone = complex(math.nan, math.nan)  # a gap beyond the last position that is held
+    feet = [frame.on(float(angle)) if angle <= curve.length else gone for angle in curve.stations]
+    length = abs(frame.on(curve.length) - frame.zero)
+    known = _numbered(curve, feet, length, hand)
+    pointed = [k for k, foot in enumerate(feet) if foot is not gone]
+    for k in pointed if curve.divisions else numbered(feet, length, DOTTED * DOT * hand.symbol, known):
+        foot, value = feet[k], float(curve.ordinates[k])
+        number = curve.numbers[k] if curve.numbers else k
+        if k in known:
             stations.append((str(number), foot, -BELOW if value < 0 else BELOW))
         strokes.append(Line(foot - 1j * TICK, foot + 1j * TICK, hand.drafted))
         if math.isnan(value):
             continue
-        tip = frame.on(float(angle), float(value))
-        if k % step == 0 and abs(tip - foot) > LEAST:
-            data = Subject(plan, quantity, number).data("vector", str(number), 1j * float(value), frame.up)
-            strokes.append(Group((Line(foot, tip, hand.drafted),), "", data, str(number)))
+        tip = frame.on(float(curve.stations[k]), value)
+        if k in known and abs(tip - foot) > LEAST:
+            data = Subject(plan, frame.up.letter, number).data("vector", str(number), 1j * value, frame.up)
+            style = hand.relative if k in curve.shown else hand.drafted
+            strokes.append(Group((Line(foot, tip, style),), "", data, str(number)))
         strokes.append(Circle(tip, DOT * hand.symbol, INK))
     return strokes, stations
 

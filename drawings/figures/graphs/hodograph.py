@@ -9,10 +9,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from drawings.figures.graphs.curve_graph import stretches
+from drawings.figures.graphs.curve_graph import DOTTED, SPARE, stretches
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
+from drawings.layout.thinning import numbered
 from drawings.lettering.lettering import text_width
 from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
@@ -64,6 +65,7 @@ class HodographFigure:
     name: str
     place: Place
     lines: tuple[Stroke, ...]
+    numbers: tuple[int, ...]  # the positions that bear one
     hand: Hand
 
     def letter(self, labels: Labels) -> tuple[Group, ...]:
@@ -75,11 +77,10 @@ class HodographFigure:
             middle = self.place.on(end / 2)
             letters.append(labels.beside(middle, self.shown.letter, hand.letter, 1.2, cmath.phase(1j * (end or 1j))))
         heart = complex(np.nanmean(ends.real), np.nanmean(ends.imag)) if not np.isnan(ends.real).all() else 0j
-        for k, value in enumerate(ends):
-            if not math.isnan(value.real):
-                spot, away = self.place.on(complex(value)), complex(value) - heart
-                side = cmath.phase(away) if away else math.pi / 4
-                letters.append(labels.beside(spot, str(k), hand.number, 1.2, side))
+        for k in self.numbers:
+            spot, away = self.place.on(complex(ends[k])), complex(ends[k]) - heart
+            side = cmath.phase(away) if away else math.pi / 4
+            letters.append(labels.beside(spot, str(k), hand.number, 1.2, side))
         return (Group((*self.lines, Group(tuple(letters))), self.name),)
 
 
@@ -94,11 +95,25 @@ def draw(shown: Hodograph, room: Picture, spot: Spot, drafting: Drafting) -> Hod
         lines.append(vector(subject, plain_name(shown.letter), (0j, end), place, hand.relative, hand.symbol))
     every = subject._replace(position=None)
     lines.append(point(every, POLE, 0j, place, pole(place.on(0j)), "pole"))
-    for k, value in enumerate(shown.ends):
-        if not math.isnan(value.real):
-            dot = Circle(place.on(complex(value)), DOT * hand.symbol, INK)
-            lines.append(point(subject._replace(position=k), str(k), complex(value), place, dot))
-    return HodographFigure(shown, room.name, place, tuple(lines), hand)
+    numbers, points = _told(shown, place, hand)
+    for k in points:
+        value = complex(shown.ends[k])
+        dot = Circle(place.on(value), DOT * hand.symbol, INK)
+        lines.append(point(subject._replace(position=k), str(k), value, place, dot) if k in numbers else dot)
+    return HodographFigure(shown, room.name, place, tuple(lines), numbers, hand)
+
+
+def _told(shown: Hodograph, place: Place, hand: Hand) -> tuple[tuple[int, ...], tuple[int, ...]]:
+    """Choose the positions that bear their numbers, and those that have their points: as many as have room."""
+    spots = [place.on(complex(value)) for value in shown.ends]
+    length = sum(_length([place.on(complex(shown.values[k])) for k in run]) for run in stretches(shown.values.real))
+    wide = text_width(Text(0j, str(len(spots) - 1), hand.number))
+    numbers = numbered(spots, length, wide + SPARE * hand.number, (shown.shown,))
+    return numbers, numbered(spots, length, DOTTED * DOT * hand.symbol, numbers)
+
+
+def _length(places: list[complex]) -> float:
+    return float(np.abs(np.diff(places)).sum())
 
 
 def _title(shown: Hodograph, drafting: Drafting) -> str:

@@ -13,6 +13,7 @@ from drawings.figures.linkage.pairs import Pairs
 from drawings.figures.linkage.skeleton import Poses, Skeletons
 from drawings.layout.labels import Labels
 from drawings.layout.place import Place
+from drawings.layout.thinning import numbered
 from drawings.lettering.lettering import text_width
 from drawings.lettering.words import number
 from drawings.paper.hand import Hand
@@ -89,9 +90,11 @@ def _crank_numbers(pairs: Pairs, places: list[NumberedPlace], labels: Labels) ->
     bones, place, hand = pairs.bones, pairs.place, pairs.hand
     pivot, end = bones.pivot(place), bones.mechanism.drive.end
     texts = [_with_angle(bones, one) for one in places]
-    every, further = _rings(bones, place, hand, max(width(text, hand) for text in texts))
+    wide = max(width(text, hand) for text in texts)
+    every, further = _rings(bones, place, hand, wide)
+    listed = _listed(bones, places, wide, place, hand)
     for one, text in zip(places, texts, strict=True):
-        if not (one.extreme or _is_shown(bones, one) or one.column % every == 0):
+        if not (one.extreme or _is_shown(bones, one) or (one.column % every == 0 and one.column in listed)):
             continue
         known = one.poses is bones.numbered
         spot = place.on(bones.crank_end(one.column) if known else complex(one.poses.points[end][one.column]))
@@ -104,12 +107,27 @@ def _crank_numbers(pairs: Pairs, places: list[NumberedPlace], labels: Labels) ->
 
 def _rings(bones: Skeletons, place: Place, hand: Hand, wide: float) -> tuple[int, float]:
     """Give every which position is numbered on the crank circle, and how far out every other one of them stands."""
-    apart = np.diff(bones.study.turn.phi)
-    if isinstance(bones.study.form.drive.positions, tuple) or (apart.size and np.ptp(apart) > UNEVEN):
-        return 1, 0.0  # listed angles are as far apart as the scene has them, characteristic ones as they fall
+    if _uneven(bones):
+        return 1, 0.0
     room = 2 * math.pi * (bones.crank(place) + CRANK_GAP + hand.number / 2) / len(bones.numbered)
     every = next((step for step in STEPS if step * room >= APART * max(wide / 2, hand.number)), STEPS[-1])
     return every, RING * hand.number if every * room < APART * wide else 0.0
+
+
+def _listed(bones: Skeletons, places: list[NumberedPlace], wide: float, place: Place, hand: Hand) -> tuple[int, ...]:
+    """Give the positions that have room for their numbers outside the crank circle: of a long list not all have."""
+    first = [one.column for one in places if one.poses is bones.numbered and (one.extreme or _is_shown(bones, one))]
+    ends = [place.on(bones.crank_end(k)) for k in range(len(bones.numbered))]
+    around = 2 * math.pi * (bones.crank(place) + CRANK_GAP + hand.number / 2)
+    return (
+        numbered(ends, around, APART * max(wide / 2, hand.number), first) if _uneven(bones) else tuple(range(len(ends)))
+    )
+
+
+def _uneven(bones: Skeletons) -> bool:
+    """Tell whether positions stand as the scene lists their angles, or as characteristic ones fall."""
+    apart = np.diff(bones.study.turn.phi)
+    return bool(isinstance(bones.study.form.drive.positions, tuple) or (apart.size and np.ptp(apart) > UNEVEN))
 
 
 def _in_barrier(ray: complex, barriers: tuple[Barrier, ...]) -> bool:

@@ -39,12 +39,9 @@ class Outline(NamedTuple):
     corners: tuple[Corner, ...] = ()
 
 
-def outlines(bones: Bones, reach: Reach, whole: bool) -> list[Outline]:
-    """Give the outlines of all moving links, their slots as long as they must reach.
-
-    A whole outline runs through all points of a link; else it runs through those that its pairs need.
-    """
-    return [_outline(bones, link, reach, whole) for link in bones.links]
+def outlines(bones: Bones, reach: Reach) -> list[Outline]:
+    """Give the outlines of all moving links through all their points, their slots as long as they must reach."""
+    return [_outline(bones, link, reach) for link in bones.links]
 
 
 def reach_of(bones: Bones, poses: Poses, k: int) -> Reach:
@@ -53,8 +50,8 @@ def reach_of(bones: Bones, poses: Poses, k: int) -> Reach:
     return {slide: (along, along) for slide, along in places.items() if not math.isnan(along)}
 
 
-def _outline(bones: Bones, link: int, reach: Reach, whole: bool) -> Outline:
-    bars, corners = _body(list(_spots(bones, link, whole).values()))
+def _outline(bones: Bones, link: int, reach: Reach) -> Outline:
+    bars, corners = _body(list(_spots(bones, link).values()))
     for slide, (low, high) in reach.items():
         if slide.owner == link:
             bars = _slotted(bars, slide.on_owner, low, high)
@@ -75,16 +72,11 @@ def offset_foot(bones: Bones, slide: Slide) -> complex | None:
     return None if abs(off.imag) <= FLAT * size else points[slide.point] - 1j * off.imag * way.direction
 
 
-def _spots(bones: Bones, link: int, whole: bool) -> Mapping[str, complex]:
+def _spots(bones: Bones, link: int) -> Mapping[str, complex]:
     """Give the points that a link's bars run through; a mass centre is a mark beside them."""
-    mechanism = bones.mechanism
-    points = mechanism.links[link].points
-    spots = {name: spot for name, spot in points.items() if not is_centre(name) or name in mechanism.hinges}
-    paired = {slide.point for slide in mechanism.slides if slide.slider == link} | mechanism.hinges.keys()
-    needed = {name: spot for name, spot in spots.items() if name in paired}
-    if whole or len(needed) < 2:
-        return spots if len(spots) > 1 or len(points) == 1 else points
-    return needed
+    points, hinges = bones.mechanism.links[link].points, bones.mechanism.hinges
+    spots = {name: spot for name, spot in points.items() if not is_centre(name) or name in hinges}
+    return spots if len(spots) > 1 or len(points) == 1 else points
 
 
 def _body(spots: Sequence[complex]) -> tuple[list[Bar], list[Corner]]:

@@ -60,7 +60,7 @@ class Joints:
         """The whole outlines of the links; a slot runs past its stone's outermost places by half a stone and more."""
         more = (STONE[0] / 2 + OVERRUN) * self.hand.symbol * self.place.scale.mu
         reach = {slide: (low - more, high + more) for slide, (low, high) in self.bones.travels.items()}
-        return outlines(self.bones, reach, whole=True)
+        return outlines(self.bones, reach)
 
     @cached_property
     def hinges(self) -> dict[str, tuple[Circle, ...]]:
@@ -123,10 +123,11 @@ class Joints:
         """Draw the links of the shown position: they end at their hinges and at the blocks that they slide in."""
         for outline in self.outlines:
             own = [block for slide, block in self.blocks if outline.link in (slide.slider, slide.owner)]
-            lines = (Line(*ends, self.hand.result) for ends in self._placed(outline))
+            lines = (Line(*ends, self.hand.result) for ends in self.placed(outline))
             yield from trim(lines, [*self.rounds, *own])
 
-    def _placed(self, outline: Outline) -> Iterator[tuple[complex, complex]]:
+    def placed(self, outline: Outline) -> Iterator[tuple[complex, complex]]:
+        """Give the ends of an outline's bars on paper."""
         for bar in outline.bars:
             start, end = (complex(self.bones.numbered.of(outline.link, spot)[self.bones.shown]) for spot in bar)
             if not math.isnan(start.real):
@@ -155,7 +156,7 @@ class Joints:
 
     def _joints(self, outline: Outline, block: Polyline) -> Iterator[Stroke]:
         """Mark where a rod leaves the block that it is one link with."""
-        for ends in self._placed(outline):
+        for ends in self.placed(outline):
             for piece in trim([Line(*ends)], [block]):
                 assert isinstance(piece, Line)
                 for exit_, far in ((piece.start, piece.end), (piece.end, piece.start)):
@@ -163,11 +164,14 @@ class Joints:
 
     def stands(self) -> Iterator[Stroke]:
         """Draw the stands of the fixed hinges, each to the side where the fewest links run."""
-        fixed_points = self.bones.mechanism.links[FRAME].points
-        for name in sorted(fixed_points):
+        for name in sorted(self.bones.mechanism.links[FRAME].points):
             if name in self.hinges:
-                at, side = self.place.on(fixed_points[name]), self._free_side(name)
-                yield from symbols.fixed_hinge(at, self.hand, self.radius(name), side)
+                yield from self.stand(name)
+
+    def stand(self, name: str) -> tuple[Stroke, ...]:
+        """Draw the stand of a fixed hinge: its two legs, its base, the hatching."""
+        at = self.place.on(self.bones.mechanism.links[FRAME].points[name])
+        return symbols.fixed_hinge(at, self.hand, self.radius(name), self._free_side(name))
 
     def _free_side(self, name: str) -> complex:
         ways = list(self._ways(name))
@@ -207,7 +211,9 @@ class Joints:
                 yield Group(self._symbol(name, self.place.on(value)), "", data, name)
         for name in bones.masses:
             if name in self.centres:
-                yield Group(symbols.mass_centre(self.centres[name], self.hand), "", {}, name)
+                value = complex(bones.numbered.of(*bones.masses[name])[bones.shown])
+                data = subject.data("point", name, value, self.place.scale)
+                yield Group(symbols.mass_centre(self.centres[name], self.hand), "", data, name)
 
     def _symbol(self, name: str, at: complex) -> tuple[Stroke, ...]:
         if name in self.hinges:

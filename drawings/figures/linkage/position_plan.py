@@ -9,19 +9,20 @@ from dataclasses import dataclass
 from itertools import groupby
 
 from drawings.figures.linkage.guides import axes, grounds
-from drawings.figures.linkage.numbering import numbers, same
+from drawings.figures.linkage.numbering import same
 from drawings.figures.linkage.outlines import outlines, reach_of
 from drawings.figures.linkage.pairs import Pairs
-from drawings.figures.linkage.phases import Phase, phases
-from drawings.figures.linkage.rotation import Turning, turnings
+from drawings.figures.linkage.phases import phases
+from drawings.figures.linkage.position_letters import letters
+from drawings.figures.linkage.rotation import turnings
 from drawings.figures.linkage.skeleton import Poses, Skeletons
 from drawings.figures.linkage.stroke_dimension import stroke
+from drawings.figures.linkage.ties import ties
 from drawings.figures.linkage.trajectories import trajectories
 from drawings.layout.ink import Ink
-from drawings.layout.labels import Labels, free_side
+from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
-from drawings.lettering.indices import with_index
 from drawings.lettering.lettering import text_width
 from drawings.page.drafting import Drafting
 from drawings.paper.formats import Field
@@ -30,7 +31,6 @@ from drawings.paper.limits import MANY
 from drawings.paper.strokes import Arc, Group, Line, LineStyle, Stroke, Text
 from drawings.symbols import symbols
 from drawings.symbols.dashes import fit_dashes
-from drawings.symbols.symbols import ARROW_LENGTH
 from drawings.symbols.trimming import trim
 from geometry.board import Arc as Notch
 from geometry.board import at
@@ -38,6 +38,7 @@ from plans.model.motion import CHANGE_POINT
 from plans.model.order import POSITIONS
 
 NAME = POSITIONS.plan
+TIES = "ties"  # the group of the lines to mass centres off their links
 # Paper around the plan of positions in sizes of its letters: numbers, symbols, and above it the dimension of a stroke.
 MARGINS = Margins(3.5, 3.5, 11.0)
 STEPS = 360  # of a circle that is cut at a figure's box
@@ -100,6 +101,7 @@ def layers(pairs: Pairs, language: str) -> list[Group]:
         ("extremes", extremes),
         ("guides", lines),
         ("notches", _notches(bones, place, hand)),
+        (TIES, ties(pairs)),
     ]
     groups = [Group(tuple(fit_dashes(trim(strokes, pairs.masks))), name) for name, strokes in under]
     groups += [
@@ -146,7 +148,7 @@ def _positions(pairs: Pairs) -> Iterable[Stroke]:
 
 def _links(bones: Skeletons, poses: Poses, k: int, place: Place, style: LineStyle) -> Iterable[Stroke]:
     """Draw the bars of all links in a position that can be assembled, slots as far as their stones."""
-    for outline in outlines(bones, reach_of(bones, poses, k), whole=False):
+    for outline in outlines(bones, reach_of(bones, poses, k)):
         for bar in outline.bars:
             start, end = (complex(poses.of(outline.link, spot)[k]) for spot in bar)
             if not math.isnan(start.real) and start != end:
@@ -201,32 +203,3 @@ def _around(spots: list[complex], margin: float) -> Field:
 def _notch(centre: complex, radius: float, angle: float, hand: Hand) -> Arc:
     half = min(NOTCH * hand.symbol / radius, math.pi)
     return Arc(centre, radius, angle - half, angle + half, hand.drafted)
-
-
-def letters(pairs: Pairs, labels: Labels) -> Group:
-    """Letter the points and number the positions, where the lines of all figures leave room."""
-    bones, place, hand = pairs.bones, pairs.place, pairs.sheet
-    strokes: list[Stroke] = []
-    for name in sorted(bones.numbered.points):
-        value = bones.spot(name, bones.shown)
-        if not math.isnan(value.real):
-            gap = pairs.clear(name) + 1.0
-            strokes.append(labels.beside(place.on(value), with_index(name), hand.letter, gap, _free(pairs, name)))
-    for name in bones.masses:
-        if name in pairs.centres:
-            strokes.append(labels.beside(pairs.centres[name], with_index(name), hand.letter, 2.5, math.pi / 4))
-    strokes += [_on_arc(turning, labels, hand) for turning in turnings(pairs)]
-    strokes += numbers(pairs, labels)
-    return Group((*strokes, *(_on_arc(phase, labels, hand) for phase in phases(pairs, bones.study.language))))
-
-
-def _on_arc(arc: Turning | Phase, labels: Labels, hand: Hand) -> Stroke:
-    """Letter an arc about the crank's pivot in its middle, outside."""
-    middle, away = arc.middle
-    return labels.beside(middle, arc.letter, hand.letter, 1.5, away)
-
-
-def _free(pairs: Pairs, name: str) -> float:
-    """Give the side of a point that the bars leave free."""
-    spot = pairs.place.on(pairs.bones.spot(name, pairs.bones.shown))
-    return free_side(spot, pairs.bars(), pairs.clear(name) + ARROW_LENGTH)

@@ -24,13 +24,6 @@ SWING_LIMIT = Decimal(180)  # degrees: a rocker that reaches it has gone through
 PRESSURE_LEAST = Decimal(1)  # degrees: less leaves the diagram of sizes no width; limits in radians are less
 PRESSURE_LIMIT = Decimal(90)  # degrees: there a follower jams without any friction
 
-VELOCITY = Kind(
-    "velocity",
-    "m/s",
-    {"m/s": Decimal(1), "cm/s": Decimal("0.01"), "mm/s": Decimal("0.001"), "м/с": Decimal(1), "мм/с": Decimal("0.001")},
-    Decimal("1e-9"),
-    Decimal("1e9"),
-)
 TURNING_STIFFNESS = Kind(
     "stiffness in turning",
     "N*m/rad",
@@ -194,7 +187,7 @@ def likely_kind(value: object) -> str:
     return next((kind for letters, kind in KINDS.items() if letters in written), "")
 
 
-SPEED = measure(units.SPEED, VELOCITY)
+SPEED = measure(units.SPEED, units.VELOCITY)
 PHASE_ANGLE = one(
     angle_or,
     lambda: _angle_or(forms.quantity(units.ANGLE, minimum=0, maximum=float(units.ANGLE_LIMIT)), REST, CYCLOGRAM),

@@ -226,3 +226,8 @@ class CamForm(TechniqueForm):
         """See that its cams can be made: nothing else of a scene is worth its while otherwise."""
         if scene.meaning["cam"].faults:
             raise SceneError(scene.meaning.faults)
+
+    @property
+    def needs_turn(self) -> bool:
+        """Whether it is told over a turn of the drive: that of a cam on the drive's shaft is."""
+        return any(cam.speed is None for cam in self.cam)

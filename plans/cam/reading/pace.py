@@ -6,14 +6,13 @@ from decimal import Decimal
 from typing import Protocol, cast
 
 from plans.cam.reading.entry import Entry
-from plans.cam.reading.fields import VELOCITY
 from plans.scene import units
 
 
 class Drive(Protocol):
     """A drive, whatever technique states it."""
 
-    speed: Decimal
+    omega: Decimal
 
 
 class Driven(Protocol):
@@ -24,7 +23,7 @@ class Driven(Protocol):
 
 def pace_of(entry: Entry) -> tuple[int, float | None]:
     """Give the sense of a cam, +1 counter-clockwise, and its speed, rad/s (m/s of one that translates), or none."""
-    kind = VELOCITY if entry.translates else units.SPEED
+    kind = units.VELOCITY if entry.translates else units.SPEED
     speed = entry.quantity(entry.form.speed, kind, "speed")
     if speed == 0:
         entry.fault(("speed",), "zero", kind=kind.name)
@@ -36,4 +35,4 @@ def pace_of(entry: Entry) -> tuple[int, float | None]:
 def _of_drive(entry: Entry) -> Decimal | None:
     """Give the speed of the drive, where the scene has one."""
     linkage = entry.scene.part("linkage")
-    return cast("Driven", linkage).drive.speed if linkage is not None else None
+    return cast("Driven", linkage).drive.omega if linkage is not None else None

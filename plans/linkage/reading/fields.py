@@ -8,6 +8,7 @@ from functools import partial
 from typing import Final, Literal
 
 from geometry.errors import LimitError
+from plans.scene import fields as f
 from plans.scene import forms, units
 from plans.scene.faults import wrong
 from plans.scene.fields import ANGLE, NAME_LIMIT, check_name, choice, few, sample, whole
@@ -156,3 +157,5 @@ ANY_LINK = one(whole, lambda: forms.whole(0), "link", least=0)
 START = one(start_angle, lambda: {"anyOf": [{"const": EXTREME}, ANGLE.form()]}, f'degrees, or "{EXTREME}"')
 COUNT = one(count_positions, lambda: {**forms.whole(1), "maximum": POSITIONS_LIMIT}, "number")
 POSITIONS = either(list, many(ANGLE, Check(position_list, least=1, most=POSITIONS_LIMIT)), COUNT)
+SPEED = f.not_negative(units.VELOCITY)
+ACCELERATION = f.number(units.ACCELERATION)

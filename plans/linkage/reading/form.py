@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from decimal import Decimal
+from typing import Any
 
 from plans.linkage.reading import fields as g
 from plans.linkage.reading.capacity import LINK_POSITIONS_LIMIT, check_capacity
+from plans.linkage.reading.stroke import StrokeTable
 from plans.model.mechanism import SLOWER, THROUGH
 from plans.model.working import PARTINGS, STROKES
 from plans.scene import fields as f
-from plans.scene.faults import Path, wrong
+from plans.scene.faults import Path, Wrong, wrong
 from plans.scene.forms import Form
 from plans.scene.readers import either, many, named
 from plans.scene.scene import Scene, TechniqueForm
@@ -106,14 +108,17 @@ class MechanismTable(Table):
 
 
 class DriveTable(Table):
-    """The drive (начальное звено): crank, angular velocity and acceleration, and its positions."""
+    """The drive (начальное звено): crank, angular velocity and acceleration, and its positions; or a stroke."""
 
     link: int = key(
-        g.MOVING_LINK, meaning="The crank (кривошип).", missing=Missing("number of the crank", "link = 1", 1)
+        g.MOVING_LINK,
+        meaning="The crank (кривошип), or with a stroke the link that slides.",
+        missing=Missing("number of the crank", "link = 1", 1),
     )
-    speed: Decimal = key(
+    speed: Decimal | None = key(
         f.ANGULAR_SPEED,
-        meaning='Angular speed, also as "60 rpm"; negative is clockwise.',
+        None,
+        meaning='Angular speed of the crank, also as "60 rpm"; negative is clockwise. A stroke has a speed of its own.',
         missing=Missing("angular speed", 'speed = "60 rpm"', 1),
     )
     acceleration: Decimal = key(f.ANGULAR_ACCELERATION, Decimal(0), meaning="Angular acceleration.")
@@ -128,15 +133,29 @@ class DriveTable(Table):
         g.POSITIONS,
         12,
         meaning=(
-            "Number of equal steps over a turn in the sense of rotation, or a list of crank angles (then no start); "
+            "Number of equal steps over a turn in the sense of rotation, or over the stroke, or a list of crank angles "
+            "(then no start); "
             "links times positions are at most 1,000,000, with a force sheet 500,000."
         ),
     )
 
+    stroke: StrokeTable | None = key(
+        table(StrokeTable),
+        None,
+        meaning="The stroke of a primary link that slides on the frame: a ram, a plunger.",
+    )
+
+    @property
+    def omega(self) -> Decimal:
+        """Angular speed of the crank, rad/s; none of a link that slides."""
+        return self.speed or Decimal(0)
+
     @property
     def count(self) -> int:
-        """Number of positions."""
-        return self.positions if isinstance(self.positions, int) else len(self.positions)
+        """Number of positions: a stroke has one at either end of each step."""
+        if isinstance(self.positions, int):
+            return self.positions + (self.stroke is not None)
+        return len(self.positions)
 
     @property
     def first(self) -> Decimal | None:
@@ -146,14 +165,30 @@ class DriveTable(Table):
         return self.start if isinstance(self.start, Decimal) else None
 
     def check(self) -> None:
-        """See that a list of positions stands alone."""
-        if isinstance(self.positions, tuple) and "start" in self.given:
+        """See that a list of positions stands alone, and a stroke without what belongs to a crank."""
+        if self.stroke is not None:
+            self._check_stroke()
+        elif isinstance(self.positions, tuple) and "start" in self.given:
             raise wrong("start_with_list", at=("start",))
+
+    def _check_stroke(self) -> None:
+        alone = [name for name in ("speed", "acceleration", "start") if name in self.given]
+        if isinstance(self.positions, tuple):
+            raise wrong("stroke_with_list", at=("positions",))
+        if alone:
+            raise wrong("stroke_alone", name=alone[0], at=(alone[0],))
+
+    @classmethod
+    def misfits(cls, value: Mapping[str, Any]) -> Iterator[Wrong]:
+        """Give the speed that a crank lacks."""
+        if not {"speed", "stroke"} & value.keys():
+            yield wrong("missing", at=("speed",))
 
     @classmethod
     def rules(cls) -> Form:
-        """Say that a list of positions stands alone."""
-        return {"not": {"required": ["start", "positions"], "properties": {"positions": {"type": "array"}}}}
+        """Say that a list of positions stands alone, and that a speed or a stroke is needed."""
+        lone: Form = {"not": {"required": ["start", "positions"], "properties": {"positions": {"type": "array"}}}}
+        return lone | {"oneOf": [{"required": ["speed"]}, {"required": ["stroke"]}]}
 
 
 class OutputTable(Table):

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from decimal import Decimal
-
+from plans.linkage.reading.driving import datum_of, drive_ends, drive_of
 from plans.linkage.reading.fields import split_line
 from plans.linkage.reading.form import LinkageForm
 from plans.linkage.reading.guides import Guides, direction, from_datum
@@ -11,12 +10,10 @@ from plans.linkage.reading.joining import check_joining
 from plans.linkage.reading.positions import check_positions
 from plans.linkage.reading.shapes import Shaper, Spot, as_complex, line_name
 from plans.linkage.reading.survey import RATIO_LIMIT, Survey, natural, spread
-from plans.model.mechanism import FRAME, SLOWER, Drive, Link, Mechanism, Output, Slide, StructureError
+from plans.model.mechanism import FRAME, SLOWER, Link, Mechanism, Output, Slide, StructureError
 from plans.scene.faults import Path, SceneError, suggestion
 from plans.scene.scene import Meaning, Scene
 from plans.words.words import Message, message
-
-ORIGIN: Spot = (Decimal(0), Decimal(0))
 
 
 def mechanism_of(scene: Scene) -> Mechanism:
@@ -39,9 +36,9 @@ def survey_of(meaning: Meaning) -> Survey:
 
 def _build(survey: Survey) -> Mechanism | None:
     form = survey.form
-    ends = _drive_ends(survey)
+    ends = drive_ends(survey)
+    datum = datum_of(survey, ends)
     frame = form.mechanism.frame
-    datum = frame.get(ends[0], ORIGIN) if ends else ORIGIN
     fixed = {name: from_datum(frame[name], datum) for name in survey.points_of[FRAME]}
     sketch = _sketch(survey, datum)
     places = {**sketch, **{name: as_complex(spot) for name, spot in fixed.items()}}
@@ -58,31 +55,10 @@ def _build(survey: Survey) -> Mechanism | None:
     links = {
         number: Link(number, {name: as_complex(s) for name, s in shape.items()}) for number, shape in shapes.items()
     }
-    drive = Drive(form.drive.link, *ends, float(form.drive.speed), float(form.drive.acceleration))
+    drive = drive_of(survey, ends, links)
     working = form.output.working if form.output else SLOWER
     through = form.mechanism.through
     return Mechanism(survey.scene.heading(), datum, links, slides, drive, sketch, output, through, working)
-
-
-def _drive_ends(survey: Survey) -> tuple[str, str] | None:
-    """Find the drive's fixed hinge and its far end."""
-    link, path = survey.form.drive.link, ("drive", "link")
-    if not survey.know_link(path, link):
-        return None
-    points = survey.points_of[link]
-    fixed = [name for name in points if name in survey.points_of[FRAME]]
-    free = [name for name in points if name not in fixed]
-    if survey.doubtful(path, ("mechanism", "links", str(link)), ("mechanism", "frame")):
-        return (fixed[0], free[0]) if fixed and free else None
-    if len(fixed) > 1:
-        survey.report(path, "many_hinges", points=", ".join(fixed), link=link)
-        survey.doubts.add(("mechanism", "links", str(link)))
-    elif not fixed:
-        advice = message("advice.hinge", link=link)
-        survey.report(path, "no_hinge", suggestion=survey.twin(points, survey.points_of[FRAME]) or advice)
-    elif not free:
-        survey.report(path, "no_end", link=link, pivot=fixed[0])
-    return (fixed[0], free[0]) if fixed and free else None
 
 
 def _sketch(survey: Survey, datum: Spot) -> dict[str, complex]:
@@ -99,7 +75,7 @@ def _sketch(survey: Survey, datum: Spot) -> dict[str, complex]:
 def _with_crank(survey: Survey, ends: tuple[str, str] | None, places: dict[str, complex]) -> dict[str, complex]:
     """Add the place of the crank's end, where the first crank angle gives it better than no sketch."""
     first = survey.form.drive.first
-    if not ends or ends[1] in places or first is None:
+    if not ends or ends[1] in places or first is None or survey.form.drive.stroke:
         return places
     size = Shaper(survey, places).length(*ends)
     return places if size is None else {**places, ends[1]: float(size) * direction(first)}

@@ -109,5 +109,6 @@ def _sketch(scene: Scene, form: LinkageForm) -> Iterator[Fault]:
 
 
 def _rest(scene: Scene, form: LinkageForm) -> Iterator[Fault]:
-    if not form.drive.speed and not form.drive.acceleration:
-        yield scene.fault(("drive", "speed"), "at_rest")
+    drive, path = form.drive.stroke or form.drive, ("drive", "stroke") if form.drive.stroke else ("drive",)
+    if not drive.speed and not drive.acceleration:
+        yield scene.fault((*path, "speed"), "at_rest")

@@ -10,10 +10,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from drawings.lettering.words import decimal, number, span
+from drawings.lettering.words import decimal, number
 from drawings.paper.limits import MANY
 from drawings.report.chapters import Chapters
 from drawings.report.gap_lines import gap_line, gap_lines, positions
+from drawings.report.linkage.data_chapter import data, structure
+from drawings.report.linkage.equations_chapter import drawn_scales, equations, shown_positions
+from drawings.report.linkage.greatest import first_numbers
 from drawings.report.markdown import chapter, header, heading, row
 from drawings.report.stroke_lines import stroke_line
 from plans.checks.compare import NOT_GRADED, MotionComparison, notches
@@ -24,7 +27,6 @@ from plans.linkage.pressure import interval
 from plans.linkage.study import EXTREMES, LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.model.order import PLANS
-from plans.model.structure import formula, mechanism_class
 from plans.study import Study
 from plans.words.words import Message, message, term, word
 
@@ -39,16 +41,24 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     linkage, comparison = study["linkage"], study.comparison("linkage")
     passage = _passage(linkage, comparison)
     return Chapters(
-        chain(_structure(linkage), _extremes(linkage) if "extremes" in study.plans else (), passage),
-        _values(linkage, comparison),
+        chain(data(linkage), structure(linkage), _extremes(linkage) if "extremes" in study.plans else (), passage),
+        chain(_equations(linkage, comparison, leaves), _values(linkage, comparison)),
         _conditions(linkage),
         _left_out(study, linkage, leaves),
     )
 
 
+def _equations(
+    study: LinkageStudy, comparison: MotionComparison, leaves: Mapping[str, Sequence[Leaf]]
+) -> Iterator[str]:
+    """Write the vector equations of the positions that sheets show, by the construction."""
+    return equations(study, comparison.construction, drawn_scales(leaves), shown_positions(leaves))
+
+
 def headline(study: Study) -> str:
-    """Say which link is the output, and who chose it."""
-    return shown(study["linkage"])
+    """Say which link is the output, and who chose it; then its stroke and its greatest velocity and acceleration."""
+    linkage = study["linkage"]
+    return "\n".join(filter(None, (shown(linkage), first_numbers(linkage, study.comparison("linkage").construction))))
 
 
 def remarks(study: Study) -> list[Message]:
@@ -61,11 +71,6 @@ def remarks(study: Study) -> list[Message]:
     if near:
         lines.append(message("verdict.near", **positions(near)))
     return lines
-
-
-def faults(text: str, study: Study) -> Iterator[Message]:
-    """Find no fault: the values of a motion are printed from the comparison that was judged."""
-    yield from ()
 
 
 def shown(study: LinkageStudy) -> str:
@@ -84,18 +89,6 @@ def shallow(study: LinkageStudy) -> list[int]:
         return []
     worst = notches(study).max(axis=0)
     return [int(k) for k in np.flatnonzero(~study.lost & ~(worst < NOT_GRADED))]
-
-
-def _structure(study: LinkageStudy) -> Iterator[str]:
-    mechanism, say = study.mechanism, partial(word, study.language)
-    parts = {"n": mechanism.moving_links, "p": mechanism.lower_pairs, "w": mechanism.mobility}
-    yield chapter(study.language, "structure")
-    yield say("report.mobility", **parts)
-    yield say("report.formula", formula=formula(mechanism, study.groups), klass=mechanism_class(study.groups))
-    for group, side in zip(study.groups, study.sweep.sides, strict=True):
-        yield say("report.group", group=group.label, joints=group.kind, side=f"{side:+.0f}")
-    told = {name: span(np.ravel(rate), study.language) for name, rate in study.rates._asdict().items()}
-    yield say("report.drive", link=mechanism.drive.link, **told)
 
 
 def _extremes(study: LinkageStudy) -> Iterator[str]:

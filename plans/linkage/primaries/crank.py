@@ -11,8 +11,16 @@ from plans.linkage.groups import lead
 from plans.linkage.groups.vectors import Turning, Vector
 from plans.linkage.plan import Image, Plan, Reading
 from plans.model.mechanism import Mechanism
+from plans.model.motion import Complexes
 from plans.model.rates import Rates
 from plans.words.words import because
+
+FREE = "φ"
+
+
+def values(mechanism: Mechanism, turn: CrankPositions) -> Complexes:
+    """Give its directions, (N,)."""
+    return turn.directions
 
 
 def positions(mechanism: Mechanism, turn: CrankPositions) -> Plan:
@@ -22,7 +30,7 @@ def positions(mechanism: Mechanism, turn: CrankPositions) -> Plan:
     pivot = plan.point(drive.pivot)
     lead = points[drive.end] - points[drive.pivot]
     circle = plan.board.arc(f"{drive.pivot}{drive.end}", pivot, abs(lead), because("crank_circle"))
-    angles = plan.board.given("φ", turn.directions, because("crank_directions"))
+    angles = plan.board.given(FREE, turn.directions, because("crank_directions"))
     end = plan.name(drive.end, plan.board.divide(drive.end, circle, angles, because("divided")))
     arm = plan.board.join(f"{drive.pivot}{drive.end}", pivot, end, because("link", link=drive.link))
     plan.images[drive.link] = Image(pivot, arm, points[drive.pivot], lead)

@@ -8,9 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from drawings.lettering import words as lettering
 from drawings.lettering.words import number, runs
 from drawings.report.chapters import Chapters
 from drawings.report.gap_lines import gap_line, gap_lines
+from drawings.report.linkage.greatest import DIGITS as FEW_DIGITS
+from drawings.report.linkage.greatest import greatest
 from drawings.report.markdown import chapter, header, row
 from drawings.report.stroke_lines import stroke_line
 from plans.checks.force_comparison import ForceComparison
@@ -44,8 +47,25 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
 
 
 def headline(study: Study) -> str:
-    """Say of loads of one stroke alone that their output reverses within it."""
-    return "\n".join(_reversals(study["forces"], study.scene.sheet.language))
+    """Give the greatest balancing moment; say of loads of one stroke alone that their output reverses within it."""
+    language = study.scene.sheet.language
+    return "\n".join(
+        [*_greatest(study.comparison("forces").construction, language), *_reversals(study["forces"], language)]
+    )
+
+
+def _greatest(found: Kinetostatics, language: str) -> Iterator[str]:
+    largest = greatest(found.balancing.moment)
+    if largest is not None:
+        size, unit = number(largest[0], language, FEW_DIGITS), lettering.word(language, "N*m")
+        yield word(
+            language,
+            "report.greatest",
+            letter=lettering.letter(language, "M_bal"),
+            size=size,
+            unit=unit,
+            position=largest[1],
+        )
 
 
 def remarks(study: Study) -> list[Message]:

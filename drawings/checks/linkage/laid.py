@@ -1,0 +1,104 @@
+"""A plan of positions as it must lie on its sheet: the links by the analysis (план положений на листе)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from functools import cached_property
+from typing import TYPE_CHECKING, NamedTuple, cast
+
+import numpy as np
+
+from drawings.figures.linkage.masses import NEAR
+from drawings.figures.linkage.ties import nearest
+from drawings.measure.measure import Measured
+from plans.analytic.balance.mass_centre import placed
+from plans.linkage.study import LinkageStudy
+from plans.model.mechanism import FRAME, Link, Mechanism
+from plans.model.motion import Motion
+from plans.model.order import POSITIONS
+
+if TYPE_CHECKING:
+    from plans.forces.reading.form import ForceForm
+
+Piece = tuple[complex, complex]
+
+
+class Ground(NamedTuple):
+    """Where the datum of a plan of positions lies on paper, mm, and its scale, m/mm."""
+
+    origin: complex
+    scale: float
+
+    def on(self, value: complex) -> complex:
+        """Give where a true place lies on paper, mm."""
+        return self.origin + value / self.scale
+
+
+def ground(measured: Measured) -> Ground | None:
+    """Read the datum and the scale off the points of the plan of positions; none where it shows none."""
+    seen = next((one for one in measured.points if one.plan == POSITIONS.plan), None)
+    return None if seen is None else Ground(seen.at - seen.value / seen.scale, seen.scale)
+
+
+class LaidMechanism:
+    """The links of a mechanism in one position, on paper by the analysis."""
+
+    def __init__(self, study: LinkageStudy, motion: Motion, position: int, at: Ground) -> None:
+        self.study, self.motion, self.position, self.at = study, motion, position, at
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """The mechanism."""
+        return self.study.mechanism
+
+    @cached_property
+    def centres(self) -> dict[str, tuple[int, complex]]:
+        """The mass centres that no point of the scene is or names: link, and place in its own frame."""
+        form, links = cast("ForceForm | None", self.study.scene.part("forces")), self.mechanism.links
+        masses = form.masses.items() if form else ()
+        found = {f"S{number}": (number, mass.place(links[number])) for number, mass in masses if number != FRAME}
+        known = {name for link in links.values() for name in link.points}
+        return {
+            name: one for name, one in found.items() if name not in known and not _on_a_point(links[one[0]], one[1])
+        }
+
+    @cached_property
+    def reach(self) -> float:
+        """How far the points of the mechanism come from its datum, m: no slot is longer than twice that."""
+        return float(np.nanmax([np.nanmax(np.abs(moved.r)) for moved in self.motion.points.values()]))
+
+    def true(self, link: int, own: complex) -> complex:
+        """Place a spot of a link, m."""
+        return own if link == FRAME else complex(placed(self.mechanism, self.motion, link, own)[self.position])
+
+    def on(self, link: int, own: complex) -> complex:
+        """Place a spot of a link on paper, mm; NaN at a gap."""
+        return self.at.on(self.true(link, own))
+
+    def pieces(self, link: int) -> Iterator[Piece]:
+        """Give what a link is drawn of on paper: pieces between its points, and the lines of its slots."""
+        mechanism = self.mechanism
+        ends = [self.on(link, own) for own in mechanism.links[link].points.values()]
+        yield from ((start, end) for start in ends for end in ends)
+        for slide in mechanism.slides:
+            if link in (slide.owner, slide.slider) and link != FRAME:
+                way = slide.way(link)
+                far = 2 * self.reach * way.direction
+                yield self.on(link, way.through - far), self.on(link, way.through + far)
+
+    def apart(self, link: int, spot: complex) -> float:
+        """Give how far a spot on paper is from a link, mm; NaN where the link has no place."""
+        return min(_apart(*piece, spot) for piece in self.pieces(link))
+
+
+def _on_a_point(link: Link, own: complex) -> bool:
+    """Tell whether a mass centre lies on a named point of its link, or nearer to it than is seen."""
+    off = [abs(place - own) for place in link.points.values()]
+    return min(off) <= NEAR * max(off)
+
+
+def _apart(start: complex, end: complex, spot: complex) -> float:
+    if math.isnan(start.real) or math.isnan(end.real):
+        return math.nan
+    return abs(spot - (nearest(start, end, spot) if start != end else start))

@@ -1,0 +1,96 @@
+"""The self-check of what stands beside the links: their numbers, mass centres and their ties (номера, центры масс)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from drawings.checks.linkage.laid import LaidMechanism
+from drawings.checks.wrong import on
+from drawings.figures.linkage.link_numbers import BESIDE
+from drawings.figures.linkage.masses import is_centre
+from drawings.figures.linkage.position_letters import LINKS
+from drawings.figures.linkage.position_plan import TIES
+from drawings.paper.limits import QUANTUM
+from drawings.paper.strokes import Circle, Group, Leaf, Line, Text
+from drawings.paper.walk import groups
+from drawings.symbols.symbols import BLOCK, DOUBLE, MASS, STAND
+from plans.model.mechanism import FRAME
+from plans.model.order import POSITIONS
+from plans.words.words import Message
+
+EXACT = 4 * QUANTUM  # mm: the sheet's origin and scale are read off marks that are rounded twice
+
+
+def faults(leaf: Leaf, laid: LaidMechanism) -> Iterator[Message]:
+    """Hold numbers and ties against the links as the analysis places them."""
+    yield from _numbers(leaf, laid)
+    yield from _ties(leaf, laid)
+
+
+def _named(leaf: Leaf, name: str) -> Iterator[Group]:
+    return (group for group in groups(leaf.groups) if group.name == name)
+
+
+def _numbers(leaf: Leaf, laid: LaidMechanism) -> Iterator[Message]:
+    """See that each link that has a place bears its number, beside it or by a leader that ends on it."""
+    seen = {content: number for group in _named(leaf, LINKS) for content, number in _numbered(group)}
+    for link in laid.mechanism.links:
+        number = seen.get(str(link))
+        if number is None:
+            yield from () if _placeless(laid, link) else (on("link_number", POSITIONS.plan, name=str(link)),)
+        elif not _beside(number, link, laid):
+            yield on("link_number", POSITIONS.plan, name=str(link))
+
+
+def _numbered(group: Group) -> Iterator[tuple[str, Group]]:
+    for one in group.strokes:
+        match one:
+            case Group((Circle(), Text() as text, *_)):
+                yield text.plain, one
+
+
+def _placeless(laid: LaidMechanism, link: int) -> bool:
+    """Tell whether a link has no place to be numbered at: at a gap, or a frame of guides alone."""
+    points = laid.mechanism.links[link].points
+    if link == FRAME:
+        return not any(name in laid.mechanism.hinges for name in points)
+    return all(math.isnan(laid.on(link, own).real) for own in points.values())
+
+
+def _beside(number: Group, link: int, laid: LaidMechanism) -> bool:
+    """Tell whether a number stands at its link; the frame's stands under the stand of a hinge."""
+    circle, dot = number.strokes[0], number.strokes[-1]
+    assert isinstance(circle, Circle)
+    if isinstance(dot, Circle) and dot is not circle:
+        return laid.apart(link, dot.centre) <= EXACT + (STAND[0] if link == FRAME else 0.0)
+    clear = STAND[0] if link == FRAME else abs(complex(*BLOCK)) / 2
+    return laid.apart(link, circle.centre) <= circle.radius + BESIDE + clear
+
+
+def _ties(leaf: Leaf, laid: LaidMechanism) -> Iterator[Message]:
+    """See that each mass centre off its link is tied to it."""
+    lines = [line for group in _named(leaf, TIES) for line in group.strokes if isinstance(line, Line)]
+    for name, link, spot in centres(laid):
+        if laid.apart(link, spot) > MASS and not any(_joins(line, spot, link, laid) for line in lines):
+            yield on("tie", POSITIONS.plan, name=name)
+
+
+def centres(laid: LaidMechanism) -> Iterator[tuple[str, int, complex]]:
+    """Give the mass centres that are drawn: letter, link, place on paper."""
+    hinges = laid.mechanism.hinges
+    named = {
+        name: (link.number, own)
+        for link in laid.mechanism.links.values()
+        for name, own in link.points.items()
+        if is_centre(name) and name not in hinges
+    }
+    for name, (number, own) in (named | laid.centres).items():
+        yield name, number, laid.on(number, own)
+
+
+def _joins(line: Line, spot: complex, link: int, laid: LaidMechanism) -> bool:
+    """Tell whether a line runs from a link, or a hinge of it, to the symbol of its mass centre."""
+    start, end = sorted((line.start, line.end), key=lambda one: -abs(one - spot))
+    off = ((spot - start) * (end - start).conjugate()).imag / abs(end - start)
+    return abs(off) <= EXACT and abs(end - spot) <= MASS + EXACT and laid.apart(link, start) <= DOUBLE[0]

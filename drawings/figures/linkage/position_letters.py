@@ -1,0 +1,49 @@
+"""The letters of the plan of positions: points, mass centres, arcs, numbers of links and of positions (обозначения)."""
+
+from __future__ import annotations
+
+import math
+
+from drawings.figures.linkage.link_numbers import frame_number, link_numbers
+from drawings.figures.linkage.numbering import numbers
+from drawings.figures.linkage.pairs import Pairs
+from drawings.figures.linkage.phases import Phase, phases
+from drawings.figures.linkage.rotation import Turning, turnings
+from drawings.layout.labels import Labels, free_side
+from drawings.lettering.indices import with_index
+from drawings.paper.hand import Hand
+from drawings.paper.strokes import Group, Stroke
+from drawings.symbols.symbols import ARROW_LENGTH
+
+LINKS = "links"  # the group of their numbers
+
+
+def letters(pairs: Pairs, labels: Labels) -> Group:
+    """Letter the points and number the positions, where the lines of all figures leave room."""
+    bones, place, hand = pairs.bones, pairs.place, pairs.sheet
+    strokes: list[Stroke] = []
+    for name in sorted(bones.numbered.points):
+        value = bones.spot(name, bones.shown)
+        if not math.isnan(value.real):
+            gap = pairs.clear(name) + 1.0
+            strokes.append(labels.beside(place.on(value), with_index(name), hand.letter, gap, _free(pairs, name)))
+    for name in bones.masses:
+        if name in pairs.centres:
+            strokes.append(labels.beside(pairs.centres[name], with_index(name), hand.letter, 2.5, math.pi / 4))
+    strokes += [_on_arc(turning, labels, hand) for turning in turnings(pairs)]
+    strokes += [_on_arc(phase, labels, hand) for phase in phases(pairs, bones.study.language)]
+    strokes += numbers(pairs, labels)
+    links = *link_numbers(pairs, bones.links, labels, hand), *frame_number(pairs, labels, hand)
+    return Group((*strokes, Group(links, LINKS)))
+
+
+def _on_arc(arc: Turning | Phase, labels: Labels, hand: Hand) -> Stroke:
+    """Letter an arc about the crank's pivot in its middle, outside."""
+    middle, away = arc.middle
+    return labels.beside(middle, arc.letter, hand.letter, 1.5, away)
+
+
+def _free(pairs: Pairs, name: str) -> float:
+    """Give the side of a point that the bars leave free."""
+    spot = pairs.place.on(pairs.bones.spot(name, pairs.bones.shown))
+    return free_side(spot, pairs.bars(), pairs.clear(name) + ARROW_LENGTH)

@@ -1,0 +1,116 @@
+r"""Formulas of a note in Markdown's math, as GitHub and pandoc read it (формулы записки).
+
+What Markdown would take for its own stands in none of them: no asterisk, bar or tilde, no backslash before a
+punctuation mark, and every underscore after a letter or a digit.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from drawings.lettering.words import letter as lettered
+from drawings.lettering.words import word
+from drawings.page.drafting import Drafting
+
+DIGITS = 5
+DIRECTION, FULL = 1, 2  # lines under a vector: its direction alone is known, or all of it
+_GREEK = {
+    "ω": r"\omega", "ε": r"\varepsilon", "φ": r"\varphi", "μ": r"\mu", "Φ": r"\Phi", "τ": r"\tau", "η": r"\eta",
+    "θ": r"\theta", "ψ": r"\psi", "π": r"\pi", "δ": r"\delta", "Σ": r"\sum",
+}  # fmt: skip
+_LETTER = re.compile(r"(?P<head>[^_^]+?)(?P<primes>'*)(?:\^(?P<up>\{.*?\}|.))?(?:_(?P<low>\{.*\}'*|[^_]+))?")
+
+
+class Formula:
+    """Writes letters, numbers and units of one language in math."""
+
+    def __init__(self, drafting: Drafting) -> None:
+        self.drafting = drafting
+
+    def letter(self, markup: str) -> str:
+        r"""Write a letter with its indices: R^t_{34} as R_{34}^{\tau} in Russian."""
+        found = _LETTER.fullmatch(lettered(self.drafting.language, markup))
+        if found is None:
+            return _text(markup)
+        head, up, low = found["head"], found["up"], found["low"]
+        if head not in _GREEK and not (head.isascii() and len(head) == 1):
+            return _text(markup.replace("_", "").replace("{", "").replace("}", ""))
+        told = _GREEK.get(head, head)
+        told += f"_{{{_index(low)}}}" if low else ""
+        up = f"{{{_index(up)}}}" if up else ""
+        return told + (f"^{up}" if up else "") + found["primes"]
+
+    def vector(self, markup: str, known: int = 0) -> str:
+        """Write a vector with its bar, and as many lines under it as tell what is known of it."""
+        bare = self.letter(markup)
+        told = rf"\overline{{{bare}}}" if bare.startswith(r"\text") else rf"\bar {bare}"
+        for _ in range(known):
+            told = rf"\underline{{{told}}}"
+        return told
+
+    def segment(self, *images: str) -> str:
+        r"""Write a distance between images on a plan by their letters: p and a3 as pa_{3}."""
+        told = ""
+        for image in images:
+            apart = " " if re.search(r"\\[a-z]+$", told) else ""
+            told += apart + self.letter(_lowered(image))
+        return told
+
+    def line(self, points: str) -> str:
+        """Write a line by its two points: CB, B1C as B_{1}C."""
+        return _index(points)
+
+    def number(self, value: float) -> str:
+        """Write a number with its decimal mark, which in math needs braces."""
+        return self.drafting.number(value, DIGITS).replace("−", "-").replace(",", "{,}")
+
+    def factor(self, value: float) -> str:
+        """Write a number that stands in a product: a negative one in brackets."""
+        told = self.number(value)
+        return f"({told})" if told.startswith("-") else told
+
+    def quantity(self, value: float, unit: str) -> str:
+        """Write a number with its unit."""
+        return rf"{self.number(value)}\text{{ {word(self.drafting.language, unit)}}}"
+
+
+def inline(*equals: str) -> str:
+    """Write sides that equal each other within a line."""
+    return f"${' = '.join(equals)}$"
+
+
+def display(equation: str) -> list[str]:
+    """Write an equation on a line of its own."""
+    return [f"$${equation}$$", ""]
+
+
+def total(terms: Sequence[str]) -> str:
+    """Add terms up, each with its own sign.
+
+    >>> total(["a", "-b", "c"])
+    'a - b + c'
+    """
+    first, *rest = terms
+    return first + "".join(f" - {one[1:]}" if one.startswith("-") else f" + {one}" for one in rest)
+
+
+def _text(text: str) -> str:
+    return rf"\text{{{text}}}"
+
+
+def _index(index: str) -> str:
+    """Write an index: letters of points as they are, words upright."""
+    bare = re.fullmatch(r"\{(.*)\}('*)", index)
+    told = bare[1] + bare[2] if bare else index
+    if told in _GREEK:
+        return _GREEK[told]
+    if not told.isascii() or (told.upper() != told and len(told) > 1):
+        return _text(told)
+    return re.sub(r"([A-Z])(\d+)", r"\1_{\2}", told)
+
+
+def _lowered(image: str) -> str:
+    """Lower the number of an image's letter: a3 as a_{3}."""
+    found = re.fullmatch(r"(\D+?)(\d+)('*)", image)
+    return f"{found[1]}_{{{found[2]}}}{found[3]}" if found and "_" not in image else image

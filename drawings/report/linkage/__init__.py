@@ -1,0 +1,1 @@
+"""What is told of a linkage beside its sheets: data, structure, equations of plans, tables of motion (записка)."""

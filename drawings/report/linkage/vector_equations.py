@@ -1,0 +1,189 @@
+"""The vector equations of the plans with the numbers of one position put in (векторные уравнения)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+from drawings.report.formula import DIRECTION, FULL, Formula, inline, total
+from plans.linkage.groups.vector_sums import VectorSum, VectorSums
+from plans.linkage.letters import POLES
+from plans.model.dyad import Dyad
+from plans.model.kinetostatics import NOTHING
+from plans.model.order import ACCELERATIONS, VELOCITIES
+from plans.words.words import word
+
+V, A = VELOCITIES.plan, ACCELERATIONS.plan
+UNIT = {order.plan: order.point.unit for order in (VELOCITIES, ACCELERATIONS)}
+SYMBOL = {order.plan: order.point.symbol for order in (VELOCITIES, ACCELERATIONS)}
+
+
+class Plans(NamedTuple):
+    """What equations of one position are written by: the sums, the plans' scales by their names, the largest vectors.
+
+    A plan that is not drawn has no scale, and its vectors no length on paper.
+    """
+
+    sums: VectorSums
+    scales: Mapping[str, float]
+    largest: Mapping[str, float]
+
+
+class VectorEquations:
+    """Writes the equations of groups: in letters, and with the numbers of a position."""
+
+    def __init__(self, plans: Plans, formula: Formula) -> None:
+        self.plans, self.sums, self.formula = plans, plans.sums, formula
+        self.language = formula.drafting.language
+
+    def lettered(self, legs: tuple[VectorSum, ...]) -> Iterator[str]:
+        """Write velocities and accelerations as sums, with what is known of each term."""
+        guided = any(leg.guided for leg in legs)
+        for plan in (V, A):
+            for leg in (leg for leg in legs if not leg.guided):
+                terms = self._terms(leg, plan, DIRECTION if guided else 0)
+                still = rf",\quad {self._of(plan, leg.base)} = 0" if leg.fixed else ""
+                yield f"{terms[0]} = {total(terms[1:])}{still}"
+
+    def directions(self, legs: tuple[VectorSum, ...]) -> str:
+        """Say along what the terms of known direction go."""
+        return word(self.language, "report.directions", directions="; ".join(self._direction(leg) for leg in legs))
+
+    def crank(self, leg: VectorSum) -> Iterator[str]:
+        """Give the velocity and the acceleration of the crank's end."""
+        formula, link, omega = self.formula, leg.link, abs(self.sums.omega(leg.link))
+        arm, spin = self._arm(leg), formula.letter(f"ω_{link}")
+        v, length = self._of(V, leg.point), formula.number(leg.length)
+        yield inline(v, rf"{spin} {arm}", rf"{formula.number(omega)} \cdot {length}", self._size(V, leg.velocity[1]))
+        yield from self._laid(V, leg.velocity[1], v, "p", leg.images[2])
+        yield from self._normal(leg)
+        epsilon = abs(self.sums.epsilon(link))
+        if self._seen(A, leg.acceleration[2]):
+            product = rf"{formula.number(epsilon)} \cdot {length}"
+            turning = rf"{formula.letter(f'ε_{link}')} {arm}"
+            yield inline(self._part("t", leg), turning, product, self._size(A, leg.acceleration[2]))
+        yield from self._whole(A, sum(leg.acceleration), leg.point, leg.images[2])
+
+    def numbers(self, dyad: Dyad) -> Iterator[str]:
+        """Give what the plans tell of a group: relative parts, angular rates, its point, and points by similarity."""
+        legs = self.sums.of(dyad)
+        for leg in sorted(legs, key=lambda leg: not leg.turns):  # a Coriolis part needs the rate of its link
+            yield from self._turning(leg) if leg.turns else self._sliding(leg)
+        first = legs[0]
+        for plan, whole in ((V, sum(first.velocity)), (A, sum(first.acceleration))):
+            yield from self._whole(plan, whole, first.point, first.images[2])
+        yield from self._similar(dyad)
+
+    def _terms(self, leg: VectorSum, plan: str, known: int) -> list[str]:
+        vector = self.formula.vector
+        terms = [vector(self._letter(plan, leg.point), known), vector(self._letter(plan, leg.base), FULL)]
+        if plan == V:
+            return [*terms, vector(f"v_{{{leg.relative}}}", DIRECTION)]
+        parts = zip(("n", "t") if leg.turns else ("k", "r"), (FULL, DIRECTION), strict=True)
+        return [*terms, *(vector(f"a^{part}_{{{leg.relative}}}", known) for part, known in parts)]
+
+    def _direction(self, leg: VectorSum) -> str:
+        letter = self.formula.vector
+        if leg.turns:
+            square = rf"{letter(f'v_{{{leg.relative}}}')} \perp {self.formula.line(leg.arm)}"
+            return rf"${square}$, ${letter(f'a^n_{{{leg.relative}}}')} \parallel {self.formula.line(leg.arm)}$"
+        moving = f"v_{{{leg.point}}}" if leg.guided else f"v_{{{leg.relative}}}"
+        if leg.guided or not leg.slot:
+            return word(self.language, "report.along", vector=f"${letter(moving)}$")
+        return rf"${letter(moving)} \parallel {self.formula.line(leg.slot)}$"
+
+    def _turning(self, leg: VectorSum) -> Iterator[str]:
+        formula, link = self.formula, leg.link
+        v = formula.letter(f"v_{{{leg.relative}}}")
+        yield from self._read(V, leg.velocity[1], v, leg.images[0] or "p", leg.images[2])
+        yield self._rate("ω", leg, self.sums.omega(link), leg.velocity[1], v)
+        yield from self._normal(leg)
+        t = self._part("t", leg)
+        yield from self._read(A, leg.acceleration[2], t, leg.images[1], leg.images[2])
+        yield self._rate("ε", leg, self.sums.epsilon(link), leg.acceleration[2], t)
+
+    def _sliding(self, leg: VectorSum) -> Iterator[str]:
+        formula = self.formula
+        if leg.guided:
+            return
+        v = formula.letter(f"v_{{{leg.relative}}}")
+        yield from self._read(V, leg.velocity[1], v, leg.images[0], leg.images[2])
+        omega, k = abs(self.sums.omega(leg.link)), leg.acceleration[1]
+        product = rf"2 \cdot {formula.number(omega)} \cdot {formula.number(self._abs(V, leg.velocity[1]))}"
+        letters = rf"2 {formula.letter(f'ω_{leg.link}')} {v}"
+        yield inline(self._part("k", leg), letters, product, self._size(A, k))
+        yield from self._laid(A, k, self._part("k", leg), leg.images[0], leg.images[1])
+        yield from self._read(A, leg.acceleration[2], self._part("r", leg), leg.images[1], leg.images[2])
+
+    def _normal(self, leg: VectorSum) -> Iterator[str]:
+        formula, part = self.formula, self._part("n", leg)
+        omega, n = abs(self.sums.omega(leg.link)), leg.acceleration[1]
+        square = rf"{formula.letter(f'ω_{leg.link}')}^{{2}} {self._arm(leg)}"
+        product = rf"{formula.number(omega)}^{{2}} \cdot {formula.number(leg.length)}"
+        yield inline(part, square, product, self._size(A, n))
+        yield from self._laid(A, n, part, leg.images[0] or POLES[A], leg.images[1])
+
+    def _rate(self, symbol: str, leg: VectorSum, rate: float, part: complex, letter: str) -> str:
+        """Write ω or ε of a link from a part over the arm, with its sense."""
+        formula, plan = self.formula, V if symbol == "ω" else A
+        size = self._abs(plan, part)
+        unit = {V: VELOCITIES.link.unit, A: ACCELERATIONS.link.unit}[plan]
+        ratio = f"{formula.number(size)} / {formula.number(leg.length)}"
+        told = formula.quantity(abs(rate) if size else 0.0, unit)
+        sense = "at rest" if not size else "counter-clockwise" if rate > 0 else "clockwise"
+        line = inline(formula.letter(f"{symbol}_{leg.link}"), f"{letter} / {self._arm(leg)}", ratio, told)
+        return f"{line}, {word(self.language, f'way.{sense}')}" if size else line
+
+    def _similar(self, dyad: Dyad) -> Iterator[str]:
+        """Tell the points of a group's links that similarity gives."""
+        motion, k = self.sums.motion, self.sums.position
+        for point in dict.fromkeys(self.sums.others(dyad)):
+            if point in motion.points:
+                rows, image = motion.points[point], self.sums.letters.small(point)
+                yield from self._whole(V, complex(rows.v[k]), point, image)
+                yield from self._whole(A, complex(rows.a[k]), point, image)
+
+    def _whole(self, plan: str, value: complex, point: str, image: str) -> Iterator[str]:
+        yield from self._read(plan, value, self._of(plan, point), POLES[plan], image)
+
+    def _read(self, plan: str, value: complex, letter: str, start: str, end: str) -> Iterator[str]:
+        """Write a vector that is measured on a plan: its length there by the scale."""
+        formula, mu = self.formula, self.plans.scales.get(plan)
+        if mu is None or not self._seen(plan, value):
+            yield inline(letter, self._size(plan, value))
+            return
+        scale = formula.letter(f"μ_{SYMBOL[plan]}")
+        length = formula.number(abs(value) / mu)
+        product = rf"{length} \cdot {formula.number(mu)}"
+        yield inline(letter, rf"{formula.segment(start, end)} \cdot {scale}", product, self._size(plan, value))
+
+    def _laid(self, plan: str, value: complex, letter: str, start: str, end: str) -> Iterator[str]:
+        """Write the length at which a known vector is laid off."""
+        formula, mu = self.formula, self.plans.scales.get(plan)
+        if mu is not None and self._seen(plan, value):
+            scale = formula.letter(f"μ_{SYMBOL[plan]}")
+            ratio = f"{formula.number(abs(value))} / {formula.number(mu)}"
+            told = formula.quantity(abs(value) / mu, "mm")
+            yield inline(formula.segment(start, end), f"{letter} / {scale}", ratio, told)
+
+    def _part(self, name: str, leg: VectorSum) -> str:
+        return self.formula.letter(f"a^{name}_{{{leg.relative}}}")
+
+    def _arm(self, leg: VectorSum) -> str:
+        return self.formula.letter(f"l_{{{leg.arm}}}")
+
+    def _letter(self, plan: str, point: str) -> str:
+        return f"{SYMBOL[plan]}_{{{point}}}"
+
+    def _of(self, plan: str, point: str) -> str:
+        return self.formula.letter(self._letter(plan, point))
+
+    def _seen(self, plan: str, value: complex) -> bool:
+        return self._abs(plan, value) > 0
+
+    def _abs(self, plan: str, value: complex) -> float:
+        """Give the size of a vector; one that is but rounding of the plan's largest is none."""
+        return abs(value) if abs(value) > NOTHING * self.plans.largest[plan] else 0.0
+
+    def _size(self, plan: str, value: complex) -> str:
+        return self.formula.quantity(self._abs(plan, value), UNIT[plan])

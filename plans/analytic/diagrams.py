@@ -1,0 +1,118 @@
+"""The kinematic diagrams by analysis: the output's course by its closed loops, mean rates of its parts (разности)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from plans.analytic.kinematics import Analysis
+from plans.model.diagrams import TURN, Axis, Count, Diagrams
+from plans.model.mechanism import FRAME, Mechanism, Output
+from plans.model.motion import Extremes, Floats, Motion
+
+NODES = 360  # of the axis at least, close enough to follow an angle by
+
+
+def diagrams(road: Analysis, output: Output, extremes: Extremes | None, axis: Axis, motion: Motion) -> Diagrams:
+    """Find the diagrams over an axis; `motion` is that at all positions of the scene.
+
+    v over a part is the way over it by its time, a between two parts what v gains from middle to middle by that time.
+    """
+    drive, far = road.mechanism.drive, _Way(road, output, axis)
+    omega = abs(drive.omega)
+    count = _count(far, extremes, axis)
+    at = count.course(
+        axis.turned, far.followed(axis.turned, _rows(road.mechanism, output, motion, axis.numbers)), omega
+    )
+    speeds = _rates(at.s, axis.turned, omega, axis.joined)
+    lead = drive.epsilon / drive.omega
+    return Diagrams(
+        by="analysis",
+        axis=axis,
+        count=count,
+        lead=lead,
+        at=at,
+        speeds=speeds,
+        growths=_gains(speeds, axis, omega),
+        true_speeds=np.where(axis.joined, count.course(axis.middles, far.at(axis.middles), omega).v, np.nan),
+        true_growths=np.where(axis.between, count.course(axis.places, far.at(axis.places), omega).even(lead), np.nan),
+    )
+
+
+class _Way:
+    """The output's coordinate over an axis by analysis, an angle followed from node to node."""
+
+    def __init__(self, road: Analysis, output: Output, axis: Axis) -> None:
+        self.road, self.output, self.axis = road, output, axis
+        self.nodes = axis.fine(NODES)
+        self.along = self.at(self.nodes, followed=False)[0]
+        self.turns = _slide_of(road.mechanism, output) is None
+        if self.turns:
+            self.along = np.unwrap(self.along)
+
+    def at(self, turned: Floats, followed: bool = True) -> list[Floats]:
+        """Give the coordinate, its velocity and acceleration at angles of the axis, (N,) each; NaN at NaN."""
+        known = np.flatnonzero(np.isfinite(turned))
+        sense = -1.0 if self.road.mechanism.drive.omega < 0 else 1.0
+        motion = self.road.around(self.axis.start + sense * turned[known])
+        rows = [np.full(len(turned), np.nan) for _ in range(3)]
+        for row, values in zip(rows, _rows(self.road.mechanism, self.output, motion), strict=True):
+            row[known] = values
+        return self.followed(turned, rows) if followed else rows
+
+    def followed(self, turned: Floats, rows: Sequence[Floats]) -> list[Floats]:
+        """Add whole turns to an angle so that it goes on from node to node."""
+        first, *rest = rows
+        if self.turns:
+            first = first + TURN * np.round((np.interp(turned, self.nodes, self.along) - first) / TURN)
+        return [first, *rest]
+
+
+def _count(far: _Way, extremes: Extremes | None, axis: Axis) -> Count:
+    """Count from where the working stroke begins, in its sense; else an even turn aside, or from the least."""
+    if extremes is not None:
+        begun, ended = extremes.reach
+        aside = (
+            0.0 if not far.turns else np.round((np.ptp(far.along) / 2 + far.along.min() - (begun + ended) / 2) / TURN)
+        )
+        return Count(begun + TURN * float(aside), float(np.sign(ended - begun)))
+    net = float(np.round((far.along[-1] - far.along[0]) / TURN)) if far.turns and axis.closed else 0.0
+    at = far.at(axis.turned)[0]
+    return Count(float(np.mean((at - net * axis.turned)[:-1])), 1.0, net) if net else Count(float(np.nanmin(at)))
+
+
+def _slide_of(mechanism: Mechanism, output: Output) -> tuple[complex, complex, str] | None:
+    """Give the guide of an output on the frame: a place of it, its direction, the point that is followed."""
+    for slide in mechanism.slides:
+        if {slide.slider, slide.owner} == {FRAME, output.link}:
+            way = slide.way(FRAME)
+            return way.through, way.direction, output.point or slide.point
+    return None
+
+
+def _rows(
+    mechanism: Mechanism, output: Output, motion: Motion, chosen: Sequence[int] | slice = slice(None)
+) -> list[Floats]:
+    """Read the coordinate, its velocity and acceleration off a motion, (N,) each."""
+    own, guide = (list(chosen) if not isinstance(chosen, slice) else chosen), _slide_of(mechanism, output)
+    if guide is None:
+        return [np.asarray(row[own], dtype=np.float64) for row in motion.links[output.link]]
+    through, direction, point = guide
+    place, *rates = motion.points[point]
+    return [np.asarray(((row * direction.conjugate()).real)[own]) for row in (place - through, *rates)]
+
+
+def _rates(values: Floats, turned: Floats, omega: float, there: np.ndarray) -> Floats:
+    """Give what values gain over each part, by its time; NaN of a part that is not passed."""
+    return np.asarray(np.where(there, omega * np.diff(values) / np.diff(turned), np.nan))
+
+
+def _gains(speeds: Floats, axis: Axis, omega: float) -> Floats:
+    """Give what the mean velocity gains from part to part, by the time from middle to middle, (M,)."""
+    gains = np.full(len(axis.turned), np.nan)
+    gains[1:-1] = omega * np.diff(speeds) / np.diff(axis.middles)
+    if axis.closed:
+        apart = axis.middles[0] + TURN - axis.middles[-1]
+        gains[[0, -1]] = omega * (speeds[0] - speeds[-1]) / apart
+    return gains

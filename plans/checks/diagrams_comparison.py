@@ -1,0 +1,129 @@
+"""The kinematic diagrams by both roads: the output's course at the positions, and the chords (сравнение диаграмм)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from geometry.calculus import ROUNDINGS
+from geometry.meet import EPS
+from plans.analytic.diagrams import diagrams
+from plans.checks.compare import ANALYSIS, MotionComparison, compare
+from plans.checks.comparison import Comparison, Finding
+from plans.diagrams.chords import DIAGRAMS
+from plans.diagrams.study import DiagramsStudy
+from plans.linkage.study import LinkageStudy
+from plans.linkage.travel import frame_slide
+from plans.model.diagrams import Diagrams
+from plans.model.motion import Floats
+from plans.model.order import ACCELERATIONS, ORDERS
+
+if TYPE_CHECKING:
+    from plans.study import Study
+
+LETTERS = {True: ("S", "v", "a"), False: ("ψ", "ω", "ε")}  # of an output that slides, and of one that turns
+
+
+@dataclass(frozen=True)
+class DiagramsComparison(Comparison):
+    """The diagrams of an output by both roads; nothing where there are none."""
+
+    construction: Diagrams
+    analysis: Diagrams
+    findings: tuple[Finding, ...]
+
+
+class NoDiagrams:
+    """What either road finds where there are no diagrams."""
+
+    by = "construction"
+    unanswered = ()
+
+
+def comparison_of(study: Study) -> Comparison:
+    """Compare the diagrams of a scene (row of the table of techniques)."""
+    own: DiagramsStudy = study["diagrams"]
+    ours = own.diagrams
+    if ours is None:
+        return Comparison(NoDiagrams(), NoDiagrams(), ())
+    motion = motion_of(study)
+    extremes = motion.road.extremes(own.linkage.output)
+    theirs = diagrams(motion.road, own.linkage.output, extremes, ours.axis, motion.analysis)
+    return DiagramsComparison(ours, theirs, tuple(_Bounds(own, ours, theirs, motion).findings()))
+
+
+def motion_of(study: Study) -> MotionComparison:
+    """Give the motion by both roads up to accelerations, whatever else is asked for."""
+    found: MotionComparison = study.comparison("linkage")
+    whole = found.construction.order == ACCELERATIONS.number == found.analysis.order
+    return found if whole else compare(study["linkage"])
+
+
+class _Bounds:
+    """What rounding allows both roads to differ by, from what it allows the plans' own points or links."""
+
+    def __init__(self, own: DiagramsStudy, ours: Diagrams, theirs: Diagrams, motion: MotionComparison) -> None:
+        self.own, self.ours, self.theirs, self.motion = own, ours, theirs, motion
+        self.axis, self.omega = ours.axis, own.course.omega
+
+    def findings(self) -> Iterator[Finding]:
+        """Compare S, v, a at the positions, v and a by chords, and exactly where these belong."""
+        letters = LETTERS[self.own.course.travel.sliding]
+        units = self.own.units
+        for order, (ours, theirs) in enumerate(zip(self.ours.at, self.theirs.at, strict=True)):
+            yield self._finding(letters[order], units[order], ours, theirs, self._plan(order))
+        chords = (
+            (f"{letters[1]} chords", units[1], self.ours.speeds, self.theirs.speeds, self._speeds),
+            (f"{letters[1]} middles", units[1], self.ours.true_speeds, self.theirs.true_speeds, self._middle(1)),
+            (f"{letters[2]} chords", units[2], self.ours.growths, self.theirs.growths, self._growths),
+            (f"{letters[2]} middles", units[2], self.ours.true_growths, self.theirs.true_growths, self._middle(2)),
+        )
+        for name, unit, ours, theirs, allowed in chords:
+            yield self._finding(name, unit, ours, theirs, allowed)
+
+    def _finding(self, name: str, unit: str, ours: Floats, theirs: Floats, allowed: Floats) -> Finding:
+        largest = float(np.nanmax(np.abs(theirs), initial=0.0))
+        return Finding(DIAGRAMS, name, unit, ours, theirs, np.abs(ours - theirs), allowed, largest)
+
+    def _plan(self, order: int) -> Floats:
+        """Give what the plan of an order allows the output at the positions, (M,); and of S what it allows its zero."""
+        linkage: LinkageStudy = self.own.linkage
+        slide, told = frame_slide(linkage.mechanism, linkage.output.link), ORDERS[order]
+        if slide is None:
+            name = f"{told.link.symbol}_{linkage.output.link}"
+        else:
+            name = f"{told.point.symbol}_{linkage.output.point or slide.point}"
+        found = next(one for one in self.motion.of(told.plan) if one.name == name)
+        own = np.broadcast_to(found.allowed, found.construction.shape)[list(self.axis.numbers)]
+        return np.asarray(own + self._zero if order == 0 else own)
+
+    @property
+    def _zero(self) -> float:
+        """What may part the two zeros of S: each is a coordinate that is stationary, or the least or the mean one."""
+        largest = float(np.nanmax(np.abs(self.ours.at.s)) + abs(self.ours.count.zero))
+        return ANALYSIS * EPS * float(np.nanmax(self.motion.kappa, initial=1.0)) * largest
+
+    @property
+    def _speeds(self) -> Floats:
+        """What the ends of each chord of S allow its slope, (M - 1,)."""
+        s = self._plan(0) + EPS * np.abs(self.ours.at.s + self.ours.count.zero)
+        own = self.omega * (s[1:] + s[:-1]) / np.diff(self.axis.turned)
+        return np.asarray(own + EPS * ROUNDINGS * np.abs(self.ours.speeds))
+
+    @property
+    def _growths(self) -> Floats:
+        """What the ends of each chord of v allow its slope, (M,)."""
+        v, parts = self._speeds, np.diff(self.axis.turned)
+        ends = np.array([v[-1], v[0]]), np.array([parts[-1], parts[0]])
+        both, wide = (np.concatenate([end[:1], row, end[1:]]) for end, row in zip(ends, (v, parts), strict=True))
+        own = self.omega * (both[1:] + both[:-1]) * 2 / (wide[1:] + wide[:-1])
+        return np.asarray(own + EPS * ROUNDINGS * np.abs(self.ours.growths))
+
+    def _middle(self, order: int) -> Floats:
+        """Allow a value between positions what the worst position is allowed."""
+        shape = (self.ours.true_speeds if order == 1 else self.ours.true_growths).shape
+        lead = abs(self.ours.lead) * float(np.nanmax(self._plan(1))) if order > 1 else 0.0
+        return np.full(shape, float(np.nanmax(self._plan(order))) + lead)

@@ -1,0 +1,1 @@
+"""Kinematic diagrams of the output (кинематические диаграммы)."""

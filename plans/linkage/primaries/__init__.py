@@ -1,0 +1,1 @@
+"""Primary links: the constructions from which all plans of a mechanism start (начальные звенья)."""

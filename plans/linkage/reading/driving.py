@@ -1,0 +1,104 @@
+"""The drive of a scene: a crank on the frame, or a link that is pushed along a guide of the frame (привод)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from decimal import Decimal
+from math import ceil, log2
+
+from plans.linkage.reading.form import FrameLine, SlideTable
+from plans.linkage.reading.shapes import Spot
+from plans.linkage.reading.stroke import StrokeTable
+from plans.linkage.reading.survey import Survey
+from plans.model.mechanism import FRAME, SLIDER, Drive, Link, Slide
+from plans.scene.faults import Path
+from plans.words.words import message
+
+ORIGIN: Spot = (Decimal(0), Decimal(0))
+LINK: Path = ("drive", "link")
+
+
+def drive_ends(survey: Survey) -> tuple[str, str] | None:
+    """Find the drive's fixed hinge and its far end; of a link that is pushed along its named point is both."""
+    if not survey.know_link(LINK, survey.form.drive.link):
+        return None
+    return _crank_ends(survey) if survey.form.drive.stroke is None else _pushed_ends(survey)
+
+
+def _crank_ends(survey: Survey) -> tuple[str, str] | None:
+    link = survey.form.drive.link
+    points = survey.points_of[link]
+    fixed = [name for name in points if name in survey.points_of[FRAME]]
+    free = [name for name in points if name not in fixed]
+    if survey.doubtful(LINK, ("mechanism", "links", str(link)), ("mechanism", "frame")):
+        return (fixed[0], free[0]) if fixed and free else None
+    if len(fixed) > 1:
+        survey.report(LINK, "many_hinges", points=", ".join(fixed), link=link)
+        survey.doubts.add(("mechanism", "links", str(link)))
+    elif not fixed and _pushed(survey) is not None:
+        survey.report(LINK, "stroke_needed", link=link)
+    elif not fixed:
+        advice = message("advice.hinge", link=link)
+        survey.report(LINK, "no_hinge", suggestion=survey.twin(points, survey.points_of[FRAME]) or advice)
+    elif not free:
+        survey.report(LINK, "no_end", link=link, pivot=fixed[0])
+    return (fixed[0], free[0]) if fixed and free else None
+
+
+def _pushed_ends(survey: Survey) -> tuple[str, str] | None:
+    _check_turnless(survey)
+    table, link = _pushed(survey), survey.form.drive.link
+    if table is None:
+        if not survey.doubtful(LINK, ("mechanism", "slides"), ("mechanism", "frame")):
+            survey.report(LINK, "no_guide", link=link)
+        return None
+    point = table.point or survey.points_of[link][0]
+    return point, point
+
+
+def _check_turnless(survey: Survey) -> None:
+    """See that nothing is asked for that a drive without a turn has not."""
+    scene = survey.scene
+    for name in scene.techniques:
+        form = scene.part(name)
+        if form is not None and form.needs_turn:
+            survey.report(("drive", "stroke"), "turn_needed", name=name)
+    for name in ("balancing", "gear"):
+        if scene.has(("drive", name)):
+            survey.report(("drive", name), "stroke_alone", name=name)
+
+
+def _pushed(survey: Survey) -> SlideTable | None:
+    """Give the slide on the frame of the drive's link."""
+    frame, link = set(survey.points_of[FRAME]), survey.form.drive.link
+    own = (table for table in survey.form.mechanism.slides if table.link == link)
+    return next((one for one in own if isinstance(one.along, FrameLine) or frame.issuperset(one.along)), None)
+
+
+def datum_of(survey: Survey, ends: tuple[str, str] | None) -> Spot:
+    """Give the point that coordinates are measured from: the drive's fixed hinge, or the point of its guide."""
+    frame = survey.form.mechanism.frame
+    if ends is None:
+        return ORIGIN
+    table = None if survey.form.drive.stroke is None else _pushed(survey)
+    if table is None:
+        return frame.get(ends[0], ORIGIN)
+    return table.along.through if isinstance(table.along, FrameLine) else frame[table.along[0]]
+
+
+def drive_of(survey: Survey, ends: tuple[str, str], links: Mapping[int, Link]) -> Drive:
+    """Make the drive of a scene; a stroke is counted in a power of two metres, near the largest length there is."""
+    form = survey.form.drive
+    if form.stroke is None:
+        return Drive(form.link, *ends, float(form.omega), float(form.acceleration))
+    guide = next(slide for slide in survey.slides if slide.slider == form.link and slide.owner == FRAME)
+    unit = _unit(form.stroke, guide, links)
+    omega, epsilon = (form.stroke.sense * float(rate) / unit for rate in (form.stroke.speed, form.stroke.acceleration))
+    return Drive(form.link, *ends, omega, epsilon, SLIDER, guide, unit)
+
+
+def _unit(stroke: StrokeTable, guide: Slide, links: Mapping[int, Link]) -> float:
+    """Give the power of two metres that no place of the stroke and no length of a link is beyond."""
+    places = [abs(place) for link in links.values() for place in link.points.values()]
+    ways = [abs(float(way)) for way in (stroke.from_, stroke.to)]
+    return float(2.0 ** ceil(log2(max(*places, *ways, abs(guide.on_owner.through)))))
