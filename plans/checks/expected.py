@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 
 from plans.linkage.groups.kinds import KINDS
-from plans.linkage.groups.vectors import Slotted, Turning
+from plans.linkage.groups.vectors import Slotted, Turning, Vector
 from plans.linkage.letters import Letters
 from plans.linkage.primary import PRIMARIES
 from plans.model.group import Group
@@ -31,8 +31,16 @@ class Expected:
         for group in groups:
             told += KINDS[group.kind].vectors(group)
         for vector in told:
-            found.update(self._turning(vector) if isinstance(vector, Turning) else self._slotted(vector))
+            found.update(self._of(vector))
         return found
+
+    def _of(self, vector: Vector) -> Iterable[tuple[Arrow, complex]]:
+        match vector:
+            case Turning():
+                return self._turning(vector)
+            case Slotted():
+                return self._slotted(vector)
+        return ()
 
     def moving(self) -> list[str]:
         """Give the points that have velocities of their own."""
