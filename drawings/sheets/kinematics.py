@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from typing import Any
 
@@ -22,9 +22,10 @@ from drawings.paper.strokes import Leaf
 from drawings.sheets.choice import plans, position
 from drawings.sheets.leaves import Draft, Exhibit, lay_out
 from drawings.sheets.notes import notes
+from geometry.board import Mark
 from plans.checks.compare import MotionComparison
 from plans.checks.hand.motion import plans_by_hand
-from plans.checks.parts import findings
+from plans.checks.parts import findings, spans
 from plans.linkage.study import LinkageStudy
 from plans.model.order import ORDERS, POSITIONS, VELOCITIES
 from plans.model.structure import formula
@@ -108,7 +109,14 @@ class _KinematicsSheet:
     def _diagram(self, subject: str, k: int) -> VectorDiagram:
         drafts = self.study.drafts()
         plan = drafts.velocities if subject == VELOCITIES.plan else drafts.accelerations
-        return diagram(plan, k, unnamed(self.study.scene, self.study.mechanism.links))
+        shown = diagram(plan, k, unnamed(self.study.scene, self.study.mechanism.links))
+        return replace(shown, parts=self._parts)
+
+    @cached_property
+    def _parts(self) -> dict[tuple[Mark, Mark], str]:
+        """The letters of relative vectors and of parts, by their ends on the plans."""
+        found = spans(self.study, self.study.drafts(), self.comparison.analysis)
+        return {(span.start, span.end): name for name, span in found.items()}
 
     def _why(self, subject: str, k: int) -> str:
         """Say in words why a plan is not drawn."""
