@@ -9,6 +9,10 @@ from typing import Any
 
 import numpy as np
 
+from drawings.figures.diagrams import frame as diagrams
+from drawings.figures.diagrams import kinematic_diagrams
+from drawings.figures.diagrams.diagram_notes import diagram_notes
+from drawings.figures.diagrams.output_table import output_table
 from drawings.figures.linkage import missing_plan, position_plan, vector_plan
 from drawings.figures.linkage.skeleton import Skeletons, skeletons
 from drawings.figures.linkage.vector_plan import VectorDiagram, diagram
@@ -21,6 +25,7 @@ from drawings.sheets.choice import plans, position
 from drawings.sheets.leaves import Draft, Exhibit, lay_out
 from drawings.sheets.notes import notes
 from plans.checks.compare import MotionComparison
+from plans.diagrams.study import DiagramsStudy
 from plans.linkage.study import LinkageStudy
 from plans.model.order import ORDERS, POSITIONS, VELOCITIES
 from plans.model.structure import formula
@@ -31,12 +36,12 @@ FOREMOST = 1.5  # the plan of positions is doubled though all the others are hal
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the kinematics sheets of a scene."""
-    return sheets(study["linkage"], study.comparison("linkage"))
+    return sheets(study["linkage"], study.comparison("linkage"), study["diagrams"])
 
 
-def sheets(study: LinkageStudy, comparison: MotionComparison) -> tuple[Leaf, ...]:
+def sheets(study: LinkageStudy, comparison: MotionComparison, output: DiagramsStudy | None = None) -> tuple[Leaf, ...]:
     """Lay out the kinematics sheet, and as many following ones as its figures need to stay readable."""
-    return lay_out(study.scene, [_KinematicsSheet(study, comparison).draft])
+    return lay_out(study.scene, [_KinematicsSheet(study, comparison, output).draft])
 
 
 def sheet(study: LinkageStudy, comparison: MotionComparison) -> Leaf:
@@ -50,6 +55,7 @@ class _KinematicsSheet:
 
     study: LinkageStudy
     comparison: MotionComparison
+    output: DiagramsStudy | None  # None: neither the output's diagrams nor their table are shown
 
     @cached_property
     def drafting(self) -> Drafting:
@@ -59,8 +65,10 @@ class _KinematicsSheet:
     def draft(self) -> Draft:
         """Title, figures, table and notes of the sheets."""
         words = notes(self.study, self.comparison, self.drafting.language)
-        title = self.drafting.word("sheet title")
-        return Draft("kinematics", title, (self._main(), *self._plans()), self._tables(), tuple(words), self._facts)
+        if self.output is not None:
+            words += diagram_notes(self.output, self.drafting)
+        title, shows = self.drafting.word("sheet title"), (self._main(), *self._plans(), *self._diagrams())
+        return Draft("kinematics", title, shows, self._tables(), tuple(words), self._facts)
 
     @cached_property
     def shown(self) -> int:
@@ -96,6 +104,13 @@ class _KinematicsSheet:
         draw = partial(vector_plan.draw, shown, room, drafting=self.drafting)
         return Exhibit(Panel(room, together=str(k), scale=self._shared(subject)), draw)
 
+    def _diagrams(self) -> list[Exhibit]:
+        """The output's diagrams, one under another."""
+        if self.output is None or not self.output.shown:
+            return []
+        room = kinematic_diagrams.measure(self.output, self.drafting)
+        return [Exhibit(Panel(room), partial(kinematic_diagrams.draw, self.output, drafting=self.drafting))]
+
     def _shared(self, subject: str) -> str:
         """Name the common scale of all plans of a kind; each has its own where the scene asks for that."""
         return subject if self.study.scene.sheet.scales == "common" else ""
@@ -112,11 +127,12 @@ class _KinematicsSheet:
         return self.drafting.word("no plan", plan=plan, position=k, reason=reason)
 
     def _tables(self) -> tuple[RuledTable, ...]:
-        """The table of values, without what the scene states."""
+        """The table of values, without what the scene states, and that of the output's course."""
         given = {f"{symbol}_{self.study.mechanism.drive.link}" for symbol in ("ω", "ε")}
         language = self.drafting.language
         lines = value_table.rows(self.comparison, self.positions, given, language) if self.positions else []
-        return (value_table.table(lines, self.positions, self.drafting),) if lines else ()
+        values = (value_table.table(lines, self.positions, self.drafting),) if lines else ()
+        return *values, *((output_table(self.output, self.drafting),) if self.output and self.output.shown else ())
 
     def _facts(self, names: Collection[str]) -> dict[str, Any]:
         """Say in the data of a sheet what its figures show."""
@@ -124,5 +140,6 @@ class _KinematicsSheet:
             "structure": formula(self.study.mechanism, self.study.groups),
             "positions": len(self.study.turn),
             "shown": self.shown if POSITIONS.plan in names else None,
+            "diagrams": diagrams.NAME in names,
             "plans": [k for k in self.positions if f"{VELOCITIES.plan}-{k}" in names],
         }
