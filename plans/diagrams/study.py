@@ -13,7 +13,6 @@ from plans.diagrams.course import OutputCourse
 from plans.diagrams.form import DiagramsForm
 from plans.linkage.study import LinkageStudy
 from plans.model.diagrams import MOST, Axis, Diagrams, axis_of, still, unfollowed
-from plans.model.mechanism import CRANK
 from plans.model.motion import Floats
 from plans.model.order import ORDERS
 from plans.words.words import Message, message
@@ -80,7 +79,7 @@ class DiagramsStudy:
     def unfit(self) -> Message | None:
         """See that one scale of time holds for all positions, and that they can be drawn."""
         drive = self.linkage.mechanism.drive
-        if drive.kind != CRANK:
+        if not drive.turns:
             return message("diagrams.drive")
         if self.linkage.pace is not None or drive.omega == 0:
             return message("diagrams.paced" if self.linkage.pace else "diagrams.rest")
