@@ -6,9 +6,9 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from geometry.hand_error import Hand
+from geometry.hand_error import Hand, slopes
 from plans.checks.compare import MotionComparison
-from plans.checks.hand.quantity import SLIP, Told, errors_by_hand
+from plans.checks.hand.quantity import SLIP, Slipping, Told, errors_by_hand
 from plans.checks.parts import Span, spans
 from plans.linkage.drafts import Drafts
 from plans.linkage.study import LinkageStudy
@@ -18,7 +18,11 @@ from plans.model.order import ORDERS, POSITIONS
 
 
 def motion_by_hand(
-    study: LinkageStudy, comparison: MotionComparison, positions: Sequence[int], scales: Mapping[str, Floats]
+    study: LinkageStudy,
+    comparison: MotionComparison,
+    positions: Sequence[int],
+    scales: Mapping[str, Floats],
+    by: Slipping = slopes,
 ) -> dict[str, Floats]:
     """Give within what 95 of 100 drawings are of each velocity, acceleration and rate, (positions,), in its unit.
 
@@ -26,11 +30,15 @@ def motion_by_hand(
     plans, true units a mm, one for each position. NaN: so near a dead centre that the slips of a hand tell nothing.
     """
     drafts = study.drafts(list(positions))
-    return errors_by_hand(motion_read(study, comparison, drafts), Hand(SLIP, scales))
+    return errors_by_hand(motion_read(study, comparison, drafts), Hand(SLIP, scales), by)
 
 
 def plans_by_hand(
-    study: LinkageStudy, comparison: MotionComparison, scales: Mapping[str, float], positions: Sequence[int]
+    study: LinkageStudy,
+    comparison: MotionComparison,
+    scales: Mapping[str, float],
+    positions: Sequence[int],
+    by: Slipping = slopes,
 ) -> dict[tuple[str, int], float]:
     """Give what a hand may be out on the drawn plans, by name and position; one without its plans has nothing.
 
@@ -44,7 +52,7 @@ def plans_by_hand(
     if not whole:
         return {}
     rows = {order.plan: np.array([scales[names[k][order.plan]] for k in whole]) for order in ORDERS}
-    found = motion_by_hand(study, comparison, whole, rows)
+    found = motion_by_hand(study, comparison, whole, rows, by)
     return {(name, k): float(error) for name, errors in found.items() for k, error in zip(whole, errors, strict=True)}
 
 
