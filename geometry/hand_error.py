@@ -73,7 +73,7 @@ def slopes(hand: Hand, *marks: Mark) -> dict[Mark, Slopes]:
 def number_error(moved: Slopes) -> Sizes:
     """Give within what 95 per cent of the drawings are of a number that the slips move so, (N,)."""
     slips = np.real(moved)
-    return _point(slips) * np.sqrt((slips**2).sum(axis=0))
+    return np.asarray(_point(slips) * np.sqrt((slips**2).sum(axis=0)))
 
 
 def size_error(vector: npt.NDArray[np.complex128], moved: Slopes) -> Sizes:
@@ -86,7 +86,7 @@ def size_error(vector: npt.NDArray[np.complex128], moved: Slopes) -> Sizes:
     up = np.sqrt(np.maximum((moved.imag**2).sum(axis=0) - skew**2, 0.0))
     ends = vector + _CLOUD.real[:, None] * (across + 1j * skew) + 1j * _CLOUD.imag[:, None] * up
     off = np.quantile(np.abs(np.abs(ends) - np.abs(vector)), SURE, axis=0)
-    return np.asarray(off * _point(dot(np.asarray(vector), moved)) / POINT)
+    return np.asarray(off * _point(np.asarray(dot(np.asarray(vector), moved))) / POINT)
 
 
 def _point(slips: Sizes) -> Sizes:
