@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from drawings.figures.linkage import missing_plan, position_plan, vector_plan
+from drawings.figures.linkage.masses import unnamed
 from drawings.figures.linkage.skeleton import Skeletons, skeletons
 from drawings.figures.linkage.vector_plan import VectorDiagram, diagram
 from drawings.layout import value_table
@@ -106,7 +107,8 @@ class _KinematicsSheet:
 
     def _diagram(self, subject: str, k: int) -> VectorDiagram:
         drafts = self.study.drafts()
-        return diagram(drafts.velocities if subject == VELOCITIES.plan else drafts.accelerations, k)
+        plan = drafts.velocities if subject == VELOCITIES.plan else drafts.accelerations
+        return diagram(plan, k, unnamed(self.study.scene, self.study.mechanism.links))
 
     def _why(self, subject: str, k: int) -> str:
         """Say in words why a plan is not drawn."""
@@ -117,7 +119,8 @@ class _KinematicsSheet:
 
     def _tables(self) -> tuple[RuledTable, ...]:
         """The table of values, without what the scene states."""
-        given = {f"{symbol}_{self.study.mechanism.drive.link}" for symbol in ("ω", "ε")}
+        drive = self.study.mechanism.drive
+        given = {f"{symbol}_{drive.link}" for symbol in "ωε"} if drive.turns else {f"{k}_{drive.end}" for k in "va"}
         language = self.drafting.language
         parts = findings(self.study, self.comparison) if self.positions else ()
         lines = value_table.rows(self.comparison, self.positions, given, language, parts) if self.positions else []

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
+import numpy as np
+
 from plans.linkage.groups.kinds import KINDS
 from plans.linkage.groups.vectors import Slotted, Turning, Vector
 from plans.linkage.letters import Letters
@@ -60,6 +62,14 @@ class Expected:
     def a(self, name: str) -> complex:
         """Acceleration of a point, m/s2."""
         return complex(self.motion.points[name].a[self.k])
+
+    def centre(self, link: int, own: complex, order: int) -> complex:
+        """Velocity (order 1) or acceleration (2) of a place of a link, by that of its first point (M3.1)."""
+        name, first = next(iter(self.mechanism.links[link].points.items()))
+        turned, rates = (own - first) * np.exp(1j * self.motion.links[link].angle[self.k]), self.motion.links[link]
+        omega, epsilon = float(rates.omega[self.k]), float(rates.epsilon[self.k])
+        spun = 1j * omega if order == 1 else 1j * epsilon - omega**2
+        return complex(self.motion.points[name][order][self.k] + spun * turned)
 
     def omega(self, link: int) -> float:
         """Angular velocity of a link, rad/s."""

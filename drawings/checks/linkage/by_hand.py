@@ -54,9 +54,9 @@ def missing_rows(leaf: Leaf, named: Mapping[str, Finding], due: Collection[str])
         yield from (message("wrong.row_missing", name=label) for label in absent)
 
 
-def wrong_scales(measured: Measured, leaf: Leaf) -> Iterator[Wrong]:
+def wrong_scales(measured: Measured, leaf: Leaf, figures: tuple[str, ...]) -> Iterator[Wrong]:
     """Name the figures that are drawn to other scales than the table counts with."""
-    scales = leaf.metadata["scales"]
+    scales = {name: mu for name, mu in leaf.metadata["scales"].items() if name.startswith(figures)}
     for mark in (*measured.vectors, *measured.points):
         told = scales.get(mark.plan, scales.get(f"{mark.plan}-{mark.position}"))
         if told is not None and not math.isclose(told, mark.scale):

@@ -15,12 +15,13 @@ from plans.checks.compare import MotionComparison
 from plans.checks.hand.motion import plans_by_hand
 from plans.checks.parts import findings
 from plans.linkage.study import LinkageStudy
+from plans.model.order import PLANS
 
 
 def faults(measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: MotionComparison) -> Iterator[Wrong]:
     """Read the table of values: each row that must be there, by plan, by analysis, and what a hand may be out."""
     positions = sorted({k for table in reading.value_tables(leaf) for k in reading.positions_of(table)})
-    yield from by_hand.wrong_scales(measured, leaf)
+    yield from by_hand.wrong_scales(measured, leaf, PLANS)
     if not positions:
         return
     due = value_table.told(comparison, findings(study, comparison))
