@@ -6,14 +6,14 @@ from collections.abc import Iterator
 
 from drawings.checks import reading
 from drawings.checks.linkage import by_hand
+from drawings.checks.linkage.laid import mass_centres
 from drawings.checks.wrong import Wrong
 from drawings.layout import value_table
 from drawings.measure.measure import Measured
 from drawings.paper.strokes import Leaf, Text
 from geometry import draughtsman, hand_error
 from plans.checks.compare import MotionComparison
-from plans.checks.hand.motion import plans_by_hand
-from plans.checks.parts import findings
+from plans.checks.hand.motion import MotionByHand
 from plans.linkage.study import LinkageStudy
 from plans.model.order import PLANS
 
@@ -24,13 +24,12 @@ def faults(measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: Moti
     yield from by_hand.wrong_scales(measured, leaf, PLANS)
     if not positions:
         return
-    due = value_table.told(comparison, findings(study, comparison))
+    told = MotionByHand(study, comparison, mass_centres(study))
+    due = value_table.told(comparison, told.parts)
     named = {Text(0j, value_table.label(one, study.language)).plain.rsplit(", ", 1)[0]: one for one in due}
     yield from reading.tables(leaf, named)
     ruled, tried = (
-        plans_by_hand(study, comparison, leaf.metadata["scales"], positions, slopes)
-        for slopes in (hand_error.slopes, draughtsman.slopes)
+        told.on_sheet(positions, leaf.metadata["scales"], slopes) for slopes in (hand_error.slopes, draughtsman.slopes)
     )
     yield from by_hand.wrong_cells(leaf, named, by_hand.Told(ruled, tried))
-    drive = study.mechanism.drive.link
-    yield from by_hand.missing_rows(leaf, named, {one.name for one in due} - {f"ω_{drive}", f"ε_{drive}"})
+    yield from by_hand.missing_rows(leaf, named, {one.name for one in due} - told.given)
