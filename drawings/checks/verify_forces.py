@@ -14,7 +14,7 @@ from drawings.checks.force_marks import lever_marks, polygon_marks
 from drawings.checks.forces.balancing_graph import PLAN as BALANCING
 from drawings.checks.forces.balancing_graph import ordinates
 from drawings.checks.forces.load_points import loads
-from drawings.checks.linkage import by_hand
+from drawings.checks.linkage import accord, by_hand
 from drawings.checks.reading import plain, reads, scales
 from drawings.checks.verify_friction import friction_of
 from drawings.checks.wrong import Wrong, on
@@ -114,6 +114,9 @@ class _Check:
         )
         yield from by_hand.wrong_cells(self.leaf, named, by_hand.Told(ruled, tried))
         yield from by_hand.wrong_scales(self.measured, self.leaf, tuple(FIGURES.values()))
+        yield from accord.faults(
+            self.leaf, self.comparison.exact, self.comparison.motion.kappa, self.statics.study.language
+        )
         yield from by_hand.wrong_headings(self.leaf, tuple(FIGURES.values()))
 
     def plans(self) -> Iterator[Message]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from drawings.checks import reading
-from drawings.checks.linkage import by_hand
+from drawings.checks.linkage import accord, by_hand
 from drawings.checks.linkage.laid import mass_centres
 from drawings.checks.wrong import Wrong
 from drawings.layout import value_table
@@ -22,6 +22,7 @@ def faults(measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: Moti
     """Read the table of values: each row that must be there, by plan, by analysis, and what a hand may be out."""
     positions = sorted({k for table in reading.value_tables(leaf) for k in reading.positions_of(table)})
     yield from by_hand.wrong_scales(measured, leaf, PLANS)
+    yield from accord.faults(leaf, comparison.findings, comparison.kappa, study.language)
     if not positions:
         return
     told = MotionByHand(study, comparison, mass_centres(study))

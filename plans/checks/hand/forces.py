@@ -11,7 +11,7 @@ from geometry.hand_error import Hand, slopes
 from plans.checks.hand.quantity import SLIP, Slipping, errors_by_hand
 from plans.forces.cut import indices
 from plans.forces.force_template import ForcePlans
-from plans.forces.primary import BALANCING, DRIVING
+from plans.forces.primary import BALANCING, DRIVING, balancing_quantity
 from plans.forces.statics import Statics
 
 # The figures of a force sheet on which each board of the record is drawn.
@@ -33,6 +33,10 @@ def forces_by_hand(
     }
     rows = {plan: np.array([max(found)]) for plan, found in coarsest.items() if found}
     found = errors_by_hand(dict(_forces_read(drawn)), Hand(SLIP, rows), by)
+    if drawn.lever is not None:
+        name, _, share = balancing_quantity(statics.study.mechanism.drive)
+        hung = errors_by_hand({name: drawn.lever.moment}, Hand(SLIP, rows), by)
+        found[f"{name} lever"] = share * hung[name]
     return {(name, position): float(error[0]) for name, error in found.items()}
 
 
@@ -47,5 +51,3 @@ def _forces_read(drawn: ForcePlans) -> Iterator[tuple[str, Mark]]:
     yield BALANCING, plan.balancing
     if plan.drive is not None:
         yield DRIVING, plan.drive
-    if drawn.lever is not None:
-        yield f"{BALANCING} lever", drawn.lever.moment

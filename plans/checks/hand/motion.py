@@ -11,7 +11,7 @@ from geometry.hand_error import Hand, slopes
 from plans.checks.compare import MotionComparison
 from plans.checks.comparison import Finding
 from plans.checks.hand.quantity import SLIP, Slipping, Told, errors_by_hand
-from plans.checks.parts import NONE, Masses, Span, findings, spans
+from plans.checks.parts import Masses, Span, findings, spans
 from plans.linkage.drafts import Drafts
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
@@ -28,7 +28,7 @@ class MotionByHand:
 
     study: LinkageStudy
     comparison: MotionComparison
-    masses: Masses = NONE
+    masses: Masses
 
     @property
     def parts(self) -> tuple[Finding, ...]:
