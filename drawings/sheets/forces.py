@@ -70,7 +70,7 @@ class _ForceSheet:
     @property
     def draft(self) -> Draft:
         """Title, figures, equations, table and notes of the sheets."""
-        words = notes(self.statics, self.position, self.drafting.language)
+        words = notes(self.statics, self.comparison, self.position, self.drafting.language)
         columns = (one for cut in self.plan.cuts for one in self._column(cut))
         loose = (*self._lever(), *self._loads(), *self._graph(), *self._hodographs())
         title = self.drafting.word("forces sheet title")
