@@ -13,6 +13,7 @@ from drawings.checks import reading
 from drawings.checks.force_marks import lever_marks, polygon_marks
 from drawings.checks.forces.balancing_graph import PLAN as BALANCING
 from drawings.checks.forces.balancing_graph import ordinates
+from drawings.checks.forces.lever_equation import LeverCheck
 from drawings.checks.forces.load_points import loads
 from drawings.checks.reading import plain, reads, scales
 from drawings.checks.verify_friction import friction_of
@@ -49,6 +50,7 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     yield from check.scales()
     yield from check.curves()
     yield from check.loads()
+    yield from check.lever()
     yield from friction_of(leaf, comparison, check.position, study.scene.sheet.language)
     yield from reading.tables(leaf, table_names(comparison, statics))
 
@@ -174,6 +176,11 @@ class _Check:
         motion = self.comparison.motion
         strokes = self.statics.over(motion.road.extremes)
         yield from loads(self.measured, self.leaf, self.statics.machine, strokes, motion.analysis)
+
+    def lever(self) -> Iterator[Wrong]:
+        """Hold the lever's equation of moments, and its arms."""
+        language = self.statics.study.scene.sheet.language
+        yield from LeverCheck(self.measured, self.leaf, self.expected(), language, self.slack).faults()
 
     def _held(self, plan: str, expected: Mapping[str, complex], slack: float) -> Iterator[Message]:
         told = [(one.plan, one.name, one.value, one.scale) for one in self.measured.vectors]

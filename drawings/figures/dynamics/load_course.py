@@ -34,6 +34,7 @@ class LoadCourse(NamedTuple):
     back: Branch
     places: tuple[complex, ...] = ()  # way + load * i in each position of a scene, NaN at gaps; those of `back` below
     returning: tuple[int, ...] = ()  # the positions of the idle stroke
+    shown: tuple[int, ...] = ()  # those that always bear their numbers
 
     @property
     def span(self) -> tuple[float, float]:
