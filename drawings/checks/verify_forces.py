@@ -30,6 +30,7 @@ from plans.checks.comparison import Finding
 from plans.checks.force_comparison import ForceComparison
 from plans.checks.force_expected import ExpectedForces
 from plans.forces.cut import indices
+from plans.forces.primary import balancing_quantity
 from plans.forces.statics import Statics
 from plans.model.order import VELOCITIES
 from plans.study import Study
@@ -158,11 +159,13 @@ class _Check:
     def curves(self) -> Iterator[Message]:
         """Hold the ordinates of the balancing moment and the ends of hodographs over the positions."""
         told = self.comparison.analysis
-        moments = {str(k): complex(0, value) for k, value in enumerate(told.balancing.moment)}
-        largest = max(np.nanmax(one.allowed) for one in self.comparison.of("forces") if one.name.startswith("M_bal"))
-        slack = 2 * float(largest) + told.nothing[1]
+        name, _, share = balancing_quantity(self.statics.study.mechanism.drive)
+        sizes = share * told.balancing.moment
+        moments = {str(k): complex(0, value) for k, value in enumerate(sizes)}
+        largest = max(np.nanmax(one.allowed) for one in self.comparison.of("forces") if one.name.startswith(name))
+        slack = 2 * float(largest) + share * told.nothing[1]
         yield from self._held(BALANCING, moments, slack)
-        yield from ordinates(self.measured, self.leaf, told.balancing.moment, slack)
+        yield from ordinates(self.measured, self.leaf, sizes, slack)
         language, sheet = self.statics.study.scene.sheet.language, self.statics.form.sheet
         for key in sheet.hodographs:
             one = told.reactions[key]
