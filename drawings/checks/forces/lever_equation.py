@@ -21,13 +21,13 @@ from drawings.paper.limits import SEEN
 from drawings.paper.strokes import Group, Leaf, Text
 from drawings.paper.walk import texts
 from plans.checks.force_expected import ExpectedForces
-from plans.forces.primary import DRIVING
+from plans.forces.primary import BALANCING, DRIVING
 from plans.model.kinetostatics import NOTHING
 from plans.words.words import message
 
 HEAD = "ΣMp:"
 HALF = 0.5000001  # of the last digit written, with what rounding leaves
-_ARM = re.compile(r"(?P<name>\S+) = (?P<value>[\d.,]+?),?(?: (?P<unit>\S+))?")
+_ARM = re.compile(r"(?P<name>\S+) = (?P<value>[−\d.,]+?),?(?: (?P<unit>\S+))?")
 
 
 class Due(NamedTuple):
@@ -73,6 +73,7 @@ class LeverCheck:
             figures = numbers[k] if k < len(numbers) and len(numbers) == len(letters) else None
             if known is None or figures is None or not self._holds(one, known, told.get(one.arm, ""), figures, mu):
                 yield message("wrong.equation", text=f"{one.force}·{one.arm}", cut=PLAN)
+        yield from self._given(told)
         if drawn:
             yield from self._arms(named)
 
@@ -82,6 +83,17 @@ class LeverCheck:
         drawn = word(self.language, "mm") in {one["unit"] for one in found}
         scales = [one.scale for one in self.measured.points if one.plan == PLAN]
         return {one["name"]: one["value"] for one in found}, scales[0] if drawn and scales else 1.0
+
+    def _given(self, told: Mapping[str, str]) -> Iterator[Wrong]:
+        """Hold the force that balances the lever and its moment about the shaft, as they are told."""
+        moment, k = self.expected.found.balancing.moment, self.expected.k
+        longest = self.expected.found.size
+        due = {self._letter(BALANCING): (float(moment[k]), self.slack * longest)}
+        if self._letter(DRIVING) in self._due:
+            due[self._letter(DRIVING)] = self._due[self._letter(DRIVING)].size, self.slack
+        for name, (value, slack) in due.items():
+            if name not in told or not _near(told[name], value, slack):
+                yield message("wrong.equation", text=f"{name} = {told.get(name, '')}", cut=PLAN)
 
     def _holds(self, one: Read, due: Due, arm: str, figures: Read, mu: float) -> bool:
         size, same = due.size, one.sign == figures.sign == (1 if due.power > 0 else -1)
@@ -182,14 +194,14 @@ def _force(force: complex, speed: complex) -> Due:
 
 def _near(text: str, value: float, slack: float) -> bool:
     """Tell whether a number is written as a value to its last digit, or to what it has of whole numbers."""
-    number = text.replace(",", ".")
+    number = text.replace(",", ".").replace("−", "-")
     last = 10.0 ** -len(number.partition(".")[2]) if "." in number else _whole(value)
     return math.isclose(float(number), value, rel_tol=0.0, abs_tol=HALF * last + slack)
 
 
 def _whole(value: float) -> float:
     """Give the last digit of a whole number of five digits at least, or what a shorter one stands for: 1."""
-    return max(1.0, 10.0 ** (math.floor(math.log10(value)) - 4)) if value else 1.0
+    return max(1.0, 10.0 ** (math.floor(math.log10(abs(value))) - 4)) if value else 1.0
 
 
 def _equations(group: Group) -> tuple[list[Read], list[Read]]:
