@@ -10,7 +10,7 @@ import numpy as np
 
 from plans.forces.loading import size_of, working_of
 from plans.forces.stroke import Stroke, asks
-from plans.model.machine import ALWAYS, IDLE, WORKING, Force, Machine, Moment, Track
+from plans.model.machine import ALWAYS, BACKWARD, FORWARD, IDLE, WORKING, Force, Machine, Moment, Track
 from plans.model.motion import Motion
 
 Branch: TypeAlias = tuple[complex, ...]  # corners: way m or degrees + load N or N*m * i, in the order of the motion
@@ -81,8 +81,8 @@ def course(load: Force | Moment, stroke: Stroke) -> LoadCourse:
     """Give the course of a load over its stroke."""
     low, high = stroke.reach
     length = abs(high - low) if stroke.sliding else math.degrees(abs(high - low))
-    out = tuple(_corners(load, length, False)) if load.during in (ALWAYS, WORKING) else ()
-    back = tuple(reversed([*_corners(load, length, True)])) if load.during in (ALWAYS, IDLE) else ()
+    out = tuple(_corners(load, length, False)) if load.during in (ALWAYS, WORKING, FORWARD) else ()
+    back = tuple(reversed([*_corners(load, length, True)])) if load.during in (ALWAYS, IDLE, BACKWARD) else ()
     return LoadCourse(load.name, not stroke.sliding, isinstance(load, Moment), length, load.overrun, out, back)
 
 
