@@ -11,6 +11,7 @@ import numpy as np
 
 from drawings.checks import reading
 from drawings.checks.force_marks import lever_marks, polygon_marks
+from drawings.checks.forces.attachments import Schemes
 from drawings.checks.forces.balancing_graph import PLAN as BALANCING
 from drawings.checks.forces.balancing_graph import ordinates
 from drawings.checks.forces.lever_equation import LeverCheck
@@ -23,6 +24,7 @@ from drawings.figures.forces.force_letters import force_letter
 from drawings.figures.forces.force_table import label
 from drawings.lettering.words import word
 from drawings.measure.measure import Measured
+from drawings.page.page import page_of
 from drawings.paper.strokes import Leaf, Line, Text
 from drawings.paper.walk import groups, texts
 from drawings.symbols.force_arrow import plain_name
@@ -52,6 +54,7 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     yield from check.curves()
     yield from check.loads()
     yield from check.lever()
+    yield from Schemes(leaf, check.expected(), page_of(study.scene).hand).faults()
     yield from friction_of(leaf, comparison, check.position, study.scene.sheet.language)
     yield from reading.tables(leaf, table_names(comparison, statics))
 
