@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 
 from drawings.checks import reading
-from drawings.checks.linkage import centre_images, position_marks
+from drawings.checks.linkage import centre_images, position_marks, stroke_marks
 from drawings.checks.linkage.laid import LaidMechanism, ground, mass_centres
 from drawings.checks.wrong import on
 from drawings.figures.linkage.vector_plan import LEAST
@@ -86,6 +86,8 @@ def _positions(measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: 
         elif mark is not None and not abs(mark.value - true) <= 2 * allowed + 2 * measured.quantum * mark.scale:
             yield message("wrong.point_differs", name=name)
     yield from position_marks.faults(leaf, laid)
+    if not study.mechanism.drive.turns:
+        yield from stroke_marks.faults(leaf, laid)
 
 
 def _points(measured: Measured, comparison: MotionComparison, shown: int) -> Iterator[Message]:

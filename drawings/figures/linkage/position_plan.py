@@ -38,6 +38,7 @@ from plans.model.motion import CHANGE_POINT
 from plans.model.order import POSITIONS
 
 NAME = POSITIONS.plan
+OTHERS, ROTATION = "all-positions", "rotation"  # the groups of the thin positions, and of the drive's arrows
 TIES = "ties"  # the group of the lines to mass centres off their links
 # Paper around the plan of positions in sizes of its letters: numbers, symbols, and above it the dimension of a stroke.
 MARGINS = Margins(3.5, 3.5, 5.0)
@@ -97,7 +98,7 @@ def layers(pairs: Pairs, language: str) -> list[Group]:
     ink.draw([*paths, *positions, *extremes, *lines], SHARE)
     under: list[tuple[str, Iterable[Stroke]]] = [
         ("paths", paths),
-        ("all-positions", positions),
+        (OTHERS, positions),
         ("extremes", extremes),
         ("guides", lines),
         ("notches", _notches(bones, place, hand)),
@@ -109,7 +110,7 @@ def layers(pairs: Pairs, language: str) -> list[Group]:
         Group((*blocks, *body, *pairs.corners()), "shown-position"),
         Group((*stands, *pairs.marks()), "pairs"),
         Group(tuple(stroke(bones, place, hand, language, ink)), "stroke"),
-        Group(tuple(part for arrow in arrows(pairs) for part in arrow.strokes(pairs)), "rotation"),
+        Group(tuple(part for arrow in arrows(pairs) for part in arrow.strokes(pairs)), ROTATION),
         Group(tuple(part for phase in phases(pairs, language) for part in phase.strokes(pairs)), "phases"),
     ]
     return [group for group in groups if group.strokes]
