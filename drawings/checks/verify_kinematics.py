@@ -86,7 +86,7 @@ def _positions(measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: 
         elif mark is not None and not abs(mark.value - true) <= 2 * allowed + 2 * measured.quantum * mark.scale:
             yield message("wrong.point_differs", name=name)
     yield from position_marks.faults(leaf, laid)
-    if not study.mechanism.drive.turns:
+    if study.mechanism.drive.pushed:
         yield from stroke_marks.faults(leaf, laid)
 
 

@@ -120,7 +120,8 @@ class _KinematicsSheet:
     def _tables(self) -> tuple[RuledTable, ...]:
         """The table of values, without what the scene states."""
         drive = self.study.mechanism.drive
-        given = {f"{symbol}_{drive.link}" for symbol in "ωε"} if drive.turns else {f"{k}_{drive.end}" for k in "va"}
+        given = {f"{k}_{drive.end}" for k in "va"} if drive.pushed else {f"{symbol}_{drive.link}" for symbol in "ωε"}
+        given = given if drive.ram is None else set()  # what a cylinder gives the crank is found
         language = self.drafting.language
         parts = findings(self.study, self.comparison) if self.positions else ()
         lines = value_table.rows(self.comparison, self.positions, given, language, parts) if self.positions else []

@@ -118,7 +118,7 @@ def layers(pairs: Pairs, language: str) -> list[Group]:
 
 def _path(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
     """Draw the way of the primary link's end: the crank's circle, or the stroke of a slider."""
-    draw = _circle if bones.mechanism.drive.turns else stroke_line
+    draw = stroke_line if bones.mechanism.drive.pushed else _circle
     return draw(bones, place, hand)
 
 

@@ -75,7 +75,7 @@ def aside(bones: Skeletons) -> complex:
 
 def arrows(pairs: Pairs) -> tuple[Turning | Push, ...]:
     """Give the arrows of how the primary link moves: it turns, or it is pushed along."""
-    return turnings(pairs) if pairs.bones.mechanism.drive.turns else pushes(pairs)
+    return pushes(pairs) if pairs.bones.mechanism.drive.pushed else turnings(pairs)
 
 
 @lru_cache(maxsize=1)  # the figure draws the arrows, and later their letters stand beside them
