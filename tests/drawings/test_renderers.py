@@ -74,13 +74,13 @@ def test_what_one_renderer_draws_dark_the_other_draws_within_a_pixel(sheet: Path
 @pytest.mark.parametrize("anchor", ["start", "middle", "end"])
 def test_librsvg_keeps_text_in_a_viewer_s_font_where_our_own_letters_stand(tmp_path: Path, anchor: Anchor) -> None:
     """It knows no textLength; without one of the fonts that are asked for it takes DejaVu Sans, or a narrower one."""
-    words = Text(100 + 20j, "Холодновысадочный автомат: a^n_{BA} = 12,5 м/с²", 5.0, anchor)
+    words = Text(200 + 20j, "Холодновысадочный автомат: a^n_{BA} = 12,5 м/с²", 5.0, anchor)
     reach = {}
     for lettering in ("strokes", "text"):
         (sheet := tmp_path / f"{lettering}.svg").write_bytes(
-            svg(lettered(Leaf(200, 40, (Group((words,)),)), lettering))
+            svg(lettered(Leaf(400, 40, (Group((words,)),)), lettering))
         )
         by_librsvg(sheet, picture := tmp_path / f"{lettering}.png")
         inked = np.flatnonzero((grey(picture) < DARK).any(axis=0))
-        reach[lettering] = np.array([inked[0], inked[-1]]) * 200 / WIDTH
+        reach[lettering] = np.array([inked[0], inked[-1]]) * 400 / WIDTH
     assert np.abs(reach["text"] - reach["strokes"]).max() < 1.0  # mm: a gap between letters of 5 mm
