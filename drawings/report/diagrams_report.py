@@ -28,6 +28,6 @@ def remarks(study: Study) -> list[Message]:
     return []
 
 
-def faults(text: str, study: Study) -> Iterator[Message]:
+def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[Message]:
     """Find no fault: the values are printed from the comparison that was judged."""
     yield from ()

@@ -120,7 +120,7 @@ def test_markdown_leaves_the_formulas_alone(name: str, language: str) -> None:
     found = [one or other for one, other in MATH.findall(told)]
     assert len(found) > 20
     for formula in found:
-        assert not re.search(r"[*|~<>#`]|\\[^a-z]|(?<![A-Za-z0-9])_", formula), formula
+        assert not re.search(r"[*|~<>#`]|\\[^A-Za-z]|(?<![A-Za-z0-9])_", formula), formula
         assert formula == formula.strip() and formula.count("{") == formula.count("}"), formula
         assert not re.search("[а-яё]", re.sub(r"\\text\{.*?\}", "", formula)), formula
     assert not re.search(r"\$\d", re.sub(MATH, "", told))

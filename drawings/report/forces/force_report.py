@@ -11,6 +11,7 @@ import numpy as np
 from drawings.lettering import words as lettering
 from drawings.lettering.words import number, runs
 from drawings.report.chapters import Chapters
+from drawings.report.forces.equations_chapter import drawn_scales, equations
 from drawings.report.gap_lines import gap_line, gap_lines
 from drawings.report.linkage.greatest import DIGITS as FEW_DIGITS
 from drawings.report.linkage.greatest import greatest
@@ -40,8 +41,10 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     )
     shown_in = ", ".join(map(str, shown))
     language = study.scene.sheet.language
+    comparison, statics = study.comparison("forces"), study["forces"]
     return Chapters(
-        values=forces(study.comparison("forces"), study["forces"], language),
+        subject=[*_bodies(statics.machine, language), *counted_strokes(statics, language)],
+        values=[*equations(statics, comparison, drawn_scales(leaves)), *forces(comparison, statics, language)],
         left_out=[word(language, "report.forces_drawn", positions=shown_in)],
     )
 
@@ -83,8 +86,6 @@ def remarks(study: Study) -> list[Message]:
 def forces(comparison: ForceComparison, statics: Statics, language: str) -> Iterator[str]:
     """Tell what acts, every reaction by construction, and what friction takes."""
     found = comparison.construction
-    yield from _bodies(statics.machine, language)
-    yield from counted_strokes(statics, language)
     yield from _reactions(found, language)
     yield from (gap_line("report.force_gap", gap, language) for gap in found.gaps if gap.plan == FORCES)
     if statics.friction is not None:
