@@ -1,4 +1,4 @@
-"""What a drawing made by hand may be out: the slips of its acts, carried linearly through the record (точность от руки).
+"""What a drawing made by hand may be out: the slips of its acts, carried through the record (точность от руки).
 
 Whatever touches the paper is out by up to `slip` mm to either side, evenly, in x and in y: a pricked point, a ruled
 line at its start, a compass's opening, a vector carried with the set square, a measured arm. What is reckoned (a
@@ -179,7 +179,7 @@ def _met(drawing: _Drawing, mark: Mark, inputs: list[_Moved]) -> _Moved:
     sine = np.asarray(cross(one, other))
     place = 1j * (one * second - other * first) / sine
     turned = [_turned(*row, place) for row in zip(mark.step.inputs, inputs, mark.rays, strict=True)]
-    firm = drawing.firm(sine, np.asarray(dot(one, other)) * (turned[1] - turned[0]))
+    firm = drawing.firm(sine, np.asarray(dot(one, other) * (turned[1] - turned[0]), dtype=np.complex128))
     return _Moved(np.where(np.isnan(firm), np.nan, place) + drawing.slip(mark.subject))
 
 
@@ -248,7 +248,7 @@ def _couple(drawing: _Drawing, mark: Mark, inputs: list[_Moved]) -> _Moved:
 
 
 def _balanced(drawing: _Drawing, mark: Mark, inputs: list[_Moved]) -> _Moved:
-    about, line, *moments = mark.step.inputs
+    about, line = mark.step.inputs[:2]
     unit, base = _direction(line), np.asarray(between(about, line.step.inputs[0]))
     arm = inputs[1].place - inputs[0].place + drawing.slip(about.subject)
     moved = np.asarray(cross(arm, unit) + dot(base, unit) * inputs[1].turn, dtype=np.complex128)

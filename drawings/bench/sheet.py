@@ -124,7 +124,7 @@ def by_table(study: LinkageStudy, drawn: DrawnSheets, truth: Truth, largest: Map
         named = _NAME.match(row.name)
         key = (_KINDS[named[1]], named[2]) if named else ("", "")
         if key in truth.values:
-            found[key] = np.array([_number(row.cells[3 * place]) for place in known])
+            found[key] = np.array([_number(str(row.cells[3 * place])) for place in known])
     return errors(found, _sizes(truth.at([drawn.plans[place] for place in known])), largest)
 
 

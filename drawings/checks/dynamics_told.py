@@ -82,7 +82,7 @@ def _table(leaf: Leaf, table: RuledTable, digits: int, uniform: bool) -> Iterato
         yield from [message("wrong.missing", name=table.name)] if leaf.metadata["of"] == 1 else []
         return
     seen, heads = _rows(parts), [Text(0j, one).plain for one in (table.first, *table.heads)]
-    due = {Text(0j, line.name).plain: [Text(0j, cell).plain for cell in line.cells] for line in table.lines}
+    due = {Text(0j, line.name).plain: [Text(0j, str(cell)).plain for cell in line.cells] for line in table.lines}
     most = _largest(list(due.values()))  # of a column of one quantity
     yield from (message("wrong.told", text=" ".join(row)) for row in seen if row[0] not in due and row != heads)
     found = {row[0]: row[1:] for row in seen if row[0] in due}

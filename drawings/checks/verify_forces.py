@@ -13,9 +13,10 @@ from drawings.checks import reading
 from drawings.checks.force_marks import lever_marks, polygon_marks
 from drawings.checks.forces.balancing_graph import PLAN as BALANCING
 from drawings.checks.forces.balancing_graph import ordinates
+from drawings.checks.forces.load_points import loads
 from drawings.checks.reading import plain, reads, scales
 from drawings.checks.verify_friction import friction_of
-from drawings.checks.wrong import on
+from drawings.checks.wrong import Wrong, on
 from drawings.figures.forces.force_equations import DIGITS
 from drawings.figures.forces.force_letters import force_letter
 from drawings.figures.forces.force_table import label
@@ -28,6 +29,7 @@ from plans.checks.comparison import Finding
 from plans.checks.force_comparison import ForceComparison
 from plans.checks.force_expected import ExpectedForces
 from plans.forces.cut import indices
+from plans.forces.primary import balancing_quantity
 from plans.forces.statics import Statics
 from plans.model.order import VELOCITIES
 from plans.study import Study
@@ -38,7 +40,7 @@ ASKEW = 1e-3
 _TOLD = re.compile(r"(?P<name>\S+) = (?P<value>[−\d.,]+)(?: (?P<unit>\S+?))?,?")
 
 
-def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Message]:
+def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     """Hold all that one force sheet shows against the analysis."""
     comparison, statics = study.comparison("forces"), study["forces"]
     check = _Check(measured, leaf, comparison, statics)
@@ -47,6 +49,7 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Message]:
     yield from check.told()
     yield from check.scales()
     yield from check.curves()
+    yield from check.loads()
     yield from friction_of(leaf, comparison, check.position, study.scene.sheet.language)
     yield from reading.tables(leaf, table_names(comparison, statics))
 
@@ -154,11 +157,13 @@ class _Check:
     def curves(self) -> Iterator[Message]:
         """Hold the ordinates of the balancing moment and the ends of hodographs over the positions."""
         told = self.comparison.analysis
-        moments = {str(k): complex(0, value) for k, value in enumerate(told.balancing.moment)}
-        largest = max(np.nanmax(one.allowed) for one in self.comparison.of("forces") if one.name.startswith("M_bal"))
-        slack = 2 * float(largest) + told.nothing[1]
+        name, _, share = balancing_quantity(self.statics.study.mechanism.drive)
+        sizes = share * told.balancing.moment
+        moments = {str(k): complex(0, value) for k, value in enumerate(sizes)}
+        largest = max(np.nanmax(one.allowed) for one in self.comparison.of("forces") if one.name.startswith(name))
+        slack = 2 * float(largest) + share * told.nothing[1]
         yield from self._held(BALANCING, moments, slack)
-        yield from ordinates(self.measured, self.leaf, told.balancing.moment, slack)
+        yield from ordinates(self.measured, self.leaf, sizes, slack)
         language, sheet = self.statics.study.scene.sheet.language, self.statics.form.sheet
         for key in sheet.hodographs:
             one = told.reactions[key]
@@ -166,6 +171,12 @@ class _Check:
             shown = force_letter(f"R_{indices(one.giver, one.taker)}", language, sheet.reactions)
             ends[plain_name(shown)] = complex(one.force[self.position])
             yield from self._held(f"hodograph-{key}", ends, self.slack)
+
+    def loads(self) -> Iterator[Wrong]:
+        """Hold the load diagrams, by the strokes of the analysis."""
+        motion = self.comparison.motion
+        strokes = self.statics.over(motion.road.extremes)
+        yield from loads(self.measured, self.leaf, self.statics.machine, strokes, motion.analysis)
 
     def _held(self, plan: str, expected: Mapping[str, complex], slack: float) -> Iterator[Message]:
         told = [(one.plan, one.name, one.value, one.scale) for one in self.measured.vectors]

@@ -6,8 +6,8 @@ import math
 from collections.abc import Iterator
 
 from drawings.checks import reading
-from drawings.checks.linkage import position_marks
-from drawings.checks.linkage.laid import LaidMechanism, ground
+from drawings.checks.linkage import centre_images, position_marks
+from drawings.checks.linkage.laid import LaidMechanism, ground, mass_centres
 from drawings.checks.wrong import on
 from drawings.figures.linkage.vector_plan import LEAST
 from drawings.measure.measure import Measured
@@ -28,6 +28,7 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Message]:
     for k in leaf.metadata["plans"]:
         if k not in gone:
             yield from _plans(measured, linkage, comparison, k)
+            yield from _centres(measured, leaf, linkage, comparison, k)
     if leaf.metadata["shown"] is not None:
         yield from _points(measured, comparison, leaf.metadata["shown"])
         yield from _positions(measured, leaf, linkage, comparison)
@@ -51,6 +52,16 @@ def _plans(measured: Measured, study: LinkageStudy, comparison: MotionComparison
                 yield on("differs_at", plan, name=f"{start} {end}", position=k)
         elif must and not abs(value) <= 2 * LEAST * scales.get(plan, 0.0):
             yield on("missing_at", plan, name=f"{start} {end}", position=k)
+
+
+def _centres(
+    measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: MotionComparison, k: int
+) -> Iterator[Message]:
+    """Hold the images of mass centres on one position's plans against the analysis."""
+    expected = Expected(study.mechanism, comparison.analysis, k, study.drafts().velocities.written)
+    allowed = {v.plan: _allowed(comparison, v, measured) / v.scale for v in measured.vectors if v.position == k}
+    if allowed:
+        yield from centre_images.faults(measured, leaf, expected, mass_centres(study), max(allowed.values()))
 
 
 def _allowed(comparison: MotionComparison, vector: MeasuredVector, measured: Measured) -> float:

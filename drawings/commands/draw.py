@@ -101,11 +101,13 @@ def _sheets(study: Study, folder: Path, trace: Trace) -> SheetSet:
     with trace.stage("imports"):
         from drawings.checks.verify import verify, verify_documents, verify_enclosure, verify_report, verify_scales
         from drawings.pens.svg import svg
-        from drawings.sheets.documents import bind
+        from drawings.sheets.documents import bind, cuts
 
     scene, stem = study.scene, _stem(study.scene)
     with trace.stage("layout"):
         leaves = bind({kind: named(SHEETS[kind].leaves)(study) for kind in scene.sheets}, scene)
+        for fault in cuts(leaves, scene):
+            tell(fault.worded(scene.sheet.language))
     with trace.stage("writing"):
         sheets = dict(_placed(folder, stem, leaves))
         text = report(study, leaves)

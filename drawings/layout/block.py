@@ -1,8 +1,13 @@
-"""Lettering that stands among figures: equations, a table (надписи среди фигур)."""
+"""Lettering that stands among figures: equations, a table, notes (надписи среди фигур)."""
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
+
+NARROW = 70.0  # mm, the least width of a column of notes
+BROKEN = 0.9  # share of a line that words fill on average when it is broken between them
+WIDTHS = 8  # in which notes are tried, from their least to the width of the sheet
 
 
 class TextBlock(NamedTuple):
@@ -11,10 +16,30 @@ class TextBlock(NamedTuple):
     name: str
     sizes: tuple[tuple[float, float], ...]
 
-    def size(self, width: float) -> tuple[float, float]:
-        """Give its size in a column of some width: the widest that fits, or else the narrowest.
 
-        >>> TextBlock("equations", ((60.0, 30.0), (120.0, 10.0))).size(100.0)
-        (60.0, 30.0)
+class Notes(NamedTuple):
+    """What the sheet says in words: the length of each paragraph in one line, the step of the lines, mm.
+
+    They stand in no column of less than `least` mm.
+    """
+
+    lengths: tuple[float, ...]
+    step: float
+    least: float = NARROW
+
+    def height(self, width: float) -> float:
+        """Give the height, mm, of the notes broken at a width."""
+        return sum(math.ceil(length / (BROKEN * width)) for length in self.lengths) * self.step
+
+    def sizes(self, widest: float) -> tuple[tuple[float, float], ...]:
+        """Give widths and heights, mm, that they may have up to a width, the narrowest first, each lower than the last.
+
+        >>> Notes((100.0,), 5.0, 60.0).sizes(120.0)
+        ((60.0, 10.0), (120.0, 5.0))
         """
-        return max((size for size in self.sizes if size[0] <= width), default=self.sizes[0])
+        widths = [self.least * max(widest / self.least, 1.0) ** (k / (WIDTHS - 1)) for k in range(WIDTHS)]
+        found: list[tuple[float, float]] = []
+        for width in widths:
+            if not found or self.height(width) < found[-1][1]:
+                found.append((width, self.height(width)))
+        return tuple(found)

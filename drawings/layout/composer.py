@@ -1,55 +1,143 @@
-"""The composer: where on which sheets the contents stand, at which scales (компоновка листов)."""
+"""The composer: where on which sheets the contents stand, at which scales (компоновка листов).
+
+Units stand in their order; every order of tables and notes among the figures is tried. The fewest sheets on which all
+can be read and the foremost figure has its share of one are taken, on them all figures at the highest level that fits;
+of what fits so the composition is chosen whose figures are large and that leaves the least paper bare.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import replace
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 
-from drawings.layout import column_composer, foremost_composer
-from drawings.layout.contents import Composition, Contents, Item, Panel, TableSpot
-from drawings.layout.picture import Picture, Spot
-from drawings.layout.table import RuledTable
+from drawings.layout.contents import Composition, Contents
+from drawings.layout.growth import Growth, State, rungs_of
+from drawings.layout.parting import Run, fewest, partings
+from drawings.layout.request import Request, request
+from drawings.layout.room import corner_of
+from drawings.layout.slicing import Slicing, Tree
+from drawings.layout.stood import Stood, size_of
+from drawings.layout.units import Shape, nested
 from drawings.page.page import Page
-from drawings.page.scale import Scale
 
-FURTHER = "table-{}"  # the name of a table that stands among the figures
+LOOKS = 3  # levels at which compositions are looked at: the highest and those below it
+POINTS = 6  # sizes of a sheet that are looked at
+PARTINGS = 6  # ways to part a set into sheets that are looked at
 
 
 def compose(contents: Contents, page: Page) -> tuple[Composition, ...]:
     """Compose contents on as many sheets as keep every figure readable, the largest figures that fit."""
-    further = {FURTHER.format(k + 2): table for k, table in enumerate(contents.tables[1:])}
-    if further:
-        panels = tuple(Panel(table.block(name)) for name, table in further.items())
-        contents = replace(contents, panels=(*contents.panels, *panels), tables=contents.tables[:1])
-    composed = tuple(
-        foremost_composer.compose(contents, page)
-        if foremost_composer.fits(contents)
-        else column_composer.compose(contents, page)
-    )
-    return _levelled(contents, [_tabled(one, further) for one in composed])
+    return _Composer(request(contents, page), page).composed()
 
 
-def _tabled(one: Composition, further: Mapping[str, RuledTable]) -> Composition:
-    """Set the tables that stand among the figures."""
-    standing = ((further[name], box) for name, box in one.blocks.items() if name in further)
-    own = tuple(TableSpot(table, complex(box.left, box.top), table.setting(box)) for table, box in standing)
-    blocks = {name: box for name, box in one.blocks.items() if name not in further}
-    return one._replace(blocks=blocks, tables=(*one.tables, *own)) if own else one
+@dataclass(frozen=True)
+class _Cutting:
+    """All runs of units in one order, at the scales of a state."""
+
+    slicing: Slicing
+    shapes: list[list[Shape]]
+
+    def fits(self, i: int, j: int) -> bool:
+        return bool(len(self.slicing.closed(i, j).sizes))
+
+    def number(self, most: int) -> int:
+        """Count the sheets that it takes; 0 if one of its units fits none."""
+        count = len(self.shapes)
+        if most == 1:
+            return int(self.fits(0, count - 1))
+        return fewest(count, self.fits)
+
+    def trees(self, i: int, j: int) -> Iterator[Tree]:
+        """Give the ways to cut a sheet, evenly chosen among them."""
+        count = len(self.slicing.closed(i, j).sizes)
+        step = max(count / POINTS, 1.0)
+        for k in sorted({int(step * n) for n in range(POINTS) if step * n < count}):
+            yield nested(self.slicing.tree(i, j, k, closed=True), self.shapes)
+
+    @property
+    def areas(self) -> list[float]:
+        return [min(shape.size[0] * shape.size[1] for shape in own) for own in self.shapes]
 
 
-def _levelled(contents: Contents, composed: Sequence[Composition]) -> tuple[Composition, ...]:
-    """Draw figures that want one scale at the smallest scale that one of them has."""
-    spots = {name: spot for one in composed for name, spot in one.spots.items()}
-    keys = {panel.item.name: panel.scale for panel in contents.panels if panel.scale and _sized(panel.item)}
-    scales: dict[str, Scale] = {}
-    for name, key in keys.items():
-        scales[key] = max(scales.get(key, spots[name].scale), spots[name].scale)
-    shared = {name: Spot(spots[name].box, scales[key]) for name, key in keys.items()}
-    return tuple(
-        one._replace(spots={name: shared.get(name, spot) for name, spot in one.spots.items()}) for one in composed
-    )
+@dataclass(frozen=True)
+class _Set:
+    """A composed set of sheets, and how good it is."""
+
+    sheets: tuple[Stood, ...]
+    score: float
 
 
-def _sized(item: Item) -> bool:
-    """Tell whether an item is more than a point, which has any scale."""
-    return isinstance(item, Picture) and max(item.wide, item.high) > 0
+class _Composer:
+    """The search for the composition of one set of sheets."""
+
+    def __init__(self, asked: Request, page: Page) -> None:
+        self.asked, self.page = asked, page
+        self.known: dict[tuple[int, State], _Cutting] = {}
+
+    def composed(self) -> tuple[Composition, ...]:
+        """Find the best set."""
+        floors, every = self.asked.floors, range(len(self.asked.orders))
+        count = min(self._cutting(order, floors).number(0) for order in every)
+        sets = (one for state in self._states(floors, count) for one in self._sets(state, count))
+        best = max(sets, key=lambda one: one.score)
+        return tuple(sheet.composition() for sheet in best.sheets)
+
+    def _cutting(self, order: int, state: State) -> _Cutting:
+        if (order, state) not in self.known:
+            rungs, stock = rungs_of(self.asked.steps, state), self.asked.stock
+            shapes = [stock.shapes(unit, rungs) for unit in self.asked.orders[order]]
+            sizes = [[shape.size for shape in own] for own in shapes]
+            self.known[order, state] = _Cutting(Slicing(sizes, stock.room, corner_of(self.page)), shapes)
+        return self.known[order, state]
+
+    def _fits(self, state: State, count: int) -> bool:
+        """Tell whether all stands on so many sheets."""
+        numbers = (self._cutting(order, state).number(count) for order in range(len(self.asked.orders)))
+        return any(0 < number <= count for number in numbers)
+
+    def _states(self, floors: State, count: int) -> Iterator[State]:
+        """Give the scales at the highest level that fits on so many sheets, and those below it."""
+        levels = sorted({size for own in self.asked.steps for size in own.sizes if size < math.inf})
+        states = list(dict.fromkeys([floors, *(self._state(level, floors) for level in levels)]))
+        low, high = 0, len(states)
+        while high - low > 1:
+            middle = (low + high) // 2
+            low, high = (middle, high) if self._fits(states[middle], count) else (low, middle)
+        yield from states[max(low - LOOKS + 1, 0) : low + 1]
+
+    def _state(self, level: float, floors: State) -> State:
+        return tuple(max(own.at(level), floor) for own, floor in zip(self.asked.steps, floors, strict=True))
+
+    def _sets(self, state: State, count: int) -> Iterator[_Set]:
+        """Compose the sets that fit at some scales."""
+        for order in range(len(self.asked.orders)):
+            cutting = self._cutting(order, state)
+            if count == 1:
+                if cutting.fits(0, len(cutting.shapes) - 1):
+                    for tree in cutting.trees(0, len(cutting.shapes) - 1):
+                        yield self._grown([tree], state)
+                continue
+            for parting in partings(len(cutting.shapes), count, cutting.fits, cutting.areas)[:PARTINGS]:
+                trees = [self._best(cutting, run, state, run is parting[-1]) for run in parting]
+                yield self._grown(trees, state)
+
+    def _best(self, cutting: _Cutting, run: Run, state: State, last: bool) -> Tree:
+        """Choose the best of the ways to cut one sheet of a set."""
+
+        def fault(tree: Tree) -> float:
+            grown = self._growth([tree]).grown(state, only=True)
+            return Stood(self.asked.stock, self.page, tree, rungs_of(self.asked.steps, grown), last).fault
+
+        return min(cutting.trees(*run), key=fault)
+
+    def _growth(self, trees: Sequence[Tree]) -> Growth:
+        return Growth(self.asked.stock, corner_of(self.page), self.asked.steps, trees)
+
+    def _grown(self, trees: Sequence[Tree], state: State) -> _Set:
+        grown = self._growth(trees).grown(state)
+        rungs, steps = rungs_of(self.asked.steps, grown), self.asked.steps
+        last = len(trees) - 1
+        sheets = tuple(Stood(self.asked.stock, self.page, tree, rungs, k == last) for k, tree in enumerate(trees))
+        size = size_of([own.sizes[k] for own, k in zip(steps, grown, strict=True)])
+        return _Set(sheets, math.log(size) - sum(sheet.fault for sheet in sheets))

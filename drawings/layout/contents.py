@@ -11,8 +11,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple, TypeAlias
 
-from drawings.layout.block import TextBlock
-from drawings.layout.footing import Notes
+from drawings.layout.block import Notes, TextBlock
 from drawings.layout.picture import Picture, Spot
 from drawings.layout.table import RuledTable, Setting
 from drawings.page.page import Field
@@ -38,10 +37,7 @@ class Panel(NamedTuple):
 
 @dataclass(frozen=True)
 class Contents:
-    """What a set of sheets must show: panels in their order, tables and notes; a long set goes on following sheets.
-
-    A table of as many positions as there are groups of panels beside the foremost one goes with them.
-    """
+    """What a set of sheets must show: panels in their order, tables and notes; a long set goes on following sheets."""
 
     panels: tuple[Panel, ...] = ()
     tables: tuple[RuledTable, ...] = ()
@@ -61,17 +57,6 @@ class Contents:
             groups.setdefault((panel.together, 0 if panel.together else k), []).append(panel)
         return tuple(map(tuple, groups.values()))
 
-    @cached_property
-    def others(self) -> tuple[tuple[Panel, ...], ...]:
-        """The groups without the foremost figure."""
-        without = (tuple(panel for panel in group if panel is not self.foremost) for group in self.groups)
-        return tuple(group for group in without if group)
-
-    @property
-    def table(self) -> RuledTable | None:
-        """The table that stands at the foot of a sheet."""
-        return next(iter(self.tables), None)
-
 
 class TableSpot(NamedTuple):
     """A table, or a part of one, where it stands: its upper left corner, and how it is set."""
@@ -88,10 +73,3 @@ class Composition(NamedTuple):
     blocks: Mapping[str, Field]
     tables: tuple[TableSpot, ...] = ()
     notes: Field | None = None
-
-
-def at_foot(table: RuledTable | None, corner: complex | None, setting: Setting | None) -> tuple[TableSpot, ...]:
-    """Give the spot of the table at the foot of a sheet, if it has one there."""
-    if table is None or corner is None or setting is None:
-        return ()
-    return (TableSpot(table, corner, setting),)

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from typing import NamedTuple
+from collections.abc import Callable, Sequence
+from typing import NamedTuple, TypeAlias
 
 from drawings.layout.block import TextBlock
 from drawings.lettering.lettering import text_width
@@ -19,11 +19,27 @@ APART = 6.0  # mm between two bands or two parts of the table
 MOST_PARTS = 4  # side by side: more are wider than an A1 sheet
 
 
+class Later(NamedTuple):
+    """A cell that is written when the sheets are composed: what it tells of, in which position, as wide as it may be.
+
+    It has no more than `places` decimals, and tells nothing beyond `most`.
+    """
+
+    name: str
+    position: int
+    widest: str
+    places: int
+    most: float
+
+
+Cell: TypeAlias = str | Later
+
+
 class TableRow(NamedTuple):
     """A line of the table: its name, and its cells."""
 
     name: str
-    cells: tuple[str, ...]
+    cells: tuple[Cell, ...]
 
 
 class Setting(NamedTuple):
@@ -79,6 +95,11 @@ class RuledTable(NamedTuple):
         lines = tuple(TableRow(line.name, line.cells[cells]) for line in self.lines)
         return self._replace(lines=lines, positions=self.positions[chosen])
 
+    def filled(self, write: Callable[[Later], str]) -> RuledTable:
+        """Give the table with all its cells written; it keeps its size."""
+        lines = (TableRow(name, tuple(_written(cell, write) for cell in cells)) for name, cells in self.lines)
+        return self._replace(lines=tuple(lines))
+
     def size(self, setting: Setting) -> tuple[float, float]:
         """Give width and height on paper, mm."""
         bands = math.ceil(self.bands / setting.across)
@@ -133,9 +154,18 @@ def table(
     lines: Sequence[TableRow], first: str, heads: tuple[str, ...], text: float, positions: tuple[int, ...] = ()
 ) -> RuledTable:
     """Measure a table."""
-    cell = max(text_width(Text(0j, one, text)) for one in (*heads, *(cell for line in lines for cell in line.cells)))
+    cells = (_written(cell, _widest) for line in lines for cell in line.cells)
+    cell = max(text_width(Text(0j, one, text)) for one in (*heads, *cells))
     names = max(text_width(Text(0j, one, text)) for one in (first, *(line.name for line in lines)))
     return RuledTable(tuple(lines), positions, text, names + text, max(cell, CELL * text) + text, first, heads)
+
+
+def _written(cell: Cell, write: Callable[[Later], str]) -> str:
+    return write(cell) if isinstance(cell, Later) else cell
+
+
+def _widest(cell: Later) -> str:
+    return cell.widest
 
 
 def _columns(piece: RuledTable, corner: complex) -> list[float]:
@@ -181,6 +211,6 @@ def _cells(piece: RuledTable, corner: complex) -> list[Stroke]:
     for k, line in enumerate(piece.lines):
         y = corner.imag - piece.row * (k + piece.over + 1) + UNDER * piece.text
         strokes.append(Text(complex(columns[0] + piece.text / 2, y), line.name, piece.text, "start", True))
-        for x, text in zip(columns[1:], line.cells, strict=False):
-            strokes.append(Text(complex(x + piece.cell / 2, y), text, piece.text, "middle", True))
+        for x, cell in zip(columns[1:], line.cells, strict=False):
+            strokes.append(Text(complex(x + piece.cell / 2, y), _written(cell, _widest), piece.text, "middle", True))
     return strokes

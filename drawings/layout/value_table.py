@@ -1,57 +1,131 @@
-"""The table of values: every drawn quantity by plan and by analysis, with the difference (таблица результатов)."""
+"""The table of values: every drawn quantity by plan and by analysis, with the difference or what a hand may be out.
+
+The sheets of plans tell within what a drawing made by hand would be (таблица результатов).
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+import re
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
-from drawings.layout.table import RuledTable, TableRow
+from drawings.layout.table import Cell, Later, RuledTable, TableRow
 from drawings.layout.table import table as measure
-from drawings.lettering.words import fixed, number, word
+from drawings.lettering.words import fixed, letter, number, word
 from drawings.page.drafting import Drafting
 from plans.checks.comparison import Comparison, Finding
+from plans.model.order import ORDERS
 
 COLUMNS = ("by plan", "by analysis", "difference")
+BY_HAND = ("by plan", "by analysis", "by hand")
+NOTHING, WIDE = "—", "8"
 DIGITS = 5  # of the largest value of a row; the others keep its decimals
 PLAIN = 1e-3  # a smaller per cent is written by its power of ten
 NOISE = 9  # a difference below 10^-9 % is said to be below it: its own digits differ from machine to machine
 
 
-def rows(comparison: Comparison, positions: tuple[int, ...], given: set[str], language: str) -> list[TableRow]:
-    """Give a row for every velocity and acceleration of a point and a link, for some positions.
+def rows(
+    comparison: Comparison, positions: tuple[int, ...], given: set[str], language: str, parts: Sequence[Finding] = ()
+) -> list[TableRow]:
+    """Give a row for every velocity and acceleration of a point, their parts, and the rates of links, by positions.
 
     Left out are the names in `given`, which the scene states, and what stays zero: links that do not turn.
     """
-    chosen = [finding for plan in ("velocities", "accelerations") for finding in comparison.of(plan)]
     return [
-        row(finding, _name(finding, language), positions, language)
-        for finding in chosen
-        if finding.name not in given and np.nanmax(np.abs(finding.construction), initial=0.0) > 0
+        row_by_hand(finding, _name(finding, language), positions, language)
+        for finding in told(comparison, parts)
+        if finding.name not in given
+    ]
+
+
+def told(comparison: Comparison, parts: Sequence[Finding]) -> list[Finding]:
+    """List what a table tells: of each plan the points, the parts, the links; without what stays zero."""
+    found: list[Finding] = []
+    for order in ORDERS[1:]:
+        own = [one for one in comparison.of(order.plan) if np.nanmax(np.abs(one.construction), initial=0.0) > 0]
+        points = [one for one in own if one.unit == order.point.unit]
+        beside = [one for one in parts if one.plan == order.plan and _is_something(one)]
+        found += [*points, *_new(beside, points), *(one for one in own if one not in points)]
+    return found
+
+
+def _is_something(part: Finding) -> bool:
+    """Tell whether a part is anywhere more than rounding."""
+    return bool(np.nanmax(np.abs(part.construction), initial=0.0) > np.nanmax(part.allowed, initial=0.0))
+
+
+def _new(parts: Sequence[Finding], points: Sequence[Finding]) -> list[Finding]:
+    """Leave out a normal part that is the whole acceleration of a point."""
+    known, whole = {one.name for one in parts}, {one.name for one in points}
+    return [
+        one for one in parts if not (one.name.replace("^n", "") in whole and one.name.replace("^n", "^t") not in known)
     ]
 
 
 def row(finding: Finding, name: str, positions: tuple[int, ...], language: str) -> TableRow:
-    """Give the row of a finding under a name."""
+    """Give the row of a finding under a name: by plan, by analysis, the difference."""
     return TableRow(name, tuple(cell for k in positions for cell in _cells(finding, k, language)))
+
+
+def row_by_hand(finding: Finding, name: str, positions: tuple[int, ...], language: str) -> TableRow:
+    """Give the row of a finding under a name: by plan, by analysis, what a hand may be out."""
+    return TableRow(name, tuple(cell for k in positions for cell in _cells_by_hand(finding, k, language)))
 
 
 def _name(finding: Finding, language: str) -> str:
     symbol, index = finding.name.split("_", 1)
-    return f"{symbol}_{{{index}}}, {word(language, finding.unit)}"
+    return f"{letter(language, f'{symbol}_{{{index}}}')}, {word(language, finding.unit)}"
+
+
+def _pair(finding: Finding, position: int, language: str) -> tuple[str, str] | None:
+    """Write a value by plan and by analysis; None at a gap."""
+    both = finding.construction[position], finding.analysis[position]
+    if np.isnan(np.abs(both)).any():
+        return None
+    plan, analysis = (fixed(_told(value), language, _places(finding)) for value in both)
+    return plan, analysis
+
+
+def _told(value: Any) -> float:
+    return float(abs(value)) if np.iscomplexobj(value) else float(value)
+
+
+def _places(finding: Finding) -> int:
+    return max(DIGITS - 1 - int(np.floor(np.log10(finding.largest))), 0)
 
 
 def _cells(finding: Finding, position: int, language: str) -> tuple[str, str, str]:
-    ours, theirs = finding.construction[position], finding.analysis[position]
-    if np.isnan(abs(ours)) or np.isnan(abs(theirs)):
-        return "—", "—", "—"
-    true = [float(abs(value)) if np.iscomplexobj(value) else float(value) for value in (ours, theirs)]
-    places = max(DIGITS - 1 - int(np.floor(np.log10(finding.largest))), 0)
+    pair = _pair(finding, position, language)
+    if pair is None:
+        return NOTHING, NOTHING, NOTHING
     share = _per_cent(float(finding.difference[position]) / finding.largest * 100, language)
-    if max(map(abs, true)) <= finding.allowed[position]:
-        share = "—"  # of what is nothing but for rounding there is no share
-    return fixed(true[0], language, places), fixed(true[1], language, places), share
+    if max(abs(_told(one[position])) for one in (finding.construction, finding.analysis)) <= finding.allowed[position]:
+        share = NOTHING  # of what is nothing but for rounding there is no share
+    return *pair, share
+
+
+def _cells_by_hand(finding: Finding, position: int, language: str) -> tuple[Cell, Cell, Cell]:
+    pair, places = _pair(finding, position, language), _places(finding)
+    if pair is None:
+        return NOTHING, NOTHING, NOTHING
+    widest = re.sub(r"\d", WIDE, f"±{fixed(finding.largest, language, places)}")
+    return *pair, Later(finding.name, position, widest, places, finding.largest)
+
+
+def by_hand(errors: Mapping[tuple[str, int], float], language: str) -> Callable[[Later], str]:
+    """Give how the cells of what a hand may be out are written, by the names and positions of the findings."""
+
+    def write(cell: Later) -> str:
+        error = errors.get((cell.name, cell.position), math.nan)
+        if not error <= cell.most:  # a dead centre: the slips tell nothing, or no more than that anything may be drawn
+            return NOTHING
+        fine = error < 10.0 ** (1 - cell.places)
+        return f"±{fixed(error, language, cell.places) if fine else number(error, language, 2)}"
+
+    return write
 
 
 def _per_cent(value: float, language: str) -> str:
@@ -66,5 +140,5 @@ def _per_cent(value: float, language: str) -> str:
 
 def table(lines: Sequence[TableRow], positions: tuple[int, ...], drafting: Drafting) -> RuledTable:
     """Measure a table of values."""
-    heads = tuple(drafting.word(key) for key in COLUMNS)
+    heads = tuple(drafting.word(key) for key in BY_HAND)
     return measure(lines, drafting.word("quantity"), heads, drafting.hand.text, positions)

@@ -15,7 +15,7 @@ from drawings.paper.strokes import INK, Circle, Group, LineStyle, SheetError, St
 from plans.scene.scene import Scene
 from plans.words.words import placed
 
-BLOCK = "title-block"  # the name of its group
+BLOCK, EXTRA = "title-block", "extra-graphs"  # the names of their groups
 
 __all__ = ["Field", "Page", "page_of"]  # figures take their fields from the page
 
@@ -78,7 +78,7 @@ class Page:
             line = frame.rectangle(self.field, LineStyle(reference.FRAME))
             return line, Group(tuple(reference.borders(self.name, self.size, self.field, self.block)), "borders")
         extra = form1.extra(self.field, self._repeated, self.designation, self.name, self.hand, self.language)
-        return frame.rectangle(self.field, LineStyle(self.hand.main)), Group(tuple(extra), "extra-graphs")
+        return frame.rectangle(self.field, LineStyle(self.hand.main)), Group(tuple(extra), EXTRA)
 
     def corners(self) -> Group:
         """Mark three corners of the frame, by which a reader finds the sheet's own millimetres again."""

@@ -32,7 +32,7 @@ class TitleCell(NamedTuple):
     size: float = 3.5
     anchor: Anchor = "middle"
     rotation: float = 0.0
-    least: float = 2.5
+    least: float = SIZES[0]
     pad: float = 0.8
 
     def letter(self, corner: complex, plain: str) -> Iterator[Text]:
@@ -56,8 +56,8 @@ class TitleCell(NamedTuple):
     def fit(self, plain: str) -> tuple[float, list[str]]:
         """Give the size of the lettering and its lines.
 
-        >>> TitleCell(0, 0, 70, 14, 5.0).fit("Crank shaper"), TitleCell(0, 0, 20, 5).fit("a name too long")
-        ((5.0, ['Crank shaper']), (2.5, ['a name too…']))
+        >>> TitleCell(0, 0, 70, 14, 5.0).fit("Crank shaper"), TitleCell(0, 0, 20, 5).fit("a name that is too long")
+        ((5.0, ['Crank shaper']), (1.8, ['a name that is…']))
         """
         sizes = [size for size in SIZES if self.least <= size <= self.size]
         room = self._room[0] - self.pad - (self.pad if self.anchor == "middle" else CLEAR)

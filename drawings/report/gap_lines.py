@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 
 from drawings.lettering.words import decimal, runs
+from plans.model.mechanism import Drive
 from plans.model.motion import Gap
 from plans.words.words import Message, message, word
 
@@ -25,11 +26,12 @@ def _line(together: Sequence[Gap]) -> Message:
     return message(key, **positions([gap.position for gap in together]), first=first.position, **parts)
 
 
-def gap_line(key: str, gap: Gap, language: str) -> str:
-    """Tell one gap in the report, by the key of its line."""
-    angle = decimal(f"{math.degrees(gap.phi):.3f}", language)
-    parts = {"plan": gap.plan, "reason": gap.reason, "advice": gap.advice}
-    return word(language, key, position=gap.position, angle=angle, **parts)
+def gap_line(key: str, gap: Gap, drive: Drive, language: str) -> str:
+    """Tell one gap in the report, by the key of its line, or of a slider that drives by `key_way`."""
+    parts = {"plan": gap.plan, "reason": gap.reason, "advice": gap.advice, "position": gap.position}
+    if not drive.turns:
+        return word(language, f"{key}_way", way=decimal(f"{1000 * drive.unit * gap.phi:.3f}", language), **parts)
+    return word(language, key, angle=decimal(f"{math.degrees(gap.phi):.3f}", language), **parts)
 
 
 def positions(numbers: Sequence[int]) -> dict[str, object]:

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from drawings.page.page import BLOCK, Page, page_of
+from drawings.page.page import BLOCK, EXTRA, Page, page_of
 from drawings.page.title_cell import NUMBERS
 from drawings.paper.strokes import Group, Leaf, Stroke
+from drawings.paper.walk import groups, texts
+from drawings.sheets.admission import CELLS
+from plans.scene.faults import Fault, Path, SceneError
 from plans.scene.scene import Scene
 
 Leaves = Mapping[str, Sequence[Leaf]]
@@ -25,6 +28,44 @@ def bind(leaves: Leaves, scene: Scene) -> Leaves:
         page = page_of(scene, kind)
         found[kind] = tuple(_numbered(leaf, page, first + k, counts[name]) for k, leaf in enumerate(own))
     return found
+
+
+def cuts(leaves: Leaves, scene: Scene) -> Iterator[Fault]:
+    """Tell once what the author wrote that a title block has no room for; a designation that is cut is refused."""
+    told: set[Path] = set()
+    for kind, own in leaves.items():
+        named, others = _designation(scene, kind), [(("title",), scene.title), *_names(scene)]
+        for leaf in own[:1]:  # the others have the same
+            shown = min(_shown(named[1], place) for place in (*_lettering(leaf, BLOCK), *_lettering(leaf, EXTRA)))
+            if shown < len(named[1]):
+                raise SceneError([scene.fault(named[0], "designation", count=shown)])
+            for path, text in others:
+                shown = min(_shown(text, place) for place in _lettering(leaf, BLOCK))
+                if shown < len(text) and path not in told:
+                    told.add(path)
+                    yield scene.fault(path, "cut", count=shown)
+
+
+def _designation(scene: Scene, kind: str) -> tuple[Path, str]:
+    own: Path = ("sheet", "designations", kind)
+    return own if scene.has(own) else ("sheet", "designation"), scene.sheet.designated(kind)
+
+
+def _names(scene: Scene) -> Iterator[tuple[Path, str]]:
+    """Give what else the author wrote for the title block, by its key; a date is written as its form has it."""
+    yield from ((("sheet", cell), getattr(scene.sheet, cell)) for cell in CELLS if cell not in ("designation", "date"))
+
+
+def _lettering(leaf: Leaf, name: str) -> Iterator[str]:
+    """Read the lettering of a group of a sheet in one line, without spaces."""
+    for group in groups(leaf.groups):
+        if group.name == name:
+            yield "".join(text.plain for text in texts(group.strokes)).replace(" ", "")
+
+
+def _shown(text: str, place: str) -> int:
+    """Count the letters of a text that are there, from its beginning."""
+    return next((k for k in range(len(text), 0, -1) if text[:k].replace(" ", "") in place), 0)
 
 
 def _numbered(leaf: Leaf, page: Page, sheet: int, sheets: int) -> Leaf:

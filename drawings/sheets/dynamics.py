@@ -21,10 +21,10 @@ from drawings.figures.dynamics.load_course import LoadCourse, courses
 from drawings.figures.dynamics.plate import Content
 from drawings.figures.graphs import curve_graph
 from drawings.layout.contents import Panel
-from drawings.layout.grid import GAP
 from drawings.layout.picture import SMALLER
+from drawings.layout.room import room_of
+from drawings.layout.slicing import GAP
 from drawings.layout.table import RuledTable
-from drawings.layout.trials import room_of
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.page.page import Page, page_of
 from drawings.paper.strokes import Leaf

@@ -8,13 +8,14 @@ import numpy as np
 
 from drawings.figures.forces.force_letters import force_letter
 from drawings.lettering.words import number, runs, word
-from drawings.sheets.notes import lengths
+from drawings.sheets.notes import driving, lengths
 from geometry.board import at
 from plans.forces.lines import told_line
 from plans.forces.primary import DRIVING
 from plans.forces.statics import Statics
 from plans.model.kinetostatics import NOTHING
 from plans.model.machine import ALWAYS, GEAR, Force, Moment
+from plans.model.rates import Rates
 
 NBSP = "\N{NO-BREAK SPACE}"
 INDEX = ("friction index", "useful index")  # of powers
@@ -22,9 +23,13 @@ INDEX = ("friction index", "useful index")  # of powers
 
 def notes(statics: Statics, position: int, language: str) -> list[str]:
     """Write what the sheet says in words: what is given, what the lever carries, what friction takes."""
-    omega, epsilon = (number(rate, language) for rate in statics.study.rates.at(position))
-    crank = word(language, "crank", link=statics.study.mechanism.drive.link, omega=omega, epsilon=epsilon)
-    given = [crank, *lengths(statics.study, language), *_masses(statics, language), *_loads(statics, language)]
+    rates = Rates(*statics.study.rates.at(position))
+    given = [
+        driving(statics.study, rates, language),
+        *lengths(statics.study, language),
+        *_masses(statics, language),
+        *_loads(statics, language),
+    ]
     return [
         *given,
         word(language, "known lines"),

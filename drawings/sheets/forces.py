@@ -3,32 +3,37 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
 
+from drawings.figures.dynamics import load_diagram
+from drawings.figures.dynamics.load_course import courses
 from drawings.figures.forces import force_polygon, force_table, lever_plan, loading_scheme
 from drawings.figures.forces.force_equations import Equations
 from drawings.figures.forces.force_letters import letter_of
 from drawings.figures.graphs import curve_graph, hodograph
 from drawings.layout import value_table
 from drawings.layout.contents import Panel
-from drawings.layout.table import RuledTable
+from drawings.layout.picture import Spot
+from drawings.layout.table import Later, RuledTable
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.sheets.choice import force_positions
 from drawings.sheets.force_notes import notes
 from drawings.sheets.leaves import Caption, Draft, Exhibit, lay_out
 from plans.checks.force_comparison import ForceComparison
+from plans.checks.hand.forces import forces_by_hand
 from plans.forces.cut import Cut, indices
 from plans.forces.force import ForcePlan
-from plans.forces.primary import BALANCING
+from plans.forces.primary import balancing_quantity
 from plans.forces.statics import Statics
 from plans.linkage.study import LinkageStudy
 from plans.model.kinetostatics import Kinetostatics
+from plans.model.motion import Floats
 from plans.model.structure import formula
 from plans.study import Study
 
@@ -67,9 +72,10 @@ class _ForceSheet:
         """Title, figures, equations, table and notes of the sheets."""
         words = notes(self.statics, self.position, self.drafting.language)
         columns = (one for cut in self.plan.cuts for one in self._column(cut))
-        loose = (*self._lever(), *self._graph(), *self._hodographs())
+        loose = (*self._lever(), *self._loads(), *self._graph(), *self._hodographs())
         title = self.drafting.word("forces sheet title")
-        return Draft("forces", title, (*columns, *loose), (self._table(),), tuple(words), self._facts)
+        shows = (*columns, *loose)
+        return Draft("forces", title, shows, (self._table(),), tuple(words), self._facts, later=self._later)
 
     @property
     def plan(self) -> ForcePlan:
@@ -115,25 +121,43 @@ class _ForceSheet:
             room = lever_plan.measure(shown, "lever", self.drafting)
             yield Exhibit(Panel(room), partial(lever_plan.draw, shown, room, drafting=self.drafting))
 
+    def _loads(self) -> Iterator[Exhibit]:
+        """Each load that changes over a stroke, with its positions: once in a set, on its first sheet."""
+        if self.position != self.chosen[0]:
+            return
+        for course in courses(self.statics.machine, self.statics.strokes, self.comparison.motion.construction):
+            room = load_diagram.measure(course, self.drafting)
+            draw = partial(load_diagram.draw, course, room, drafting=self.drafting)
+            yield Exhibit(Panel(room), draw)
+
     def _graph(self) -> Iterator[Exhibit]:
         """The balancing moment over the turn, or the swing, of the crank: once in a set, on its first sheet."""
         if self.position != self.chosen[0]:
             return
         curve = self._curve()
-        curve = curve._replace(title=self.drafting.word("balancing graph" if curve.closed else "balancing swing"))
+        key = "balancing graph" if curve.closed else "balancing swing"
+        key = key if self.study.mechanism.drive.turns else "balancing stroke"
+        curve = curve._replace(title=self.drafting.word(key))
         room = curve_graph.measure(curve, "balancing", self.drafting)
         yield Exhibit(Panel(room), partial(curve_graph.draw, curve, room, drafting=self.drafting))
 
     def _curve(self) -> curve_graph.GraphCurve:
-        own, least = self.forces, self.forces.nothing[1]
-        stations = np.degrees(self.study.sense * (own.phi - own.phi[0])) % 360
-        angles = np.arange(STEPS + 1) * 360 / STEPS
+        own, least, drive = self.forces, self.forces.nothing[1], self.study.mechanism.drive
         moments = (self.turned.balancing.moment, own.balancing.moment)
         dense, ordinates = (np.where(np.abs(row) <= least, 0.0, row) for row in moments)
-        dense = curve_graph.bounded(dense, ordinates)
-        letter = letter_of(BALANCING, self.drafting)
-        curve = curve_graph.GraphCurve(letter, "N*m", angles, dense, stations, ordinates, shown=self.chosen)
-        return curve_graph.swing(curve)
+        dense, (name, unit, share) = curve_graph.bounded(dense, ordinates), balancing_quantity(drive)
+        rows = *self._stations(), share * dense, share * ordinates
+        curve = curve_graph.GraphCurve(letter_of(name, self.drafting), unit, rows[1], rows[2], rows[0], rows[3])
+        curve = curve._replace(shown=self.chosen)
+        return curve_graph.swing(curve) if drive.turns else curve._replace(axis=curve_graph.WAY)
+
+    def _stations(self) -> tuple[Floats, Floats]:
+        """Give the abscissas of the positions, and those of the dense curve: degrees of a turn, metres of a stroke."""
+        gone = self.study.sense * (self.forces.phi - self.forces.phi[0])
+        whole, drive = np.arange(STEPS + 1) / STEPS, self.study.mechanism.drive
+        if drive.turns:
+            return np.degrees(gone) % 360, 360 * whole
+        return drive.unit * gone, drive.unit * gone[-1] * whole
 
     def _hodographs(self) -> Iterator[Exhibit]:
         """The reactions whose hodographs the scene asks for."""
@@ -149,6 +173,11 @@ class _ForceSheet:
         drafting = self.drafting
         lines = force_table.rows(self.comparison, self.position, drafting.language, drafting.reactions)
         return value_table.table(lines, (self.position,), drafting)
+
+    def _later(self, spots: Mapping[str, Spot]) -> Callable[[Later], str]:
+        """Write what a hand may be out in the table, at the scales of the figures."""
+        scales = {name: spot.scale.mu for name, spot in spots.items()}
+        return value_table.by_hand(forces_by_hand(self.statics, self.position, scales), self.drafting.language)
 
     def _facts(self, names: Collection[str]) -> dict[str, Any]:
         """Say in the data of a sheet whose forces its figures show."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 from functools import cached_property, partial
 from typing import Any
@@ -10,17 +10,21 @@ from typing import Any
 import numpy as np
 
 from drawings.figures.linkage import missing_plan, position_plan, vector_plan
+from drawings.figures.linkage.masses import unnamed
 from drawings.figures.linkage.skeleton import Skeletons, skeletons
 from drawings.figures.linkage.vector_plan import VectorDiagram, diagram
 from drawings.layout import value_table
 from drawings.layout.contents import Panel
-from drawings.layout.table import RuledTable
+from drawings.layout.picture import Spot
+from drawings.layout.table import Later, RuledTable
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from drawings.sheets.choice import plans, position
 from drawings.sheets.leaves import Draft, Exhibit, lay_out
 from drawings.sheets.notes import notes
 from plans.checks.compare import MotionComparison
+from plans.checks.hand.motion import plans_by_hand
+from plans.checks.parts import findings
 from plans.linkage.study import LinkageStudy
 from plans.model.order import ORDERS, POSITIONS, VELOCITIES
 from plans.model.structure import formula
@@ -60,7 +64,8 @@ class _KinematicsSheet:
         """Title, figures, table and notes of the sheets."""
         words = notes(self.study, self.comparison, self.drafting.language)
         title = self.drafting.word("sheet title")
-        return Draft("kinematics", title, (self._main(), *self._plans()), self._tables(), tuple(words), self._facts)
+        shows = (self._main(), *self._plans())
+        return Draft("kinematics", title, shows, self._tables(), tuple(words), self._facts, later=self._later)
 
     @cached_property
     def shown(self) -> int:
@@ -102,7 +107,8 @@ class _KinematicsSheet:
 
     def _diagram(self, subject: str, k: int) -> VectorDiagram:
         drafts = self.study.drafts()
-        return diagram(drafts.velocities if subject == VELOCITIES.plan else drafts.accelerations, k)
+        plan = drafts.velocities if subject == VELOCITIES.plan else drafts.accelerations
+        return diagram(plan, k, unnamed(self.study.scene, self.study.mechanism.links))
 
     def _why(self, subject: str, k: int) -> str:
         """Say in words why a plan is not drawn."""
@@ -113,10 +119,18 @@ class _KinematicsSheet:
 
     def _tables(self) -> tuple[RuledTable, ...]:
         """The table of values, without what the scene states."""
-        given = {f"{symbol}_{self.study.mechanism.drive.link}" for symbol in ("ω", "ε")}
+        drive = self.study.mechanism.drive
+        given = {f"{symbol}_{drive.link}" for symbol in "ωε"} if drive.turns else {f"{k}_{drive.end}" for k in "va"}
         language = self.drafting.language
-        lines = value_table.rows(self.comparison, self.positions, given, language) if self.positions else []
+        parts = findings(self.study, self.comparison) if self.positions else ()
+        lines = value_table.rows(self.comparison, self.positions, given, language, parts) if self.positions else []
         return (value_table.table(lines, self.positions, self.drafting),) if lines else ()
+
+    def _later(self, spots: Mapping[str, Spot]) -> Callable[[Later], str]:
+        """Write what a hand may be out in the table, at the scales of the plans."""
+        scales = {name: spot.scale.mu for name, spot in spots.items()}
+        errors = plans_by_hand(self.study, self.comparison, scales, self.positions)
+        return value_table.by_hand(errors, self.drafting.language)
 
     def _facts(self, names: Collection[str]) -> dict[str, Any]:
         """Say in the data of a sheet what its figures show."""

@@ -7,14 +7,14 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
 
+from drawings.layout.block import NARROW
 from drawings.layout.composer import compose
 from drawings.layout.contents import Composition, Contents, Panel
 from drawings.layout.figure import Figure
-from drawings.layout.footing import NARROW
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
 from drawings.layout.picture import SMALLER, Picture, Spot
-from drawings.layout.table import RuledTable
+from drawings.layout.table import Later, RuledTable
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.page.page import Field, Page, page_of
 from drawings.paper.strokes import Group, Leaf, SheetError
@@ -47,7 +47,7 @@ class Draft:
 
     `facts` gives what the data of a sheet say of it beside title and number, by the names of the figures that it bears.
     `scaled` is the figure whose scale the title block states: the foremost one, unless it is named. The notes stand in
-    no column of less than `narrow` mm.
+    no column of less than `narrow` mm. `later` writes, by the spots of all figures, the cells that wait for them.
     """
 
     kind: str
@@ -58,6 +58,7 @@ class Draft:
     facts: Callable[[Collection[str]], Mapping[str, Any]]
     scaled: str = ""
     narrow: float = NARROW
+    later: Callable[[Mapping[str, Spot]], Callable[[Later], str]] | None = None
 
 
 def lay_out(scene: Scene, drafts: Sequence[Draft]) -> tuple[Leaf, ...]:
@@ -68,7 +69,7 @@ def lay_out(scene: Scene, drafts: Sequence[Draft]) -> tuple[Leaf, ...]:
 def lay_out_each(drafts: Sequence[tuple[Scene, Draft]]) -> tuple[Leaf, ...]:
     """Lay out drafts whose sheets differ in what their scene says of them, such as the format."""
     own = [_Leaves(scene, draft) for scene, draft in drafts]
-    composed = [(one, sheet) for one in own for sheet in one.composed()]
+    composed = [(one, sheet) for one in own for sheet in one.sheets]
     return tuple(one.leaf(sheet, k + 1, len(composed)) for k, (one, sheet) in enumerate(composed))
 
 
@@ -83,7 +84,7 @@ def cost(scene: Scene, draft: Draft) -> tuple[int, int]:
 
 def compositions(scene: Scene, draft: Draft) -> Sequence[Composition]:
     """Give where all that a draft shows would stand, sheet by sheet, before anything is drawn."""
-    return _Leaves(scene, draft).composed()
+    return _Leaves(scene, draft).composed
 
 
 @dataclass(frozen=True)
@@ -126,6 +127,7 @@ class _Leaves:
     def _with(self, panels: tuple[Panel, ...]) -> Contents:
         return Contents(panels, self.draft.tables, measure(self.draft.notes, self.page.hand.text, self.draft.narrow))
 
+    @cached_property
     def composed(self) -> Sequence[Composition]:
         """Compose the sheets; where they have no room it may be for the scales that the scene states."""
         try:
@@ -135,6 +137,22 @@ class _Leaves:
                 compose(self.free, self.page)
                 raise self.scales.crowded from None
             raise
+
+    @cached_property
+    def spots(self) -> Mapping[str, Spot]:
+        """Where the figures of all sheets stand."""
+        return {name: spot for one in self.composed for name, spot in one.spots.items()}
+
+    @property
+    def sheets(self) -> Sequence[Composition]:
+        """The composed sheets, the cells of their tables written that waited for the scales of the figures."""
+        if self.draft.later is None:
+            return self.composed
+        write = self.draft.later(self.spots)
+        return [
+            one._replace(tables=tuple(told._replace(table=told.table.filled(write)) for told in one.tables))
+            for one in self.composed
+        ]
 
     def leaf(self, composed: Composition, number: int, count: int) -> Leaf:
         """Draw one sheet: the lines of all its figures first, then the letters among them."""
@@ -153,6 +171,7 @@ class _Leaves:
                 "sheet": draft.kind,
                 "title": self.title,
                 **draft.facts(composed.spots.keys()),
+                **({} if draft.later is None else {"scales": {k: one.scale.mu for k, one in self.spots.items()}}),
                 "number": number,
                 "of": count,
             },

@@ -8,6 +8,7 @@ from drawings.lettering.words import fixed, number, runs, span, word
 from plans.checks.compare import MotionComparison
 from plans.linkage.pressure import interval
 from plans.linkage.study import LinkageStudy
+from plans.model.rates import Rates
 from plans.model.structure import formula, mechanism_class
 from plans.words.words import said as worded
 
@@ -16,16 +17,13 @@ MOST_LENGTHS = 16  # of a mechanism with more the report and the scene tell them
 
 def notes(study: LinkageStudy, comparison: MotionComparison, language: str) -> list[str]:
     """Write what the sheet says in words: structure, drive, stroke, time ratio, pressure angles, gaps, agreement."""
-    mechanism, drive, rates = study.mechanism, study.mechanism.drive, study.rates
+    mechanism = study.mechanism
     said = [
         word(
             language, "structure", n=mechanism.moving_links, p=mechanism.lower_pairs, w=mechanism.mobility,
             formula=formula(mechanism, study.groups).replace("->", "→"), klass=mechanism_class(study.groups),
         ),
-        word(
-            language, "crank", link=drive.link, omega=span(np.ravel(rates.omega), language),
-            epsilon=span(np.ravel(rates.epsilon), language),
-        ),
+        driving(study, study.rates, language),
     ]  # fmt: skip
     said += lengths(study, language)
     if study.travel is not None:
@@ -36,6 +34,16 @@ def notes(study: LinkageStudy, comparison: MotionComparison, language: str) -> l
         if low != high:
             said.append(word(language, "pressure", group=group.label, low=low, high=high))
     return [*said, *_gaps(comparison, language), *_why(study, comparison)]
+
+
+def driving(study: LinkageStudy, rates: Rates, language: str) -> str:
+    """Tell how the primary link moves: a crank turns, a slider is pushed over its stroke."""
+    drive = study.mechanism.drive
+    omega, epsilon = (span(np.ravel(rate) * drive.unit, language) for rate in rates)
+    if drive.turns:
+        return word(language, "crank", link=drive.link, omega=omega, epsilon=epsilon)
+    ends = (number(1000 * drive.unit * float(phi), language) for phi in study.turn.phi[[0, -1]])
+    return word(language, "pushed", point=drive.end, v=omega, a=epsilon, stroke=" … ".join(ends))
 
 
 def lengths(study: LinkageStudy, language: str) -> list[str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from drawings.layout.footing import NARROW, Notes
+from drawings.layout.block import NARROW, Notes
 from drawings.lettering.lettering import text_width
 from drawings.page.page import Field
 from drawings.paper.strokes import LEAN, Group, Stroke, Text

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from drawings.layout.contents import Panel
 from drawings.layout.picture import SMALLER, Picture
-from drawings.layout.trials import room_of
+from drawings.layout.room import room_of
 from drawings.page.page import Field, Page
 from drawings.page.scale import Scale
 from drawings.paper.strokes import SheetError

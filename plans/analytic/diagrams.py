@@ -19,7 +19,7 @@ def diagrams(road: Analysis, output: Output, extremes: Extremes | None, axis: Ax
 
     v over a part is the way over it by its time, a between two parts what v gains from middle to middle by that time.
     """
-    drive, far = road.mechanism.drive, _Way(road, output, axis)
+    drive, far = road.mechanism.drive, _Way(road, output, axis, float(motion.phi[0]))
     omega = abs(drive.omega)
     count = _count(far, extremes, axis)
     at = count.course(
@@ -43,8 +43,9 @@ def diagrams(road: Analysis, output: Output, extremes: Extremes | None, axis: Ax
 class _Way:
     """The output's coordinate over an axis by analysis, an angle followed from node to node."""
 
-    def __init__(self, road: Analysis, output: Output, axis: Axis) -> None:
+    def __init__(self, road: Analysis, output: Output, axis: Axis, first: float) -> None:
         self.road, self.output, self.axis = road, output, axis
+        self.first = first  # rad: the crank angle at which the road looks for the sketch's assembly
         self.nodes = axis.fine(NODES)
         self.along = self.at(self.nodes, followed=False)[0]
         self.turns = _slide_of(road.mechanism, output) is None
@@ -55,10 +56,10 @@ class _Way:
         """Give the coordinate, its velocity and acceleration at angles of the axis, (N,) each; NaN at NaN."""
         known = np.flatnonzero(np.isfinite(turned))
         sense = -1.0 if self.road.mechanism.drive.omega < 0 else 1.0
-        motion = self.road.around(self.axis.start + sense * turned[known])
+        phi = np.append(self.first, self.axis.start + sense * turned[known])
         rows = [np.full(len(turned), np.nan) for _ in range(3)]
-        for row, values in zip(rows, _rows(self.road.mechanism, self.output, motion), strict=True):
-            row[known] = values
+        for row, values in zip(rows, _rows(self.road.mechanism, self.output, self.road.around(phi)), strict=True):
+            row[known] = values[1:]
         return self.followed(turned, rows) if followed else rows
 
     def followed(self, turned: Floats, rows: Sequence[Floats]) -> list[Floats]:

@@ -62,7 +62,7 @@ def drawn(replay: Replay, hand: Draughtsman) -> dict[tuple[str, str], Any]:
 
 
 def copies(hand: Draughtsman, *wanted: Mark) -> dict[Mark, Any]:
-    """Draw the record behind some marks by hand: each mark as it came to lie; one on a plan without a scale is known."""
+    """Draw the record behind some marks by hand: where each mark came to lie; a plan without a scale is known."""
     marks = behind(*wanted)
     places, done = pricked_givens(marks), dict[Mark, Any]()
     with np.errstate(invalid="ignore", divide="ignore"):  # loci that the hand made miss each other are NaN

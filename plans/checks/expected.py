@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+
+import numpy as np
 
 from plans.linkage.groups.kinds import KINDS
-from plans.linkage.groups.vectors import Slotted, Turning
+from plans.linkage.groups.vectors import Slotted, Turning, Vector
 from plans.linkage.letters import Letters
 from plans.linkage.primary import PRIMARIES
 from plans.model.group import Group
@@ -29,8 +31,16 @@ class Expected:
         for group in groups:
             told += KINDS[group.kind].vectors(group)
         for vector in told:
-            found.update(self._turning(vector) if isinstance(vector, Turning) else self._slotted(vector))
+            found.update(self._of(vector))
         return found
+
+    def _of(self, vector: Vector) -> Iterable[tuple[Arrow, complex]]:
+        match vector:
+            case Turning():
+                return self._turning(vector)
+            case Slotted():
+                return self._slotted(vector)
+        return ()
 
     def moving(self) -> list[str]:
         """Give the points that have velocities of their own."""
@@ -52,6 +62,14 @@ class Expected:
     def a(self, name: str) -> complex:
         """Acceleration of a point, m/s2."""
         return complex(self.motion.points[name].a[self.k])
+
+    def centre(self, link: int, own: complex, order: int) -> complex:
+        """Velocity (order 1) or acceleration (2) of a place of a link, by that of its first point (M3.1)."""
+        name, first = next(iter(self.mechanism.links[link].points.items()))
+        turned, rates = (own - first) * np.exp(1j * self.motion.links[link].angle[self.k]), self.motion.links[link]
+        omega, epsilon = float(rates.omega[self.k]), float(rates.epsilon[self.k])
+        spun = 1j * omega if order == 1 else 1j * epsilon - omega**2
+        return complex(self.motion.points[name][order][self.k] + spun * turned)
 
     def omega(self, link: int) -> float:
         """Angular velocity of a link, rad/s."""

@@ -20,7 +20,7 @@ from plans.forces.cut import INERTIA, Support, indices
 from plans.forces.force_template import ForcePlans
 from plans.forces.loading import loading
 from plans.forces.primary import BALANCING as BALANCED
-from plans.forces.primary import DRIVING
+from plans.forces.primary import DRIVING, BalancingQuantity, balancing_quantity
 from plans.forces.statics import Statics
 from plans.model.kinetostatics import FORCES, Kinetostatics, Loading
 from plans.model.losses import Friction
@@ -137,12 +137,22 @@ class ForceFindings:
         largest = self._largest_moment
         if ours.force is not None:
             yield self.finding((DRIVING, "N"), (ours.force, theirs.force), self.off(plan.drive), self.largest)
-        yield self.finding((BALANCED, "N*m"), (ours.moment, theirs.moment), off, largest)
+        if self._told.name != DRIVING:
+            yield self.finding((BALANCED, "N*m"), (ours.moment, theirs.moment), off, largest)
         if lever is not None:
             hung = np.where(np.isnan(ours.moment), np.nan, np.asarray(lever.moment.point).real)
-            yield self.finding((f"{BALANCED} lever", "N*m"), (hung, theirs.moment), self.off(lever.moment), largest)
+            yield self._told_by("lever", (hung, theirs.moment), self.off(lever.moment), largest)
         powered = np.where(np.isnan(ours.moment), np.nan, balancing_moment(road, machine, solved, loads))
-        yield self.finding((f"{BALANCED} power", "N*m"), (ours.moment, powered), off, largest)
+        yield self._told_by("power", (ours.moment, powered), off, largest)
+
+    @property
+    def _told(self) -> BalancingQuantity:
+        return balancing_quantity(self.statics.study.mechanism.drive)
+
+    def _told_by(self, how: str, pair: tuple[Any, Any], off: Floats, largest: float) -> Finding:
+        """Put what the drive gives beside what another balance gives, by their moments; of a slide their forces."""
+        name, unit, share = self._told
+        return self.finding((f"{name} {how}", unit), (share * pair[0], share * pair[1]), share * off, share * largest)
 
     def energy(self, loads: Loading) -> Finding:
         """Compare with the energy balance; how far its differences may be off is its own word, and is not capped."""
@@ -150,14 +160,16 @@ class ForceFindings:
         off, largest = self.off(plan.balancing), self._largest_moment
         stored = energy_balance(self.motion.road, machine, self.motion.analysis, loads)
         judged = np.where(np.isnan(stored.moment), ours.moment, stored.moment)  # NaN: not judged
-        one = self.finding((f"{BALANCED} energy", "N*m"), (ours.moment, judged), off, largest)
-        return one._replace(allowed=one.allowed + np.where(np.isfinite(stored.allowed), stored.allowed, 0.0))
+        one = self._told_by("energy", (ours.moment, judged), off, largest)
+        more = self._told.share * np.where(np.isfinite(stored.allowed), stored.allowed, 0.0)
+        return one._replace(allowed=one.allowed + more)
 
     @property
     def _largest_moment(self) -> float:
         mechanism = self.statics.study.mechanism
         crank = mechanism.links[mechanism.drive.link].points.values()
-        return max(largest_of([np.abs(self.ours.balancing.moment)]), self.largest * max(map(abs, crank)))
+        arm = max(map(abs, crank)) if mechanism.drive.turns else mechanism.drive.unit
+        return max(largest_of([np.abs(self.ours.balancing.moment)]), self.largest * arm)
 
     def sums(self) -> Iterator[Finding]:
         """Check the equilibrium of every link, group and the whole, and the power, by the construction alone."""

@@ -10,7 +10,7 @@ from plans.model.diagrams import TURN, Axis
 from plans.model.motion import Floats
 
 Numbers = npt.NDArray[np.int_]
-ONE = 1e-9  # rad: positions listed twice, or a turn apart, are one
+ROUNDED = 1e-9  # rad: far more than a rounding of an angle, and far less than two positions are apart
 
 
 def axis_of(study: LinkageStudy) -> Axis:
@@ -18,9 +18,8 @@ def axis_of(study: LinkageStudy) -> Axis:
 
     The positions of a whole turn are a closed row, and the first one stands again at the end.
     """
-    ahead = np.mod(study.sense * (study.turn.phi - study.turn.phi[0]) + ONE, TURN) - ONE
+    ahead = np.mod(study.sense * (study.turn.phi - study.turn.phi[0]) + ROUNDED, TURN) - ROUNDED
     order = np.argsort(ahead, kind="stable")
-    order = order[np.append(True, np.diff(ahead[order]) > ONE)]
     if isinstance(study.form.drive.positions, int) and not study.barriers and not study.lost.any():
         return _whole(order, ahead[order], float(study.turn.phi[0]))
     if study.lost.all():

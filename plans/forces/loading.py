@@ -38,7 +38,7 @@ def _acting(force: Force, motion: Motion, strokes: Mapping[Track, Stroke]) -> It
 def _force(force: Force, motion: Motion, strokes: Mapping[Track, Stroke]) -> Complexes:
     r = motion.points[force.point].r
     course = _direction(force, motion)
-    return np.where(np.isnan(r), np.nan, _size(force, motion, strokes) * course + 0.0)  # of a zero no -0
+    return np.where(np.isnan(r), np.nan, size_of(force, motion, strokes) * course + 0.0)  # of a zero no -0
 
 
 def _direction(force: Force, motion: Motion) -> Any:
@@ -58,11 +58,11 @@ def _direction(force: Force, motion: Motion) -> Any:
 def _moment(moment: Moment, motion: Motion, strokes: Mapping[Track, Stroke]) -> Floats:
     sense = -_sense(motion, moment.link) if moment.against else 1.0
     angle = motion.links[moment.link].angle
-    return np.where(np.isnan(angle), np.nan, _size(moment, motion, strokes) * sense + 0.0)
+    return np.where(np.isnan(angle), np.nan, size_of(moment, motion, strokes) * sense + 0.0)
 
 
-def _size(load: Force | Moment, motion: Motion, strokes: Mapping[Track, Stroke]) -> Floats:
-    """Give the size of a load: nothing on a stroke that is not its own, and in the overruns at the ends."""
+def size_of(load: Force | Moment, motion: Motion, strokes: Mapping[Track, Stroke]) -> Floats:
+    """Give the size of a load, N or N*m: nothing on a stroke that is not its own, nor in the overruns at the ends."""
     if not asks(load):
         return np.full(motion.phi.shape, load.size)
     stroke = strokes[load.stroke]

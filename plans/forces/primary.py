@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import cmath
+from typing import NamedTuple
 
 from geometry.board import Mark
 from plans.forces import polygon as statics
@@ -10,11 +11,24 @@ from plans.forces.cut import CLOSING, PART, Cut, Equation, Side, indices
 from plans.forces.force import ForcePlan
 from plans.linkage.groups import guide
 from plans.model.machine import FORCE, GEAR, Transmission
-from plans.model.mechanism import FRAME, Slide
+from plans.model.mechanism import FRAME, Drive, Slide
 from plans.words.words import because
 
 DRIVING, BALANCING = "P_bal", "M_bal"
 NOTHING = because("no_moment")
+
+
+class BalancingQuantity(NamedTuple):
+    """What the drive is told to give: its letters, its unit, and how much of it a balancing moment of 1 N*m is."""
+
+    name: str
+    unit: str
+    share: float = 1.0
+
+
+def balancing_quantity(drive: Drive) -> BalancingQuantity:
+    """Give what is told of a drive: the moment on the shaft of a crank, the force along the guide of a slide."""
+    return BalancingQuantity(BALANCING, "N*m") if drive.turns else BalancingQuantity(DRIVING, "N", 1.0 / drive.unit)
 
 
 def primary(plan: ForcePlan) -> Cut:

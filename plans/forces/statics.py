@@ -194,9 +194,14 @@ class Statics:
         return {}
 
     def around(self, steps: int) -> Kinetostatics:
-        """Give the forces over a whole turn from the first position on, in even steps; NaN where there are none."""
+        """Give the forces over a whole turn from the first position on, in even steps; NaN where there are none.
+
+        Of a slide that is pushed along they are those over its stroke.
+        """
         study = self.study
-        phi = study.turn.phi[0] + study.sense * 2 * np.pi * np.arange(steps + 1) / steps
+        first, last = study.turn.phi[0], study.turn.phi[-1]
+        whole = study.sense * 2 * np.pi if study.mechanism.drive.turns else last - first
+        phi = first + whole * np.arange(steps + 1) / steps
         drafts = Drafts(study, at_angles(phi).paced(study.pace))
         found, none = ForceDrafts(self, drafts).read()
         return without(found, none | drafts.lost)

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from geometry.board import Mark, at
 from geometry.meet import cross
 from geometry.steps import behind
 from plans.explanation import Explanation, NoMark, UnknownMark
 from plans.linkage.drafts import Drafts
 from plans.linkage.plan import Plan
+from plans.linkage.station import told_at
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.model.order import ORDERS, POSITIONS
@@ -38,8 +37,8 @@ def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
 
 def title(study: LinkageStudy, name: str, position: int) -> Message:
     """Head an explanation with the name of the mark and its position."""
-    angle = f"{np.degrees(study.turn.phi[position]):.4f}"
-    return message("explain.title", mark=name, position=position, angle=angle)
+    drive, phi = study.mechanism.drive, float(study.turn.phi[position])
+    return told_at("explain.title", drive, phi, mark=name, position=position)
 
 
 def position_of(study: LinkageStudy, wanted: int) -> int:

@@ -42,6 +42,7 @@ class Plan:
         self.below = below
         self.images: dict[int, Image] = {}
         self.letters: dict[str, Mark] = {}
+        self.placed: dict[tuple[int, complex, str], Mark] = {}  # images of places of links, by the letter they got
         self.readings: dict[int, Reading] = {}
         self.units: dict[tuple[int, int], Mark | None] = {}  # sliding line of (slider, owner): image of its direction
         self.slips: dict[tuple[int, int], Mark] = {}  # velocity of the pin along that line
@@ -68,7 +69,7 @@ class Plan:
     def trial(self) -> Plan:
         """Give a copy to try an assembly on; the board is shared, what is known of links and points is not."""
         other = copy(self)
-        other.images, other.letters = dict(self.images), dict(self.letters)
+        other.images, other.letters, other.placed = dict(self.images), dict(self.letters), dict(self.placed)
         other.units, other.readings = dict(self.units), dict(self.readings)
         return other
 
@@ -81,6 +82,7 @@ class Plan:
         other = copy(self)
         other.board, other.below, other.pole = board, below, made[self.pole]
         other.letters, other.slips, other.reaches = images(self.letters), images(self.slips), images(self.reaches)
+        other.placed = {key: made[mark] for key, mark in self.placed.items() if mark in made}  # others may come later
         other.units = {key: mark and made[mark] for key, mark in self.units.items()}
         other.images = {
             link: image._replace(origin=made[image.origin], arm=image.arm and made[image.arm])
@@ -115,7 +117,11 @@ class Plan:
         return self.place(link, self.mechanism.links[link].points[point], self.letter(point))
 
     def place(self, link: int, local: complex, name: str) -> Mark:
-        """Give the image of a point of a link by its place in the link's own frame."""
+        """Give the image of a point of a link by its place in the link's own frame; once placed it is used again."""
+        known = self.placed.get((link, local, name))
+        return known or self.placed.setdefault((link, local, name), self._place(link, local, name))
+
+    def _place(self, link: int, local: complex, name: str) -> Mark:
         if link == FRAME:
             return self.pole if self.below else self.board.given(name, local, because("fixed"))
         image = self.images[link]

@@ -23,11 +23,20 @@ class Primary(NamedTuple):
     vectors: Callable[[Mechanism], Iterable[Vector]]  # that its plans must have, beside those of its points
     free: str  # the given mark that takes another value in each position
     values: Callable[[Mechanism, CrankPositions], Complexes]  # of that mark
+    ends: Callable[[Mechanism, CrankPositions], Complexes]  # m: of its end, known where nothing is assembled too
 
 
 PRIMARIES: Mapping[str, Primary] = {
-    CRANK: Primary(crank.positions, crank.velocities, crank.accelerations, crank.vectors, crank.FREE, crank.values),
+    CRANK: Primary(
+        crank.positions, crank.velocities, crank.accelerations, crank.vectors, crank.FREE, crank.values, crank.ends
+    ),
     SLIDER: Primary(
-        slider.positions, slider.velocities, slider.accelerations, slider.vectors, slider.FREE, slider.values
+        slider.positions,
+        slider.velocities,
+        slider.accelerations,
+        slider.vectors,
+        slider.FREE,
+        slider.values,
+        slider.ends,
     ),
 }

@@ -136,3 +136,14 @@ def row_dropped(name: str) -> Change:
         return replace(stroke, strokes=kept)
 
     return change
+
+
+def in_part(name: str, change: Change) -> Change:
+    """Change strokes of one part of the sheet alone."""
+
+    def whole(stroke: Stroke) -> Stroke | None:
+        if not isinstance(stroke, Group) or stroke.name != name:
+            return stroke
+        return changed(Leaf(1.0, 1.0, (stroke,)), change).groups[0]
+
+    return whole

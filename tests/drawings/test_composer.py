@@ -1,68 +1,205 @@
-"""The composer: what a sheet asks for by weight, by scale, by tables; and that every figure is asked alike."""
+"""The composer: nothing on anything else, order and groups kept, all readable, one scale where it is asked for."""
 
 from __future__ import annotations
 
 import importlib
 import inspect
+import time
 from itertools import combinations
 from pathlib import Path
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as some
 
+from drawings.layout.block import Notes, TextBlock
 from drawings.layout.composer import compose
-from drawings.layout.contents import Contents, Panel
+from drawings.layout.contents import Composition, Contents, Panel
 from drawings.layout.picture import Margins, Picture, picture
-from drawings.layout.table import TableRow, table
+from drawings.layout.table import RuledTable, Setting, TableRow
 from drawings.page.page import Field, Page
+from drawings.paper.strokes import SheetError
+from tests.drawings.test_slicing import apart, inside
 
 ROOT = Path(__file__).parent.parent.parent
 FIGURES = [
     path.relative_to(ROOT).with_suffix("").as_posix().replace("/", ".")
     for path in sorted((ROOT / "drawings/figures").rglob("*.py"))
 ]
+LEAST = 40.0
+MARGINS = Margins(12.0, 10.0, 26.0)
+PAGES = [
+    Page("A1"), Page("A1", "portrait"), Page("A2"), Page("A3"), Page("A3", "portrait"), Page("A4"),
+    Page("A1", standard="ISO"), Page("A3", standard="ISO"), Page("A4", standard="ISO"),
+]  # fmt: skip
+SAID = Notes((150.0, 60.0, 90.0), 6.3)
 
 
-def figure(name: str, wide: float, high: float) -> Picture:
-    return picture(name, [0j, complex(wide, high)], ("l", "m"), Margins(12.0, 10.0, 30.0), 70.0, 40.0)
+def figure(name: str, wide: float, high: float, heading: float = 70.0) -> Picture:
+    return picture(name, [0j, complex(wide, high)], ("l", "m"), MARGINS, heading, LEAST)
 
 
-def apart(one: Field, other: Field) -> bool:
-    slack = 1e-6
-    beside = one.right <= other.left + slack or other.right <= one.left + slack
-    return beside or one.top <= other.bottom + slack or other.top <= one.bottom + slack
+def table(rows: int, positions: int = 2, name: str = "values") -> RuledTable:
+    lines = tuple(TableRow(f"v_{k}", ("1.0",) * 3 * positions) for k in range(rows))
+    return RuledTable(lines, tuple(range(positions)), 3.5, 20.0, 20.0, name=name)
 
 
-@pytest.mark.parametrize("page", [Page("A1"), Page("A2"), Page("A4")], ids=lambda page: page.name)
-def test_figures_of_one_scale_are_drawn_at_one_that_fits_them_all(page: Page) -> None:
-    views = figure("along", 0.1, 0.1), figure("across", 1.4, 0.3)
-    free = compose(Contents(tuple(map(Panel, views))), page)
-    one = compose(Contents(tuple(Panel(view, scale="rotor") for view in views)), page)
-    scales = {name: spot.scale.mu for sheet in free for name, spot in sheet.spots.items()}
-    shared = {spot.scale.mu for sheet in one for spot in sheet.spots.values()}
-    assert scales["along"] != scales["across"] and shared == {max(scales.values())}
+def group(k: int, wide: float, high: float) -> list[Panel]:
+    equations = TextBlock(f"equations-{k}", ((70.0, 36.5), (100.0, 24.0)))
+    items = figure(f"scheme-{k}", wide, high), equations, figure(f"polygon-{k}", high, wide)
+    return [Panel(item, together=f"group {k}") for item in items]
+
+
+sides = some.floats(0.05, 1.5)
+pairs = some.lists(some.tuples(sides, sides), min_size=1, max_size=4)
+
+
+@some.composite
+def anything(draw: some.DrawFn) -> Contents:
+    """A foremost figure or none, groups, single figures of one scale, tables, notes."""
+    panels = [Panel(figure("main", *size), 1.5) for size in draw(some.lists(some.tuples(sides, sides), max_size=1))]
+    panels += [panel for k, size in enumerate(draw(pairs)) for panel in group(k, *size)]
+    scale = draw(some.sampled_from(["", "v"]))
+    panels += [Panel(figure(f"plan-{k}", *size), scale=scale) for k, size in enumerate(draw(pairs))]
+    rows = draw(some.lists(some.integers(1, 30), max_size=2))
+    tables = tuple(table(count, draw(some.integers(1, 4)), f"table-{k}") for k, count in enumerate(rows))
+    return Contents(tuple(panels), tables, draw(some.sampled_from([None, SAID])))
+
+
+def boxes(one: Composition, page: Page) -> list[Field]:
+    found = [*(spot.box for spot in one.spots.values()), *one.blocks.values(), *page.taken]
+    for own, corner, setting in one.tables:
+        wide, high = own.size(setting)
+        found.append(Field(corner.real, corner.imag - high, corner.real + wide, corner.imag))
+    return found if one.notes is None else [*found, one.notes]
+
+
+@given(anything(), some.sampled_from(PAGES))
+@settings(max_examples=30, deadline=None)
+def test_all_is_shown_once_in_order_inside_the_frame_and_on_nothing_else(content: Contents, page: Page) -> None:
+    sheets = compose(content, page)
+    for one in sheets:
+        assert all(inside(box, page.field) for box in boxes(one, page))
+        assert all(apart(*pair) for pair in combinations(boxes(one, page), 2))
+    figures = [panel.item.name for panel in content.panels if isinstance(panel.item, Picture)]
+    assert [name for one in sheets for name in one.spots] == figures
+    rows = {own.name: list(own.lines) for own in content.tables}
+    assert {name: [line for one in sheets for own in one.tables if own.table.name == name for line in own.table.lines]
+            for name in rows} == rows  # fmt: skip
+    assert sum(one.notes is not None for one in sheets) == (content.notes is not None)
+    assert compose(content, page) == sheets
+
+
+@given(anything(), some.sampled_from(PAGES))
+@settings(max_examples=20, deadline=None)
+def test_all_can_be_read_and_those_of_one_scale_share_it_if_they_can(content: Contents, page: Page) -> None:
+    spots = {name: spot for one in compose(content, page) for name, spot in one.spots.items()}
+    pictures = {panel.item.name: panel for panel in content.panels if isinstance(panel.item, Picture)}
+    for name, panel in pictures.items():
+        assert isinstance(panel.item, Picture)
+        assert panel.item.extent(spots[name].scale) >= LEAST * (1 - 1e-9)
+    keyed = [spots[name].scale.mu for name, panel in pictures.items() if panel.scale]
+    for name, panel in pictures.items():
+        if panel.scale and isinstance(panel.item, Picture) and spots[name].scale.mu != max(keyed):
+            assert max(panel.item.wide, panel.item.high) / max(keyed) < LEAST  # not to be read at the common one
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: f"{page.name}-{page.orientation}-{page.standard}")
+def test_what_belongs_together_is_not_mixed_with_what_does_not(page: Page) -> None:
+    panels = [panel for k in range(3) for panel in group(k, 0.3 + 0.1 * k, 0.2)]
+    for one in compose(Contents(tuple(panels), (table(8),), SAID), page):
+        places = {**{name: spot.box for name, spot in one.spots.items()}, **one.blocks}
+        for k in range(3):
+            own = [box for name, box in places.items() if name.endswith(f"-{k}")]
+            others = [box for name, box in places.items() if not name.endswith(f"-{k}")]
+            around = Field(min(box.left for box in own), min(box.bottom for box in own),
+                           max(box.right for box in own), max(box.top for box in own)) if own else None  # fmt: skip
+            assert around is None or len(own) < 3 or all(apart(around, other) for other in others)
+
+
+def test_lettering_stands_close_under_its_picture_or_beside_it() -> None:
+    (one,) = compose(Contents(tuple(group(0, 0.4, 0.3))), Page("A2"))
+    scheme, equations = one.spots["scheme-0"].box, one.blocks["equations-0"]
+    assert scheme.bottom - equations.top <= 8.0 or not equations.left < scheme.right
+
+
+def test_figures_of_one_scale_are_drawn_at_one_unless_one_cannot_be_read_so() -> None:
+    for small, alike in ((0.5, True), (0.01, False)):
+        views = figure("along", small, small), figure("across", 1.4, 0.3)
+        (sheet,) = compose(Contents(tuple(Panel(view, scale="rotor") for view in views)), Page("A2"))
+        assert (sheet.spots["along"].scale == sheet.spots["across"].scale) is alike
 
 
 def test_a_figure_of_more_weight_is_drawn_larger() -> None:
-    three = [figure(name, 1.0, 1.0) for name in "abc"]
-    sizes = []
+    three, sizes = [figure(name, 1.0, 1.0) for name in "abc"], []
     for weight in (1.0, 4.0):
-        (sheet,) = compose(
-            Contents((Panel(three[0], weight, "one"), Panel(three[1]), Panel(three[2], 1.0, "one"))), Page("A2")
-        )
+        panels = Panel(three[0], weight, "one"), Panel(three[1]), Panel(three[2], 1.0, "one")
+        (sheet,) = compose(Contents(panels), Page("A2"))
         sizes.append(three[0].extent(sheet.spots["a"].scale) / three[1].extent(sheet.spots["b"].scale))
     assert sizes[1] > sizes[0]
 
 
-def test_further_tables_stand_among_the_figures_and_on_nothing() -> None:
-    lines = [TableRow(f"R_{k}", ("1.00", "2.00")) for k in range(6)]
-    tables = tuple(table(lines[:k], "quantity", ("m, kg", "D, mm"), 3.5)._replace(name=f"table-{k}") for k in (6, 4, 2))
-    (sheet,) = compose(Contents((Panel(figure("a", 1.0, 1.0)), Panel(figure("b", 1.0, 0.5))), tables), Page("A2"))
-    assert {one.table.name for one in sheet.tables} == {"table-6", "table-4", "table-2"} and not sheet.blocks
-    boxes = [spot.box for spot in sheet.spots.values()]
-    for own, corner, setting in sheet.tables:
-        wide, high = own.size(setting)
-        boxes.append(Field(corner.real, corner.imag - high, corner.real + wide, corner.imag))
-    assert all(apart(one, other) for one, other in combinations([*boxes, Page("A2").block], 2))
+@pytest.mark.parametrize("page", [Page("A1"), Page("A2"), Page("A3")], ids=lambda page: page.name)
+@pytest.mark.parametrize("size", [(0.5, 0.3), (1.5, 0.4), (0.3, 0.9)])
+def test_the_foremost_figure_takes_a_third_of_its_sheet_or_the_next_scale_is_too_large(
+    page: Page, size: tuple[float, float]
+) -> None:
+    main = figure("main", *size)
+    plans = [Panel(figure(f"plan-{k}", 1.0 + 0.2 * k, 0.7)) for k in range(4)]
+    first = compose(Contents((Panel(main, 1.5), *plans), (table(8),), SAID), page)[0]
+    (box, scale), field, block = first.spots["main"], page.field, page.block
+    free = Field(field.left + 6.0, field.bottom + 6.0, field.right - 6.0, page.taken[-1].bottom - 6.0)
+    beside, above = (block.left - free.left, free.height), (free.width, free.top - block.top)
+    larger = {rung.scale.mu for room in (beside, above) for rung in main.ladder(*room, page.standard).rungs}
+    assert box.width * box.height >= field.width * field.height / 3 or scale.mu <= sorted(larger)[1]
+
+
+def test_a_small_set_fills_its_sheet() -> None:
+    panels = [panel for k in range(3) for panel in group(k, 0.3 + 0.1 * k, 0.2)]
+    page = Page("A1")
+    (only,) = compose(Contents(tuple(panels), (table(8),), SAID), page)
+    assert sum(box.width * box.height for box in boxes(only, page)) > 0.55 * page.field.width * page.field.height
+
+
+@pytest.mark.parametrize("count", [2, 3, 5])
+def test_a_table_longer_than_a_sheet_is_continued_on_the_next(count: int) -> None:
+    sheets = compose(Contents((Panel(figure("a", 1.0, 1.0)),), (table(150 * count),)), Page("A3"))
+    rows = [len(own.table.lines) for one in sheets for own in one.tables]
+    assert sum(rows) == 150 * count and len(rows) > 1
+
+
+def test_figures_of_a_long_set_go_on_sheets_that_are_filled_alike() -> None:
+    panels = [panel for k in range(12) for panel in group(k, 0.3, 0.2 + 0.02 * k)]
+    counts = [len(one.spots) for one in compose(Contents(tuple(panels), (), SAID), Page("A2"))]
+    assert sum(counts) == 24 and max(counts) - min(counts) <= 4
+
+
+def test_a_heading_wider_than_the_paper_is_told() -> None:
+    with pytest.raises(SheetError, match="take a larger format"):
+        compose(Contents((Panel(figure("scheme", 1.0, 1.0, heading=300.0)),)), Page("A4"))
+
+
+def test_composing_takes_little_time() -> None:
+    panels, times = [panel for k in range(3) for panel in group(k, 0.3 + 0.1 * k, 0.2)], []
+    for _ in range(3):
+        start = time.process_time()
+        compose(Contents(tuple(panels), (table(8),), SAID), Page("A1"))
+        times.append(time.process_time() - start)
+    assert min(times) < 1.0  # 0.15 s on a quiet machine
+
+
+def test_a_ladder_lists_the_standard_scales_from_the_largest_that_fits() -> None:
+    plan = picture("p", [0j, 2 + 1j], ("v", "m/s"), Margins(10.0, 10.0, 20.0), 60.0)
+    rungs = plan.ladder(220.0, 200.0).rungs
+    assert [rung.scale.mu for rung in rungs[:5]] == [0.01, 0.02, 0.025, 0.04, 0.05]
+    assert rungs[0].wide == 220.0 and rungs[0].extent == 200.0 and rungs[0].high == 130.0
+    assert len(picture("at rest", [0j], ("v", "m/s"), MARGINS, 60.0).ladder(100.0, 100.0).rungs) == 1
+
+
+def test_a_wide_table_is_set_in_bands_under_each_other() -> None:
+    sizes = {setting: table(5, 6).size(setting) for setting in table(5, 6).settings() if setting.parts == 1}
+    assert [sizes[Setting(across, 1)][0] for across in (6, 3, 2, 1)] == [380.0, 200.0, 140.0, 80.0]
+    assert sizes[Setting(3, 1)][1] == pytest.approx(2 * 7 * 7.0 + 6.0)
 
 
 def test_panels_of_one_key_stand_together_wherever_they_are_named() -> None:

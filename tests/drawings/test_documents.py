@@ -12,7 +12,8 @@ from drawings.page.page import Page, page_of
 from drawings.page.title_cell import NUMBERS
 from drawings.paper.strokes import Group, Leaf
 from drawings.paper.walk import groups, texts
-from drawings.sheets.documents import bind
+from drawings.sheets.documents import bind, cuts
+from plans.scene.faults import SceneError
 from plans.scene.scene import Scene, parse_scene
 from plans.scene.sheet import DesignationTable
 from plans.techniques import TECHNIQUES
@@ -89,3 +90,38 @@ def test_a_title_block_that_says_otherwise_is_withheld(plant: Callable[[Leaf, Pa
 
 def test_every_kind_of_sheet_can_be_a_document_of_its_own() -> None:
     assert set(DesignationTable.keys) == {sheet for row in TECHNIQUES.values() for sheet in row.sheets}
+
+
+LONG = "Kinematics, forces and motion of a machine that slots gears with a swinging guide"
+
+
+def told(**table: str) -> list[str]:
+    """Say what a title block cuts of a scene."""
+    text = f"title = {table.pop('title', '')!r}\n{ROTOR}[sheet]\n" + "\n".join(f"{k} = {v!r}" for k, v in table.items())
+    scene = parse_scene(text)
+    page = page_of(scene)
+    entries = {"title": scene.title, "subtitle": "Balancing of a rotor", **table}
+    block = page.title_block(entries, "en")
+    sheet = Leaf(*page.size, (page.frame(), block), title="", description="", metadata={})
+    return [fault.worded("en") for fault in cuts({"rotor": (sheet,)}, scene)]
+
+
+@pytest.mark.parametrize("standard", ["GOST", "ISO"])
+def test_a_long_title_is_broken_and_written_small_before_it_is_cut(standard: str) -> None:
+    assert told(title=f"{LONG} and a bank of two cams", standard=standard, drawn="Preobrazhenskaya") == []
+
+
+@pytest.mark.parametrize("standard", ["GOST", "ISO"])
+def test_what_is_cut_all_the_same_is_told_at_its_line_with_the_letters_that_fit(standard: str) -> None:
+    (note,) = told(title=" ".join([LONG] * 8), standard=standard)  # ISO 7200 counts on 25 letters, and on 25 more
+    assert note.startswith("scene.toml:1:1: title = ")
+    fitting = int(note.rpartition("about ")[2].split()[0])
+    assert 2 * 25 < fitting < 8 * len(LONG)
+    assert told(title=" ".join([LONG] * 8)[: fitting - 20], standard=standard) == []
+
+
+@pytest.mark.parametrize("standard", ["GOST", "ISO"])
+def test_a_designation_is_never_cut(standard: str) -> None:
+    assert told(designation="TMM.05.12.000.001 A-B.002", standard=standard) == []
+    with pytest.raises(SceneError, match=r"scene.toml:9:1: sheet.designation = .* shorten it to \d+ letters"):
+        told(designation="-".join([LONG.replace(" ", "-")] * 4), standard=standard)

@@ -26,6 +26,7 @@ from tests.drawings.slips import (
     Change,
     changed,
     dropped,
+    in_part,
     note,
     reworded,
     row_dropped,
@@ -142,17 +143,6 @@ def test_the_difference_of_a_segment_is_told_of_both(planer: tuple[Study, Leaf])
     lines = dynamics_table.results(drawn, exact, None, drafting_of(study.scene)).lines
     found = {line.name: line.cells[-1] for line in lines}
     assert (found["o_1k·μ_T, Дж"], found["o_1l·μ_T, Дж"]) == ("0,500", "0,000")
-
-
-def in_part(name: str, change: Change) -> Change:
-    """Change strokes of one part of the sheet alone."""
-
-    def whole(stroke: Stroke) -> Stroke | None:
-        if not isinstance(stroke, Group) or stroke.name != name:
-            return stroke
-        return changed(Leaf(1.0, 1.0, (stroke,)), change).groups[0]
-
-    return whole
 
 
 def scaled(name: str, new: str = "9") -> Change:

@@ -12,8 +12,8 @@ import pytest
 
 import drawings
 from drawings.checks.note.force_note import faults
+from drawings.note.force_equations import drawn_scales, equations
 from drawings.paper.strokes import Group, Leaf
-from drawings.report.forces.equations_chapter import drawn_scales, equations
 from plans.scene.scene import parse_scene
 from plans.study import Study
 from tests.drawings.test_linkage_note import BOOK, MATH

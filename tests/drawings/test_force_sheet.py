@@ -25,7 +25,7 @@ from plans.scene.faults import SceneError
 from plans.scene.scene import parse_scene, read_scene
 from tests.drawings.collisions import collisions
 from tests.drawings.memo import verify_loaded
-from tests.drawings.slips import Change, changed, dropped, marked, rewritten, stretched
+from tests.drawings.slips import Change, changed, dropped, in_part, marked, rewritten, stretched
 from tests.parts import some
 from tests.plans.force_cases import text_of
 from tests.plans.test_statics import YOKE
@@ -71,6 +71,8 @@ FAULTS: dict[str, Change] = {
     "a reaction on the scheme of the crank points backwards": reversed_arrow("R_21"),
     "an ordinate of the balancing moment is too long": stretched("3", "balancing"),
     "an ordinate of the balancing moment is left out": dropped("2", "balancing"),
+    "a load of the diagram is too great": stretched("a", "load_diagram-F_us"),
+    "a position on the load diagram is numbered otherwise": in_part("load_diagram-F_us", rewritten("3", "4")),
     "the hodograph's vector is too long": stretched("R_03", "hodograph-0-3"),
     "a value of the table is wrong in its last digit": rewritten("1736.7", "1736.8"),
     "a force in the equations is wrong": rewritten("G4 = 29.43 N,", "G_4 = 29.34 N,"),

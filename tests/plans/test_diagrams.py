@@ -1,4 +1,4 @@
-"""Kinematic diagrams of the output: chords against what a textbook gives, gaps, outputs that turn, what is left out."""
+"""Kinematic diagrams of the output: chords against closed forms, gaps, outputs that turn, what is left out and why."""
 
 from __future__ import annotations
 
@@ -8,49 +8,162 @@ import pytest
 from plans.model.diagrams import Diagrams
 from plans.scene.scene import parse_scene
 from plans.study import Study
-from plans.words.words import Message
 
-# A sine mechanism (Scotch yoke) of radius r: S = r (1 - cos φ) from its dead centre, so that all is known exactly.
+RADIUS, SPEED = 0.060, 10.0
+# A sine mechanism (Scotch yoke) of radius r: S = r (1 - cos φ) from where its yoke is on the right.
 YOKE = """
-sheets = ["kinematics"]
 [mechanism.frame]
 O = [0, 0]
 [mechanism.links]
 1 = "OA"
 2 = "A"
-3 = "B"
+3 = "BC"
 [mechanism.lengths]
 OA = 0.060
-[[mechanism.slides]]
-link = 3
-along = {{ through = [0, 0], angle = 0 }}
+BC = 0.160
 [[mechanism.slides]]
 link = 2
-along = {{ through = "B", angle = 90 }}
+along = "BC"
+[[mechanism.slides]]
+link = 3
+along = { through = [0, -0.080], angle = 0 }
+angle = 90
+[mechanism.sketch]
+B = [0.06, -0.08]
 [drive]
 link = 1
-speed = {speed}
-{drive}
 """
 ROCKER = """
-sheets = ["kinematics"]
 [mechanism.frame]
 O = [0, 0]
-C = [{apart}, 0]
+C = [0.350, 0]
 [mechanism.links]
 1 = "OA"
 2 = "AB"
 3 = "CB"
 [mechanism.lengths]
 OA = 0.100
-AB = {rod}
-CB = {rocker}
+AB = 0.400
+CB = 0.300
 [mechanism.sketch]
-B = {sketch}
+B = [0.39, 0.30]
 [drive]
 link = 1
 speed = 10
-{drive}
-{rest}
 """
-CRANK_ROCKER = {"apart": 0.35, "rod": 0.4, "rocker": 0.3, "sketch": "[0.39, 0.30]", "drive": "positions = 12", "rest": ""}
+# Both cranks turn fully: the second by its own law, with the first in the mean.
+DRAG = ROCKER.replace("0.350", "0.050").replace("OA = 0.100", "OA = 0.200").replace("[0.39, 0.30]", "[0.05, 0.3]")
+# A crank longer than all: it swings.
+SWING = ROCKER.replace("OA = 0.100", "OA = 0.420")
+
+# A parallelogram that a second one carries through its change points.
+PARALLEL = (
+    ROCKER.replace("OA = 0.100", "OA = 0.200").replace("CB = 0.300", "CB = 0.200").replace("AB = 0.400", "AB = 0.350")
+    .replace("[0.39, 0.30]", "[0.45, 0.15]")
+    .replace("[mechanism.frame]", "[mechanism]\nthrough = 'parallel'\n[mechanism.frame]")
+)  # fmt: skip
+
+
+def study_of(text: str) -> Study:
+    return Study(parse_scene('sheets = ["kinematics"]\n' + text))
+
+
+def both(text: str) -> tuple[Diagrams, Diagrams]:
+    comparison = study_of(text).comparison("diagrams")
+    assert comparison.agrees
+    return comparison.construction, comparison.analysis
+
+
+@pytest.mark.parametrize("drive", ["speed = 10", "speed = -10", "speed = 10\nacceleration = 7"])
+def test_chords_of_a_sine_mechanism_are_those_of_the_closed_form(drive: str) -> None:
+    """The chord of a sine over a step is the sine at its middle, times sin(step/2)/(step/2); two chords its square."""
+    for found in both(f"{YOKE}{drive}\npositions = 12"):
+        step, turned = np.pi / 6, found.axis.turned
+        share = np.sin(step / 2) / (step / 2)
+        assert turned == pytest.approx(np.arange(13) * step)
+        assert found.at.s == pytest.approx(RADIUS * (1 - np.cos(turned)), abs=1e-15)
+        assert found.at.v == pytest.approx(RADIUS * SPEED * np.sin(turned), abs=1e-14)
+        assert found.speeds == pytest.approx(RADIUS * SPEED * share * np.sin(turned[:-1] + step / 2))
+        assert found.growths == pytest.approx(RADIUS * SPEED**2 * share**2 * np.cos(turned), abs=1e-12)
+        assert found.true_growths == pytest.approx(RADIUS * SPEED**2 * np.cos(turned), abs=1e-12)
+        assert found.even == pytest.approx(found.true_growths, abs=1e-12)
+        own = 7 / SPEED * found.at.v if "acceleration" in drive else 0.0
+        assert found.at.a == pytest.approx(found.true_growths + own, abs=1e-12)
+
+
+def test_uneven_positions_have_their_chords_in_the_order_in_which_the_crank_passes_them() -> None:
+    for found in both(f"{YOKE}speed = 10\npositions = [40, 10, 100, 130]"):
+        assert found.axis.numbers == (1, 0, 2, 3)
+        assert np.degrees(found.axis.turned) == pytest.approx([0, 30, 90, 120])
+        place = np.radians([10, 40, 100, 130])
+        assert found.speeds == pytest.approx(-RADIUS * SPEED * np.diff(np.cos(place)) / np.diff(place))
+        assert np.isnan(found.growths[[0, -1]]).all()
+        # Over two steps of unlike lengths a belongs midway between their middles, not to the position between them.
+        middles = (place[1:] + place[:-1]) / 2
+        assert np.degrees(found.axis.places[1:-1]) + 10 == pytest.approx(np.degrees((middles[1:] + middles[:-1]) / 2))
+        assert found.true_growths[1:-1] == pytest.approx(RADIUS * SPEED**2 * np.cos((middles[1:] + middles[:-1]) / 2))
+
+
+def test_a_rocker_is_counted_from_where_it_begins_to_work() -> None:
+    study = study_of(f"{ROCKER}positions = 24\nstart = 'extreme'")
+    found, extremes = study["diagrams"].diagrams, study["linkage"].extreme_positions.extremes
+    assert found.at.s[0] == pytest.approx(0.0, abs=1e-12)
+    assert 0.95 * extremes.stroke < found.at.s.max() <= extremes.stroke
+    assert found.at.s.min() > -1e-12
+    assert study.comparison("diagrams").agrees
+
+
+def test_of_an_output_that_turns_fully_the_even_turn_is_left_aside() -> None:
+    for found in both(f"{DRAG}positions = 36"):
+        assert found.count.turns == 1
+        assert np.mean(found.at.s[:-1]) == pytest.approx(0.0, abs=1e-12)
+        assert found.at.s[0] == pytest.approx(found.at.s[-1], abs=1e-12)
+        assert np.mean(found.speeds) == pytest.approx(0.0, abs=1e-12)  # it comes back to where it was ahead
+
+
+def test_no_chord_spans_a_gap() -> None:
+    for found in both(f"{SWING}positions = 36"):
+        assert not found.axis.closed
+        assert found.axis.joined.sum() == len(found.axis.numbers) - 1 < 35
+        assert np.isnan(found.growths[[0, -1]]).all()
+
+
+def test_a_barrier_between_two_positions_parts_them() -> None:
+    """The crank swings within less than a turn: no position of two on either side of where it cannot pass is joined."""
+    study = study_of(f"{SWING}positions = 36")
+    linkage, axis = study["linkage"], study["diagrams"].axis
+    first, last = axis.start, axis.start + axis.turned[-1]
+    assert linkage.reached(np.linspace(first, last, 500)).all()
+    assert not linkage.reached(np.linspace(last, first + 2 * np.pi, 500)).all()
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (f"{YOKE}speed = 10\npositions = 3", None),  # of a whole turn the first position stands again at the end
+        (f"{YOKE}speed = 10\npositions = [0, 30, 60]", "fewer than 4 positions follow one another"),
+        (f"{YOKE}speed = 10\npositions = 361", "there are more than 360 positions"),
+        (f"{YOKE}speed = 0\npositions = 12", "the crank is at rest"),
+        (f"{PARALLEL}positions = [20, 40, 60, 80]\n[output]\nlink = 2", "link 2 does not move"),
+        (f"{PARALLEL}positions = 12\nstart = 50\n[output]\nlink = 3", "link 3 turns evenly with the crank"),
+    ],
+)
+def test_what_is_left_out_is_told(text: str, said: str | None) -> None:
+    own = study_of(text)["diagrams"]
+    assert (str(own.left_out) if own.left_out else None) == said
+    assert (own.diagrams is None) is (said is not None)
+
+
+def test_a_scene_that_wants_none_makes_none() -> None:
+    study = study_of(f"{YOKE}speed = 10\n[sheet]\ndiagrams = false")
+    assert study["diagrams"].diagrams is None
+    assert study.comparison("diagrams").findings == ()
+    assert study.numbers("diagrams", "construction").plain() == {}
+
+
+def test_the_error_of_chords_is_of_second_order() -> None:
+    def off(count: int) -> float:
+        found = study_of(f"{ROCKER}positions = {count}")["diagrams"].diagrams
+        return float(np.abs(found.speeds - found.true_speeds).max())
+
+    assert off(24) / off(48) == pytest.approx(4, rel=0.05)

@@ -41,6 +41,19 @@ def ground(measured: Measured) -> Ground | None:
     return None if seen is None else Ground(seen.at - seen.value / seen.scale, seen.scale)
 
 
+def mass_centres(study: LinkageStudy) -> dict[str, tuple[int, complex]]:
+    """Give the mass centres that no point of the scene is or names: link, and place in its own frame."""
+    form, links = cast("ForceForm | None", study.scene.part("forces")), study.mechanism.links
+    masses = form.masses.items() if form else ()
+    found = {f"S{number}": (number, mass.place(links[number])) for number, mass in masses if number != FRAME}
+    known = {name for link in links.values() for name in link.points}
+    return {
+        name: (link, own)
+        for name, (link, own) in found.items()
+        if name not in known and not _on_a_point(links[link], own)
+    }
+
+
 class LaidMechanism:
     """The links of a mechanism in one position, on paper by the analysis."""
 
@@ -54,14 +67,8 @@ class LaidMechanism:
 
     @cached_property
     def centres(self) -> dict[str, tuple[int, complex]]:
-        """The mass centres that no point of the scene is or names: link, and place in its own frame."""
-        form, links = cast("ForceForm | None", self.study.scene.part("forces")), self.mechanism.links
-        masses = form.masses.items() if form else ()
-        found = {f"S{number}": (number, mass.place(links[number])) for number, mass in masses if number != FRAME}
-        known = {name for link in links.values() for name in link.points}
-        return {
-            name: one for name, one in found.items() if name not in known and not _on_a_point(links[one[0]], one[1])
-        }
+        """The mass centres that no point of the scene is or names."""
+        return mass_centres(self.study)
 
     @cached_property
     def reach(self) -> float:

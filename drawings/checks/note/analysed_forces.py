@@ -6,7 +6,7 @@ import cmath
 from functools import cached_property
 
 from drawings.figures.forces.leverage import Leverage
-from drawings.report.forces.cut_equations import ForceValues
+from drawings.note.cut_equations import ForceValues
 from geometry.board import Mark
 from plans.checks.force_comparison import ForceComparison
 from plans.checks.force_expected import ExpectedForces

@@ -11,7 +11,7 @@ from drawings.checks.note.analysed_forces import AnalysedForces
 from drawings.checks.note.lines import held, part
 from drawings.checks.precise import precise
 from drawings.checks.verify_friction import report_of
-from drawings.report.forces.equations_chapter import drafting_of_forces, drawn_scales, equations
+from drawings.note.force_equations import drafting_of_forces, drawn_scales, equations
 from plans.checks.compare import MOST_ALLOWED
 from plans.study import Study
 from plans.words.words import Message, word

@@ -120,7 +120,7 @@ def _pins(bones: Skeletons, pairs: Pairs) -> Iterator[Group]:
     yield Group((Circle(place.on(pivot), DOT * pairs.hand.symbol, INK),), "", data, drive.pivot)
     for k in range(len(bones.numbered)):
         if k != bones.shown:
-            value, subject = bones.crank_end(k), Subject(NAME, "r", k)
+            value, subject = bones.drive_end(k), Subject(NAME, "r", k)
             data = subject.data("point", f"{drive.end}_{k}", value, place.scale)
             yield Group((Circle(place.on(value), DOT * pairs.hand.symbol, INK),), "", data, str(k))
 

@@ -8,8 +8,10 @@ from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
+from plans.forces.loading import size_of, working_of
 from plans.forces.stroke import Stroke, asks
 from plans.model.machine import ALWAYS, IDLE, WORKING, Force, Machine, Moment, Track
+from plans.model.motion import Motion
 
 Branch: TypeAlias = tuple[complex, ...]  # corners: way m or degrees + load N or N*m * i, in the order of the motion
 
@@ -30,6 +32,8 @@ class LoadCourse(NamedTuple):
     overrun: tuple[float, float]
     out: Branch
     back: Branch
+    places: tuple[complex, ...] = ()  # way + load * i in each position of a scene, NaN at gaps; those of `back` below
+    returning: tuple[int, ...] = ()  # the positions of the idle stroke
 
     @property
     def span(self) -> tuple[float, float]:
@@ -55,10 +59,21 @@ def _bends(branch: Branch) -> Iterator[complex]:
             yield corner
 
 
-def courses(machine: Machine, strokes: Mapping[Track, Stroke]) -> Iterator[LoadCourse]:
-    """Give the course of every load that changes over a stroke."""
-    loads: tuple[Force | Moment, ...] = (*machine.forces, *machine.moments)
-    return (course(load, strokes[load.stroke]) for load in loads if asks(load))
+def courses(machine: Machine, strokes: Mapping[Track, Stroke], motion: Motion | None = None) -> Iterator[LoadCourse]:
+    """Give the course of every load that changes over a stroke, with its places at the positions of a motion."""
+    for load in machine.loads:
+        if asks(load):
+            bare = course(load, strokes[load.stroke])
+            yield bare if motion is None else _placed(bare, load, strokes, motion)
+
+
+def _placed(bare: LoadCourse, load: Force | Moment, strokes: Mapping[Track, Stroke], motion: Motion) -> LoadCourse:
+    """Give where a load is on its course in each position of a motion."""
+    stroke = strokes[load.stroke]
+    back = ~working_of(load, stroke, motion)
+    sense = np.where(back & _opposing(load), -1.0, 1.0)
+    places = bare.length * stroke.share(motion) + 1j * (sense * size_of(load, motion, strokes) + 0.0)
+    return bare._replace(places=tuple(places.tolist()), returning=tuple(np.flatnonzero(back).tolist()))
 
 
 def course(load: Force | Moment, stroke: Stroke) -> LoadCourse:

@@ -16,6 +16,7 @@ from drawings.figures.dynamics.load_course import Branch, LoadCourse
 from drawings.figures.graphs.axes import BEYOND, Axes
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot
+from drawings.layout.thinning import numbered
 from drawings.lettering.lettering import text_width
 from drawings.lettering.words import letter as lettered
 from drawings.page.drafting import Drafting
@@ -34,6 +35,7 @@ LEVELS = (9.0, 17.0)  # mm under the diagram: the overruns, the whole stroke
 DOT = 0.7  # mm, radius of a corner
 FEW = 12  # corners that are lettered a, b, c; more are numbered
 APART = 2.6  # sizes of a number from one numbered corner to the next
+SPARE = 0.5  # sizes of a number that stay free between those of two positions
 ABOVE = 1.2  # mm from a dimension line to its letters
 DIGITS = 4
 SLIDING, SWINGING = ("S", "m", "H"), ("ψ", "°", "β")  # letters of the way and of the whole stroke, unit of the way
@@ -72,7 +74,7 @@ class LoadFigure:
 
     name: str
     lines: tuple[Stroke, ...]
-    corners: tuple[tuple[str, complex, float], ...]  # letter, place, side of the letter
+    corners: tuple[tuple[str, complex, float], ...]  # letter, place, side of the letter; so of positions' numbers
     axes: tuple[tuple[str, complex, float], ...]
     sizes: tuple[Dimension, ...]
     hand: Hand
@@ -121,6 +123,9 @@ def draw(course: LoadCourse, room: Picture, spot: Spot, drafting: Drafting) -> L
     lines += [stroke for one in shown for stroke in _ordinate(one, course, axes, hand)]
     lines += [stroke for branch in _branches(course) for stroke in _branch(branch, axes, hand)]
     corners = tuple((one.letter, axes.on(one.at.real, one.at.imag), _side(one.at)) for one in shown)
+    numbers, dots = _positions(course, axes, hand)
+    corners += numbers
+    lines += dots
     return LoadFigure(room.name, tuple(lines), corners, _ends(course, axes, scale, drafting), sizes, hand)
 
 
@@ -179,6 +184,18 @@ def _ordinate(one: LoadMark, course: LoadCourse, axes: Axes, hand: Hand) -> Iter
         data = Subject(name_of(course), axes.up.letter, None).data("vector", one.letter, 1j * one.at.imag, axes.up)
         yield Group((Line(foot, tip, hand.drafted),), "", data, one.letter)
     yield Circle(tip, DOT * hand.symbol, INK)
+
+
+def _positions(
+    course: LoadCourse, axes: Axes, hand: Hand
+) -> tuple[tuple[tuple[str, complex, float], ...], list[Stroke]]:
+    """Give the numbers of positions on the course of the load, and their points: as many as have room."""
+    spots = [axes.on(place.real, place.imag) for place in course.places]
+    length, wide = 2 * abs(axes.on(course.length) - axes.zero), text_width(Text(0j, str(len(spots)), hand.number))
+    told = numbered(spots, length, wide + SPARE * hand.number)
+    dots = numbered(spots, length, 3 * DOT * hand.symbol, told)
+    sides = [-math.pi / 2 if k in course.returning else math.pi / 2 for k in range(len(spots))]
+    return tuple((str(k), spots[k], sides[k]) for k in told), [Circle(spots[k], DOT * hand.symbol, INK) for k in dots]
 
 
 def _branches(course: LoadCourse) -> Iterator[Branch]:

@@ -123,7 +123,10 @@ class Equations:
 
     def _found(self) -> Iterator[WrittenEquation]:
         """Tell the reactions that the polygon gives."""
-        statements = [self.statement(one.force.name, self._size(one.force), "N") for one in self.cut.reactions]
+        found = [one.force for one in self.cut.reactions]
+        if self.cut.group is None and not self.cut.equations and self.plan.drive is not None:
+            found.insert(0, self.plan.drive)  # of a slide the polygon gives the driving force too
+        statements = [self.statement(one.name, self._size(one), "N") for one in found]
         moments = [one.moment for one in self.cut.reactions if one.moment is not None]
         statements += [self.statement(one.name, self._value(one).real, "N*m") for one in moments if self._size(one) > 0]
         yield plain(*(f"{one}," for one in statements[:-1]), statements[-1])

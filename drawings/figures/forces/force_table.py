@@ -6,7 +6,7 @@ import numpy as np
 
 from drawings.figures.forces.force_letters import force_letter
 from drawings.layout.table import TableRow
-from drawings.layout.value_table import row
+from drawings.layout.value_table import row_by_hand
 from drawings.lettering.words import word
 from plans.checks.comparison import Finding
 from plans.checks.force_comparison import ForceComparison
@@ -24,7 +24,7 @@ def rows(comparison: ForceComparison, position: int, language: str, reactions: s
     """Give the rows of one position; what is zero over the whole turn has none."""
     nothing = dict(zip(("N", "N*m"), comparison.construction.nothing, strict=True))
     return [
-        row(finding, label(finding, language, reactions), (position,), language)
+        row_by_hand(finding, label(finding, language, reactions), (position,), language)
         for finding in comparison.of("forces")
         if np.nanmax(np.abs(finding.construction), initial=0.0) > nothing[finding.unit]
     ]

@@ -38,9 +38,13 @@ SPARE = 0.5  # sizes of a number that stay free between two
 DOTTED = 3.0  # radii of a point from one point to the next: nearer ones run into a line
 
 
+ANGLE, WAY = ("φ", "°"), ("s", "m")  # letter and unit of an axis
+
+
 class GraphCurve(NamedTuple):
     """A quantity over the angle of the crank, degrees in the sense of rotation; NaN is a gap.
 
+    Over the stroke of a slide that is pushed along the abscissas are metres from where it begins.
     A crank that turns fully is followed over a turn from position 0 on, any other one through its positions.
     """
 
@@ -54,6 +58,7 @@ class GraphCurve(NamedTuple):
     divisions: int = 0  # of the whole turn, where its end has a number and numbers stand apart
     before: Floats | None = None  # what the quantity was before a change, as dense: a thin curve
     numbers: tuple[int, ...] = ()  # of the positions, where these are not all
+    axis: tuple[str, str] = ANGLE  # letter and unit of the abscissas
     shown: tuple[int, ...] = ()  # the places of those that the sheets of its set are of: they are always numbered
 
     @property
@@ -70,7 +75,7 @@ class GraphCurve(NamedTuple):
     @property
     def closed(self) -> bool:
         """Does the graph end where it began, at position 0 after a turn?"""
-        return self.length == TURN
+        return self.length == TURN and self.axis == ANGLE
 
 
 def swing(curve: GraphCurve) -> GraphCurve:
@@ -102,7 +107,7 @@ def measure(curve: GraphCurve, name: str, drafting: Drafting) -> Picture:
     high = curve.length / RATIO
     heading = text_width(Text(0j, curve.title, hand.title))
     return Picture(
-        name, curve.length, high, complex(curve.length, high) / 2, "φ", "°", margins, heading, LETTERS * hand.letter
+        name, curve.length, high, complex(curve.length, high) / 2, *curve.axis, margins, heading, LETTERS * hand.letter
     )
 
 
@@ -148,7 +153,7 @@ def draw(curve: GraphCurve, room: Picture, spot: Spot, drafting: Drafting) -> Gr
     lines = (title, *_axes(curve, frame, hand), *ordinates, *curves)
     last = frame.on(curve.length)
     ends = (frame.on(0.0, high) + 1j * BEYOND, last + BEYOND)
-    axes = ((f"{curve.letter}, {drafting.word(curve.unit)}", ends[0], 0.0), ("φ", ends[1], math.pi / 2))
+    axes = ((f"{curve.letter}, {drafting.word(curve.unit)}", ends[0], 0.0), (curve.axis[0], ends[1], math.pi / 2))
     if curve.closed:
         stations.append((str(curve.divisions), last, BELOW))  # of no divisions: position 0 again
     return GraphFigure(curve, room.name, lines, tuple(stations), axes, hand)

@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.figures.linkage.pairs import Pairs
+from drawings.figures.linkage.pushing import aside
 from drawings.figures.linkage.skeleton import Poses, Skeletons
 from drawings.layout.labels import Labels
 from drawings.layout.place import Place
@@ -18,7 +19,6 @@ from drawings.lettering.lettering import text_width
 from drawings.lettering.words import number
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import Stroke, Text
-from plans.linkage.barrier import Barrier
 from plans.linkage.travel import frame_slide
 from plans.model.mechanism import FRAME
 
@@ -88,7 +88,7 @@ def _is_shown(bones: Skeletons, one: NumberedPlace) -> bool:
 def _crank_numbers(pairs: Pairs, places: list[NumberedPlace], labels: Labels) -> Iterator[Stroke]:
     """Number the crank circle; where they crowd, every other one stands further out, and of a tiny circle not all."""
     bones, place, hand = pairs.bones, pairs.place, pairs.hand
-    pivot, end = bones.pivot(place), bones.mechanism.drive.end
+    end = bones.mechanism.drive.end
     texts = [_with_angle(bones, one) for one in places]
     wide = max(width(text, hand) for text in texts)
     every, further = _rings(bones, place, hand, wide)
@@ -97,11 +97,12 @@ def _crank_numbers(pairs: Pairs, places: list[NumberedPlace], labels: Labels) ->
         if not (one.extreme or _is_shown(bones, one) or (one.column % every == 0 and one.column in listed)):
             continue
         known = one.poses is bones.numbered
-        spot = place.on(bones.crank_end(one.column) if known else complex(one.poses.points[end][one.column]))
+        spot = place.on(bones.drive_end(one.column) if known else complex(one.poses.points[end][one.column]))
         gap = CRANK_GAP + (pairs.clear(end) if _is_shown(bones, one) else 0.0)
-        gap += BARRED * hand.symbol if _in_barrier(spot - pivot, bones.study.met) else 0.0
+        out = _off_path(bones, spot, place)
+        gap += BARRED * hand.symbol if _in_barrier(out, bones) else 0.0
         gap += further if known and one.column // every % 2 else 0.0
-        number = labels.free(spot, text, hand.number, gap, cmath.phase(spot - pivot))
+        number = labels.free(spot, text, hand.number, gap, cmath.phase(out))
         yield from () if number is None else (number,)
 
 
@@ -109,7 +110,7 @@ def _rings(bones: Skeletons, place: Place, hand: Hand, wide: float) -> tuple[int
     """Give every which position is numbered on the crank circle, and how far out every other one of them stands."""
     if _uneven(bones):
         return 1, 0.0
-    room = 2 * math.pi * (bones.crank(place) + CRANK_GAP + hand.number / 2) / len(bones.numbered)
+    room = _round(bones, place, hand) / len(bones.numbered)
     every = next((step for step in STEPS if step * room >= APART * max(wide / 2, hand.number)), STEPS[-1])
     return every, RING * hand.number if every * room < APART * wide else 0.0
 
@@ -117,8 +118,8 @@ def _rings(bones: Skeletons, place: Place, hand: Hand, wide: float) -> tuple[int
 def _listed(bones: Skeletons, places: list[NumberedPlace], wide: float, place: Place, hand: Hand) -> tuple[int, ...]:
     """Give the positions that have room for their numbers outside the crank circle: of a long list not all have."""
     first = [one.column for one in places if one.poses is bones.numbered and (one.extreme or _is_shown(bones, one))]
-    ends = [place.on(bones.crank_end(k)) for k in range(len(bones.numbered))]
-    around = 2 * math.pi * (bones.crank(place) + CRANK_GAP + hand.number / 2)
+    ends = [place.on(bones.drive_end(k)) for k in range(len(bones.numbered))]
+    around = _round(bones, place, hand)
     return (
         numbered(ends, around, APART * max(wide / 2, hand.number), first) if _uneven(bones) else tuple(range(len(ends)))
     )
@@ -130,8 +131,22 @@ def _uneven(bones: Skeletons) -> bool:
     return bool(isinstance(bones.study.form.drive.positions, tuple) or (apart.size and np.ptp(apart) > UNEVEN))
 
 
-def _in_barrier(ray: complex, barriers: tuple[Barrier, ...]) -> bool:
+def _round(bones: Skeletons, place: Place, hand: Hand) -> float:
+    """Give the length mm that the numbers of the primary link stand along: round its circle, or along its stroke."""
+    if not bones.mechanism.drive.turns:
+        return abs(place.on(bones.drive_end(-1)) - place.on(bones.drive_end(0)))
+    return 2 * math.pi * (bones.crank(place) + CRANK_GAP + hand.number / 2)
+
+
+def _off_path(bones: Skeletons, spot: complex, place: Place) -> complex:
+    """Direct a number away from the crank's pivot, or off the guide of a slider that drives."""
+    return spot - bones.pivot(place) if bones.mechanism.drive.turns else aside(bones)
+
+
+def _in_barrier(ray: complex, bones: Skeletons) -> bool:
+    """Tell whether a number stands where the crank's circle is hatched; a stroke is not."""
     turn = 2 * math.pi
+    barriers = bones.study.met if bones.mechanism.drive.turns else ()
     return any((cmath.phase(ray) - b.start) % turn <= b.end - b.start for b in barriers)
 
 

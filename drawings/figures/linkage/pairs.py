@@ -13,7 +13,7 @@ import numpy as np
 
 from drawings.figures.linkage.masses import is_centre
 from drawings.figures.linkage.outlines import Outline, offset_foot, outlines
-from drawings.figures.linkage.skeleton import Bones, Skeletons
+from drawings.figures.linkage.skeleton import Bones, Skeletons, reference
 from drawings.layout.place import Place
 from drawings.paper.hand import Hand
 from drawings.paper.strokes import INK, Circle, Group, Line, Polyline, Stroke
@@ -206,7 +206,7 @@ class Joints:
         for name in sorted(bones.numbered.points):
             value = self._spot(name)
             if value is not None:
-                kind = "pole" if name == bones.mechanism.drive.pivot else "point"
+                kind = "pole" if name == reference(bones.mechanism) else "point"
                 data = subject.data(kind, name, value, self.place.scale)
                 yield Group(self._symbol(name, self.place.on(value)), "", data, name)
         for name in bones.masses:

@@ -14,7 +14,7 @@ from drawings.figures.linkage.outlines import outlines, reach_of
 from drawings.figures.linkage.pairs import Pairs
 from drawings.figures.linkage.phases import phases
 from drawings.figures.linkage.position_letters import letters
-from drawings.figures.linkage.rotation import turnings
+from drawings.figures.linkage.pushing import arrows, stroke_line
 from drawings.figures.linkage.skeleton import Poses, Skeletons
 from drawings.figures.linkage.stroke_dimension import stroke
 from drawings.figures.linkage.ties import ties
@@ -40,7 +40,7 @@ from plans.model.order import POSITIONS
 NAME = POSITIONS.plan
 TIES = "ties"  # the group of the lines to mass centres off their links
 # Paper around the plan of positions in sizes of its letters: numbers, symbols, and above it the dimension of a stroke.
-MARGINS = Margins(3.5, 3.5, 11.0)
+MARGINS = Margins(3.5, 3.5, 5.0)
 STEPS = 360  # of a circle that is cut at a figure's box
 NOTCH = 9.0  # mm of a notch arc kept on each side of its meeting
 HATCH, SLANT = 2.5, 0.02  # mm of hatching on the barred part of the crank circle, and its slant, rad
@@ -88,7 +88,7 @@ def layers(pairs: Pairs, language: str) -> list[Group]:
     bones, place, hand = pairs.bones, pairs.place, pairs.hand
     body, stands = list(pairs.bars()), list(pairs.stands())
     blocks = [block for _, block in pairs.blocks]
-    paths, positions = trajectories(bones, place, hand), [*_circle(bones, place, hand), *_positions(pairs)]
+    paths, positions = trajectories(bones, place, hand), [*_path(bones, place, hand), *_positions(pairs)]
     extremes, lines = list(_extremes(pairs)), axes(bones, place, hand)
     ink = Ink()
     ink.draw([*body, *blocks, *stands])
@@ -109,10 +109,16 @@ def layers(pairs: Pairs, language: str) -> list[Group]:
         Group((*blocks, *body, *pairs.corners()), "shown-position"),
         Group((*stands, *pairs.marks()), "pairs"),
         Group(tuple(stroke(bones, place, hand, language, ink)), "stroke"),
-        Group(tuple(part for turning in turnings(pairs) for part in turning.strokes(pairs)), "rotation"),
+        Group(tuple(part for arrow in arrows(pairs) for part in arrow.strokes(pairs)), "rotation"),
         Group(tuple(part for phase in phases(pairs, language) for part in phase.strokes(pairs)), "phases"),
     ]
     return [group for group in groups if group.strokes]
+
+
+def _path(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
+    """Draw the way of the primary link's end: the crank's circle, or the stroke of a slider."""
+    draw = _circle if bones.mechanism.drive.turns else stroke_line
+    return draw(bones, place, hand)
 
 
 def _circle(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
@@ -134,14 +140,15 @@ def _positions(pairs: Pairs) -> Iterable[Stroke]:
     """Draw the other positions thin; of very many, those between every so many only by a tick of the crank."""
     bones, place, hand = pairs.bones, pairs.place, pairs.hand
     extremes = {same(bones, k) for k in range(2)} if bones.extremes else set()
-    every = max(math.ceil(len(bones.numbered) / MANY), 1)
+    steps = len(bones.numbered) - (not bones.mechanism.drive.turns)
+    every = max(math.ceil(steps / MANY), 1)
     for k in range(len(bones.numbered)):
         if k == bones.shown or k in extremes:
             continue
         if k % every == 0:
             yield from _links(bones, bones.numbered, k, place, hand.drafted)
-        elif not bones.study.lost[k]:
-            spot = place.on(bones.crank_end(k))
+        elif not bones.study.lost[k] and bones.mechanism.drive.turns:  # of a stroke every position has its tick
+            spot = place.on(bones.drive_end(k))
             ray = (spot - bones.pivot(place)) / bones.crank(place)
             yield symbols.tick(spot, 1j * ray, hand)
 

@@ -75,7 +75,7 @@ def turnings(pairs: Pairs) -> tuple[Turning, ...]:
 
 def _best(letter: str, sense: int, pairs: Pairs, ink: Ink) -> Turning:
     bones, place = pairs.bones, pairs.place
-    crank = cmath.phase(place.on(bones.crank_end(bones.shown)) - bones.pivot(place))
+    crank = cmath.phase(place.on(bones.drive_end(bones.shown)) - bones.pivot(place))
 
     def cost(turning: Turning) -> float:
         away = abs(cmath.phase(cmath.rect(1.0, turning.start + turning.sweep / 2 - crank - 0.8 * sense)))

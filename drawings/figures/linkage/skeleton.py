@@ -16,6 +16,7 @@ from plans.linkage.angles import angle
 from plans.linkage.assembly_limits import NODES
 from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.plan import Plan
+from plans.linkage.primary import PRIMARIES
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME, Link, Mechanism, Slide
 from plans.model.motion import Complexes, Floats, Motion
@@ -117,11 +118,13 @@ class Skeletons:
         """The poses that are drawn as links: those of the scene's positions, and the extremes."""
         return [self.numbered] if self.extremes is None else [self.numbered, self.extremes]
 
-    def crank_end(self, position: int) -> complex:
-        """Give the place of the crank's end, known even where the mechanism cannot be assembled."""
-        drive, links = self.mechanism.drive, self.mechanism.links
-        arm = links[drive.link].points[drive.end] - links[drive.link].points[drive.pivot]
-        return links[FRAME].points[drive.pivot] + abs(arm) * complex(self.study.turn.directions[position])
+    def drive_end(self, position: int) -> complex:
+        """Give the place of the crank's end, or of the slider that drives, known where nothing can be assembled too."""
+        return complex(self._drive_ends[position])
+
+    @cached_property
+    def _drive_ends(self) -> Complexes:
+        return PRIMARIES[self.mechanism.drive.kind].ends(self.mechanism, self.study.turn)
 
     @property
     def swept(self) -> tuple[float, float]:
@@ -140,13 +143,13 @@ class Skeletons:
 
     def crank(self, place: Place) -> float:
         """Give the radius of the crank's circle on paper."""
-        return abs(place.on(self.crank_end(self.shown)) - self.pivot(place))
+        return abs(place.on(self.drive_end(self.shown)) - self.pivot(place))
 
     @cached_property
     def reach(self) -> float:
         """Give the mechanism's size, m: how far its points come from the drive's fixed hinge."""
         return float(
-            np.nanmax([abs(self.crank_end(0)), *map(abs, np.concatenate(list(self.numbered.points.values())))])
+            np.nanmax([abs(self.drive_end(0)), *map(abs, np.concatenate(list(self.numbered.points.values())))])
         )
 
     @cached_property
@@ -174,15 +177,17 @@ class Skeletons:
             arrays += [poses.of(slide.owner, end) for end in ends for poses in self.poses]
         arrays += [poses.of(*mass) for mass in self.masses.values() for poses in (*self.poses, self.way)]
         known = [value for array in arrays for value in array]
-        known += [self.crank_end(k) for k in range(len(self.numbered))]
+        known += [self.drive_end(k) for k in range(len(self.numbered))]
         known += self.mechanism.links[FRAME].points.values()
         known += self._circle()
         return [complex(value) for value in known if not math.isnan(value.real)]
 
     def _circle(self) -> list[complex]:
         """Give the corners of the crank's circle, as far as it is drawn."""
+        if not self.mechanism.drive.turns:
+            return []
         pivot = self.mechanism.links[FRAME].points[self.mechanism.drive.pivot]
-        radius, (low, high) = abs(self.crank_end(0) - pivot), self.swept
+        radius, (low, high) = abs(self.drive_end(0) - pivot), self.swept
         return [pivot + radius * complex(np.exp(1j * angle)) for angle in np.linspace(low, high, 24)]
 
 
@@ -200,12 +205,18 @@ def skeletons(study: LinkageStudy, motion: Motion, shown: int) -> Skeletons:
 
 def _way(study: LinkageStudy, numbered: Poses) -> Poses:
     """Give the poses of a whole turn, half a degree apart, NaN where the mechanism does not come."""
-    nodes = study.turn.phi[0] + 2 * np.pi * np.arange(NODES + 1) / NODES
+    nodes = np.linspace(*_whole(study), NODES + 1)
     dense = poses(study.mechanism, study.sweep.plan(nodes), len(nodes))
     box = np.array(list(numbered.points.values()))
     free, box = study.reached(nodes), box[~np.isnan(box)]
     points = {name: _near(np.where(free, values, np.nan), box) for name, values in dense.points.items()}
     return Poses(dense.links, points, dense.turns)
+
+
+def _whole(study: LinkageStudy) -> tuple[float, float]:
+    """Give the coordinates of the drive between which the way is shown: a turn, or its stroke."""
+    first = float(study.turn.phi[0])
+    return (first, first + 2 * np.pi) if study.mechanism.drive.turns else (first, float(study.turn.phi[-1]))
 
 
 def poses(mechanism: Mechanism, plan: Plan, count: int) -> Poses:
@@ -229,3 +240,10 @@ def _near(path: Complexes, places: Complexes) -> Complexes:
     off = path - middle
     with np.errstate(invalid="ignore"):
         return np.where(np.maximum(np.abs(off.real), np.abs(off.imag)) <= reach, path, np.nan)
+
+
+def reference(mechanism: Mechanism) -> str:
+    """Give the point that places on paper are measured from: the drive's fixed hinge, or of a slider another one."""
+    drive, fixed = mechanism.drive, mechanism.links[FRAME].points
+    hinges = [name for name in fixed if name in mechanism.hinges]
+    return drive.pivot if drive.turns or not hinges else hinges[0]

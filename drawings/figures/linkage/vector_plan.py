@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 
 from drawings.figures.linkage.coriolis import QuarterTurn, draw_nearby, quarter_turn
@@ -27,6 +28,7 @@ from plans.model.order import ORDERS
 BEYOND = 9.0  # mm a line of known direction is drawn past the meeting
 MARGINS = Margins(2.6, 2.0, 2.0)  # paper around a plan for its letters, in their sizes
 LETTERS = 12.0  # a plan is drawn at least so many of its letters large, and as many as it has: below, they hide it
+NONE: Mapping[str, tuple[int, complex]] = {}
 LEAST = 0.05  # mm: a shorter vector is a point; the finest line is five times as wide
 VECTOR = {order.plan: order.point for order in ORDERS}  # what the vectors of a plan are
 
@@ -56,29 +58,50 @@ class VectorDiagram:
     rays: tuple[tuple[complex, complex], ...]  # true ends of lines of known direction: from its start to the meeting
     letters: tuple[Mark, ...]
     turned: tuple[QuarterTurn, ...]  # the Coriolis parts' directions
+    centres: Mapping[str, Mark]  # images of mass centres that no point names, by their letters
+    sides: tuple[tuple[complex, complex], ...]  # of the similar figures by which they are placed
 
     @property
     def points(self) -> list[complex]:
         """All true points that the figure must hold."""
         ends = [end for arrow in self.arrows for end in arrow.ends]
-        return [0j, *ends, *(end for ray in self.rays for end in ray)]
+        return [0j, *ends, *(end for line in (*self.rays, *self.sides) for end in line)]
 
 
-def diagram(plan: Plan, column: int) -> VectorDiagram:
-    """Read a figure from a plan's record: what the named points rest on is drawn, the rest is left out."""
-    needed = [mark for mark in behind(*plan.letters.values()) if mark.subject == plan.board.subject]
+def diagram(plan: Plan, column: int, masses: Mapping[str, tuple[int, complex]] = NONE) -> VectorDiagram:
+    """Read a figure from a plan's record: what the named points rest on is drawn, the rest is left out.
+
+    Of the mass centres of links, each by its letter with its link and place there, the images are drawn by similarity.
+    """
+    centres = {name: plan.place(*mass, plan.letter(name)) for name, mass in masses.items()}
+    own = set(centres.values()) - set(plan.letters.values())
+    needed = [mark for mark in behind(*plan.letters.values(), *own) if mark.subject == plan.board.subject]
     images = [mark for mark in needed if mark.rays and mark is not plan.pole]
     arrows: dict[tuple[Mark, Mark], Arrow] = {}
     for mark in images:
-        for start, _ in mark.rays:
+        for start, _ in mark.rays if mark not in own else ():
             if start.rays or start is plan.pole:
                 arrows.setdefault((start, mark), _arrow(plan, start, mark, column))
     for mark in images:
-        if mark.step.op == "meet" or mark in plan.letters.values():
+        if mark.step.op == "meet" or mark in plan.letters.values() or mark in own:
             arrows.setdefault((plan.pole, mark), _arrow(plan, plan.pole, mark, column))
     rays = tuple(ray for mark in needed if mark.step.op == "meet" for ray in _rays(mark, column))
     rules = tuple(rule for mark in needed if (rule := quarter_turn(mark, column)) is not None)
-    return VectorDiagram(plan, column, tuple(arrows.values()), rays, tuple(images), rules)
+    sides = tuple(
+        side for name, mass in masses.items() for side in _sides(plan, mass[0], centres[name], arrows, column)
+    )
+    return VectorDiagram(plan, column, tuple(arrows.values()), rays, tuple(images), rules, centres, sides)
+
+
+def _sides(
+    plan: Plan, link: int, centre: Mark, drawn: Collection[tuple[Mark, Mark]], column: int
+) -> Iterator[tuple[complex, complex]]:
+    """Give the sides of the similar figure of a link by which a mass centre is placed, where no arrow shows them."""
+    image = plan.images[link]
+    if image.arm is None or centre is image.origin or image.arm.step.inputs in drawn:
+        return
+    start, end = at(image.origin.point, column), at(centre.point, column)
+    yield from ((start, end), (end, start + at(image.arm.point, column)))
 
 
 def _arrow(plan: Plan, start: Mark, end: Mark, column: int) -> Arrow:
@@ -130,8 +153,10 @@ def draw(shown: VectorDiagram, room: Picture, spot: Spot, drafting: Drafting) ->
     subject = Subject(kind, VECTOR[kind].symbol, position)
     place = room.place(*spot)
     title = _heading(shown, spot, drafting)
-    lines = Group(tuple(_directions(shown, place, hand)))
-    arrows = [_arrow_of(subject, arrow, place, hand) for arrow in shown.arrows if _visible(arrow, place)]
+    sides = (Line(place.on(start), place.on(end), hand.drafted) for start, end in shown.sides)
+    lines = Group((*_directions(shown, place, hand), *(side for side in sides if abs(side.end - side.start) >= LEAST)))
+    styles = {arrow: _style(shown, arrow, hand) for arrow in shown.arrows if _visible(arrow, place)}
+    arrows = [vector(subject, arrow.name, arrow.ends, place, style) for arrow, style in styles.items()]
     dot = point(subject, shown.plan.pole.name, 0j, place, pole(place.on(0j)), "pole")
     return PlanFigure(
         shown, place, (title, *([lines] if lines.strokes else []), *arrows, dot), position, hand, spot.box
@@ -149,10 +174,11 @@ def _visible(arrow: Arrow, place: Place) -> bool:
     return place.length(abs(arrow.ends[1] - arrow.ends[0])) >= LEAST
 
 
-def _arrow_of(subject: Subject, arrow: Arrow, place: Place, hand: Hand) -> Group:
-    result = arrow.absolute or arrow.end.step.op == "meet"
-    style = hand.result if arrow.absolute else hand.relative if result else LineStyle(hand.thin)
-    return vector(subject, arrow.name, arrow.ends, place, style)
+def _style(shown: VectorDiagram, arrow: Arrow, hand: Hand) -> LineStyle:
+    """Give the line of a vector: main from the pole, thinner to mass centres and between points, thin for parts."""
+    if arrow.absolute and arrow.end not in shown.centres.values():
+        return hand.result
+    return hand.relative if arrow.absolute or arrow.end.step.op == "meet" else LineStyle(hand.thin)
 
 
 def _directions(shown: VectorDiagram, place: Place, hand: Hand) -> list[Stroke]:
@@ -174,7 +200,8 @@ def _letters(shown: VectorDiagram, place: Place, hand: Hand, labels: Labels) -> 
     for mark in shown.letters:
         spot = place.on(at(mark.point, shown.column))
         same = next((known for known in names if abs(known - spot) < 0.5), spot)
-        own = [shown.plan.letter(point) for point, image in shown.plan.letters.items() if image is mark]
+        points = (*shown.plan.letters.items(), *shown.centres.items())
+        own = [shown.plan.letter(point) for point, image in points if image is mark]
         names.setdefault(same, []).extend(name for name in (mark.name, *own) if name not in names[same])
     middle = sum(names, 0j) / len(names)
     strokes: list[Stroke] = []

@@ -11,13 +11,13 @@ import numpy as np
 from drawings.lettering import words as lettering
 from drawings.lettering.words import number, runs
 from drawings.report.chapters import Chapters
-from drawings.report.forces.equations_chapter import drawn_scales, equations
 from drawings.report.gap_lines import gap_line, gap_lines
 from drawings.report.linkage.greatest import DIGITS as FEW_DIGITS
 from drawings.report.linkage.greatest import greatest
 from drawings.report.markdown import chapter, header, row
 from drawings.report.stroke_lines import stroke_line
 from plans.checks.force_comparison import ForceComparison
+from plans.forces.primary import BalancingQuantity, balancing_quantity
 from plans.forces.reversals import reversals
 from plans.forces.statics import Statics
 from plans.forces.stroke import asks
@@ -44,7 +44,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     comparison, statics = study.comparison("forces"), study["forces"]
     return Chapters(
         subject=[*_bodies(statics.machine, language), *counted_strokes(statics, language)],
-        values=[*equations(statics, comparison, drawn_scales(leaves)), *forces(comparison, statics, language)],
+        values=forces(comparison, statics, language),
         left_out=[word(language, "report.forces_drawn", positions=shown_in)],
     )
 
@@ -53,18 +53,22 @@ def headline(study: Study) -> str:
     """Give the greatest balancing moment; say of loads of one stroke alone that their output reverses within it."""
     language = study.scene.sheet.language
     return "\n".join(
-        [*_greatest(study.comparison("forces").construction, language), *_reversals(study["forces"], language)]
+        [
+            *_greatest(study["forces"], study.comparison("forces").construction, language),
+            *_reversals(study["forces"], language),
+        ]
     )
 
 
-def _greatest(found: Kinetostatics, language: str) -> Iterator[str]:
-    largest = greatest(found.balancing.moment)
+def _greatest(statics: Statics, found: Kinetostatics, language: str) -> Iterator[str]:
+    told = balancing_quantity(statics.study.mechanism.drive)
+    largest = greatest(told.share * found.balancing.moment)
     if largest is not None:
-        size, unit = number(largest[0], language, FEW_DIGITS), lettering.word(language, "N*m")
+        size, unit = number(largest[0], language, FEW_DIGITS), lettering.word(language, told.unit)
         yield word(
             language,
             "report.greatest",
-            letter=lettering.letter(language, "M_bal"),
+            letter=lettering.letter(language, told.name),
             size=size,
             unit=unit,
             position=largest[1],
@@ -86,8 +90,12 @@ def remarks(study: Study) -> list[Message]:
 def forces(comparison: ForceComparison, statics: Statics, language: str) -> Iterator[str]:
     """Tell what acts, every reaction by construction, and what friction takes."""
     found = comparison.construction
-    yield from _reactions(found, language)
-    yield from (gap_line("report.force_gap", gap, language) for gap in found.gaps if gap.plan == FORCES)
+    yield from _reactions(found, balancing_quantity(statics.study.mechanism.drive), language)
+    yield from (
+        gap_line("report.force_gap", gap, statics.study.mechanism.drive, language)
+        for gap in found.gaps
+        if gap.plan == FORCES
+    )
     if statics.friction is not None:
         yield from _friction(statics.friction, language)
 
@@ -131,11 +139,12 @@ def _angles(angles: Sequence[float], language: str) -> Iterator[str]:
     return (f"{number(float(np.degrees(angle)), language)}°" for angle in angles)
 
 
-def _reactions(found: Kinetostatics, language: str) -> Iterator[str]:
+def _reactions(found: Kinetostatics, told: BalancingQuantity, language: str) -> Iterator[str]:
     yield chapter(language, "reactions")
     reactions = sorted(found.reactions.values(), key=lambda one: (one.giver, one.taker))
     force, moment = found.nothing
-    columns = {"M_bal": _sized(found.balancing.moment, moment)}
+    name, _, share = told
+    columns = {name: share * _sized(found.balancing.moment, moment)}
     for one in reactions:
         pair = f"{one.giver}-{one.taker}"
         columns[word(language, "report.reaction", pair=pair, point=one.point)] = _sized(one.force, force)

@@ -35,8 +35,9 @@ def data(study: LinkageStudy) -> Iterator[str]:
     yield from _lengths(study, letters)
     yield from _places(study, letters)
     yield from (_slide(study, slide, letters) for slide in study.mechanism.slides)
-    told = {name: span(np.ravel(rate), study.language) for name, rate in study.rates._asdict().items()}
-    yield say("report.drive", link=study.mechanism.drive.link, count=len(study.turn), **told)
+    drive = study.mechanism.drive
+    told = {name: span(drive.unit * np.ravel(rate), study.language) for name, rate in study.rates._asdict().items()}
+    yield say("report.drive" if drive.turns else "report.drive_way", link=drive.link, count=len(study.turn), **told)
 
 
 def structure(study: LinkageStudy) -> Iterator[str]:

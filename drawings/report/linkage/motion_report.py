@@ -95,7 +95,8 @@ def _extremes(study: LinkageStudy) -> Iterator[str]:
     yield chapter(study.language, "extremes")
     yield word(study.language, "report.output", output=shown(study)[1:])
     if study.extreme_positions is None:
-        yield word(study.language, "report.no_extremes", link=study.output.link)
+        key = "report.no_extremes" if study.mechanism.drive.turns else "report.no_extremes_way"
+        yield word(study.language, key, link=study.output.link)
     else:
         yield from _travel(study, study.extreme_positions)
     yield from _pressure(study)
@@ -148,13 +149,16 @@ def _passage(study: LinkageStudy, comparison: MotionComparison) -> Iterator[str]
     for barrier in study.passed:
         at = number(float(np.degrees((barrier.start + barrier.end) / 2)) % 360.0, study.language)
         yield say("report.carried", where=barrier.where, angle=at, through=study.mechanism.through)
-    yield from (_barrier(barrier, study.language) for barrier in study.met)
+    yield from (_barrier(barrier, study) for barrier in study.met)
     lost = {gap.position for gap in gaps if gap.plan == "positions"}
     yield say("report.assembled", found=len(study.turn) - len(lost), count=len(study.turn))
-    yield from (gap_line("report.gap", gap, study.language) for gap in gaps)
+    yield from (gap_line("report.gap", gap, study.mechanism.drive, study.language) for gap in gaps)
 
 
-def _barrier(barrier: Barrier, language: str) -> str:
+def _barrier(barrier: Barrier, study: LinkageStudy) -> str:
+    language = study.language
+    if not study.mechanism.drive.turns:
+        return word(language, "report.barrier_way", reason=barrier.kind, where=barrier.where)
     low, high = (_degrees(angle, 6, language) for angle in (barrier.start, barrier.end))
     parts = {"reason": barrier.kind, "where": barrier.where, "low": low, "high": high}
     if not barrier.miss:
@@ -170,11 +174,15 @@ def _values(study: LinkageStudy, comparison: MotionComparison) -> Iterator[str]:
         if findings:
             title = term(language, "plan", plan)
             yield word(language, "report.plan", plan=title[:1].upper() + title[1:])
-            heads = [word(language, "table.position"), "φ, °", *(heading(finding, language) for finding in findings)]
+            drive = study.mechanism.drive
+            station = "φ, °" if drive.turns else word(language, "table.way")
+            heads = [word(language, "table.position"), station, *(heading(finding, language) for finding in findings)]
             yield from header(heads)
             for k, phi in enumerate(study.turn.phi):
-                angle = decimal(f"{np.degrees(phi):.4f}", language)
-                yield row([str(k), angle, *(_cell(finding, k, language) for finding in findings)])
+                at = float(np.degrees(phi) if drive.turns else 1000 * drive.unit * phi)
+                yield row(
+                    [str(k), decimal(f"{at:.4f}", language), *(_cell(finding, k, language) for finding in findings)]
+                )
             yield ""
 
 

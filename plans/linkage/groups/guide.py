@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
 
 from geometry.board import Mark
+from plans.linkage.groups.vectors import Sliding
 from plans.linkage.plan import Image, Plan
 from plans.model.dyad import Dyad
-from plans.model.mechanism import Slide
+from plans.model.mechanism import FRAME, Slide
 from plans.model.motion import Floats
 from plans.words.words import because
 
@@ -111,6 +113,12 @@ def coriolis(plan: Plan, slide: Slide, start: Mark, along: Mark, turned: Mark | 
     carried = [plan.carry(turned), plan.carry(along), plan.carry(plan.velocities.slips[key(slide)])]
     part = plan.board.similar(f"a^{name}", carried[0], carried[1], carried[2], 2.0, because("slip_turned"))
     return plan.board.lay_off(name, start, part, because("coriolis"))
+
+
+def sliding(dyad: Dyad, end: int) -> Iterator[Sliding]:
+    """Tell the vectors of a pin that slides on a host which moves; over the frame its own are all that it has."""
+    if dyad.hosts[end] != FRAME:
+        yield Sliding(key(dyad.slide(end)), dyad.hosts[end], dyad.pin)
 
 
 def ride(plan: Plan, dyad: Dyad, end: int, origin: Mark, at: complex) -> None:

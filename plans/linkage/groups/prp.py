@@ -42,8 +42,9 @@ def accelerations(plan: Plan, dyad: Dyad) -> None:
 
 
 def vectors(dyad: Dyad) -> Iterator[Vector]:
-    """Tell the vectors of its plans: none but those of its points."""
-    yield from ()
+    """Tell the vectors of its plans: its pin slides on what moves."""
+    yield from guide.sliding(dyad, 0)
+    yield from guide.sliding(dyad, 1)
 
 
 def pressure(plan: Plan, dyad: Dyad) -> Floats:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from geometry.board import Mark
 from geometry.meet import Sizes
 from plans.linkage.groups import guide
-from plans.linkage.groups.vectors import Vector
+from plans.linkage.groups.vectors import Sliding, Vector
 from plans.linkage.plan import Image, Plan
 from plans.model.dyad import Dyad
 from plans.model.mechanism import Way
@@ -60,8 +60,8 @@ def meeting(plan: Plan, dyad: Dyad) -> Mark:
 
 
 def vectors(dyad: Dyad) -> Iterator[Vector]:
-    """Tell the vectors of its plans: none but those of its points."""
-    yield from ()
+    """Tell the vectors of its plans: the yoke slides under the pin."""
+    yield Sliding(guide.key(dyad.slide()), dyad.links[1], dyad.hinge(0), held=True)
 
 
 def pressure(plan: Plan, dyad: Dyad) -> Floats:

@@ -9,7 +9,7 @@ import numpy as np
 from geometry.board import Mark
 from geometry.meet import Sizes
 from plans.linkage.groups import crank_line, guide
-from plans.linkage.groups.vectors import Slotted, Vector
+from plans.linkage.groups.vectors import Sliding, Slotted, Vector
 from plans.linkage.plan import Image, Plan, Reading
 from plans.model.dyad import Dyad
 from plans.model.motion import Floats
@@ -72,8 +72,9 @@ def meeting(plan: Plan, dyad: Dyad) -> Mark:
 
 
 def vectors(dyad: Dyad) -> Iterator[Vector]:
-    """Tell the vectors of its plans: those of the slotted link's point under the pin."""
+    """Tell the vectors of its plans: those of the slotted link's point under the pin, which slips."""
     yield Slotted(dyad.links[1], dyad.hinge(1), dyad.hinge(0))
+    yield Sliding(guide.key(dyad.slide()), dyad.links[1], dyad.hinge(0), held=True)
 
 
 def pressure(plan: Plan, dyad: Dyad) -> Floats:

@@ -48,8 +48,9 @@ def accelerations(plan: Plan, dyad: Dyad) -> None:
 
 
 def vectors(dyad: Dyad) -> Iterator[Vector]:
-    """Tell the vectors of its plans: the rod turns about its outer hinge."""
+    """Tell the vectors of its plans: the rod turns about its outer hinge; the slider slides on what moves."""
     yield lead.turning(dyad, 0)
+    yield from guide.sliding(dyad, 1)
 
 
 def pressure(plan: Plan, dyad: Dyad) -> Floats:

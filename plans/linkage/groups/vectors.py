@@ -21,4 +21,16 @@ class Slotted(NamedTuple):
     pin: str
 
 
-Vector: TypeAlias = Turning | Slotted
+class Sliding(NamedTuple):
+    """A pin that slides along a guide of a link that moves: its slip, Coriolis and relative part over that link.
+
+    `pair` names the sliding pair by its two links; a `held` pin is that of the stone, and its host's point slips.
+    """
+
+    pair: tuple[int, int]
+    host: int
+    pin: str
+    held: bool = False
+
+
+Vector: TypeAlias = Turning | Slotted | Sliding

@@ -10,7 +10,7 @@ from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.groups import lead
 from plans.linkage.groups.vectors import Turning, Vector
 from plans.linkage.plan import Image, Plan, Reading
-from plans.model.mechanism import Mechanism
+from plans.model.mechanism import FRAME, Mechanism
 from plans.model.motion import Complexes
 from plans.model.rates import Rates
 from plans.words.words import because
@@ -21,6 +21,14 @@ FREE = "φ"
 def values(mechanism: Mechanism, turn: CrankPositions) -> Complexes:
     """Give its directions, (N,)."""
     return turn.directions
+
+
+def ends(mechanism: Mechanism, turn: CrankPositions) -> Complexes:
+    """Give the places of its end, (N,) m."""
+    drive = mechanism.drive
+    points = mechanism.links[drive.link].points
+    arm = abs(points[drive.end] - points[drive.pivot])
+    return np.asarray(mechanism.links[FRAME].points[drive.pivot] + arm * turn.directions)
 
 
 def positions(mechanism: Mechanism, turn: CrankPositions) -> Plan:

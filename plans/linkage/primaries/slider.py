@@ -25,6 +25,14 @@ def values(mechanism: Mechanism, turn: CrankPositions) -> Complexes:
     return np.asarray(ways * pushed(mechanism).way(FRAME).direction)
 
 
+def ends(mechanism: Mechanism, turn: CrankPositions) -> Complexes:
+    """Give the places of its point, (N,) m."""
+    slide = pushed(mechanism)
+    on, line = slide.on_slider, slide.way(FRAME)
+    left = ((mechanism.links[slide.slider].points[slide.point] - on.through) / on.direction).imag
+    return np.asarray(line.through + 1j * left * line.direction + values(mechanism, turn))
+
+
 def pushed(mechanism: Mechanism) -> Slide:
     """Give the slide that is pushed along."""
     slide = mechanism.drive.guide

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from drawings.report.forces.cut_equations import CutEquations
+from drawings.note.cut_equations import CutEquations
 from drawings.report.formula import display, inline
 from drawings.report.markdown import header, row
 from geometry.board import Mark

@@ -7,10 +7,10 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from drawings.figures.forces.lever_plan import PLAN as LEVER
+from drawings.note.cut_equations import CutEquations, ForceValues
+from drawings.note.lever_equation import lever_equation
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.walk import groups
-from drawings.report.forces.cut_equations import CutEquations, ForceValues
-from drawings.report.forces.lever_equation import lever_equation
 from drawings.report.formula import Formula
 from drawings.report.markdown import chapter
 from plans.checks.force_comparison import ForceComparison

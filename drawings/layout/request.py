@@ -1,0 +1,124 @@
+"""What the composer is asked for, made to fit the paper: units in their orders, scales that can be read (задание)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from drawings.layout.common_scales import Steps, steps_of
+from drawings.layout.contents import Contents
+from drawings.layout.growth import State, rungs_of
+from drawings.layout.picture import Picture, Rung
+from drawings.layout.room import corner_of, room_of
+from drawings.layout.slicing import GAP, Size
+from drawings.layout.table import RuledTable
+from drawings.layout.units import Stock, Unit, groups, orders
+from drawings.page.page import Page
+from drawings.paper.strokes import SheetError
+from plans.words.words import message
+
+THIRD = 1 / 3  # of a sheet that the foremost figure takes, where the next scale is not too large
+
+
+@dataclass(frozen=True)
+class Request:
+    """Units in their reading orders, the steps of their scales, the least steps."""
+
+    stock: Stock
+    orders: tuple[tuple[Unit, ...], ...]
+    steps: tuple[Steps, ...]
+    floors: State
+
+
+def request(contents: Contents, page: Page) -> Request:
+    """Make contents fit a page: what is too large for a sheet is drawn smaller, taken apart, or goes on on the next."""
+    return _Fitting(contents, page).request()
+
+
+class _Fitting:
+    def __init__(self, contents: Contents, page: Page) -> None:
+        self.contents, self.page = contents, page
+        room = room_of(page)
+        self.room, self.corner = (room.width, room.height), corner_of(page)
+        notes = () if contents.notes is None else (contents.notes,)
+        self.shown = [*(panel.item for panel in contents.panels), *contents.tables, *notes]
+
+    def request(self) -> Request:
+        read, every = (steps_of(self.contents.panels, self.room, self.page.standard, own) for own in (True, False))
+        pairs = [self._readable(*pair) for pair in zip(read, every, strict=True)]
+        steps = tuple(own for own, _ in pairs)
+        floors = self._raised(steps, tuple(floor for _, floor in pairs))
+        rungs = rungs_of(steps, floors)
+        first = len(self.contents.panels)
+        figures = [one for unit in groups(self.contents) for one in self._apart(unit, rungs)]
+        tables = [one for k in range(len(self.contents.tables)) for one in self._pieces(first + k)]
+        notes = [first + len(self.contents.tables)] if self.contents.notes is not None else []
+        every_order = tuple(orders(figures, tables, notes))
+        return Request(self._stock, every_order, steps, floors)
+
+    @property
+    def _stock(self) -> Stock:
+        return Stock(tuple(self.shown), self.room)
+
+    def _readable(self, read: Steps, every: Steps) -> tuple[Steps, int]:
+        """Give the steps at which figures can be read, or else all, from the largest on at which each fits a sheet."""
+        for own in (read, every):
+            fitting = [k for k, step in enumerate(own.rungs) if all(map(self._alone, step.values()))]
+            if fitting:
+                return own, 0 if own is read else fitting[-1]
+        raise SheetError(
+            message("refused.largest" if self.contents.foremost else "refused.figure", format=self.page.name)
+        )
+
+    def _alone(self, rung: Rung) -> bool:
+        """Tell whether a picture stands on a sheet with nothing but the title block."""
+        return self._stands((rung.wide, rung.high))
+
+    def _stands(self, size: Size) -> bool:
+        beside = size[0] + GAP + self.corner[0] <= self.room[0] and size[1] <= self.room[1]
+        return beside or (size[1] + GAP + self.corner[1] <= self.room[1] and size[0] <= self.room[0])
+
+    def _apart(self, unit: Unit, rungs: Mapping[str, Rung]) -> Iterator[Unit]:
+        """Take what should stand together apart where no sheet holds it."""
+        if isinstance(unit, int) or any(self._stands(shape.size) for shape in self._stock.shapes(unit, rungs)):
+            yield unit
+        else:
+            for one in unit:
+                yield from self._apart(one, rungs)
+
+    def _pieces(self, k: int) -> Iterator[int]:
+        """Part a table that no sheet holds by its rows; its parts are shown as tables of their own."""
+        table = self.shown[k]
+        assert isinstance(table, RuledTable)
+        first = True
+        while table.lines or first:
+            part = table.part(slice(0, self._rows(table)))
+            if first:
+                self.shown[k] = part
+                yield k
+            else:
+                self.shown.append(part)
+                yield len(self.shown) - 1
+            table, first = table.part(slice(len(part.lines), None)), False
+
+    def _rows(self, table: RuledTable) -> int:
+        """Count the rows of a table that stand on a sheet."""
+        for rows in range(len(table.lines), 0, -1):
+            part = table.part(slice(0, rows))
+            if any(self._stands(part.size(setting)) for setting in part.settings()):
+                return rows
+        if table.lines:
+            raise SheetError(message("refused.table", format=self.page.name))
+        return 0
+
+    def _raised(self, steps: Sequence[Steps], floors: State) -> State:
+        """Draw the foremost figure on its share of a sheet, or at the largest scale that fits one."""
+        foremost = self.contents.foremost
+        if foremost is None or not isinstance(foremost.item, Picture):
+            return floors
+        name, field = foremost.item.name, self.page.field
+        v = next(v for v, own in enumerate(steps) if name in own.rungs[0])
+        rungs = [step[name] for step in steps[v].rungs]
+        large = [k for k, rung in enumerate(rungs) if rung.wide * rung.high >= THIRD * field.width * field.height]
+        fitting = [k for k, rung in enumerate(rungs) if self._alone(rung)]
+        return (*floors[:v], max(min(large[:1] + fitting[-1:]), floors[v]), *floors[v + 1 :])

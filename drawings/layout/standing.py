@@ -1,0 +1,138 @@
+"""How the units of a sheet stand in their cells: spare paper is shared, headings are level (размещение)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+from drawings.layout.slicing import GAP, SAME, Cut, Piece, Size, Tree, pieces
+from drawings.page.page import Field
+
+EDGE = 2.0  # spare paper beside the frame is shared with nothing, that between two figures by both: times as much
+LEVEL = 25.0  # mm: headings that differ by no more are made level
+
+
+class Unit(NamedTuple):
+    """What stands in a cell: a figure, with spare paper around it, or lettering, which stands at an edge."""
+
+    size: Size
+    figure: bool
+    grows: bool = False  # to the width of its cell, as notes do
+
+
+class Stand(NamedTuple):
+    """A run of units that stand close in a cell: its box there."""
+
+    tree: Tree
+    cell: Field
+    box: Field
+
+
+def natural(tree: Tree, sizes: Mapping[int, Size]) -> Size:
+    """Give the size of a tree, mm."""
+    if isinstance(tree, Piece):
+        return sizes[tree.unit]
+    (wide, high), (own_wide, own_high) = natural(tree.first, sizes), natural(tree.second, sizes)
+    if tree.beside:
+        return wide + own_wide + GAP, max(high, own_high)
+    return max(wide, own_wide), high + own_high + GAP
+
+
+class Standing:
+    """The units of one sheet, by their numbers, in a room."""
+
+    def __init__(self, units: Mapping[int, Unit], room: Field) -> None:
+        self.units, self.room = units, room
+        self.sizes = {k: unit.size for k, unit in units.items()}
+
+    def boxes(self, tree: Tree) -> dict[int, Field]:
+        """Give the box of every unit."""
+        stands = self._level(list(self._stands(tree, self.room)))
+        return {k: box for stand in stands for k, box in self._split(stand.tree, stand.box)}
+
+    def _stands(self, tree: Tree, cell: Field) -> Iterator[Stand]:
+        """Share a cell among what stands in it."""
+        if isinstance(tree, Piece) or tree.tied:
+            yield Stand(tree, cell, self._box(tree, cell))
+            return
+        first, second = self._cells(tree, cell)
+        yield from self._stands(tree.first, first)
+        yield from self._stands(tree.second, second)
+
+    def _cells(self, tree: Cut, cell: Field) -> tuple[Field, Field]:
+        """Cut a cell: each part has what it needs, and of what is spare as its figures ask."""
+        axis = 0 if tree.beside else 1
+        own, other = natural(tree.first, self.sizes)[axis], natural(tree.second, self.sizes)[axis]
+        asks = self._asks(tree.first, axis), self._asks(tree.second, axis)
+        spare = (cell.width, cell.height)[axis] - own - other - GAP
+        first = own + spare * (asks[0] / sum(asks) if sum(asks) else 0.0)
+        if tree.beside:
+            return cell._replace(right=cell.left + first), cell._replace(left=cell.left + first + GAP)
+        return cell._replace(bottom=cell.top - first), cell._replace(top=cell.top - first - GAP)
+
+    def _asks(self, tree: Tree, axis: int) -> float:
+        """Count the figures that stand in a row along an axis."""
+        if isinstance(tree, Piece):
+            return float(self.units[tree.unit].figure)
+        if tree.tied:
+            return 1.0
+        asks = self._asks(tree.first, axis), self._asks(tree.second, axis)
+        return sum(asks) if tree.beside == (axis == 0) else max(asks)
+
+    def _box(self, tree: Tree, cell: Field) -> Field:
+        """Stand a unit in its cell: a figure amid spare paper, lettering at the nearest edge of the sheet."""
+        wide, high = natural(tree, self.sizes)
+        unit = self.units[next(pieces(tree)).unit]
+        sides = self._edges(cell)
+        if unit.grows:
+            wide = cell.width
+        if unit.figure:
+            left = _share(cell.width - wide, sides[0], sides[2])
+            up = _share(cell.height - high, sides[3], sides[1])
+        else:
+            left = cell.width - wide if sides[2] and not sides[0] else 0.0
+            up = cell.height - high if sides[1] and not sides[3] else 0.0
+        return Field(cell.left + left, cell.top - up - high, cell.left + left + wide, cell.top - up)
+
+    def _edges(self, cell: Field) -> tuple[bool, bool, bool, bool]:
+        """Tell on which sides a cell ends at the room's: left, bottom, right, top."""
+        left, bottom, right, top = (abs(own - edge) <= SAME * 100 for own, edge in zip(cell, self.room, strict=True))
+        return left, bottom, right, top
+
+    def _level(self, stands: list[Stand]) -> list[Stand]:
+        """Make headings level of figures whose cells begin at one height, where they are nearly so."""
+        levels: dict[int, float] = {}
+        for stand in stands:
+            if self._heads(stand):
+                key = round(stand.cell.top)
+                levels[key] = max(levels.get(key, stand.box.top), stand.box.top)
+        return [self._raised(stand, levels) if self._heads(stand) else stand for stand in stands]
+
+    def _heads(self, stand: Stand) -> bool:
+        return self.units[next(pieces(stand.tree)).unit].figure
+
+    def _raised(self, stand: Stand, levels: Mapping[int, float]) -> Stand:
+        up = levels[round(stand.cell.top)] - stand.box.top
+        if up > LEVEL:
+            return stand
+        return stand._replace(box=stand.box._replace(bottom=stand.box.bottom + up, top=stand.box.top + up))
+
+    def _split(self, tree: Tree, box: Field) -> Iterator[tuple[int, Field]]:
+        """Stand what is tied, each in the middle of the others."""
+        if isinstance(tree, Piece):
+            yield tree.unit, box
+            return
+        own, other = natural(tree.first, self.sizes), natural(tree.second, self.sizes)
+        yield from self._split(tree.first, _middle(own[0], box._replace(bottom=box.top - own[1])))
+        yield from self._split(tree.second, _middle(other[0], box._replace(top=box.bottom + other[1])))
+
+
+def _share(spare: float, near: bool, far: bool) -> float:
+    """Give the spare paper on the near side, mm: beside the frame more than between two figures."""
+    own, other = (EDGE if edge else 1.0 for edge in (near, far))
+    return spare * own / (own + other)
+
+
+def _middle(wide: float, box: Field) -> Field:
+    middle = box.centre.real
+    return box._replace(left=middle - wide / 2, right=middle + wide / 2)

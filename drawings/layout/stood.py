@@ -1,0 +1,96 @@
+"""A sheet as it would stand: where its units are, how large and how bare it is, and what becomes of it (лист)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+from drawings.layout.bareness import bareness
+from drawings.layout.block import Notes, TextBlock
+from drawings.layout.contents import Composition, TableSpot
+from drawings.layout.picture import Picture, Rung, Spot
+from drawings.layout.room import corner_of, room_of
+from drawings.layout.slicing import Tree, pieces
+from drawings.layout.standing import Standing, Unit
+from drawings.layout.table import RuledTable
+from drawings.layout.units import CORNER, Stock
+from drawings.page.page import Field, Page
+
+BARE = 0.11  # share of a sheet that may be bare before it counts; the last sheet of a set may be barer
+LAST = 0.22
+COSTS = 6.0  # what a share more counts, against the logarithm of the figures' sizes
+HEAD = 16.0  # mm of a heading and the scale under it
+LETTERED = 0.5  # share of the margins of a figure that its letters and symbols fill
+
+
+@dataclass(frozen=True)
+class Stood:
+    """A sheet: what is shown, how it is cut, the scales of its pictures, whether it ends its set."""
+
+    stock: Stock
+    page: Page
+    tree: Tree
+    rungs: Mapping[str, Rung]
+    last: bool
+
+    @cached_property
+    def boxes(self) -> dict[int, Field]:
+        """The box of everything on it, by its number."""
+        units = {}
+        for piece in pieces(self.tree):
+            if piece.unit == CORNER:
+                units[CORNER] = Unit(corner_of(self.page), False)
+            else:
+                one = self.stock.shown[piece.unit]
+                size = self.stock.sizes(piece.unit, self.rungs)[piece.choice]
+                units[piece.unit] = Unit(size, isinstance(one, Picture), isinstance(one, Notes))
+        boxes = Standing(units, room_of(self.page)).boxes(self.tree)
+        return {k: self.page.block if k == CORNER else box for k, box in boxes.items()}
+
+    @cached_property
+    def bare(self) -> float:
+        """The share of the sheet that the largest empty rectangle takes, as far as boxes tell."""
+        inked = [box for k, own in self.boxes.items() for box in self._inked(k, own)]
+        return bareness([*inked, *self.page.taken], self.page.field)
+
+    @property
+    def fault(self) -> float:
+        """What its bareness counts."""
+        return COSTS * max(self.bare - (LAST if self.last else BARE), 0.0)
+
+    def _inked(self, k: int, box: Field) -> Iterator[Field]:
+        """Give what of a box is inked: lines and letters of a figure, and its heading."""
+        one = self.stock.shown[k] if k != CORNER else None
+        if not isinstance(one, Picture):
+            yield box
+            return
+        scale, around = self.rungs[one.name].scale, one.margins
+        half = one.wide / scale.mu / 2 + LETTERED * around.side
+        middle = box.centre.real
+        low, high = box.bottom + (1 - LETTERED) * around.below, box.top - HEAD
+        yield Field(middle - half, low, middle + half, high)
+        yield Field(middle - one.heading / 2, box.top - HEAD, middle + one.heading / 2, box.top)
+
+    def composition(self) -> Composition:
+        """Give where everything stands, in the order of the contents."""
+        shown = [(self.stock.shown[k], box) for k, box in sorted(self.boxes.items()) if k != CORNER]
+        choices = {piece.unit: piece.choice for piece in pieces(self.tree)}
+        tables = []
+        for k, box in sorted(self.boxes.items()):
+            one = self.stock.shown[k] if k != CORNER else None
+            if isinstance(one, RuledTable):
+                tables.append(TableSpot(one, complex(box.left, box.top), one.settings()[choices[k]]))
+        return Composition(
+            {one.name: Spot(box, self.rungs[one.name].scale) for one, box in shown if isinstance(one, Picture)},
+            {one.name: box for one, box in shown if isinstance(one, TextBlock)},
+            tuple(tables),
+            next((box for one, box in shown if isinstance(one, Notes)), None),
+        )
+
+
+def size_of(extents: list[float]) -> float:
+    """Give the harmonic mean of the sizes of figures, mm, to which the small ones matter most."""
+    sizes = [one for one in extents if 0 < one < math.inf]
+    return len(sizes) / sum(1 / one for one in sizes) if sizes else 1.0

@@ -1,0 +1,116 @@
+"""The units of a set of sheets in their reading orders: what stands together, and the sizes that it can take (единицы).
+
+What is shown has numbers: panels in their order, then tables, then the notes. A unit is one of them or some that stand
+together; a picture and the lettering that belongs to it stand close.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple, TypeAlias
+
+from drawings.layout.block import Notes, TextBlock
+from drawings.layout.contents import Contents, Panel
+from drawings.layout.picture import Picture, Rung
+from drawings.layout.slicing import Cut, Piece, Size, Slicing, Tree
+from drawings.layout.table import RuledTable
+
+Shown: TypeAlias = Picture | TextBlock | RuledTable | Notes
+CORNER = -1  # the number of the title block
+Unit: TypeAlias = int | tuple["Unit", ...]
+
+
+class Shape(NamedTuple):
+    """A size mm that a unit can take, and how it stands then."""
+
+    size: Size
+    tree: Tree
+
+
+@dataclass(frozen=True)
+class Stock:
+    """All that a set of sheets shows, by its numbers, and the room mm of a sheet."""
+
+    shown: tuple[Shown, ...]
+    room: Size
+
+    def shapes(self, unit: Unit, rungs: Mapping[str, Rung]) -> list[Shape]:
+        """Give what sizes a unit can take where pictures have some scales."""
+        if isinstance(unit, int):
+            return [Shape(size, Piece(unit, k)) for k, size in enumerate(self.sizes(unit, rungs))]
+        inner = [self.shapes(one, rungs) for one in unit]
+        slicing = Slicing([[shape.size for shape in own] for own in inner], self.room)
+        last = len(unit) - 1
+        return [
+            Shape((float(wide), float(high)), nested(slicing.tree(0, last, k), inner, self.close(unit)))
+            for k, (wide, high) in enumerate(slicing.run(0, last).sizes)
+        ]
+
+    def sizes(self, k: int, rungs: Mapping[str, Rung]) -> Sequence[Size]:
+        """Give the sizes that one thing can have."""
+        one = self.shown[k]
+        if isinstance(one, Picture):
+            return [(rungs[one.name].wide, rungs[one.name].high)]
+        if isinstance(one, TextBlock):
+            return one.sizes
+        if isinstance(one, RuledTable):
+            return [one.size(setting) for setting in one.settings()]
+        return one.sizes(self.room[0])
+
+    def close(self, unit: tuple[Unit, ...]) -> bool:
+        """Tell whether all lettering of a unit belongs to its picture."""
+        return all(isinstance(one, int) and isinstance(self.shown[one], TextBlock) for one in unit[1:])
+
+
+def nested(tree: Tree, inner: Sequence[Sequence[Shape]], tied: bool = False) -> Tree:
+    """Put the trees of units in the tree that they are the pieces of; behind them stands the corner."""
+    if isinstance(tree, Piece):
+        return inner[tree.unit][tree.choice].tree if tree.unit < len(inner) else Piece(CORNER, 0)
+    first, second = nested(tree.first, inner, tied), nested(tree.second, inner, tied)
+    return Cut(tree.beside, first, second, tied and not tree.beside)
+
+
+def members(unit: Unit) -> Iterator[int]:
+    """Give the numbers of all that belongs to a unit, in their order."""
+    if isinstance(unit, int):
+        yield unit
+    else:
+        for one in unit:
+            yield from members(one)
+
+
+def groups(contents: Contents) -> list[Unit]:
+    """Give the units of the panels."""
+    numbers = {id(panel): k for k, panel in enumerate(contents.panels)}
+    return [_unit([(numbers[id(panel)], panel) for panel in group]) for group in contents.groups]
+
+
+def _unit(group: Sequence[tuple[int, Panel]]) -> Unit:
+    """Put lettering close to the picture before it."""
+    piles: list[list[int]] = []
+    for k, panel in group:
+        if piles and isinstance(panel.item, TextBlock):
+            piles[-1].append(k)
+        else:
+            piles.append([k])
+    units: list[Unit] = [pile[0] if len(pile) == 1 else tuple(pile) for pile in piles]
+    return units[0] if len(units) == 1 else tuple(units)
+
+
+def orders(figures: Sequence[Unit], tables: Sequence[Unit], notes: Sequence[Unit]) -> list[tuple[Unit, ...]]:
+    """List the orders to read units in: tables and notes behind all figures or behind the first.
+
+    >>> orders([0, 1], [2], [])
+    [(0, 1, 2), (0, 2, 1)]
+    """
+    first, rest = figures[:1], figures[1:]
+    ways = [
+        [*figures, *tables, *notes],
+        [*figures, *notes, *tables],
+        [*first, *notes, *rest, *tables],
+        [*first, *tables, *rest, *notes],
+        [*first, *tables, *notes, *rest],
+        [*first, *notes, *tables, *rest],
+    ]
+    return list(dict.fromkeys(map(tuple, ways)))

@@ -1,0 +1,178 @@
+"""The parts of velocities and accelerations by both roads: relative, normal, tangential, Coriolis (составляющие).
+
+The construction's are vectors between two marks of its plans; the analysis gives each by its own formula, from omega
+and epsilon of the link and the places of its points (M3.1).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from geometry.board import Mark, between
+from geometry.precision import errors
+from plans.checks.compare import MotionComparison, with_analysis
+from plans.checks.comparison import Finding
+from plans.linkage.drafts import Drafts
+from plans.linkage.groups.kinds import KINDS
+from plans.linkage.groups.vectors import Sliding, Slotted, Turning, Vector
+from plans.linkage.plan import Plan
+from plans.linkage.primary import PRIMARIES
+from plans.linkage.study import LinkageStudy
+from plans.model.mechanism import FRAME
+from plans.model.motion import Complexes, Floats, Motion
+from plans.model.order import ACCELERATIONS, VELOCITIES, Order
+
+NORMAL, TANGENTIAL, CORIOLIS, RELATIVE = "n", "t", "k", "r"
+
+
+class Span(NamedTuple):
+    """A vector of a plan between two of its marks."""
+
+    start: Mark
+    end: Mark
+
+
+class Part(NamedTuple):
+    """A vector of a plan beside those of its points: its letters, where the plan shows it, its value by analysis."""
+
+    order: Order
+    name: str  # "v_BA", "a^n_BA"
+    span: Span
+    analysis: Complexes
+
+
+def findings(study: LinkageStudy, comparison: MotionComparison) -> tuple[Finding, ...]:
+    """Compare the parts of all velocities and accelerations over the positions of a study, (N,) m/s or m/s2."""
+    drafts, made = study.drafts(), comparison.construction
+    gone = np.any([np.isnan(point[made.order]) for point in made.points.values()], axis=0)
+    parts = _Parts(study, drafts, comparison.analysis).all()
+    bounds = errors(*(mark for part in parts for mark in part.span))
+    told = []
+    for part in parts:
+        ours = np.where(gone, np.nan, between(*part.span))
+        theirs = np.where(gone, np.nan, part.analysis)
+        own = sum((bounds[mark].place for mark in part.span), np.zeros(1))
+        largest = comparison.of(part.order.plan)[0].largest
+        allowed = with_analysis(own, part.order.number, comparison.kappa, largest)
+        unit = part.order.point.unit
+        told.append(Finding(part.order.plan, part.name, unit, ours, theirs, np.abs(ours - theirs), allowed, largest))
+    return tuple(told)
+
+
+def spans(study: LinkageStudy, drafts: Drafts, motion: Motion) -> dict[str, Span]:
+    """Give where the plans of some positions show each part, by its letters."""
+    return {part.name: part.span for part in _Parts(study, drafts, motion).all()}
+
+
+def carried_from(line: Mark, direction: Mark) -> bool:
+    """Tell whether a line was drawn along a direction of the plan of positions."""
+    return line.step.inputs[1].step.inputs == (direction,)
+
+
+@dataclass(frozen=True)
+class _Parts:
+    """The parts on the plans of some positions, and the motion there by analysis."""
+
+    study: LinkageStudy
+    drafts: Drafts
+    motion: Motion
+
+    def all(self) -> list[Part]:
+        """List the parts, each once, in the order in which the plans are drawn."""
+        mechanism = self.study.mechanism
+        vectors = list(PRIMARIES[mechanism.drive.kind].vectors(mechanism))
+        for group in self.study.groups:
+            vectors += KINDS[group.kind].vectors(group)
+        return list({part.name: part for vector in vectors for part in self._of(vector)}.values())
+
+    def _of(self, vector: Vector) -> Iterator[Part]:
+        match vector:
+            case Turning():
+                yield from self._turning(vector)
+            case Slotted():
+                yield from self._slotted(vector)
+            case _:
+                yield from self._sliding(vector)
+
+    def _turning(self, vector: Turning) -> Iterator[Part]:
+        """Tell a tip about its start: by omega and epsilon of their link over the arm between them."""
+        speeds, plan = self.drafts.velocities, self.drafts.accelerations
+        arm = self._at(vector.tip, 0) - self._at(vector.start, 0)
+        n = plan.board[plan.written.normal(vector.tip, "" if plan.point(vector.start) is plan.pole else vector.start)]
+        over = vector.tip if self._still(vector.start) else vector.tip + vector.start
+        if not self._still(vector.start):
+            span = Span(speeds.point(vector.start), speeds.point(vector.tip))
+            yield Part(VELOCITIES, f"v_{over}", span, 1j * self._rate(vector.link, 1) * arm)
+        yield from self._about(vector.link, arm, (over, plan.point(vector.start), n, plan.point(vector.tip)))
+
+    def _about(self, link: int, arm: Complexes, told: tuple[str, Mark, Mark, Mark]) -> Iterator[Part]:
+        """Tell the normal and the tangential part of an acceleration about a point of a link."""
+        over, start, normal, end = told
+        omega, epsilon = self._rate(link, 1), self._rate(link, 2)
+        yield Part(ACCELERATIONS, f"a^{NORMAL}_{over}", Span(start, normal), -(omega**2) * arm)
+        yield Part(ACCELERATIONS, f"a^{TANGENTIAL}_{over}", Span(normal, end), 1j * epsilon * arm)
+
+    def _slotted(self, vector: Slotted) -> Iterator[Part]:
+        """Tell the point of a slotted link that lies under the pin."""
+        link, pivot, pin = vector
+        speeds, plan = self.drafts.velocities, self.drafts.accelerations
+        under, letter = plan.written.under(pin, link), self._under(pin, link)
+        arm = self._at(pin, 0) - self._at(pivot, 0)
+        over = letter if self._still(pivot) else letter + pivot
+        speed = 1j * self._rate(link, 1) * arm
+        yield Part(VELOCITIES, f"v_{over}", Span(speeds.point(pivot), speeds.board[under]), speed)
+        if not self._still(pivot):
+            yield Part(VELOCITIES, f"v_{letter}", Span(speeds.pole, speeds.board[under]), self._carried(link, pin, 1))
+        whole = Span(plan.pole, plan.board[under])
+        yield Part(ACCELERATIONS, f"a_{letter}", whole, self._carried(link, pin, 2))
+        normal = plan.board[plan.written.normal(under.upper())]
+        yield from self._about(link, arm, (over, plan.point(pivot), normal, plan.board[under]))
+
+    def _sliding(self, vector: Sliding) -> Iterator[Part]:
+        """Tell a pin over the point of a moving guide that lies under it, or that point over the pin."""
+        host, pin, sense = vector.host, vector.pin, -1.0 if vector.held else 1.0
+        letters = (self._under(pin, host), pin)
+        over = "".join(letters if vector.held else reversed(letters))
+        speed, whole = (sense * (self._at(pin, k) - self._carried(host, pin, k)) for k in (1, 2))
+        span, _ = self._slip(self.drafts.velocities, vector)
+        yield Part(VELOCITIES, f"v_{over}", span, speed)
+        turned = 2j * self._rate(host, 1) * speed
+        span, coriolis = self._slip(self.drafts.accelerations, vector)
+        if coriolis is not None:
+            yield Part(ACCELERATIONS, f"a^{CORIOLIS}_{over}", coriolis, turned)
+        yield Part(ACCELERATIONS, f"a^{RELATIVE}_{over}", span, whole - turned)
+
+    def _slip(self, plan: Plan, vector: Sliding) -> tuple[Span, Span | None]:
+        """Find the vector along the guide in the line it was drawn by, and the Coriolis part on which that stands."""
+        under = plan.written.under(vector.pin, vector.host)
+        end = plan.board[under] if vector.held else plan.point(vector.pin)
+        direction = plan.positions.units[vector.pair]
+        assert direction is not None  # every guide has a direction on the plan of positions
+        line = next(one for one in end.step.inputs if one.step.op == "parallel" and carried_from(one, direction))
+        start = line.step.inputs[0]
+        laid = start.name == plan.written.coriolis(vector.pin, vector.host) and start.step.op == "lay_off"
+        return Span(start, end), Span(start.step.inputs[0], start) if laid else None
+
+    def _at(self, point: str, order: int) -> Complexes:
+        return self.motion.points[point][order]
+
+    def _rate(self, link: int, order: int) -> Floats:
+        return self.motion.links[link][order]
+
+    def _carried(self, link: int, pin: str, order: int) -> Complexes:
+        """Give velocity or acceleration of the point of a link that lies under a pin."""
+        origin = next(name for name in self.study.mechanism.links[link].points if name in self.motion.points)
+        arm = self._at(pin, 0) - self._at(origin, 0)
+        omega, epsilon = self._rate(link, 1), self._rate(link, 2)
+        turning = 1j * omega * arm if order == 1 else (1j * epsilon - omega**2) * arm
+        return np.asarray(self._at(origin, order) + turning)
+
+    def _under(self, pin: str, link: int) -> str:
+        return self.drafts.velocities.written.under(pin, link).upper().replace("_", "")
+
+    def _still(self, point: str) -> bool:
+        return point in self.study.mechanism.links[FRAME].points

@@ -1,0 +1,106 @@
+"""Slicing of a sheet: no better cut is overlooked, all stands in its room; and how bare a sheet is told to be."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import combinations, product
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as some
+
+from drawings.layout.bareness import bareness
+from drawings.layout.parting import fewest, partings
+from drawings.layout.slicing import GAP, Piece, Size, Slicing, Tree, pieces
+from drawings.layout.standing import Standing, Unit, natural
+from drawings.page.page import Field
+from tests.drawings.emptiness import largest
+
+LARGE = (1000.0, 1000.0)
+lengths = some.integers(5, 90).map(float)
+units_of = some.lists(some.lists(some.tuples(lengths, lengths), min_size=1, max_size=2), min_size=1, max_size=4)
+
+
+def every(units: Sequence[Sequence[Size]]) -> set[Size]:
+    """All sizes of all slicings, by trying all."""
+    if len(units) == 1:
+        return set(units[0])
+    found = set()
+    for at in range(1, len(units)):
+        for (w, h), (wide, high) in product(every(units[:at]), every(units[at:])):
+            found |= {(w + wide + GAP, max(h, high)), (max(w, wide), h + high + GAP)}
+    return found
+
+
+@given(units_of)
+def test_no_size_of_any_slicing_beats_those_that_are_kept(units: list[list[Size]]) -> None:
+    sizes = Slicing(units, LARGE).run(0, len(units) - 1).sizes
+    best = {a for a in every(units) if not any(b[0] <= a[0] and b[1] <= a[1] and a != b for b in every(units))}
+    if len(best) <= 12:
+        assert {tuple(map(float, size)) for size in sizes} == best
+
+
+@given(units_of)
+def test_a_tree_has_the_size_that_it_is_kept_for_and_all_units_in_order(units: list[list[Size]]) -> None:
+    slicing, last = Slicing(units, LARGE, (30.0, 20.0)), len(units) - 1
+    for k, size in enumerate(slicing.closed(0, last).sizes):
+        tree = slicing.tree(0, last, k, closed=True)
+        chosen = {piece.unit: piece.choice for piece in pieces(tree)}
+        assert list(chosen) == [*range(len(units)), len(units)]
+        sizes = {unit: (30.0, 20.0) if unit > last else units[unit][choice] for unit, choice in chosen.items()}
+        assert natural(tree, sizes) == pytest.approx(tuple(size))
+
+
+@given(units_of, some.booleans())
+def test_what_is_cut_stands_in_its_room_and_on_nothing_else(units: list[list[Size]], figures: bool) -> None:
+    slicing, last = Slicing(units, LARGE), len(units) - 1
+    tree: Tree = slicing.tree(0, last, 0)
+    sizes = {piece.unit: units[piece.unit][piece.choice] for piece in pieces(tree)}
+    wide, high = natural(tree, sizes)
+    room = Field(10.0, 10.0, 10.0 + 1.3 * wide, 10.0 + 1.2 * high)
+    boxes = Standing({k: Unit(size, figures) for k, size in sizes.items()}, room).boxes(tree)
+    assert list(boxes) == list(range(len(units)))
+    assert all(inside(box, room) for box in boxes.values())
+    assert all(apart(one, other) for one, other in combinations(boxes.values(), 2))
+
+
+def test_what_does_not_fit_its_room_has_no_size() -> None:
+    slicing = Slicing([[(60.0, 60.0)], [(60.0, 60.0)]], (100.0, 100.0))
+    assert len(slicing.run(0, 0).sizes) == 1 and len(slicing.run(0, 1).sizes) == 0
+    assert slicing.tree(0, 0, 0) == Piece(0, 0)
+
+
+@given(some.lists(some.lists(some.booleans(), min_size=5, max_size=5), min_size=1, max_size=5))
+def test_the_largest_bare_rectangle_is_found(rows: list[list[bool]]) -> None:
+    grid = np.array(rows)
+    count, (low, high, left, right) = largest(grid)
+    sides = [combinations(range(size + 1), 2) for size in grid.shape]
+    found = max((b - a) * (d - c) * (not grid[a:b, c:d].any()) for (a, b), (c, d) in product(*map(list, sides)))
+    assert count * grid.size == pytest.approx(found)
+    assert not grid[low:high, left:right].any()
+
+
+def test_boxes_are_told_as_bare_as_they_leave_a_sheet() -> None:
+    field = Field(20.0, 5.0, 415.0, 292.0)
+    box = Field(20.0, 5.0, 20.0 + field.width / 3, 292.0)
+    assert bareness([box], field) == pytest.approx(2 / 3, abs=0.02)
+    assert bareness([field], field) == 0.0
+
+
+def test_the_fewest_sheets_are_taken_and_filled_evenly() -> None:
+    areas = [3.0, 1.0, 1.0, 1.0]
+    fits = lambda i, j: sum(areas[i : j + 1]) <= 5.0  # noqa: E731 - as short as the rule that it states
+    assert fewest(4, fits) == 2
+    assert partings(4, 2, fits, areas)[0] == ((0, 0), (1, 3))
+    assert fewest(4, lambda i, j: (i, j) != (2, 2)) == 1 and fewest(1, lambda i, j: False) == 0
+
+
+def apart(one: Field, other: Field) -> bool:
+    beside = one.right <= other.left + 1e-6 or other.right <= one.left + 1e-6
+    return beside or one.top <= other.bottom + 1e-6 or other.top <= one.bottom + 1e-6
+
+
+def inside(box: Field, room: Field) -> bool:
+    low = box.left >= room.left - 1e-6 and box.bottom >= room.bottom - 1e-6
+    return low and box.right <= room.right + 1e-6 and box.top <= room.top + 1e-6
