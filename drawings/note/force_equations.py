@@ -12,6 +12,7 @@ from drawings.note.lever_equation import lever_equation
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.walk import groups
 from drawings.report.formula import Formula
+from drawings.report.linkage.equations_chapter import in_position
 from drawings.report.markdown import chapter
 from plans.checks.force_comparison import ForceComparison
 from plans.forces.cut import Cut
@@ -56,7 +57,7 @@ def equations(
     for k, own in sorted(scales.items()):
         told = values(plans.plan, k)
         written = CutEquations(told, formula, comparison.construction.nothing)
-        yield word(language, "report.in_position", position=k)
+        yield in_position(statics.study, k).removesuffix("\n")
         for cut in plans.plan.cuts:
             yield from _cut(cut, replace(written, scale=own.get(f"{POLYGON}{cut.label}")))
         if plans.lever is not None and LEVER in own and plans.plan.mechanism.drive.kind == CRANK:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
+from drawings.lettering.words import number
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.page.scale import Scale
 from drawings.paper.walk import groups
@@ -19,7 +20,7 @@ from plans.linkage.primary import PRIMARIES
 from plans.linkage.study import LinkageStudy
 from plans.model.dyad import Dyad
 from plans.model.motion import Motion
-from plans.model.order import ACCELERATIONS, POSITIONS, VELOCITIES
+from plans.model.order import ACCELERATIONS, PLANS, POSITIONS, VELOCITIES
 from plans.words.words import word
 
 if TYPE_CHECKING:
@@ -65,10 +66,18 @@ def equations(
     for group in study.groups:
         yield from _lettered(first, cast(Dyad, group))
     for k in have:
-        yield word(language, "report.in_position", position=k)
+        yield in_position(study, k)
         own = scales.get(k, {})
         yield from _scales(study, own)
         yield from _numbers(study, _written(study, motion, k, own, formula))
+
+
+def in_position(study: LinkageStudy, k: int) -> str:
+    """Head what is told of one position, with the crank's angle or the drive's way in it."""
+    drive, value = study.mechanism.drive, float(study.turn.phi[k])
+    angle = f"φ = {number(float(np.degrees(value)) % 360, study.language)}°"
+    way = f"{word(study.language, 'table.way')} = {number(1000 * drive.unit * value, study.language)}"
+    return word(study.language, "report.in_position", position=k, station=angle if drive.turns else way)
 
 
 def _written(
@@ -98,7 +107,7 @@ def _lettered(written: VectorEquations, group: Dyad) -> Iterator[str]:
 
 def _scales(study: LinkageStudy, scales: Mapping[str, Scale]) -> Iterator[str]:
     formula = Formula(drafting_of(study.scene))
-    told = [_scale(one, formula) for _, one in sorted(scales.items())]
+    told = [_scale(scales[plan], formula) for plan in PLANS if plan in scales]
     if told:
         yield word(study.language, "report.scales", scales=", ".join(told)) + "\n"
 

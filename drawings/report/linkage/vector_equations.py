@@ -70,8 +70,9 @@ class VectorEquations:
         for leg in sorted(legs, key=lambda leg: not leg.turns):  # a Coriolis part needs the rate of its link
             yield from self._turning(leg) if leg.turns else self._sliding(leg)
         first = legs[0]
-        for plan, whole in ((V, sum(first.velocity)), (A, sum(first.acceleration))):
-            yield from self._whole(plan, whole, first.point, first.images[2])
+        if not any(leg.turns and leg.fixed for leg in legs):
+            yield from self._whole(V, sum(first.velocity), first.point, first.images[2])
+        yield from self._whole(A, sum(first.acceleration), first.point, first.images[2])
         yield from self._similar(dyad)
 
     def _terms(self, leg: VectorSum, plan: str, known: int) -> list[str]:
@@ -95,7 +96,8 @@ class VectorEquations:
     def _turning(self, leg: VectorSum) -> Iterator[str]:
         formula, link = self.formula, leg.link
         v = formula.letter(f"v_{{{leg.relative}}}")
-        yield from self._read(V, leg.velocity[1], v, leg.images[0] or "p", leg.images[2])
+        same = f"{self._of(V, leg.point)} = {v}" if leg.fixed else v
+        yield from self._read(V, leg.velocity[1], same, leg.images[0] or "p", leg.images[2])
         yield self._rate("ω", leg, self.sums.omega(link), leg.velocity[1], v)
         yield from self._normal(leg)
         t = self._part("t", leg)
