@@ -115,7 +115,7 @@ def _scales(study: LinkageStudy, scales: Mapping[str, Scale]) -> Iterator[str]:
 def _scale(scale: Scale, formula: Formula) -> str:
     unit, mm = (formula.drafting.word(name) for name in (scale.unit, "mm"))
     true = f"({unit})" if "/" in unit else unit
-    return rf"${formula.letter(f'μ_{scale.letter}')} = {formula.number(scale.mu)}\text{{ {true}/{mm}}}$"
+    return f"${formula.letter(f'μ_{scale.letter}')} = {formula.number(scale.mu)}{formula.unit(f'{true}/{mm}')}$"
 
 
 def _numbers(study: LinkageStudy, written: VectorEquations) -> Iterator[str]:

@@ -180,9 +180,7 @@ def _values(study: LinkageStudy, comparison: MotionComparison) -> Iterator[str]:
             yield from header(heads)
             for k, phi in enumerate(study.turn.phi):
                 at = float(np.degrees(phi) if drive.turns else 1000 * drive.unit * phi)
-                yield row(
-                    [str(k), decimal(f"{at:.4f}", language), *(_cell(finding, k, language) for finding in findings)]
-                )
+                yield row([str(k), fixed(at, language, 4), *(_cell(finding, k, language) for finding in findings)])
             yield ""
 
 

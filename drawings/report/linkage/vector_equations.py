@@ -108,6 +108,9 @@ class VectorEquations:
         formula = self.formula
         if leg.guided:
             return
+        if "_{" in leg.base:  # a point of the guide, which only similarity gives
+            yield from self._whole(V, leg.velocity[0], leg.base, leg.images[0])
+            yield from self._whole(A, leg.acceleration[0], leg.base, leg.images[0])
         v = formula.letter(f"v_{{{leg.relative}}}")
         yield from self._read(V, leg.velocity[1], v, leg.images[0], leg.images[2])
         omega, k = abs(self.sums.omega(leg.link)), leg.acceleration[1]
