@@ -110,7 +110,9 @@ class CutEquations:
         about = next((arm.about for arm in arms if arm.name in named), one.about.name)
         armed = [arm for arm in arms if arm.about == about and arm.name in named]
         own = next((arm for arm in armed if arm.name == unknown), None)
-        others = [arm for arm in armed if arm.name != unknown]
+        loads = {load.name: load.force for load in one.loads}
+        seen = {name for name, mark in loads.items() if self._sized(abs(self.values.force(name, mark)))}
+        others = [arm for arm in armed if arm.name in seen]
         couples = [pair for pair in one.couples if self._turned(self.values.moment(pair.name, pair.moment))]
         letters = [_signed(arm.sense, f"{self.letter(arm.name)} {formula.letter(arm.letter)}") for arm in others]
         letters += [self.letter(couple.name) for couple in couples]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from drawings.note.cut_equations import CutEquations
 from drawings.report.formula import display, inline
@@ -27,7 +27,7 @@ def lever_equation(lever: Lever, written: CutEquations, mu: float) -> Iterator[s
     forces = {one.name: one.force for one in lever.loads}
     for name, power in powers.items():
         yield _row(name, power / mu, forces.get(name), written)
-    whole, omega = sum(powers.values()), written.values.rate
+    whole, omega = _sum(powers), written.values.rate
     yield row([f"${sigma}$", "", "", f"${formula.number(whole / mu)}$"])
     yield ""
     letters = f"-{formula.letter('μ_v')} {sigma} M_{{p}} / {formula.letter(f'ω_{drive.link}')}"
@@ -37,10 +37,16 @@ def lever_equation(lever: Lever, written: CutEquations, mu: float) -> Iterator[s
 
 
 def _powers(lever: Lever, written: CutEquations) -> dict[str, float]:
-    """Give the powers of all forces and couples, W; one that is but rounding of the largest is none."""
+    """Give the powers of all forces and couples, W; one of a moment on the shaft that is none is none either."""
     powers = {name: written.values.power(name, mark) for name, mark in lever.moments}
-    least = NOTHING * max(map(abs, powers.values()))
+    least = written.nothing[1] * abs(written.values.rate)
     return {name: power if abs(power) > least else 0.0 for name, power in powers.items()}
+
+
+def _sum(powers: Mapping[str, float]) -> float:
+    """Add powers up; what is but rounding of the largest is none."""
+    whole = sum(powers.values())
+    return whole if abs(whole) > NOTHING * max(map(abs, powers.values())) else 0.0
 
 
 def _row(name: str, moment: float, force: Mark | None, written: CutEquations) -> str:

@@ -148,7 +148,7 @@ def test_no_number_of_the_equations_can_be_another(name: str) -> None:
         digit = next(k for k, sign in enumerate(found[0]) if sign not in "0.")
         other = found[0][:digit] + str((int(found[0][digit]) + 1) % 10) + found[0][digit + 1 :]
         wrong = right[: begins + found.start()] + other + right[begins + found.end() :]
-        assert len(list(faults(wrong, made, leaves()))) == 1, found[0]
+        assert list(faults(wrong, made, leaves())), found[0]
 
 
 def test_a_line_left_out_and_a_sense_turned_are_seen() -> None:

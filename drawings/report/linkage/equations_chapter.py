@@ -14,6 +14,7 @@ from drawings.paper.walk import groups
 from drawings.report.formula import Formula, display
 from drawings.report.linkage.vector_equations import A, Plans, V, VectorEquations
 from drawings.report.markdown import chapter
+from plans.checks.compare import largest_of
 from plans.linkage.groups.vector_sums import VectorSum, VectorSums
 from plans.linkage.groups.vectors import Turning
 from plans.linkage.primary import PRIMARIES
@@ -84,15 +85,15 @@ def _written(
     study: LinkageStudy, motion: Motion, k: int, scales: Mapping[str, Scale], formula: Formula
 ) -> VectorEquations:
     sums = VectorSums(study.mechanism, motion, k, study.drafts().velocities.written)
-    return VectorEquations(Plans(sums, {name: one.mu for name, one in scales.items()}, largest(motion)), formula)
+    fastest = largest_of([np.abs(rows.omega) for rows in motion.links.values()])
+    plans = Plans(sums, {name: one.mu for name, one in scales.items()}, largest(motion), fastest)
+    return VectorEquations(plans, formula)
 
 
 def largest(motion: Motion) -> dict[str, float]:
     """Give the largest velocity and acceleration of named points over all positions."""
     return {
-        order.plan: max(
-            float(np.fmax.reduce(np.abs(rows[order.number]), initial=0.0)) for rows in motion.points.values()
-        )
+        order.plan: largest_of([np.abs(rows[order.number]) for rows in motion.points.values()])
         for order in (VELOCITIES, ACCELERATIONS)
     }
 
