@@ -18,7 +18,7 @@ from drawings.layout.picture import SMALLER, Picture, Spot
 from drawings.layout.table import Later, RuledTable
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.page.page import Page, page_of
-from drawings.paper.strokes import Group, Leaf
+from drawings.paper.strokes import Group, Leaf, SheetError
 from drawings.sheets.paragraphs import measure, write
 from drawings.sheets.stated_scales import StatedScales
 from plans.scene.scene import Scene
