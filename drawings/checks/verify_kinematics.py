@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 
 from drawings.checks import reading
-from drawings.checks.linkage import centre_images, part_letters, position_marks, strokes
+from drawings.checks.linkage import centre_images, part_letters, position_marks, stroke_dimensions, strokes
 from drawings.checks.linkage.laid import LaidMechanism, ground, mass_centres
 from drawings.checks.linkage.part_letters import LetteredPlan, TruePart
 from drawings.checks.wrong import on
@@ -109,6 +109,7 @@ def _positions(measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: 
     yield from position_marks.faults(leaf, laid)
     if study.travel is not None:
         yield from strokes.faults(leaf, laid, comparison.road.extremes(study.output))
+        yield from stroke_dimensions.faults(leaf, laid, comparison.road)
 
 
 def _points(measured: Measured, comparison: MotionComparison, shown: int) -> Iterator[Message]:

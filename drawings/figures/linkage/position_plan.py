@@ -9,16 +9,16 @@ from dataclasses import dataclass
 from itertools import groupby
 
 from drawings.figures.linkage.guides import axes, grounds
-from drawings.figures.linkage.numbering import same
 from drawings.figures.linkage.outlines import outlines, reach_of
 from drawings.figures.linkage.pairs import Pairs
 from drawings.figures.linkage.phases import phases
 from drawings.figures.linkage.position_letters import letters
 from drawings.figures.linkage.pushing import arrows, stroke_line
 from drawings.figures.linkage.skeleton import Poses, Skeletons
-from drawings.figures.linkage.stroke_dimension import stroke
+from drawings.figures.linkage.stroke_dimension import strokes
 from drawings.figures.linkage.swing import swings
 from drawings.figures.linkage.ties import ties
+from drawings.figures.linkage.tracks import same
 from drawings.figures.linkage.trajectories import trajectories
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
@@ -104,12 +104,12 @@ def layers(pairs: Pairs, language: str) -> list[Group]:
         ("notches", _notches(bones, place, hand)),
         (TIES, ties(pairs)),
     ]
-    groups = [Group(tuple(fit_dashes(trim(strokes, pairs.masks))), name) for name, strokes in under]
+    groups = [Group(tuple(fit_dashes(trim(lines, pairs.masks))), name) for name, lines in under]
     groups += [
         Group(tuple(grounded), "grounds"),
         Group((*blocks, *body, *pairs.corners()), "shown-position"),
         Group((*stands, *pairs.marks()), "pairs"),
-        Group(tuple(stroke(bones, place, hand, language, ink)), "stroke"),
+        Group(tuple(strokes(bones, place, hand, language, ink)), "stroke"),
         Group(tuple(part for arrow in arrows(pairs) for part in arrow.strokes(pairs)), "rotation"),
         Group(tuple(part for phase in phases(pairs, language) for part in phase.strokes(pairs)), "phases"),
         Group(tuple(part for swing in swings(pairs, language) for part in swing.strokes(pairs)), "swing"),
