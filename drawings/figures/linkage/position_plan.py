@@ -11,6 +11,7 @@ from itertools import groupby
 from drawings.figures.linkage.guides import axes, grounds
 from drawings.figures.linkage.outlines import outlines, reach_of
 from drawings.figures.linkage.pairs import Pairs
+from drawings.figures.linkage.path_ticks import path_ticks
 from drawings.figures.linkage.phases import phases
 from drawings.figures.linkage.position_letters import letters
 from drawings.figures.linkage.pushing import arrows, stroke_line
@@ -39,6 +40,7 @@ from plans.model.motion import CHANGE_POINT
 from plans.model.order import POSITIONS
 
 NAME = POSITIONS.plan
+TICKS = "path-ticks"  # the group of the positions on trajectories
 TIES = "ties"  # the group of the lines to mass centres off their links
 # Paper around the plan of positions in sizes of its letters: numbers, symbols, and above it the dimension of a stroke.
 MARGINS = Margins(3.5, 3.5, 5.0)
@@ -103,6 +105,7 @@ def layers(pairs: Pairs, language: str) -> list[Group]:
         ("guides", lines),
         ("notches", _notches(bones, place, hand)),
         (TIES, ties(pairs)),
+        (TICKS, path_ticks(pairs)),
     ]
     groups = [Group(tuple(fit_dashes(trim(lines, pairs.masks))), name) for name, lines in under]
     groups += [
