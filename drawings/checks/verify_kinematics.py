@@ -11,6 +11,7 @@ from drawings.checks.linkage import (
     part_letters,
     position_marks,
     stroke_dimensions,
+    stroke_marks,
     strokes,
     ticks,
     value_rows,
@@ -120,6 +121,8 @@ def _positions(measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: 
     if study.travel is not None:
         yield from strokes.faults(leaf, laid, comparison.road.extremes(study.output))
         yield from stroke_dimensions.faults(leaf, laid, comparison.road)
+    if study.mechanism.drive.pushed:
+        yield from stroke_marks.faults(leaf, laid)
 
 
 def _points(measured: Measured, comparison: MotionComparison, shown: int) -> Iterator[Message]:
