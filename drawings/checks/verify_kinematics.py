@@ -6,9 +6,10 @@ import math
 from collections.abc import Iterator
 
 from drawings.checks import reading
+from drawings.checks.diagrams import verify_diagrams
 from drawings.checks.linkage import centre_images, position_marks
 from drawings.checks.linkage.laid import LaidMechanism, ground, mass_centres
-from drawings.checks.wrong import on
+from drawings.checks.wrong import Wrong, on
 from drawings.figures.linkage.vector_plan import LEAST
 from drawings.measure.measure import Measured
 from drawings.measure.measured import MeasuredVector
@@ -21,7 +22,7 @@ from plans.study import Study
 from plans.words.words import Message, message
 
 
-def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Message]:
+def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     """Hold the plans, the points, the table and the scales of a kinematics sheet against the analysis."""
     linkage, comparison = study["linkage"], study.comparison("linkage")
     gone = {gap.position for gap in comparison.construction.gaps}
@@ -32,6 +33,8 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Message]:
     if leaf.metadata["shown"] is not None:
         yield from _points(measured, comparison, leaf.metadata["shown"])
         yield from _positions(measured, leaf, linkage, comparison)
+    if "diagrams" in leaf.metadata:
+        yield from verify_diagrams.faults(measured, leaf, study)
     yield from reading.marked_scales(leaf)
     yield from reading.tables(leaf, {finding.name.replace("_", ""): finding for finding in comparison.findings})
 
