@@ -8,8 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
-from drawings.checks.cam.cam_laws import scales
-from drawings.checks.cam.cam_strokes import NEAR, FigureStrokes, figure, read
+from drawings.checks.cam.cam_strokes import NEAR, FigureStrokes, figure, read, scales
 from drawings.checks.diagrams.expected_rows import ExpectedRow
 from drawings.checks.precise import tells
 from drawings.checks.wrong import Wrong, on

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from drawings.checks.cam.cam_laws import scales
-from drawings.checks.cam.cam_strokes import figure
+from drawings.checks.cam.cam_strokes import figure, scales
 from drawings.checks.diagrams import diagram_told
 from drawings.checks.diagrams.diagram_poles import poles
 from drawings.checks.diagrams.diagram_rows import graphs
