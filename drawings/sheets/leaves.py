@@ -172,6 +172,8 @@ class _Leaves:
                 "title": self.title,
                 **draft.facts(composed.spots.keys()),
                 **({} if draft.later is None else {"scales": {k: one.scale.mu for k, one in self.spots.items()}}),
+                "notes": composed.notes is not None,
+                "rows": {one.table.name: one.table.rows for one in composed.tables},
                 "number": number,
                 "of": count,
             },
