@@ -92,8 +92,8 @@ def test_a_larger_scale_has_a_smaller_error() -> None:
     large = told.errors(whole, {plan: mu / 2 for plan, mu in scales.items()})
     for key, error in told.errors(whole, scales).items():
         if key not in told.given:
-            # Half as large, but for long vectors, whose direction the set square's edge tells; sizes count the square too.
-            assert (large[key] / error > 0.49).all()
+            # Half as large, or more: of long vectors it is the direction, which the set square's edge tells.
+            assert key[0] not in "ωε" or (large[key] / error > 0.5 * (1 - 1e-9)).all()
             assert (large[key] / error < 0.9).all()
 
 
