@@ -11,8 +11,10 @@ import numpy as np
 
 from drawings.checks import reading
 from drawings.checks.force_marks import lever_marks, polygon_marks
+from drawings.checks.forces.attachments import Schemes
 from drawings.checks.forces.balancing_graph import PLAN as BALANCING
 from drawings.checks.forces.balancing_graph import ordinates
+from drawings.checks.forces.lever_equation import LeverCheck
 from drawings.checks.forces.load_points import loads
 from drawings.checks.linkage import accord, by_hand
 from drawings.checks.reading import plain, reads, scales
@@ -23,6 +25,7 @@ from drawings.figures.forces.force_letters import force_letter
 from drawings.figures.forces.force_table import label
 from drawings.lettering.words import word
 from drawings.measure.measure import Measured
+from drawings.page.page import page_of
 from drawings.paper.strokes import Leaf, Line, Text
 from drawings.paper.walk import groups, texts
 from drawings.symbols.force_arrow import plain_name
@@ -53,6 +56,8 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     yield from check.scales()
     yield from check.curves()
     yield from check.loads()
+    yield from check.lever()
+    yield from Schemes(leaf, check.expected(), page_of(study.scene).hand).faults()
     yield from friction_of(leaf, comparison, check.position, study.scene.sheet.language)
     named = table_names(comparison, statics)
     yield from reading.tables(leaf, named)
@@ -196,6 +201,11 @@ class _Check:
         motion = self.comparison.motion
         strokes = self.statics.over(motion.road.extremes)
         yield from loads(self.measured, self.leaf, self.statics.machine, strokes, motion.analysis)
+
+    def lever(self) -> Iterator[Wrong]:
+        """Hold the lever's equation of moments, and its arms."""
+        language = self.statics.study.scene.sheet.language
+        yield from LeverCheck(self.measured, self.leaf, self.expected(), language, self.slack).faults()
 
     def _held(self, plan: str, expected: Mapping[str, complex], slack: float) -> Iterator[Message]:
         told = [(one.plan, one.name, one.value, one.scale) for one in self.measured.vectors]

@@ -108,6 +108,7 @@ def _lever(statics: Statics, position: int, language: str) -> Iterator[str]:
         return
     powers = ", ".join(f"{force_letter(name, language)}{NBSP}{number(power, language)}" for name, power in seen)
     both = {"total": number(total, language, 5), "drive": number(-total, language, 5)}
+    yield word(language, "lever arms")
     yield word(language, "forces of lever", force=force_letter(DRIVING, language), powers=powers, **both)
 
 

@@ -142,12 +142,18 @@ class _KinematicsSheet:
 
     def _tables(self) -> tuple[RuledTable, ...]:
         """The table of values, without what the scene states, and that of the output's course."""
-        output = (output_table(self.output, self.drafting),) if self.output and self.output.shown else ()
+        return (
+            *self._values(),
+            *((output_table(self.output, self.drafting),) if self.output and self.output.shown else ()),
+        )
+
+    def _values(self) -> tuple[RuledTable, ...]:
+        """The table of values, if there is anything to tell."""
         if not self.positions:
-            return output
+            return ()
         told, language = self.by_hand, self.drafting.language
         lines = value_table.rows(self.comparison, self.positions, told.given, language, told.parts)
-        return (*((value_table.table(lines, self.positions, self.drafting),) if lines else ()), *output)
+        return (value_table.table(lines, self.positions, self.drafting),) if lines else ()
 
     def _later(self, spots: Mapping[str, Spot]) -> Callable[[Later], str]:
         """Write what a hand may be out in the table, at the scales of the plans."""

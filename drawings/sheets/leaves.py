@@ -16,8 +16,8 @@ from drawings.layout.labels import Labels
 from drawings.layout.picture import SMALLER, Picture, Spot
 from drawings.layout.table import Later, RuledTable
 from drawings.page.drafting import Drafting, drafting_of
-from drawings.page.page import Field, Page, page_of
-from drawings.paper.strokes import Group, Leaf, SheetError
+from drawings.page.page import Page, page_of
+from drawings.paper.strokes import Group, Leaf
 from drawings.sheets.paragraphs import measure, write
 from drawings.sheets.stated_scales import StatedScales
 from plans.scene.scene import Scene
@@ -35,10 +35,14 @@ class Exhibit(NamedTuple):
 
 
 class Caption(NamedTuple):
-    """Lettering that stands with figures: what it wants of its place, and how it is written in its box."""
+    """Lettering that stands with figures: what it wants of its place, and how it is written in its box.
+
+    One `of` a figure is written by the spot of that figure too, where both stand on one sheet: lengths as drawn.
+    """
 
     panel: Panel
-    write: Callable[[Field], Group]
+    write: Callable[..., Group]  # of a field, and of a spot
+    of: str = ""
 
 
 @dataclass(frozen=True)
@@ -113,30 +117,13 @@ class _Leaves:
     @cached_property
     def contents(self) -> Contents:
         """All that the sheets must show, measured."""
-        return self._with(self.scales.panels(self._panels))
-
-    @property
-    def free(self) -> Contents:
-        """The same without the scales that the scene states."""
-        return self._with(self._panels)
-
-    @property
-    def _panels(self) -> tuple[Panel, ...]:
-        return tuple(one.panel for one in self.draft.shows)
-
-    def _with(self, panels: tuple[Panel, ...]) -> Contents:
+        panels = self.scales.panels([one.panel for one in self.draft.shows])
         return Contents(panels, self.draft.tables, measure(self.draft.notes, self.page.hand.text, self.draft.narrow))
 
     @cached_property
     def composed(self) -> Sequence[Composition]:
-        """Compose the sheets; where they have no room it may be for the scales that the scene states."""
-        try:
-            return compose(self.contents, self.page)
-        except SheetError:
-            if self.scales.stated and self.contents != self.free:
-                compose(self.free, self.page)
-                raise self.scales.crowded from None
-            raise
+        """Where all stands, sheet by sheet."""
+        return compose(self.contents, self.page)
 
     @cached_property
     def spots(self) -> Mapping[str, Spot]:
@@ -189,7 +176,8 @@ class _Leaves:
             yield write(self.draft.notes, composed.notes, page.hand.text, page.field.right)
         for one in self.draft.shows:
             if isinstance(one, Caption) and one.panel.item.name in composed.blocks:
-                yield one.write(composed.blocks[one.panel.item.name])
+                spots = [composed.spots[one.of]] if one.of in composed.spots else []
+                yield one.write(composed.blocks[one.panel.item.name], *spots)
 
     def _figures(self, composed: Composition) -> Iterator[Figure]:
         for one in self.draft.shows:
