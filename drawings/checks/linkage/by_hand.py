@@ -68,10 +68,11 @@ def wrong_scales(measured: Measured, leaf: Leaf, figures: tuple[str, ...]) -> It
 
 
 def wrong_headings(leaf: Leaf, figures: tuple[str, ...]) -> Iterator[Wrong]:
-    """Name the figures without vectors to scale whose headings state another scale than the table counts with."""
-    for group in leaf.groups:
-        if group.name.startswith(figures) and group.name in leaf.metadata["scales"]:
-            yield from reading.scales(group, [leaf.metadata["scales"][group.name]])
+    """Name the figures of a position whose headings state another scale than the table counts with."""
+    scales, position = leaf.metadata["scales"], leaf.metadata["position"]
+    for name in (one for one in scales if one.startswith(figures)):
+        for group in (one for one in leaf.groups if one.name == f"{name}-{position}"):
+            yield from reading.scales(group, [scales[name]])
 
 
 def _holds(row: reading.Cells, error: float) -> bool:
