@@ -8,7 +8,7 @@ import numpy as np
 
 from geometry.meet import EPS
 from plans.checks.comparison import Finding
-from plans.linkage.primaries.ram import triangle
+from plans.linkage.primaries.ram import lever, triangle
 from plans.linkage.study import LinkageStudy
 from plans.model.motion import Floats, Motion
 from plans.model.order import ORDERS
@@ -30,8 +30,7 @@ def law(study: LinkageStudy, solved: Motion, kappa: Floats, order: int) -> Itera
     found += [(along * rows.v).real] if order > 0 else []
     found += [(along * rows.a).real + (along * rows.v).imag ** 2 / length] if order > 1 else []
     # The crank's angle is known to a rounding of the length over the share of its turning that goes along the cylinder.
-    lever = np.abs((np.conj(span) * (rows.r - corner.hinge)).imag) / length
-    blunt = np.maximum(abs(corner.own), length) / lever
+    blunt = np.maximum(abs(corner.own), length) / lever(study.mechanism, rows.r)
     for k, row in enumerate(found):
         due = np.where(np.isnan(row), np.nan, told[k])
         largest = max(float(np.nanmax(np.abs(due), initial=0.0)), abs(ram.speed) ** k / abs(corner.own) ** (k - 1))

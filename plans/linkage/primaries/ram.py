@@ -77,3 +77,10 @@ def pace(mechanism: Mechanism) -> Pace:
 def ways(mechanism: Mechanism, phi: Floats) -> Floats:
     """Give the cylinder's lengths at crank angles rad, (N,) m."""
     return np.asarray(np.abs(triangle(mechanism).span(phi)))
+
+
+def lever(mechanism: Mechanism, places: Complexes) -> Floats:
+    """Give the arm m of the cylinder about the crank's hinge, where the crank's point is at some places, (N,)."""
+    corner = triangle(mechanism)
+    span = places - corner.fixed
+    return np.asarray(np.abs((np.conj(span) * (places - corner.hinge)).imag) / np.abs(span))
