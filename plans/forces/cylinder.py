@@ -44,7 +44,7 @@ def _growth(mechanism: Mechanism, motion: Motion) -> tuple[Complexes, Floats]:
 
 
 def _ends(mechanism: Mechanism) -> Iterator[tuple[int, str, complex]]:
-    """Give the links that are pushed apart, each with its point: the rod or the crank, the cylinder or the frame."""
+    """Give the links that a cylinder pushes apart, each with its point: rod or crank, cylinder or frame."""
     ram, links = mechanism.drive.ram, mechanism.links
     assert ram is not None  # one drives
     sliding = {number for slide in mechanism.slides for number in (slide.slider, slide.owner)}
