@@ -31,7 +31,7 @@ from plans.checks.force_comparison import ForceComparison
 from plans.checks.hand.forces import forces_by_hand
 from plans.forces.cut import Cut, indices
 from plans.forces.force import ForcePlan
-from plans.forces.primary import balancing_quantity
+from plans.forces.primary import BALANCING, balancing_quantity
 from plans.forces.statics import Statics
 from plans.linkage.primaries import ram
 from plans.linkage.study import LinkageStudy
@@ -128,7 +128,9 @@ class _ForceSheet:
         draw = partial(lever_plan.draw, shown, room, drafting=self.drafting)
         yield Exhibit(Panel(room, together=LEVER if told else ""), draw)
         if told:
-            equation = LeverEquation(told, at(plans.lever.moment.point, self.position).real, self.drafting)
+            turned = balancing_quantity(self.study.mechanism.drive).name == BALANCING
+            moment = at(plans.lever.moment.point, self.position).real if turned else None
+            equation = LeverEquation(told, moment, self.drafting)
             yield Caption(Panel(equation.block(), together=LEVER), equation.write, of=LEVER)
 
     def _loads(self) -> Iterator[Exhibit]:

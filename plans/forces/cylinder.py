@@ -23,7 +23,7 @@ def driven(mechanism: Mechanism, machine: Machine, motion: Motion, loads: Loadin
         return loads
     along, _ = _growth(mechanism, motion)
     force = np.asarray(push(mechanism, machine, motion, loads) * along)
-    ends = zip(_ends(mechanism), (force, 0.0 - force), (DRIVING, f"{DRIVING}′"), strict=True)
+    ends = zip(_ends(mechanism), (force, 0.0 - force), (DRIVING, DRIVING.replace("_", "′_")), strict=True)
     told = (Applied(name, *end, one, useful=False) for end, one, name in ends if end[0] != FRAME)
     return loads._replace(forces=(*loads.forces, *told))
 
