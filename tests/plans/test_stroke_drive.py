@@ -9,7 +9,7 @@ import pytest
 
 from plans.linkage.primaries import ram
 from plans.model.motion import NOT_REACHABLE, OUT_OF_REACH
-from plans.scene.faults import SceneError
+from plans.scene.faults import SceneError, dotted
 from plans.scene.scene import parse_scene
 from plans.study import Study
 
@@ -237,3 +237,49 @@ def test_a_cylinder_that_cannot_drive_is_refused_at_its_key(name: str) -> None:
     with pytest.raises(SceneError) as refused:
         _ = Study(parse_scene(BOOM.format(drive=drive)))["linkage"].mechanism
     assert where in {".".join(map(str, fault.path)) for fault in refused.value.faults}
+
+
+LAW = """
+positions = 4
+[drive.stroke]
+{between}from = {begin}
+to = {end}
+speeds = [0.1, 0.3, 0.3, 0.1]
+places = [{begin}, {second}, {third}, {end}]
+"""
+
+
+def test_a_law_over_the_stroke_gives_its_speeds_and_the_accelerations_that_follow() -> None:
+    drive = "link = 1" + LAW.format(between="", begin=0.6, second=0.575, third=0.525, end=0.5)
+    study = Study(parse_scene(SLIDER_CRANK.format(crank=3, slider=1, drive=drive)))
+    slider = study["linkage"].motion(2).points["B"]
+    assert slider.v.real.tolist() == pytest.approx([-0.1, -0.3, -0.3, -0.3, -0.1])
+    slope = 0.2 / 0.025  # a = v dv/ds; at a corner the line ahead of it counts
+    assert slider.a.real.tolist() == pytest.approx([-0.1 * slope, 0, 0, 0.3 * slope, 0.1 * slope], abs=1e-12)
+    assert all(study.comparison(part).agrees for part in ("linkage", "forces"))
+
+
+def test_a_law_of_a_cylinder_is_held_by_the_analysis_at_its_corners_too() -> None:
+    drive = LAW.format(between='between = "EF"\n', begin=0.45, second=0.475, third=0.525, end=0.55)
+    study = Study(parse_scene(BOOM.format(drive=drive)))
+    assert all(study.comparison(part).agrees for part in ("linkage", "forces"))
+    omega = study["linkage"].motion(1).links[1].omega
+    assert omega[2] == pytest.approx(0.5 * 0.3 / 0.12, rel=1e-13)
+
+
+LAWS = {
+    "too few speeds": ("speeds = [1]", "drive.stroke.speeds"),
+    "a speed of zero": ("speeds = [0, 1]", "drive.stroke.speeds[0]"),
+    "two laws": ("speeds = [1, 2]\nspeed = 1", "drive.stroke.speed"),
+    "other ends": ("speeds = [1, 2]\nplaces = [0.5, 0.7]", "drive.stroke.places"),
+    "back and forth": ("speeds = [1, 2, 1]\nplaces = [0.5, 0.7, 0.6]", "drive.stroke.places"),
+}
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_a_law_that_does_not_fit_its_stroke_is_refused_at_its_key(name: str) -> None:
+    law, where = LAWS[name]
+    drive = f"link = 1\n[drive.stroke]\nfrom = 0.5\nto = 0.6\n{law}"
+    with pytest.raises(SceneError) as refused:
+        _ = Study(parse_scene(SLIDER_CRANK.format(crank=3, slider=1, drive=drive)))["linkage"].mechanism
+    assert where in {dotted(fault.path) for fault in refused.value.faults}
