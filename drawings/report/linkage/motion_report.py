@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from drawings.lettering.words import decimal, number
+from drawings.lettering.words import decimal, fixed, number
 from drawings.paper.limits import MANY
 from drawings.report.chapters import Chapters
 from drawings.report.gap_lines import gap_line, gap_lines, positions
@@ -134,7 +134,7 @@ def _pressure(study: LinkageStudy) -> Iterator[str]:
 
 
 def _degrees(angle: float, places: int, language: str) -> str:
-    return decimal(f"{np.degrees(angle):.{places}f}", language)
+    return fixed(float(np.degrees(angle)), language, places)
 
 
 def _angles(angles: Iterable[float], places: int, language: str) -> str:
@@ -180,9 +180,7 @@ def _values(study: LinkageStudy, comparison: MotionComparison) -> Iterator[str]:
             yield from header(heads)
             for k, phi in enumerate(study.turn.phi):
                 at = float(1000 * drive.unit * phi if drive.pushed else np.degrees(phi))
-                yield row(
-                    [str(k), decimal(f"{at:.4f}", language), *(_cell(finding, k, language) for finding in findings)]
-                )
+                yield row([str(k), fixed(at, language, 4), *(_cell(finding, k, language) for finding in findings)])
             yield ""
 
 
