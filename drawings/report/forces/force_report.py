@@ -18,7 +18,7 @@ from drawings.report.linkage.greatest import greatest
 from drawings.report.markdown import chapter, header, row
 from drawings.report.stroke_lines import stroke_line
 from plans.checks.force_comparison import ForceComparison
-from plans.forces.primary import BalancingQuantity, balancing_quantity
+from plans.forces.primary import balancing_quantity
 from plans.forces.reversals import reversals
 from plans.forces.statics import Statics
 from plans.forces.stroke import asks
@@ -63,7 +63,7 @@ def headline(study: Study) -> str:
 
 def _greatest(statics: Statics, found: Kinetostatics, language: str) -> Iterator[str]:
     told = balancing_quantity(statics.study.mechanism.drive)
-    largest = greatest(told.share * found.balancing.moment)
+    largest = greatest(statics.given(found, statics.study.motion(2)))
     if largest is not None:
         size, unit = number(largest[0], language, FEW_DIGITS), lettering.word(language, told.unit)
         yield word(
@@ -91,9 +91,8 @@ def remarks(study: Study) -> list[Message]:
 def forces(comparison: ForceComparison, statics: Statics, language: str) -> Iterator[str]:
     """Tell what acts, every reaction by construction, and what friction takes."""
     found = comparison.construction
-    told = balancing_quantity(statics.study.mechanism.drive)
-    yield from _reactions(found, told, language)
-    yield from balancing_table(comparison, told, language)
+    yield from _reactions(statics, found, language)
+    yield from balancing_table(comparison, balancing_quantity(statics.study.mechanism.drive), language)
     yield from (
         gap_line("report.force_gap", gap, statics.study.mechanism.drive, language)
         for gap in found.gaps
@@ -153,12 +152,13 @@ def _angles(angles: Sequence[float], language: str) -> Iterator[str]:
     return (f"{number(float(np.degrees(angle)), language)}°" for angle in angles)
 
 
-def _reactions(found: Kinetostatics, told: BalancingQuantity, language: str) -> Iterator[str]:
+def _reactions(statics: Statics, found: Kinetostatics, language: str) -> Iterator[str]:
     yield chapter(language, "reactions")
     reactions = sorted(found.reactions.values(), key=lambda one: (one.giver, one.taker))
     force, moment = found.nothing
-    name, _, share = told
-    columns = {name: share * _sized(found.balancing.moment, moment)}
+    told = balancing_quantity(statics.study.mechanism.drive)
+    least = told.share * (force if statics.study.mechanism.drive.ram is not None else moment)
+    columns = {told.name: _sized(statics.given(found, statics.study.motion(2)), least)}
     for one in reactions:
         pair = f"{one.giver}-{one.taker}"
         columns[word(language, "report.reaction", pair=pair, point=one.point)] = _sized(one.force, force)
