@@ -6,10 +6,10 @@ import math
 from collections.abc import Iterator
 
 from drawings.checks import reading
-from drawings.checks.linkage import centre_images, part_letters, position_marks, strokes
+from drawings.checks.linkage import centre_images, part_letters, position_marks, strokes, value_rows
 from drawings.checks.linkage.laid import LaidMechanism, ground, mass_centres
 from drawings.checks.linkage.part_letters import LetteredPlan, TruePart
-from drawings.checks.wrong import on
+from drawings.checks.wrong import Wrong, on
 from drawings.figures.linkage.part_letters import is_relative
 from drawings.figures.linkage.vector_plan import LEAST
 from drawings.measure.measure import Measured
@@ -25,7 +25,7 @@ from plans.study import Study
 from plans.words.words import Message, message
 
 
-def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Message]:
+def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     """Hold the plans, the points, the table and the scales of a kinematics sheet against the analysis."""
     linkage, comparison = study["linkage"], study.comparison("linkage")
     gone = {gap.position for gap in comparison.construction.gaps}
@@ -38,7 +38,8 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Message]:
         yield from _points(measured, comparison, leaf.metadata["shown"])
         yield from _positions(measured, leaf, linkage, comparison)
     yield from reading.marked_scales(leaf)
-    yield from reading.tables(leaf, {finding.name.replace("_", ""): finding for finding in comparison.findings})
+    if "scales" in leaf.metadata:
+        yield from value_rows.faults(measured, leaf, linkage, comparison)
 
 
 def _plans(measured: Measured, study: LinkageStudy, comparison: MotionComparison, k: int) -> Iterator[Message]:

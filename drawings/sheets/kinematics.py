@@ -28,8 +28,8 @@ from drawings.sheets.leaves import Draft, Exhibit, lay_out
 from drawings.sheets.notes import notes
 from geometry.board import Mark
 from plans.checks.compare import MotionComparison
-from plans.checks.hand.motion import plans_by_hand
-from plans.checks.parts import findings, spans
+from plans.checks.hand.motion import MotionByHand
+from plans.checks.parts import spans
 from plans.diagrams.study import DiagramsStudy
 from plans.linkage.study import LinkageStudy
 from plans.model.order import ORDERS, POSITIONS, VELOCITIES
@@ -142,19 +142,27 @@ class _KinematicsSheet:
 
     def _tables(self) -> tuple[RuledTable, ...]:
         """The table of values, without what the scene states, and that of the output's course."""
-        drive = self.study.mechanism.drive
-        given = {f"{symbol}_{drive.link}" for symbol in "ωε"} if drive.turns else {f"{k}_{drive.end}" for k in "va"}
-        language = self.drafting.language
-        parts = findings(self.study, self.comparison) if self.positions else ()
-        lines = value_table.rows(self.comparison, self.positions, given, language, parts) if self.positions else []
-        values = (value_table.table(lines, self.positions, self.drafting),) if lines else ()
-        return *values, *((output_table(self.output, self.drafting),) if self.output and self.output.shown else ())
+        return (
+            *self._values(),
+            *((output_table(self.output, self.drafting),) if self.output and self.output.shown else ()),
+        )
+
+    def _values(self) -> tuple[RuledTable, ...]:
+        """The table of values, if there is anything to tell."""
+        if not self.positions:
+            return ()
+        told, language = self.by_hand, self.drafting.language
+        lines = value_table.rows(self.comparison, self.positions, told.given, language, told.parts)
+        return (value_table.table(lines, self.positions, self.drafting),) if lines else ()
 
     def _later(self, spots: Mapping[str, Spot]) -> Callable[[Later], str]:
         """Write what a hand may be out in the table, at the scales of the plans."""
         scales = {name: spot.scale.mu for name, spot in spots.items()}
-        errors = plans_by_hand(self.study, self.comparison, scales, self.positions)
-        return value_table.by_hand(errors, self.drafting.language)
+        return value_table.by_hand(self.by_hand.on_sheet(self.positions, scales), self.drafting.language)
+
+    @cached_property
+    def by_hand(self) -> MotionByHand:
+        return MotionByHand(self.study, self.comparison, self.bones.masses)
 
     def _facts(self, names: Collection[str]) -> dict[str, Any]:
         """Say in the data of a sheet what its figures show."""
