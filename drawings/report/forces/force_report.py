@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from drawings.lettering import words as lettering
-from drawings.lettering.words import number, runs
+from drawings.lettering.words import cleared, number, runs
 from drawings.report.chapters import Chapters
 from drawings.report.gap_lines import gap_line, gap_lines
 from drawings.report.linkage.greatest import DIGITS as FEW_DIGITS
@@ -174,9 +174,11 @@ def _friction(found: Friction, language: str) -> Iterator[str]:
     yield say("report.friction_powers")
     heads = (say(f"table.{head}") for head in ("all", "useful", "efficiency"))
     yield from header([say("table.position"), *found.powers, *heads])
-    columns = [*found.powers.values(), found.lost, found.useful, found.efficiency]
+    columns = [*found.powers.values(), found.lost, found.useful]
+    largest = max(float(np.nanmax(np.abs(column), initial=0.0)) for column in columns)
     for k in range(len(found.phi)):
-        yield row([str(k), *("—" if np.isnan(one[k]) else write(float(one[k]), digits=6) for one in columns)])
+        told = [*(cleared(float(column[k]), largest) for column in columns), float(found.efficiency[k])]
+        yield row([str(k), *("—" if np.isnan(one) else write(one, digits=6) for one in told)])
     if found.cycle is not None:
         yield f"\n{say('report.cycle', efficiency=write(found.cycle, digits=6))}"
     yield say("report.wear", shares=", ".join(f"{key} {write(100 * share)} %" for key, share in found.wear.items()))

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from drawings.lettering.words import decimal, number
+from drawings.lettering.words import decimal, fixed, number
 from drawings.paper.limits import MANY
 from drawings.report.chapters import Chapters
 from drawings.report.gap_lines import gap_line, gap_lines, positions
@@ -134,7 +134,7 @@ def _pressure(study: LinkageStudy) -> Iterator[str]:
 
 
 def _degrees(angle: float, places: int, language: str) -> str:
-    return decimal(f"{np.degrees(angle):.{places}f}", language)
+    return fixed(float(np.degrees(angle)), language, places)
 
 
 def _angles(angles: Iterable[float], places: int, language: str) -> str:
