@@ -207,6 +207,7 @@ ROOMS = (
     ("drawings.figures.linkage", "drawings.figures.graphs", "drawings.figures.rotor"),
     ("drawings.figures.forces", "drawings.figures.dynamics", "drawings.figures.cam", "drawings.figures.cyclogram"),
     ("drawings.figures.balance", "drawings.figures.bank", "drawings.figures.diagrams"),
+    ("drawings.note",),
     ("drawings.checks", "drawings.sheets"),
     ("drawings.bench", "drawings.gallery"),
     ("drawings.commands",),
