@@ -206,7 +206,7 @@ ROOMS = (
     ("drawings.symbols",),
     ("drawings.figures.linkage", "drawings.figures.graphs", "drawings.figures.rotor"),
     ("drawings.figures.forces", "drawings.figures.dynamics", "drawings.figures.cam", "drawings.figures.cyclogram"),
-    ("drawings.figures.balance", "drawings.figures.bank"),
+    ("drawings.figures.balance", "drawings.figures.bank", "drawings.figures.diagrams"),
     ("drawings.note",),
     ("drawings.checks", "drawings.sheets"),
     ("drawings.bench", "drawings.gallery"),

@@ -21,7 +21,7 @@ from drawings.paper.strokes import Group, Leaf
 from drawings.paper.walk import texts
 from plans.analytic.dynamics.rim import wheel
 from plans.forces.stroke import Stroke
-from plans.model.machine import ALWAYS, IDLE, WORKING, Force, Machine, Moment, Track
+from plans.model.machine import ALWAYS, BACKWARD, FORWARD, IDLE, WORKING, Force, Machine, Moment, Track
 from plans.words.words import message
 
 BENT = 2e-3  # of two slopes: a bend that is less need not be told
@@ -114,10 +114,10 @@ def _corners(load: Force | Moment) -> Iterator[_Corner]:
     begin, end = load.overrun[0], 1 - load.overrun[1]
     shares = np.array(sorted({begin, end, *(share for share in (law.travel if law else ()) if begin < share < end)}))
     turns = load.against if isinstance(load, Moment) else load.resists or (load.direction is None and load.line is None)
-    for during, sense in ((WORKING, 1.0), (IDLE, -1.0 if turns else 1.0)):
-        if load.during not in (ALWAYS, during):
+    for during, sense in (((WORKING, FORWARD), 1.0), ((IDLE, BACKWARD), -1.0 if turns else 1.0)):
+        if load.during not in (ALWAYS, *during):
             continue
-        sizes = (law.back or law.sizes if during == IDLE else law.sizes) if law else ()
+        sizes = (law.back or law.sizes if IDLE in during else law.sizes) if law else ()
         found = sense * load.size * (np.interp(shares, law.travel, sizes) if law else np.ones(len(shares)))
         slopes = np.diff(found) / np.diff(shares)
         bends = np.abs(np.diff(slopes)) > BENT * (np.abs(slopes[1:]) + np.abs(slopes[:-1]))

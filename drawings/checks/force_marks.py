@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from drawings.checks.wrong import on
-from drawings.figures.forces.lever_plan import PLAN
+from drawings.figures.forces.lever_layout import PLAN
 from drawings.measure.measure import Measured
 from drawings.paper.limits import SEEN
 from plans.checks.force_expected import ExpectedForces, missed

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from drawings.figures.forces.lever_plan import PLAN as LEVER
+from drawings.figures.forces.lever_layout import PLAN as LEVER
 from drawings.note.cut_equations import CutEquations, ForceValues
 from drawings.note.lever_equation import lever_equation
 from drawings.page.drafting import Drafting, drafting_of

@@ -15,6 +15,7 @@ from drawings.figures.dynamics.load_course import courses
 from drawings.figures.forces import force_polygon, force_table, lever_plan, loading_scheme
 from drawings.figures.forces.force_equations import Equations
 from drawings.figures.forces.force_letters import letter_of
+from drawings.figures.forces.lever_equation import LeverEquation
 from drawings.figures.graphs import curve_graph, hodograph
 from drawings.layout import value_table
 from drawings.layout.contents import Panel
@@ -25,6 +26,7 @@ from drawings.paper.strokes import Leaf
 from drawings.sheets.choice import force_positions
 from drawings.sheets.force_notes import notes
 from drawings.sheets.leaves import Caption, Draft, Exhibit, lay_out
+from geometry.board import at
 from plans.checks.force_comparison import ForceComparison
 from plans.checks.hand.forces import forces_by_hand
 from plans.forces.cut import Cut, indices
@@ -38,6 +40,7 @@ from plans.model.structure import formula
 from plans.study import Study
 
 LARGEST = 2.2  # times the least size at which it is legible: a crank is not drawn larger than the mechanism
+LEVER = "lever"
 POLYGON = "forces-"  # before a cut's links: the name of its force plan
 STEPS = 720  # of a graph over a turn: half a degree, less than the width of a line on any sheet
 
@@ -70,7 +73,7 @@ class _ForceSheet:
     @property
     def draft(self) -> Draft:
         """Title, figures, equations, table and notes of the sheets."""
-        words = notes(self.statics, self.position, self.drafting.language)
+        words = notes(self.statics, self.comparison, self.position, self.drafting.language)
         columns = (one for cut in self.plan.cuts for one in self._column(cut))
         loose = (*self._lever(), *self._loads(), *self._graph(), *self._hodographs())
         title = self.drafting.word("forces sheet title")
@@ -114,12 +117,18 @@ class _ForceSheet:
         draw = partial(force_polygon.draw, shown, room, drafting=self.drafting)
         return Exhibit(Panel(room, together=cut.label), draw)
 
-    def _lever(self) -> Iterator[Exhibit]:
+    def _lever(self) -> Iterator[Exhibit | Caption]:
+        """The lever, with its equation of moments where anything has one."""
         plans = self.statics.drafts().plans
-        if plans.lever is not None:
-            shown = lever_plan.hanging(plans.plan, plans.lever, self.position)
-            room = lever_plan.measure(shown, "lever", self.drafting)
-            yield Exhibit(Panel(room), partial(lever_plan.draw, shown, room, drafting=self.drafting))
+        if plans.lever is None:
+            return
+        shown = lever_plan.hanging(plans.plan, plans.lever, self.position)
+        room, told = lever_plan.measure(shown, LEVER, self.drafting), lever_plan.balance(shown, self.drafting)
+        draw = partial(lever_plan.draw, shown, room, drafting=self.drafting)
+        yield Exhibit(Panel(room, together=LEVER if told else ""), draw)
+        if told:
+            equation = LeverEquation(told, at(plans.lever.moment.point, self.position).real, self.drafting)
+            yield Caption(Panel(equation.block(), together=LEVER), equation.write, of=LEVER)
 
     def _loads(self) -> Iterator[Exhibit]:
         """Each load that changes over a stroke, with its positions: once in a set, on its first sheet."""
@@ -127,7 +136,8 @@ class _ForceSheet:
             return
         for course in courses(self.statics.machine, self.statics.strokes, self.comparison.motion.construction):
             room = load_diagram.measure(course, self.drafting)
-            draw = partial(load_diagram.draw, course, room, drafting=self.drafting)
+            shown = course._replace(shown=self.chosen)
+            draw = partial(load_diagram.draw, shown, room, drafting=self.drafting)
             yield Exhibit(Panel(room), draw)
 
     def _graph(self) -> Iterator[Exhibit]:

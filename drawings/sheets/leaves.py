@@ -16,7 +16,7 @@ from drawings.layout.labels import Labels
 from drawings.layout.picture import SMALLER, Picture, Spot
 from drawings.layout.table import Later, RuledTable
 from drawings.page.drafting import Drafting, drafting_of
-from drawings.page.page import Field, Page, page_of
+from drawings.page.page import Page, page_of
 from drawings.paper.strokes import Group, Leaf, SheetError
 from drawings.sheets.paragraphs import measure, write
 from drawings.sheets.stated_scales import StatedScales
@@ -35,10 +35,14 @@ class Exhibit(NamedTuple):
 
 
 class Caption(NamedTuple):
-    """Lettering that stands with figures: what it wants of its place, and how it is written in its box."""
+    """Lettering that stands with figures: what it wants of its place, and how it is written in its box.
+
+    One `of` a figure is written by the spot of that figure too, where both stand on one sheet: lengths as drawn.
+    """
 
     panel: Panel
-    write: Callable[[Field], Group]
+    write: Callable[..., Group]  # of a field, and of a spot
+    of: str = ""
 
 
 @dataclass(frozen=True)
@@ -172,6 +176,8 @@ class _Leaves:
                 "title": self.title,
                 **draft.facts(composed.spots.keys()),
                 **({} if draft.later is None else {"scales": {k: one.scale.mu for k, one in self.spots.items()}}),
+                "notes": composed.notes is not None,
+                "rows": {one.table.name: one.table.rows for one in composed.tables},
                 "number": number,
                 "of": count,
             },
@@ -187,7 +193,8 @@ class _Leaves:
             yield write(self.draft.notes, composed.notes, page.hand.text, page.field.right)
         for one in self.draft.shows:
             if isinstance(one, Caption) and one.panel.item.name in composed.blocks:
-                yield one.write(composed.blocks[one.panel.item.name])
+                spots = [composed.spots[one.of]] if one.of in composed.spots else []
+                yield one.write(composed.blocks[one.panel.item.name], *spots)
 
     def _figures(self, composed: Composition) -> Iterator[Figure]:
         for one in self.draft.shows:

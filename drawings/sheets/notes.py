@@ -2,16 +2,24 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
+
 import numpy as np
 
 from drawings.lettering.words import fixed, number, runs, span, word
 from plans.checks.compare import MotionComparison
+from plans.checks.comparison import Finding
+from plans.checks.hand.quantity import SLIP
 from plans.linkage.pressure import interval
 from plans.linkage.study import LinkageStudy
+from plans.model.motion import Floats
 from plans.model.rates import Rates
 from plans.model.structure import formula, mechanism_class
 from plans.words.words import said as worded
 
+NOISE = 11  # powers of ten: a smaller share of the largest is rounding, which differs from machine to machine
+ALIKE = 1 - 1e-6  # conditions of positions that mirror each other differ by their rounding alone
 MOST_LENGTHS = 16  # of a mechanism with more the report and the scene tell them
 
 
@@ -33,7 +41,21 @@ def notes(study: LinkageStudy, comparison: MotionComparison, language: str) -> l
         low, high = (fixed(float(np.degrees(angle)), language) for angle in (found.low, found.high))
         if low != high:
             said.append(word(language, "pressure", group=group.label, low=low, high=high))
-    return [*said, *_gaps(comparison, language), *_why(study, comparison)]
+    said += [*_gaps(comparison, language), *_why(study, comparison)]
+    both = accord(comparison.findings, comparison.kappa, language)
+    return [*said, *both, word(language, "hand note", slip=number(SLIP, language))] if both else said
+
+
+def accord(findings: Sequence[Finding], kappa: Floats, language: str) -> list[str]:
+    """Say once how far plan and analysis are apart, and where the mechanism is worst conditioned; nothing of gaps."""
+    known = np.flatnonzero(np.isfinite(kappa))
+    if not len(known):
+        return []
+    shares = [float(np.nanmax(one.difference, initial=0.0)) / one.largest for one in findings if one.largest > 0]
+    power = max(math.ceil(math.log10(max(shares, default=0.0) or math.ulp(0.0))), -NOISE)
+    worst = next(int(k) for k in known if kappa[k] >= ALIKE * np.max(kappa[known]))
+    told = number(float(kappa[worst]), language, 2)
+    return [word(language, "accord", share=f"10^{{−{-power}}}" if power else "1", position=worst, kappa=told)]
 
 
 def driving(study: LinkageStudy, rates: Rates, language: str) -> str:

@@ -30,6 +30,12 @@ class Arm:
     at: complex  # a place on the line of action: where the force acts, or the end of its arrow
     direction: complex
     data: Mapping[str, str] = field(default_factory=dict)  # of a measurable one
+    aside: float = 0.0  # mm along the force: where lines run on the perpendicular it is dimensioned beside them
+
+    @property
+    def ends(self) -> tuple[complex, complex]:
+        """The ends of the line that is dimensioned: on the perpendicular or aside of it."""
+        return self.about + self.aside * self.direction, self.foot + self.aside * self.direction
 
     @property
     def foot(self) -> complex:
@@ -45,33 +51,42 @@ class Arm:
         """Draw the perpendicular, the line of action as far as its foot, and the mark of the right angle."""
         if self.length < LEAST:
             return (self._action(hand),)
-        shaft = Line(self.about, self.foot, hand.drafted)
-        perpendicular: list[Stroke] = [shaft]
+        start, end = self.ends
+        perpendicular: list[Stroke] = [Line(start, end, hand.drafted)]
         if self.length > 3 * ARROW_LENGTH * hand.symbol:  # a shorter one has no room for arrows
-            heads = arrowhead(self.about, self.foot, hand.symbol), arrowhead(self.foot, self.about, hand.symbol)
+            heads = arrowhead(start, end, hand.symbol), arrowhead(end, start, hand.symbol)
             perpendicular += [head for head in heads if head is not None]
         group = Group(tuple(perpendicular), "", self.data, self.letter)
-        return self._action(hand), *self._square(hand), group
+        return self._action(hand), *self._extension(hand), *self._square(hand), group
+
+    def _extension(self, hand: Hand) -> tuple[Line, ...]:
+        """Draw the line from the point of moments to a perpendicular that is dimensioned aside."""
+        past = math.copysign(PAST / 2 * hand.symbol, self.aside)
+        return (
+            (Line(self.about, self.about + (self.aside + past) * self.direction, hand.drafted),) if self.aside else ()
+        )
 
     def _action(self, hand: Hand) -> Line:
-        """Draw the line of action from the force's point to a little past the foot."""
-        along = self.foot - self.at
+        """Draw the line of action from the force's point to a little past the foot, or past what stands aside of it."""
+        end = self.ends[1]
+        along = end - self.at
         ahead = along / abs(along) if abs(along) > LEAST else self.direction
-        return Line(self.at, self.foot + ahead * PAST * hand.symbol, hand.drafted)
+        return Line(self.at, end + ahead * PAST * hand.symbol, hand.drafted)
 
     def _square(self, hand: Hand) -> tuple[Stroke, ...]:
         """Draw the mark of the right angle, on the side of the force's point."""
         side = SQUARE * hand.symbol
         if self.length < 2 * side:
             return ()
-        back = self.at - self.foot
+        foot = self.ends[1]
+        back = self.at - foot
         along = (back / abs(back) if abs(back) > LEAST else self.direction) * side
         across = (self.about - self.foot) / self.length * side
-        return (Polyline((self.foot + along, self.foot + along + across, self.foot + across), False, hand.drafted),)
+        return (Polyline((foot + along, foot + along + across, foot + across), False, hand.drafted),)
 
     def letter_beside(self, labels: Labels, hand: Hand) -> Stroke:
         """Letter it beside its middle."""
-        middle = (self.about + self.foot) / 2
+        middle = sum(self.ends) / 2
         across = cmath.phase(1j * (self.foot - self.about)) if self.length >= LEAST else math.pi / 4
         return labels.beside(middle, self.letter, hand.letter, BESIDE, across)
 

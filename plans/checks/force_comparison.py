@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from plans.study import Study
 
 ORDER = 3  # forces magnify the analysis's rounding once more than the accelerations that they rest on
+ENERGY = "energy"  # by what a finding of the balancing moment is told that no road of its own finds
 
 
 @dataclass(frozen=True)
@@ -42,6 +43,11 @@ class ForceComparison(Comparison):
     findings: tuple[Finding, ...]
     motion: MotionComparison
     friction: tuple[Friction, Friction] | None = None  # by construction and by analysis, where there are coefficients
+
+    @property
+    def exact(self) -> tuple[Finding, ...]:
+        """The findings of forces but for the energy's, which is found by differences of positions."""
+        return tuple(one for one in self.of(FORCES) if not one.name.endswith(ENERGY))
 
     @property
     def agrees(self) -> bool:
@@ -160,7 +166,7 @@ class ForceFindings:
         off, largest = self.off(plan.balancing), self._largest_moment
         stored = energy_balance(self.motion.road, machine, self.motion.analysis, loads)
         judged = np.where(np.isnan(stored.moment), ours.moment, stored.moment)  # NaN: not judged
-        one = self._told_by("energy", (ours.moment, judged), off, largest)
+        one = self._told_by(ENERGY, (ours.moment, judged), off, largest)
         more = self._told.share * np.where(np.isfinite(stored.allowed), stored.allowed, 0.0)
         return one._replace(allowed=one.allowed + more)
 

@@ -73,6 +73,14 @@ FAULTS: dict[str, Change] = {
     "an ordinate of the balancing moment is left out": dropped("2", "balancing"),
     "a load of the diagram is too great": stretched("a", "load_diagram-F_us"),
     "a position on the load diagram is numbered otherwise": in_part("load_diagram-F_us", rewritten("3", "4")),
+    "an arm of the lever is too long": stretched("h′_bal", "lever"),
+    "an arm of the lever is left out": dropped("h′_bal", "lever"),
+    "a number in the lever's equation is wrong": in_part("equations-lever", rewritten("61.07·34.7", "61.07·37.4")),
+    "an arm in the lever's equation is wrong": in_part("equations-lever", rewritten("h′3 = 73.22,", "h′_{3} = 72.33,")),
+    "the moment that the lever gives is wrong": in_part(
+        "equations-lever", rewritten("Mbal = 268.62 N·m", "M_{bal} = 268.26 N·m")
+    ),
+    "a term of the lever's equation has the wrong sign": in_part("equations-lever", rewritten("−", "+")),
     "the hodograph's vector is too long": stretched("R_03", "hodograph-0-3"),
     "a value of the table is wrong in its last digit": rewritten("1736.7", "1736.8"),
     "a force in the equations is wrong": rewritten("G4 = 29.43 N,", "G_4 = 29.34 N,"),

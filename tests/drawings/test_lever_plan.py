@@ -16,6 +16,7 @@ from drawings.paper.hand import hand_of
 from drawings.paper.strokes import Circle, Group, Line, Text
 from drawings.paper.walk import flat
 from drawings.pens.svg import svg
+from drawings.symbols.arms import LEAST
 from drawings.symbols.force_arrow import ForceArrow
 from geometry.board import at
 from tests.drawings.force_cases import CASES, Forced, forced, hung, leaf, sheet
@@ -91,23 +92,30 @@ def test_arms_are_square_to_the_forces_and_as_long_as_told(name: str) -> None:
     for k in range(0, len(forced(name).study.turn), 5):
         drawn = hung(forced(name), k, A1)
         pole, mu = drawn.place.on(0j), drawn.place.scale.mu
-        told = {reach.letter: reach for reach in drawn.reaches if reach.letter.startswith("h")}
-        assert sorted(told) == sorted(arm.letter for arm in drawn.arms)
+        told = {one.arm: one for one in drawn.terms if one.dimensioned}
+        seen = {arm.letter for arm in drawn.arms}
+        assert seen <= told.keys()
+        assert all(one.length / mu < LEAST for letter, one in told.items() if letter not in seen), "every arm is drawn"
         for arm in drawn.arms:
             assert arm.about == pole
             assert abs(((arm.foot - pole) * arm.direction.conjugate()).real) < 1e-9
             assert abs(arm.length * mu - told[arm.letter].length) < 1e-9 * told[arm.letter].length
-        moments = {one.name: abs(one.moment) for one in shown(name, k).forces if one.kind != PAIR}
-        sizes = {one.name: abs(one.value) for one in shown(name, k).forces}
-        for reach in drawn.reaches:
-            assert abs(reach.length * sizes[reach.force] - moments[reach.force]) <= 1e-9 * max(moments.values())
+            start, end = arm.ends
+            assert abs(end - start - (arm.foot - pole)) < 1e-9, "a dimension aside is parallel to its arm"
+        moments = dict.fromkeys((one.name for one in shown(name, k).forces), 0.0)
+        for one in shown(name, k).forces:
+            moments[one.name] += one.moment
+        for term in drawn.terms:
+            assert abs(term.sense * term.size * term.length - moments[term.force]) <= 1e-9 * max(moments.values())
+        assert abs(sum(one.sense * one.size * one.length for one in drawn.terms)) <= 1e-9 * max(moments.values())
 
 
 def test_a_force_square_to_its_ray_has_the_ray_for_its_arm() -> None:
     """The crank's balancing force is square to the crank, so its arm on the lever is pa itself."""
     drawn = hung(forced("four-bar"), 2, A1)
-    (reach,) = (one for one in drawn.reaches if one.force == "P_bal")
-    assert reach.letter == "pa"
+    (term,) = (one for one in drawn.terms if one.force == "P_bal")
+    assert term.arm == "pa"
+    assert not term.dimensioned
 
 
 def test_forces_are_bounded_and_start_or_end_at_their_images() -> None:

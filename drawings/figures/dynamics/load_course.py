@@ -10,7 +10,7 @@ import numpy as np
 
 from plans.forces.loading import size_of, working_of
 from plans.forces.stroke import Stroke, asks
-from plans.model.machine import ALWAYS, IDLE, WORKING, Force, Machine, Moment, Track
+from plans.model.machine import ALWAYS, BACKWARD, FORWARD, IDLE, WORKING, Force, Machine, Moment, Track
 from plans.model.motion import Motion
 
 Branch: TypeAlias = tuple[complex, ...]  # corners: way m or degrees + load N or N*m * i, in the order of the motion
@@ -34,6 +34,7 @@ class LoadCourse(NamedTuple):
     back: Branch
     places: tuple[complex, ...] = ()  # way + load * i in each position of a scene, NaN at gaps; those of `back` below
     returning: tuple[int, ...] = ()  # the positions of the idle stroke
+    shown: tuple[int, ...] = ()  # those that always bear their numbers
 
     @property
     def span(self) -> tuple[float, float]:
@@ -80,8 +81,8 @@ def course(load: Force | Moment, stroke: Stroke) -> LoadCourse:
     """Give the course of a load over its stroke."""
     low, high = stroke.reach
     length = abs(high - low) if stroke.sliding else math.degrees(abs(high - low))
-    out = tuple(_corners(load, length, False)) if load.during in (ALWAYS, WORKING) else ()
-    back = tuple(reversed([*_corners(load, length, True)])) if load.during in (ALWAYS, IDLE) else ()
+    out = tuple(_corners(load, length, False)) if load.during in (ALWAYS, WORKING, FORWARD) else ()
+    back = tuple(reversed([*_corners(load, length, True)])) if load.during in (ALWAYS, IDLE, BACKWARD) else ()
     return LoadCourse(load.name, not stroke.sliding, isinstance(load, Moment), length, load.overrun, out, back)
 
 

@@ -192,7 +192,7 @@ def _positions(
     """Give the numbers of positions on the course of the load, and their points: as many as have room."""
     spots = [axes.on(place.real, place.imag) for place in course.places]
     length, wide = 2 * abs(axes.on(course.length) - axes.zero), text_width(Text(0j, str(len(spots)), hand.number))
-    told = numbered(spots, length, wide + SPARE * hand.number)
+    told = numbered(spots, length, wide + SPARE * hand.number, course.shown)
     dots = numbered(spots, length, 3 * DOT * hand.symbol, told)
     sides = [-math.pi / 2 if k in course.returning else math.pi / 2 for k in range(len(spots))]
     return tuple((str(k), spots[k], sides[k]) for k in told), [Circle(spots[k], DOT * hand.symbol, INK) for k in dots]

@@ -4,44 +4,33 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
-from drawings.figures.forces.force_kinds import BALANCE, PAIR
 from drawings.figures.forces.force_letters import letter_of
+from drawings.figures.forces.lever_terms import LeverTerm
 from drawings.layout.parallel_offsets import Segment, merging
 from drawings.layout.place import Place
-from drawings.lettering.indices import with_index
-from drawings.lettering.words import letter as by_language
 from drawings.page.drafting import Drafting
 from drawings.page.page import Field
 from drawings.paper.hand import Hand
-from drawings.symbols.arms import Arm
+from drawings.symbols.arms import LEAST, Arm, to_scale
+from drawings.symbols.figure import Subject
 from drawings.symbols.force_arrow import ForceArrow, not_to_scale
 from drawings.symbols.polygon import ShownVector
-from drawings.symbols.symbols import ARROW_LENGTH, STAND
+from drawings.symbols.symbols import STAND
 
+PLAN, SYMBOL, UNIT = "lever", "v", "m/s"
 LONGEST, SHORTEST = 26.0, 13.0  # mm, to the factor of the hand's symbols: the greatest force, and one that is nothing
 AFTER = 2.0  # mm between two forces that follow one another on one line of action
-ROOM = 1.2  # lengths of an arrowhead: a shorter arm is left to the eye
-ARMS, TELLING = 5, 0.02  # arms shown at the most, and the share of the greatest moment that is worth one
+BESIDE, ASIDES = 7.0, 6  # mm from one perpendicular to the next where they run along one another, and how many at most
+FURTHER = 0.2  # what each of them costs
 # What speaks against a place of a force: that it runs along another, out of the figure, is away from its image.
 ON_FORCE, OUTSIDE, AWAY = 4, 3, 2
 STANDS = 12  # directions tried for the stand of the pole
 BOTH, PARALLEL = 2, 0.1  # of forces on one line through an image one comes and one goes; parallel to 3 degrees
 SAME = 0.5  # mm: places nearer than this are one
-
-
-class Reach(NamedTuple):
-    """The arm of a force about the pole: its force, its true length m/s, and its letter.
-
-    The letter is h_1 where it is drawn, pd where it is a line of the plan itself, and none where neither is so.
-    """
-
-    force: str
-    length: float
-    letter: str
 
 
 class Taken(NamedTuple):
@@ -83,11 +72,6 @@ def _within(spot: complex, box: Field) -> bool:
     return box.left <= spot.real <= box.right and box.bottom <= spot.imag <= box.top
 
 
-def _shown(arm: Arm, box: Field) -> bool:
-    """Tell whether an arm is neither too short to be drawn nor ends beside the figure."""
-    return arm.length > ROOM * ARROW_LENGTH and _within(arm.foot, box)
-
-
 def reach(pushes: Sequence[ShownVector]) -> float:
     """Give how far forces reach from their images, mm: one of their length, or two where many share a line there."""
     lines = [(one.at, (one.direction) ** 2) for one in pushes]
@@ -95,44 +79,30 @@ def reach(pushes: Sequence[ShownVector]) -> float:
     return LONGEST + (SHORTEST + AFTER if most > BOTH else 0.0)
 
 
-def arms(
-    pushes: Sequence[ShownVector], images: Mapping[complex, str], place: Place, taken: Taken, language: str
-) -> list[tuple[Reach, Arm | None]]:
-    """Give all arms, and of the greatest moments those that run along nothing else to be drawn, numbered as hung."""
-    loads = [one for one in pushes if one.kind != PAIR]
-    every = {one.name: Arm("", place.on(0j), place.on(one.at), one.direction) for one in loads}
-    chosen, numbers = _chosen(loads, every, taken), iter(range(1, ARMS + 1))
-    reaches: list[tuple[Reach, Arm | None]] = []
-    for one in loads:
-        arm, letter = every[one.name], ""
-        if one.name in chosen:
-            index = "bal" if one.kind == BALANCE else str(next(numbers))
-            letter = by_language(language, f"h′_{{{index}}}")
-        elif _ray(arm):
-            letter = "p" + with_index(images[min(images, key=lambda true: abs(true - one.at))])
-        kept = replace(arm, letter=letter) if one.name in chosen else None
-        reaches.append((Reach(one.name, arm.length * place.scale.mu, letter), kept))
-    return reaches
-
-
-def _chosen(loads: Sequence[ShownVector], every: Mapping[str, Arm], taken: Taken) -> set[str]:
-    """Choose the arms that are drawn."""
-    least = TELLING * max((abs(one.moment) for one in loads), default=0.0)
-    lines, chosen = [*taken.rods, *taken.forces], set[str]()
-    for one in sorted(loads, key=lambda one: -abs(one.moment)):
-        arm = every[one.name]
-        ends, action = (arm.about, arm.foot), (arm.at, arm.foot)
-        if len(chosen) == ARMS or abs(one.moment) <= least or _ray(arm) or not _shown(arm, taken.box):
+def arms(terms: Sequence[LeverTerm], place: Place, taken: Taken, column: int) -> list[Arm]:
+    """Draw the arms of forces, the longest last: each square to its force, aside where it would run along others."""
+    subject, lines = Subject(PLAN, SYMBOL, column), [*taken.rods, *taken.forces]
+    kept = []
+    for one in sorted((one for one in terms if one.dimensioned), key=lambda one: one.length):
+        arm = to_scale(one.arm, place.on(0j), place.on(one.at), one.direction, place.scale, subject)
+        if arm.length < LEAST:
             continue
-        if not any(merging(ends, other) for other in lines) and not any(merging(action, rod) for rod in taken.rods):
-            chosen.add(one.name)
-            lines.append(ends)
-    return chosen
+        arm = _aside(arm, lines, taken.box)
+        lines.append(arm.ends)
+        kept.append(arm)
+    return kept
 
 
-def _ray(arm: Arm) -> bool:
-    """Tell whether an arm is the ray of the plan to the image where its force acts."""
-    return abs(arm.foot - arm.at) < SAME
+def _aside(arm: Arm, lines: Sequence[Segment], box: Field) -> Arm:
+    """Give the nearest place of an arm where its line runs along no other."""
+
+    def cost(trial: Arm) -> float:
+        over = ON_FORCE * sum(merging(trial.ends, other) for other in lines)
+        outside = OUTSIDE * sum(not _within(end, box) for end in trial.ends)
+        return over + outside + FURTHER * abs(trial.aside) / BESIDE
+
+    steps = (sign * k * BESIDE for k in range(ASIDES + 1) for sign in (1, -1))
+    return min((replace(arm, aside=step) for step in steps), key=cost)
 
 
 def downward(lines: list[Segment], pole: complex, hand: Hand) -> complex:

@@ -11,14 +11,17 @@ from typing import NamedTuple
 from drawings.figures.forces.force_kinds import BALANCE, LOAD, PAIR
 from drawings.figures.forces.force_polygon import ZERO
 from drawings.figures.forces.lever_layout import (
+    PLAN,
     SAME,
-    Reach,
+    SYMBOL,
+    UNIT,
     Taken,
     arms,
     downward,
     forces,
     reach,
 )
+from drawings.figures.forces.lever_terms import LeverTerm, terms
 from drawings.figures.linkage.vector_plan import LEAST, diagram
 from drawings.layout.labels import Labels
 from drawings.layout.parallel_offsets import Segment
@@ -38,10 +41,9 @@ from geometry.board import Mark, at
 from plans.forces.force import ForcePlan
 from plans.forces.lever import Lever
 
-PLAN, SYMBOL, UNIT = "lever", "v", "m/s"
 QUARTER = -1j  # the plan is turned clockwise
 MARGINS = Margins(3.0, 3.0, 3.0)  # paper beyond the forces, in sizes of the letters
-LETTERS = 12.0  # a lever is drawn at least so many of its letters large
+LETTERS, EACH = 12.0, 1.6  # a lever is drawn at least so many letters large, and so many for each force that it bears
 BESIDE = 1.6  # mm from an image to its letter
 
 
@@ -118,7 +120,7 @@ class LeverFigure:
     lines: tuple[Stroke, ...]
     forces: tuple[ForceArrow, ...]
     arms: tuple[Arm, ...]  # those that are drawn
-    reaches: tuple[Reach, ...]  # of the balancing force and all loads
+    terms: tuple[LeverTerm, ...]  # of the balancing force and all loads
     hand: Hand
 
     def letter(self, labels: Labels) -> tuple[Group, ...]:
@@ -142,13 +144,19 @@ class LeverFigure:
             yield labels.beside(spot, ", ".join(map(with_index, own)), self.hand.number, gap, prefer)
 
 
+def balance(shown: Hanging, drafting: Drafting) -> tuple[LeverTerm, ...]:
+    """Give the terms of the lever's equation of moments."""
+    return terms(shown.forces, {true: letters.split(" ")[0] for _, letters, true in shown.images}, drafting)
+
+
 def measure(shown: Hanging, name: str, drafting: Drafting) -> Picture:
     """Measure the room that a lever needs: its images, the forces and letters around them, its heading."""
     hand = drafting.hand
     title = text_width(Text(0j, _title(shown, drafting), hand.title)) + 2 * LEAN * hand.title
     side, below, above = (size * hand.letter + reach(shown.forces) * hand.symbol for size in MARGINS)
     margins = Margins(side, below, above + 2 * hand.title + hand.text)
-    return picture(name, shown.points, (SYMBOL, UNIT), margins, title, LETTERS * hand.letter)
+    least = hand.letter * max(LETTERS, EACH * len(shown.forces))
+    return picture(name, shown.points, (SYMBOL, UNIT), margins, title, least)
 
 
 def draw(shown: Hanging, room: Picture, spot: Spot, drafting: Drafting) -> LeverFigure:
@@ -159,9 +167,8 @@ def draw(shown: Hanging, room: Picture, spot: Spot, drafting: Drafting) -> Lever
     rods = [rod for rod in rods if abs(rod.end - rod.start) >= LEAST]
     taken = Taken([(rod.start, rod.end) for rod in rods], [], spot.box)
     arrows = forces(shown.forces, place, taken, drafting)
-    first = {true: letters.split(" ")[0] for _, letters, true in shown.images}
-    reaches = arms(shown.forces, first, place, taken, drafting.language)
-    kept = tuple(arm for _, arm in reaches if arm is not None)
+    told = balance(shown, drafting)
+    kept = tuple(arms(told, place, taken, shown.column))
     circle = Circle(place.on(0j), HINGE * hand.symbol, hand.body)
     stand = fixed_hinge(
         place.on(0j), hand, HINGE * hand.symbol, downward([*taken.rods, *taken.forces], place.on(0j), hand)
@@ -173,7 +180,7 @@ def draw(shown: Hanging, room: Picture, spot: Spot, drafting: Drafting) -> Lever
         Group((*rods, *stand)), *(force.draw(hand) for force in arrows), *dots,
         point(subject, shown.pole, 0j, place, circle, "pole"),
     )  # fmt: skip
-    return LeverFigure(shown, place, lines, tuple(arrows), kept, tuple(reach for reach, _ in reaches), hand)
+    return LeverFigure(shown, place, lines, tuple(arrows), kept, told, hand)
 
 
 def _style(thin: bool, hand: Hand) -> LineStyle:

@@ -7,13 +7,14 @@ from functools import cached_property
 from typing import NamedTuple
 
 from drawings.figures.forces.acting import SchemeForces, acting
+from drawings.figures.forces.attached import FrictionCircle, ShownSpring, circles, springs
 from drawings.figures.forces.cut_links import CutLinks, cut_links
 from drawings.figures.forces.leverage import Leverage, leverages
 from geometry.board import at
 from plans.forces.cut import INERTIA, WEIGHT, Cut
 from plans.forces.force import ForcePlan
 from plans.forces.primary import action
-from plans.model.machine import GEAR
+from plans.model.machine import COUPLING, GEAR
 
 WHOLE = 2.0  # cranks: of a larger wheel only a part of the pitch circle is drawn
 
@@ -39,6 +40,13 @@ class Scheme:
     acting: SchemeForces
     arms: tuple[Leverage, ...]
     wheel: Wheel | None
+    springs: tuple[ShownSpring, ...] = ()
+    circles: tuple[FrictionCircle, ...] = ()
+
+    @property
+    def coupled(self) -> bool:
+        """Whether a coupling drives what is cut."""
+        return self.cut.group is None and self.plan.machine.transmission.kind == COUPLING
 
     @property
     def dimensioned(self) -> list[Leverage]:
@@ -49,6 +57,7 @@ class Scheme:
     def named(self) -> dict[str, complex]:
         """The points that bear letters: those of the links, and those at which other forces act."""
         others = {force.spot: force.at for force in self.acting.forces if force.spot}
+        others |= {one.letter: one.end for one in self.springs if one.letter}
         return self.links.points | {name: place for name, place in others.items() if name not in self.links.points}
 
     @cached_property
@@ -63,6 +72,7 @@ class Scheme:
         places = [*self.named.values(), *self.links.slots]
         places += [arm.foot for arm in self.dimensioned]
         places += [force.at for force in self.acting.forces]
+        places += [one.end for one in self.springs]
         if self.wheel is not None:
             wheel = self.wheel
             turns = (1, 1j, -1, -1j) if wheel.whole else ()
@@ -74,7 +84,9 @@ def scheme(plan: ForcePlan, cut: Cut, column: int) -> Scheme:
     """Gather what the loading scheme of a cut shows in one position."""
     links = cut_links(plan, cut, column)
     wheel = _wheel(plan, links) if cut.group is None else None
-    return Scheme(plan, cut, column, links, acting(plan, cut, links, column), leverages(plan, cut, column), wheel)
+    loads, arms = acting(plan, cut, links, column), leverages(plan, cut, column)
+    held = tuple(springs(plan, cut, links, column))
+    return Scheme(plan, cut, column, links, loads, arms, wheel, held, tuple(circles(plan, cut)))
 
 
 def _wheel(plan: ForcePlan, links: CutLinks) -> Wheel | None:

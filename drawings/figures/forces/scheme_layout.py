@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from drawings.figures.forces.acting import ShownMoment
+from drawings.figures.forces.attachments import coupled, friction_circles, nearest, springs
 from drawings.figures.forces.force_fan import UNSIZED, fan, lengths
 from drawings.figures.forces.force_kinds import KNOWN, PRESSING
 from drawings.figures.forces.force_letters import letter_of
@@ -78,13 +79,13 @@ class Layout:
             yield from fit_dashes([Line(spot + (low - more) * along, spot + (high + more) * along, self.hand.axis)])
 
     def _ties(self) -> Iterator[Stroke]:
-        """Tie a mass centre to its link where that is drawn as no more than its point."""
+        """Tie a mass centre that is off its link's bars to the nearest place on them."""
         links = self.shown.links
         for link, centre in links.masses.values():
-            points = links.mechanism.links[link].points
-            if len(points) == 1:
-                start = self.place.on(links.of(link, next(iter(points.values()))))
-                yield Line(start, self.place.on(links.of(link, centre)), self.hand.other)
+            spots = [links.of(link, place) for place in links.mechanism.links[link].points.values()]
+            start, end = nearest(links.of(link, centre), spots), links.of(link, centre)
+            if self.place.length(abs(end - start)) > LEAST:
+                yield Line(self.place.on(start), self.place.on(end), self.hand.other)
 
     @cached_property
     def marks(self) -> list[Stroke]:
@@ -181,7 +182,21 @@ class Layout:
         thin = [(Line(arm.about, arm.foot), THIN) for arm in self.arms]
         thin += [(Line(*ends), THIN) for one in self.shifts for ends in one.lines]
         wheel = [] if self.gear is None else [(stroke, THIN) for stroke in self.gear.draw(self.hand)[:1]]
-        return [*thick, *marks, *thin, *wheel]
+        return [*thick, *marks, *thin, *wheel, *((one, THIN) for one in self.attached)]
+
+    @cached_property
+    def attached(self) -> list[Group]:
+        """Springs and friction circles."""
+        return [*springs(self.shown, self.place, self.hand), *friction_circles(self.shown, self.place, self.hand)]
+
+    @cached_property
+    def coupling(self) -> tuple[Group, ...]:
+        """The coupling that drives the crank, among what is there."""
+        ink = Ink()
+        for stroke, weight in self._around:
+            ink.draw([stroke], weight)
+        ink.draw((arrow.shaft for arrow in self.arrows), ARROW)
+        return tuple(coupled(self.shown, self.place, self.hand, ink))
 
     @cached_property
     def couples(self) -> list[CoupleArc]:
@@ -215,7 +230,7 @@ class Layout:
         yield from [Group(arms)] if arms else []
         if self.gear is not None and self.shown.wheel is not None:
             yield Group(self.gear.draw(hand, self.shown.wheel.whole))
-        yield Group((*self.links, *self.marks))
+        yield Group((*self.links, *self.attached, *self.coupling, *self.marks))
         leads = tuple(Line(arrow.lead, arrow.at, hand.drafted) for arrow in self.arrows if arrow.lead is not None)
         forces: tuple[Stroke, ...] = (*leads, *(arrow.draw(hand) for arrow in self.arrows))
         yield from [Group(forces)] if forces else []

@@ -17,6 +17,7 @@ from drawings.figures.linkage.position_letters import letters
 from drawings.figures.linkage.pushing import arrows, stroke_line
 from drawings.figures.linkage.skeleton import Poses, Skeletons
 from drawings.figures.linkage.stroke_dimension import stroke
+from drawings.figures.linkage.swing import swings
 from drawings.figures.linkage.ties import ties
 from drawings.figures.linkage.trajectories import trajectories
 from drawings.layout.ink import Ink
@@ -111,6 +112,7 @@ def layers(pairs: Pairs, language: str) -> list[Group]:
         Group(tuple(stroke(bones, place, hand, language, ink)), "stroke"),
         Group(tuple(part for arrow in arrows(pairs) for part in arrow.strokes(pairs)), "rotation"),
         Group(tuple(part for phase in phases(pairs, language) for part in phase.strokes(pairs)), "phases"),
+        Group(tuple(part for swing in swings(pairs, language) for part in swing.strokes(pairs)), "swing"),
     ]
     return [group for group in groups if group.strokes]
 
