@@ -6,7 +6,14 @@ import math
 from collections.abc import Iterator
 
 from drawings.checks import reading
-from drawings.checks.linkage import centre_images, part_letters, position_marks, strokes, value_rows
+from drawings.checks.linkage import (
+    centre_images,
+    part_letters,
+    position_marks,
+    stroke_marks,
+    strokes,
+    value_rows,
+)
 from drawings.checks.linkage.laid import LaidMechanism, ground, mass_centres
 from drawings.checks.linkage.part_letters import LetteredPlan, TruePart
 from drawings.checks.wrong import Wrong, on
@@ -110,6 +117,8 @@ def _positions(measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: 
     yield from position_marks.faults(leaf, laid)
     if study.travel is not None:
         yield from strokes.faults(leaf, laid, comparison.road.extremes(study.output))
+    if study.mechanism.drive.pushed:
+        yield from stroke_marks.faults(leaf, laid)
 
 
 def _points(measured: Measured, comparison: MotionComparison, shown: int) -> Iterator[Message]:

@@ -13,6 +13,7 @@ from plans.checks.comparison import Finding
 from plans.checks.hand.quantity import SLIP
 from plans.linkage.pressure import interval
 from plans.linkage.study import LinkageStudy
+from plans.model.mechanism import Ram
 from plans.model.motion import Floats
 from plans.model.rates import Rates
 from plans.model.structure import formula, mechanism_class
@@ -62,10 +63,20 @@ def driving(study: LinkageStudy, rates: Rates, language: str) -> str:
     """Tell how the primary link moves: a crank turns, a slider is pushed over its stroke."""
     drive = study.mechanism.drive
     omega, epsilon = (span(np.ravel(rate) * drive.unit, language) for rate in rates)
-    if drive.turns:
+    if drive.ram is not None:
+        return _cylinder(drive.ram, drive.link, (omega, epsilon), language)
+    if not drive.pushed:
         return word(language, "crank", link=drive.link, omega=omega, epsilon=epsilon)
     ends = (number(1000 * drive.unit * float(phi), language) for phi in study.turn.phi[[0, -1]])
     return word(language, "pushed", point=drive.end, v=omega, a=epsilon, stroke=" … ".join(ends))
+
+
+def _cylinder(ram: Ram, link: int, rates: tuple[str, str], language: str) -> str:
+    """Tell how a cylinder turns the crank."""
+    stroke = " … ".join(number(1000 * way, language) for way in (ram.begin, ram.end))
+    v, a = (number(rate, language) for rate in (ram.speed, ram.acceleration))
+    parts = {"link": link, "omega": rates[0], "epsilon": rates[1], "line": f"{ram.fixed}{ram.point}"}
+    return word(language, "cylinder", stroke=stroke, v=v, a=a, **parts)
 
 
 def lengths(study: LinkageStudy, language: str) -> list[str]:

@@ -18,7 +18,6 @@ from plans.checks.comparison import Comparison, Finding
 from plans.checks.equilibrium import BALANCING, Bounds, acting, balances, power
 from plans.forces.cut import INERTIA, Support, indices
 from plans.forces.force_template import ForcePlans
-from plans.forces.loading import loading
 from plans.forces.primary import BALANCING as BALANCED
 from plans.forces.primary import DRIVING, BalancingQuantity, balancing_quantity
 from plans.forces.statics import Statics
@@ -60,7 +59,7 @@ def compare_forces(statics: Statics, motion: MotionComparison) -> ForceCompariso
     """Compare the forces of a study whose motion is compared."""
     machine, study = statics.machine, statics.study
     found = statics.over(motion.road.extremes)
-    loads = loading(machine, motion.analysis, found)
+    loads = statics.loading_over(motion.analysis, found)
     theirs = kinetostatics(motion.road, machine, motion.analysis, loads, statics.pairs)
     ours = statics.forces
     both = ForceFindings(statics, motion, ours, theirs)
@@ -174,7 +173,7 @@ class ForceFindings:
     def _largest_moment(self) -> float:
         mechanism = self.statics.study.mechanism
         crank = mechanism.links[mechanism.drive.link].points.values()
-        arm = max(map(abs, crank)) if mechanism.drive.turns else mechanism.drive.unit
+        arm = mechanism.drive.unit if mechanism.drive.pushed else max(map(abs, crank))
         return max(largest_of([np.abs(self.ours.balancing.moment)]), self.largest * arm)
 
     def sums(self) -> Iterator[Finding]:

@@ -29,7 +29,7 @@ def faults(leaf: Leaf, laid: LaidMechanism) -> Iterator[Message]:
 
 
 def named(leaf: Leaf, name: str) -> Iterator[Group]:
-    """Give the groups of a name."""
+    """Give the groups of a sheet that have a name."""
     return (group for group in groups(leaf.groups) if group.name == name)
 
 

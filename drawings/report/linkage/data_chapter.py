@@ -37,7 +37,7 @@ def data(study: LinkageStudy) -> Iterator[str]:
     yield from (_slide(study, slide, letters) for slide in study.mechanism.slides)
     drive = study.mechanism.drive
     told = {name: span(drive.unit * np.ravel(rate), study.language) for name, rate in study.rates._asdict().items()}
-    yield say("report.drive" if drive.turns else "report.drive_way", link=drive.link, count=len(study.turn), **told)
+    yield say("report.drive_way" if drive.pushed else "report.drive", link=drive.link, count=len(study.turn), **told)
 
 
 def structure(study: LinkageStudy) -> Iterator[str]:

@@ -78,7 +78,7 @@ def in_position(study: LinkageStudy, k: int) -> str:
     drive, value = study.mechanism.drive, float(study.turn.phi[k])
     angle = f"φ = {number(float(np.degrees(value)) % 360, study.language)}°"
     way = f"{word(study.language, 'table.way')} = {number(1000 * drive.unit * value, study.language)}"
-    return word(study.language, "report.in_position", position=k, station=angle if drive.turns else way)
+    return word(study.language, "report.in_position", position=k, station=way if drive.pushed else angle)
 
 
 def _written(

@@ -159,7 +159,7 @@ def _passage(study: LinkageStudy, comparison: MotionComparison) -> Iterator[str]
 
 def _barrier(barrier: Barrier, study: LinkageStudy) -> str:
     language = study.language
-    if not study.mechanism.drive.turns:
+    if study.mechanism.drive.pushed:
         return word(language, "report.barrier_way", reason=barrier.kind, where=barrier.where)
     low, high = (_degrees(angle, 6, language) for angle in (barrier.start, barrier.end))
     parts = {"reason": barrier.kind, "where": barrier.where, "low": low, "high": high}
@@ -177,11 +177,11 @@ def _values(study: LinkageStudy, comparison: MotionComparison) -> Iterator[str]:
             title = term(language, "plan", plan)
             yield word(language, "report.plan", plan=title[:1].upper() + title[1:])
             drive = study.mechanism.drive
-            station = "φ, °" if drive.turns else word(language, "table.way")
+            station = word(language, "table.way") if drive.pushed else "φ, °"
             heads = [word(language, "table.position"), station, *(_heading(finding, letters) for finding in findings)]
             yield from header(heads)
             for k, phi in enumerate(study.turn.phi):
-                at = float(np.degrees(phi) if drive.turns else 1000 * drive.unit * phi)
+                at = float(1000 * drive.unit * phi if drive.pushed else np.degrees(phi))
                 yield row([str(k), fixed(at, language, 4), *(_cell(finding, k, language) for finding in findings)])
             yield ""
 

@@ -39,7 +39,9 @@ class MotionByHand:
     def given(self) -> set[str]:
         """What the scene states, by its letters."""
         drive = self.study.mechanism.drive
-        return {f"{k}_{drive.link}" for k in "ωε"} if drive.turns else {f"{k}_{drive.end}" for k in "va"}
+        if drive.ram is not None:
+            return set()  # what a cylinder gives the crank is found
+        return {f"{k}_{drive.end}" for k in "va"} if drive.pushed else {f"{k}_{drive.link}" for k in "ωε"}
 
     def errors(
         self, positions: Sequence[int], scales: Mapping[str, Floats], by: Slipping = slopes
