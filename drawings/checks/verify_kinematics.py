@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 
 from drawings.checks import reading
+from drawings.checks.diagrams import verify_diagrams
 from drawings.checks.linkage import (
     centre_images,
     part_letters,
@@ -46,6 +47,8 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     if leaf.metadata["shown"] is not None:
         yield from _points(measured, comparison, leaf.metadata["shown"])
         yield from _positions(measured, leaf, linkage, comparison)
+    if "diagrams" in leaf.metadata:
+        yield from verify_diagrams.faults(measured, leaf, study)
     yield from reading.marked_scales(leaf)
     if "scales" in leaf.metadata:
         yield from value_rows.faults(measured, leaf, linkage, comparison)
