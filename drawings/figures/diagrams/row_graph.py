@@ -6,8 +6,6 @@ import cmath
 import math
 from collections.abc import Collection, Iterator
 
-import numpy as np
-
 from drawings.figures.diagrams.frame import DiagramsPlate
 from drawings.figures.diagrams.rows import Curve, DiagramRow
 from drawings.figures.graphs.axes import BEYOND, Axes
@@ -102,6 +100,6 @@ def _letters(row: DiagramRow, plate: DiagramsPlate, axes: Axes) -> Iterator[Lett
 def _numbers(row: DiagramRow, plate: DiagramsPlate, axes: Axes, numbered: Collection[int]) -> Iterator[Letter]:
     """Number the positions at the axis, each on the side away from its ordinate."""
     for k in numbered:
-        side = cmath.phase(axes.rise if np.nan_to_num(row.at[k]) < 0 else -axes.rise)
+        side = cmath.phase(axes.rise if not row.flat and row.at[k] < 0 else -axes.rise)
         foot = axes.on(float(plate.axis.turned[k]))
         yield Letter(foot, str(plate.axis.numbers[k]), plate.hand.number, side, TICK + 0.6)
