@@ -24,9 +24,9 @@ Sizes = npt.NDArray[np.float64]
 EDGE = 100.0  # mm of a set square's edge that lies along a line: a longer line is carried no more truly
 EVEN = 1 / np.sqrt(3.0)  # standard deviation of what is evenly within 1 to either side
 SURE, POINT = 0.95, 1.959964  # the share of all drawings that is told of, and the deviations that hold so many
-# Where a slip may change by more than this share what is divided by, such as the sine of a meeting, the error grows no
-# longer in proportion to the slips: a dead centre is near, and a linear estimate tells nothing.
-BENT = 0.5
+# Where the slips may change by more than this share what is divided by, such as the sine of a meeting, the error is no
+# longer in proportion to them: what is left out of it is the square of the share, a tenth. A dead centre is near.
+BENT = float(np.sqrt(0.1))
 
 # Which inputs of a verb are places on the paper, where a given point must have been pricked.
 PLACES: Mapping[str, tuple[int, ...]] = {
@@ -72,43 +72,46 @@ def slopes(hand: Hand, *marks: Mark) -> dict[Mark, Slopes]:
 
 def number_error(moved: Slopes) -> Sizes:
     """Give within what 95 per cent of the drawings are of a number that the slips move so, (N,)."""
-    return np.asarray(np.quantile(np.abs(spread(moved).real), SURE, axis=0))
+    slips = np.real(moved)
+    return np.asarray(_point(slips) * np.sqrt((slips**2).sum(axis=0)))
 
 
 def size_error(vector: npt.NDArray[np.complex128], moved: Slopes) -> Sizes:
-    """Give within what 95 per cent of the drawings are of the size of a vector, (N,); of a vector 0, of its place."""
-    return np.asarray(np.quantile(np.abs(np.abs(vector + spread(moved)) - np.abs(vector)), SURE, axis=0))
+    """Give within what 95 per cent of the drawings are of the size of a vector, (N,); of a vector 0, of its place.
 
-
-def spread(moved: Slopes) -> npt.NDArray[np.complex128]:
-    """Give as many chance errors as tell what is usual, spread as the slips spread them, (CHANCES, N).
-
-    The two largest slips are evenly within their bounds; all others together are as chance spreads a sum of many.
+    A vector that is no longer than its error is looked at in a whole cloud of its ends, spread as the slips spread it.
     """
-    ahead = np.argsort(-np.abs(moved), axis=0)[:2]
-    rest, largest = moved.copy(), np.take_along_axis(moved, ahead, axis=0)
-    np.put_along_axis(rest, ahead, 0.0, axis=0)
-    across = np.sqrt((rest.real**2).sum(axis=0))
-    skew = np.divide((rest.real * rest.imag).sum(axis=0), across, out=np.zeros_like(across), where=across > 0)
-    up = np.sqrt(np.maximum((rest.imag**2).sum(axis=0) - skew**2, 0.0))
-    found = sum((even[:, None] * one for even, one in zip(_EVEN, largest, strict=False)), np.zeros((CHANCES, 1)))
-    return np.asarray(found + _NORMAL.real[:, None] * (across + 1j * skew) + 1j * _NORMAL.imag[:, None] * up)
+    across = np.sqrt((moved.real**2).sum(axis=0))
+    skew = np.divide((moved.real * moved.imag).sum(axis=0), across, out=np.zeros_like(across), where=across != 0)
+    up = np.sqrt(np.maximum((moved.imag**2).sum(axis=0) - skew**2, 0.0))
+    ends = vector + _CLOUD.real[:, None] * (across + 1j * skew) + 1j * _CLOUD.imag[:, None] * up
+    off = np.quantile(np.abs(np.abs(ends) - np.abs(vector)), SURE, axis=0)
+    return np.asarray(off * _point(np.asarray(dot(np.asarray(vector), moved))) / POINT)
 
 
-CHANCES = 1000  # of which 50 lie beyond the point that is told
+def _point(slips: Sizes) -> Sizes:
+    """Give within how many standard deviations of a sum of slips 95 per cent of it are.
+
+    Of many slips they are 1.960, of one alone, which is even within its bounds, 0.95 sqrt 3. Between them it hangs on
+    the fourth moment: a cubic through the exact values of one, of three alike and of many, which gives that of two
+    alike, 1.9016, and of one with another half as large, 1.834, to 0.3 per cent.
+    """
+    square = (slips**2).sum(axis=0)
+    flat = np.divide((slips**4).sum(axis=0), square**2, out=np.zeros_like(square), where=square != 0)
+    return np.asarray(POINT - FLAT[0] * flat**2 - FLAT[1] * flat**3)
 
 
-def _evenly(count: int, axes: int) -> npt.NDArray[np.float64]:
-    """Give points that fill a cube evenly, each axis stepped by a power of the root of x^(axes + 1) = x + 1."""
-    root = 1.0
-    for _ in range(64):
-        root = (1 + root) ** (1 / (axes + 1))
-    return np.asarray((0.5 + np.arange(1, count + 1) * root ** -np.arange(1.0, axes + 1)[:, None]) % 1.0)
+FLAT = 0.1481, 0.1664
+_CHANCES = 1000  # points of a cloud, of which 50 lie beyond what is told
 
 
-_CUBE = _evenly(CHANCES, 4)
-_EVEN = (2 * _CUBE[:2] - 1) / EVEN
-_NORMAL = np.sqrt(-2 * np.log(_CUBE[2])) * np.exp(2j * np.pi * _CUBE[3])
+def _cloud(count: int) -> npt.NDArray[np.complex128]:
+    """Give points spread about zero as chance spreads them, yet evenly: radii by rank, angles as in a sunflower."""
+    rank = (np.arange(count) + 0.5) / count
+    return np.asarray(np.sqrt(-2 * np.log1p(-rank)) * np.exp(1j * np.pi * (3 - np.sqrt(5.0)) * np.arange(count)))
+
+
+_CLOUD = _cloud(_CHANCES)
 
 
 class _Moved(NamedTuple):

@@ -13,8 +13,9 @@ from drawings.lettering.lettering import lettered
 from drawings.measure.measure import Measured, measure_file
 from drawings.pens.svg import svg
 from drawings.sheets import forces as sheets
+from geometry.draughtsman import Draughtsman
 from geometry.errors import DraftError
-from plans.bench.draughtsman import SLIPS, Draughtsman, Toll, toll
+from plans.bench.draughtsman import SLIPS, Toll, toll
 from plans.bench.forces import prepared
 from plans.bench.truth import replay
 from plans.checks.force_comparison import compare_forces

@@ -12,6 +12,7 @@ import numpy as np
 from drawings.bench import force_sheet, sheet
 from drawings.bench.force_sheet import FORCES_BY_HAND, SCALED
 from drawings.bench.startup import startup
+from geometry.draughtsman import DRAWINGS, SEED
 from geometry.errors import DraftError
 from plans.bench import draughtsman
 from plans.bench.computer import machine
@@ -137,7 +138,7 @@ def _forces_by_hand(study: LinkageStudy, drawn: sheet.DrawnSheets, largest: Mapp
 
 
 def _hand(name: str, toll: Toll, count: int) -> Row:
-    note = f"median of {draughtsman.DRAWINGS} chance drawings; in brackets 95 of 100 are under"
+    note = f"median of {DRAWINGS} chance drawings; in brackets 95 of 100 are under"
     kinds = {kind: float(np.median(values)) for kind, values in toll.kinds.items()}
     worst = float(np.median(toll.worst))
     return Row(name, None, count, Errors(kinds, "", worst), float(np.quantile(toll.worst, 0.95)), note=note)
@@ -198,6 +199,6 @@ def _words(order: Order) -> Iterator[str]:
     slips = " and ".join(f"{slip:g}" for slip in draughtsman.SLIPS)
     yield (
         f"by hand: every act of the record on paper at the sheet's own scales, each up to {slips} mm out to either "
-        f"side in x and in y (evenly spread, seed {draughtsman.SEED}): pricked points, ruled lines, a compass's "
+        f"side in x and in y (evenly spread, seed {SEED}): pricked points, ruled lines, a compass's "
         "opening, vectors carried; not timed"
     )

@@ -21,9 +21,10 @@ from drawings.paper.strokes import Leaf
 from drawings.pens import letters
 from drawings.pens.svg import svg
 from drawings.sheets import kinematics
+from geometry.draughtsman import Draughtsman
 from geometry.errors import DraftError
 from plans.bench.clock import Times, interleaved
-from plans.bench.draughtsman import SLIPS, Draughtsman, Toll, toll
+from plans.bench.draughtsman import SLIPS, Toll, toll
 from plans.bench.error import Errors, errors
 from plans.bench.roads import Ground, Road
 from plans.bench.truth import Exact, Truth, replay

@@ -77,16 +77,16 @@ def _marks(strokes: tuple[Stroke, ...]) -> Iterator[tuple[str, str, str, list[co
                 if start:
                     yield stroke.data["plan"], name, name, [line.end]
                 elif abs(line.end - line.start) > SEEN + QUANTUM:  # one that is just so long may bear a letter or not
-                    yield stroke.data["plan"], name, stroke.title or name, _along(line)
+                    yield stroke.data["plan"], name, stroke.title or name, along(line.start, line.end)
             case Group((Circle() as circle, *_)) if stroke.data.get("kind") in ("point", "pole"):
                 name = stroke.data["name"]
                 yield stroke.data["plan"], name, stroke.title or name, [circle.centre]
 
 
-def _along(line: Line) -> list[complex]:
+def along(start: complex, end: complex) -> list[complex]:
     """Give places along a line, no further from each other than a label may be from its mark."""
-    count = math.ceil(abs(line.end - line.start) / NEAREST) + 1
-    return [line.start + (line.end - line.start) * k / count for k in range(count + 1)]
+    count = math.ceil(abs(end - start) / NEAREST) + 1
+    return [start + (end - start) * k / count for k in range(count + 1)]
 
 
 def _distance(point: complex, box: Box) -> float:

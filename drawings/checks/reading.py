@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterable, Iterator, Mapping
+from typing import NamedTuple
 
 from drawings.lettering.words import number
 from drawings.paper.strokes import Group, Leaf, Text
@@ -25,11 +26,20 @@ def plain(name: str) -> str:
     return name.replace("_", "").replace("^", "")
 
 
+def value_tables(leaf: Leaf) -> Iterator[Group]:
+    """Give the tables of values of a sheet, and their parts."""
+    return (group for group in leaf.groups if group.name.startswith("values"))
+
+
+def positions_of(group: Group) -> tuple[int, ...]:
+    """Give the positions that a table tells of."""
+    return tuple(int(k) for k in group.data["positions"].split())
+
+
 def tables(leaf: Leaf, named: Mapping[str, Finding]) -> Iterator[Message]:
     """Read all tables of values of a sheet back."""
-    for group in leaf.groups:
-        if group.name.startswith("values"):
-            yield from table(group, named, tuple(int(k) for k in group.data["positions"].split()))
+    for group in value_tables(leaf):
+        yield from table(group, named, positions_of(group))
 
 
 def table(group: Group, named: Mapping[str, Finding], positions: tuple[int, ...]) -> Iterator[Message]:
@@ -38,25 +48,40 @@ def table(group: Group, named: Mapping[str, Finding], positions: tuple[int, ...]
         yield message("wrong.value", text=text, name=name, position=position)
 
 
-def wrong_values(
-    group: Group, named: Mapping[str, Finding], positions: tuple[int, ...]
-) -> Iterator[tuple[str, str, int]]:
-    """Give each text of a table that is not the analysis's value to the half of its last digit: whose it is, and where.
+class Cells(NamedTuple):
+    """What a table says of a finding in one position: by plan, by analysis, and the third cell beside them."""
+
+    finding: Finding
+    position: int
+    plan: str
+    analysis: str
+    third: str
+
+
+def cells(group: Group, named: Mapping[str, Finding], positions: tuple[int, ...]) -> Iterator[Cells]:
+    """Give the cells of a table, three by three.
 
     `named` are the findings by what the first cell of their row says before its unit.
     """
     for row in rows(group):
-        finding, j = None, 0
-        for text in row:
-            begins = named.get(text.plain.rsplit(", ", 1)[0])
-            if begins is not None:  # a table of several blocks has several names in a line
-                finding, j = begins, 0
-                continue
-            if finding is not None and j < 3 * len(positions):
-                true, slack = finding.analysis[positions[j // 3]], float(finding.allowed[positions[j // 3]])
-                if j % 3 < 2 and not reads(text.plain, abs(true) if isinstance(true, complex) else float(true), slack):
-                    yield text.plain, finding.name, positions[j // 3]
-                j += 1
+        starts = [j for j, text in enumerate(row) if text.plain.rsplit(", ", 1)[0] in named]
+        for j in starts:  # a table of several blocks has several names in a line
+            finding = named[row[j].plain.rsplit(", ", 1)[0]]
+            own = [text.plain for text in row[j + 1 : j + 1 + 3 * len(positions)]]
+            for k, position in enumerate(positions):
+                yield Cells(finding, position, *[*own[3 * k : 3 * k + 3], "", "", ""][:3])
+
+
+def wrong_values(
+    group: Group, named: Mapping[str, Finding], positions: tuple[int, ...]
+) -> Iterator[tuple[str, str, int]]:
+    """Give each text of a table that is not the analysis's value to the half of its last digit: whose, and where."""
+    for row in cells(group, named, positions):
+        true, slack = row.finding.analysis[row.position], float(row.finding.allowed[row.position])
+        value = abs(true) if isinstance(true, complex) else float(true)
+        for text in (row.plan, row.analysis):
+            if not reads(text, value, slack):
+                yield text, row.finding.name, row.position
 
 
 def rows(group: Group) -> Iterator[list[Text]]:
@@ -94,6 +119,15 @@ def value(text: str) -> float | None:
     (-0.5, None)
     """
     return float(text.replace("−", "-").replace(",", ".")) if _NUMBER.fullmatch(text) else None
+
+
+def last_place(text: str) -> float:
+    """Give what one in the last place of a number is worth.
+
+    >>> last_place("0,25"), last_place("−14")
+    (0.01, 1.0)
+    """
+    return math.pow(10.0, -len(re.split("[.,]", text)[-1])) if re.search("[.,]", text) else 1.0
 
 
 def marked_scales(leaf: Leaf) -> Iterator[Message]:

@@ -7,10 +7,13 @@ from pathlib import Path
 
 from drawings.checks.labelled import unlettered
 from drawings.checks.wrong import Wrong, on
+from drawings.figures.linkage.vector_plan import LETTERS
 from drawings.files.enclosure import Enclosure
 from drawings.measure.measure import Measured, check, measure_file
+from drawings.measure.measured import MeasuredVector
 from drawings.page.page import BLOCK
 from drawings.page.title_cell import NUMBERS
+from drawings.paper.hand import hand_of
 from drawings.paper.limits import SheetRefused
 from drawings.paper.strokes import Leaf
 from drawings.paper.walk import groups, texts
@@ -58,7 +61,7 @@ def verify_report(wrong: Iterable[Wrong]) -> None:
 def verify_scales(sheets: Sequence[tuple[Mapping[str, str], Measured]], sheet: SheetTable) -> None:
     """See that measured sheets, each with the keys of its figures, have the scales that are stated, and common ones."""
     wrong: list[Wrong] = list(
-        dict.fromkeys((*_not_stated(sheets, dict(sheet.scale.stated)), *_not_common(sheets, sheet.scales)))
+        dict.fromkeys((*_not_stated(sheets, dict(sheet.scale.stated)), *_not_common(sheets, sheet)))
     )
     if wrong:
         raise SelfCheckFailed(message("check.sheet", marks=_first(wrong)))
@@ -97,11 +100,24 @@ def _not_stated(sheets: Sequence[tuple[Mapping[str, str], Measured]], stated: Ma
                 yield on("scale_stated", mark.plan)
 
 
-def _not_common(sheets: Sequence[tuple[Mapping[str, str], Measured]], scales: str) -> Iterator[Message]:
-    """Give the plans of an order whose vectors have several scales where one was to be common."""
-    for plan in [order.plan for order in ORDERS[1:]] if scales == "common" else []:
-        if len({vector.scale for _, measured in sheets for vector in measured.vectors if vector.plan == plan}) > 1:
-            yield on("scale_common", plan)
+def _not_common(sheets: Sequence[tuple[Mapping[str, str], Measured]], sheet: SheetTable) -> Iterator[Message]:
+    """Give the orders of whose plans one has another scale than the others, though it could be read at theirs."""
+    letter = hand_of(sheet.format, sheet.standard).letter
+    for order in ORDERS[1:] if sheet.scales == "common" else ():
+        plans: dict[int | None, list[MeasuredVector]] = {}
+        for vector in (one for _, measured in sheets for one in measured.vectors if one.plan == order.plan):
+            plans.setdefault(vector.position, []).append(vector)
+        common = max((one[0].scale for one in plans.values()), default=0.0)
+        if any(one[0].scale != common and _readable(one, common, letter) for one in plans.values()):
+            yield on("scale_common", order.plan)
+
+
+def _readable(plan: Sequence[MeasuredVector], scale: float, letter: float) -> bool:
+    """Tell whether a plan that was measured could be lettered at another scale."""
+    ends = [end for vector in plan for end in (vector.start, vector.end)]
+    names = {name for vector in plan for name in vector.name.split(" ")}
+    wide, high = (max(row) - min(row) for row in ([end.real for end in ends], [end.imag for end in ends]))
+    return max(wide, high) * plan[0].scale / scale >= letter * max(LETTERS, len(names))
 
 
 def _first(wrong: list[Wrong]) -> Message | tuple[Wrong, ...]:

@@ -17,6 +17,7 @@ from drawings.checks.forces.balancing_graph import ordinates
 from drawings.checks.forces.details import Details
 from drawings.checks.forces.lever_equation import LeverCheck
 from drawings.checks.forces.load_points import loads
+from drawings.checks.linkage import accord, by_hand
 from drawings.checks.reading import plain, reads, scales
 from drawings.checks.verify_friction import friction_of
 from drawings.checks.wrong import Wrong, on
@@ -29,9 +30,11 @@ from drawings.page.page import page_of
 from drawings.paper.strokes import Leaf, Line, Text
 from drawings.paper.walk import groups, texts
 from drawings.symbols.force_arrow import plain_name
+from geometry import draughtsman, hand_error
 from plans.checks.comparison import Finding
 from plans.checks.force_comparison import ForceComparison
 from plans.checks.force_expected import ExpectedForces
+from plans.checks.hand.forces import FIGURES, forces_by_hand
 from plans.forces.cut import indices
 from plans.forces.primary import balancing_quantity
 from plans.forces.statics import Statics
@@ -58,7 +61,9 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     yield from check.lever()
     yield from Schemes(leaf, check.expected(), page_of(study.scene).hand).faults()
     yield from friction_of(leaf, comparison, check.position, study.scene.sheet.language)
-    yield from reading.tables(leaf, table_names(comparison, statics))
+    named = table_names(comparison, statics)
+    yield from reading.tables(leaf, named)
+    yield from check.by_hand(named)
 
 
 def table_names(comparison: ForceComparison, statics: Statics) -> dict[str, Finding]:
@@ -106,6 +111,20 @@ class _Check:
         language, letter = self.statics.study.scene.sheet.language, self.statics.form.sheet.reactions
         told = expected.polygon(self.statics.study.groups, group) | expected.parts(group)
         return {plain_name(force_letter(name, language, letter)): value for name, value in told.items()}
+
+    def by_hand(self, named: Mapping[str, Finding]) -> Iterator[Wrong]:
+        """Hold what the table says that a hand may be out."""
+        scales = self.leaf.metadata["scales"]
+        ruled, tried = (
+            forces_by_hand(self.statics, self.position, scales, slopes)
+            for slopes in (hand_error.slopes, draughtsman.slopes)
+        )
+        yield from by_hand.wrong_cells(self.leaf, named, by_hand.Told(ruled, tried))
+        yield from by_hand.wrong_scales(self.measured, self.leaf, tuple(FIGURES.values()))
+        yield from accord.faults(
+            self.leaf, self.comparison.exact, self.comparison.motion.kappa, self.statics.study.language
+        )
+        yield from by_hand.wrong_headings(self.leaf, tuple(FIGURES.values()))
 
     def plans(self) -> Iterator[Wrong]:
         """Hold the force plans and the lever's images."""

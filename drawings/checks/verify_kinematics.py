@@ -6,22 +6,33 @@ import math
 from collections.abc import Iterator
 
 from drawings.checks import reading
-from drawings.checks.linkage import centre_images, position_marks
+from drawings.checks.linkage import (
+    centre_images,
+    part_letters,
+    position_marks,
+    stroke_marks,
+    strokes,
+    value_rows,
+)
 from drawings.checks.linkage.laid import LaidMechanism, ground, mass_centres
-from drawings.checks.wrong import on
+from drawings.checks.linkage.part_letters import LetteredPlan, TruePart
+from drawings.checks.wrong import Wrong, on
+from drawings.figures.linkage.part_letters import is_relative
 from drawings.figures.linkage.vector_plan import LEAST
 from drawings.measure.measure import Measured
 from drawings.measure.measured import MeasuredVector
+from drawings.page.drafting import drafting_of
 from drawings.paper.strokes import Leaf
 from plans.checks.compare import MotionComparison
 from plans.checks.expected import Expected
+from plans.checks.parts import findings, spans
 from plans.linkage.study import LinkageStudy
-from plans.model.order import POSITIONS
+from plans.model.order import ORDERS, POSITIONS
 from plans.study import Study
 from plans.words.words import Message, message
 
 
-def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Message]:
+def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     """Hold the plans, the points, the table and the scales of a kinematics sheet against the analysis."""
     linkage, comparison = study["linkage"], study.comparison("linkage")
     gone = {gap.position for gap in comparison.construction.gaps}
@@ -29,11 +40,13 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Message]:
         if k not in gone:
             yield from _plans(measured, linkage, comparison, k)
             yield from _centres(measured, leaf, linkage, comparison, k)
+            yield from _parts(measured, leaf, linkage, comparison, k)
     if leaf.metadata["shown"] is not None:
         yield from _points(measured, comparison, leaf.metadata["shown"])
         yield from _positions(measured, leaf, linkage, comparison)
     yield from reading.marked_scales(leaf)
-    yield from reading.tables(leaf, {finding.name.replace("_", ""): finding for finding in comparison.findings})
+    if "scales" in leaf.metadata:
+        yield from value_rows.faults(measured, leaf, linkage, comparison)
 
 
 def _plans(measured: Measured, study: LinkageStudy, comparison: MotionComparison, k: int) -> Iterator[Message]:
@@ -64,6 +77,22 @@ def _centres(
         yield from centre_images.faults(measured, leaf, expected, mass_centres(study), max(allowed.values()))
 
 
+def _parts(
+    measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: MotionComparison, k: int
+) -> Iterator[Message]:
+    """Hold the letters of relative vectors and of parts on one position's plans against the analysis."""
+    ends = spans(study, study.drafts(), comparison.analysis)
+    names = {name: f"{span.start.name} {span.end.name}" for name, span in ends.items()}
+    told = findings(study, comparison)
+    for plan in (order.plan for order in ORDERS[1:]):
+        vectors = tuple(one for one in measured.vectors if (one.plan, one.position) == (plan, k))
+        parts = (TruePart(one.name, names[one.name], complex(one.analysis[k])) for one in told if one.plan == plan)
+        relative = [part for part in parts if is_relative(part.name, part.vector)]
+        allowed = max((_allowed(comparison, one, measured) / one.scale for one in vectors), default=0.0)
+        shown = LetteredPlan(plan, k, vectors, allowed)
+        yield from part_letters.faults(leaf, shown, relative, drafting_of(study.scene))
+
+
 def _allowed(comparison: MotionComparison, vector: MeasuredVector, measured: Measured) -> float:
     """Allow the paper's resolution, and twice the largest difference that the plan's own points are allowed."""
     position = vector.position or 0
@@ -86,6 +115,10 @@ def _positions(measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: 
         elif mark is not None and not abs(mark.value - true) <= 2 * allowed + 2 * measured.quantum * mark.scale:
             yield message("wrong.point_differs", name=name)
     yield from position_marks.faults(leaf, laid)
+    if study.travel is not None:
+        yield from strokes.faults(leaf, laid, comparison.road.extremes(study.output))
+    if study.mechanism.drive.pushed:
+        yield from stroke_marks.faults(leaf, laid)
 
 
 def _points(measured: Measured, comparison: MotionComparison, shown: int) -> Iterator[Message]:

@@ -66,7 +66,8 @@ def steps_of(panels: Sequence[Panel], room: tuple[float, float], standard: str, 
 
 def _steps(figures: Sequence[_Figure], legible: bool) -> Steps:
     """Enlarge figures together, as far as the one that needs most paper fits."""
-    largest = max(figures, key=lambda one: one.rungs[-1].scale.mu if one.rungs else math.inf)
+    sized = [one for one in figures if max(one.picture.wide, one.picture.high)] or figures  # a point has any scale
+    largest = max(sized, key=lambda one: one.rungs[-1].scale.mu if one.rungs else math.inf)
     scales = [rung.scale for rung in largest.rungs]
     every = [{one.picture.name: one.at(scale) for one in figures} for scale in scales]
     shares = [fmean(can_be_read(one.picture, _bare(one, scale)) for one in figures) for scale in scales]

@@ -15,7 +15,7 @@ from drawings.layout.contents import Composition, Contents
 from drawings.layout.growth import Growth, State, rungs_of
 from drawings.layout.parting import Run, fewest, partings
 from drawings.layout.request import Request, request
-from drawings.layout.room import corner_of
+from drawings.layout.room import corner_of, ends_of, head_of
 from drawings.layout.slicing import Slicing, Tree
 from drawings.layout.stood import Stood, size_of
 from drawings.layout.units import Shape, nested
@@ -37,9 +37,10 @@ class _Cutting:
 
     slicing: Slicing
     shapes: list[list[Shape]]
+    opening: list[list[Shape]]
 
     def fits(self, i: int, j: int) -> bool:
-        return bool(len(self.slicing.closed(i, j).sizes))
+        return bool(len(self.slicing.sheet(i, j).sizes))
 
     def number(self, most: int) -> int:
         """Count the sheets that it takes; 0 if one of its units fits none."""
@@ -50,10 +51,10 @@ class _Cutting:
 
     def trees(self, i: int, j: int) -> Iterator[Tree]:
         """Give the ways to cut a sheet, evenly chosen among them."""
-        count = len(self.slicing.closed(i, j).sizes)
+        count = len(self.slicing.sheet(i, j).sizes)
         step = max(count / POINTS, 1.0)
         for k in sorted({int(step * n) for n in range(POINTS) if step * n < count}):
-            yield nested(self.slicing.tree(i, j, k, closed=True), self.shapes)
+            yield nested(self.slicing.sheet(i, j).tree(k), self.shapes, self.opening)
 
     @property
     def areas(self) -> list[float]:
@@ -87,8 +88,10 @@ class _Composer:
         if (order, state) not in self.known:
             rungs, stock = rungs_of(self.asked.steps, state), self.asked.stock
             shapes = [stock.shapes(unit, rungs) for unit in self.asked.orders[order]]
-            sizes = [[shape.size for shape in own] for own in shapes]
-            self.known[order, state] = _Cutting(Slicing(sizes, stock.room, corner_of(self.page)), shapes)
+            opening = [stock.opening(own, head_of(self.page)) for own in shapes]
+            sizes, opened = ([[shape.size for shape in own] for own in every] for every in (shapes, opening))
+            slicing = Slicing(sizes, stock.room, corner_of(self.page), opened)
+            self.known[order, state] = _Cutting(slicing, shapes, opening)
         return self.known[order, state]
 
     def _fits(self, state: State, count: int) -> bool:
@@ -132,7 +135,7 @@ class _Composer:
         return min(cutting.trees(*run), key=fault)
 
     def _growth(self, trees: Sequence[Tree]) -> Growth:
-        return Growth(self.asked.stock, corner_of(self.page), self.asked.steps, trees)
+        return Growth(self.asked.stock, ends_of(self.page), self.asked.steps, trees)
 
     def _grown(self, trees: Sequence[Tree], state: State) -> _Set:
         grown = self._growth(trees).grown(state)

@@ -11,7 +11,7 @@ from drawings.layout.common_scales import Steps
 from drawings.layout.picture import Picture, Rung
 from drawings.layout.slicing import SAME, Piece, Size, Tree, pieces
 from drawings.layout.standing import natural
-from drawings.layout.units import CORNER, Stock
+from drawings.layout.units import Stock
 
 State: TypeAlias = tuple[int, ...]  # the step of each group of figures that share a scale
 
@@ -21,13 +21,13 @@ def rungs_of(steps: Sequence[Steps], state: State) -> dict[str, Rung]:
     return {name: rung for own, k in zip(steps, state, strict=True) for name, rung in own.rungs[k].items()}
 
 
-def sizes_of(stock: Stock, tree: Tree, rungs: Mapping[str, Rung], corner: Size) -> dict[int, Size]:
-    """Give the sizes mm of all that stands on a sheet; what is not shown there is the corner."""
-    return {piece.unit: _size(stock, piece, rungs, corner) for piece in pieces(tree)}
+def sizes_of(stock: Stock, tree: Tree, rungs: Mapping[str, Rung], ends: Mapping[int, Size]) -> dict[int, Size]:
+    """Give the sizes mm of all that stands on a sheet; those of what stands in its corners are known."""
+    return {piece.unit: _size(stock, piece, rungs, ends) for piece in pieces(tree)}
 
 
-def _size(stock: Stock, piece: Piece, rungs: Mapping[str, Rung], corner: Size) -> Size:
-    return corner if piece.unit == CORNER else stock.sizes(piece.unit, rungs)[piece.choice]
+def _size(stock: Stock, piece: Piece, rungs: Mapping[str, Rung], ends: Mapping[int, Size]) -> Size:
+    return ends[piece.unit] if piece.unit in ends else stock.sizes(piece.unit, rungs)[piece.choice]
 
 
 @dataclass
@@ -35,14 +35,14 @@ class Growth:
     """The sheets of a set while their figures grow."""
 
     stock: Stock
-    corner: Size
+    ends: Mapping[int, Size]
     steps: Sequence[Steps]
     trees: Sequence[Tree]
 
     def grown(self, state: State, only: bool = False) -> State:
         """Enlarge the smallest figures first; `only` those that stand on no other sheet."""
         rungs = rungs_of(self.steps, state)
-        sizes = [sizes_of(self.stock, tree, rungs, self.corner) for tree in self.trees]
+        sizes = [sizes_of(self.stock, tree, rungs, self.ends) for tree in self.trees]
         names = [self._names(tree) for tree in self.trees]
         every = set[str]().union(*names)
         now = list(state)
@@ -82,11 +82,11 @@ class Growth:
         """Give the new sizes of the figures that are drawn at other scales."""
         found: dict[int, Size] = {}
         for k in sizes:
-            one = self.stock.shown[k] if k != CORNER else None
+            one = None if k in self.ends else self.stock.shown[k]
             if isinstance(one, Picture) and one.name in rungs:
                 found[k] = rungs[one.name].wide, rungs[one.name].high
         return found
 
     def _names(self, tree: Tree) -> set[str]:
-        shown = (self.stock.shown[piece.unit] for piece in pieces(tree) if piece.unit != CORNER)
+        shown = (self.stock.shown[piece.unit] for piece in pieces(tree) if piece.unit not in self.ends)
         return {one.name for one in shown if isinstance(one, Picture)}

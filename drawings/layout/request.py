@@ -9,10 +9,10 @@ from drawings.layout.common_scales import Steps, steps_of
 from drawings.layout.contents import Contents
 from drawings.layout.growth import State, rungs_of
 from drawings.layout.picture import Picture, Rung
-from drawings.layout.room import corner_of, room_of
-from drawings.layout.slicing import GAP, Size
+from drawings.layout.room import corner_of, head_of, room_of
+from drawings.layout.slicing import Piece, Slicing
 from drawings.layout.table import RuledTable
-from drawings.layout.units import Stock, Unit, groups, orders
+from drawings.layout.units import Shape, Stock, Unit, groups, orders
 from drawings.page.page import Page
 from drawings.paper.strokes import SheetError
 from plans.words.words import message
@@ -39,7 +39,8 @@ class _Fitting:
     def __init__(self, contents: Contents, page: Page) -> None:
         self.contents, self.page = contents, page
         room = room_of(page)
-        self.room, self.corner = (room.width, room.height), corner_of(page)
+        self.room = room.width, room.height
+        self.names = {panel.item.name: k for k, panel in enumerate(contents.panels)}
         notes = () if contents.notes is None else (contents.notes,)
         self.shown = [*(panel.item for panel in contents.panels), *contents.tables, *notes]
 
@@ -63,24 +64,25 @@ class _Fitting:
     def _readable(self, read: Steps, every: Steps) -> tuple[Steps, int]:
         """Give the steps at which figures can be read, or else all, from the largest on at which each fits a sheet."""
         for own in (read, every):
-            fitting = [k for k, step in enumerate(own.rungs) if all(map(self._alone, step.values()))]
+            fitting = [k for k, step in enumerate(own.rungs) if all(self._alone(*one) for one in step.items())]
             if fitting:
                 return own, 0 if own is read else fitting[-1]
         raise SheetError(
             message("refused.largest" if self.contents.foremost else "refused.figure", format=self.page.name)
         )
 
-    def _alone(self, rung: Rung) -> bool:
+    def _alone(self, name: str, rung: Rung) -> bool:
         """Tell whether a picture stands on a sheet with nothing but the title block."""
-        return self._stands((rung.wide, rung.high))
+        return self._stands([Shape((rung.wide, rung.high), Piece(self.names[name], 0))])
 
-    def _stands(self, size: Size) -> bool:
-        beside = size[0] + GAP + self.corner[0] <= self.room[0] and size[1] <= self.room[1]
-        return beside or (size[1] + GAP + self.corner[1] <= self.room[1] and size[0] <= self.room[0])
+    def _stands(self, shapes: Sequence[Shape]) -> bool:
+        """Tell whether a unit stands on a sheet with nothing but the title block."""
+        opening = [shape.size for shape in self._stock.opening(shapes, head_of(self.page))]
+        return len(Slicing([opening], self.room, corner_of(self.page)).sheet(0, 0).sizes) > 0
 
     def _apart(self, unit: Unit, rungs: Mapping[str, Rung]) -> Iterator[Unit]:
         """Take what should stand together apart where no sheet holds it."""
-        if isinstance(unit, int) or any(self._stands(shape.size) for shape in self._stock.shapes(unit, rungs)):
+        if isinstance(unit, int) or self._stands(self._stock.shapes(unit, rungs)):
             yield unit
         else:
             for one in unit:
@@ -92,7 +94,7 @@ class _Fitting:
         assert isinstance(table, RuledTable)
         first = True
         while table.lines or first:
-            part = table.part(slice(0, self._rows(table)))
+            part = table.part(slice(0, self._rows(table, k)))
             if first:
                 self.shown[k] = part
                 yield k
@@ -101,11 +103,11 @@ class _Fitting:
                 yield len(self.shown) - 1
             table, first = table.part(slice(len(part.lines), None)), False
 
-    def _rows(self, table: RuledTable) -> int:
+    def _rows(self, table: RuledTable, k: int) -> int:
         """Count the rows of a table that stand on a sheet."""
         for rows in range(len(table.lines), 0, -1):
             part = table.part(slice(0, rows))
-            if any(self._stands(part.size(setting)) for setting in part.settings()):
+            if self._stands([Shape(part.size(setting), Piece(k, 0)) for setting in part.settings()]):
                 return rows
         if table.lines:
             raise SheetError(message("refused.table", format=self.page.name))
@@ -120,5 +122,5 @@ class _Fitting:
         v = next(v for v, own in enumerate(steps) if name in own.rungs[0])
         rungs = [step[name] for step in steps[v].rungs]
         large = [k for k, rung in enumerate(rungs) if rung.wide * rung.high >= THIRD * field.width * field.height]
-        fitting = [k for k, rung in enumerate(rungs) if self._alone(rung)]
+        fitting = [k for k, rung in enumerate(rungs) if self._alone(name, rung)]
         return (*floors[:v], max(min(large[:1] + fitting[-1:]), floors[v]), *floors[v + 1 :])

@@ -6,7 +6,7 @@ other beats both ways (Stockmeyer's shape functions). A run that closes a sheet 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
@@ -19,6 +19,7 @@ KEPT = 12  # sizes kept of a run
 SAME = 1e-9  # mm: sizes are sums of the same units in another order
 
 Size: TypeAlias = tuple[float, float]
+Ways: TypeAlias = npt.NDArray[np.intp]  # (n, 4)
 
 
 class Piece(NamedTuple):
@@ -50,22 +51,43 @@ def pieces(tree: Tree) -> Iterator[Piece]:
 
 
 class Shapes(NamedTuple):
-    """The sizes (n, 2) mm that a run may have, and of each where the run is cut, which way, and both parts' sizes."""
+    """The sizes (n, 2) mm that a run may have, and of each where the run is cut, which way, and both parts' sizes.
+
+    `parts` are the shapes of both parts, by where the run is cut; a single unit has none.
+    """
 
     sizes: Floats
-    ways: npt.NDArray[np.intp]  # (n, 4)
+    ways: Ways
+    parts: Mapping[int, tuple[Shapes, Shapes]]
+
+    def tree(self, choice: int) -> Tree:
+        """Give how the run is cut where it has one of its sizes."""
+        at, beside, first, second = map(int, self.ways[choice])
+        if not self.parts:
+            return Piece(at, first)
+        parts = self.parts[at]
+        return Cut(bool(beside), parts[0].tree(first), parts[1].tree(second))
 
 
 class Slicing:
-    """The sizes of all runs of units that fit into a room, alone or closed by the corner of the sheet."""
+    """The sizes of all runs of units that fit into a room, and of those that make a sheet.
 
-    def __init__(self, units: Sequence[Sequence[Size]], room: Size, corner: Size | None = None) -> None:
-        self.count, self.room = len(units), np.add(room, SAME)
+    A sheet is closed by its corner, and a unit that opens it may have other sizes than amid the others.
+    """
+
+    def __init__(
+        self,
+        units: Sequence[Sequence[Size]],
+        room: Size,
+        corner: Size = (0.0, 0.0),
+        opening: Sequence[Sequence[Size]] | None = None,
+    ) -> None:
+        self.room = np.add(room, SAME)
+        last = self._own(len(units), [corner])
         self._runs = {(k, k): self._own(k, own) for k, own in enumerate(units)}
-        self._closed = dict[tuple[int, int], Shapes]()
-        if corner is not None:
-            own = self._own(self.count, [corner])
-            self._closed = {(k + 1, k): own for k in range(-1, self.count)}
+        self._opened = {(k, k): self._own(k, own) for k, own in enumerate(opening or units)}
+        self._closed = {(k + 1, k): last for k in range(len(units))}
+        self._sheets = dict[tuple[int, int], Shapes]()
 
     def run(self, i: int, j: int) -> Shapes:
         """Give the sizes of the run from one unit to another."""
@@ -73,34 +95,38 @@ class Slicing:
             self._runs[i, j] = self._join([(self.run(i, k), self.run(k + 1, j), k) for k in range(i, j)])
         return self._runs[i, j]
 
+    def opened(self, i: int, j: int) -> Shapes:
+        """Give the sizes of a run that begins a sheet."""
+        if (i, j) not in self._opened:
+            self._opened[i, j] = self._join([(self.opened(i, k), self.run(k + 1, j), k) for k in range(i, j)])
+        return self._opened[i, j]
+
     def closed(self, i: int, j: int) -> Shapes:
-        """Give the sizes of the run from one unit to another and the corner behind it."""
+        """Give the sizes of a run that ends a sheet, the corner behind it; of no unit at all it is the corner."""
         if (i, j) not in self._closed:
             self._closed[i, j] = self._join([(self.run(i, k), self.closed(k + 1, j), k) for k in range(i, j + 1)])
         return self._closed[i, j]
 
-    def tree(self, i: int, j: int, choice: int, closed: bool = False) -> Tree:
-        """Give how a run is cut where it has one of its sizes."""
-        if i > j:
-            return Piece(self.count, 0)
-        at, beside, first, second = map(int, (self.closed if closed else self.run)(i, j).ways[choice])
-        if not closed and i == j:
-            return Piece(i, first)
-        return Cut(bool(beside), self.tree(i, at, first), self.tree(at + 1, j, second, closed))
+    def sheet(self, i: int, j: int) -> Shapes:
+        """Give the sizes of the sheet of the run from one unit to another."""
+        if (i, j) not in self._sheets:
+            self._sheets[i, j] = self._join([(self.opened(i, k), self.closed(k + 1, j), k) for k in range(i, j + 1)])
+        return self._sheets[i, j]
 
     def _own(self, k: int, sizes: Sequence[Size]) -> Shapes:
         ways = np.array([(k, 0, choice, 0) for choice in range(len(sizes))], int).reshape(-1, 4)
-        return self._kept(np.array(sizes, float).reshape(-1, 2), ways)
+        return self._kept(np.array(sizes, float).reshape(-1, 2), ways, {})
 
-    def _join(self, parts: Sequence[tuple[Shapes, Shapes, int]]) -> Shapes:
+    def _join(self, cuts: Sequence[tuple[Shapes, Shapes, int]]) -> Shapes:
         """Join the sizes of both parts of a run, wherever it can be cut, both ways."""
-        joined = [self._pairs(*part) for part in parts if len(part[0].sizes) and len(part[1].sizes)]
+        parts = {at: (first, second) for first, second, at in cuts if len(first.sizes) and len(second.sizes)}
+        joined = [self._pairs(*pair, at) for at, pair in parts.items()]
         if not joined:
-            return Shapes(np.empty((0, 2)), np.empty((0, 4), int))
+            return Shapes(np.empty((0, 2)), np.empty((0, 4), int), {})
         sizes, ways = zip(*joined, strict=True)
-        return self._kept(np.concatenate(sizes), np.concatenate(ways))
+        return self._kept(np.concatenate(sizes), np.concatenate(ways), parts)
 
-    def _pairs(self, first: Shapes, second: Shapes, at: int) -> tuple[Floats, npt.NDArray[np.intp]]:
+    def _pairs(self, first: Shapes, second: Shapes, at: int) -> tuple[Floats, Ways]:
         own, other = first.sizes[:, None], second.sizes[None, :]
         over, most = own + other + GAP, np.maximum(own, other)
         every = np.empty((2, *over.shape))  # stacked, beside
@@ -110,7 +136,7 @@ class Slicing:
         ways = np.column_stack([np.full(len(fits), at), fits])
         return every[fits[:, 0], fits[:, 1], fits[:, 2]], ways
 
-    def _kept(self, sizes: Floats, ways: npt.NDArray[np.intp]) -> Shapes:
+    def _kept(self, sizes: Floats, ways: Ways, parts: Mapping[int, tuple[Shapes, Shapes]]) -> Shapes:
         """Keep the sizes that no other beats both ways; of too many those that lie evenly among them."""
         fits = (sizes <= self.room).all(-1)
         sizes, ways = sizes[fits], ways[fits]
@@ -121,4 +147,4 @@ class Slicing:
         order = order[lower]
         if len(order) > KEPT:
             order = order[np.linspace(0, len(order) - 1, KEPT).round().astype(int)]
-        return Shapes(sizes[order], ways[order])
+        return Shapes(sizes[order], ways[order], parts)

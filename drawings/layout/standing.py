@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from drawings.layout.slicing import GAP, SAME, Cut, Piece, Size, Tree, pieces
@@ -26,6 +26,13 @@ class Stand(NamedTuple):
     tree: Tree
     cell: Field
     box: Field
+
+    def lifted(self, up: float) -> Stand:
+        """Lift the run by some millimetres, if that is little and leaves it in its cell."""
+        low, high = self.box.bottom + up, self.box.top + up
+        if abs(up) > LEVEL or low < self.cell.bottom - SAME or high > self.cell.top + SAME:
+            return self
+        return self._replace(box=self.box._replace(bottom=low, top=high))
 
 
 def natural(tree: Tree, sizes: Mapping[int, Size]) -> Size:
@@ -99,23 +106,20 @@ class Standing:
         left, bottom, right, top = (abs(own - edge) <= SAME * 100 for own, edge in zip(cell, self.room, strict=True))
         return left, bottom, right, top
 
-    def _level(self, stands: list[Stand]) -> list[Stand]:
-        """Make headings level of figures whose cells begin at one height, where they are nearly so."""
-        levels: dict[int, float] = {}
-        for stand in stands:
-            if self._heads(stand):
-                key = round(stand.cell.top)
-                levels[key] = max(levels.get(key, stand.box.top), stand.box.top)
-        return [self._raised(stand, levels) if self._heads(stand) else stand for stand in stands]
-
-    def _heads(self, stand: Stand) -> bool:
-        return self.units[next(pieces(stand.tree)).unit].figure
-
-    def _raised(self, stand: Stand, levels: Mapping[int, float]) -> Stand:
-        up = levels[round(stand.cell.top)] - stand.box.top
-        if up > LEVEL:
-            return stand
-        return stand._replace(box=stand.box._replace(bottom=stand.box.bottom + up, top=stand.box.top + up))
+    def _level(self, stands: Sequence[Stand]) -> list[Stand]:
+        """Make headings level of figures whose cells begin at one height, or nearly so."""
+        heads = [k for k, stand in enumerate(stands) if self.units[next(pieces(stand.tree)).unit].figure]
+        rows: list[list[int]] = []
+        for k in sorted(heads, key=lambda k: -stands[k].cell.top):
+            if rows and stands[rows[-1][0]].cell.top - stands[k].cell.top <= LEVEL:
+                rows[-1].append(k)
+            else:
+                rows.append([k])
+        found = dict(enumerate(stands))
+        for row in rows:
+            aim = min(max(stands[k].box.top for k in row), *(stands[k].cell.top for k in row))
+            found |= {k: stands[k].lifted(aim - stands[k].box.top) for k in row}
+        return [found[k] for k in range(len(stands))]
 
     def _split(self, tree: Tree, box: Field) -> Iterator[tuple[int, Field]]:
         """Stand what is tied, each in the middle of the others."""

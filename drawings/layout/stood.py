@@ -11,11 +11,11 @@ from drawings.layout.bareness import bareness
 from drawings.layout.block import Notes, TextBlock
 from drawings.layout.contents import Composition, TableSpot
 from drawings.layout.picture import Picture, Rung, Spot
-from drawings.layout.room import corner_of, room_of
+from drawings.layout.room import ends_of, room_of
 from drawings.layout.slicing import Tree, pieces
 from drawings.layout.standing import Standing, Unit
 from drawings.layout.table import RuledTable
-from drawings.layout.units import CORNER, Stock
+from drawings.layout.units import Stock
 from drawings.page.page import Field, Page
 
 BARE = 0.11  # share of a sheet that may be bare before it counts; the last sheet of a set may be barer
@@ -38,16 +38,15 @@ class Stood:
     @cached_property
     def boxes(self) -> dict[int, Field]:
         """The box of everything on it, by its number."""
-        units = {}
+        ends = ends_of(self.page)
+        units = {k: Unit(size, False) for k, size in ends.items()}
         for piece in pieces(self.tree):
-            if piece.unit == CORNER:
-                units[CORNER] = Unit(corner_of(self.page), False)
-            else:
+            if piece.unit not in ends:
                 one = self.stock.shown[piece.unit]
                 size = self.stock.sizes(piece.unit, self.rungs)[piece.choice]
                 units[piece.unit] = Unit(size, isinstance(one, Picture), isinstance(one, Notes))
         boxes = Standing(units, room_of(self.page)).boxes(self.tree)
-        return {k: self.page.block if k == CORNER else box for k, box in boxes.items()}
+        return {k: box for k, box in boxes.items() if k not in ends}
 
     @cached_property
     def bare(self) -> float:
@@ -62,7 +61,7 @@ class Stood:
 
     def _inked(self, k: int, box: Field) -> Iterator[Field]:
         """Give what of a box is inked: lines and letters of a figure, and its heading."""
-        one = self.stock.shown[k] if k != CORNER else None
+        one = self.stock.shown[k]
         if not isinstance(one, Picture):
             yield box
             return
@@ -75,11 +74,11 @@ class Stood:
 
     def composition(self) -> Composition:
         """Give where everything stands, in the order of the contents."""
-        shown = [(self.stock.shown[k], box) for k, box in sorted(self.boxes.items()) if k != CORNER]
+        shown = [(self.stock.shown[k], box) for k, box in sorted(self.boxes.items())]
         choices = {piece.unit: piece.choice for piece in pieces(self.tree)}
         tables = []
         for k, box in sorted(self.boxes.items()):
-            one = self.stock.shown[k] if k != CORNER else None
+            one = self.stock.shown[k]
             if isinstance(one, RuledTable):
                 tables.append(TableSpot(one, complex(box.left, box.top), one.settings()[choices[k]]))
         return Composition(

@@ -64,11 +64,17 @@ class RuledTable(NamedTuple):
     first: str = ""  # the heading of the names
     heads: tuple[str, ...] = ("", "", "")  # of the columns of a band
     name: str = "values"  # what its bands are named by, and numbered
+    start: int = 0  # the number of its first row in the whole table
 
     @property
     def row(self) -> float:
         """Height of a row, mm."""
         return ROW * self.text
+
+    @property
+    def rows(self) -> tuple[int, int]:
+        """Where its rows begin and end in the whole table."""
+        return self.start, self.start + len(self.lines)
 
     @property
     def bands(self) -> int:
@@ -86,7 +92,7 @@ class RuledTable(NamedTuple):
 
     def part(self, rows: slice) -> RuledTable:
         """Give the table of some of its rows."""
-        return self._replace(lines=self.lines[rows])
+        return self._replace(lines=self.lines[rows], start=self.start + (rows.start or 0))
 
     def of(self, chosen: slice) -> RuledTable:
         """Give the table of some of its bands."""

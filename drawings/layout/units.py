@@ -6,18 +6,19 @@ together; a picture and the lettering that belongs to it stand close.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias
 
 from drawings.layout.block import Notes, TextBlock
 from drawings.layout.contents import Contents, Panel
 from drawings.layout.picture import Picture, Rung
-from drawings.layout.slicing import Cut, Piece, Size, Slicing, Tree
+from drawings.layout.slicing import GAP, Cut, Piece, Size, Slicing, Tree, pieces
 from drawings.layout.table import RuledTable
 
 Shown: TypeAlias = Picture | TextBlock | RuledTable | Notes
-CORNER = -1  # the number of the title block
+CORNER, HEAD = -1, -2  # the numbers of the title block, and of what stands in the upper left corner
+CLEAR = 3.0  # mm from that to a heading
 Unit: TypeAlias = int | tuple["Unit", ...]
 
 
@@ -43,9 +44,19 @@ class Stock:
         slicing = Slicing([[shape.size for shape in own] for own in inner], self.room)
         last = len(unit) - 1
         return [
-            Shape((float(wide), float(high)), nested(slicing.tree(0, last, k), inner, self.close(unit)))
+            Shape((float(wide), float(high)), nested(slicing.run(0, last).tree(k), inner, tied=self.close(unit)))
             for k, (wide, high) in enumerate(slicing.run(0, last).sizes)
         ]
+
+    def opening(self, shapes: Sequence[Shape], head: Size | None) -> list[Shape]:
+        """Give what sizes a unit takes that begins a sheet: under the corner, unless it is a figure that leaves it."""
+        return [shape if head is None or self._leaves(shape, head) else under(shape, head) for shape in shapes]
+
+    def _leaves(self, shape: Shape, head: Size) -> bool:
+        """Tell whether a figure's heading is clear of the upper left corner."""
+        one = self.shown[next(pieces(shape.tree)).unit]
+        alone = isinstance(shape.tree, Piece) or shape.tree.tied
+        return alone and isinstance(one, Picture) and (shape.size[0] - one.heading) / 2 >= head[0] + CLEAR
 
     def sizes(self, k: int, rungs: Mapping[str, Rung]) -> Sequence[Size]:
         """Give the sizes that one thing can have."""
@@ -63,21 +74,21 @@ class Stock:
         return all(isinstance(one, int) and isinstance(self.shown[one], TextBlock) for one in unit[1:])
 
 
-def nested(tree: Tree, inner: Sequence[Sequence[Shape]], tied: bool = False) -> Tree:
-    """Put the trees of units in the tree that they are the pieces of; behind them stands the corner."""
+def under(shape: Shape, head: Size) -> Shape:
+    """Stand a unit under the upper left corner."""
+    wide, high = shape.size
+    return Shape((max(wide, head[0]), high + GAP + head[1]), Cut(False, Piece(HEAD, 0), shape.tree))
+
+
+def nested(
+    tree: Tree, inner: Sequence[Sequence[Shape]], opening: Sequence[Sequence[Shape]] | None = None, tied: bool = False
+) -> Tree:
+    """Put the trees of units in the tree that they are the pieces of: one opens a sheet, behind them is the corner."""
     if isinstance(tree, Piece):
-        return inner[tree.unit][tree.choice].tree if tree.unit < len(inner) else Piece(CORNER, 0)
-    first, second = nested(tree.first, inner, tied), nested(tree.second, inner, tied)
+        own = inner if opening is None else opening
+        return own[tree.unit][tree.choice].tree if tree.unit < len(inner) else Piece(CORNER, 0)
+    first, second = nested(tree.first, inner, opening, tied), nested(tree.second, inner, None, tied)
     return Cut(tree.beside, first, second, tied and not tree.beside)
-
-
-def members(unit: Unit) -> Iterator[int]:
-    """Give the numbers of all that belongs to a unit, in their order."""
-    if isinstance(unit, int):
-        yield unit
-    else:
-        for one in unit:
-            yield from members(one)
 
 
 def groups(contents: Contents) -> list[Unit]:

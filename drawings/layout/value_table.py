@@ -35,7 +35,7 @@ def rows(
     Left out are the names in `given`, which the scene states, and what stays zero: links that do not turn.
     """
     return [
-        row_by_hand(finding, _name(finding, language), positions, language)
+        row_by_hand(finding, label(finding, language), positions, language)
         for finding in told(comparison, parts)
         if finding.name not in given
     ]
@@ -75,7 +75,8 @@ def row_by_hand(finding: Finding, name: str, positions: tuple[int, ...], languag
     return TableRow(name, tuple(cell for k in positions for cell in _cells_by_hand(finding, k, language)))
 
 
-def _name(finding: Finding, language: str) -> str:
+def label(finding: Finding, language: str) -> str:
+    """Name a finding of a motion as the table does, with its unit: "v_{BA}, m/s"."""
     symbol, index = finding.name.split("_", 1)
     return f"{letter(language, f'{symbol}_{{{index}}}')}, {word(language, finding.unit)}"
 

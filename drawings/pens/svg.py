@@ -16,12 +16,10 @@ from typing import Any
 from xml.etree import ElementTree
 
 from drawings.lettering.alphabet import GAP
-from drawings.lettering.lettering import index_size, pen, text_width
+from drawings.lettering.lettering import pen, text_width
 from drawings.measure.seal import seal
 from drawings.paper.limits import FORMAT
 from drawings.paper.strokes import (
-    LOWERED,
-    RAISED,
     Arc,
     Circle,
     Curve,
@@ -36,6 +34,7 @@ from drawings.paper.strokes import (
     Text,
 )
 from drawings.pens.deferred import deferred
+from drawings.pens.fonts import EM, FONTS, longest, pieces
 from drawings.pens.letters import lettering
 from drawings.pens.names import Attributes, data_of, legal, own_ids
 from drawings.pens.numerals import number, numbers
@@ -46,9 +45,6 @@ with deferred("urllib.request", "svgwrite.data.svgparser"):
     import svgwrite
     from svgwrite import container, path, shapes, text
 
-# Drawing fonts first, then narrow ones: letters of the standard are narrow.
-FONTS = "'GOST type B','osifont','Liberation Sans Narrow','Arial Narrow','DejaVu Sans Condensed',sans-serif"
-EM = 1.4  # a font's size over the height of its capitals: 1.37 to 1.43 in the usual ones
 # The kinds that are measured, and the only stroke that can stand for each.
 BEARERS: dict[str, type[Line] | type[Circle] | type[Curve]] = {
     "vector": Line, "point": Circle, "pole": Circle, "corner": Circle, "profile": Curve,
@@ -176,46 +172,44 @@ def _letters(stroke: Text, height: float) -> Any:
 
 
 def _text(stroke: Text, height: float) -> Any:
-    """Leave a text to the viewer's fonts, as long as our own alphabet would write it where the viewer can do that.
+    """Leave a text to the viewer's fonts: one element, or a group of one for each level, and either says it all."""
+    data = {"data-text": legal(stroke.plain), "aria-label": legal(stroke.plain)}
+    own = [_run(piece, height) for piece in pieces(stroke)]
+    if len(own) == 1:
+        own[0].attribs.update(data)
+        return own[0]
+    group = _element(container.Group, data)
+    group.elements.extend(own)
+    return group
 
-    A font keeps half of the gap between letters free at either end.
+
+def _run(stroke: Text, height: float) -> Any:
+    """Leave a text without levels to the viewer's fonts, as long as our own alphabet would write it.
+
+    A font keeps half of the gap between letters free at either end. Browsers and Inkscape keep to a text's length;
+    librsvg does not know it, so that all is narrowed until the widest font that may be taken keeps to it by itself.
     """
-    plain, free = legal(stroke.plain), GAP / 2 * stroke.size / 10
-    before = {"start": -free, "middle": 0.0, "end": free}[stroke.anchor]
-    place = _at(("x", "y"), stroke.at + before * cmath.rect(1, math.radians(stroke.rotation)), height)
-    own = place | {"font-family": FONTS, "font-size": number(EM * stroke.size), "data-text": plain, "aria-label": plain}
-    if length := text_width(stroke):
-        own |= {"textLength": number(round(length + 2 * free, 2)), "lengthAdjust": "spacingAndGlyphs"}
-    if stroke.anchor != "start":
-        own["text-anchor"] = stroke.anchor
+    free = GAP / 2 * stroke.size / 10
+    place = _at(("x", "y"), stroke.at - free * cmath.rect(1, math.radians(stroke.rotation)), height)
+    own = place | {"font-family": FONTS, "font-size": number(EM * stroke.size)}
+    length = text_width(stroke) + 2 * free
+    narrow = min(1.0, length / longest(stroke))
+    own |= {"textLength": number(round(length / narrow, 2)), "lengthAdjust": "spacingAndGlyphs"}
     if stroke.slanted:
         own["font-style"] = "italic"
-    if stroke.rotation:
-        own["transform"] = f"rotate({number(-stroke.rotation)} {place['x']} {place['y']})"
+    if transforms := list(_transforms(stroke, place, narrow)):
+        own["transform"] = " ".join(transforms)
     element = _element(text.Text, own | _style(stroke.style))
-    element.text = ""
-    level = 0
-    for run in stroke.runs:
-        if run.level == 0 and not element.elements:
-            element.text = run.text
-        else:
-            element.elements.append(_span(run.text, run.level, _rise(run.level) - _rise(level), stroke.size))
-        level = run.level
+    element.text = legal(stroke.plain)
     return element
 
 
-def _rise(level: int) -> float:
-    return {-1: -LOWERED, 0: 0.0, 1: RAISED}[level]
-
-
-def _span(content: str, level: int, rise: float, size: float) -> Any:
-    """Levels are shifted by dy: half of the viewers ignore baseline-shift."""
-    own = {} if rise == 0 else {"dy": number(-rise * size)}
-    if level:
-        own["font-size"] = number(EM * index_size(size))
-    element = _element(text.TSpan, own)
-    element.text = content
-    return element
+def _transforms(stroke: Text, place: Attributes, narrow: float) -> Iterator[str]:
+    """Turn a text, and narrow it, about the place where it begins."""
+    if stroke.rotation:
+        yield f"rotate({number(-stroke.rotation)} {place['x']} {place['y']})"
+    if narrow < 1:
+        yield f"translate({number(float(place['x']) * (1 - narrow))}) scale({number(narrow)} 1)"
 
 
 def _at(names: tuple[str, str], point: complex, height: float) -> Attributes:

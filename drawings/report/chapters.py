@@ -10,6 +10,6 @@ class Chapters(NamedTuple):
     """What one technique tells in the report, in the places that the report gives to all techniques."""
 
     subject: Iterable[str] = ()  # what is studied
-    values: Iterable[str] = ()  # after the comparison of the two roads
-    conditions: Iterable[str] = ()  # how sharply it is determined
+    values: Iterable[str] = ()  # what is found: equations, tables of all positions
+    conditions: Iterable[str] = ()  # how sharply it is determined, after the comparison of the two roads
     left_out: Iterable[str] = ()  # what the sheets leave out

@@ -58,7 +58,7 @@ class Formula:
         return told
 
     def line(self, points: str) -> str:
-        """Write a line by its two points: CB, B1C as B_{1}C."""
+        """Write a point, or a line by its two points: CB, B1C as B_{1}C."""
         return _index(points)
 
     def number(self, value: float) -> str:
@@ -72,7 +72,11 @@ class Formula:
 
     def quantity(self, value: float, unit: str) -> str:
         """Write a number with its unit."""
-        return rf"{self.number(value)}\text{{ {word(self.drafting.language, unit)}}}"
+        return f"{self.number(value)}{self.unit(word(self.drafting.language, unit))}"
+
+    def unit(self, unit: str) -> str:
+        """Write a unit upright after its number, its powers raised."""
+        return _text(f" {unit}").replace("²", r"}^{2}\text{").removesuffix(r"\text{}")
 
 
 def inline(*equals: str) -> str:

@@ -29,7 +29,7 @@ def _line(together: Sequence[Gap]) -> Message:
 def gap_line(key: str, gap: Gap, drive: Drive, language: str) -> str:
     """Tell one gap in the report, by the key of its line, or of a slider that drives by `key_way`."""
     parts = {"plan": gap.plan, "reason": gap.reason, "advice": gap.advice, "position": gap.position}
-    if not drive.turns:
+    if drive.pushed:
         return word(language, f"{key}_way", way=decimal(f"{1000 * drive.unit * gap.phi:.3f}", language), **parts)
     return word(language, key, angle=decimal(f"{math.degrees(gap.phi):.3f}", language), **parts)
 

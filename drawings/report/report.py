@@ -32,8 +32,8 @@ def report(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> str:
     parts = [
         word(language, "report.title", title=study.scene.heading(language), sheets=kinds),
         *(line for one in told for line in one.subject),
-        *_comparison(study.comparisons, language),
         *(line for one in told for line in one.values),
+        *_comparison(study.comparisons, language),
         *(line for one in told for line in one.conditions),
         chapter(language, "left_out"),
         *(line for one in told for line in one.left_out),

@@ -27,7 +27,7 @@ REPORTS: Final[Mapping[str, Report]] = {
         faults="drawings.checks.note.linkage_note:faults",
     ),
     "diagrams": Report(
-        subject="drawings.report.linkage_subject:subject",
+        subject="drawings.report.linkage.linkage_subject:subject",
         chapters="drawings.report.diagrams_report:chapters",
         headline="drawings.report.diagrams_report:headline",
         remarks="drawings.report.diagrams_report:remarks",
@@ -36,7 +36,7 @@ REPORTS: Final[Mapping[str, Report]] = {
     ),
     "forces": Report(
         subject="drawings.report.linkage.linkage_subject:subject",
-        chapters="drawings.report.forces.force_report:chapters",
+        chapters="drawings.note.force_chapters:chapters",
         headline="drawings.report.forces.force_report:headline",
         remarks="drawings.report.forces.force_report:remarks",
         idle="drawings.report.idle:of_forces",

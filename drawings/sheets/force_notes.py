@@ -8,8 +8,10 @@ import numpy as np
 
 from drawings.figures.forces.force_letters import force_letter
 from drawings.lettering.words import number, runs, word
-from drawings.sheets.notes import driving, lengths
+from drawings.sheets.notes import accord, driving, lengths
 from geometry.board import at
+from plans.checks.force_comparison import ForceComparison
+from plans.checks.hand.quantity import SLIP
 from plans.forces.lines import told_line
 from plans.forces.primary import DRIVING
 from plans.forces.statics import Statics
@@ -21,8 +23,8 @@ NBSP = "\N{NO-BREAK SPACE}"
 INDEX = ("friction index", "useful index")  # of powers
 
 
-def notes(statics: Statics, position: int, language: str) -> list[str]:
-    """Write what the sheet says in words: what is given, what the lever carries, what friction takes."""
+def notes(statics: Statics, comparison: ForceComparison, position: int, language: str) -> list[str]:
+    """Write what the sheet says in words: what is given, what the lever carries, what friction takes, both roads."""
     rates = Rates(*statics.study.rates.at(position))
     given = [
         driving(statics.study, rates, language),
@@ -35,6 +37,8 @@ def notes(statics: Statics, position: int, language: str) -> list[str]:
         word(language, "known lines"),
         *_lever(statics, position, language),
         *_friction(statics, position, language),
+        *accord(comparison.exact, comparison.motion.kappa, language),
+        word(language, "force hand note", slip=number(SLIP, language)),
     ]
 
 

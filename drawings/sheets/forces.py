@@ -73,7 +73,7 @@ class _ForceSheet:
     @property
     def draft(self) -> Draft:
         """Title, figures, equations, table and notes of the sheets."""
-        words = notes(self.statics, self.position, self.drafting.language)
+        words = notes(self.statics, self.comparison, self.position, self.drafting.language)
         columns = (one for cut in self.plan.cuts for one in self._column(cut))
         loose = (*self._lever(), *self._loads(), *self._graph(), *self._hodographs())
         title = self.drafting.word("forces sheet title")
@@ -163,7 +163,7 @@ class _ForceSheet:
             return
         curve = self._curve()
         key = "balancing graph" if curve.closed else "balancing swing"
-        key = key if self.study.mechanism.drive.turns else "balancing stroke"
+        key = "balancing stroke" if self.study.mechanism.drive.pushed else key
         curve = curve._replace(title=self.drafting.word(key))
         room = curve_graph.measure(curve, "balancing", self.drafting)
         yield Exhibit(Panel(room), partial(curve_graph.draw, curve, room, drafting=self.drafting))
@@ -176,13 +176,13 @@ class _ForceSheet:
         rows = *self._stations(), share * dense, share * ordinates
         curve = curve_graph.GraphCurve(letter_of(name, self.drafting), unit, rows[1], rows[2], rows[0], rows[3])
         curve = curve._replace(shown=self.chosen)
-        return curve_graph.swing(curve) if drive.turns else curve._replace(axis=curve_graph.WAY)
+        return curve._replace(axis=curve_graph.WAY) if drive.pushed else curve_graph.swing(curve)
 
     def _stations(self) -> tuple[Floats, Floats]:
         """Give the abscissas of the positions, and those of the dense curve: degrees of a turn, metres of a stroke."""
         gone = self.study.sense * (self.forces.phi - self.forces.phi[0])
         whole, drive = np.arange(STEPS + 1) / STEPS, self.study.mechanism.drive
-        if drive.turns:
+        if not drive.pushed:
             return np.degrees(gone) % 360, 360 * whole
         return drive.unit * gone, drive.unit * gone[-1] * whole
 

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
 
+from drawings.figures.diagrams import frame as diagrams
+from drawings.figures.diagrams import kinematic_diagrams
+from drawings.figures.diagrams.diagram_notes import diagram_notes
+from drawings.figures.diagrams.output_table import output_table
 from drawings.figures.linkage import missing_plan, position_plan, vector_plan
 from drawings.figures.linkage.masses import unnamed
 from drawings.figures.linkage.skeleton import Skeletons, skeletons
@@ -22,9 +26,11 @@ from drawings.paper.strokes import Leaf
 from drawings.sheets.choice import plans, position
 from drawings.sheets.leaves import Draft, Exhibit, lay_out
 from drawings.sheets.notes import notes
+from geometry.board import Mark
 from plans.checks.compare import MotionComparison
-from plans.checks.hand.motion import plans_by_hand
-from plans.checks.parts import findings
+from plans.checks.hand.motion import MotionByHand
+from plans.checks.parts import spans
+from plans.diagrams.study import DiagramsStudy
 from plans.linkage.study import LinkageStudy
 from plans.model.order import ORDERS, POSITIONS, VELOCITIES
 from plans.model.structure import formula
@@ -35,12 +41,12 @@ FOREMOST = 1.5  # the plan of positions is doubled though all the others are hal
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
     """Lay out the kinematics sheets of a scene."""
-    return sheets(study["linkage"], study.comparison("linkage"))
+    return sheets(study["linkage"], study.comparison("linkage"), study["diagrams"])
 
 
-def sheets(study: LinkageStudy, comparison: MotionComparison) -> tuple[Leaf, ...]:
+def sheets(study: LinkageStudy, comparison: MotionComparison, output: DiagramsStudy | None = None) -> tuple[Leaf, ...]:
     """Lay out the kinematics sheet, and as many following ones as its figures need to stay readable."""
-    return lay_out(study.scene, [_KinematicsSheet(study, comparison).draft])
+    return lay_out(study.scene, [_KinematicsSheet(study, comparison, output).draft])
 
 
 def sheet(study: LinkageStudy, comparison: MotionComparison) -> Leaf:
@@ -54,6 +60,7 @@ class _KinematicsSheet:
 
     study: LinkageStudy
     comparison: MotionComparison
+    output: DiagramsStudy | None  # None: neither the output's diagrams nor their table are shown
 
     @cached_property
     def drafting(self) -> Drafting:
@@ -63,8 +70,10 @@ class _KinematicsSheet:
     def draft(self) -> Draft:
         """Title, figures, table and notes of the sheets."""
         words = notes(self.study, self.comparison, self.drafting.language)
+        if self.output is not None:
+            words += diagram_notes(self.output, self.drafting)
         title = self.drafting.word("sheet title")
-        shows = (self._main(), *self._plans())
+        shows = (self._main(), *self._plans(), *self._diagrams())
         return Draft("kinematics", title, shows, self._tables(), tuple(words), self._facts, later=self._later)
 
     @cached_property
@@ -101,6 +110,13 @@ class _KinematicsSheet:
         draw = partial(vector_plan.draw, shown, room, drafting=self.drafting)
         return Exhibit(Panel(room, together=str(k), scale=self._shared(subject)), draw)
 
+    def _diagrams(self) -> list[Exhibit]:
+        """The output's diagrams, one under another."""
+        if self.output is None or not self.output.shown:
+            return []
+        room = kinematic_diagrams.measure(self.output, self.drafting)
+        return [Exhibit(Panel(room), partial(kinematic_diagrams.draw, self.output, drafting=self.drafting))]
+
     def _shared(self, subject: str) -> str:
         """Name the common scale of all plans of a kind; each has its own where the scene asks for that."""
         return subject if self.study.scene.sheet.scales == "common" else ""
@@ -108,7 +124,14 @@ class _KinematicsSheet:
     def _diagram(self, subject: str, k: int) -> VectorDiagram:
         drafts = self.study.drafts()
         plan = drafts.velocities if subject == VELOCITIES.plan else drafts.accelerations
-        return diagram(plan, k, unnamed(self.study.scene, self.study.mechanism.links))
+        shown = diagram(plan, k, unnamed(self.study.scene, self.study.mechanism.links))
+        return replace(shown, parts=self._parts)
+
+    @cached_property
+    def _parts(self) -> dict[tuple[Mark, Mark], str]:
+        """The letters of relative vectors and of parts, by their ends on the plans."""
+        found = spans(self.study, self.study.drafts(), self.comparison.analysis)
+        return {(span.start, span.end): name for name, span in found.items()}
 
     def _why(self, subject: str, k: int) -> str:
         """Say in words why a plan is not drawn."""
@@ -118,19 +141,28 @@ class _KinematicsSheet:
         return self.drafting.word("no plan", plan=plan, position=k, reason=reason)
 
     def _tables(self) -> tuple[RuledTable, ...]:
-        """The table of values, without what the scene states."""
-        drive = self.study.mechanism.drive
-        given = {f"{symbol}_{drive.link}" for symbol in "ωε"} if drive.turns else {f"{k}_{drive.end}" for k in "va"}
-        language = self.drafting.language
-        parts = findings(self.study, self.comparison) if self.positions else ()
-        lines = value_table.rows(self.comparison, self.positions, given, language, parts) if self.positions else []
+        """The table of values, without what the scene states, and that of the output's course."""
+        return (
+            *self._values(),
+            *((output_table(self.output, self.drafting),) if self.output and self.output.shown else ()),
+        )
+
+    def _values(self) -> tuple[RuledTable, ...]:
+        """The table of values, if there is anything to tell."""
+        if not self.positions:
+            return ()
+        told, language = self.by_hand, self.drafting.language
+        lines = value_table.rows(self.comparison, self.positions, told.given, language, told.parts)
         return (value_table.table(lines, self.positions, self.drafting),) if lines else ()
 
     def _later(self, spots: Mapping[str, Spot]) -> Callable[[Later], str]:
         """Write what a hand may be out in the table, at the scales of the plans."""
         scales = {name: spot.scale.mu for name, spot in spots.items()}
-        errors = plans_by_hand(self.study, self.comparison, scales, self.positions)
-        return value_table.by_hand(errors, self.drafting.language)
+        return value_table.by_hand(self.by_hand.on_sheet(self.positions, scales), self.drafting.language)
+
+    @cached_property
+    def by_hand(self) -> MotionByHand:
+        return MotionByHand(self.study, self.comparison, self.bones.masses)
 
     def _facts(self, names: Collection[str]) -> dict[str, Any]:
         """Say in the data of a sheet what its figures show."""
@@ -138,5 +170,6 @@ class _KinematicsSheet:
             "structure": formula(self.study.mechanism, self.study.groups),
             "positions": len(self.study.turn),
             "shown": self.shown if POSITIONS.plan in names else None,
+            "diagrams": diagrams.NAME in names,
             "plans": [k for k in self.positions if f"{VELOCITIES.plan}-{k}" in names],
         }

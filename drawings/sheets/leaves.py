@@ -17,7 +17,7 @@ from drawings.layout.picture import SMALLER, Picture, Spot
 from drawings.layout.table import Later, RuledTable
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.page.page import Page, page_of
-from drawings.paper.strokes import Group, Leaf, SheetError
+from drawings.paper.strokes import Group, Leaf
 from drawings.sheets.paragraphs import measure, write
 from drawings.sheets.stated_scales import StatedScales
 from plans.scene.scene import Scene
@@ -117,30 +117,13 @@ class _Leaves:
     @cached_property
     def contents(self) -> Contents:
         """All that the sheets must show, measured."""
-        return self._with(self.scales.panels(self._panels))
-
-    @property
-    def free(self) -> Contents:
-        """The same without the scales that the scene states."""
-        return self._with(self._panels)
-
-    @property
-    def _panels(self) -> tuple[Panel, ...]:
-        return tuple(one.panel for one in self.draft.shows)
-
-    def _with(self, panels: tuple[Panel, ...]) -> Contents:
+        panels = self.scales.panels([one.panel for one in self.draft.shows])
         return Contents(panels, self.draft.tables, measure(self.draft.notes, self.page.hand.text, self.draft.narrow))
 
     @cached_property
     def composed(self) -> Sequence[Composition]:
-        """Compose the sheets; where they have no room it may be for the scales that the scene states."""
-        try:
-            return compose(self.contents, self.page)
-        except SheetError:
-            if self.scales.stated and self.contents != self.free:
-                compose(self.free, self.page)
-                raise self.scales.crowded from None
-            raise
+        """Where all stands, sheet by sheet."""
+        return compose(self.contents, self.page)
 
     @cached_property
     def spots(self) -> Mapping[str, Spot]:
@@ -176,6 +159,8 @@ class _Leaves:
                 "title": self.title,
                 **draft.facts(composed.spots.keys()),
                 **({} if draft.later is None else {"scales": {k: one.scale.mu for k, one in self.spots.items()}}),
+                "notes": composed.notes is not None,
+                "rows": {one.table.name: one.table.rows for one in composed.tables},
                 "number": number,
                 "of": count,
             },

@@ -2,16 +2,25 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
+
 import numpy as np
 
 from drawings.lettering.words import fixed, number, runs, span, word
 from plans.checks.compare import MotionComparison
+from plans.checks.comparison import Finding
+from plans.checks.hand.quantity import SLIP
 from plans.linkage.pressure import interval
 from plans.linkage.study import LinkageStudy
+from plans.model.mechanism import Ram
+from plans.model.motion import Floats
 from plans.model.rates import Rates
 from plans.model.structure import formula, mechanism_class
 from plans.words.words import said as worded
 
+NOISE = 11  # powers of ten: a smaller share of the largest is rounding, which differs from machine to machine
+ALIKE = 1 - 1e-6  # conditions of positions that mirror each other differ by their rounding alone
 MOST_LENGTHS = 16  # of a mechanism with more the report and the scene tell them
 
 
@@ -33,17 +42,41 @@ def notes(study: LinkageStudy, comparison: MotionComparison, language: str) -> l
         low, high = (fixed(float(np.degrees(angle)), language) for angle in (found.low, found.high))
         if low != high:
             said.append(word(language, "pressure", group=group.label, low=low, high=high))
-    return [*said, *_gaps(comparison, language), *_why(study, comparison)]
+    said += [*_gaps(comparison, language), *_why(study, comparison)]
+    both = accord(comparison.findings, comparison.kappa, language)
+    return [*said, *both, word(language, "hand note", slip=number(SLIP, language))] if both else said
+
+
+def accord(findings: Sequence[Finding], kappa: Floats, language: str) -> list[str]:
+    """Say once how far plan and analysis are apart, and where the mechanism is worst conditioned; nothing of gaps."""
+    known = np.flatnonzero(np.isfinite(kappa))
+    if not len(known):
+        return []
+    shares = [float(np.nanmax(one.difference, initial=0.0)) / one.largest for one in findings if one.largest > 0]
+    power = max(math.ceil(math.log10(max(shares, default=0.0) or math.ulp(0.0))), -NOISE)
+    worst = next(int(k) for k in known if kappa[k] >= ALIKE * np.max(kappa[known]))
+    told = number(float(kappa[worst]), language, 2)
+    return [word(language, "accord", share=f"10^{{−{-power}}}" if power else "1", position=worst, kappa=told)]
 
 
 def driving(study: LinkageStudy, rates: Rates, language: str) -> str:
     """Tell how the primary link moves: a crank turns, a slider is pushed over its stroke."""
     drive = study.mechanism.drive
     omega, epsilon = (span(np.ravel(rate) * drive.unit, language) for rate in rates)
-    if drive.turns:
+    if drive.ram is not None:
+        return _cylinder(drive.ram, drive.link, (omega, epsilon), language)
+    if not drive.pushed:
         return word(language, "crank", link=drive.link, omega=omega, epsilon=epsilon)
     ends = (number(1000 * drive.unit * float(phi), language) for phi in study.turn.phi[[0, -1]])
     return word(language, "pushed", point=drive.end, v=omega, a=epsilon, stroke=" … ".join(ends))
+
+
+def _cylinder(ram: Ram, link: int, rates: tuple[str, str], language: str) -> str:
+    """Tell how a cylinder turns the crank."""
+    stroke = " … ".join(number(1000 * way, language) for way in (ram.begin, ram.end))
+    v, a = (number(rate, language) for rate in (ram.speed, ram.acceleration))
+    parts = {"link": link, "omega": rates[0], "epsilon": rates[1], "line": f"{ram.fixed}{ram.point}"}
+    return word(language, "cylinder", stroke=stroke, v=v, a=a, **parts)
 
 
 def lengths(study: LinkageStudy, language: str) -> list[str]:

@@ -8,8 +8,9 @@ from typing import NamedTuple
 
 from drawings.layout.contents import Panel
 from drawings.layout.picture import SMALLER, Picture
-from drawings.layout.room import room_of
-from drawings.page.page import Field, Page
+from drawings.layout.room import corner_of, room_of
+from drawings.layout.slicing import GAP, Size
+from drawings.page.page import Page
 from drawings.page.scale import Scale
 from drawings.paper.strokes import SheetError
 from drawings.sheets.admission import of_scale
@@ -48,12 +49,6 @@ class StatedScales(NamedTuple):
             self._see(name, [one for one in self._pictures(panels) if key_of(self.kind, one.name) == name])
         return tuple(governed)
 
-    @property
-    def crowded(self) -> SheetError:
-        """Say that nothing was composed because of the scales that the scene states."""
-        said = message("refused.scale_crowded", format=self.page.name)
-        return SheetError(of_scale(self.scene, next(iter(self.stated)), said))
-
     def _governed(self, panel: Panel) -> Panel:
         mu = self.stated.get(key_of(self.kind, panel.item.name), 0.0)
         if not (mu and isinstance(panel.item, Picture)):
@@ -81,15 +76,15 @@ class StatedScales(NamedTuple):
             )
 
     @property
-    def _rooms(self) -> tuple[Field, ...]:
-        """The rooms beside and above the title block."""
-        room, block = room_of(self.page), self.page.block
-        return room._replace(bottom=max(room.bottom, block.top)), room._replace(right=min(room.right, block.left))
+    def _rooms(self) -> tuple[Size, ...]:
+        """The rooms beside and above the title block, mm."""
+        room, (wide, high) = room_of(self.page), corner_of(self.page)
+        return (room.width - GAP - wide, room.height), (room.width, room.height - GAP - high)
 
-    def _room(self, size: tuple[float, float]) -> dict[str, str]:
+    def _room(self, size: Size) -> dict[str, str]:
         """Give the room that a figure fits best."""
-        best = max(self._rooms, key=lambda room: min(room.width / size[0], room.height / size[1]))
-        return _millimetres(best.width, best.height, ("across", "up"))
+        best = max(self._rooms, key=lambda room: min(room[0] / size[0], room[1] / size[1]))
+        return _millimetres(*best, ("across", "up"))
 
     def _refused(self, name: str, picture: Picture, why: str, **parts: object) -> SheetError:
         mu, length = self.stated[name], picture.letter == "l"
@@ -99,16 +94,14 @@ class StatedScales(NamedTuple):
 
     def _fitting(self, picture: Picture) -> list[float]:
         """Give the standard scales at which a figure fits and can be read, nearest to what is stated first."""
-        rungs = chain.from_iterable(
-            picture.ladder(room.width, room.height, self.page.standard).rungs for room in self._rooms
-        )
+        rungs = chain.from_iterable(picture.ladder(*room, self.page.standard).rungs for room in self._rooms)
         fit = {rung.scale.mu for rung in rungs if rung.extent >= picture.least * SMALLER}
         mu = self.stated[key_of(self.kind, picture.name)]
         return sorted(sorted(fit, key=lambda one: max(one / mu, mu / one))[:NEAREST])
 
 
-def _holds(room: Field, size: tuple[float, float]) -> bool:
-    return room.width >= size[0] * SMALLER and room.height >= size[1] * SMALLER
+def _holds(room: Size, size: Size) -> bool:
+    return room[0] >= size[0] and room[1] >= size[1]
 
 
 def _millimetres(wide: float, high: float, names: tuple[str, str] = ("wide", "high")) -> dict[str, str]:

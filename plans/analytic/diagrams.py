@@ -7,11 +7,22 @@ from collections.abc import Sequence
 import numpy as np
 
 from plans.analytic.kinematics import Analysis
-from plans.model.diagrams import TURN, Axis, Count, Diagrams
+from plans.model.diagrams import TURN, Axis, Count, Course, Diagrams, axis_of, still, unfollowed
 from plans.model.mechanism import FRAME, Mechanism, Output
 from plans.model.motion import Extremes, Floats, Motion
 
 NODES = 360  # of the axis at least, close enough to follow an angle by
+
+
+def alone(road: Analysis, output: Output, extremes: Extremes | None, motion: Motion, whole: bool) -> Diagrams | None:
+    """Find the diagrams with an axis of its own, as far as the way round goes; None where there are none."""
+    lost = np.isnan(motion.links[output.link].angle)
+    sense = -1 if road.mechanism.drive.omega < 0 else 1
+    axis = axis_of(motion.phi, sense, lost, road.ends, whole)
+    if unfollowed(axis):
+        return None
+    found = diagrams(road, output, extremes, axis, motion)
+    return None if still(found.at, found.count, abs(road.mechanism.drive.omega), output.link) else found
 
 
 def diagrams(road: Analysis, output: Output, extremes: Extremes | None, axis: Axis, motion: Motion) -> Diagrams:
@@ -19,31 +30,29 @@ def diagrams(road: Analysis, output: Output, extremes: Extremes | None, axis: Ax
 
     v over a part is the way over it by its time, a between two parts what v gains from middle to middle by that time.
     """
-    drive, far = road.mechanism.drive, _Way(road, output, axis, float(motion.phi[0]))
-    omega = abs(drive.omega)
-    count = _count(far, extremes, axis)
-    at = count.course(
-        axis.turned, far.followed(axis.turned, _rows(road.mechanism, output, motion, axis.numbers)), omega
-    )
+    drive = road.mechanism.drive
+    far = ExactCourse(road, output, axis, float(motion.phi[0]), extremes)
+    omega, lead = abs(drive.omega), drive.epsilon / drive.omega
+    own = far.followed(axis.turned, _rows(road.mechanism, output, motion, axis.numbers))
+    at = far.count.course(axis.turned, own, omega)
     speeds = _rates(at.s, axis.turned, omega, axis.joined)
-    lead = drive.epsilon / drive.omega
     return Diagrams(
         by="analysis",
         axis=axis,
-        count=count,
+        count=far.count,
         lead=lead,
         at=at,
         speeds=speeds,
         growths=_gains(speeds, axis, omega),
-        true_speeds=np.where(axis.joined, count.course(axis.middles, far.at(axis.middles), omega).v, np.nan),
-        true_growths=np.where(axis.between, count.course(axis.places, far.at(axis.places), omega).even(lead), np.nan),
+        true_speeds=np.where(axis.joined, far.course(axis.middles).v, np.nan),
+        true_growths=np.where(axis.between, far.course(axis.places).even(lead), np.nan),
     )
 
 
-class _Way:
+class ExactCourse:
     """The output's coordinate over an axis by analysis, an angle followed from node to node."""
 
-    def __init__(self, road: Analysis, output: Output, axis: Axis, first: float) -> None:
+    def __init__(self, road: Analysis, output: Output, axis: Axis, first: float, extremes: Extremes | None) -> None:
         self.road, self.output, self.axis = road, output, axis
         self.first = first  # rad: the crank angle at which the road looks for the sketch's assembly
         self.nodes = axis.fine(NODES)
@@ -51,6 +60,11 @@ class _Way:
         self.turns = _slide_of(road.mechanism, output) is None
         if self.turns:
             self.along = np.unwrap(self.along)
+        self.count = self._count(extremes)
+
+    def course(self, turned: Floats) -> Course:
+        """Give the course at angles of the axis, (N,), counted as the diagrams do; NaN at NaN."""
+        return self.count.course(turned, self.at(turned), abs(self.road.mechanism.drive.omega))
 
     def at(self, turned: Floats, followed: bool = True) -> list[Floats]:
         """Give the coordinate, its velocity and acceleration at angles of the axis, (N,) each; NaN at NaN."""
@@ -69,18 +83,16 @@ class _Way:
             first = first + TURN * np.round((np.interp(turned, self.nodes, self.along) - first) / TURN)
         return [first, *rest]
 
-
-def _count(far: _Way, extremes: Extremes | None, axis: Axis) -> Count:
-    """Count from where the working stroke begins, in its sense; else an even turn aside, or from the least."""
-    if extremes is not None:
-        begun, ended = extremes.reach
-        aside = (
-            0.0 if not far.turns else np.round((np.ptp(far.along) / 2 + far.along.min() - (begun + ended) / 2) / TURN)
-        )
-        return Count(begun + TURN * float(aside), float(np.sign(ended - begun)))
-    net = float(np.round((far.along[-1] - far.along[0]) / TURN)) if far.turns and axis.closed else 0.0
-    at = far.at(axis.turned)[0]
-    return Count(float(np.mean((at - net * axis.turned)[:-1])), 1.0, net) if net else Count(float(np.nanmin(at)))
+    def _count(self, extremes: Extremes | None) -> Count:
+        """Count from where the working stroke begins, in its sense; else an even turn aside, or from the least."""
+        along, axis = self.along, self.axis
+        if extremes is not None:
+            begun, ended = extremes.reach
+            middle = (along.max() + along.min() - begun - ended) / 2 if self.turns else 0.0
+            return Count(begun + TURN * float(np.round(middle / TURN)), float(np.sign(ended - begun)))
+        net = float(np.round((along[-1] - along[0]) / TURN)) if self.turns and axis.closed else 0.0
+        at = self.at(axis.turned)[0]
+        return Count(float(np.mean((at - net * axis.turned)[:-1])), 1.0, net) if net else Count(float(np.nanmin(at)))
 
 
 def _slide_of(mechanism: Mechanism, output: Output) -> tuple[complex, complex, str] | None:

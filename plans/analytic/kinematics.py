@@ -83,6 +83,11 @@ class Analysis:
         """Find the output's extreme positions on the way round."""
         return extremes(self.shape, output, self.looks, self._turn)
 
+    @property
+    def ends(self) -> tuple[float, ...]:
+        """The crank angles, rad, beyond which the positions that were solved last cannot go on."""
+        return tuple(end.singular for end in self._turn.ends) if self._turn else ()
+
     def poses(self, motion: Motion) -> Floats:
         """Read the poses of all links off either road's motion, (N, links, 3); NaN at gaps."""
         poses = np.zeros((len(motion.phi), len(self.constraints.numbers), 3))

@@ -17,6 +17,7 @@ from geometry.meet import EPS
 from geometry.precision import condition, errors
 from plans.analytic.kinematics import Analysis
 from plans.checks.comparison import Comparison, Finding
+from plans.checks.ram_law import law
 from plans.linkage.drafts import Drafts
 from plans.linkage.margin import margins
 from plans.linkage.study import LinkageStudy
@@ -73,6 +74,8 @@ def compare(study: LinkageStudy, order: int = 2) -> MotionComparison:
     for k in range(order + 1):
         findings += _points(study, drafts, k, drawn, solved, kappa)
         findings += _links(drafts, k, drawn, solved, kappa)
+    if study.mechanism.drive.ram is not None:
+        findings += law(study, solved, kappa, order)
     return MotionComparison(drawn, solved, cap(study, findings), kappa, road)
 
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from geometry.calculus import ROUNDINGS
 from geometry.meet import EPS
-from plans.analytic.diagrams import diagrams
+from plans.analytic.diagrams import ExactCourse, diagrams
 from plans.checks.compare import ANALYSIS, MotionComparison, compare
 from plans.checks.comparison import Comparison, Finding
 from plans.diagrams.chords import DIAGRAMS
@@ -34,6 +34,7 @@ class DiagramsComparison(Comparison):
     construction: Diagrams
     analysis: Diagrams
     findings: tuple[Finding, ...]
+    exact: ExactCourse  # the output's course anywhere on the axis, by analysis
 
 
 class NoDiagrams:
@@ -50,9 +51,11 @@ def comparison_of(study: Study) -> Comparison:
     if ours is None:
         return Comparison(NoDiagrams(), NoDiagrams(), ())
     motion = motion_of(study)
-    extremes = motion.road.extremes(own.linkage.output)
-    theirs = diagrams(motion.road, own.linkage.output, extremes, ours.axis, motion.analysis)
-    return DiagramsComparison(ours, theirs, tuple(_Bounds(own, ours, theirs, motion).findings()))
+    output, road = own.linkage.output, motion.road
+    extremes = road.extremes(output)
+    theirs = diagrams(road, output, extremes, ours.axis, motion.analysis)
+    exact = ExactCourse(road, output, ours.axis, float(motion.analysis.phi[0]), extremes)
+    return DiagramsComparison(ours, theirs, tuple(_Bounds(own, ours, theirs, motion).findings()), exact)
 
 
 def motion_of(study: Study) -> MotionComparison:

@@ -5,11 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from plans.analytic.diagrams import alone
 from plans.checks.diagrams_comparison import LETTERS
+from plans.checks.motion_numbers import solved
 from plans.checks.plain_numbers import plain
 from plans.diagrams.study import DiagramsStudy
-from plans.model.diagrams import Diagrams
-from plans.words.words import Message
+from plans.linkage.travel import frame_slide
+from plans.model.diagrams import FEWEST, Diagrams
+from plans.model.order import ACCELERATIONS
+from plans.words.words import Message, message
 
 if TYPE_CHECKING:
     from plans.study import Study
@@ -47,8 +51,17 @@ def numbers(study: Study, by: str) -> DiagramsNumbers:
     """Find the diagrams of a scene by a road (row of the table of techniques)."""
     own: DiagramsStudy = study["diagrams"]
     link = own.linkage.output.link
-    if not own.shown:
-        return DiagramsNumbers(None, own.left_out if own.wanted else None, link, LETTERS[True])
-    letters = LETTERS[own.course.travel.sliding]
-    found = own.diagrams if by == "construction" else study.comparison("diagrams").analysis
-    return DiagramsNumbers(found, None, link, letters)
+    if not own.wanted or own.unfit:
+        return DiagramsNumbers(None, own.unfit if own.wanted else None, link, LETTERS[True])
+    letters = LETTERS[frame_slide(own.linkage.mechanism, link) is not None]
+    if by == "construction":
+        return DiagramsNumbers(own.diagrams, own.left_out, link, letters)
+    found = analysed(own)
+    left_out = None if found is not None else message("diagrams.few", least=FEWEST)
+    return DiagramsNumbers(found, left_out, link, letters)
+
+
+def analysed(own: DiagramsStudy) -> Diagrams | None:
+    """Find the diagrams by analysis alone."""
+    motion, extremes, road = solved(own.linkage, ACCELERATIONS.number, True)
+    return alone(road, own.linkage.output, extremes, motion, own.whole)

@@ -18,7 +18,6 @@ from plans.checks.comparison import Comparison, Finding
 from plans.checks.equilibrium import BALANCING, Bounds, acting, balances, power
 from plans.forces.cut import INERTIA, Support, indices
 from plans.forces.force_template import ForcePlans
-from plans.forces.loading import loading
 from plans.forces.primary import BALANCING as BALANCED
 from plans.forces.primary import DRIVING, BalancingQuantity, balancing_quantity
 from plans.forces.statics import Statics
@@ -31,6 +30,7 @@ if TYPE_CHECKING:
     from plans.study import Study
 
 ORDER = 3  # forces magnify the analysis's rounding once more than the accelerations that they rest on
+ENERGY = "energy"  # by what a finding of the balancing moment is told that no road of its own finds
 
 
 @dataclass(frozen=True)
@@ -44,6 +44,11 @@ class ForceComparison(Comparison):
     friction: tuple[Friction, Friction] | None = None  # by construction and by analysis, where there are coefficients
 
     @property
+    def exact(self) -> tuple[Finding, ...]:
+        """The findings of forces but for the energy's, which is found by differences of positions."""
+        return tuple(one for one in self.of(FORCES) if not one.name.endswith(ENERGY))
+
+    @property
     def agrees(self) -> bool:
         """Whether both roads find the same forces over the same motion."""
         return super().agrees and self.motion.agrees
@@ -54,7 +59,7 @@ def compare_forces(statics: Statics, motion: MotionComparison) -> ForceCompariso
     """Compare the forces of a study whose motion is compared."""
     machine, study = statics.machine, statics.study
     found = statics.over(motion.road.extremes)
-    loads = loading(machine, motion.analysis, found)
+    loads = statics.loading_over(motion.analysis, found)
     theirs = kinetostatics(motion.road, machine, motion.analysis, loads, statics.pairs)
     ours = statics.forces
     both = ForceFindings(statics, motion, ours, theirs)
@@ -160,7 +165,7 @@ class ForceFindings:
         off, largest = self.off(plan.balancing), self._largest_moment
         stored = energy_balance(self.motion.road, machine, self.motion.analysis, loads)
         judged = np.where(np.isnan(stored.moment), ours.moment, stored.moment)  # NaN: not judged
-        one = self._told_by("energy", (ours.moment, judged), off, largest)
+        one = self._told_by(ENERGY, (ours.moment, judged), off, largest)
         more = self._told.share * np.where(np.isfinite(stored.allowed), stored.allowed, 0.0)
         return one._replace(allowed=one.allowed + more)
 
@@ -168,7 +173,7 @@ class ForceFindings:
     def _largest_moment(self) -> float:
         mechanism = self.statics.study.mechanism
         crank = mechanism.links[mechanism.drive.link].points.values()
-        arm = max(map(abs, crank)) if mechanism.drive.turns else mechanism.drive.unit
+        arm = mechanism.drive.unit if mechanism.drive.pushed else max(map(abs, crank))
         return max(largest_of([np.abs(self.ours.balancing.moment)]), self.largest * arm)
 
     def sums(self) -> Iterator[Finding]:

@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 
 from plans.checks.motion_numbers import MotionNumbers
 from plans.checks.plain_numbers import gap_numbers, pairs, plain
-from plans.forces.loading import loading
 from plans.forces.statics import Statics
 from plans.model.kinetostatics import Kinetostatics, Reaction
 from plans.model.losses import Friction
@@ -68,7 +67,7 @@ def _analysed(statics: Statics, below: MotionNumbers, rubs: bool) -> tuple[Kinet
 
     road, motion, machine = below.road, below.motion, statics.machine
     assert road is not None  # the motion was found by analysis too
-    loads = loading(machine, motion, statics.over(road.extremes))
+    loads = statics.loading_over(motion, statics.over(road.extremes))
     solved = kinetostatics(road, machine, motion, loads, statics.pairs)
     if not rubs:
         return solved, None

@@ -82,7 +82,7 @@ def numbers(study: Study, by: str) -> MotionNumbers:
     order = ACCELERATIONS.number if borne else max(orders, default=0)
     datum = complex(*(float(x) for x in linkage.mechanism.datum))
     told = linkage.form.drive.first is None or (study.chosen and EXTREMES in study.plans)
-    found = (_analysed if by == "analysis" else _constructed)(linkage, order, told)
+    found = (solved if by == "analysis" else _constructed)(linkage, order, told)
     return MotionNumbers(study.scene.heading(), datum, found[0], found[1], orders, found[2])
 
 
@@ -92,7 +92,7 @@ def _constructed(study: LinkageStudy, order: int, told: bool) -> tuple[Motion, E
     return motion, found.extremes if found else None, None
 
 
-def _analysed(study: LinkageStudy, order: int, told: bool) -> tuple[Motion, Extremes | None, Analysis]:
+def solved(study: LinkageStudy, order: int, told: bool) -> tuple[Motion, Extremes | None, Analysis]:
     """Solve by analysis alone: a start at an extreme is found by analysis too."""
     road = road_of(study)
     extremes = road.extremes(study.output) if told or not road.first else None

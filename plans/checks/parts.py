@@ -1,14 +1,15 @@
-"""The parts of velocities and accelerations by both roads: relative, normal, tangential, Coriolis (составляющие).
+"""The parts of velocities and accelerations by both roads: relative, normal, tangential, Coriolis; of mass centres.
 
 The construction's are vectors between two marks of its plans; the analysis gives each by its own formula, from omega
-and epsilon of the link and the places of its points (M3.1).
+and epsilon of the link and the places of its points (M3.1) (составляющие).
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import NamedTuple
+from types import MappingProxyType
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -24,8 +25,10 @@ from plans.linkage.primary import PRIMARIES
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
 from plans.model.motion import Complexes, Floats, Motion
-from plans.model.order import ACCELERATIONS, VELOCITIES, Order
+from plans.model.order import ACCELERATIONS, ORDERS, VELOCITIES, Order
 
+Masses: TypeAlias = Mapping[str, tuple[int, complex]]
+NONE: Masses = MappingProxyType({})
 NORMAL, TANGENTIAL, CORIOLIS, RELATIVE = "n", "t", "k", "r"
 
 
@@ -45,11 +48,14 @@ class Part(NamedTuple):
     analysis: Complexes
 
 
-def findings(study: LinkageStudy, comparison: MotionComparison) -> tuple[Finding, ...]:
-    """Compare the parts of all velocities and accelerations over the positions of a study, (N,) m/s or m/s2."""
+def findings(study: LinkageStudy, comparison: MotionComparison, masses: Masses = NONE) -> tuple[Finding, ...]:
+    """Compare the parts of all velocities and accelerations over the positions of a study, (N,) m/s or m/s2.
+
+    `masses` are the mass centres that no point names, by their letters: link, and place in its own frame.
+    """
     drafts, made = study.drafts(), comparison.construction
     gone = np.any([np.isnan(point[made.order]) for point in made.points.values()], axis=0)
-    parts = _Parts(study, drafts, comparison.analysis).all()
+    parts = _Parts(study, drafts, comparison.analysis, masses).all()
     bounds = errors(*(mark for part in parts for mark in part.span))
     told = []
     for part in parts:
@@ -63,9 +69,9 @@ def findings(study: LinkageStudy, comparison: MotionComparison) -> tuple[Finding
     return tuple(told)
 
 
-def spans(study: LinkageStudy, drafts: Drafts, motion: Motion) -> dict[str, Span]:
+def spans(study: LinkageStudy, drafts: Drafts, motion: Motion, masses: Masses = NONE) -> dict[str, Span]:
     """Give where the plans of some positions show each part, by its letters."""
-    return {part.name: part.span for part in _Parts(study, drafts, motion).all()}
+    return {part.name: part.span for part in _Parts(study, drafts, motion, masses).all()}
 
 
 def carried_from(line: Mark, direction: Mark) -> bool:
@@ -80,6 +86,7 @@ class _Parts:
     study: LinkageStudy
     drafts: Drafts
     motion: Motion
+    masses: Masses
 
     def all(self) -> list[Part]:
         """List the parts, each once, in the order in which the plans are drawn."""
@@ -87,7 +94,18 @@ class _Parts:
         vectors = list(PRIMARIES[mechanism.drive.kind].vectors(mechanism))
         for group in self.study.groups:
             vectors += KINDS[group.kind].vectors(group)
-        return list({part.name: part for vector in vectors for part in self._of(vector)}.values())
+        told = [*self._centres(), *(part for vector in vectors for part in self._of(vector))]
+        return list({part.name: part for part in told}.values())
+
+    def _centres(self) -> Iterator[Part]:
+        """Tell mass centres by the first point of their link."""
+        for order in ORDERS[1:]:
+            plan = self.drafts.plan(order.number)
+            for name, (link, own) in self.masses.items():
+                span = Span(plan.pole, plan.place(link, own, plan.letter(name)))
+                origin, first = next(iter(self.study.mechanism.links[link].points.items()))
+                turned = (own - first) * np.exp(1j * self._rate(link, 0))
+                yield Part(order, f"{order.point.symbol}_{name}", span, self._over(link, origin, turned, order.number))
 
     def _of(self, vector: Vector) -> Iterator[Part]:
         match vector:
@@ -166,7 +184,10 @@ class _Parts:
     def _carried(self, link: int, pin: str, order: int) -> Complexes:
         """Give velocity or acceleration of the point of a link that lies under a pin."""
         origin = next(name for name in self.study.mechanism.links[link].points if name in self.motion.points)
-        arm = self._at(pin, 0) - self._at(origin, 0)
+        return self._over(link, origin, self._at(pin, 0) - self._at(origin, 0), order)
+
+    def _over(self, link: int, origin: str, arm: Complexes, order: int) -> Complexes:
+        """Give velocity or acceleration of the end of an arm that a link turns about one of its points."""
         omega, epsilon = self._rate(link, 1), self._rate(link, 2)
         turning = 1j * omega * arm if order == 1 else (1j * epsilon - omega**2) * arm
         return np.asarray(self._at(origin, order) + turning)

@@ -27,9 +27,11 @@ UNITS = {DIAGRAMS: ""}  # abscissas are angles, ordinates what is drawn over the
 def marks(study: Study, position: int, name: str) -> Explanation | NoMark:
     """Give the steps behind v by the chord from a position to the next, or behind a by the chords on both its sides."""
     own: DiagramsStudy = study["diagrams"]
-    asked, names = TURNING.get(name, name), (SPEED, GROWTH)
-    if own.left_out is not None or asked not in names:
-        return NoMark(() if own.left_out else names, None, () if own.left_out else names[:1])
+    asked = TURNING.get(name, name)
+    if asked not in (SPEED, GROWTH):
+        return NoMark((SPEED, GROWTH), None, () if own.unfit else (SPEED,))
+    if own.left_out is not None:
+        raise UnknownMark(message("mark.undrawn", mark=name, why=own.left_out))
     wanted = motion.position_of(own.linkage, position)
     found = own.drawn
     edge = found.axis.numbers.index(wanted) if wanted in found.axis.numbers else -1

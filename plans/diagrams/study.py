@@ -8,14 +8,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from plans.diagrams.axis import axis_of
 from plans.diagrams.chords import DIAGRAMS, Chords
 from plans.diagrams.course import OutputCourse
 from plans.diagrams.form import DiagramsForm
 from plans.linkage.study import LinkageStudy
-from plans.linkage.travel import STILL
-from plans.model.diagrams import FEWEST, MOST, Axis, Count, Course, Diagrams
-from plans.model.mechanism import CRANK
+from plans.model.diagrams import MOST, Axis, Diagrams, axis_of, still, unfollowed
 from plans.model.motion import Floats
 from plans.model.order import ORDERS
 from plans.words.words import Message, message
@@ -39,7 +36,14 @@ class DiagramsStudy:
     @cached_property
     def axis(self) -> Axis:
         """The positions in the order in which the crank passes them."""
-        return axis_of(self.linkage)
+        study = self.linkage
+        edges = [edge for barrier in study.barriers for edge in (barrier.start, barrier.end)]
+        return axis_of(study.turn.phi, study.sense, study.lost, edges, self.whole)
+
+    @property
+    def whole(self) -> bool:
+        """Whether the scene divides a whole turn evenly."""
+        return isinstance(self.linkage.form.drive.positions, int)
 
     @cached_property
     def course(self) -> OutputCourse:
@@ -58,10 +62,28 @@ class DiagramsStudy:
         first, second, third = ((order.point if sliding else order.link).unit for order in ORDERS)
         return first, second, third
 
+    @property
+    def counted(self) -> str:
+        """From what the output's way is counted: a working stroke, its least value, or an even turn."""
+        if self.linkage.extreme_positions is not None:
+            return "working"
+        return "ahead" if self.course.count.turns else "least"
+
     @cached_property
     def left_out(self) -> Message | None:
         """Say why there are no diagrams; None where there are some."""
-        return _unfit(self.linkage) or self._unfollowed() or self._still()
+        found = self.unfit or unfollowed(self.axis)
+        return found or still(self.course.positions, self.course.count, self.course.omega, self.linkage.output.link)
+
+    @property
+    def unfit(self) -> Message | None:
+        """See that one scale of time holds for all positions, and that they can be drawn."""
+        drive = self.linkage.mechanism.drive
+        if not drive.turns:
+            return message("diagrams.drive")
+        if self.linkage.pace is not None or drive.omega == 0:
+            return message("diagrams.paced" if self.linkage.pace else "diagrams.rest")
+        return message("diagrams.many", most=MOST) if self.linkage.form.drive.count > MOST else None
 
     @property
     def shown(self) -> bool:
@@ -91,29 +113,6 @@ class DiagramsStudy:
             true_speeds=speeds,
             true_growths=growths,
         )
-
-    def _unfollowed(self) -> Message | None:
-        """See that enough positions follow one another."""
-        longest = max((run.stop - run.start for run in self.axis.runs), default=0)
-        return message("diagrams.few", least=FEWEST) if longest < FEWEST else None
-
-    def _still(self) -> Message | None:
-        """See that the output moves, and not evenly with the crank."""
-        course: Course = self.course.positions
-        if np.nanmax(np.abs(course.v)) > STILL * self.course.omega:
-            return None
-        count: Count = self.course.count
-        return message("diagrams.even" if count.turns else "diagrams.still", link=self.linkage.output.link)
-
-
-def _unfit(study: LinkageStudy) -> Message | None:
-    """See that one scale of time holds for all positions, and that they can be drawn."""
-    drive = study.mechanism.drive
-    if drive.kind != CRANK:
-        return message("diagrams.drive")
-    if study.pace is not None or drive.omega == 0:
-        return message("diagrams.paced" if study.pace else "diagrams.rest")
-    return message("diagrams.many", most=MOST) if len(study.turn) > MOST else None
 
 
 def _where(there: np.ndarray, values: Floats) -> Floats:

@@ -28,7 +28,7 @@ class BalancingQuantity(NamedTuple):
 
 def balancing_quantity(drive: Drive) -> BalancingQuantity:
     """Give what is told of a drive: the moment on the shaft of a crank, the force along the guide of a slide."""
-    return BalancingQuantity(BALANCING, "N*m") if drive.turns else BalancingQuantity(DRIVING, "N", 1.0 / drive.unit)
+    return BalancingQuantity(DRIVING, "N", 1.0 / drive.unit) if drive.pushed else BalancingQuantity(BALANCING, "N*m")
 
 
 def primary(plan: ForcePlan) -> Cut:

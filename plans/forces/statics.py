@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from plans.forces.cylinder import driven
 from plans.forces.force_drawing import ForceDrawing
 from plans.forces.force_template import ForcePattern, ForcePlans
 from plans.forces.lines import check_lines
@@ -170,7 +171,11 @@ class Statics:
 
     def loading(self, motion: Motion) -> Loading:
         """Give the loads at the positions of a motion."""
-        return loading(self.machine, motion, self.strokes)
+        return self.loading_over(motion, self.strokes)
+
+    def loading_over(self, motion: Motion, strokes: Mapping[Track, Stroke]) -> Loading:
+        """Give the loads at the positions of a motion of either road, with the strokes that it finds."""
+        return driven(self.study.mechanism, self.machine, motion, loading(self.machine, motion, strokes))
 
     @cached_property
     def pattern(self) -> ForcePattern | ForceDrawing:

@@ -16,6 +16,6 @@ def told_at(key: str, drive: Drive, phi: float, /, **parts: object) -> Message:
     >>> told_at("explain.title", Drive(1, "O", "A", 1.0, 0.0), 0.5, mark="B", position=1).worded("en")
     'B in position 1 (φ = 28.6479°)'
     """
-    if drive.turns:
+    if not drive.pushed:
         return message(key, angle=f"{np.degrees(phi):.{PLACES}f}", **parts)
     return message(f"{key}_way", way=f"{1000 * drive.unit * phi:.{PLACES}f}", **parts)

@@ -19,6 +19,7 @@ from plans.linkage.crank_positions import CrankPositions, even, from_direction, 
 from plans.linkage.drafts import Drafts
 from plans.linkage.extreme import ExtremePositions, extremes, output
 from plans.linkage.obstruction import obstruction
+from plans.linkage.primaries import ram
 from plans.linkage.reading.form import LinkageForm
 from plans.linkage.reading.linkage import mechanism_of
 from plans.linkage.sketch import Assembly, SketchError, assembly
@@ -56,7 +57,7 @@ class LinkageStudy:
     """A scene with its mechanism, groups, assembly, turn and plans; nothing is made before it is asked for."""
 
     def __init__(self, scene: Scene, plans: Collection[str] = ALL, pace: Pace | None = None) -> None:
-        self.scene, self.pace = scene, pace  # None: the drive turns as the scene says
+        self.scene, self._pace = scene, pace  # None: the drive moves as the scene says
         self.plans = plans  # what is asked for, by its name
         self.form = scene.of(LinkageForm)
         self.made: dict[str, None] = {}  # what was made, in order: the sheet's account of what it left out
@@ -102,6 +103,13 @@ class LinkageStudy:
     def sense(self) -> int:
         """Sense of rotation: +1 counter-clockwise, -1 clockwise."""
         return -1 if self.mechanism.drive.omega < 0 else 1
+
+    @property
+    def pace(self) -> Pace | None:
+        """The rates of the drive at its coordinate: another technique's, or those of a cylinder; None: steady ones."""
+        if self._pace is not None or self.mechanism.drive.ram is None:
+            return self._pace
+        return ram.pace(self.mechanism)
 
     @property
     def rates(self) -> Rates:
@@ -193,7 +201,10 @@ class LinkageStudy:
     def _stroke(self, steps: int) -> CrankPositions:
         told = self.form.drive.stroke
         assert told is not None  # asked only of a stroke
-        return stroke(Fraction(told.from_), Fraction(told.to), steps, self.mechanism.drive.unit)
+        ends = Fraction(told.from_), Fraction(told.to)
+        if self.mechanism.drive.ram is not None:
+            return ram.positions(self.mechanism, stroke(*ends, steps, 1.0).phi)
+        return stroke(*ends, steps, self.mechanism.drive.unit)
 
     def no_extreme(self) -> Message:
         """Say why the output has no extreme positions."""

@@ -15,9 +15,12 @@ import numpy as np
 import numpy.typing as npt
 
 from plans.model.motion import Floats, Gap
+from plans.words.words import Message, message
 
 TURN = 2 * math.pi
 FEWEST = 4  # positions in a row: two chords of chords, so that there is a course of a
+STILL = 1e-12  # m/s or rad/s with the crank at 1 rad/s: an output that is slower stands, but for roundings
+ROUNDED = 1e-9  # rad: far more than a rounding of an angle, and far less than two positions are apart
 MOST = 360  # positions: of more a chord is shorter than the line it is drawn with
 
 
@@ -85,9 +88,14 @@ class Axis(NamedTuple):
 
     def fine(self, count: int) -> Floats:
         """Divide the parts that the crank passes, each evenly, into so many of a turn at least; rad, rising."""
-        shares = np.linspace(0.0, 1.0, 1 + max(2, math.ceil(count / max(len(self.joined), 1))))
-        parts = self.turned[:-1, None] + np.diff(self.turned)[:, None] * shares
-        return np.unique(parts[self.joined])
+        return np.concatenate([np.zeros(0), *self.nodes(count)])
+
+    def nodes(self, count: int) -> tuple[Floats, ...]:
+        """Divide each run of positions so; the positions themselves are among the nodes."""
+        shares = np.linspace(0.0, 1.0, 1 + max(2, math.ceil(count / max(len(self.joined), 1))))[:-1]
+        turned = [self.turned[run] for run in self.runs]
+        parts = (own[:-1, None] + np.diff(own)[:, None] * shares for own in turned)
+        return tuple(np.append(row.ravel(), own[-1]) for row, own in zip(parts, turned, strict=True))
 
     @property
     def runs(self) -> tuple[slice, ...]:
@@ -123,3 +131,44 @@ class Diagrams:
     def unanswered(self) -> tuple[Gap, ...]:
         """No gaps of its own: they are those of the plans."""
         return ()
+
+
+def axis_of(
+    phi: Floats, sense: int, lost: npt.NDArray[np.bool_], barred: Sequence[float] = (), whole: bool = False
+) -> Axis:
+    """Put positions at crank angles phi rad, (N,), in order, from after the widest stretch in which none is reached.
+
+    The positions of a `whole` turn that is free are a closed row. `barred` are the angles beyond which the crank cannot
+    pass; `lost` positions are not reached.
+    """
+    if lost.all():
+        return Axis((), np.zeros(0), np.zeros(0, dtype=bool), False)
+    ahead = np.mod(sense * (phi - phi[0]) + ROUNDED, TURN) - ROUNDED
+    order = np.argsort(ahead, kind="stable")
+    if whole and not lost.any() and not len(barred):
+        row, start = (*order.tolist(), int(order[0])), float(phi[0])
+        return Axis(row, np.append(ahead[order], TURN), np.ones(len(order), dtype=bool), True, start)
+    turned = ahead[order]
+    held = np.flatnonzero(~lost[order])
+    apart = np.diff(turned[held], prepend=turned[held[-1]] - TURN)
+    first, last = int(held[np.argmax(apart)]), int(held[np.argmax(apart) - 1])
+    count = (last - first) % len(order) + 1
+    numbers, turned = np.roll(order, -first)[:count], np.roll(turned, -first)[:count]
+    turned = np.mod(turned - turned[0], TURN)
+    joined = np.asarray(~lost[numbers[:-1]] & ~lost[numbers[1:]])
+    for spot in (np.mod(sense * (edge - phi[numbers[0]]), TURN) for edge in barred):
+        joined &= ~((turned[:-1] < spot) & (spot < turned[1:]))
+    return Axis(tuple(numbers.tolist()), turned, joined, False, float(phi[numbers[0]]))
+
+
+def unfollowed(axis: Axis) -> Message | None:
+    """See that enough positions follow one another."""
+    longest = max((run.stop - run.start for run in axis.runs), default=0)
+    return message("diagrams.few", least=FEWEST) if longest < FEWEST else None
+
+
+def still(course: Course, count: Count, omega: float, link: int) -> Message | None:
+    """See that the output moves, and not evenly with the crank, which turns with omega > 0."""
+    if np.nanmax(np.abs(course.v), initial=0.0) > STILL * omega:
+        return None
+    return message("diagrams.even" if count.turns else "diagrams.still", link=link)

@@ -62,6 +62,23 @@ class Slide:
 
 
 @dataclass(frozen=True, slots=True)
+class Ram:
+    """A cylinder (гидроцилиндр) between a fixed point and a point of the crank, whose length m is the drive's law.
+
+    It goes from one length to another at a speed m/s and an acceleration m/s2 of their distance; `side` is +1 where the
+    crank's hinge lies to the left of the way from the fixed point to the crank's.
+    """
+
+    fixed: str
+    point: str
+    begin: float
+    end: float
+    speed: float
+    acceleration: float
+    side: float
+
+
+@dataclass(frozen=True, slots=True)
 class Drive:
     """The drive (привод): the crank's number, fixed hinge, far end, angular velocity rad/s and acceleration rad/s2.
 
@@ -77,11 +94,17 @@ class Drive:
     kind: str = CRANK  # of primary link
     guide: Slide | None = None  # the slide that is pushed along
     unit: float = 1.0  # m; of a crank a radian
+    ram: Ram | None = None  # the cylinder that turns the crank
+
+    @property
+    def pushed(self) -> bool:
+        """Whether a slide is pushed along."""
+        return self.guide is not None
 
     @property
     def turns(self) -> bool:
-        """Whether its coordinate comes round: that of a slide does not."""
-        return self.guide is None
+        """Whether its coordinate comes round: that of a slide, or of a crank that a cylinder drives, does not."""
+        return self.guide is None and self.ram is None
 
 
 @dataclass(frozen=True, slots=True)

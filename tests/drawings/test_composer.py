@@ -67,20 +67,32 @@ def anything(draw: some.DrawFn) -> Contents:
 
 
 def boxes(one: Composition, page: Page) -> list[Field]:
-    found = [*(spot.box for spot in one.spots.values()), *one.blocks.values(), *page.taken]
+    found = [*(spot.box for spot in one.spots.values()), *one.blocks.values(), page.block]
     for own, corner, setting in one.tables:
         wide, high = own.size(setting)
         found.append(Field(corner.real, corner.imag - high, corner.real + wide, corner.imag))
     return found if one.notes is None else [*found, one.notes]
 
 
+def lines(content: Contents, one: Composition) -> list[Field]:
+    """The boxes of headings, and of what stands under them."""
+    found = [*one.blocks.values(), *([] if one.notes is None else [one.notes])]
+    for panel in content.panels:
+        if isinstance(panel.item, Picture) and panel.item.name in one.spots:
+            box, half = one.spots[panel.item.name].box, panel.item.heading / 2
+            found.append(box._replace(top=box.top - MARGINS.above))
+            found.append(Field(box.centre.real - half, box.top - MARGINS.above, box.centre.real + half, box.top))
+    return found
+
+
 @given(anything(), some.sampled_from(PAGES))
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=12, deadline=None)
 def test_all_is_shown_once_in_order_inside_the_frame_and_on_nothing_else(content: Contents, page: Page) -> None:
     sheets = compose(content, page)
     for one in sheets:
         assert all(inside(box, page.field) for box in boxes(one, page))
         assert all(apart(*pair) for pair in combinations(boxes(one, page), 2))
+        assert all(apart(inked, place) for inked in lines(content, one) for place in page.taken)
     figures = [panel.item.name for panel in content.panels if isinstance(panel.item, Picture)]
     assert [name for one in sheets for name in one.spots] == figures
     rows = {own.name: list(own.lines) for own in content.tables}
@@ -91,7 +103,7 @@ def test_all_is_shown_once_in_order_inside_the_frame_and_on_nothing_else(content
 
 
 @given(anything(), some.sampled_from(PAGES))
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=8, deadline=None)
 def test_all_can_be_read_and_those_of_one_scale_share_it_if_they_can(content: Contents, page: Page) -> None:
     spots = {name: spot for one in compose(content, page) for name, spot in one.spots.items()}
     pictures = {panel.item.name: panel for panel in content.panels if isinstance(panel.item, Picture)}

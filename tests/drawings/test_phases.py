@@ -75,7 +75,12 @@ def test_a_small_crank_has_them_outside_its_numbers() -> None:
 
 
 @pytest.mark.parametrize("text", [SHAPER, SHAPER + ON_D + "value = [1, 0]\n", SHAPER + CUT + 'stroke = "B"\n'])
-def test_there_are_none_where_nothing_depends_on_the_working_stroke_of_the_output(text: str) -> None:
-    pairs = pairs_of(text)
+def test_they_are_shown_where_the_strokes_differ_though_nothing_depends_on_them(text: str) -> None:
+    working, idle = phases(pairs_of(text), "en")
+    assert (working.text, idle.text) == ("φ_{work} = 220.10°", "φ_{idle} = 139.90°")  # 180 +- 2 asin(120/350)
+
+
+def test_there_are_none_where_both_strokes_take_half_a_turn_and_none_is_asked_for() -> None:
+    pairs = pairs_of((Path(__file__).parents[1] / "cases/kinematics/v-compressor.toml").read_text("utf-8"))
     assert phases(pairs, "en") == ()
     assert arcs(pairs) == []

@@ -44,8 +44,8 @@ def test_no_size_of_any_slicing_beats_those_that_are_kept(units: list[list[Size]
 @given(units_of)
 def test_a_tree_has_the_size_that_it_is_kept_for_and_all_units_in_order(units: list[list[Size]]) -> None:
     slicing, last = Slicing(units, LARGE, (30.0, 20.0)), len(units) - 1
-    for k, size in enumerate(slicing.closed(0, last).sizes):
-        tree = slicing.tree(0, last, k, closed=True)
+    for k, size in enumerate(slicing.sheet(0, last).sizes):
+        tree = slicing.sheet(0, last).tree(k)
         chosen = {piece.unit: piece.choice for piece in pieces(tree)}
         assert list(chosen) == [*range(len(units)), len(units)]
         sizes = {unit: (30.0, 20.0) if unit > last else units[unit][choice] for unit, choice in chosen.items()}
@@ -55,7 +55,7 @@ def test_a_tree_has_the_size_that_it_is_kept_for_and_all_units_in_order(units: l
 @given(units_of, some.booleans())
 def test_what_is_cut_stands_in_its_room_and_on_nothing_else(units: list[list[Size]], figures: bool) -> None:
     slicing, last = Slicing(units, LARGE), len(units) - 1
-    tree: Tree = slicing.tree(0, last, 0)
+    tree: Tree = slicing.run(0, last).tree(0)
     sizes = {piece.unit: units[piece.unit][piece.choice] for piece in pieces(tree)}
     wide, high = natural(tree, sizes)
     room = Field(10.0, 10.0, 10.0 + 1.3 * wide, 10.0 + 1.2 * high)
@@ -68,7 +68,7 @@ def test_what_is_cut_stands_in_its_room_and_on_nothing_else(units: list[list[Siz
 def test_what_does_not_fit_its_room_has_no_size() -> None:
     slicing = Slicing([[(60.0, 60.0)], [(60.0, 60.0)]], (100.0, 100.0))
     assert len(slicing.run(0, 0).sizes) == 1 and len(slicing.run(0, 1).sizes) == 0
-    assert slicing.tree(0, 0, 0) == Piece(0, 0)
+    assert slicing.run(0, 0).tree(0) == Piece(0, 0)
 
 
 @given(some.lists(some.lists(some.booleans(), min_size=5, max_size=5), min_size=1, max_size=5))

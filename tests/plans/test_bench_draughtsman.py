@@ -8,11 +8,11 @@ from math import radians, sqrt
 import numpy as np
 import pytest
 
-from geometry import precision
+from geometry import draughtsman, precision
+from geometry.draughtsman import Draughtsman
 from geometry.hand_error import EDGE
 from geometry.meet import EPS
-from plans.bench import draughtsman
-from plans.bench.draughtsman import Draughtsman, Toll, drawn, toll
+from plans.bench.draughtsman import Toll, drawn, toll
 from plans.bench.error import sizes
 from plans.bench.truth import replay
 from plans.model.mechanism import Mechanism

@@ -337,7 +337,7 @@ def test_mobility_shows_its_count() -> None:
         )
     assert (refused.value.found, refused.value.needed) == (2, 1)
     assert refused.value.links == (1, 2, 3, 4)
-    assert "W = 3n - 2p = 3*4 - 2*5 = 2 (4 hinges, 1 slides" in str(refused.value)
+    assert "W = 3n − 2p = 3*4 − 2*5 = 2 (4 hinges, 1 slides" in str(refused.value)
 
 
 FIELD_VALUES = (

@@ -219,3 +219,14 @@ def test_plans_and_sheets_have_names() -> None:
 def test_a_message_is_a_value() -> None:
     assert message("limit.parts", limit=3) == Message("limit.parts", (("limit", 3),))
     assert len({message("limit.parts", limit=3), message("limit.parts", limit=3)}) == 1
+
+
+# What is written with a hyphen between spaces: the sign itself, among those that a name may have.
+HYPHENS = {"fault.bare_key.expected"}
+
+
+@pytest.mark.parametrize("language", languages())
+def test_a_hyphen_stands_for_no_dash_and_no_minus(language: str) -> None:
+    phrases = {key: [phrase] if isinstance(phrase, str) else phrase for key, phrase in words(language).items()}
+    hyphened = {key for key, own in phrases.items() if any(re.search(r"(?<=\S) - ", text) for text in own)}
+    assert hyphened <= HYPHENS, hyphened - HYPHENS

@@ -28,13 +28,14 @@ def faults(leaf: Leaf, laid: LaidMechanism) -> Iterator[Message]:
     yield from _ties(leaf, laid)
 
 
-def _named(leaf: Leaf, name: str) -> Iterator[Group]:
+def named(leaf: Leaf, name: str) -> Iterator[Group]:
+    """Give the groups of a sheet that have a name."""
     return (group for group in groups(leaf.groups) if group.name == name)
 
 
 def _numbers(leaf: Leaf, laid: LaidMechanism) -> Iterator[Message]:
     """See that each link that has a place bears its number, beside it or by a leader that ends on it."""
-    seen = {content: number for group in _named(leaf, LINKS) for content, number in _numbered(group)}
+    seen = {content: number for group in named(leaf, LINKS) for content, number in _numbered(group)}
     for link in laid.mechanism.links:
         number = seen.get(str(link))
         if number is None:
@@ -70,7 +71,7 @@ def _beside(number: Group, link: int, laid: LaidMechanism) -> bool:
 
 def _ties(leaf: Leaf, laid: LaidMechanism) -> Iterator[Message]:
     """See that each mass centre off its link is tied to it."""
-    lines = [line for group in _named(leaf, TIES) for line in group.strokes if isinstance(line, Line)]
+    lines = [line for group in named(leaf, TIES) for line in group.strokes if isinstance(line, Line)]
     for name, link, spot in centres(laid):
         if laid.apart(link, spot) > MASS and not any(_joins(line, spot, link, laid) for line in lines):
             yield on("tie", POSITIONS.plan, name=name)

@@ -3,16 +3,28 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
+from itertools import islice
 from typing import TYPE_CHECKING
 
+from drawings.checks.note.analysed_forces import AnalysedForces
+from drawings.checks.note.lines import held, part
+from drawings.checks.precise import precise
 from drawings.checks.verify_friction import report_of
+from drawings.note.force_equations import drafting_of_forces, drawn_scales, equations
+from plans.checks.compare import MOST_ALLOWED
 from plans.study import Study
-from plans.words.words import Message
+from plans.words.words import Message, word
 
 if TYPE_CHECKING:
     from drawings.paper.strokes import Leaf
 
 
 def faults(text: str, study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Iterator[Message]:
-    """Read what the report of a scene says of its friction."""
-    yield from report_of(text, study.comparison("forces"), study.scene.sheet.language)
+    """Hold the equations of forces, with the scales of the sheets, and what is told of friction."""
+    statics, comparison, language = study["forces"], study.comparison("forces"), study.scene.sheet.language
+    values = partial(AnalysedForces, statics=statics, comparison=comparison)
+    drafting = precise(drafting_of_forces(statics))
+    due = equations(statics, comparison, drawn_scales(leaves), values, drafting)
+    yield from held(part(text, word(language, "report.force_equations")), islice(due, 1, None), MOST_ALLOWED)
+    yield from report_of(text, comparison, language)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
+from drawings.checks.note.arithmetic import miscounted
 from drawings.checks.precise import tells
 from drawings.report.formula import DIGITS
 from plans.words.words import Message, message
@@ -17,8 +18,12 @@ def part(text: str, head: str) -> list[str]:
 
 
 def held(seen: list[str], due: Iterable[str], share: float) -> Iterator[Message]:
-    """Hold lines to those that are due: words alike, each number rounded, to a share of itself that roads differ by."""
+    """Hold lines to those that are due, and each equation to its own numbers.
+
+    Words are alike, each number is rounded, to a share of itself that the roads differ by.
+    """
     true = [line for text in due for line in text.splitlines() if line.strip()]
+    yield from miscounted(seen)
     if len(seen) != len(true):
         yield message("wrong.note_lines", seen=len(seen), due=len(true))
     for line, other in zip(seen, true, strict=False):

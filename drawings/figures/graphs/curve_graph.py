@@ -227,6 +227,6 @@ def stretches(values: Floats) -> Iterator[Sequence[int]]:
     [[0, 1], [3, 4]]
     """
     gaps = np.flatnonzero(np.isnan(values))
-    for run in np.split(np.arange(len(values)), np.unique([*gaps, *(gaps + 1)])):
+    for run in np.split(np.arange(len(values)), sorted({*gaps.tolist(), *(gaps + 1).tolist()})):
         if len(run) > 1:
             yield [int(k) for k in run]

@@ -133,20 +133,20 @@ def _uneven(bones: Skeletons) -> bool:
 
 def _round(bones: Skeletons, place: Place, hand: Hand) -> float:
     """Give the length mm that the numbers of the primary link stand along: round its circle, or along its stroke."""
-    if not bones.mechanism.drive.turns:
+    if bones.mechanism.drive.pushed:
         return abs(place.on(bones.drive_end(-1)) - place.on(bones.drive_end(0)))
     return 2 * math.pi * (bones.crank(place) + CRANK_GAP + hand.number / 2)
 
 
 def _off_path(bones: Skeletons, spot: complex, place: Place) -> complex:
     """Direct a number away from the crank's pivot, or off the guide of a slider that drives."""
-    return spot - bones.pivot(place) if bones.mechanism.drive.turns else aside(bones)
+    return aside(bones) if bones.mechanism.drive.pushed else spot - bones.pivot(place)
 
 
 def _in_barrier(ray: complex, bones: Skeletons) -> bool:
     """Tell whether a number stands where the crank's circle is hatched; a stroke is not."""
     turn = 2 * math.pi
-    barriers = bones.study.met if bones.mechanism.drive.turns else ()
+    barriers = () if bones.mechanism.drive.pushed else bones.study.met
     return any((cmath.phase(ray) - b.start) % turn <= b.end - b.start for b in barriers)
 
 

@@ -1,18 +1,22 @@
 """The crank's angles over the working and the idle stroke, as arcs about its pivot (фазовые углы).
 
-They are drawn where the scene says which stroke is the working one, or has loads that depend on it.
+They are drawn where they differ, where the scene says which stroke is the working one, or has loads that depend on it.
 """
 
 from __future__ import annotations
 
 import cmath
+import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
 from drawings.figures.linkage.pairs import Pairs
 from drawings.figures.linkage.rotation import NUMBERS, OUTER
+from drawings.lettering.words import fixed
 from drawings.paper.strokes import Line, Stroke
 from drawings.symbols.symbols import turning_arrow
+from plans.linkage.extreme import EQUAL, ExtremePositions
+from plans.linkage.study import LinkageStudy
 from plans.words.words import word
 
 INDICES = ("index.work", "index.idle")
@@ -30,6 +34,7 @@ class Phase(NamedTuple):
     start: float
     sweep: float
     crank: float  # radius of the crank circle
+    text: str  # the letter with the angle's size
 
     @property
     def middle(self) -> tuple[complex, float]:
@@ -47,16 +52,32 @@ class Phase(NamedTuple):
 
 
 def phases(pairs: Pairs, language: str) -> tuple[Phase, ...]:
-    """Give the arcs of both strokes; none where the scene does not say which works, or the output has no extremes."""
+    """Give the arcs of both strokes; none where they are alike and none is asked for, or there are no two strokes."""
     study = pairs.bones.study
-    asked = study.scene.has(("output", "working")) or any(form.counts_stroke for form in study.scene.forms)
-    if study.travel is None or not asked:
+    if study.travel is None or not (_asked(study) or _differ(study.travel)):
         return ()
     extremes, centre, crank = study.travel.extremes, pairs.bones.pivot(pairs.place), pairs.bones.crank(pairs.place)
     radius = _radius(crank, pairs.hand.symbol)
     names = (f"φ_{{{word(language, index)}}}" for index in INDICES)
     told = zip(names, extremes.phi, extremes.angles, strict=True)
-    return tuple(Phase(name, centre, radius, phi, study.sense * arc, crank) for name, phi, arc in told)
+    return tuple(
+        Phase(name, centre, radius, phi, study.sense * arc, crank, sized(name, arc, language))
+        for name, phi, arc in told
+    )
+
+
+def sized(letter: str, angle: float, language: str) -> str:
+    """Write the letter of an angle rad with its size in degrees."""
+    return f"{letter} = {fixed(math.degrees(angle), language)}°"
+
+
+def _asked(study: LinkageStudy) -> bool:
+    return study.scene.has(("output", "working")) or any(form.counts_stroke for form in study.scene.forms)
+
+
+def _differ(travel: ExtremePositions) -> bool:
+    """Tell whether there are two strokes over a turn, of angles that differ."""
+    return len(travel.rests) == 2 and travel.extremes.overlap > EQUAL
 
 
 def _radius(crank: float, factor: float) -> float:

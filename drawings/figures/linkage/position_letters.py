@@ -10,6 +10,7 @@ from drawings.figures.linkage.pairs import Pairs
 from drawings.figures.linkage.phases import Phase, phases
 from drawings.figures.linkage.pushing import Push, arrows
 from drawings.figures.linkage.rotation import Turning
+from drawings.figures.linkage.swing import Swing, swings
 from drawings.layout.labels import Labels, free_side
 from drawings.lettering.indices import with_index
 from drawings.paper.hand import Hand
@@ -31,17 +32,18 @@ def letters(pairs: Pairs, labels: Labels) -> Group:
     for name in bones.masses:
         if name in pairs.centres:
             strokes.append(labels.beside(pairs.centres[name], with_index(name), hand.letter, 2.5, math.pi / 4))
-    strokes += [_on_arc(arrow, labels, hand) for arrow in arrows(pairs)]
-    strokes += [_on_arc(phase, labels, hand) for phase in phases(pairs, bones.study.language)]
+    strokes += [_on_arc(arrow, arrow.letter, labels, hand) for arrow in arrows(pairs)]
+    strokes += [_on_arc(phase, phase.text, labels, hand) for phase in phases(pairs, bones.study.language)]
+    strokes += [_on_arc(swing, swing.text, labels, hand) for swing in swings(pairs, bones.study.language)]
     strokes += numbers(pairs, labels)
     links = *link_numbers(pairs, bones.links, labels, hand), *frame_number(pairs, labels, hand)
     return Group((*strokes, Group(links, LINKS)))
 
 
-def _on_arc(arc: Turning | Push | Phase, labels: Labels, hand: Hand) -> Stroke:
-    """Letter an arc about the crank's pivot, or an arrow beside a guide, in its middle, outside."""
+def _on_arc(arc: Turning | Push | Phase | Swing, text: str, labels: Labels, hand: Hand) -> Stroke:
+    """Letter an arc about a pivot, or an arrow beside a guide, in its middle, outside."""
     middle, away = arc.middle
-    return labels.beside(middle, arc.letter, hand.letter, 1.5, away)
+    return labels.beside(middle, text, hand.letter, 1.5, away)
 
 
 def _free(pairs: Pairs, name: str) -> float:

@@ -17,6 +17,7 @@ from drawings.figures.linkage.position_letters import letters
 from drawings.figures.linkage.pushing import arrows, stroke_line
 from drawings.figures.linkage.skeleton import Poses, Skeletons
 from drawings.figures.linkage.stroke_dimension import stroke
+from drawings.figures.linkage.swing import swings
 from drawings.figures.linkage.ties import ties
 from drawings.figures.linkage.trajectories import trajectories
 from drawings.layout.ink import Ink
@@ -38,6 +39,7 @@ from plans.model.motion import CHANGE_POINT
 from plans.model.order import POSITIONS
 
 NAME = POSITIONS.plan
+OTHERS, ROTATION = "all-positions", "rotation"  # the groups of the thin positions, and of the drive's arrows
 TIES = "ties"  # the group of the lines to mass centres off their links
 # Paper around the plan of positions in sizes of its letters: numbers, symbols, and above it the dimension of a stroke.
 MARGINS = Margins(3.5, 3.5, 5.0)
@@ -97,7 +99,7 @@ def layers(pairs: Pairs, language: str) -> list[Group]:
     ink.draw([*paths, *positions, *extremes, *lines], SHARE)
     under: list[tuple[str, Iterable[Stroke]]] = [
         ("paths", paths),
-        ("all-positions", positions),
+        (OTHERS, positions),
         ("extremes", extremes),
         ("guides", lines),
         ("notches", _notches(bones, place, hand)),
@@ -109,15 +111,16 @@ def layers(pairs: Pairs, language: str) -> list[Group]:
         Group((*blocks, *body, *pairs.corners()), "shown-position"),
         Group((*stands, *pairs.marks()), "pairs"),
         Group(tuple(stroke(bones, place, hand, language, ink)), "stroke"),
-        Group(tuple(part for arrow in arrows(pairs) for part in arrow.strokes(pairs)), "rotation"),
+        Group(tuple(part for arrow in arrows(pairs) for part in arrow.strokes(pairs)), ROTATION),
         Group(tuple(part for phase in phases(pairs, language) for part in phase.strokes(pairs)), "phases"),
+        Group(tuple(part for swing in swings(pairs, language) for part in swing.strokes(pairs)), "swing"),
     ]
     return [group for group in groups if group.strokes]
 
 
 def _path(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
     """Draw the way of the primary link's end: the crank's circle, or the stroke of a slider."""
-    draw = _circle if bones.mechanism.drive.turns else stroke_line
+    draw = stroke_line if bones.mechanism.drive.pushed else _circle
     return draw(bones, place, hand)
 
 

@@ -75,22 +75,26 @@ def aside(bones: Skeletons) -> complex:
 
 def arrows(pairs: Pairs) -> tuple[Turning | Push, ...]:
     """Give the arrows of how the primary link moves: it turns, or it is pushed along."""
-    return turnings(pairs) if pairs.bones.mechanism.drive.turns else pushes(pairs)
+    return pushes(pairs) if pairs.bones.mechanism.drive.pushed else turnings(pairs)
 
 
 @lru_cache(maxsize=1)  # the figure draws the arrows, and later their letters stand beside them
 def pushes(pairs: Pairs) -> tuple[Push, ...]:
     """Place the arrow of the slider's velocity where it crosses the fewest lines, and that of its acceleration."""
+    return tuple(_pushes(pairs))
+
+
+def _pushes(pairs: Pairs) -> Iterator[Push]:
     bones = pairs.bones
     ink = Ink()
     ink.draw([*pairs.bars(), *pairs.stands(), *(block for _, block in pairs.blocks)], THICK)
     ink.draw(circle for circles in pairs.hinges.values() for circle in circles)
-    point, found = pushed(bones.mechanism).point, list[Push]()
+    point = pushed(bones.mechanism).point
     for symbol, rate in zip("va", bones.study.rates.at(bones.shown), strict=True):
         if rate:
-            found.append(_clearest(f"{symbol}_{point}", math.copysign(1.0, rate), pairs, ink))
-            ink.draw(found[-1].room, THICK)
-    return tuple(found)
+            push = _clearest(f"{symbol}_{point}", math.copysign(1.0, rate), pairs, ink)
+            ink.draw(push.room, THICK)
+            yield push
 
 
 def _clearest(letter: str, sense: float, pairs: Pairs, ink: Ink) -> Push:

@@ -184,7 +184,7 @@ class Skeletons:
 
     def _circle(self) -> list[complex]:
         """Give the corners of the crank's circle, as far as it is drawn."""
-        if not self.mechanism.drive.turns:
+        if self.mechanism.drive.pushed:
             return []
         pivot = self.mechanism.links[FRAME].points[self.mechanism.drive.pivot]
         radius, (low, high) = abs(self.drive_end(0) - pivot), self.swept
@@ -246,4 +246,4 @@ def reference(mechanism: Mechanism) -> str:
     """Give the point that places on paper are measured from: the drive's fixed hinge, or of a slider another one."""
     drive, fixed = mechanism.drive, mechanism.links[FRAME].points
     hinges = [name for name in fixed if name in mechanism.hinges]
-    return drive.pivot if drive.turns or not hinges else hinges[0]
+    return drive.pivot if not drive.pushed or not hinges else hinges[0]

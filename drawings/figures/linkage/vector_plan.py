@@ -5,9 +5,10 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Collection, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from drawings.figures.linkage.coriolis import QuarterTurn, draw_nearby, quarter_turn
+from drawings.figures.linkage.part_letters import LaidPart, is_relative, least_length, letter_parts, part_letter
 from drawings.layout.labels import Labels
 from drawings.layout.picture import Margins, Picture, Spot, picture
 from drawings.layout.place import Place
@@ -60,6 +61,9 @@ class VectorDiagram:
     turned: tuple[QuarterTurn, ...]  # the Coriolis parts' directions
     centres: Mapping[str, Mark]  # images of mass centres that no point names, by their letters
     sides: tuple[tuple[complex, complex], ...]  # of the similar figures by which they are placed
+    parts: Mapping[tuple[Mark, Mark], str] = field(
+        default_factory=dict
+    )  # letters of relative vectors and of parts, by their ends
 
     @property
     def points(self) -> list[complex]:
@@ -126,14 +130,17 @@ class PlanFigure:
     position: int
     hand: Hand
     box: Field
+    parts: tuple[LaidPart, ...] = ()
 
     def letter(self, labels: Labels) -> tuple[Group, ...]:
         """Give the whole figure, its letters placed, and beside it how its Coriolis parts are directed."""
         name = f"{self.shown.plan.board.subject}-{self.position}"
         letters = Group(tuple(_letters(self.shown, self.place, self.hand, labels)))
         seen = (rule for rule in self.shown.turned if self.place.length(rule.size) >= LEAST)
-        rules = (draw_nearby(rule, self.box, labels.ink, self.hand) for rule in seen)
-        return (Group((*self.lines, letters, *(rule for rule in rules if rule is not None)), name),)
+        nearby = (draw_nearby(rule, self.box, labels.ink, self.hand) for rule in seen)
+        rules = [rule for rule in nearby if rule is not None]
+        parts = letter_parts(self.parts, labels, self.hand, name)
+        return (Group((*self.lines, letters, *rules, *([parts] if parts.strokes else [])), name),)
 
 
 def measure(shown: VectorDiagram, name: str, drafting: Drafting) -> Picture:
@@ -158,9 +165,17 @@ def draw(shown: VectorDiagram, room: Picture, spot: Spot, drafting: Drafting) ->
     styles = {arrow: _style(shown, arrow, hand) for arrow in shown.arrows if _visible(arrow, place)}
     arrows = [vector(subject, arrow.name, arrow.ends, place, style) for arrow, style in styles.items()]
     dot = point(subject, shown.plan.pole.name, 0j, place, pole(place.on(0j)), "pole")
-    return PlanFigure(
-        shown, place, (title, *([lines] if lines.strokes else []), *arrows, dot), position, hand, spot.box
-    )
+    strokes = (title, *([lines] if lines.strokes else []), *arrows, dot)
+    return PlanFigure(shown, place, strokes, position, hand, spot.box, tuple(_parts(shown, place, drafting)))
+
+
+def _parts(shown: VectorDiagram, place: Place, drafting: Drafting) -> Iterator[LaidPart]:
+    """Lay the parts that have letters and are long enough to bear them."""
+    for arrow in shown.arrows:
+        name = shown.parts.get((arrow.start, arrow.end))
+        if name is not None and is_relative(name, arrow.name):
+            part = LaidPart(place.on(arrow.ends[0]), place.on(arrow.ends[1]), part_letter(name, drafting))
+            yield from (part,) if part.length >= least_length(part.text, drafting.hand) else ()
 
 
 def _heading(shown: VectorDiagram, spot: Spot, drafting: Drafting) -> Group:

@@ -11,6 +11,7 @@ import numpy as np
 from drawings.lettering import words as lettering
 from drawings.lettering.words import number, runs
 from drawings.report.chapters import Chapters
+from drawings.report.forces.balancing_table import balancing_table
 from drawings.report.gap_lines import gap_line, gap_lines
 from drawings.report.linkage.greatest import DIGITS as FEW_DIGITS
 from drawings.report.linkage.greatest import greatest
@@ -21,9 +22,9 @@ from plans.forces.primary import BalancingQuantity, balancing_quantity
 from plans.forces.reversals import reversals
 from plans.forces.statics import Statics
 from plans.forces.stroke import asks
-from plans.model.kinetostatics import FORCES, Kinetostatics
+from plans.model.kinetostatics import FORCES, NOTHING, Kinetostatics
 from plans.model.losses import Friction
-from plans.model.machine import BACKWARD, FORWARD, IDLE, WORKING, Machine
+from plans.model.machine import BACKWARD, FORWARD, IDLE, WORKING, Diagram, Machine
 from plans.study import Study
 from plans.words.words import Message, message, word
 
@@ -41,8 +42,10 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     )
     shown_in = ", ".join(map(str, shown))
     language = study.scene.sheet.language
+    comparison, statics = study.comparison("forces"), study["forces"]
     return Chapters(
-        values=forces(study.comparison("forces"), study["forces"], language),
+        subject=[*_bodies(statics.machine, language), *counted_strokes(statics, language)],
+        values=forces(comparison, statics, language),
         left_out=[word(language, "report.forces_drawn", positions=shown_in)],
     )
 
@@ -88,9 +91,9 @@ def remarks(study: Study) -> list[Message]:
 def forces(comparison: ForceComparison, statics: Statics, language: str) -> Iterator[str]:
     """Tell what acts, every reaction by construction, and what friction takes."""
     found = comparison.construction
-    yield from _bodies(statics.machine, language)
-    yield from counted_strokes(statics, language)
-    yield from _reactions(found, balancing_quantity(statics.study.mechanism.drive), language)
+    told = balancing_quantity(statics.study.mechanism.drive)
+    yield from _reactions(found, told, language)
+    yield from balancing_table(comparison, told, language)
     yield from (
         gap_line("report.force_gap", gap, statics.study.mechanism.drive, language)
         for gap in found.gaps
@@ -111,12 +114,23 @@ def _bodies(machine: Machine, language: str) -> Iterator[str]:
     for force in machine.forces:
         ends = {"point": force.point, "link": force.link, "during": force.during}
         far = {} if force.other is None else {"far": force.other.point, "other": force.other.link}
-        yield say("report.force_between" if far else "report.force", name=force.name, **ends, **far)
+        line = say("report.force_between" if far else "report.force", name=force.name, **ends, **far)
+        yield _size(line, force.size, force.diagram, language)
     for moment in machine.moments:
-        yield say("report.moment", name=moment.name, link=moment.link, during=moment.during)
+        line = say("report.moment", name=moment.name, link=moment.link, during=moment.during)
+        yield say("report.load_size", line=line, size=write(moment.size), unit=lettering.word(language, "N*m"))
     for spring in machine.springs:
         ends = {"start": spring.points[0], "end": spring.points[1]}
         yield say("report.spring", name=spring.name, **ends, stiffness=write(spring.stiffness))
+
+
+def _size(line: str, size: float, diagram: Diagram | None, language: str) -> str:
+    """Tell the size of a load, or how far its diagram goes."""
+    unit = lettering.word(language, "N")
+    if diagram is None:
+        return word(language, "report.load_size", line=line, size=number(size, language), unit=unit)
+    most = max(map(abs, (*diagram.sizes, *diagram.back)))
+    return word(language, "report.load_diagram", line=line, size=number(size * most, language), unit=unit)
 
 
 def counted_strokes(statics: Statics, language: str) -> Iterator[str]:
@@ -174,7 +188,9 @@ def _friction(found: Friction, language: str) -> Iterator[str]:
     yield say("report.friction_powers")
     heads = (say(f"table.{head}") for head in ("all", "useful", "efficiency"))
     yield from header([say("table.position"), *found.powers, *heads])
-    columns = [*found.powers.values(), found.lost, found.useful, found.efficiency]
+    least = NOTHING * max(float(np.nanmax(np.abs(one), initial=0.0)) for one in (found.lost, found.useful))
+    powers = (_sized(one, least) for one in (*found.powers.values(), found.lost, found.useful))
+    columns = [*powers, found.efficiency]
     for k in range(len(found.phi)):
         yield row([str(k), *("—" if np.isnan(one[k]) else write(float(one[k]), digits=6) for one in columns)])
     if found.cycle is not None:

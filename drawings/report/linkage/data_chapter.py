@@ -29,7 +29,7 @@ def data(study: LinkageStudy) -> Iterator[str]:
     yield chapter(study.language, "data")
     yield from header([say("table.link"), say("table.points")])
     for link in study.mechanism.links.values():
-        names = ", ".join(f"${letters.letter(name)}$" for name in link.points)
+        names = ", ".join(f"${letters.line(name)}$" for name in link.points)
         yield row([str(link.number) if link.number != FRAME else say("report.frame"), names])
     yield ""
     yield from _lengths(study, letters)
@@ -37,7 +37,7 @@ def data(study: LinkageStudy) -> Iterator[str]:
     yield from (_slide(study, slide, letters) for slide in study.mechanism.slides)
     drive = study.mechanism.drive
     told = {name: span(drive.unit * np.ravel(rate), study.language) for name, rate in study.rates._asdict().items()}
-    yield say("report.drive" if drive.turns else "report.drive_way", link=drive.link, count=len(study.turn), **told)
+    yield say("report.drive_way" if drive.pushed else "report.drive", link=drive.link, count=len(study.turn), **told)
 
 
 def structure(study: LinkageStudy) -> Iterator[str]:
@@ -76,7 +76,7 @@ def _places(study: LinkageStudy, letters: Formula) -> Iterator[str]:
 
 def _place(name: str, place: tuple[object, object], letters: Formula) -> str:
     x, y = (letters.number(MM * float(str(part))) for part in place)
-    return rf"${letters.letter(name)} ({x}; {y})\text{{ {letters.drafting.word('mm')}}}$"
+    return rf"${letters.line(name)} ({x}; {y})\text{{ {letters.drafting.word('mm')}}}$"
 
 
 def _slide(study: LinkageStudy, slide: Slide, letters: Formula) -> str:
@@ -90,7 +90,7 @@ def _slide(study: LinkageStudy, slide: Slide, letters: Formula) -> str:
         )
         angle = number(math.degrees(cmath.phase(way.direction)), study.language)
         line = message("report.line_through", x=number(x, study.language), y=number(y, study.language), angle=angle)
-    return word(study.language, "report.slide", link=slide.slider, line=line, point=f"${letters.letter(slide.point)}$")
+    return word(study.language, "report.slide", link=slide.slider, line=line, point=f"${letters.line(slide.point)}$")
 
 
 def _parts(place: complex) -> tuple[float, float]:

@@ -7,19 +7,21 @@ from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
+from drawings.lettering.words import number
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.page.scale import Scale
 from drawings.paper.walk import groups
 from drawings.report.formula import Formula, display
 from drawings.report.linkage.vector_equations import A, Plans, V, VectorEquations
 from drawings.report.markdown import chapter
+from plans.checks.compare import largest_of
 from plans.linkage.groups.vector_sums import VectorSum, VectorSums
 from plans.linkage.groups.vectors import Turning
 from plans.linkage.primary import PRIMARIES
 from plans.linkage.study import LinkageStudy
 from plans.model.dyad import Dyad
 from plans.model.motion import Motion
-from plans.model.order import ACCELERATIONS, POSITIONS, VELOCITIES
+from plans.model.order import ACCELERATIONS, PLANS, POSITIONS, VELOCITIES
 from plans.words.words import word
 
 if TYPE_CHECKING:
@@ -65,25 +67,33 @@ def equations(
     for group in study.groups:
         yield from _lettered(first, cast(Dyad, group))
     for k in have:
-        yield word(language, "report.in_position", position=k)
+        yield in_position(study, k)
         own = scales.get(k, {})
         yield from _scales(study, own)
         yield from _numbers(study, _written(study, motion, k, own, formula))
+
+
+def in_position(study: LinkageStudy, k: int) -> str:
+    """Head what is told of one position, with the crank's angle or the drive's way in it."""
+    drive, value = study.mechanism.drive, float(study.turn.phi[k])
+    angle = f"φ = {number(float(np.degrees(value)) % 360, study.language)}°"
+    way = f"{word(study.language, 'table.way')} = {number(1000 * drive.unit * value, study.language)}"
+    return word(study.language, "report.in_position", position=k, station=angle if drive.turns else way)
 
 
 def _written(
     study: LinkageStudy, motion: Motion, k: int, scales: Mapping[str, Scale], formula: Formula
 ) -> VectorEquations:
     sums = VectorSums(study.mechanism, motion, k, study.drafts().velocities.written)
-    return VectorEquations(Plans(sums, {name: one.mu for name, one in scales.items()}, largest(motion)), formula)
+    fastest = largest_of([np.abs(rows.omega) for rows in motion.links.values()])
+    plans = Plans(sums, {name: one.mu for name, one in scales.items()}, largest(motion), fastest)
+    return VectorEquations(plans, formula)
 
 
 def largest(motion: Motion) -> dict[str, float]:
     """Give the largest velocity and acceleration of named points over all positions."""
     return {
-        order.plan: max(
-            float(np.fmax.reduce(np.abs(rows[order.number]), initial=0.0)) for rows in motion.points.values()
-        )
+        order.plan: largest_of([np.abs(rows[order.number]) for rows in motion.points.values()])
         for order in (VELOCITIES, ACCELERATIONS)
     }
 
@@ -98,7 +108,7 @@ def _lettered(written: VectorEquations, group: Dyad) -> Iterator[str]:
 
 def _scales(study: LinkageStudy, scales: Mapping[str, Scale]) -> Iterator[str]:
     formula = Formula(drafting_of(study.scene))
-    told = [_scale(one, formula) for _, one in sorted(scales.items())]
+    told = [_scale(scales[plan], formula) for plan in PLANS if plan in scales]
     if told:
         yield word(study.language, "report.scales", scales=", ".join(told)) + "\n"
 
@@ -106,7 +116,7 @@ def _scales(study: LinkageStudy, scales: Mapping[str, Scale]) -> Iterator[str]:
 def _scale(scale: Scale, formula: Formula) -> str:
     unit, mm = (formula.drafting.word(name) for name in (scale.unit, "mm"))
     true = f"({unit})" if "/" in unit else unit
-    return rf"${formula.letter(f'μ_{scale.letter}')} = {formula.number(scale.mu)}\text{{ {true}/{mm}}}$"
+    return f"${formula.letter(f'μ_{scale.letter}')} = {formula.number(scale.mu)}{formula.unit(f'{true}/{mm}')}$"
 
 
 def _numbers(study: LinkageStudy, written: VectorEquations) -> Iterator[str]:

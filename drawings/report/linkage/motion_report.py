@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from drawings.lettering.words import decimal, number
+from drawings.lettering.words import decimal, fixed, number
 from drawings.paper.limits import MANY
 from drawings.report.chapters import Chapters
 from drawings.report.gap_lines import gap_line, gap_lines, positions
@@ -134,7 +134,7 @@ def _pressure(study: LinkageStudy) -> Iterator[str]:
 
 
 def _degrees(angle: float, places: int, language: str) -> str:
-    return decimal(f"{np.degrees(angle):.{places}f}", language)
+    return fixed(float(np.degrees(angle)), language, places)
 
 
 def _angles(angles: Iterable[float], places: int, language: str) -> str:
@@ -157,7 +157,7 @@ def _passage(study: LinkageStudy, comparison: MotionComparison) -> Iterator[str]
 
 def _barrier(barrier: Barrier, study: LinkageStudy) -> str:
     language = study.language
-    if not study.mechanism.drive.turns:
+    if study.mechanism.drive.pushed:
         return word(language, "report.barrier_way", reason=barrier.kind, where=barrier.where)
     low, high = (_degrees(angle, 6, language) for angle in (barrier.start, barrier.end))
     parts = {"reason": barrier.kind, "where": barrier.where, "low": low, "high": high}
@@ -175,14 +175,12 @@ def _values(study: LinkageStudy, comparison: MotionComparison) -> Iterator[str]:
             title = term(language, "plan", plan)
             yield word(language, "report.plan", plan=title[:1].upper() + title[1:])
             drive = study.mechanism.drive
-            station = "φ, °" if drive.turns else word(language, "table.way")
+            station = word(language, "table.way") if drive.pushed else "φ, °"
             heads = [word(language, "table.position"), station, *(heading(finding, language) for finding in findings)]
             yield from header(heads)
             for k, phi in enumerate(study.turn.phi):
-                at = float(np.degrees(phi) if drive.turns else 1000 * drive.unit * phi)
-                yield row(
-                    [str(k), decimal(f"{at:.4f}", language), *(_cell(finding, k, language) for finding in findings)]
-                )
+                at = float(1000 * drive.unit * phi if drive.pushed else np.degrees(phi))
+                yield row([str(k), fixed(at, language, 4), *(_cell(finding, k, language) for finding in findings)])
             yield ""
 
 

@@ -19,14 +19,15 @@ SYMBOL = {order.plan: order.point.symbol for order in (VELOCITIES, ACCELERATIONS
 
 
 class Plans(NamedTuple):
-    """What equations of one position are written by: the sums, the plans' scales by their names, the largest vectors.
+    """What equations of one position are written by: the sums, the plans' scales by their names, the largest rates.
 
-    A plan that is not drawn has no scale, and its vectors no length on paper.
+    A plan that is not drawn has no scale, and its vectors no length on paper; `fastest` is the largest rate of a link.
     """
 
     sums: VectorSums
     scales: Mapping[str, float]
     largest: Mapping[str, float]
+    fastest: float
 
 
 class VectorEquations:
@@ -51,7 +52,7 @@ class VectorEquations:
 
     def crank(self, leg: VectorSum) -> Iterator[str]:
         """Give the velocity and the acceleration of the crank's end."""
-        formula, link, omega = self.formula, leg.link, abs(self.sums.omega(leg.link))
+        formula, link, omega = self.formula, leg.link, self._spin(leg)
         arm, spin = self._arm(leg), formula.letter(f"ω_{link}")
         v, length = self._of(V, leg.point), formula.number(leg.length)
         yield inline(v, rf"{spin} {arm}", rf"{formula.number(omega)} \cdot {length}", self._size(V, leg.velocity[1]))
@@ -70,8 +71,9 @@ class VectorEquations:
         for leg in sorted(legs, key=lambda leg: not leg.turns):  # a Coriolis part needs the rate of its link
             yield from self._turning(leg) if leg.turns else self._sliding(leg)
         first = legs[0]
-        for plan, whole in ((V, sum(first.velocity)), (A, sum(first.acceleration))):
-            yield from self._whole(plan, whole, first.point, first.images[2])
+        if not any(leg.turns and leg.fixed for leg in legs):
+            yield from self._whole(V, sum(first.velocity), first.point, first.images[2])
+        yield from self._whole(A, sum(first.acceleration), first.point, first.images[2])
         yield from self._similar(dyad)
 
     def _terms(self, leg: VectorSum, plan: str, known: int) -> list[str]:
@@ -95,7 +97,8 @@ class VectorEquations:
     def _turning(self, leg: VectorSum) -> Iterator[str]:
         formula, link = self.formula, leg.link
         v = formula.letter(f"v_{{{leg.relative}}}")
-        yield from self._read(V, leg.velocity[1], v, leg.images[0] or "p", leg.images[2])
+        same = f"{self._of(V, leg.point)} = {v}" if leg.fixed else v
+        yield from self._read(V, leg.velocity[1], same, leg.images[0] or "p", leg.images[2])
         yield self._rate("ω", leg, self.sums.omega(link), leg.velocity[1], v)
         yield from self._normal(leg)
         t = self._part("t", leg)
@@ -106,21 +109,26 @@ class VectorEquations:
         formula = self.formula
         if leg.guided:
             return
+        if "_{" in leg.base:  # a point of the guide, which only similarity gives
+            yield from self._whole(V, leg.velocity[0], leg.base, leg.images[0])
+            yield from self._whole(A, leg.acceleration[0], leg.base, leg.images[0])
         v = formula.letter(f"v_{{{leg.relative}}}")
         yield from self._read(V, leg.velocity[1], v, leg.images[0], leg.images[2])
-        omega, k = abs(self.sums.omega(leg.link)), leg.acceleration[1]
-        product = rf"2 \cdot {formula.number(omega)} \cdot {formula.number(self._abs(V, leg.velocity[1]))}"
+        omega, slip = self._spin(leg), self._abs(V, leg.velocity[1])
+        k = leg.acceleration[1] if omega * slip else 0j
+        product = rf"2 \cdot {formula.number(omega)} \cdot {formula.number(slip)}"
         letters = rf"2 {formula.letter(f'ω_{leg.link}')} {v}"
-        yield inline(self._part("k", leg), letters, product, self._size(A, k))
+        yield inline(self._part("k", leg), letters, product, formula.quantity(abs(k), UNIT[A]))
         yield from self._laid(A, k, self._part("k", leg), leg.images[0], leg.images[1])
         yield from self._read(A, leg.acceleration[2], self._part("r", leg), leg.images[1], leg.images[2])
 
     def _normal(self, leg: VectorSum) -> Iterator[str]:
         formula, part = self.formula, self._part("n", leg)
-        omega, n = abs(self.sums.omega(leg.link)), leg.acceleration[1]
+        omega = self._spin(leg)
+        n = leg.acceleration[1] if omega else 0j
         square = rf"{formula.letter(f'ω_{leg.link}')}^{{2}} {self._arm(leg)}"
         product = rf"{formula.number(omega)}^{{2}} \cdot {formula.number(leg.length)}"
-        yield inline(part, square, product, self._size(A, n))
+        yield inline(part, square, product, formula.quantity(abs(n), UNIT[A]))
         yield from self._laid(A, n, part, leg.images[0] or POLES[A], leg.images[1])
 
     def _rate(self, symbol: str, leg: VectorSum, rate: float, part: complex, letter: str) -> str:
@@ -160,11 +168,17 @@ class VectorEquations:
     def _laid(self, plan: str, value: complex, letter: str, start: str, end: str) -> Iterator[str]:
         """Write the length at which a known vector is laid off."""
         formula, mu = self.formula, self.plans.scales.get(plan)
-        if mu is not None and self._seen(plan, value):
+        if mu is not None and value:
             scale = formula.letter(f"μ_{SYMBOL[plan]}")
             ratio = f"{formula.number(abs(value))} / {formula.number(mu)}"
             told = formula.quantity(abs(value) / mu, "mm")
             yield inline(formula.segment(start, end), f"{letter} / {scale}", ratio, told)
+
+    def _spin(self, leg: VectorSum) -> float:
+        """Give the size of a link's angular velocity, rad/s; one that is but rounding is none."""
+        omega = abs(self.sums.omega(leg.link))
+        seen = self._seen(V, leg.velocity[1]) if leg.turns else omega > NOTHING * self.plans.fastest
+        return omega if seen else 0.0
 
     def _part(self, name: str, leg: VectorSum) -> str:
         return self.formula.letter(f"a^{name}_{{{leg.relative}}}")

@@ -7,18 +7,20 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 
 from geometry.board import Mark
-from geometry.hand_error import Hand
-from plans.checks.hand.quantity import SLIP, errors_by_hand
+from geometry.hand_error import Hand, slopes
+from plans.checks.hand.quantity import SLIP, Slipping, errors_by_hand
 from plans.forces.cut import indices
 from plans.forces.force_template import ForcePlans
-from plans.forces.primary import BALANCING, DRIVING
+from plans.forces.primary import BALANCING, DRIVING, balancing_quantity
 from plans.forces.statics import Statics
 
 # The figures of a force sheet on which each board of the record is drawn.
 FIGURES = {"positions": "scheme-", "forces": "forces-", "lever": "lever"}
 
 
-def forces_by_hand(statics: Statics, position: int, scales: Mapping[str, float]) -> dict[tuple[str, int], float]:
+def forces_by_hand(
+    statics: Statics, position: int, scales: Mapping[str, float], by: Slipping = slopes
+) -> dict[tuple[str, int], float]:
     """Give what a hand may be out on the force sheet of one position, by the names of the findings.
 
     Arms are measured on the schemes of the groups, and all polygons drawn, each as the coarsest of them: `scales` are
@@ -30,7 +32,11 @@ def forces_by_hand(statics: Statics, position: int, scales: Mapping[str, float])
         plan: [mu for name, mu in scales.items() if name.startswith(figure)] for plan, figure in FIGURES.items()
     }
     rows = {plan: np.array([max(found)]) for plan, found in coarsest.items() if found}
-    found = errors_by_hand(dict(_forces_read(drawn)), Hand(SLIP, rows))
+    found = errors_by_hand(dict(_forces_read(drawn)), Hand(SLIP, rows), by)
+    if drawn.lever is not None:
+        name, _, share = balancing_quantity(statics.study.mechanism.drive)
+        hung = errors_by_hand({name: drawn.lever.moment}, Hand(SLIP, rows), by)
+        found[f"{name} lever"] = share * hung[name]
     return {(name, position): float(error[0]) for name, error in found.items()}
 
 
@@ -45,5 +51,3 @@ def _forces_read(drawn: ForcePlans) -> Iterator[tuple[str, Mark]]:
     yield BALANCING, plan.balancing
     if plan.drive is not None:
         yield DRIVING, plan.drive
-    if drawn.lever is not None:
-        yield f"{BALANCING} lever", drawn.lever.moment

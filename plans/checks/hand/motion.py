@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
-from geometry.hand_error import Hand
+from geometry.hand_error import Hand, slopes
 from plans.checks.compare import MotionComparison
-from plans.checks.hand.quantity import SLIP, Told, errors_by_hand
-from plans.checks.parts import Span, spans
+from plans.checks.comparison import Finding
+from plans.checks.hand.quantity import SLIP, Slipping, Told, errors_by_hand
+from plans.checks.parts import Masses, Span, findings, spans
 from plans.linkage.drafts import Drafts
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import FRAME
@@ -17,43 +19,62 @@ from plans.model.motion import Floats
 from plans.model.order import ORDERS, POSITIONS
 
 
-def motion_by_hand(
-    study: LinkageStudy, comparison: MotionComparison, positions: Sequence[int], scales: Mapping[str, Floats]
-) -> dict[str, Floats]:
-    """Give within what 95 of 100 drawings are of each velocity, acceleration and rate, (positions,), in its unit.
+@dataclass(frozen=True)
+class MotionByHand:
+    """The velocities, accelerations and rates of a linkage as they are read off plans that a hand draws.
 
-    The names are those of the findings: "v_B", "ω_3", "a^n_BA"; of a vector it is the size. `scales` are those of the
-    plans, true units a mm, one for each position. NaN: so near a dead centre that the slips of a hand tell nothing.
+    `masses` are the mass centres that no point names, by their letters: link, and place in its own frame.
     """
-    drafts = study.drafts(list(positions))
-    return errors_by_hand(motion_read(study, comparison, drafts), Hand(SLIP, scales))
 
+    study: LinkageStudy
+    comparison: MotionComparison
+    masses: Masses
 
-def plans_by_hand(
-    study: LinkageStudy, comparison: MotionComparison, scales: Mapping[str, float], positions: Sequence[int]
-) -> dict[tuple[str, int], float]:
-    """Give what a hand may be out on the drawn plans, by name and position; one without its plans has nothing.
+    @property
+    def parts(self) -> tuple[Finding, ...]:
+        """The parts of all velocities and accelerations by both roads."""
+        return findings(self.study, self.comparison, self.masses)
 
-    `scales` are those of the figures, true units a mm, by their names: "positions", "velocities-3".
-    """
-    names = {
-        k: {order.plan: order.plan if order is POSITIONS else f"{order.plan}-{k}" for order in ORDERS}
-        for k in positions
-    }
-    whole = [k for k in positions if set(names[k].values()) <= set(scales) and not study.lost[k]]
-    if not whole:
-        return {}
-    rows = {order.plan: np.array([scales[names[k][order.plan]] for k in whole]) for order in ORDERS}
-    found = motion_by_hand(study, comparison, whole, rows)
-    return {(name, k): float(error) for name, errors in found.items() for k, error in zip(whole, errors, strict=True)}
+    @property
+    def given(self) -> set[str]:
+        """What the scene states, by its letters."""
+        drive = self.study.mechanism.drive
+        if drive.ram is not None:
+            return set()  # what a cylinder gives the crank is found
+        return {f"{k}_{drive.end}" for k in "va"} if drive.pushed else {f"{k}_{drive.link}" for k in "ωε"}
 
+    def errors(
+        self, positions: Sequence[int], scales: Mapping[str, Floats], by: Slipping = slopes
+    ) -> dict[str, Floats]:
+        """Give within what 95 of 100 drawings are of each quantity, (positions,), in its own unit.
 
-def motion_read(study: LinkageStudy, comparison: MotionComparison, drafts: Drafts) -> dict[str, Told]:
-    """Give where the plans of some positions show what is read off them, by its letters."""
-    found: dict[str, Told] = {}
-    for order in ORDERS[1:]:
-        plan = drafts.plan(order.number)
-        moving = [name for name in comparison.construction.points if name not in study.mechanism.links[FRAME].points]
-        found |= {f"{order.point.symbol}_{name}": Span(plan.pole, plan.point(name)) for name in moving}
-        found |= {f"{order.link.symbol}_{link}": reading for link, reading in plan.readings.items()}
-    return found | spans(study, drafts, comparison.analysis)
+        The names are those of the findings: "v_B", "ω_3", "a^n_BA"; of a vector it is the size. `scales` are those of
+        the plans, true units a mm, one for each position. NaN: so near a dead centre that slips tell nothing.
+        """
+        return errors_by_hand(self.read(self.study.drafts(list(positions))), Hand(SLIP, scales), by)
+
+    def on_sheet(
+        self, positions: Sequence[int], scales: Mapping[str, float], by: Slipping = slopes
+    ) -> dict[tuple[str, int], float]:
+        """Give the errors on drawn figures, by name and position; a position without its plans has none.
+
+        `scales` are those of the figures, true units a mm, by their names: "positions", "velocities-3".
+        """
+        figures = {k: [o.plan if o is POSITIONS else f"{o.plan}-{k}" for o in ORDERS] for k in positions}
+        whole = [k for k in positions if set(figures[k]) <= set(scales) and not self.study.lost[k]]
+        if not whole:
+            return {}
+        rows = {order.plan: np.array([scales[figures[k][order.number]] for k in whole]) for order in ORDERS}
+        found = self.errors(whole, rows, by)
+        return {(name, k): float(error) for name, row in found.items() for k, error in zip(whole, row, strict=True)}
+
+    def read(self, drafts: Drafts) -> dict[str, Told]:
+        """Give where the plans of some positions show what is read off them, by its letters."""
+        found: dict[str, Told] = {}
+        fixed = self.study.mechanism.links[FRAME].points
+        for order in ORDERS[1:]:
+            plan = drafts.plan(order.number)
+            moving = [name for name in self.comparison.construction.points if name not in fixed]
+            found |= {f"{order.point.symbol}_{name}": Span(plan.pole, plan.point(name)) for name in moving}
+            found |= {f"{order.link.symbol}_{link}": reading for link, reading in plan.readings.items()}
+        return found | spans(self.study, drafts, self.comparison.analysis, self.masses)

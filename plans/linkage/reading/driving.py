@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from decimal import Decimal
 from math import ceil, log2
 
+from plans.linkage.reading.cylinder import by_ram
 from plans.linkage.reading.form import FrameLine, SlideTable
 from plans.linkage.reading.shapes import Spot
 from plans.linkage.reading.stroke import StrokeTable
@@ -22,7 +23,10 @@ def drive_ends(survey: Survey) -> tuple[str, str] | None:
     """Find the drive's fixed hinge and its far end; of a link that is pushed along its named point is both."""
     if not survey.know_link(LINK, survey.form.drive.link):
         return None
-    return _crank_ends(survey) if survey.form.drive.stroke is None else _pushed_ends(survey)
+    stroke = survey.form.drive.stroke
+    if stroke is not None:
+        _check_turnless(survey)
+    return _pushed_ends(survey) if stroke is not None and stroke.between is None else _crank_ends(survey)
 
 
 def _crank_ends(survey: Survey) -> tuple[str, str] | None:
@@ -46,7 +50,6 @@ def _crank_ends(survey: Survey) -> tuple[str, str] | None:
 
 
 def _pushed_ends(survey: Survey) -> tuple[str, str] | None:
-    _check_turnless(survey)
     table, link = _pushed(survey), survey.form.drive.link
     if table is None:
         if not survey.doubtful(LINK, ("mechanism", "slides"), ("mechanism", "frame")):
@@ -80,17 +83,21 @@ def datum_of(survey: Survey, ends: tuple[str, str] | None) -> Spot:
     frame = survey.form.mechanism.frame
     if ends is None:
         return ORIGIN
-    table = None if survey.form.drive.stroke is None else _pushed(survey)
+    table = _pushed(survey) if ends[0] == ends[1] else None
     if table is None:
         return frame.get(ends[0], ORIGIN)
     return table.along.through if isinstance(table.along, FrameLine) else frame[table.along[0]]
 
 
-def drive_of(survey: Survey, ends: tuple[str, str], links: Mapping[int, Link]) -> Drive:
+def drive_of(
+    survey: Survey, ends: tuple[str, str], links: Mapping[int, Link], sketch: Mapping[str, complex]
+) -> Drive | None:
     """Make the drive of a scene; a stroke is counted in a power of two metres, near the largest length there is."""
     form = survey.form.drive
     if form.stroke is None:
         return Drive(form.link, *ends, float(form.omega), float(form.acceleration))
+    if form.stroke.between is not None:
+        return by_ram(survey, ends, links, sketch)
     guide = next(slide for slide in survey.slides if slide.slider == form.link and slide.owner == FRAME)
     unit = _unit(form.stroke, guide, links)
     omega, epsilon = (form.stroke.sense * float(rate) / unit for rate in (form.stroke.speed, form.stroke.acceleration))

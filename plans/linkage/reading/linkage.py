@@ -55,7 +55,9 @@ def _build(survey: Survey) -> Mechanism | None:
     links = {
         number: Link(number, {name: as_complex(s) for name, s in shape.items()}) for number, shape in shapes.items()
     }
-    drive = drive_of(survey, ends, links)
+    drive = drive_of(survey, ends, links, sketch)
+    if drive is None:
+        return None
     working = form.output.working if form.output else SLOWER
     through = form.mechanism.through
     return Mechanism(survey.scene.heading(), datum, links, slides, drive, sketch, output, through, working)

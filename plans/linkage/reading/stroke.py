@@ -11,8 +11,19 @@ from plans.scene.tables import Missing, Table, key
 
 
 class StrokeTable(Table):
-    """The stroke of a primary link that slides: places of its point along the guide, metres, and its speed."""
+    """The stroke of a primary link that slides: places of its point along the guide, metres, and its speed.
 
+    Of a cylinder between two points it is told by their distance.
+    """
+
+    between: tuple[str, ...] | None = key(
+        g.LINE,
+        None,
+        meaning=(
+            'A cylinder that turns the crank, by the points that it acts between, "EF": a fixed one and one of the '
+            "crank; the stroke is told by their distance. Default: a link that slides on the frame is pushed along."
+        ),
+    )
     from_: Decimal = key(
         f.COORDINATE,
         meaning="Where the stroke begins: the slider's point from the point that the guide is given through, along it.",

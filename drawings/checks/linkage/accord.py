@@ -1,0 +1,64 @@
+"""What the notes say of the agreement of both roads, read back: how far they are apart, and the worst condition."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from drawings.checks import reading
+from drawings.checks.wrong import Wrong
+from drawings.lettering.words import word
+from drawings.paper.strokes import Leaf
+from drawings.paper.walk import texts
+from plans.checks.comparison import Finding
+from plans.model.motion import Floats
+from plans.words.words import message
+
+NOISE = 1e-11  # of the largest: what is less is told as this
+DIGITS = 2  # of kappa
+HELD = {"share": r"10−(\d+)|1", "position": r"(\d+)", "kappa": r"([\d.,]+)"}
+
+
+def faults(leaf: Leaf, findings: Sequence[Finding], kappa: Floats, language: str) -> Iterator[Wrong]:
+    """Hold the sentence about both roads against their differences; the first sheet of a set bears it."""
+    lines = [text.plain for group in leaf.groups if group.name == "notes" for text in texts((group,))]
+    told = re.search(_pattern(language), " ".join(lines).replace("\N{NO-BREAK SPACE}", " "))
+    if told is not None:
+        power, position, condition = told.groups()
+        close = _is_close(math.pow(10.0, -int(power or 0)), findings)
+        if not close or not _is_worst(int(position), condition, kappa):
+            yield message("wrong.told", text=told[0])
+    elif lines and np.isfinite(kappa).any():
+        yield message("wrong.notes")
+
+
+def _is_close(bound: float, findings: Sequence[Finding]) -> bool:
+    """Tell whether a power of ten is the least that no difference is beyond."""
+    apart = max((_share(one) for one in findings if one.largest > 0), default=0.0)
+    return max(apart, NOISE) <= bound * (1 + NOISE) and (bound <= NOISE * (1 + NOISE) or apart > bound / 10)
+
+
+def _share(one: Finding) -> float:
+    known = one.difference[np.isfinite(one.difference)]
+    return float(known.max(initial=0.0)) / one.largest
+
+
+def _is_worst(position: int, told: str, kappa: Floats) -> bool:
+    """Tell whether a condition is the worst over the positions, and that of its own."""
+    worst = float(np.nanmax(kappa))
+    own = math.isclose(float(kappa[position]), worst, rel_tol=ALIKE) if position < len(kappa) else False
+    return own and reading.reads(told, worst, ALIKE * worst, DIGITS)
+
+
+ALIKE = 1e-6  # conditions of positions that mirror each other differ by their rounding alone
+
+
+def _pattern(language: str) -> str:
+    """Give the sentence with its numbers to be read."""
+    found = re.escape(word(language, "accord", **{key: f"<{key}>" for key in HELD}))
+    for key, number in HELD.items():
+        found = found.replace(re.escape(f"<{key}>"), f"(?:{number})")
+    return found

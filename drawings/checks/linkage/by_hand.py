@@ -1,0 +1,81 @@
+"""What a sheet says a hand may be out, held against each slip tried by itself (проверка точности от руки).
+
+The sheet's numbers come from the slopes of the acts by rule; here every slip of the record is made, one at a time, and
+the record drawn again with it. How slips add up to what 95 of 100 drawings are within is reckoned once, for both.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Iterator, Mapping
+from typing import NamedTuple
+
+from drawings.checks import reading
+from drawings.checks.wrong import Wrong
+from drawings.measure.measure import Measured
+from drawings.paper.strokes import Leaf
+from plans.checks.comparison import Finding
+from plans.words.words import message
+
+Errors = Mapping[tuple[str, int], float]  # by the name and the position of a finding
+
+DIGITS = 2  # of what is told
+TRIED = 1e-4  # of an error: what trying a slip, instead of its slope, leaves out
+
+
+class Told(NamedTuple):
+    """What a hand may be out, twice: by the slopes of the acts, which also say where they tell nothing; by trying."""
+
+    ruled: Errors
+    tried: Errors
+
+    def of(self, finding: Finding, position: int) -> float:
+        """Give what a cell must say; NaN: nothing."""
+        key = finding.name, position
+        if not self.ruled.get(key, math.nan) <= finding.largest:
+            return math.nan
+        return self.tried[key]
+
+
+def wrong_cells(leaf: Leaf, named: Mapping[str, Finding], told: Told) -> Iterator[Wrong]:
+    """Give the cells of the tables of a sheet that tell another error than a hand makes at its scales."""
+    for group in reading.value_tables(leaf):
+        for row in reading.cells(group, named, reading.positions_of(group)):
+            if not _holds(row, told.of(row.finding, row.position)):
+                yield message("wrong.value", text=row.third, name=row.finding.name, position=row.position)
+
+
+def missing_rows(leaf: Leaf, named: Mapping[str, Finding], due: Collection[str]) -> Iterator[Wrong]:
+    """Name the rows that a set of one sheet does not have; of a longer one each sheet has some."""
+    lines = (row for group in reading.value_tables(leaf) for row in reading.rows(group))
+    seen = {text.plain.rsplit(", ", 1)[0] for row in lines for text in row}
+    absent = (label for label, finding in named.items() if finding.name in due and label not in seen)
+    if leaf.metadata["of"] == 1:
+        yield from (message("wrong.row_missing", name=label) for label in absent)
+
+
+def wrong_scales(measured: Measured, leaf: Leaf, figures: tuple[str, ...]) -> Iterator[Wrong]:
+    """Name the figures that are drawn to other scales than the table counts with."""
+    scales = {name: mu for name, mu in leaf.metadata["scales"].items() if name.startswith(figures)}
+    for mark in (*measured.vectors, *measured.points):
+        told = scales.get(mark.plan, scales.get(f"{mark.plan}-{mark.position}"))
+        if told is not None and not math.isclose(told, mark.scale):
+            yield message("wrong.scale", text=f"{mark.plan} {mark.scale:g}")
+
+
+def wrong_headings(leaf: Leaf, figures: tuple[str, ...]) -> Iterator[Wrong]:
+    """Name the figures without vectors to scale whose headings state another scale than the table counts with."""
+    for group in leaf.groups:
+        if group.name.startswith(figures) and group.name in leaf.metadata["scales"]:
+            yield from reading.scales(group, [leaf.metadata["scales"][group.name]])
+
+
+def _holds(row: reading.Cells, error: float) -> bool:
+    """Tell whether a cell says an error to two digits, or to the last decimal of its row."""
+    if math.isnan(error):
+        return row.third == "—"
+    if not row.third.startswith("±"):
+        return False
+    last = reading.last_place(row.plan)
+    digits = DIGITS if error >= (1 - TRIED) * 10 * last else 0
+    return reading.reads(row.third[1:], error, TRIED * error, digits)

@@ -1,0 +1,60 @@
+"""The self-check of a primary link that slides: the division of its stroke, the arrows of how it is pushed (ход)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from drawings.checks.linkage.laid import LaidMechanism
+from drawings.checks.linkage.position_marks import EXACT, named
+from drawings.checks.wrong import on
+from drawings.figures.linkage.position_plan import OTHERS, ROTATION
+from drawings.paper.strokes import Leaf, Line
+from drawings.symbols.symbols import TICK
+from plans.linkage.travel import frame_slide
+from plans.model.order import POSITIONS
+from plans.words.words import Message
+
+SQUARE = 1e-3  # rad by which a tick or an arrow may lean: ends that are rounded on so short a line
+
+
+def faults(leaf: Leaf, laid: LaidMechanism) -> Iterator[Message]:
+    """Hold the ticks of the stroke and both arrows against the analysis."""
+    yield from _ticks(leaf, laid)
+    yield from _arrows(leaf, laid)
+
+
+def _along(laid: LaidMechanism) -> complex:
+    slide = frame_slide(laid.mechanism, laid.mechanism.drive.link)
+    assert slide is not None  # it is what drives
+    return slide.on_owner.direction
+
+
+def _ticks(leaf: Leaf, laid: LaidMechanism) -> Iterator[Message]:
+    """See that every tick on the stroke stands at a position, and that no position but what a pair covers lacks one."""
+    places = laid.motion.points[laid.mechanism.drive.end].r
+    due = {k: laid.at.on(complex(place)) for k, place in enumerate(places) if not math.isnan(place.real)}
+    lines = [line for group in named(leaf, OTHERS) for line in group.strokes if isinstance(line, Line)]
+    middles = [(line.start + line.end) / 2 for line in lines if _is_tick(line, laid)]
+    near = {k: min((abs(middle - spot) for middle in middles), default=math.inf) for k, spot in due.items()}
+    for k in due:
+        if k != laid.position and near[k] > EXACT:
+            yield on("missing_at", POSITIONS.plan, name=laid.mechanism.drive.end, position=k)
+
+
+def _is_tick(line: Line, laid: LaidMechanism) -> bool:
+    run = (line.end - line.start) / _along(laid)
+    return abs(run.real) <= SQUARE * abs(run) and abs(run) <= 3 * TICK
+
+
+def _arrows(leaf: Leaf, laid: LaidMechanism) -> Iterator[Message]:
+    """See that there is an arrow for the velocity and for the acceleration of the slider, each the way that it goes."""
+    point = laid.motion.points[laid.mechanism.drive.end]
+    due = {symbol: complex(row[laid.position]) for symbol, row in zip("va", point[1:], strict=False)}
+    told = {symbol: value for symbol, value in due.items() if abs(value) > 0}
+    lines = [line for group in named(leaf, ROTATION) for line in group.strokes if isinstance(line, Line)]
+    senses = [float(np.sign(((line.end - line.start) / _along(laid)).real)) for line in lines]
+    if senses != [float(np.sign((value / _along(laid)).real)) for value in told.values()]:
+        yield on("sense", POSITIONS.plan, name=laid.mechanism.drive.end)

@@ -1,0 +1,1 @@
+"""Kinematic diagrams on paper (кинематические диаграммы)."""

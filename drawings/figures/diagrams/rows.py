@@ -1,0 +1,126 @@
+"""What the rows of the kinematic diagrams show: S by the plans, v and a by chords, exact curves beside."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from drawings.figures.graphs.smooth import smooth
+from geometry.strips import Departure, departure
+from plans.diagrams.study import DiagramsStudy
+from plans.model.diagrams import TURN, Axis, Course, Diagrams
+from plans.model.motion import Floats
+
+TRAVEL, VELOCITY, ACCELERATION = KEYS = ("travel", "velocity", "acceleration")  # from the top
+SLIDING, TURNING = ("S", "v", "a"), ("ψ", "ω", "ε")
+AHEAD = ("Δψ", "Δω", "ε")  # of an output that turns fully: what it is ahead of an even turn
+STEPS = 360  # of a turn at least: a degree, of which no curve on paper shows the corners
+NOUGHT = 1e-9  # of what the row above would make it: a rounding, which no scale is told of
+
+
+class Curve(NamedTuple):
+    """A curve in true units over the axis, rad."""
+
+    x: Floats
+    y: Floats
+
+
+class DiagramRow(NamedTuple):
+    """A row: its points by the plans, what is drawn thick and thin, the points and values by chords."""
+
+    key: str
+    letter: str
+    unit: str
+    at: Floats  # (M,): of the plans, at the positions; NaN at gaps
+    results: tuple[Curve, ...]
+    thin: tuple[Curve, ...]
+    chords: Curve  # where the values by chords belong, and these; nothing in the first row
+    off: Departure | None = None  # of the values by chords
+    flat: bool = False  # whether it shows nothing that a scale could be told of
+
+    @property
+    def span(self) -> tuple[float, float]:
+        """The least and the greatest value, zero among them."""
+        own = np.concatenate([self.at, *(one.y for one in (*self.results, *self.thin, self.chords))])
+        return float(np.nanmin(own, initial=0.0)), float(np.nanmax(own, initial=0.0))
+
+
+def letters_of(own: DiagramsStudy) -> tuple[str, str, str]:
+    """Give the letters of the rows."""
+    if own.course.travel.sliding:
+        return SLIDING
+    return AHEAD if own.course.count.turns else TURNING
+
+
+def rows_of(own: DiagramsStudy) -> tuple[DiagramRow, ...]:
+    """Give the rows from the top."""
+    found = own.drawn
+    axis, nodes = found.axis, found.axis.nodes(STEPS)
+    dense = [own.course.at(row) for row in nodes]
+    travel = _row(own, 0, found.at.s, _curves(nodes, [one.s for one in dense]))
+    chords = tuple(Curve(axis.turned[run], found.at.s[run]) for run in axis.runs)
+    return (
+        travel._replace(thin=chords),
+        _by_chords(_row(own, 1, found.at.v, _curves(nodes, [one.v for one in dense])), found, axis.middles),
+        _by_chords(_row(own, 2, found.even, _curves(nodes, _even(found, dense))), found, axis.places),
+    )
+
+
+def _row(own: DiagramsStudy, order: int, at: Floats, curves: tuple[Curve, ...]) -> DiagramRow:
+    nothing = Curve(np.zeros(0), np.zeros(0))
+    return DiagramRow(KEYS[order], letters_of(own)[order], own.units[order], at, curves, (), nothing)
+
+
+def _by_chords(row: DiagramRow, found: Diagrams, places: Floats) -> DiagramRow:
+    """Let the values by chords be the result, and what is exact stand thin beside them."""
+    fast = row.key == VELOCITY
+    values, exact = (found.speeds, found.true_speeds) if fast else (found.growths, found.true_growths)
+    there = ~np.isnan(values)
+    known = there & ~np.isnan(exact)
+    off = departure(values[known], exact[known]) if known.any() else None
+    if off is not None:
+        off = off._replace(at=int(np.flatnonzero(known)[off.at]))
+    omega = TURN * NOUGHT
+    largest = float(np.nanmax(np.abs(values), initial=0.0))
+    flat = largest <= omega * float(np.nanmax(np.abs(found.at.s if fast else found.speeds), initial=0.0)) * _pace(found)
+    results = () if flat else tuple(_smooth(found.axis, places, values))
+    chords = Curve(places[there], values[there])
+    return row._replace(results=results, thin=() if flat else row.results, chords=chords, off=off, flat=flat)
+
+
+def _pace(found: Diagrams) -> float:
+    """Give how fast the crank turns, rad/s, by the way of the output over a part and its mean velocity there."""
+    way = np.diff(found.at.s) / np.diff(found.axis.turned)
+    k = int(np.nanargmax(np.abs(way)))
+    return float(abs(found.speeds[k] / way[k])) if way[k] else 0.0
+
+
+def _even(found: Diagrams, dense: list[Course]) -> list[Floats]:
+    return [one.even(found.lead) for one in dense]
+
+
+def _curves(nodes: Sequence[Floats], values: list[Floats]) -> tuple[Curve, ...]:
+    return tuple(Curve(x, y) for x, y in zip(nodes, values, strict=True))
+
+
+def _smooth(axis: Axis, places: Floats, values: Floats) -> Iterator[Curve]:
+    """Join the values by chords of each run smoothly; those of a whole turn go on from its end to its beginning."""
+    for run, nodes in zip(axis.runs, axis.nodes(STEPS), strict=True):
+        own = slice(run.start, run.stop - (len(values) < len(axis.turned)))
+        there = ~np.isnan(values[own])
+        x, y = places[own][there], values[own][there]
+        if axis.closed:
+            x, y = _around(x, y)
+        if len(x) > 1:
+            inside = nodes[(nodes >= x[0]) & (nodes <= x[-1])]
+            at = np.sort(np.concatenate([inside, x[(x >= nodes[0]) & (x <= nodes[-1])]]))
+            yield Curve(at, smooth(x, y, at))
+
+
+def _around(x: Floats, y: Floats) -> tuple[Floats, Floats]:
+    """Let a row of a turn go on a little beyond both its ends."""
+    if x[-1] - x[0] >= TURN - np.diff(x).min() / 2:  # its end is its beginning
+        x, y = x[:-1], y[:-1]
+    return np.concatenate([x[-2:] - TURN, x, x[:2] + TURN]), np.concatenate([y[-2:], y, y[:2]])

@@ -1,0 +1,79 @@
+"""A crank that a cylinder drives: its angles by notches from the cylinder's lengths, its rates (гидроцилиндр).
+
+The boom of an excavator: the cylinder swings about a fixed point E, its rod's end F is a point of the crank.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from geometry.board import Board
+from plans.linkage.crank_positions import CrankPositions
+from plans.model.mechanism import FRAME, Mechanism, Ram
+from plans.model.motion import Complexes, Floats
+from plans.model.rates import Pace, Rates
+from plans.words.words import because
+
+
+class Triangle(NamedTuple):
+    """The triangle of a cylinder: its fixed point and the crank's hinge, m, the crank's point in the crank's frame.
+
+    `own` is that from the hinge in shares of the crank's unit direction, m.
+    """
+
+    ram: Ram
+    fixed: complex
+    hinge: complex
+    own: complex
+
+    def span(self, phi: Floats) -> Complexes:
+        """Give the vector from the fixed point to the crank's, (N,) m, at crank angles rad."""
+        return np.asarray(self.hinge + self.own * np.exp(1j * phi) - self.fixed)
+
+
+def triangle(mechanism: Mechanism) -> Triangle:
+    """Give the triangle of the cylinder that drives a mechanism."""
+    drive, frame = mechanism.drive, mechanism.links[FRAME].points
+    assert drive.ram is not None  # asked only where there is one
+    points = mechanism.links[drive.link].points
+    end = points[drive.end] - points[drive.pivot]
+    own = (points[drive.ram.point] - points[drive.pivot]) * abs(end) / end
+    return Triangle(drive.ram, frame[drive.ram.fixed], frame[drive.pivot], own)
+
+
+def positions(mechanism: Mechanism, ways: Floats) -> CrankPositions:
+    """Notch the crank's point by the cylinder's lengths, (N,) m, and give the crank's positions there."""
+    corner, ram = triangle(mechanism), triangle(mechanism).ram
+    board = Board("positions")
+    fixed = board.given(ram.fixed, corner.fixed, because("fixed"))
+    hinge = board.given(mechanism.drive.pivot, corner.hinge, because("drive_hinge"))
+    lengths = board.arc(f"{ram.fixed}{ram.point}", fixed, ways, because("ram_lengths"))
+    crank = board.arc(f"{mechanism.drive.pivot}{ram.point}", hinge, abs(corner.own), because("crank_circle"))
+    why = because("notched", point=ram.point, start=fixed.name, end=hinge.name)
+    met = board.meet(ram.point, lengths, crank, ram.side, why)
+    directions = np.asarray((met.point - corner.hinge) / corner.own)
+    directions = directions / np.abs(directions)
+    return CrankPositions(np.unwrap(np.angle(directions)), directions)
+
+
+def pace(mechanism: Mechanism) -> Pace:
+    """Give the crank's rates at its angles: its point goes along the cylinder as fast as that lengthens."""
+    corner = triangle(mechanism)
+
+    def rates(phi: Floats) -> Rates:
+        arm, span = corner.own * np.exp(1j * phi), corner.span(phi)
+        length = np.abs(span)
+        arms = arm * np.conj(span / length)  # along the cylinder, and square to it
+        omega = -corner.ram.speed / arms.imag
+        across = omega * arms.real
+        epsilon = (across**2 / length - omega**2 * arms.real - corner.ram.acceleration) / arms.imag
+        return Rates(omega, epsilon)
+
+    return rates
+
+
+def ways(mechanism: Mechanism, phi: Floats) -> Floats:
+    """Give the cylinder's lengths at crank angles rad, (N,) m."""
+    return np.asarray(np.abs(triangle(mechanism).span(phi)))
