@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
+from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -25,13 +26,13 @@ from plans.linkage.reading.linkage import mechanism_of
 from plans.linkage.sketch import Assembly, SketchError, assembly
 from plans.model.group import Group
 from plans.model.mechanism import Mechanism, Output, StructureError
-from plans.model.motion import Floats, Gap, Motion
+from plans.model.motion import Floats, Motion
 from plans.model.order import PLANS, numbers_of
 from plans.model.rates import Pace, Rates, rates_at, steady
 from plans.model.structure import decompose
 from plans.model.working import NoWorkingStroke
 from plans.scene.scene import Scene
-from plans.words.words import Message, message, placed
+from plans.words.words import Message, placed
 
 if TYPE_CHECKING:
     from plans.study import Study
@@ -283,11 +284,7 @@ class LinkageStudy:
             links.angle[lost] = np.nan
         gaps.forget(drawn, lost)
         named += gaps.without_velocity(drawn, lost, blunt, (*self.barriers, *self.passed))
-        return replace(drawn, gaps=tuple(sorted(named, key=_number)))
-
-
-def _number(gap: Gap) -> int:
-    return gap.position
+        return replace(drawn, gaps=tuple(sorted(named, key=attrgetter("position"))))
 
 
 def _fill(whole: Motion, part: Motion, at: slice) -> None:
