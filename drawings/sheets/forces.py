@@ -12,7 +12,7 @@ import numpy as np
 
 from drawings.figures.dynamics import load_diagram
 from drawings.figures.dynamics.load_course import courses
-from drawings.figures.forces import force_polygon, force_table, lever_plan, loading_scheme
+from drawings.figures.forces import force_detail, force_polygon, force_table, lever_plan, loading_scheme
 from drawings.figures.forces.force_equations import Equations
 from drawings.figures.forces.force_letters import letter_of
 from drawings.figures.forces.lever_equation import LeverEquation
@@ -95,9 +95,25 @@ class _ForceSheet:
         """The forces over a whole turn, dense enough for curves."""
         return self.statics.around(STEPS)
 
-    def _column(self, cut: Cut) -> tuple[Exhibit, Caption, Exhibit]:
-        """A cut's loading scheme, its equations and its polygon, which stand together."""
-        return self._scheme(cut), self._equations(cut), self._polygon(cut)
+    def _column(self, cut: Cut) -> Iterator[Exhibit | Caption]:
+        """A cut's loading scheme, its equations, its polygon and the details of that, which stand together."""
+        yield from (self._scheme(cut), self._equations(cut), self._polygon(cut))
+        for shown in self._details[cut.label]:
+            room = force_polygon.measure(shown, shown.plan, self.drafting)
+            least, most = (size * self.drafting.hand.letter for size in (force_detail.LETTERS, force_detail.MOST))
+            room = room._replace(least=least, most=most)
+            draw = partial(force_polygon.draw, shown, room, drafting=self.drafting)
+            yield Exhibit(Panel(room, together=cut.label), draw)
+
+    @cached_property
+    def _details(self) -> dict[str, tuple[force_polygon.ForcePolygon, ...]]:
+        """The enlarged details of each cut's polygon, lettered through all of them."""
+        found: dict[str, tuple[force_polygon.ForcePolygon, ...]] = {}
+        for cut in self.plan.cuts:
+            shown = force_polygon.polygon(self.plan, cut, self.position)
+            room, before = force_polygon.measure(shown, "", self.drafting), sum(map(len, found.values()))
+            found[cut.label] = force_detail.details(shown, room, self.drafting, before)
+        return found
 
     def _scheme(self, cut: Cut) -> Exhibit:
         shown = loading_scheme.scheme(self.plan, cut, self.position)
@@ -115,7 +131,8 @@ class _ForceSheet:
     def _polygon(self, cut: Cut) -> Exhibit:
         shown = force_polygon.polygon(self.plan, cut, self.position)
         room = force_polygon.measure(shown, f"{POLYGON}{cut.label}", self.drafting)
-        draw = partial(force_polygon.draw, shown, room, drafting=self.drafting)
+        details = self._details[cut.label]
+        draw = partial(force_polygon.draw, shown, room, drafting=self.drafting, details=details)
         return Exhibit(Panel(room, together=cut.label), draw)
 
     def _lever(self) -> Iterator[Exhibit | Caption]:
