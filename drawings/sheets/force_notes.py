@@ -107,8 +107,11 @@ def _lever(statics: Statics, position: int, language: str) -> Iterator[str]:
     if not seen:
         return
     powers = ", ".join(f"{force_letter(name, language)}{NBSP}{number(power, language)}" for name, power in seen)
-    both = {"total": number(total, language, 5), "drive": number(-total, language, 5)}
     yield word(language, "lever arms")
+    if statics.study.mechanism.drive.ram is not None:
+        yield word(language, "forces of balanced lever", powers=powers)
+        return
+    both = {"total": number(total, language, 5), "drive": number(-total, language, 5)}
     yield word(language, "forces of lever", force=force_letter(DRIVING, language), powers=powers, **both)
 
 

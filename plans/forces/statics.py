@@ -10,11 +10,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from plans.forces.cylinder import driven
+from plans.forces.cylinder import driven, push
 from plans.forces.force_drawing import ForceDrawing
 from plans.forces.force_template import ForcePattern, ForcePlans
 from plans.forces.lines import check_lines
 from plans.forces.loading import loading
+from plans.forces.primary import balancing_quantity
 from plans.forces.reading.form import ForceForm
 from plans.forces.reading.inventory import machine_of
 from plans.forces.stroke import NoStroke, OtherStroke, Stroke, strokes
@@ -177,6 +178,17 @@ class Statics:
         """Give the loads at the positions of a motion of either road, with the strokes that it finds."""
         return driven(self.study.mechanism, self.machine, motion, loading(self.machine, motion, strokes))
 
+    def given(self, forces: Kinetostatics, motion: Motion, strokes: Mapping[Track, Stroke] | None = None) -> Floats:
+        """Give what is told of the drive over the positions: the moment of a crank, the force of a slide or a cylinder.
+
+        See `balancing_quantity`; the strokes are those that the road of the motion finds.
+        """
+        mechanism, machine = self.study.mechanism, self.machine
+        if mechanism.drive.ram is None:
+            return balancing_quantity(mechanism.drive).share * forces.balancing.moment
+        loads = loading(machine, motion, self.strokes if strokes is None else strokes)
+        return np.where(np.isnan(forces.balancing.moment), np.nan, push(mechanism, machine, motion, loads))
+
     @cached_property
     def pattern(self) -> ForcePattern | ForceDrawing:
         """The force plan drawn at one position, to be followed at all."""
@@ -201,15 +213,22 @@ class Statics:
     def around(self, steps: int) -> Kinetostatics:
         """Give the forces over a whole turn from the first position on, in even steps; NaN where there are none.
 
-        Of a slide that is pushed along they are those over its stroke.
+        Of a drive over a stroke they are those over the stroke.
         """
+        drafts = self._around(steps)
+        found, none = ForceDrafts(self, drafts).read()
+        return without(found, none | drafts.lost)
+
+    def given_around(self, steps: int, forces: Kinetostatics) -> Floats:
+        """Give what is told of the drive where `around` gives the forces."""
+        return self.given(forces, self._around(steps).motion(2))
+
+    def _around(self, steps: int) -> Drafts:
         study = self.study
         first, last = study.turn.phi[0], study.turn.phi[-1]
         whole = study.sense * 2 * np.pi if study.mechanism.drive.turns else last - first
         phi = first + whole * np.arange(steps + 1) / steps
-        drafts = Drafts(study, at_angles(phi).paced(study.pace))
-        found, none = ForceDrafts(self, drafts).read()
-        return without(found, none | drafts.lost)
+        return Drafts(study, at_angles(phi).paced(study.pace))
 
     @cached_property
     def forces(self) -> Kinetostatics:

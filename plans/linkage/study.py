@@ -19,7 +19,7 @@ from plans.linkage.crank_positions import CrankPositions, even, from_direction, 
 from plans.linkage.drafts import Drafts
 from plans.linkage.extreme import ExtremePositions, extremes, output
 from plans.linkage.obstruction import obstruction
-from plans.linkage.primaries import ram
+from plans.linkage.primaries import ram, slider
 from plans.linkage.reading.form import LinkageForm
 from plans.linkage.reading.linkage import mechanism_of
 from plans.linkage.sketch import Assembly, SketchError, assembly
@@ -106,10 +106,11 @@ class LinkageStudy:
 
     @property
     def pace(self) -> Pace | None:
-        """The rates of the drive at its coordinate: another technique's, or those of a cylinder; None: steady ones."""
-        if self._pace is not None or self.mechanism.drive.ram is None:
+        """The rates of the drive at its coordinate: another technique's, or a stroke's own; None: steady ones."""
+        drive = self.mechanism.drive
+        if self._pace is not None or not (drive.ram or drive.law):
             return self._pace
-        return ram.pace(self.mechanism)
+        return ram.pace(self.mechanism) if drive.ram else slider.pace(self.mechanism)
 
     @property
     def rates(self) -> Rates:

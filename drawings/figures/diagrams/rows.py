@@ -8,9 +8,8 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.figures.graphs.smooth import smooth
-from geometry.strips import Departure, departure
 from plans.diagrams.study import DiagramsStudy
-from plans.model.diagrams import TURN, Axis, Course, Diagrams
+from plans.model.diagrams import TURN, Axis, ChordError, Course, Diagrams, chord_error
 from plans.model.motion import Floats
 
 TRAVEL, VELOCITY, ACCELERATION = KEYS = ("travel", "velocity", "acceleration")  # from the top
@@ -37,7 +36,7 @@ class DiagramRow(NamedTuple):
     results: tuple[Curve, ...]
     thin: tuple[Curve, ...]
     chords: Curve  # where the values by chords belong, and these; nothing in the first row
-    off: Departure | None = None  # of the values by chords
+    off: ChordError | None = None  # of the values by chords
     flat: bool = False  # whether it shows nothing that a scale could be told of
 
     @property
@@ -77,11 +76,7 @@ def _by_chords(row: DiagramRow, found: Diagrams, places: Floats) -> DiagramRow:
     """Let the values by chords be the result, and what is exact stand thin beside them."""
     fast = row.key == VELOCITY
     values, exact = (found.speeds, found.true_speeds) if fast else (found.growths, found.true_growths)
-    there = ~np.isnan(values)
-    known = there & ~np.isnan(exact)
-    off = departure(values[known], exact[known]) if known.any() else None
-    if off is not None:
-        off = off._replace(at=int(np.flatnonzero(known)[off.at]))
+    there, off = ~np.isnan(values), chord_error(values, exact)
     omega = TURN * NOUGHT
     largest = float(np.nanmax(np.abs(values), initial=0.0))
     flat = largest <= omega * float(np.nanmax(np.abs(found.at.s if fast else found.speeds), initial=0.0)) * _pace(found)
