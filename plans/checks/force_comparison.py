@@ -144,10 +144,9 @@ class ForceFindings:
         road, solved = self.motion.road, self.motion.analysis
         ours, theirs, off = self.ours.balancing, self.theirs.balancing, self.off(plan.balancing)
         largest = self._largest_moment
-        if ours.force is not None:
+        if ours.force is not None and self._told.name != DRIVING:
             yield self.finding((DRIVING, "N"), (ours.force, theirs.force), self.off(plan.drive), self.largest)
-        if self._told.name != DRIVING:
-            yield self.finding((BALANCED, "N*m"), (ours.moment, theirs.moment), off, largest)
+        yield self._told_by("", (ours.moment, theirs.moment), off, largest)
         if hung_on is not None:
             hung = np.where(np.isnan(ours.moment), np.nan, np.asarray(hung_on.moment.point).real)
             yield self._told_by("lever", (hung, theirs.moment), self.off(hung_on.moment), largest)
@@ -174,7 +173,8 @@ class ForceFindings:
     def _told_by(self, how: str, pair: tuple[Any, Any], off: Floats, largest: float) -> Finding:
         """Put what the drive gives beside what another balance gives, by their moments; of a slide their forces."""
         name, unit, share = self._told
-        return self.finding((f"{name} {how}", unit), (share * pair[0], share * pair[1]), share * off, share * largest)
+        both = share * pair[0], share * pair[1]
+        return self.finding((f"{name} {how}".strip(), unit), both, share * off, share * largest)
 
     def energy(self, loads: Loading) -> Finding:
         """Compare with the energy balance; how far its differences may be off is its own word, and is not capped."""

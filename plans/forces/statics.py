@@ -13,6 +13,7 @@ import numpy.typing as npt
 from plans.forces.cylinder import driven, push
 from plans.forces.force_drawing import ForceDrawing
 from plans.forces.force_template import ForcePattern, ForcePlans
+from plans.forces.joining import joined, without
 from plans.forces.lines import check_lines
 from plans.forces.loading import loading
 from plans.forces.primary import balancing_quantity
@@ -31,10 +32,8 @@ from plans.model.group import Pair
 from plans.model.kinetostatics import (
     FORCES,
     INDETERMINATE,
-    Balancing,
     Kinetostatics,
     Loading,
-    Reaction,
     pairs,
     without_forces,
 )
@@ -237,7 +236,7 @@ class Statics:
         for part in self.parts():
             found.append(part.read())
             free = free and part.drafts.free
-        whole, none = _joined([forces for forces, _ in found]), np.concatenate([singular for _, singular in found])
+        whole, none = joined([forces for forces, _ in found]), np.concatenate([singular for _, singular in found])
         if free and not none.any():
             return whole
         gaps, lost = self.study.motion(2).gaps, np.zeros(len(whole.phi), dtype=bool)
@@ -283,37 +282,6 @@ class Statics:
 
 def _number(gap: Gap) -> int:
     return gap.position
-
-
-def _joined(parts: Sequence[Kinetostatics]) -> Kinetostatics:
-    """Put the forces over parts of the positions together."""
-    if len(parts) == 1:
-        return parts[0]
-
-    def joined(rows: Sequence[Any]) -> Any:
-        return None if rows[0] is None else np.concatenate(rows)
-
-    reactions = {}
-    for key, first in parts[0].reactions.items():
-        told = [part.reactions[key] for part in parts]
-        rows = (joined([getattr(one, name) for one in told]) for name in ("r", "force", "moment", "along"))
-        reactions[key] = Reaction(first.giver, first.taker, first.point, *rows)
-    balancing = Balancing(*(joined(rows) for rows in zip(*(part.balancing for part in parts), strict=True)))
-    return Kinetostatics(parts[0].by, np.concatenate([part.phi for part in parts]), reactions, balancing, ())
-
-
-def without(forces: Kinetostatics, gone: npt.NDArray[np.bool_]) -> Kinetostatics:
-    """Leave no force at some positions."""
-
-    def kept(row: Any) -> Any:
-        return None if row is None else np.where(gone, np.nan, row)
-
-    reactions = {
-        key: one._replace(force=kept(one.force), moment=kept(one.moment)) for key, one in forces.reactions.items()
-    }
-    told = forces.balancing
-    balancing = Balancing(kept(told.moment), kept(told.force), told.r)
-    return replace(forces, reactions=reactions, balancing=balancing)
 
 
 def study_of(study: Study) -> Statics:
