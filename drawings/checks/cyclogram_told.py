@@ -88,7 +88,7 @@ def _due(one: Position, found: Cyclogram) -> tuple[Cell, ...]:
 
 def notes(leaf: Leaf, comparison: CyclogramComparison, cams: tuple[Cam, ...], drafting: Drafting) -> Iterator[Wrong]:
     """Read the notes of the first sheet back against those of the analysis; the construction alone knows of notches."""
-    if leaf.metadata["number"] != 1:
+    if not leaf.metadata["notes"]:
         return
     pairs = zip(comparison.analysis.positions, comparison.construction.positions, strict=True)
     positions = tuple(one._replace(notched=ours.notched) for one, ours in pairs)

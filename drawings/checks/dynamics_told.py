@@ -123,7 +123,7 @@ def _cell(text: str, true: str, most: float, digits: int) -> bool:
 
 def notes(leaf: Leaf, expected: Expected, comparison: DynamicsComparison, drafting: Drafting) -> Iterator[Wrong]:
     """Read the notes of the first sheet back."""
-    if leaf.metadata["number"] != 1:
+    if not leaf.metadata["notes"]:
         return
     seen = " ".join(text.plain for one in groups(leaf.groups) if one.name == "notes" for text in texts((one,)))
     true = notes_of(expected, comparison, precise(drafting))

@@ -97,19 +97,14 @@ def masses(leaf: Leaf, rotor: Rotor, comparison: Comparison, drafting: Drafting)
             continue
         wrong = (text for text, cell in zip(cells, lines[name], strict=True) if not cell.holds(text))
         yield from (within("cell", MASSES, name=name, text=text) for text in wrong)
-    missing = (name for name in _run(leaf, list(lines), seen) if name not in seen)
+    missing = (name for name in _run(leaf, list(lines)) if name not in seen)
     yield from (within("missing_from", MASSES, name=name) for name in missing)
 
 
-def _run(leaf: Leaf, names: Sequence[str], seen: Sequence[str]) -> Sequence[str]:
-    """Give the rows that a sheet must bear: the table ends on the last one, and begins on it unless it has sheets."""
-    places = [names.index(name) for name in seen]
-    last = leaf.metadata["number"] == leaf.metadata["of"]
-    if last and leaf.metadata["figures"]:
-        return names
-    if last:
-        return names[min(places, default=0) :]
-    return names[min(places) : max(places) + 1] if places else ()
+def _run(leaf: Leaf, names: Sequence[str]) -> Sequence[str]:
+    """Give the rows that a sheet must bear: those that its data tell, and all of them if it is alone."""
+    whole = (0, len(names)) if leaf.metadata["of"] == 1 else (0, 0)
+    return names[slice(*leaf.metadata["rows"].get(MASSES, whole))]
 
 
 def _tables(leaf: Leaf, name: str) -> Iterator[Group]:

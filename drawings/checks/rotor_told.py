@@ -43,7 +43,7 @@ class Told(NamedTuple):
 
 def notes(leaf: Leaf, rotor: Rotor, comparison: Comparison, drafting: Drafting) -> Iterator[Wrong]:
     """Read the notes of the first sheet back: each letter in its turn, none left out."""
-    if leaf.metadata["number"] != 1:
+    if not leaf.metadata["notes"]:
         return
     told = " ".join(text.plain for group in leaf.groups if group.name == NOTES for text in texts((group,)))
     due = list(_expected(rotor, comparison, drafting))

@@ -192,7 +192,8 @@ class _Check:
         """Hold the ordinates of the balancing moment and the ends of hodographs over the positions."""
         told = self.comparison.analysis
         name, _, share = balancing_quantity(self.statics.study.mechanism.drive)
-        sizes = share * told.balancing.moment
+        strokes = self.statics.over(self.comparison.motion.road.extremes)
+        sizes = self.statics.given(told, self.comparison.motion.analysis, strokes)
         moments = {str(k): complex(0, value) for k, value in enumerate(sizes)}
         largest = max(np.nanmax(one.allowed) for one in self.comparison.of("forces") if one.name.startswith(name))
         slack = 2 * float(largest) + share * told.nothing[1]

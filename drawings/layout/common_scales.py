@@ -41,8 +41,12 @@ class _Figure(NamedTuple):
         return tuple(rung for rung in self.rungs if can_be_read(self.picture, rung))
 
     def at(self, scale: Scale) -> Rung:
+        """Give its rung at a scale."""
+        return Rung(scale, *self.picture.size(scale), self.picture.extent(scale))
+
+    def legible(self, scale: Scale) -> Rung:
         """Give its rung at a scale; where it cannot be read there, at the next scale at which it can."""
-        own = Rung(scale, *self.picture.size(scale), self.picture.extent(scale))
+        own = self.at(scale)
         if can_be_read(self.picture, own) or not self.rungs:
             return own
         return next(iter(self.read), self.rungs[-1])
@@ -69,15 +73,13 @@ def _steps(figures: Sequence[_Figure], legible: bool) -> Steps:
     sized = [one for one in figures if max(one.picture.wide, one.picture.high)] or figures  # a point has any scale
     largest = max(sized, key=lambda one: one.rungs[-1].scale.mu if one.rungs else math.inf)
     scales = [rung.scale for rung in largest.rungs]
-    every = [{one.picture.name: one.at(scale) for one in figures} for scale in scales]
-    shares = [fmean(can_be_read(one.picture, _bare(one, scale)) for one in figures) for scale in scales]
-    least = min(READ, max(shares, default=0.0)) if legible else 0.0
+    every = [
+        {one.picture.name: one.legible(scale) if legible else one.at(scale) for one in figures} for scale in scales
+    ]
+    shares = [fmean(can_be_read(one.picture, one.at(scale)) for one in figures) for scale in scales]
+    least = min(READ, max(shares, default=READ)) or READ if legible else 0.0  # of one that is never legible no step
     kept = [step for step, share in zip(every, shares, strict=True) if share >= least]
     return Steps(tuple(kept), tuple(fmean(_sizes(figures, step)) for step in kept))
-
-
-def _bare(one: _Figure, scale: Scale) -> Rung:
-    return Rung(scale, *one.picture.size(scale), one.picture.extent(scale))
 
 
 def _sizes(figures: Sequence[_Figure], step: Mapping[str, Rung]) -> Iterator[float]:

@@ -35,7 +35,6 @@ class Picture(NamedTuple):
     heading: float  # mm, width of the heading
     least: float  # mm: lines drawn smaller are hidden by their letters
     most: float = math.inf  # mm: lines drawn larger would be out of proportion
-    finest: float = 0.0  # mu: it is drawn at no larger scale
     exact: float = 0.0  # mu: it is drawn at this scale and no other, if there is one
 
     def size(self, scale: Scale) -> tuple[float, float]:
@@ -60,14 +59,13 @@ class Picture(NamedTuple):
         rungs: list[Rung] = []
         while len(rungs) < RUNGS and room > 0:
             scale = fitting(extent, room, self.letter, self.unit, standard)
-            if scale.mu >= self.finest * SMALLER:
-                rungs.append(Rung(scale, *self.size(scale), self.extent(scale)))
+            rungs.append(Rung(scale, *self.size(scale), self.extent(scale)))
             room = extent / scale.mu * SMALLER
         return Ladder(self.name, tuple(rungs), self.least, weight)
 
     def at(self, mu: float) -> Picture:
         """Give the picture to be drawn at a scale that is asked for, however small its lines are."""
-        return self._replace(exact=mu, least=0.0, most=math.inf, finest=0.0)
+        return self._replace(exact=mu, least=0.0, most=math.inf)
 
     def _only(self, width: float, height: float) -> Iterator[Rung]:
         """Give the scale that is asked for, if the picture fits a room so."""

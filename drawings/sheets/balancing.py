@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property, partial
-from typing import Any, TypeVar
+from typing import Any
 
 from drawings.figures.balance import (
     balance_scheme,
@@ -26,9 +26,8 @@ from drawings.layout.table import RuledTable
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf, SheetError
 from drawings.report.balance.balance_report import notes_of
-from drawings.sheets.balancing_ways import SCHEMES, TOLD, WAYS, Way, weigh
 from drawings.sheets.choice import position
-from drawings.sheets.leaves import EQUATION, Caption, Draft, Exhibit, lay_out
+from drawings.sheets.leaves import EQUATION, Draft, Exhibit, lay_out
 from drawings.symbols.polygon import ShownVector
 from geometry.board import at
 from plans.balance.mass_centre import Side
@@ -42,10 +41,8 @@ from plans.study import Study
 from plans.words.words import message, placed
 
 MAIN = "main"  # what a vector of a scheme is
+SCHEMES = "schemes"  # are drawn at one scale
 LARGEST = 2.2  # times the least size at which it is legible: no polygon or graph is drawn larger than the schemes
-
-
-Shown = TypeVar("Shown", Exhibit, Caption)
 
 
 @dataclass(frozen=True)
@@ -109,15 +106,7 @@ def _vector(side: Side) -> ShownVector:
 
 def sheets(scene: Scene, shown: Balanced) -> tuple[Leaf, ...]:
     """Lay out the sheets of a mechanism whose balancing is found."""
-    return lay_out(scene, [_draft(scene, shown)])
-
-
-def _draft(scene: Scene, shown: Balanced) -> Draft:
-    """Take the way whose figures can be read on the fewest sheets, with the largest schemes, all of one size."""
-    sheet = _BalancingSheet(scene, shown)
-    weighed = {way: weigh(scene, sheet.draft(way)) for way in WAYS}
-    way = min(WAYS, key=lambda one: weighed[one])
-    return sheet.draft(way._replace(finest=weighed[way].scale))
+    return lay_out(scene, [_BalancingSheet(scene, shown).draft])
 
 
 @dataclass(frozen=True)
@@ -140,22 +129,17 @@ class _BalancingSheet:
         """The letter of the crank's shaft, about which moments are told."""
         return self.shown.bones.mechanism.drive.pivot
 
-    def draft(self, way: Way) -> Draft:
-        """Title, figures, tables and notes of the sheets, in a way to stand them."""
-        captions = tuple(_standing(one, way.column(one.panel.item.name)) for one in self._captions)
-        captions = tuple(one for one in captions if one.panel.together)
-        graphs = tuple(_standing(one, way.graphs) for one in self._graphs)
-        shows: tuple[Exhibit | Caption, ...] = (*self._schemes(way), *self._polygon)
-        shows += (*graphs, *captions) if way.graphs else (*captions, *graphs)
+    @property
+    def draft(self) -> Draft:
+        """Title, figures, tables and notes of the sheets."""
+        shows = (*self._schemes(), self._polygon, *self._shaking(), *self._rocking(), *self._shares())
         title, facts = self.drafting.word("balancing sheet title"), partial(_facts, self.shown.bones.shown)
-        tables = tuple(table for table in self.tables if not way.column(table.name))
-        return Draft("balancing", title, shows, tables, self.shown.notes, facts, SCHEME + BEFORE, EQUATION)
+        return Draft("balancing", title, shows, self.tables, self.shown.notes, facts, SCHEME + BEFORE, EQUATION)
 
-    def _schemes(self, way: Way) -> Iterator[Exhibit]:
-        for shown, measured in self._rooms:
-            room = measured._replace(finest=way.finest)
+    def _schemes(self) -> Iterator[Exhibit]:
+        for shown, room in self._rooms:
             draw = partial(balance_scheme.draw, shown, room, drafting=self.drafting)
-            yield Exhibit(Panel(room, together=way.schemes, scale=SCHEMES), draw)
+            yield Exhibit(Panel(room, scale=SCHEMES), draw)
 
     @cached_property
     def _rooms(self) -> tuple[tuple[BalanceScheme, Picture], ...]:
@@ -173,17 +157,11 @@ class _BalancingSheet:
         placed = tuple(placed_weight(one, bones) for one in weights)
         return BalanceScheme(state, bones, self.shown.chains[state], paths, placed, states[state].whole)
 
-    @cached_property
-    def _polygon(self) -> tuple[Exhibit, ...]:
+    @property
+    def _polygon(self) -> Exhibit:
         moments = self.shown.moments
         least = NOTHING * sum(map(abs, moments.values()))
-        shown = static_polygon.polygon(self.shown.bones.shown, moments, least)
-        return (_standing(self._exhibit(static_polygon, shown), TOLD),)
-
-    @cached_property
-    def _graphs(self) -> tuple[Exhibit, ...]:
-        """The hodographs and graphs that there are, wherever they stand."""
-        return (*self._shaking(), *self._rocking(), *self._shares())
+        return self._exhibit(static_polygon, static_polygon.polygon(self.shown.bones.shown, moments, least))
 
     def _shaking(self) -> Iterator[Exhibit]:
         """Show the hodographs of the main vector, if there is any."""
@@ -232,19 +210,6 @@ class _BalancingSheet:
         if not weights:
             return (costs,)
         return costs, balance_table.counterweights(weights, shown.bones.mechanism, drafting)
-
-    @cached_property
-    def _captions(self) -> tuple[Caption, ...]:
-        """The tables as they stand among the figures, the counterweights first."""
-        return tuple(
-            Caption(Panel(table.block(table.name)), partial(table.write, drafting=self.drafting))
-            for table in reversed(self.tables)
-        )
-
-
-def _standing(one: Shown, together: str) -> Shown:
-    """Stand what is shown in a column."""
-    return one._replace(panel=one.panel._replace(together=together))
 
 
 def _bounded(room: Picture) -> Picture:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator
+from dataclasses import replace
 from functools import partial
 from typing import Any, NamedTuple
 
@@ -15,25 +16,21 @@ from drawings.figures.cam import (
     sizes_table,
 )
 from drawings.figures.cam.pressure_graph import PressureView, pressure_view
-from drawings.figures.cam.profile_view import NAME as PROFILE
 from drawings.figures.cam.profile_view import profile_view
-from drawings.figures.cam.size_view import NAME as DIAGRAM
 from drawings.figures.cam.size_view import SizeView
-from drawings.layout.contents import EVEN, Composition, Panel
-from drawings.layout.picture import SMALLER, Picture
+from drawings.layout.contents import EVEN, Panel
 from drawings.layout.table import RuledTable
 from drawings.page.drafting import Drafting, drafting_of
-from drawings.page.scale import Scale
 from drawings.paper.strokes import Leaf
 from drawings.report.cam_notes import CamNotes
 from drawings.sheets import cam_charts, cam_column
-from drawings.sheets.leaves import Caption, Draft, Exhibit, compositions, lay_out
+from drawings.sheets.leaves import Caption, Draft, Exhibit, lay_out
 from plans.cam.study import CYCLOGRAM, CamDrawing
 from plans.model.cam import Cam
 from plans.model.cam_motion import CamFound
-from plans.scene.scene import Scene
 from plans.study import Study
 
+LENGTHS = "lengths"  # the diagram of the sizes, whose O is the profile's, has its scale
 FOREMOST = 2.0  # weight of the profile, for which all the rest is drawn
 JOINED, TURN = "joined", "turn"  # the pressure angle under the law over one axis; both apart with one scale of the turn
 
@@ -44,7 +41,7 @@ def leaves(study: Study) -> tuple[Leaf, ...]:
     pairs = zip(cams, study.comparison("cam").analysis.cams, strict=True)
     drafting = drafting_of(scene)
     shared = [] if CYCLOGRAM in scene.sheets else cam_charts.drafts([one.cam for one in cams], drafting)
-    return lay_out(scene, [*(_draft(*pair, drafting, scene) for pair in pairs), *shared])
+    return lay_out(scene, [*(_draft(*pair, drafting) for pair in pairs), *shared])
 
 
 class _Contents(NamedTuple):
@@ -57,15 +54,12 @@ class _Contents(NamedTuple):
     notes: tuple[str, ...]
 
 
-def _draft(drawing: CamDrawing, exact: CamFound, drafting: Drafting, scene: Scene) -> Draft:
-    """Give the draft that keeps one axis of the turn, unless its figures would be read worse or take more sheets.
-
-    Then the turn has one scale at least, if that costs nothing either.
-    """
+def _draft(drawing: CamDrawing, exact: CamFound, drafting: Drafting) -> Draft:
+    """Give the draft that keeps one axis of the turn; instead the turn has one scale, or each figure has its own."""
     ways = (JOINED, TURN, "") if _pressed(drawing.cam) else ("",)
     contents = _contents(drawing, exact, drafting)
-    trials = (_level(scene, partial(_told, contents, drafting, way)) for way in ways)
-    return min(trials, key=_lack).draft
+    first, *further = (_told(contents, drafting, way) for way in ways)
+    return replace(first, instead=tuple(further))
 
 
 def _contents(drawing: CamDrawing, exact: CamFound, drafting: Drafting) -> _Contents:
@@ -74,51 +68,16 @@ def _contents(drawing: CamDrawing, exact: CamFound, drafting: Drafting) -> _Cont
     return _Contents(
         drawing,
         pressure_view(drawing.sizing.limits, drawing.curve, drawing.found),
-        _exhibit(profile_figure, profile_view(drawing.found), drafting, weight=FOREMOST),
+        _exhibit(profile_figure, profile_view(drawing.found), drafting, weight=FOREMOST, scale=LENGTHS),
         Caption(Panel(table.block(table.name)), partial(table.write, drafting=drafting)),
         CamNotes(drawing.found, drafting).all,
     )
 
 
-class _Trial(NamedTuple):
-    """A draft, and where all that it shows would stand, sheet by sheet."""
-
-    draft: Draft
-    composed: Sequence[Composition]
-
-    @property
-    def scales(self) -> dict[str, Scale]:
-        """The scales of its figures, by their names."""
-        return {name: spot.scale for one in self.composed for name, spot in one.spots.items()}
-
-
-def _tried(scene: Scene, draft: Draft) -> _Trial:
-    return _Trial(draft, compositions(scene, draft))
-
-
-def _level(scene: Scene, told: Callable[[float], Draft]) -> _Trial:
-    """Draw the diagram of the sizes, whose O is the profile's, no larger than the profile if it can be read so."""
-    own = _tried(scene, told(0.0))
-    drawn = own.scales
-    diagram, profile = drawn.get(DIAGRAM), drawn[PROFILE]
-    if diagram is None or diagram.mu >= profile.mu:
-        return own
-    return min(_tried(scene, told(profile.mu)), own, key=_lack)
-
-
-def _lack(trial: _Trial) -> tuple[float, int]:
-    """Tell by what shares of what their letters need the figures of a draft are too small, and count its sheets."""
-    scales = trial.scales
-    rooms = (one.panel.item for one in trial.draft.shows if isinstance(one.panel.item, Picture))
-    extents = ((one.extent(scales[one.name]), one.least) for one in rooms)
-    lack = sum(1 - extent / least for extent, least in extents if 0 < extent < least * SMALLER)
-    return lack, len(trial.composed)
-
-
-def _told(contents: _Contents, drafting: Drafting, way: str, finest: float) -> Draft:
+def _told(contents: _Contents, drafting: Drafting, way: str) -> Draft:
     cam = contents.drawing.cam
     shows: tuple[Exhibit | Caption, ...] = (
-        *_shows(contents, way, finest, drafting),
+        *_shows(contents, way, drafting),
         contents.profile,
         contents.table,
     )
@@ -132,7 +91,7 @@ def _facts(cam: Cam, joined: bool, figures: Collection[str]) -> dict[str, Any]:
     return {"cam": cam.name, "figures": [*figures, *under]}
 
 
-def _shows(contents: _Contents, way: str, finest: float, drafting: Drafting) -> Iterator[Exhibit]:
+def _shows(contents: _Contents, way: str, drafting: Drafting) -> Iterator[Exhibit]:
     """Show the law, and the sizes that follow from it."""
     drawing, angle = contents.drawing, contents.angle
     if way == JOINED:
@@ -140,7 +99,7 @@ def _shows(contents: _Contents, way: str, finest: float, drafting: Drafting) -> 
     else:
         yield _exhibit(law_diagrams, drawing.diagrams, drafting, scale=way)
     if not drawing.cam.translates:
-        yield _exhibit(size_diagram, SizeView(drawing.sizing), drafting, finest=finest)
+        yield _exhibit(size_diagram, SizeView(drawing.sizing), drafting, scale=LENGTHS)
     if _pressed(drawing.cam) and way != JOINED:
         yield _exhibit(pressure_graph, angle, drafting, scale=way)
 
@@ -150,11 +109,9 @@ def _pressed(cam: Cam) -> bool:
     return cam.rocks or not cam.flat
 
 
-def _exhibit(
-    figure: Any, shown: object, drafting: Drafting, weight: float = EVEN, finest: float = 0.0, scale: str = ""
-) -> Exhibit:
+def _exhibit(figure: Any, shown: object, drafting: Drafting, weight: float = EVEN, scale: str = "") -> Exhibit:
     """Show a figure, given by its module and by what it shows."""
-    room = figure.measure(shown, drafting)._replace(finest=finest)
+    room = figure.measure(shown, drafting)
     return Exhibit(Panel(room, weight, "", scale), partial(figure.draw, shown, room, drafting=drafting))
 
 

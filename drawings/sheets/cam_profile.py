@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -14,7 +15,7 @@ from drawings.layout.picture import SMALLER, Picture
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.formats import SIZES
 from drawings.paper.strokes import Leaf, SheetError
-from drawings.sheets.leaves import Draft, Exhibit, compositions, cost, lay_out_each
+from drawings.sheets.leaves import Draft, Exhibit, compositions, lay_out_each
 from plans.scene.scene import Scene
 from plans.study import Study
 
@@ -42,8 +43,8 @@ def _draft(scene: Scene, shown: Manufacture, several: bool) -> tuple[Scene, Draf
         draft = _told(shown, EVERY[0], several, drafting_of(small))
         if _true(small, draft):
             return small, draft
-    drafts = [_told(shown, every, several, drafting_of(scene)) for every in EVERY]
-    return scene, min(drafts, key=partial(cost, scene))
+    first, *further = (_told(shown, every, several, drafting_of(scene)) for every in EVERY)
+    return scene, replace(first, instead=tuple(further))
 
 
 def _formats(scene: Scene) -> Iterator[Scene]:

@@ -29,7 +29,7 @@ from drawings.page.drafting import Drafting, drafting_of
 from drawings.page.page import Page, page_of
 from drawings.paper.strokes import Leaf
 from drawings.report.dynamics_report import notes_of
-from drawings.sheets.leaves import Caption, Draft, Exhibit, cost, lay_out
+from drawings.sheets.leaves import Caption, Draft, Exhibit, lay_out
 from plans.model.account import Account
 from plans.model.dynamics import Task
 from plans.model.flywheel_methods import Methods
@@ -39,7 +39,6 @@ from plans.study import Study
 
 TOLD = (dynamics_table.MOST, 12, 8)  # positions that the table of values tells at most, as the paper takes them
 LARGEST = 2.0  # times the least size at which it is legible: a load is not drawn larger than the graphs
-VALUES, FOUND = "values", "found"  # what stands in one column
 
 
 class Machine(NamedTuple):
@@ -68,15 +67,10 @@ def sheets(scene: Scene, machine: Machine) -> tuple[Leaf, ...]:
 
 
 class Way(NamedTuple):
-    """A way to show it: graphs and loop in line or apart, how many positions the table tells at most, the columns.
-
-    `found` and `further` name the columns of the results, and of flywheel and motion; without a name each stands alone.
-    """
+    """A way to show it: graphs and loop in line or not, how many positions the table tells at most, how many plates."""
 
     whole: bool
     most: int
-    found: str
-    further: str
     apart: bool = False  # whether the graphs stand on two plates
 
     @property
@@ -104,38 +98,32 @@ class _DynamicsSheet:
 
     @property
     def draft(self) -> Draft:
-        """The draft whose figures can be read and that takes the fewest sheets; of several the fullest."""
-        return min(map(self._weighed, self._ways()), key=lambda pair: pair[0])[1]
-
-    def _weighed(self, way: Way) -> tuple[tuple[int, int, bool], Draft]:
-        """Weigh a way: figures that cannot be read, sheets; on several sheets what stands alone is larger."""
-        draft = self._drafted(way)
-        small, number = cost(self.scene, draft)
-        return (small, number, number > 1 and bool(way.further)), draft
+        """The draft that tells most, and those that need less room."""
+        first, *further = (self._drafted(way) for way in self._ways())
+        return replace(first, instead=tuple(further))
 
     def _ways(self) -> tuple[Way, ...]:
-        """List the ways: in line, with all else in one column if it has room there, wherever the paper takes that."""
+        """List the ways: in line wherever the paper takes that."""
         whole = self.machine.own.cycle is not None and self._least is not None
-        found = VALUES if whole else FOUND
-        ways = (Way(whole, most, found, further) for further in (found, "") for most in TOLD)
-        return (*ways, *(() if whole else (Way(False, TOLD[-1], found, "", True),)))
+        ways = tuple(Way(whole, most) for most in TOLD)
+        return ways if whole else (*ways, Way(False, TOLD[-1], True))
 
     def _drafted(self, way: Way) -> Draft:
         title, shows = self.drafting.word("dynamics sheet title"), tuple(self._shows(way))
         return Draft("dynamics", title, shows, (), self.machine.notes, partial(_facts, way.most))
 
     def _shows(self, way: Way) -> Iterator[Exhibit | Caption]:
-        """Show graphs and loop in line, all else in one column beside them; or apart, each with a column beside it."""
+        """Show the graphs with what they rest on, the loop, what follows from both."""
         plates = tuple(self._plates(way))
         yield from plates[:1]
         yield from self._loads()
-        yield self._caption(self._values(way.most), VALUES)
+        yield self._caption(self._values(way.most))
         yield from plates[1:]
         if self.machine.own.cycle is not None and not (way.whole and self._whole.told):
-            yield self._caption(self._results(), way.found)
-        yield from self._wheel(way.further)
-        yield from self._bare(way.further)
-        yield from self._run(way.further)
+            yield self._caption(self._results())
+        yield from self._wheel()
+        yield from self._bare()
+        yield from self._run()
 
     def _plates(self, way: Way) -> Iterator[Exhibit]:
         """Give the plates: none of a machine whose crank cannot turn fully."""
@@ -175,17 +163,17 @@ class _DynamicsSheet:
             room = load_diagram.measure(course, self.drafting)
             room = room._replace(most=LARGEST * room.least)
             draw = partial(load_diagram.draw, course, room, drafting=self.drafting)
-            yield Exhibit(Panel(room, together=VALUES), draw)
+            yield Exhibit(Panel(room), draw)
 
-    def _wheel(self, together: str) -> Iterator[Exhibit]:
+    def _wheel(self) -> Iterator[Exhibit]:
         """Show the flywheel, if there is one whose sizes are known."""
         rim = self.machine.rim
         if rim is not None and rim.fits:
             room = flywheel_sketch.measure(rim, self.drafting)
             draw = partial(flywheel_sketch.draw, rim, room, drafting=self.drafting)
-            yield Exhibit(Panel(room, together=together), draw)
+            yield Exhibit(Panel(room), draw)
 
-    def _bare(self, together: str) -> Iterator[Exhibit]:
+    def _bare(self) -> Iterator[Exhibit]:
         """Show the speeds without the flywheel, where they swing too far to stand among the others."""
         machine = self.machine
         curve = bare_speeds(machine.task, machine.own, self.drafting)
@@ -193,15 +181,15 @@ class _DynamicsSheet:
             room = curve_graph.measure(curve, quantities.BEFORE, self.drafting)
             room = room._replace(most=LARGEST * room.least)
             draw = partial(curve_graph.draw, curve, room, drafting=self.drafting)
-            yield Exhibit(Panel(room, together=together), draw)
+            yield Exhibit(Panel(room), draw)
 
-    def _run(self, together: str) -> Iterator[Exhibit]:
+    def _run(self) -> Iterator[Exhibit]:
         """Show the run from rest to rest, where there is a motor."""
         run = self.machine.own.run
         if run is not None and len(run.t) > 1:
             room = tachogram.measure(run, self.drafting)
             draw = partial(tachogram.draw, run, room, drafting=self.drafting)
-            yield Exhibit(Panel(room, together=together), draw)
+            yield Exhibit(Panel(room), draw)
 
     def _values(self, most: int) -> RuledTable:
         """Tell the values at the edges of the strips, or of the reduction alone at the positions."""
@@ -215,9 +203,8 @@ class _DynamicsSheet:
         machine = self.machine
         return dynamics_table.results(machine.own, machine.exact, machine.methods, self.drafting)
 
-    def _caption(self, table: RuledTable, together: str) -> Caption:
-        panel = Panel(table.block(table.name), together=together)
-        return Caption(panel, partial(table.write, drafting=self.drafting))
+    def _caption(self, table: RuledTable) -> Caption:
+        return Caption(Panel(table.block(table.name)), partial(table.write, drafting=self.drafting))
 
     def _plate(self, name: str, graphs: tuple[str, ...], loop: bool = False) -> Content:
         return Content(name, self.machine.task, self.machine.own, graphs, loop)

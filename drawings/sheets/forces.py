@@ -19,20 +19,23 @@ from drawings.figures.forces.lever_equation import LeverEquation
 from drawings.figures.graphs import curve_graph, hodograph
 from drawings.layout import value_table
 from drawings.layout.contents import Panel
-from drawings.layout.picture import Spot
+from drawings.layout.picture import Picture, Spot
 from drawings.layout.table import Later, RuledTable
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
+from drawings.sheets.admission import unknown
 from drawings.sheets.choice import force_positions
 from drawings.sheets.force_notes import notes
 from drawings.sheets.leaves import Caption, Draft, Exhibit, lay_out
+from drawings.sheets.stated_scales import see_ordinates
 from geometry.board import at
 from plans.checks.force_comparison import ForceComparison
 from plans.checks.hand.forces import forces_by_hand
 from plans.forces.cut import Cut, indices
 from plans.forces.force import ForcePlan
-from plans.forces.primary import balancing_quantity
+from plans.forces.primary import BALANCING, balancing_quantity
 from plans.forces.statics import Statics
+from plans.linkage.primaries import ram
 from plans.linkage.study import LinkageStudy
 from plans.model.kinetostatics import Kinetostatics
 from plans.model.motion import Floats
@@ -144,7 +147,9 @@ class _ForceSheet:
         draw = partial(lever_plan.draw, shown, room, drafting=self.drafting)
         yield Exhibit(Panel(room, together=LEVER if told else ""), draw)
         if told:
-            equation = LeverEquation(told, at(plans.lever.moment.point, self.position).real, self.drafting)
+            turned = balancing_quantity(self.study.mechanism.drive).name == BALANCING
+            moment = at(plans.lever.moment.point, self.position).real if turned else None
+            equation = LeverEquation(told, moment, self.drafting)
             yield Caption(Panel(equation.block(), together=LEVER), equation.write, of=LEVER)
 
     def _loads(self) -> Iterator[Exhibit]:
@@ -163,28 +168,41 @@ class _ForceSheet:
             return
         curve = self._curve()
         key = "balancing graph" if curve.closed else "balancing swing"
-        key = "balancing stroke" if self.study.mechanism.drive.pushed else key
+        key = key if self.study.mechanism.drive.turns else "balancing stroke"
         curve = curve._replace(title=self.drafting.word(key))
         room = curve_graph.measure(curve, "balancing", self.drafting)
-        yield Exhibit(Panel(room), partial(curve_graph.draw, curve, room, drafting=self.drafting))
+        yield Exhibit(Panel(room), partial(self._draw_graph, curve, room))
+
+    def _draw_graph(self, curve: curve_graph.GraphCurve, room: Picture, spot: Spot) -> curve_graph.GraphFigure:
+        """Draw the graph of the balancing moment, at the scale of its ordinates that the scene states, if it does."""
+        scene = self.study.scene
+        stated = dict(scene.sheet.scale.stated).get("moment", 0.0)
+        if stated and curve.unit != "N*m":  # a slider that drives is balanced by a force
+            raise unknown(scene, "moment")
+        if stated:
+            low, high = curve.span
+            see_ordinates(scene, "moment", high - low, room.high / spot.scale.mu)
+        return curve_graph.draw(curve._replace(stated=stated), room, spot, self.drafting)
 
     def _curve(self) -> curve_graph.GraphCurve:
-        own, least, drive = self.forces, self.forces.nothing[1], self.study.mechanism.drive
-        moments = (self.turned.balancing.moment, own.balancing.moment)
-        dense, ordinates = (np.where(np.abs(row) <= least, 0.0, row) for row in moments)
-        dense, (name, unit, share) = curve_graph.bounded(dense, ordinates), balancing_quantity(drive)
-        rows = *self._stations(), share * dense, share * ordinates
-        curve = curve_graph.GraphCurve(letter_of(name, self.drafting), unit, rows[1], rows[2], rows[0], rows[3])
-        curve = curve._replace(shown=self.chosen)
-        return curve._replace(axis=curve_graph.WAY) if drive.pushed else curve_graph.swing(curve)
+        statics, drive, told = self.statics, self.study.mechanism.drive, balancing_quantity(self.study.mechanism.drive)
+        sizes = statics.given_around(STEPS, self.turned), statics.given(self.forces, self.study.motion(2))
+        least = told.share * self.forces.nothing[told.unit != "N" or drive.pushed]
+        dense, ordinates = (np.where(np.abs(row) <= least, 0.0, row) for row in sizes)
+        dense, (stations, along) = curve_graph.bounded(dense, ordinates), self._stations()
+        letter = letter_of(told.name, self.drafting)
+        curve = curve_graph.GraphCurve(letter, told.unit, along, dense, stations, ordinates, shown=self.chosen)
+        return curve_graph.swing(curve) if drive.turns else curve._replace(axis=curve_graph.WAY)
 
     def _stations(self) -> tuple[Floats, Floats]:
         """Give the abscissas of the positions, and those of the dense curve: degrees of a turn, metres of a stroke."""
-        gone = self.study.sense * (self.forces.phi - self.forces.phi[0])
-        whole, drive = np.arange(STEPS + 1) / STEPS, self.study.mechanism.drive
-        if not drive.pushed:
-            return np.degrees(gone) % 360, 360 * whole
-        return drive.unit * gone, drive.unit * gone[-1] * whole
+        mechanism, phi = self.study.mechanism, self.forces.phi
+        if mechanism.drive.turns:
+            turned = np.degrees(self.study.sense * (phi - phi[0])) % 360
+            return turned, np.arange(STEPS + 1) * 360 / STEPS
+        rows = phi, self.turned.phi
+        ways = [ram.ways(mechanism, row) if mechanism.drive.ram else mechanism.drive.unit * row for row in rows]
+        return np.abs(ways[0] - ways[0][0]), np.abs(ways[1] - ways[0][0])
 
     def _hodographs(self) -> Iterator[Exhibit]:
         """The reactions whose hodographs the scene asks for."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -17,7 +18,7 @@ from drawings.layout.picture import SMALLER, Picture, Spot
 from drawings.layout.table import Later, RuledTable
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.page.page import Page, page_of
-from drawings.paper.strokes import Group, Leaf
+from drawings.paper.strokes import Group, Leaf, SheetError
 from drawings.sheets.paragraphs import measure, write
 from drawings.sheets.stated_scales import StatedScales
 from plans.scene.scene import Scene
@@ -51,7 +52,8 @@ class Draft:
 
     `facts` gives what the data of a sheet say of it beside title and number, by the names of the figures that it bears.
     `scaled` is the figure whose scale the title block states: the foremost one, unless it is named. The notes stand in
-    no column of less than `narrow` mm. `later` writes, by the spots of all figures, the cells that wait for them.
+    no column of less than `narrow` mm. The drafts `instead` show the same in other ways, where that can be read better
+    or takes fewer sheets. `later` writes, by the spots of all figures, the cells that wait for them.
     """
 
     kind: str
@@ -62,6 +64,7 @@ class Draft:
     facts: Callable[[Collection[str]], Mapping[str, Any]]
     scaled: str = ""
     narrow: float = NARROW
+    instead: tuple[Draft, ...] = ()
     later: Callable[[Mapping[str, Spot]], Callable[[Later], str]] | None = None
 
 
@@ -72,23 +75,21 @@ def lay_out(scene: Scene, drafts: Sequence[Draft]) -> tuple[Leaf, ...]:
 
 def lay_out_each(drafts: Sequence[tuple[Scene, Draft]]) -> tuple[Leaf, ...]:
     """Lay out drafts whose sheets differ in what their scene says of them, such as the format."""
-    own = [_Leaves(scene, draft) for scene, draft in drafts]
+    own = [_chosen(scene, draft) for scene, draft in drafts]
     composed = [(one, sheet) for one in own for sheet in one.sheets]
     return tuple(one.leaf(sheet, k + 1, len(composed)) for k, (one, sheet) in enumerate(composed))
-
-
-def cost(scene: Scene, draft: Draft) -> tuple[int, int]:
-    """Count the figures of a draft that are too small for their letters, and its sheets, before any is drawn."""
-    composed = compositions(scene, draft)
-    spots = {name: spot for one in composed for name, spot in one.spots.items()}
-    pictures = (one.panel.item for one in draft.shows if isinstance(one.panel.item, Picture))
-    small = [one for one in pictures if 0 < one.extent(spots[one.name].scale) < one.least * SMALLER]
-    return len(small), len(composed)
 
 
 def compositions(scene: Scene, draft: Draft) -> Sequence[Composition]:
     """Give where all that a draft shows would stand, sheet by sheet, before anything is drawn."""
     return _Leaves(scene, draft).composed
+
+
+def _chosen(scene: Scene, draft: Draft) -> _Leaves:
+    """Choose among a draft and those instead of it: the first whose figures are read best, on the fewest sheets."""
+    if not draft.instead:
+        return _Leaves(scene, draft)
+    return min((_Leaves(scene, one) for one in (draft, *draft.instead)), key=lambda one: one.cost)
 
 
 @dataclass(frozen=True)
@@ -124,6 +125,18 @@ class _Leaves:
     def composed(self) -> Sequence[Composition]:
         """Where all stands, sheet by sheet."""
         return compose(self.contents, self.page)
+
+    @property
+    def cost(self) -> tuple[float, int]:
+        """Count the figures too small for their letters, by how much, and the sheets; infinite, if it has no room."""
+        try:
+            spots = self.spots
+        except SheetError:
+            return math.inf, 0
+        pictures = (one.panel.item for one in self.draft.shows if isinstance(one.panel.item, Picture))
+        sizes = ((one.extent(spots[one.name].scale), one.least) for one in pictures)
+        lack = sum(1 - size / least for size, least in sizes if 0 < size < least * SMALLER)
+        return lack, len(self.composed)
 
     @cached_property
     def spots(self) -> Mapping[str, Spot]:

@@ -27,8 +27,9 @@ class BalancingQuantity(NamedTuple):
 
 
 def balancing_quantity(drive: Drive) -> BalancingQuantity:
-    """Give what is told of a drive: the moment on the shaft of a crank, the force along the guide of a slide."""
-    return BalancingQuantity(DRIVING, "N", 1.0 / drive.unit) if drive.pushed else BalancingQuantity(BALANCING, "N*m")
+    """Give what is told of a drive: the moment on the shaft of a crank, the force of a slide or of a cylinder."""
+    by_force = drive.pushed or drive.ram is not None
+    return BalancingQuantity(DRIVING, "N", 1.0 / drive.unit) if by_force else BalancingQuantity(BALANCING, "N*m")
 
 
 def primary(plan: ForcePlan) -> Cut:

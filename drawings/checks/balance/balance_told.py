@@ -20,7 +20,7 @@ DIGITS = BalanceNotes._field_defaults["digits"]
 
 def notes(leaf: Leaf, expected: Expected) -> Iterator[Wrong]:
     """Read the notes of the first sheet back."""
-    if leaf.metadata["number"] != 1:
+    if not leaf.metadata["notes"]:
         return
     seen = [text.plain for one in groups(leaf.groups) if one.name == NOTES for text in texts((one,))]
     due = [Text(0j, note).plain for note in notes_of(expected, precise(expected.drafting)).all]

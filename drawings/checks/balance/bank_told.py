@@ -41,7 +41,7 @@ class Told(NamedTuple):
 
 def faults(leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wrong]:
     """Read the notes of the first sheet back: each letter in its turn, none left out; what vanishes, in words."""
-    if leaf.metadata["number"] != 1:
+    if not leaf.metadata["notes"]:
         return
     told = _spaced(" ".join(text.plain for group in leaf.groups if group.name == NOTES for text in texts((group,))))
     rest, place = "", 0

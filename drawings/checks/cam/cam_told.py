@@ -45,7 +45,7 @@ def notes(leaf: Leaf, expected: Expected, drafting: Drafting) -> Iterator[Wrong]
     due = [read(one).split() for one in DueNotes(expected.found, precise(drafting)).all()]
     yield from _compared(read(leaf.description.replace("\n", " ")).split(), due)
     own = [one for one in groups(leaf.groups) if one.name == NOTES]
-    if own or leaf.metadata["number"] == 1:
+    if own or leaf.metadata["notes"]:
         yield from _compared([word for one in own for text in texts((one,)) for word in text.plain.split()], due)
 
 

@@ -15,7 +15,7 @@ from drawings.layout.picture import Spot
 from drawings.page.drafting import Drafting
 from drawings.page.page import Field
 from drawings.paper.strokes import Group
-from plans.forces.primary import BALANCING
+from plans.forces.primary import BALANCING, DRIVING
 
 NAME = "equations-lever"
 ARM = 4  # digits of an arm
@@ -24,10 +24,10 @@ WIDEST = "0,08888"  # of an arm before it is known how large the lever is drawn
 
 
 class LeverEquation(NamedTuple):
-    """What is written beside a lever: its terms, and the balancing moment N*m that it gives."""
+    """What is written beside a lever: its terms, and the balancing moment N*m, where a moment drives."""
 
     told: tuple[LeverTerm, ...]
-    moment: float
+    moment: float | None
     drafting: Drafting
 
     def block(self) -> TextBlock:
@@ -61,8 +61,10 @@ class LeverEquation(NamedTuple):
         return moments(POLE, products)
 
     def _found(self) -> Iterator[WrittenEquation]:
-        """Tell the force that balances the lever, and its moment about the shaft."""
-        drafting, first = self.drafting, self.told[0]
-        force = f"{first.letter} = {drafting.number(first.size, DIGITS)} {drafting.word('N')},"
-        moment = f"{letter_of(BALANCING, drafting)} = {drafting.number(self.moment, DIGITS)} {drafting.word('N*m')}"
-        yield plain(force, moment)
+        """Tell the force that balances the lever, and its moment about the shaft, where a moment drives."""
+        drafting, driving = self.drafting, [one for one in self.told if one.force == DRIVING]
+        parts = [f"{one.letter} = {drafting.number(one.size, DIGITS)} {drafting.word('N')}" for one in driving]
+        if self.moment is not None:
+            size = drafting.number(self.moment, DIGITS)
+            parts.append(f"{letter_of(BALANCING, drafting)} = {size} {drafting.word('N*m')}")
+        yield plain(*(f"{one}," for one in parts[:-1]), *parts[-1:])

@@ -15,9 +15,11 @@ from drawings.layout.place import Place
 from plans.linkage.angles import angle
 from plans.linkage.assembly_limits import NODES
 from plans.linkage.crank_positions import CrankPositions
+from plans.linkage.extreme import ExtremePositions
 from plans.linkage.plan import Plan
 from plans.linkage.primary import PRIMARIES
-from plans.linkage.study import LinkageStudy
+from plans.linkage.strokes import other_strokes
+from plans.linkage.study import EXTREMES, LinkageStudy
 from plans.model.mechanism import FRAME, Link, Mechanism, Slide
 from plans.model.motion import Complexes, Floats, Motion
 
@@ -167,6 +169,11 @@ class Skeletons:
             if known.size:
                 ends[slide] = float(known.min()), float(known.max())
         return ends
+
+    @cached_property
+    def strokes(self) -> dict[Slide, ExtremePositions]:
+        """Give the strokes of the sliders on the frame besides the output, where extremes are asked for."""
+        return other_strokes(self.study) if EXTREMES in self.study.plans else {}
 
     @cached_property
     def points(self) -> list[complex]:
