@@ -19,13 +19,15 @@ from drawings.figures.forces.lever_equation import LeverEquation
 from drawings.figures.graphs import curve_graph, hodograph
 from drawings.layout import value_table
 from drawings.layout.contents import Panel
-from drawings.layout.picture import Spot
+from drawings.layout.picture import Picture, Spot
 from drawings.layout.table import Later, RuledTable
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
+from drawings.sheets.admission import unknown
 from drawings.sheets.choice import force_positions
 from drawings.sheets.force_notes import notes
 from drawings.sheets.leaves import Caption, Draft, Exhibit, lay_out
+from drawings.sheets.stated_scales import see_ordinates
 from geometry.board import at
 from plans.checks.force_comparison import ForceComparison
 from plans.checks.hand.forces import forces_by_hand
@@ -169,7 +171,18 @@ class _ForceSheet:
         key = key if self.study.mechanism.drive.turns else "balancing stroke"
         curve = curve._replace(title=self.drafting.word(key))
         room = curve_graph.measure(curve, "balancing", self.drafting)
-        yield Exhibit(Panel(room), partial(curve_graph.draw, curve, room, drafting=self.drafting))
+        yield Exhibit(Panel(room), partial(self._draw_graph, curve, room))
+
+    def _draw_graph(self, curve: curve_graph.GraphCurve, room: Picture, spot: Spot) -> curve_graph.GraphFigure:
+        """Draw the graph of the balancing moment, at the scale of its ordinates that the scene states, if it does."""
+        scene = self.study.scene
+        stated = dict(scene.sheet.scale.stated).get("moment", 0.0)
+        if stated and curve.unit != "N*m":  # a slider that drives is balanced by a force
+            raise unknown(scene, "moment")
+        if stated:
+            low, high = curve.span
+            see_ordinates(scene, "moment", high - low, room.high / spot.scale.mu)
+        return curve_graph.draw(curve._replace(stated=stated), room, spot, self.drafting)
 
     def _curve(self) -> curve_graph.GraphCurve:
         statics, drive, told = self.statics, self.study.mechanism.drive, balancing_quantity(self.study.mechanism.drive)

@@ -34,6 +34,7 @@ def shaper() -> tuple[Statics, ForceComparison]:
         ("positions = [60]", 'positions = 12\nbalancing = "coupling"'),
         ("[drive.gear]\nradius = 0.18\nat = 210\npressure_angle = 20\n", ""),
         ('radius = "20 mm"', 'radius = "90 mm"'),
+        ("4 = { mass = 3,", "4 = { mass = 0.3,"),
         ("[friction]", SPRING),
     )
     statics = Statics(LinkageStudy(parse_scene(text)))

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterable
 from copy import copy
 from dataclasses import replace
+from decimal import Decimal
 from functools import cache
 from pathlib import Path
 
@@ -16,7 +17,7 @@ from drawings.measure.measure import Measured, measure_file
 from drawings.measure.measured import MeasuredVector
 from drawings.paper.strokes import SheetError
 from drawings.pens.svg import svg
-from drawings.sheets import kinematics
+from drawings.sheets import forces, kinematics
 from drawings.sheets.admission import of_scales
 from drawings.sheets.leaves import Exhibit
 from drawings.sheets.table import SHEETS
@@ -120,6 +121,16 @@ def test_a_scale_at_which_a_figure_does_not_fit_is_refused_with_its_size_its_roo
 def test_a_scale_at_which_the_largest_plan_cannot_be_lettered_is_refused() -> None:
     with pytest.raises(SheetError, match=r"sheet.scale.velocity = 3: .* is \d mm large, and its letters need"):
         kinematics.leaves(Study(scene_of("[sheet.scale]\nvelocity = 3\n")))
+
+
+def test_the_ordinates_of_the_balancing_graph_have_the_scale_that_is_stated_or_are_refused(tmp_path: Path) -> None:
+    study = Study(parse_scene(f"{LOADED}\n[sheet.scale]\nmoment = 6\n"))
+    (sheet,) = forces.leaves(study)
+    (path := tmp_path / "sheet.svg").write_bytes(svg(sheet))
+    assert scales([measure_file(path)], "balancing") == {6.0}
+    vars(study.scene.sheet.scale)["moment"] = Decimal("0.5")
+    with pytest.raises(SheetError, match=r"sheet.scale.moment = 0.5: the ordinates would be \d+ mm, and the graph has"):
+        forces.leaves(study)
 
 
 def test_a_scale_of_figures_that_no_sheet_has_is_refused_and_those_are_listed_that_some_has() -> None:

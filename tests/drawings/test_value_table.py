@@ -26,11 +26,10 @@ def test_a_zero_vector_has_no_per_cent() -> None:
 
 
 def test_what_a_hand_may_be_out_is_told_to_two_digits_and_in_the_decimals_of_its_row() -> None:
-    write = by_hand(
-        {("v_B", 0): 0.012345, ("v_B", 1): 123.4, ("v_B", 2): 0.00123, ("v_B", 3): 7.0, ("v_B", 4): np.nan}, "ru"
-    )
-    assert [write(Later("v_B", k, "", 3, most)) for k, most in enumerate((9.0, 999.0, 9.0, 6.9, 9.0, 9.0))] == [
-        "±0,012", "±120", "±0,001", "—", "—", "—",
+    errors = {("v_B", k): error for k, error in enumerate((0.012345, 123.4, 0.00123, 7.0, np.nan, 0.0998))}
+    write = by_hand(errors, "ru")
+    assert [write(Later("v_B", k, "", 3, most)) for k, most in enumerate((9.0, 999.0, 9.0, 6.9, 9.0, 9.0, 9.0))] == [
+        "±0,012", "±120", "±0,001", "—", "—", "±0,10", "—",
     ]  # fmt: skip
 
 

@@ -58,7 +58,9 @@ def _columns(comparison: DiagramsComparison, omega: float) -> list[tuple[Floats,
     s, v, a = found.at
     whole = s + turns * found.axis.turned, v + turns * omega, a
     slacks = [float(np.nanmax(one.allowed, initial=0.0)) for one in comparison.findings[:3]]
-    own = [(row, slack + ZERO * float(np.nanmax(np.abs(row)))) for row, slack in zip(whole, slacks, strict=True)]
+    sizes = [float(np.nanmax(np.abs(row), initial=0.0)) for row in whole]
+    sizes = [max(omega**power * size for power, size in enumerate(sizes[k::-1])) for k in range(len(sizes))]
+    own = [(row, slack + ZERO * size) for row, slack, size in zip(whole, slacks, sizes, strict=True)]
     return [(found.axis.turned * 360 / TURN, ZERO), *own]
 
 

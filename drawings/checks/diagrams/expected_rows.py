@@ -9,7 +9,7 @@ import numpy as np
 
 from drawings.page.drafting import Drafting
 from plans.checks.diagrams_comparison import LETTERS, DiagramsComparison
-from plans.model.diagrams import TURN, Axis, ChordError, Course, Diagrams, chord_error
+from plans.model.diagrams import TURN, Axis, ChordError, Diagrams, chord_error
 from plans.model.motion import Floats
 
 KEYS = ("travel", "velocity", "acceleration")
@@ -92,7 +92,7 @@ def _row(comparison: DiagramsComparison, order: int, letter: str, unit: str, all
         places=places[there],
         values=values[there],
         off=chord_error(values, true),
-        flat=_flat(found, values, order),
+        flat=_flat(comparison, values, order),
         allowed=allowed,
     )
 
@@ -104,13 +104,11 @@ def _chorded(found: Diagrams, order: int) -> tuple[Floats, Floats, Floats, Float
     return found.at.even(found.lead), found.axis.places, found.growths, found.true_growths
 
 
-def _flat(found: Diagrams, values: Floats, order: int) -> bool:
+def _flat(comparison: DiagramsComparison, values: Floats, order: int) -> bool:
     """Tell whether the values are but roundings of the chords that they come from."""
-    above: Course | Floats = found.at.s if order == 1 else found.speeds
-    way = np.abs(np.diff(found.at.s) / np.diff(found.axis.turned))
-    k = int(np.nanargmax(way))
-    omega = abs(found.speeds[k]) / way[k] if way[k] else 0.0
-    return bool(np.nanmax(np.abs(values), initial=0.0) <= FLAT * TURN * omega * np.nanmax(np.abs(above), initial=0.0))
+    found, omega = comparison.analysis, abs(comparison.exact.road.mechanism.drive.omega)
+    above = found.at.s if order == 1 else found.speeds
+    return bool(np.nanmax(np.abs(values), initial=0.0) <= FLAT * omega * np.nanmax(np.abs(above), initial=0.0))
 
 
 Piece = tuple[Floats, Floats, tuple[float, float]]

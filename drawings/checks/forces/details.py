@@ -61,8 +61,12 @@ class Details(NamedTuple):
         for name in {one.plan.rpartition("-")[2] for one in enlarged} | marks.keys():
             circle, own = marks.get(name), [one.name for one in enlarged if one.plan.endswith(f"-{name}")]
             ends = [end for one in own if one in whole for end in (whole[one].start, whole[one].end)]
-            inside = isinstance(circle, Circle) and all(abs(end - circle.centre) <= circle.radius for end in ends)
-            if not own or not inside or not any(text.plain == name for text in labels):
+            if (
+                not own
+                or not isinstance(circle, Circle)
+                or not _around(circle, ends)
+                or not any(text.plain == name for text in labels)
+            ):
                 yield on("missing_on", plan, name=name)
             titles = (text for one in self._figures(f"{DETAIL}{self.label}-{name}") for text in texts((one,)))
             if not any(name in text.plain.split() for text in titles):
@@ -70,3 +74,12 @@ class Details(NamedTuple):
 
     def _figures(self, plan: str) -> list[Group]:
         return [one for one in self.leaf.groups if one.name.rpartition("-")[0] == plan]
+
+
+def _around(circle: Circle, ends: Sequence[complex]) -> bool:
+    """Tell whether a circle stands around some places, no further from their middle than they are from one another."""
+    if not ends:
+        return True  # too small to be drawn at all
+    spread = max(abs(one - other) for one in ends for other in ends)
+    near = abs(circle.centre - sum(ends) / len(ends)) <= max(spread, SEEN)
+    return near and all(abs(end - circle.centre) <= circle.radius for end in ends)

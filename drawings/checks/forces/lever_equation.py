@@ -168,10 +168,13 @@ class LeverCheck:
         return Due(abs(float(told.moment[k]) / crank), power)
 
     def _couple(self, name: str, link: int, moment: float) -> Iterator[tuple[str, Due]]:
-        """Give a couple as two forces at any two points of its link: which two, the sheet chooses."""
+        """Give a couple as two forces at any two points of its link: which two, the sheet chooses; none is missed."""
         points, k = self.expected.motion.points, self.expected.k
         power = moment * float(self.expected.motion.links[link].omega[k])
-        for line in self._lines(name):
+        lines = self._lines(name)
+        if not lines:
+            yield name, Due(abs(moment), power)
+        for line in lines:
             ends = [complex(points[end].r[k]) for end in line if end in points]
             if len(ends) == len(line) == 2 and ends[0] != ends[1]:
                 yield f"{name}/{''.join(line)}", Due(abs(moment) / abs(ends[1] - ends[0]), power)

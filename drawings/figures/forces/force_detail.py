@@ -12,6 +12,7 @@ from drawings.page.drafting import Drafting
 from drawings.paper.limits import SEEN
 from drawings.symbols.polygon import ShownVector
 
+USUAL = 2.0  # times its least size: a plan is seldom drawn larger, and what is seen then needs no detail
 STUB = 0.2  # of a detail's size: how far the sides on either side of it are followed
 LETTERS, MOST = 9.0, 18.0  # a detail is drawn at least so many of its letters large, and at most
 
@@ -19,12 +20,13 @@ LETTERS, MOST = 9.0, 18.0  # a detail is drawn at least so many of its letters l
 def details(shown: ForcePolygon, room: Picture, drafting: Drafting, before: int) -> tuple[ForcePolygon, ...]:
     """Give the details of a force plan: of each run of sides that are not seen where it is drawn at its least size.
 
+    One in which all would be seen at the usual size has none.
     `before` details of other plans have the first letters.
     """
     least = SEEN * max(room.wide, room.high) / room.least if room.least else 0.0
     letters = drafting.word("detail letters")
     sides = [one for one in shown.forces if one.kind != WHOLE]
-    runs = [run for run in _runs(sides, least) if len(run) < len(sides)]
+    runs = [run for run in _runs(sides, least) if min(abs(sides[k].value) for k in run) < least / USUAL]
     named = zip(letters[before:], runs, strict=False)
     return tuple(
         shown._replace(forces=tuple(sides[k] for k in run), rays=tuple(_stubs(sides, run)), detail=letter)

@@ -19,7 +19,8 @@ from plans.forces.primary import BALANCING, DRIVING
 
 NAME = "equations-lever"
 ARM = 4  # digits of an arm
-WIDEST = "0,8888"  # of an arm before it is known how large the lever is drawn
+NARROWEST = 30.0  # sizes of the letters: in a narrower column every term has a line of its own
+WIDEST = "0,08888"  # of an arm before it is known how large the lever is drawn
 
 
 class LeverEquation(NamedTuple):
@@ -31,7 +32,9 @@ class LeverEquation(NamedTuple):
 
     def block(self) -> TextBlock:
         """Measure it with the widest numbers, for the scale of the lever is not known yet."""
-        return self._passage(None).block()
+        name, sizes = self._passage(None).block()
+        broad = [one for one in sizes if one[0] >= NARROWEST * self.drafting.hand.text]
+        return TextBlock(name, tuple(broad) or sizes[-1:])
 
     def write(self, box: Field, spot: Spot | None = None) -> Group:
         """Write it with the arms in mm at the lever's scale; without a lever on its sheet, in true units."""
@@ -45,11 +48,7 @@ class LeverEquation(NamedTuple):
         return Passage(NAME, (*lines, *self._found()), self.drafting.hand.text)
 
     def _arm(self, length: float, mu: float | None) -> str:
-        return (
-            f"{WIDEST[0]}{self.drafting.number(0.5)[1]}{WIDEST}"
-            if mu is None
-            else self.drafting.number(length / mu, ARM)
-        )
+        return WIDEST if mu is None else self.drafting.number(length / mu, ARM)
 
     def _arms(self, arms: dict[str, str], unit: str) -> WrittenEquation:
         """Tell all arms once."""
