@@ -14,6 +14,7 @@ from drawings.checks.force_marks import lever_marks, polygon_marks
 from drawings.checks.forces.attachments import Schemes
 from drawings.checks.forces.balancing_graph import PLAN as BALANCING
 from drawings.checks.forces.balancing_graph import ordinates
+from drawings.checks.forces.details import Details
 from drawings.checks.forces.lever_equation import LeverCheck
 from drawings.checks.forces.load_points import loads
 from drawings.checks.linkage import accord, by_hand
@@ -37,6 +38,7 @@ from plans.checks.hand.forces import FIGURES, forces_by_hand
 from plans.forces.cut import indices
 from plans.forces.primary import balancing_quantity
 from plans.forces.statics import Statics
+from plans.model.group import Group as AssurGroup
 from plans.model.order import VELOCITIES
 from plans.study import Study
 from plans.words.words import Message, message
@@ -124,16 +126,24 @@ class _Check:
         )
         yield from by_hand.wrong_headings(self.leaf, tuple(FIGURES.values()))
 
-    def plans(self) -> Iterator[Message]:
+    def plans(self) -> Iterator[Wrong]:
         """Hold the force plans and the lever's images."""
         study, expected = self.statics.study, self.expected()
         cuts = {cut.label: cut.group for cut in self.statics.drafts().plans.plan.cuts}
         for name in self.leaf.metadata["groups"]:
             yield from polygon_marks(self.measured, expected, study.groups, cuts[name], self.slack)
+            yield from self._details(name, expected, cuts[name]).faults()
         velocities = study.drafts().velocities
         letters = {name: velocities.point(name).name for name in self.comparison.motion.analysis.points}
         speed = max(float(one.allowed[self.position]) for one in self.comparison.motion.of(VELOCITIES.plan))
         yield from lever_marks(self.measured, expected, letters, 2 * speed)
+
+    def _details(self, label: str, expected: ExpectedForces, group: AssurGroup | None) -> Details:
+        language, letter = self.statics.study.scene.sheet.language, self.statics.form.sheet.reactions
+        must = expected.polygon(self.statics.study.groups, group)
+        parts = expected.parts(group)
+        letters = {name: plain(Text(0j, force_letter(name, language, letter)).plain) for name in must}
+        return Details(self.measured, self.leaf, label, {**must, **parts}, letters, self.slack)
 
     def arrows(self) -> Iterator[Message]:
         """Hold the directions of arrows that are not to scale, on the schemes and on the lever."""
@@ -182,7 +192,8 @@ class _Check:
         """Hold the ordinates of the balancing moment and the ends of hodographs over the positions."""
         told = self.comparison.analysis
         name, _, share = balancing_quantity(self.statics.study.mechanism.drive)
-        sizes = share * told.balancing.moment
+        strokes = self.statics.over(self.comparison.motion.road.extremes)
+        sizes = self.statics.given(told, self.comparison.motion.analysis, strokes)
         moments = {str(k): complex(0, value) for k, value in enumerate(sizes)}
         largest = max(np.nanmax(one.allowed) for one in self.comparison.of("forces") if one.name.startswith(name))
         slack = 2 * float(largest) + share * told.nothing[1]

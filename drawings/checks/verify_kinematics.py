@@ -6,12 +6,15 @@ import math
 from collections.abc import Iterator
 
 from drawings.checks import reading
+from drawings.checks.diagrams import verify_diagrams
 from drawings.checks.linkage import (
     centre_images,
     part_letters,
     position_marks,
+    stroke_dimensions,
     stroke_marks,
     strokes,
+    ticks,
     value_rows,
 )
 from drawings.checks.linkage.laid import LaidMechanism, ground, mass_centres
@@ -44,6 +47,8 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
     if leaf.metadata["shown"] is not None:
         yield from _points(measured, comparison, leaf.metadata["shown"])
         yield from _positions(measured, leaf, linkage, comparison)
+    if "diagrams" in leaf.metadata:
+        yield from verify_diagrams.faults(measured, leaf, study)
     yield from reading.marked_scales(leaf)
     if "scales" in leaf.metadata:
         yield from value_rows.faults(measured, leaf, linkage, comparison)
@@ -115,8 +120,10 @@ def _positions(measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: 
         elif mark is not None and not abs(mark.value - true) <= 2 * allowed + 2 * measured.quantum * mark.scale:
             yield message("wrong.point_differs", name=name)
     yield from position_marks.faults(leaf, laid)
+    yield from ticks.faults(leaf, laid)
     if study.travel is not None:
         yield from strokes.faults(leaf, laid, comparison.road.extremes(study.output))
+        yield from stroke_dimensions.faults(leaf, laid, comparison.road)
     if study.mechanism.drive.pushed:
         yield from stroke_marks.faults(leaf, laid)
 

@@ -54,6 +54,12 @@ class Labels:
         self.ink.draw([label])
         return label
 
+    def close(self, point: complex, content: str, size: float, gap: float, prefer: float) -> Stroke | None:
+        """Place a label beside a point, or nowhere if there is no free place there: no leader leads to it."""
+        box = bounds(Text(0j, content, size, "start", self._slanted))
+        near = self._near(point, box, gap, prefer)
+        return None if self.ink.under(padded(box, near)) else self.free(point, content, size, gap, prefer)
+
     def along(self, start: complex, end: complex, content: str, size: float, gap: float, prefer: float) -> Stroke:
         """Place a label `gap` mm beside a line, near its middle if it can, else as beside a point of it."""
         box = bounds(Text(0j, content, size, "start", self._slanted))

@@ -123,10 +123,17 @@ def by_hand(errors: Mapping[tuple[str, int], float], language: str) -> Callable[
         error = errors.get((cell.name, cell.position), math.nan)
         if not error <= cell.most:  # a dead centre: the slips tell nothing, or no more than that anything may be drawn
             return NOTHING
-        fine = error < 10.0 ** (1 - cell.places)
-        return f"±{fixed(error, language, cell.places) if fine else number(error, language, 2)}"
+        return f"±{_two_digits(error, cell.places, language)}"
 
     return write
+
+
+def _two_digits(value: float, most: int, language: str) -> str:
+    """Write a number with two significant digits, but no more than so many decimals."""
+    if value < 10.0 ** (1 - most):
+        return fixed(value, language, most)
+    rounded = float(f"{value:.1e}")
+    return fixed(rounded, language, max(1 - math.floor(math.log10(rounded)), 0))
 
 
 def _per_cent(value: float, language: str) -> str:

@@ -9,6 +9,7 @@ from collections.abc import Iterable
 from drawings.paper.strokes import SheetError
 from plans.words import words
 
+ROUNDING = 2.0**-40  # of the largest of a row: some thousand roundings, far below the digits that are printed
 GROUPS = ("sheet", "unit", "reason")  # of words that stand on sheets
 # Indices that each language has letters of its own for: of useful resistance, of balance, of a tangential part,
 # of what is reduced, of the drive, of the flywheel, of the steady motion; of a cam's phases, which may be numbered.
@@ -53,6 +54,15 @@ def number(value: float, language: str = "en", digits: int = 4) -> str:
         text = text.rstrip("0").rstrip(".")
     sign = "−" if value < 0 and float(text) != 0 else ""
     return decimal(sign + text, language)
+
+
+def cleared(value: float, largest: float) -> float:
+    """Give a number, or zero where it is but what rounding leaves of the largest beside it.
+
+    >>> cleared(1.4e-14, 38.0), cleared(1.4e-10, 38.0)
+    (0.0, 1.4e-10)
+    """
+    return 0.0 if abs(value) <= ROUNDING * largest else value
 
 
 def span(values: Iterable[float], language: str = "en") -> str:

@@ -18,7 +18,6 @@ from plans.checks.force_comparison import ForceComparison
 from plans.forces.cut import Cut
 from plans.forces.force import ForcePlan
 from plans.forces.statics import Statics
-from plans.model.mechanism import CRANK
 from plans.words.words import word
 
 if TYPE_CHECKING:
@@ -60,7 +59,7 @@ def equations(
         yield in_position(statics.study, k).removesuffix("\n")
         for cut in plans.plan.cuts:
             yield from _cut(cut, replace(written, scale=own.get(f"{POLYGON}{cut.label}")))
-        if plans.lever is not None and LEVER in own and plans.plan.mechanism.drive.kind == CRANK:
+        if plans.lever is not None and LEVER in own and plans.plan.mechanism.drive.turns:
             yield from lever_equation(plans.lever, written, own[LEVER])
 
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from drawings.lettering.words import ROUNDING
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.report.cam_letters import letters, ways_told
 from drawings.report.cam_notes import MM, CamNotes
@@ -26,7 +27,6 @@ if TYPE_CHECKING:
 
 DIGITS = 10
 DEGREES = math.degrees(1)
-ROUNDING = 2.0**-40  # of the largest of a column: some thousand roundings, far below the digits that are printed
 ENGLISH = "en"  # of the gallery's page
 
 

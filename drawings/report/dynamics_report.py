@@ -71,7 +71,7 @@ def chapters(study: Study, leaves: Mapping[str, Sequence[Leaf]]) -> Chapters:
     language, notes = study.scene.sheet.language, notes_of(study, DIGITS)
     account: Account = study.comparison("dynamics").construction
     return Chapters(
-        subject=[*_listed(chapter(language, "dynamics").lstrip(), [*notes.asked(), *_shafts(notes)]), *_ways(study)],
+        subject=[*_listed(chapter(language, "dynamics"), [*notes.asked(), *_shafts(notes)]), *_ways(study)],
         values=[
             *_reduction(account, notes),
             *_works(account, notes),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from drawings.lettering.words import decimal, runs
+from drawings.lettering.words import fixed, runs
 from plans.model.mechanism import Drive
 from plans.model.motion import Gap
 from plans.words.words import Message, message, word
@@ -30,8 +30,8 @@ def gap_line(key: str, gap: Gap, drive: Drive, language: str) -> str:
     """Tell one gap in the report, by the key of its line, or of a slider that drives by `key_way`."""
     parts = {"plan": gap.plan, "reason": gap.reason, "advice": gap.advice, "position": gap.position}
     if drive.pushed:
-        return word(language, f"{key}_way", way=decimal(f"{1000 * drive.unit * gap.phi:.3f}", language), **parts)
-    return word(language, key, angle=decimal(f"{math.degrees(gap.phi):.3f}", language), **parts)
+        return word(language, f"{key}_way", way=fixed(1000 * drive.unit * gap.phi, language, 3), **parts)
+    return word(language, key, angle=fixed(math.degrees(gap.phi), language, 3), **parts)
 
 
 def positions(numbers: Sequence[int]) -> dict[str, object]:

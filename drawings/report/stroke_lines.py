@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from drawings.lettering.words import decimal
+from drawings.lettering.words import fixed
 from plans.model.mechanism import Mechanism, Output
 from plans.model.working import ways
 from plans.words.words import Message, message, word
@@ -17,7 +17,7 @@ def stroke_line(
     mechanism: Mechanism, output: Output, reach: tuple[float, float], angles: tuple[float, float], language: str
 ) -> str:
     """Say which way the working stroke goes, and how far the crank turns over it and over the idle one."""
-    work, idle = (decimal(f"{np.degrees(angle):.{PLACES}f}", language) for angle in angles)
+    work, idle = (fixed(float(np.degrees(angle)), language, PLACES) for angle in angles)
     way = tuple(message(f"way.{name}") for name in ways(mechanism, output, *reach))
     return word(language, "report.working", time=_time(*angles), ways=way, work=work, idle=idle)
 

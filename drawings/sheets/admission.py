@@ -24,10 +24,16 @@ def of_title(scene: Scene) -> None:
 
 def of_scales(scene: Scene) -> None:
     """See that the sheets draw figures of each scale that the scene states."""
-    known = tuple(dict.fromkeys(key for kind in scene.sheets for key in SHEETS[kind].scales.values()))
+    known = {key for kind in scene.sheets for key in SHEETS[kind].scales.values()}
     for name, _ in scene.sheet.scale.stated:
         if name not in known:
-            raise SheetError(of_scale(scene, name, message("refused.scale_unknown", name=name, names=known)))
+            raise unknown(scene, name)
+
+
+def unknown(scene: Scene, name: str) -> SheetError:
+    """Refuse a scale that no figure of a scene's sheets has, with those that some has."""
+    keys = dict.fromkeys(key for kind in scene.sheets for key in SHEETS[kind].scales.values() if key != name)
+    return SheetError(of_scale(scene, name, message("refused.scale_unknown", name=name, names=tuple(keys))))
 
 
 def of_scale(scene: Scene, name: str, said: Message) -> Message:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from drawings.figures.forces.force_letters import force_letter
-from drawings.lettering.words import number, runs, word
+from drawings.lettering.words import cleared, number, runs, word
 from drawings.sheets.notes import accord, driving, lengths
 from geometry.board import at
 from plans.checks.force_comparison import ForceComparison
@@ -107,8 +107,11 @@ def _lever(statics: Statics, position: int, language: str) -> Iterator[str]:
     if not seen:
         return
     powers = ", ".join(f"{force_letter(name, language)}{NBSP}{number(power, language)}" for name, power in seen)
-    both = {"total": number(total, language, 5), "drive": number(-total, language, 5)}
     yield word(language, "lever arms")
+    if statics.study.mechanism.drive.ram is not None:
+        yield word(language, "forces of balanced lever", powers=powers)
+        return
+    both = {"total": number(total, language, 5), "drive": number(-total, language, 5)}
     yield word(language, "forces of lever", force=force_letter(DRIVING, language), powers=powers, **both)
 
 
@@ -128,9 +131,10 @@ def _friction(statics: Statics, position: int, language: str) -> Iterator[str]:
     found = statics.friction
     if found is None or not np.isfinite(found.lost[position]):
         return
-    watt, power = word(language, "W"), (float(found.lost[position]), float(found.useful[position]))
+    largest = float(np.nanmax(np.abs([found.lost, found.useful]), initial=0.0))
+    power = (cleared(float(row[position]), largest) for row in (found.lost, found.useful))
     told = [
-        word(language, said, power=f"{number(one, language)}{NBSP}{watt}")
+        word(language, said, power=f"{number(one, language)}{NBSP}{word(language, 'W')}")
         for said, one in zip(INDEX, power, strict=True)
     ]
     if np.isfinite(found.efficiency[position]):

@@ -12,27 +12,30 @@ import numpy as np
 
 from drawings.figures.dynamics import load_diagram
 from drawings.figures.dynamics.load_course import courses
-from drawings.figures.forces import force_polygon, force_table, lever_plan, loading_scheme
+from drawings.figures.forces import force_detail, force_polygon, force_table, lever_plan, loading_scheme
 from drawings.figures.forces.force_equations import Equations
 from drawings.figures.forces.force_letters import letter_of
 from drawings.figures.forces.lever_equation import LeverEquation
 from drawings.figures.graphs import curve_graph, hodograph
 from drawings.layout import value_table
 from drawings.layout.contents import Panel
-from drawings.layout.picture import Spot
+from drawings.layout.picture import Picture, Spot
 from drawings.layout.table import Later, RuledTable
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
+from drawings.sheets.admission import unknown
 from drawings.sheets.choice import force_positions
 from drawings.sheets.force_notes import notes
 from drawings.sheets.leaves import Caption, Draft, Exhibit, lay_out
+from drawings.sheets.stated_scales import see_ordinates
 from geometry.board import at
 from plans.checks.force_comparison import ForceComparison
 from plans.checks.hand.forces import forces_by_hand
 from plans.forces.cut import Cut, indices
 from plans.forces.force import ForcePlan
-from plans.forces.primary import balancing_quantity
+from plans.forces.primary import BALANCING, balancing_quantity
 from plans.forces.statics import Statics
+from plans.linkage.primaries import stroke
 from plans.linkage.study import LinkageStudy
 from plans.model.kinetostatics import Kinetostatics
 from plans.model.motion import Floats
@@ -94,9 +97,25 @@ class _ForceSheet:
         """The forces over a whole turn, dense enough for curves."""
         return self.statics.around(STEPS)
 
-    def _column(self, cut: Cut) -> tuple[Exhibit, Caption, Exhibit]:
-        """A cut's loading scheme, its equations and its polygon, which stand together."""
-        return self._scheme(cut), self._equations(cut), self._polygon(cut)
+    def _column(self, cut: Cut) -> Iterator[Exhibit | Caption]:
+        """A cut's loading scheme, its equations, its polygon and the details of that, which stand together."""
+        yield from (self._scheme(cut), self._equations(cut), self._polygon(cut))
+        for shown in self._details[cut.label]:
+            room = force_polygon.measure(shown, shown.plan, self.drafting)
+            least, most = (size * self.drafting.hand.letter for size in (force_detail.LETTERS, force_detail.MOST))
+            room = room._replace(least=least, most=most)
+            draw = partial(force_polygon.draw, shown, room, drafting=self.drafting)
+            yield Exhibit(Panel(room, together=cut.label), draw)
+
+    @cached_property
+    def _details(self) -> dict[str, tuple[force_polygon.ForcePolygon, ...]]:
+        """The enlarged details of each cut's polygon, lettered through all of them."""
+        found: dict[str, tuple[force_polygon.ForcePolygon, ...]] = {}
+        for cut in self.plan.cuts:
+            shown = force_polygon.polygon(self.plan, cut, self.position)
+            room, before = force_polygon.measure(shown, "", self.drafting), sum(map(len, found.values()))
+            found[cut.label] = force_detail.details(shown, room, self.drafting, before)
+        return found
 
     def _scheme(self, cut: Cut) -> Exhibit:
         shown = loading_scheme.scheme(self.plan, cut, self.position)
@@ -114,7 +133,8 @@ class _ForceSheet:
     def _polygon(self, cut: Cut) -> Exhibit:
         shown = force_polygon.polygon(self.plan, cut, self.position)
         room = force_polygon.measure(shown, f"{POLYGON}{cut.label}", self.drafting)
-        draw = partial(force_polygon.draw, shown, room, drafting=self.drafting)
+        details = self._details[cut.label]
+        draw = partial(force_polygon.draw, shown, room, drafting=self.drafting, details=details)
         return Exhibit(Panel(room, together=cut.label), draw)
 
     def _lever(self) -> Iterator[Exhibit | Caption]:
@@ -127,7 +147,9 @@ class _ForceSheet:
         draw = partial(lever_plan.draw, shown, room, drafting=self.drafting)
         yield Exhibit(Panel(room, together=LEVER if told else ""), draw)
         if told:
-            equation = LeverEquation(told, at(plans.lever.moment.point, self.position).real, self.drafting)
+            turned = balancing_quantity(self.study.mechanism.drive).name == BALANCING
+            moment = at(plans.lever.moment.point, self.position).real if turned else None
+            equation = LeverEquation(told, moment, self.drafting)
             yield Caption(Panel(equation.block(), together=LEVER), equation.write, of=LEVER)
 
     def _loads(self) -> Iterator[Exhibit]:
@@ -146,28 +168,41 @@ class _ForceSheet:
             return
         curve = self._curve()
         key = "balancing graph" if curve.closed else "balancing swing"
-        key = "balancing stroke" if self.study.mechanism.drive.pushed else key
+        key = key if self.study.mechanism.drive.turns else "balancing stroke"
         curve = curve._replace(title=self.drafting.word(key))
         room = curve_graph.measure(curve, "balancing", self.drafting)
-        yield Exhibit(Panel(room), partial(curve_graph.draw, curve, room, drafting=self.drafting))
+        yield Exhibit(Panel(room), partial(self._draw_graph, curve, room))
+
+    def _draw_graph(self, curve: curve_graph.GraphCurve, room: Picture, spot: Spot) -> curve_graph.GraphFigure:
+        """Draw the graph of the balancing moment, at the scale of its ordinates that the scene states, if it does."""
+        scene = self.study.scene
+        stated = dict(scene.sheet.scale.stated).get("moment", 0.0)
+        if stated and curve.unit != "N*m":  # a slider that drives is balanced by a force
+            raise unknown(scene, "moment")
+        if stated:
+            low, high = curve.span
+            see_ordinates(scene, "moment", high - low, room.high / spot.scale.mu)
+        return curve_graph.draw(curve._replace(stated=stated), room, spot, self.drafting)
 
     def _curve(self) -> curve_graph.GraphCurve:
-        own, least, drive = self.forces, self.forces.nothing[1], self.study.mechanism.drive
-        moments = (self.turned.balancing.moment, own.balancing.moment)
-        dense, ordinates = (np.where(np.abs(row) <= least, 0.0, row) for row in moments)
-        dense, (name, unit, share) = curve_graph.bounded(dense, ordinates), balancing_quantity(drive)
-        rows = *self._stations(), share * dense, share * ordinates
-        curve = curve_graph.GraphCurve(letter_of(name, self.drafting), unit, rows[1], rows[2], rows[0], rows[3])
-        curve = curve._replace(shown=self.chosen)
-        return curve._replace(axis=curve_graph.WAY) if drive.pushed else curve_graph.swing(curve)
+        statics, drive, told = self.statics, self.study.mechanism.drive, balancing_quantity(self.study.mechanism.drive)
+        sizes = statics.given_around(STEPS, self.turned), statics.given(self.forces, self.study.motion(2))
+        least = told.share * self.forces.nothing[told.unit != "N" or drive.pushed]
+        dense, ordinates = (np.where(np.abs(row) <= least, 0.0, row) for row in sizes)
+        dense, (stations, along) = curve_graph.bounded(dense, ordinates), self._stations()
+        letter = letter_of(told.name, self.drafting)
+        curve = curve_graph.GraphCurve(letter, told.unit, along, dense, stations, ordinates, shown=self.chosen)
+        return curve_graph.swing(curve) if drive.turns else curve._replace(axis=curve_graph.WAY)
 
     def _stations(self) -> tuple[Floats, Floats]:
         """Give the abscissas of the positions, and those of the dense curve: degrees of a turn, metres of a stroke."""
-        gone = self.study.sense * (self.forces.phi - self.forces.phi[0])
-        whole, drive = np.arange(STEPS + 1) / STEPS, self.study.mechanism.drive
-        if not drive.pushed:
-            return np.degrees(gone) % 360, 360 * whole
-        return drive.unit * gone, drive.unit * gone[-1] * whole
+        mechanism, phi = self.study.mechanism, self.forces.phi
+        if mechanism.drive.turns:
+            turned = np.degrees(self.study.sense * (phi - phi[0])) % 360
+            return turned, np.arange(STEPS + 1) * 360 / STEPS
+        own, along = (stroke.ways(mechanism, row) for row in (phi, self.turned.phi))
+        assert own is not None and along is not None  # of a drive over a stroke
+        return np.abs(own - own[0]), np.abs(along - own[0])
 
     def _hodographs(self) -> Iterator[Exhibit]:
         """The reactions whose hodographs the scene asks for."""

@@ -12,6 +12,7 @@ from plans.checks.compare import MotionComparison
 from plans.checks.comparison import Finding
 from plans.checks.hand.quantity import SLIP
 from plans.linkage.pressure import interval
+from plans.linkage.primaries import ram as cylinder
 from plans.linkage.study import LinkageStudy
 from plans.model.mechanism import Ram
 from plans.model.motion import Floats
@@ -64,17 +65,18 @@ def driving(study: LinkageStudy, rates: Rates, language: str) -> str:
     drive = study.mechanism.drive
     omega, epsilon = (span(np.ravel(rate) * drive.unit, language) for rate in rates)
     if drive.ram is not None:
-        return _cylinder(drive.ram, drive.link, (omega, epsilon), language)
+        law = cylinder.law(study.mechanism, study.turn.phi)
+        return _cylinder(drive.ram, drive.link, (omega, epsilon), law, language)
     if not drive.pushed:
         return word(language, "crank", link=drive.link, omega=omega, epsilon=epsilon)
     ends = (number(1000 * drive.unit * float(phi), language) for phi in study.turn.phi[[0, -1]])
     return word(language, "pushed", point=drive.end, v=omega, a=epsilon, stroke=" … ".join(ends))
 
 
-def _cylinder(ram: Ram, link: int, rates: tuple[str, str], language: str) -> str:
-    """Tell how a cylinder turns the crank."""
+def _cylinder(ram: Ram, link: int, rates: tuple[str, str], law: tuple[Floats, Floats], language: str) -> str:
+    """Tell how a cylinder turns the crank: the law m/s, m/s2 of its length, and the crank's rates as written."""
     stroke = " … ".join(number(1000 * way, language) for way in (ram.begin, ram.end))
-    v, a = (number(rate, language) for rate in (ram.speed, ram.acceleration))
+    v, a = (span(np.ravel(rate), language) for rate in law)
     parts = {"link": link, "omega": rates[0], "epsilon": rates[1], "line": f"{ram.fixed}{ram.point}"}
     return word(language, "cylinder", stroke=stroke, v=v, a=a, **parts)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain
 from typing import NamedTuple
@@ -18,6 +19,7 @@ from drawings.sheets.table import SHEETS
 from plans.scene.scene import Scene
 from plans.words.words import message
 
+GRAPHS = ("balancing",)  # their own scale is that of the angle: the key of such a figure governs its ordinates
 NEAREST = 3  # standard scales that a refusal names
 
 
@@ -51,13 +53,13 @@ class StatedScales(NamedTuple):
 
     def _governed(self, panel: Panel) -> Panel:
         mu = self.stated.get(key_of(self.kind, panel.item.name), 0.0)
-        if not (mu and isinstance(panel.item, Picture)):
+        if not mu or not isinstance(panel.item, Picture) or panel.item.name in GRAPHS:
             return panel
         return panel._replace(item=panel.item.at(mu))
 
     def _pictures(self, panels: Sequence[Panel]) -> Iterator[Picture]:
-        """Give all figures that are more than a point."""
-        items = (panel.item for panel in panels)
+        """Give all figures that are more than a point, without those whose ordinates alone are governed."""
+        items = (panel.item for panel in panels if panel.item.name not in GRAPHS)
         return (one for one in items if isinstance(one, Picture) and (one.wide or one.high))
 
     def _see(self, name: str, pictures: Sequence[Picture]) -> None:
@@ -98,6 +100,25 @@ class StatedScales(NamedTuple):
         fit = {rung.scale.mu for rung in rungs if rung.extent >= picture.least * SMALLER}
         mu = self.stated[key_of(self.kind, picture.name)]
         return sorted(sorted(fit, key=lambda one: max(one / mu, mu / one))[:NEAREST])
+
+
+def see_ordinates(scene: Scene, name: str, span: float, high: float) -> None:
+    """See that ordinates of a span in true units stand in a graph so many mm high, at the scale that is stated."""
+    mu = dict(scene.sheet.scale.stated)[name]
+    if span / mu > high:
+        parts = {"scale": _written(mu, False), "least": _written(_rounded_up(span / high), False)}
+        sizes = _millimetres(span / mu, high, ("high", "up"))
+        raise SheetError(of_scale(scene, name, message("refused.scale_ordinates", name=name, **parts, **sizes)))
+
+
+def _rounded_up(mu: float) -> float:
+    """Round a scale up to two digits.
+
+    >>> _rounded_up(0.01234), _rounded_up(250.0)
+    (0.013, 250.0)
+    """
+    step = 10.0 ** (math.floor(math.log10(mu)) - 1)
+    return float(f"{math.ceil(mu / step * (1 - 1e-12)) * step:.12g}")
 
 
 def _holds(room: Size, size: Size) -> bool:

@@ -37,7 +37,7 @@ SHEETS: Final[Mapping[str, Sheet]] = {
         admit="drawings.sheets.force_admission:of_forces",
         leaves="drawings.sheets.forces:leaves",
         faults="drawings.checks.verify_forces:faults",
-        scales={"scheme-": "scheme", "forces-": "force", "lever": "lever"},
+        scales={"scheme-": "scheme", "forces-": "force", "lever": "lever", "balancing": "moment"},
     ),
     "dynamics": Sheet(
         admit="drawings.sheets.linkage_admission:of_linkage",

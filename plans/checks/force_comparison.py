@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -21,8 +21,11 @@ from plans.forces.force_template import ForcePlans
 from plans.forces.primary import BALANCING as BALANCED
 from plans.forces.primary import DRIVING, BalancingQuantity, balancing_quantity
 from plans.forces.statics import Statics
+from plans.forces.stroke import Stroke
+from plans.linkage.primaries.ram import lever
 from plans.model.kinetostatics import FORCES, Kinetostatics, Loading
 from plans.model.losses import Friction
+from plans.model.machine import Track
 from plans.model.motion import Floats
 from plans.model.order import ORDERS
 
@@ -63,7 +66,8 @@ def compare_forces(statics: Statics, motion: MotionComparison) -> ForceCompariso
     theirs = kinetostatics(motion.road, machine, motion.analysis, loads, statics.pairs)
     ours = statics.forces
     both = ForceFindings(statics, motion, ours, theirs)
-    forces = *cap(study, [*both.reactions(), *both.balancing(loads)]), both.energy(loads)
+    told = [*both.reactions(), *both.cylinder(found), *both.balancing(loads)]
+    forces = *cap(study, told), both.energy(loads)
     compared = ForceComparison(ours, theirs, (*forces, *cap(study, [*both.sums()])), motion)
     return _with_friction(statics, compared, loads) if machine.friction else compared
 
@@ -136,28 +140,41 @@ class ForceFindings:
 
     def balancing(self, loads: Loading) -> Iterator[Finding]:
         """Compare what the drive gives: with the equilibrium and the power of the other road; the lever."""
-        plan, lever, machine = self.plans.plan, self.plans.lever, self.statics.machine
+        plan, hung_on, machine = self.plans.plan, self.plans.lever, self.statics.machine
         road, solved = self.motion.road, self.motion.analysis
         ours, theirs, off = self.ours.balancing, self.theirs.balancing, self.off(plan.balancing)
         largest = self._largest_moment
-        if ours.force is not None:
+        if ours.force is not None and self._told.name != DRIVING:
             yield self.finding((DRIVING, "N"), (ours.force, theirs.force), self.off(plan.drive), self.largest)
-        if self._told.name != DRIVING:
-            yield self.finding((BALANCED, "N*m"), (ours.moment, theirs.moment), off, largest)
-        if lever is not None:
-            hung = np.where(np.isnan(ours.moment), np.nan, np.asarray(lever.moment.point).real)
-            yield self._told_by("lever", (hung, theirs.moment), self.off(lever.moment), largest)
+        yield self._told_by("", (ours.moment, theirs.moment), off, largest)
+        if hung_on is not None:
+            hung = np.where(np.isnan(ours.moment), np.nan, np.asarray(hung_on.moment.point).real)
+            yield self._told_by("lever", (hung, theirs.moment), self.off(hung_on.moment), largest)
         powered = np.where(np.isnan(ours.moment), np.nan, balancing_moment(road, machine, solved, loads))
         yield self._told_by("power", (ours.moment, powered), off, largest)
 
     @property
     def _told(self) -> BalancingQuantity:
-        return balancing_quantity(self.statics.study.mechanism.drive)
+        """What the balances are told in: a cylinder leaves the crank no moment but rounding."""
+        drive = self.statics.study.mechanism.drive
+        return balancing_quantity(drive) if drive.pushed else BalancingQuantity(BALANCED, "N*m")
+
+    def cylinder(self, found: Mapping[Track, Stroke]) -> Iterator[Finding]:
+        """Compare the force of a cylinder that turns the crank, where one does: its power is that of all others."""
+        statics, motion, drive = self.statics, self.motion, self.statics.study.mechanism.drive
+        if drive.ram is None:
+            return
+        ours = statics.given(self.ours, motion.construction)
+        theirs = statics.given(self.theirs, motion.analysis, found)
+        arm = lever(statics.study.mechanism, motion.analysis.points[drive.ram.point].r)
+        off = self.off(self.plans.plan.balancing) / arm
+        yield self.finding((DRIVING, "N"), (ours, theirs), off, max(self.largest, largest_of([np.abs(ours)])))
 
     def _told_by(self, how: str, pair: tuple[Any, Any], off: Floats, largest: float) -> Finding:
         """Put what the drive gives beside what another balance gives, by their moments; of a slide their forces."""
         name, unit, share = self._told
-        return self.finding((f"{name} {how}", unit), (share * pair[0], share * pair[1]), share * off, share * largest)
+        both = share * pair[0], share * pair[1]
+        return self.finding((f"{name} {how}".strip(), unit), both, share * off, share * largest)
 
     def energy(self, loads: Loading) -> Finding:
         """Compare with the energy balance; how far its differences may be off is its own word, and is not capped."""

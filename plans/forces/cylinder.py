@@ -21,15 +21,26 @@ def driven(mechanism: Mechanism, machine: Machine, motion: Motion, loads: Loadin
     """Add to loads the force of the cylinder that drives a mechanism over a motion of order 2, where one does."""
     if mechanism.drive.ram is None:
         return loads
-    corner, ram = triangle(mechanism), mechanism.drive.ram
-    span = motion.points[ram.point].r - corner.fixed
-    along = span / np.abs(span)
-    growth = (np.conj(along) * motion.points[ram.point].v).real
-    with np.errstate(invalid="ignore", divide="ignore"):  # a gap is NaN
-        push = -_power(mechanism, machine, motion, loads) / growth * along
-    ends = zip(_ends(mechanism), (push, 0.0 - push), (DRIVING, f"{DRIVING}′"), strict=True)
-    told = (Applied(name, *end, force, useful=False) for end, force, name in ends if end[0] != FRAME)
+    along, _ = _growth(mechanism, motion)
+    force = np.asarray(push(mechanism, machine, motion, loads) * along)
+    ends = zip(_ends(mechanism), (force, 0.0 - force), (DRIVING, DRIVING.replace("_", "′_")), strict=True)
+    told = (Applied(name, *end, one, useful=False) for end, one, name in ends if end[0] != FRAME)
     return loads._replace(forces=(*loads.forces, *told))
+
+
+def push(mechanism: Mechanism, machine: Machine, motion: Motion, loads: Loading) -> Floats:
+    """Give the force N with which a cylinder pushes its ends apart, (N,), under other loads; below zero it pulls."""
+    _, growth = _growth(mechanism, motion)
+    with np.errstate(invalid="ignore", divide="ignore"):  # a gap is NaN
+        return np.asarray(-_power(mechanism, machine, motion, loads) / growth)
+
+
+def _growth(mechanism: Mechanism, motion: Motion) -> tuple[Complexes, Floats]:
+    """Give the unit direction from the cylinder's fixed point to the crank's, and how fast they part, m/s."""
+    corner = triangle(mechanism)
+    moved = motion.points[corner.ram.point]
+    along = (moved.r - corner.fixed) / np.abs(moved.r - corner.fixed)
+    return along, (np.conj(along) * moved.v).real
 
 
 def _ends(mechanism: Mechanism) -> Iterator[tuple[int, str, complex]]:

@@ -10,11 +10,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from plans.forces.cylinder import driven
+from plans.forces.cylinder import driven, push
 from plans.forces.force_drawing import ForceDrawing
 from plans.forces.force_template import ForcePattern, ForcePlans
+from plans.forces.joining import joined, without
 from plans.forces.lines import check_lines
 from plans.forces.loading import loading
+from plans.forces.primary import balancing_quantity
 from plans.forces.reading.form import ForceForm
 from plans.forces.reading.inventory import machine_of
 from plans.forces.stroke import NoStroke, OtherStroke, Stroke, strokes
@@ -30,10 +32,8 @@ from plans.model.group import Pair
 from plans.model.kinetostatics import (
     FORCES,
     INDETERMINATE,
-    Balancing,
     Kinetostatics,
     Loading,
-    Reaction,
     pairs,
     without_forces,
 )
@@ -145,7 +145,7 @@ class Statics:
             return strokes(self.machine, study.mechanism, study.output, extremes)
         except NoStroke as error:
             why = error.args[0]
-            if study.barriers:
+            if study.barriers and study.mechanism.drive.turns:
                 why = message("stroke.barred", load=error.load, thing=error.thing, why=obstruction(study.sweep))
             raise self._refused(why) from None
         except OtherStroke as error:
@@ -177,6 +177,17 @@ class Statics:
         """Give the loads at the positions of a motion of either road, with the strokes that it finds."""
         return driven(self.study.mechanism, self.machine, motion, loading(self.machine, motion, strokes))
 
+    def given(self, forces: Kinetostatics, motion: Motion, strokes: Mapping[Track, Stroke] | None = None) -> Floats:
+        """Give what is told of the drive over the positions: the moment of a crank, the force of a slide or a cylinder.
+
+        See `balancing_quantity`; the strokes are those that the road of the motion finds.
+        """
+        mechanism, machine = self.study.mechanism, self.machine
+        if mechanism.drive.ram is None:
+            return balancing_quantity(mechanism.drive).share * forces.balancing.moment
+        loads = loading(machine, motion, self.strokes if strokes is None else strokes)
+        return np.where(np.isnan(forces.balancing.moment), np.nan, push(mechanism, machine, motion, loads))
+
     @cached_property
     def pattern(self) -> ForcePattern | ForceDrawing:
         """The force plan drawn at one position, to be followed at all."""
@@ -201,15 +212,22 @@ class Statics:
     def around(self, steps: int) -> Kinetostatics:
         """Give the forces over a whole turn from the first position on, in even steps; NaN where there are none.
 
-        Of a slide that is pushed along they are those over its stroke.
+        Of a drive over a stroke they are those over the stroke.
         """
+        drafts = self._around(steps)
+        found, none = ForceDrafts(self, drafts).read()
+        return without(found, none | drafts.lost)
+
+    def given_around(self, steps: int, forces: Kinetostatics) -> Floats:
+        """Give what is told of the drive where `around` gives the forces."""
+        return self.given(forces, self._around(steps).motion(2))
+
+    def _around(self, steps: int) -> Drafts:
         study = self.study
         first, last = study.turn.phi[0], study.turn.phi[-1]
         whole = study.sense * 2 * np.pi if study.mechanism.drive.turns else last - first
         phi = first + whole * np.arange(steps + 1) / steps
-        drafts = Drafts(study, at_angles(phi).paced(study.pace))
-        found, none = ForceDrafts(self, drafts).read()
-        return without(found, none | drafts.lost)
+        return Drafts(study, at_angles(phi).paced(study.pace))
 
     @cached_property
     def forces(self) -> Kinetostatics:
@@ -218,7 +236,7 @@ class Statics:
         for part in self.parts():
             found.append(part.read())
             free = free and part.drafts.free
-        whole, none = _joined([forces for forces, _ in found]), np.concatenate([singular for _, singular in found])
+        whole, none = joined([forces for forces, _ in found]), np.concatenate([singular for _, singular in found])
         if free and not none.any():
             return whole
         gaps, lost = self.study.motion(2).gaps, np.zeros(len(whole.phi), dtype=bool)
@@ -264,37 +282,6 @@ class Statics:
 
 def _number(gap: Gap) -> int:
     return gap.position
-
-
-def _joined(parts: Sequence[Kinetostatics]) -> Kinetostatics:
-    """Put the forces over parts of the positions together."""
-    if len(parts) == 1:
-        return parts[0]
-
-    def joined(rows: Sequence[Any]) -> Any:
-        return None if rows[0] is None else np.concatenate(rows)
-
-    reactions = {}
-    for key, first in parts[0].reactions.items():
-        told = [part.reactions[key] for part in parts]
-        rows = (joined([getattr(one, name) for one in told]) for name in ("r", "force", "moment", "along"))
-        reactions[key] = Reaction(first.giver, first.taker, first.point, *rows)
-    balancing = Balancing(*(joined(rows) for rows in zip(*(part.balancing for part in parts), strict=True)))
-    return Kinetostatics(parts[0].by, np.concatenate([part.phi for part in parts]), reactions, balancing, ())
-
-
-def without(forces: Kinetostatics, gone: npt.NDArray[np.bool_]) -> Kinetostatics:
-    """Leave no force at some positions."""
-
-    def kept(row: Any) -> Any:
-        return None if row is None else np.where(gone, np.nan, row)
-
-    reactions = {
-        key: one._replace(force=kept(one.force), moment=kept(one.moment)) for key, one in forces.reactions.items()
-    }
-    told = forces.balancing
-    balancing = Balancing(kept(told.moment), kept(told.force), told.r)
-    return replace(forces, reactions=reactions, balancing=balancing)
 
 
 def study_of(study: Study) -> Statics:

@@ -30,3 +30,11 @@ def _mending(sweep: Sweep, barrier: Barrier) -> Message:
     miss = np.broadcast_to(np.asarray(marks[barrier.group].miss, dtype=float), FAN)
     worst = int(np.nanargmax(miss))
     return of_positions(sweep, at_angles(phi[worst : worst + 1]), [0], None, ())[0].advice
+
+
+def no_extreme(sweep: Sweep, link: int, assembled: bool) -> Message:
+    """Say why an output link has no extreme positions."""
+    if not assembled:
+        return message("extreme.unassembled", why=obstruction(sweep))
+    why = obstruction(sweep) if sweep.barred else message("extreme.turns")
+    return message("extreme.none", link=link, why=why)

@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
+from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,23 +16,23 @@ from geometry.errors import ConstructionError, DraftError
 from plans.linkage import assembly_limits, gaps
 from plans.linkage.assembly_limits import Sweep
 from plans.linkage.barrier import Barrier
-from plans.linkage.crank_positions import CrankPositions, even, from_direction, listed, stroke
+from plans.linkage.crank_positions import CrankPositions, even, from_direction, listed
 from plans.linkage.drafts import Drafts
 from plans.linkage.extreme import ExtremePositions, extremes, output
-from plans.linkage.obstruction import obstruction
-from plans.linkage.primaries import ram
+from plans.linkage.obstruction import no_extreme
+from plans.linkage.primaries import stroke
 from plans.linkage.reading.form import LinkageForm
 from plans.linkage.reading.linkage import mechanism_of
 from plans.linkage.sketch import Assembly, SketchError, assembly
 from plans.model.group import Group
 from plans.model.mechanism import Mechanism, Output, StructureError
-from plans.model.motion import Floats, Gap, Motion
+from plans.model.motion import Floats, Motion
 from plans.model.order import PLANS, numbers_of
 from plans.model.rates import Pace, Rates, rates_at, steady
 from plans.model.structure import decompose
 from plans.model.working import NoWorkingStroke
 from plans.scene.scene import Scene
-from plans.words.words import Message, message, placed
+from plans.words.words import Message, placed
 
 if TYPE_CHECKING:
     from plans.study import Study
@@ -106,10 +107,8 @@ class LinkageStudy:
 
     @property
     def pace(self) -> Pace | None:
-        """The rates of the drive at its coordinate: another technique's, or those of a cylinder; None: steady ones."""
-        if self._pace is not None or self.mechanism.drive.ram is None:
-            return self._pace
-        return ram.pace(self.mechanism)
+        """The rates of the drive at its coordinate: another technique's, or a stroke's own; None: steady ones."""
+        return stroke.pace(self.mechanism) if self._pace is None else self._pace
 
     @property
     def rates(self) -> Rates:
@@ -120,14 +119,12 @@ class LinkageStudy:
     def assembly(self) -> Assembly:
         """The assembly that the sketch chooses."""
         first = self.form.drive.first
-        start = None if first is None else self._begun(Fraction(first))
+        start = None if first is None else listed([Fraction(first)])
+        start = start if self.mechanism.drive.turns else self.turn.part([0])
         try:
             return assembly(self.mechanism, self.groups, start, self.looks)
         except SketchError as error:
             raise SketchError(self._at("sketch", error), error.points) from None
-
-    def _begun(self, first: Fraction) -> CrankPositions:
-        return listed([first]) if self.mechanism.drive.turns else self.turn.part([0])
 
     @cached_property
     def looks(self) -> CrankPositions:
@@ -135,8 +132,9 @@ class LinkageStudy:
 
         Of a scene with as many positions at most also at all of them: one may be assembled where no whole degree is.
         """
-        degrees = even(Fraction(0), 360, 1) if self.mechanism.drive.turns else self._stroke(360)
-        if self.form.drive.first is None or len(self.turn) > len(degrees):
+        told, turns = self.form.drive, self.mechanism.drive.turns
+        degrees = even(Fraction(0), 360, 1) if turns else stroke.positions(self.mechanism, told.stroke, 360)
+        if told.first is None or len(self.turn) > len(degrees):
             return degrees
         phi = np.concatenate((degrees.phi, self.turn.phi))
         return CrankPositions(phi, np.concatenate((degrees.directions, self.turn.directions)))
@@ -186,32 +184,18 @@ class LinkageStudy:
     def _turn(self) -> CrankPositions:
         drive = self.form.drive
         if not self.mechanism.drive.turns:
-            return self._stroke(drive.count - 1)
+            return stroke.positions(self.mechanism, drive.stroke, drive.count - 1)
         if isinstance(drive.positions, tuple):
             return listed([Fraction(angle) for angle in drive.positions])
         if drive.first is not None:
             return even(Fraction(drive.first), drive.positions, self.sense)
         if self.extreme_positions is None:
             line, _ = self.scene.place(("drive", "start"))
-            raise NoExtreme(placed(f"{self.scene.file}:{line}", self.no_extreme()))
+            why = no_extreme(self.sweep, self.output.link, self.assembly.phi is not None)
+            raise NoExtreme(placed(f"{self.scene.file}:{line}", why))
         return from_direction(
             self.extreme_positions.directions[0], self.extreme_positions.extremes.phi[0], drive.positions, self.sense
         )
-
-    def _stroke(self, steps: int) -> CrankPositions:
-        told = self.form.drive.stroke
-        assert told is not None  # asked only of a stroke
-        ends = Fraction(told.from_), Fraction(told.to)
-        if self.mechanism.drive.ram is not None:
-            return ram.positions(self.mechanism, stroke(*ends, steps, 1.0).phi)
-        return stroke(*ends, steps, self.mechanism.drive.unit)
-
-    def no_extreme(self) -> Message:
-        """Say why the output has no extreme positions."""
-        if self.assembly.phi is None:
-            return message("extreme.unassembled", why=obstruction(self.sweep))
-        why = obstruction(self.sweep) if self.barriers else message("extreme.turns")
-        return message("extreme.none", link=self.output.link, why=why)
 
     @cached_property
     def lost(self) -> npt.NDArray[np.bool_]:
@@ -300,11 +284,7 @@ class LinkageStudy:
             links.angle[lost] = np.nan
         gaps.forget(drawn, lost)
         named += gaps.without_velocity(drawn, lost, blunt, (*self.barriers, *self.passed))
-        return replace(drawn, gaps=tuple(sorted(named, key=_number)))
-
-
-def _number(gap: Gap) -> int:
-    return gap.position
+        return replace(drawn, gaps=tuple(sorted(named, key=attrgetter("position"))))
 
 
 def _fill(whole: Motion, part: Motion, at: slice) -> None:

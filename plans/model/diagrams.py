@@ -20,6 +20,7 @@ from plans.words.words import Message, message
 TURN = 2 * math.pi
 FEWEST = 4  # positions in a row: two chords of chords, so that there is a course of a
 STILL = 1e-12  # m/s or rad/s with the crank at 1 rad/s: an output that is slower stands, but for roundings
+EXACT = 1e-9  # a share: less is roundings, by which neither road tells one error from another
 ROUNDED = 1e-9  # rad: far more than a rounding of an angle, and far less than two positions are apart
 MOST = 360  # positions: of more a chord is shorter than the line it is drawn with
 
@@ -131,6 +132,22 @@ class Diagrams:
     def unanswered(self) -> tuple[Gap, ...]:
         """No gaps of its own: they are those of the plans."""
         return ()
+
+
+class ChordError(NamedTuple):
+    """How far values by chords are out at the most, as a share of the largest exact one, and at which of them."""
+
+    share: float
+    at: int
+
+
+def chord_error(values: Floats, exact: Floats) -> ChordError | None:
+    """Find the largest error of values by chords, of equal ones the first; None where it is but a rounding."""
+    off, most = np.abs(values - exact), float(np.nanmax(np.abs(exact), initial=0.0))
+    worst = float(np.nanmax(off, initial=0.0))
+    if not most or worst <= EXACT * most:
+        return None
+    return ChordError(worst / most, int(np.argmax(np.nan_to_num(off) >= worst * (1 - EXACT))))
 
 
 def axis_of(

@@ -95,6 +95,7 @@ class Drive:
     guide: Slide | None = None  # the slide that is pushed along
     unit: float = 1.0  # m; of a crank a radian
     ram: Ram | None = None  # the cylinder that turns the crank
+    law: tuple[tuple[float, float], ...] = ()  # over a stroke: places m that rise, speeds m/s there; none: one speed
 
     @property
     def pushed(self) -> bool:

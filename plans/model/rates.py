@@ -11,6 +11,8 @@ import numpy.typing as npt
 from plans.model.mechanism import Drive
 from plans.model.motion import Floats
 
+ROUNDINGS = 16.0 * 2.0**-52  # of a place that is a distance of two points: nearer to a corner of a law it is there
+
 
 class Rates(NamedTuple):
     """Angular velocity rad/s and acceleration rad/s2 of the drive: numbers, or rows (N,) over the positions."""
@@ -54,3 +56,17 @@ def rates_at(pace: Pace, phi: Floats) -> Rates:
 def steady(drive: Drive) -> Rates:
     """Give the rates of a drive that has those of its scene in every position."""
     return Rates(drive.omega, drive.epsilon)
+
+
+def stroke_rates(drive: Drive, ways: Floats, speed: float, acceleration: float) -> tuple[Floats, Floats]:
+    """Give speed m/s and acceleration m/s2 of a stroke at places m, (N,) each: those told, or those of the drive's law.
+
+    The law has straight lines between its places, so that a = v dv/ds; at a place itself the line ahead of it counts.
+    """
+    if not drive.law:
+        return np.full(ways.shape, speed), np.full(ways.shape, acceleration)
+    places, speeds = np.array(drive.law).T
+    v = np.interp(ways, places, speeds)
+    ahead = ways + np.sign(speeds[0]) * ROUNDINGS * np.abs(places).max()
+    part = np.clip(np.searchsorted(places, ahead) - 1, 0, len(places) - 2)
+    return v, np.asarray(v * (np.diff(speeds) / np.diff(places))[part])

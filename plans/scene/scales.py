@@ -59,7 +59,9 @@ class ScaleTable(Table):
     scheme: Decimal | None = _stated(LENGTH, "Of loading schemes, and of schemes of a balanced machine.")
     force: Decimal | None = _stated(_factor("N"), "Of force plans, and of the hodograph of shaking forces.")
     lever: Decimal | None = _stated(_factor("m/s"), "Of Zhukovsky's lever.")
-    moment: Decimal | None = _stated(_factor("N*m"), "Of the moments of a bank of cylinders.")
+    moment: Decimal | None = _stated(
+        _factor("N*m"), "Of the graph of the balancing moment, and of the moments of a bank of cylinders."
+    )
     unbalance: Decimal | None = _stated(_factor("kg*m"), "Of polygons of static moments.")
     couple: Decimal | None = _stated(_factor("kg*m2"), "Of the polygon of a rotor's moments of unbalance.")
     rotor: Decimal | None = _stated(LENGTH, "Of the views of a rotor.")

@@ -13,7 +13,7 @@ from drawings.checks.verify import SelfCheckFailed
 from drawings.commands.draw import draw
 from drawings.lettering.lettering import lettered
 from drawings.measure.measure import measure_file
-from drawings.paper.strokes import Group, Leaf, Line, SheetError, Stroke
+from drawings.paper.strokes import Group, Leaf, Line, SheetError, Stroke, Text
 from drawings.paper.walk import groups, texts
 from drawings.pens.svg import svg
 from drawings.sheets import forces
@@ -59,6 +59,17 @@ def reversed_arrow(name: str) -> Change:
     return change
 
 
+def altered(pattern: str, other: str) -> Change:
+    """Write another thing in every text that has something of a pattern."""
+
+    def change(stroke: Stroke) -> Stroke:
+        if isinstance(stroke, Text) and re.search(pattern, stroke.plain):
+            return replace(stroke, content=re.sub(pattern, other, stroke.plain))
+        return stroke
+
+    return change
+
+
 FAULTS: dict[str, Change] = {
     "a known force is dropped": dropped("F_us", "forces-4-5", "vector"),
     "a closing side is dropped": dropped("R_05", "forces-4-5", "vector"),
@@ -83,6 +94,9 @@ FAULTS: dict[str, Change] = {
     "a term of the lever's equation has the wrong sign": in_part("equations-lever", rewritten("−", "+")),
     "the hodograph's vector is too long": stretched("R_03", "hodograph-0-3"),
     "a value of the table is wrong in its last digit": rewritten("1736.7", "1736.8"),
+    "what a hand may be out in M_bal is wrong in its last digit": altered(r"±5(\.\d)?$", "±6.9"),
+    "a scheme's scale is written otherwise than arms are measured by": altered(r"μl = 0\.00", "μ_l = 0.03"),
+    "the roads are said to be nearer than they are": altered("10−11", "10^{−12}"),
     "a force in the equations is wrong": rewritten("G4 = 29.43 N,", "G_4 = 29.34 N,"),
     "a reaction in the equations is wrong": rewritten("R05 = 211.58 N,", "R_{05} = 212.58 N,"),
     "a force plan's scale is written wrong": rewritten("μF = 10 N/mm", "μ_F = 5 N/mm"),

@@ -157,3 +157,11 @@ def test_a_line_left_out_and_a_sense_turned_are_seen() -> None:
     assert list(faults(right.replace(f"{line}\n", ""), made, leaves()))
     assert list(faults(right.replace("rad/s$, counter-clockwise", "rad/s$, clockwise"), made, leaves())) == []
     assert list(faults(right.replace("}$, counter-clockwise", "}$, clockwise", 1), made, leaves()))
+
+
+def test_a_slide_that_is_pushed_has_the_velocity_that_the_scene_gives() -> None:
+    made = Study(parse_scene((Path(__file__).parents[1] / "cases/kinematics/ram.toml").read_text("utf-8")))
+    linkage, motion = made["linkage"], made.comparison("linkage").construction
+    told = "\n".join(equations(linkage, motion, {0: SCALES[2]}, [0]))
+    assert "### Position 0, s = 500 mm\n" in told
+    assert "\nPrimary link 1:\n\n" + r"- $v_{A} = pa \cdot \mu_{v} = 20 \cdot 0.01 = 0.2\text{ m/s}$" in told

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from copy import copy
+from dataclasses import replace
+from decimal import Decimal
 from functools import cache
 from pathlib import Path
 
@@ -12,12 +14,15 @@ import pytest
 
 from drawings.checks.verify import SelfCheckFailed, verify_scales
 from drawings.measure.measure import Measured, measure_file
+from drawings.measure.measured import MeasuredVector
 from drawings.paper.strokes import SheetError
 from drawings.pens.svg import svg
-from drawings.sheets import kinematics
+from drawings.sheets import forces, kinematics
 from drawings.sheets.admission import of_scales
+from drawings.sheets.leaves import Exhibit
 from drawings.sheets.table import SHEETS
 from plans.linkage.reading.form import LinkageForm
+from plans.linkage.study import LinkageStudy
 from plans.scene.faults import SceneError
 from plans.scene.scales import ScaleTable
 from plans.scene.scene import Scene, parse_scene
@@ -26,6 +31,7 @@ from plans.study import Study
 GALLERY = Path(__file__).parents[2] / "drawings/gallery"
 LOADED = (GALLERY / "slider-crank.toml").read_text("utf-8")
 BASE = LOADED.replace(', "forces"]', "]").replace("forces = [2]", "")
+PLANS = BASE.replace("plans = [2, 8]", "plans = [0, 1, 3]")
 KEYS = SHEETS["kinematics"].scales
 
 
@@ -40,12 +46,16 @@ def made() -> Study:
     return study
 
 
-def measured(scene: Scene, folder: Path) -> list[Measured]:
-    """Lay out and measure the sheets of a scene, whose mechanism is the same for all."""
+def linkage_of(scene: Scene) -> LinkageStudy:
     linkage = copy(made()["linkage"])
     vars(linkage).update(scene=scene, form=scene.of(LinkageForm))
+    return linkage
+
+
+def measured(scene: Scene, folder: Path) -> list[Measured]:
+    """Lay out and measure the sheets of a scene, whose mechanism is the same for all."""
     found = []
-    for k, leaf in enumerate(kinematics.sheets(linkage, made().comparison("linkage"))):
+    for k, leaf in enumerate(kinematics.sheets(linkage_of(scene), made().comparison("linkage"))):
         (path := folder / f"{k}.svg").write_bytes(svg(leaf))
         found.append(measure_file(path))
     return found
@@ -56,12 +66,32 @@ def scales(sheets: Iterable[Measured], plan: str) -> set[float]:
 
 
 def test_plans_of_an_order_have_one_scale_by_default_and_each_its_own_where_that_is_asked(tmp_path: Path) -> None:
-    plans = BASE.replace("plans = [2, 8]", "plans = [0, 2, 3]")
-    common, each = (measured(parse_scene(plans + more), tmp_path) for more in ("", '\nscales = "each"\n'))
-    assert len(scales(common, "velocities")) == len(scales(common, "accelerations")) == 1
-    assert len(scales(each, "accelerations")) > 1
-    with pytest.raises(SelfCheckFailed, match="the scale of accelerations, which is not the common one"):
-        verify_scales([(KEYS, one) for one in each], scene_of().sheet)
+    common, each = (parse_scene(f"{PLANS}\n{more}") for more in ("", 'scales = "each"'))
+    sheets = measured(common, tmp_path)
+    assert len(scales(sheets, "velocities")) == len(scales(sheets, "accelerations")) == 1
+    verify_scales([(KEYS, one) for one in sheets], common.sheet)
+    assert keys(common) == {"", "velocities", "accelerations"}
+    assert keys(each) == {""}
+
+
+def keys(scene: Scene) -> set[str]:
+    """What figures of a scene's sheets share a scale by."""
+    draft = kinematics._KinematicsSheet(linkage_of(scene), made().comparison("linkage"), None).draft
+    return {shown.panel.scale for shown in draft.shows if isinstance(shown, Exhibit)}
+
+
+def test_a_plan_that_has_another_scale_than_the_others_is_withheld(tmp_path: Path) -> None:
+    scene = parse_scene(PLANS)
+    sheets = [(KEYS, one._replace(vectors=tuple(map(finer, one.vectors)))) for one in measured(scene, tmp_path)]
+    with pytest.raises(SelfCheckFailed, match="the scale of velocities, which is not the common one"):
+        verify_scales(sheets, scene.sheet)
+    verify_scales(sheets, parse_scene(f'{PLANS}\nscales = "each"').sheet)
+
+
+def finer(vector: MeasuredVector) -> MeasuredVector:
+    """Let the velocity plan of position 3 be drawn a little larger."""
+    own = vector.plan == "velocities" and vector.position == 3
+    return replace(vector, scale=vector.scale / 1.25) if own else vector
 
 
 def test_a_figure_has_the_scale_that_the_scene_states(tmp_path: Path) -> None:
@@ -91,6 +121,16 @@ def test_a_scale_at_which_a_figure_does_not_fit_is_refused_with_its_size_its_roo
 def test_a_scale_at_which_the_largest_plan_cannot_be_lettered_is_refused() -> None:
     with pytest.raises(SheetError, match=r"sheet.scale.velocity = 3: .* is \d mm large, and its letters need"):
         kinematics.leaves(Study(scene_of("[sheet.scale]\nvelocity = 3\n")))
+
+
+def test_the_ordinates_of_the_balancing_graph_have_the_scale_that_is_stated_or_are_refused(tmp_path: Path) -> None:
+    study = Study(parse_scene(f"{LOADED}\n[sheet.scale]\nmoment = 6\n"))
+    (sheet,) = forces.leaves(study)
+    (path := tmp_path / "sheet.svg").write_bytes(svg(sheet))
+    assert scales([measure_file(path)], "balancing") == {6.0}
+    vars(study.scene.sheet.scale)["moment"] = Decimal("0.5")
+    with pytest.raises(SheetError, match=r"sheet.scale.moment = 0.5: the ordinates would be \d+ mm, and the graph has"):
+        forces.leaves(study)
 
 
 def test_a_scale_of_figures_that_no_sheet_has_is_refused_and_those_are_listed_that_some_has() -> None:

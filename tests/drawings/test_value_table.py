@@ -1,10 +1,15 @@
-"""The table of values: what is nothing has no share of anything."""
+"""The table of values: what is nothing has no share of anything; what a hand may be out, as it is written."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
-from drawings.layout.value_table import row
+import numpy as np
+
+from drawings.layout.table import Later, table
+from drawings.layout.value_table import by_hand, row, row_by_hand
+from drawings.lettering.lettering import text_width
+from drawings.paper.strokes import Text
 from plans.checks.compare import compare
 from plans.linkage.study import LinkageStudy
 from plans.scene.scene import read_scene
@@ -18,3 +23,22 @@ def test_a_zero_vector_has_no_per_cent() -> None:
     found = {finding.name: finding for finding in comparison.of("velocities")}
     assert row(found["v_B"], "v", (0,), "en").cells == ("0.00000", "0.00000", "—")
     assert row(found["v_B"], "v", (1,), "en").cells == ("0.60000", "0.60000", "<10^{−9}")
+
+
+def test_what_a_hand_may_be_out_is_told_to_two_digits_and_in_the_decimals_of_its_row() -> None:
+    errors = {("v_B", k): error for k, error in enumerate((0.012345, 123.4, 0.00123, 7.0, np.nan, 0.0998))}
+    write = by_hand(errors, "ru")
+    assert [write(Later("v_B", k, "", 3, most)) for k, most in enumerate((9.0, 999.0, 9.0, 6.9, 9.0, 9.0, 9.0))] == [
+        "±0,012", "±120", "±0,001", "—", "—", "±0,10", "—",
+    ]  # fmt: skip
+
+
+def test_a_cell_that_is_written_later_keeps_the_width_that_was_measured() -> None:
+    comparison = compare(LinkageStudy(read_scene(DEAD_CENTRE)))
+    finding = next(one for one in comparison.of("velocities") if one.name == "v_B")
+    measured = table([row_by_hand(finding, "v", (0, 1), "en")], "quantity", ("a", "b", "c"), 2.5, (0, 1))
+    for text in ("±0.00001", "±0.088", f"±{finding.largest:.5f}"):
+        filled = measured.filled(lambda _, text=text: text)  # type: ignore[misc]
+        assert filled.cell == measured.cell
+        assert text_width(Text(0j, text, 2.5)) <= measured.cell
+        assert [cell for cell in filled.lines[0].cells if cell == text] == [text, text]

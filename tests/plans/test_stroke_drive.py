@@ -7,8 +7,9 @@ from functools import cache
 import numpy as np
 import pytest
 
+from plans.linkage.primaries import ram
 from plans.model.motion import NOT_REACHABLE, OUT_OF_REACH
-from plans.scene.faults import SceneError
+from plans.scene.faults import SceneError, dotted
 from plans.scene.scene import parse_scene
 from plans.study import Study
 
@@ -143,3 +144,142 @@ def test_what_is_told_over_a_turn_is_refused_over_a_stroke() -> None:
     text = SLIDER_CRANK.format(crank=3, slider=1, drive=FAIR).replace('"forces"', '"dynamics"')
     with pytest.raises(SceneError, match="told over its turn"):
         _ = Study(parse_scene(text + "[dynamics]\nfluctuation = 0.02"))["linkage"].mechanism
+
+
+# A boom OF that a cylinder EF turns; with EF = 500 mm the triangle OEF has a right angle at O, and F is above it.
+BOOM = """
+sheets = ["forces"]
+[mechanism.frame]
+O = [0, 0]
+E = [0.3, 0]
+[mechanism.links]
+1 = "OF"
+2 = "FG"
+3 = "E"
+[mechanism.lengths]
+OF = 0.4
+FG = 0.3
+[[mechanism.slides]]
+link = 3
+along = "FG"
+[mechanism.sketch]
+F = [0, 0.4]
+G = [0.15, 0.2]
+[masses]
+1 = {{ mass = 20, inertia = 0.5, centre = "middle" }}
+2 = {{ mass = 4, inertia = 0.1, centre = "middle" }}
+[loads]
+gravity = 9.81
+[[loads.forces]]
+on = 1
+point = "F"
+direction = -20
+value = 900
+[drive]
+link = 1
+{drive}
+"""
+CYLINDER = """
+positions = 2
+[drive.stroke]
+between = "EF"
+from = 0.45
+to = 0.55
+speed = 0.06
+acceleration = 0.2
+"""
+
+
+@cache
+def by_cylinder() -> Study:
+    return Study(parse_scene(BOOM.format(drive=CYLINDER)))
+
+
+def test_a_cylinder_turns_the_crank_as_its_triangle_says() -> None:
+    # s s' = OE OF sin(phi) omega, and at a right angle s'^2 + s s'' = OE OF epsilon.
+    motion = by_cylinder()["linkage"].motion(2)
+    assert motion.points["F"].r[1] == pytest.approx(0.4j, abs=1e-15)
+    assert motion.links[1].omega[1] == pytest.approx(0.5 * 0.06 / 0.12, rel=1e-14)
+    assert motion.links[1].epsilon[1] == pytest.approx((0.06**2 + 0.5 * 0.2) / 0.12, rel=1e-13)
+
+
+def test_the_force_of_a_cylinder_has_the_moment_that_the_crank_would_need() -> None:
+    omega, epsilon = 0.25, (0.06**2 + 0.5 * 0.2) / 0.12
+    crank = Study(parse_scene(BOOM.format(drive=f"speed = {omega}\nacceleration = {epsilon}\npositions = [90]")))
+    moment = crank["forces"].forces.balancing.moment[0]
+    statics = by_cylinder()["forces"]
+    push = statics.given(statics.forces, statics.study.motion(2))
+    assert push[1] == pytest.approx(moment / 0.24, rel=1e-12)  # O is 0.3 * 0.4/0.5 m from the cylinder's line
+    assert abs(statics.forces.balancing.moment[1]) < 1e-9 * abs(moment)
+
+
+def test_both_roads_agree_on_a_cylinder_and_hold_its_law(monkeypatch: pytest.MonkeyPatch) -> None:
+    for part in ("linkage", "forces"):
+        assert by_cylinder().comparison(part).agrees
+    told = {one.name for one in by_cylinder().comparison("linkage").findings}
+    assert {"s_EF", "v_EF", "a_EF"} <= told
+    true = ram.pace
+    monkeypatch.setattr(ram, "pace", lambda mechanism: lambda phi: true(mechanism)(phi)._replace(epsilon=0.0 * phi))
+    assert not Study(parse_scene(BOOM.format(drive=CYLINDER))).comparison("linkage").agrees
+
+
+CYLINDERS = {
+    "no fixed point": (CYLINDER.replace('"EF"', '"GF"'), "drive.stroke.between"),
+    "the crank's hinge": (CYLINDER.replace('"EF"', '"EO"'), "drive.stroke.between"),
+    "too long": (CYLINDER.replace("0.55", "0.75"), "drive.stroke.to"),
+    "at rest": (CYLINDER.replace("0.06", "0"), "drive.stroke.speed"),
+}
+
+
+@pytest.mark.parametrize("name", CYLINDERS)
+def test_a_cylinder_that_cannot_drive_is_refused_at_its_key(name: str) -> None:
+    drive, where = CYLINDERS[name]
+    with pytest.raises(SceneError) as refused:
+        _ = Study(parse_scene(BOOM.format(drive=drive)))["linkage"].mechanism
+    assert where in {".".join(map(str, fault.path)) for fault in refused.value.faults}
+
+
+LAW = """
+positions = 4
+[drive.stroke]
+{between}from = {begin}
+to = {end}
+speeds = [0.1, 0.3, 0.3, 0.1]
+places = [{begin}, {second}, {third}, {end}]
+"""
+
+
+def test_a_law_over_the_stroke_gives_its_speeds_and_the_accelerations_that_follow() -> None:
+    drive = "link = 1" + LAW.format(between="", begin=0.6, second=0.575, third=0.525, end=0.5)
+    study = Study(parse_scene(SLIDER_CRANK.format(crank=3, slider=1, drive=drive)))
+    slider = study["linkage"].motion(2).points["B"]
+    assert slider.v.real.tolist() == pytest.approx([-0.1, -0.3, -0.3, -0.3, -0.1])
+    slope = 0.2 / 0.025  # a = v dv/ds; at a corner the line ahead of it counts
+    assert slider.a.real.tolist() == pytest.approx([-0.1 * slope, 0, 0, 0.3 * slope, 0.1 * slope], abs=1e-12)
+    assert all(study.comparison(part).agrees for part in ("linkage", "forces"))
+
+
+def test_a_law_of_a_cylinder_is_held_by_the_analysis_at_its_corners_too() -> None:
+    drive = LAW.format(between='between = "EF"\n', begin=0.45, second=0.475, third=0.525, end=0.55)
+    study = Study(parse_scene(BOOM.format(drive=drive)))
+    assert all(study.comparison(part).agrees for part in ("linkage", "forces"))
+    omega = study["linkage"].motion(1).links[1].omega
+    assert omega[2] == pytest.approx(0.5 * 0.3 / 0.12, rel=1e-13)
+
+
+LAWS = {
+    "too few speeds": ("speeds = [1]", "drive.stroke.speeds"),
+    "a speed of zero": ("speeds = [0, 1]", "drive.stroke.speeds[0]"),
+    "two laws": ("speeds = [1, 2]\nspeed = 1", "drive.stroke.speed"),
+    "other ends": ("speeds = [1, 2]\nplaces = [0.5, 0.7]", "drive.stroke.places"),
+    "back and forth": ("speeds = [1, 2, 1]\nplaces = [0.5, 0.7, 0.6]", "drive.stroke.places"),
+}
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_a_law_that_does_not_fit_its_stroke_is_refused_at_its_key(name: str) -> None:
+    law, where = LAWS[name]
+    drive = f"link = 1\n[drive.stroke]\nfrom = 0.5\nto = 0.6\n{law}"
+    with pytest.raises(SceneError) as refused:
+        _ = Study(parse_scene(SLIDER_CRANK.format(crank=3, slider=1, drive=drive)))["linkage"].mechanism
+    assert where in {dotted(fault.path) for fault in refused.value.faults}

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -12,7 +11,7 @@ import numpy as np
 
 from drawings.checks.cam.cam_expected import Expected, phase_name
 from drawings.checks.cam.cam_law_rows import Course, ExpectedRow, expected_rows
-from drawings.checks.cam.cam_strokes import NEAR, FigureStrokes, figure, read
+from drawings.checks.cam.cam_strokes import NEAR, FigureStrokes, figure, read, scales
 from drawings.checks.precise import tells
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.cam.law_graph import LEAST, MARKED
@@ -25,7 +24,6 @@ from plans.model.cam import Cam
 from plans.model.motion import Floats
 from plans.words.words import message
 
-_SCALE = re.compile(r"(μ|K)(\S+) = (\d+(?:[.,]\d+)?)\s")
 PER_CENT = 2  # digits of how far chords are off
 KNOWN = 1e-9  # of a value: both roads agree far better
 FLUSH = 1e-3  # mm: chains and points of one curve that are so near are on it; no eye sees less
@@ -34,13 +32,6 @@ FLUSH = 1e-3  # mm: chains and points of one curve that are so near are on it; n
 def named(cam: Cam, key: str = "") -> str:
     """Name the figure of a cam's law, or a part of it."""
     return f"law-{cam.name}-{key}" if key else f"law-{cam.name}"
-
-
-def scales(strokes: FigureStrokes) -> dict[str, float]:
-    """Give the scales that a part states, by their letters; a K is the inverse of mu."""
-    found = (match for text in strokes.texts for match in _SCALE.finditer(text))
-    pairs = ((match[1], match[2], float(match[3].replace(",", "."))) for match in found)
-    return {letter: 1 / value if kind == "K" else value for kind, letter, value in pairs}
 
 
 @dataclass(frozen=True)

@@ -10,8 +10,7 @@ from functools import cached_property
 import numpy as np
 
 from drawings.checks.cam.cam_expected import Expected, phase_name
-from drawings.checks.cam.cam_laws import scales
-from drawings.checks.cam.cam_strokes import FigureStrokes, read
+from drawings.checks.cam.cam_strokes import FigureStrokes, read, scales
 from drawings.checks.labelled import NEAREST
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.cam.pressure_graph import LEAST, NAME

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
+import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
@@ -20,6 +21,7 @@ from plans.model.motion import Complexes
 Kind = TypeVar("Kind", bound=Stroke)
 # mm: what arithmetic moves a place on paper by, and what two roads that agree in 1e-9 of a metre differ by.
 NEAR = 1e-6
+_SCALE = re.compile(r"(μ|K)(\S+) = (\d+(?:[.,]\d+)?)\s")
 STEEP = 1e-9  # rad by which a direction on paper may be off
 
 
@@ -162,6 +164,13 @@ class FigureStrokes:
 def read(letter: str) -> str:
     """Write a letter as it is read, without its levels."""
     return Text(0j, letter).plain
+
+
+def scales(strokes: FigureStrokes) -> dict[str, float]:
+    """Give the scales that a part states, by their letters; a K is the inverse of mu."""
+    found = (match for text in strokes.texts for match in _SCALE.finditer(text))
+    pairs = ((match[1], match[2], float(match[3].replace(",", "."))) for match in found)
+    return {letter: 1 / value if kind == "K" else value for kind, letter, value in pairs}
 
 
 def figure(leaf: Leaf, name: str) -> FigureStrokes | None:

@@ -21,7 +21,7 @@ from drawings.paper.limits import SEEN
 from drawings.paper.strokes import Group, Leaf, Text
 from drawings.paper.walk import texts
 from plans.checks.force_expected import ExpectedForces
-from plans.forces.primary import BALANCING, DRIVING
+from plans.forces.primary import BALANCING, DRIVING, balancing_quantity
 from plans.model.kinetostatics import NOTHING
 from plans.words.words import message
 
@@ -88,7 +88,7 @@ class LeverCheck:
         """Hold the force that balances the lever and its moment about the shaft, as they are told."""
         moment, k = self.expected.found.balancing.moment, self.expected.k
         longest = self.expected.found.size
-        due = {self._letter(BALANCING): (float(moment[k]), self.slack * longest)}
+        due = {self._letter(BALANCING): (float(moment[k]), self.slack * longest)} if self._by_moment else {}
         if self._letter(DRIVING) in self._due:
             due[self._letter(DRIVING)] = self._due[self._letter(DRIVING)].size, self.slack
         for name, (value, slack) in due.items():
@@ -147,12 +147,20 @@ class LeverCheck:
             yield load.name, _force(complex(load.force[k]), self._speed(load.link, load.at))
         for twist in known.loading.moments:
             yield from self._couple(twist.name, twist.link, float(twist.moment[k]))
-        yield DRIVING, self._balance()
+        if self.expected.mechanism.drive.ram is None:  # the force of a cylinder is among the loads
+            yield DRIVING, self._balance()
+
+    @property
+    def _by_moment(self) -> bool:
+        """Whether what the drive gives is told as a moment."""
+        return balancing_quantity(self.expected.mechanism.drive).name == BALANCING
 
     def _balance(self) -> Due:
         drive, told, k = self.expected.mechanism.drive, self.expected.found.balancing, self.expected.k
         omega, points = float(self.expected.motion.links[drive.link].omega[k]), self.expected.motion.points
         power = float(told.moment[k]) * omega
+        if told.force is not None and drive.pushed:
+            return _force(complex(told.force[k]), complex(points[drive.end].v[k]))
         if told.force is not None and told.r is not None:
             force = complex(told.force[k])
             return Due(abs(force), power, force / abs(force) if abs(force) > 0 else 0j)
@@ -160,10 +168,13 @@ class LeverCheck:
         return Due(abs(float(told.moment[k]) / crank), power)
 
     def _couple(self, name: str, link: int, moment: float) -> Iterator[tuple[str, Due]]:
-        """Give a couple as two forces at any two points of its link: which two, the sheet chooses."""
+        """Give a couple as two forces at any two points of its link: which two, the sheet chooses; none is missed."""
         points, k = self.expected.motion.points, self.expected.k
         power = moment * float(self.expected.motion.links[link].omega[k])
-        for line in self._lines(name):
+        lines = self._lines(name)
+        if not lines:
+            yield name, Due(abs(moment), power)
+        for line in lines:
             ends = [complex(points[end].r[k]) for end in line if end in points]
             if len(ends) == len(line) == 2 and ends[0] != ends[1]:
                 yield f"{name}/{''.join(line)}", Due(abs(moment) / abs(ends[1] - ends[0]), power)

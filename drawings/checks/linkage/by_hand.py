@@ -7,7 +7,7 @@ the record drawn again with it. How slips add up to what 95 of 100 drawings are 
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from drawings.checks import reading
@@ -45,13 +45,17 @@ def wrong_cells(leaf: Leaf, named: Mapping[str, Finding], told: Told) -> Iterato
                 yield message("wrong.value", text=row.third, name=row.finding.name, position=row.position)
 
 
-def missing_rows(leaf: Leaf, named: Mapping[str, Finding], due: Collection[str]) -> Iterator[Wrong]:
-    """Name the rows that a set of one sheet does not have; of a longer one each sheet has some."""
+def missing_rows(leaf: Leaf, due: Sequence[str]) -> Iterator[Wrong]:
+    """Name the rows that are left out: all that are due stand on a set of one sheet, of a longer one each has a run.
+
+    `due` are the rows in their order, by what their first cells say before the unit.
+    """
     lines = (row for group in reading.value_tables(leaf) for row in reading.rows(group))
     seen = {text.plain.rsplit(", ", 1)[0] for row in lines for text in row}
-    absent = (label for label, finding in named.items() if finding.name in due and label not in seen)
-    if leaf.metadata["of"] == 1:
-        yield from (message("wrong.row_missing", name=label) for label in absent)
+    places = [k for k, name in enumerate(due) if name in seen]
+    whole = leaf.metadata["of"] == 1 or not places
+    run = due if whole else due[places[0] : places[-1]]
+    yield from (message("wrong.row_missing", name=name) for name in run if name not in seen)
 
 
 def wrong_scales(measured: Measured, leaf: Leaf, figures: tuple[str, ...]) -> Iterator[Wrong]:
@@ -64,10 +68,11 @@ def wrong_scales(measured: Measured, leaf: Leaf, figures: tuple[str, ...]) -> It
 
 
 def wrong_headings(leaf: Leaf, figures: tuple[str, ...]) -> Iterator[Wrong]:
-    """Name the figures without vectors to scale whose headings state another scale than the table counts with."""
-    for group in leaf.groups:
-        if group.name.startswith(figures) and group.name in leaf.metadata["scales"]:
-            yield from reading.scales(group, [leaf.metadata["scales"][group.name]])
+    """Name the figures of a position whose headings state another scale than the table counts with."""
+    scales, position = leaf.metadata["scales"], leaf.metadata["position"]
+    for name in (one for one in scales if one.startswith(figures)):
+        for group in (one for one in leaf.groups if one.name == f"{name}-{position}"):
+            yield from reading.scales(group, [scales[name]])
 
 
 def _holds(row: reading.Cells, error: float) -> bool:

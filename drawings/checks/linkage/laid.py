@@ -89,10 +89,15 @@ class LaidMechanism:
         ends = [self.on(link, own) for own in mechanism.links[link].points.values()]
         yield from ((start, end) for start in ends for end in ends)
         for slide in mechanism.slides:
-            if link in (slide.owner, slide.slider) and link != FRAME:
+            if slide.owner == link != FRAME:
                 way = slide.way(link)
                 far = 2 * self.reach * way.direction
                 yield self.on(link, way.through - far), self.on(link, way.through + far)
+        for slide in mechanism.slides:
+            if slide.slider == link:  # a block off its point has a rod from there, square to the line
+                pin = mechanism.links[link].points[slide.point]
+                off = (pin - slide.on_slider.through) / slide.on_slider.direction
+                yield self.on(link, pin), self.on(link, pin - 1j * off.imag * slide.on_slider.direction)
 
     def apart(self, link: int, spot: complex) -> float:
         """Give how far a spot on paper is from a link, mm; NaN where the link has no place."""

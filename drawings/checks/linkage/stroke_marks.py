@@ -52,9 +52,9 @@ def _is_tick(line: Line, laid: LaidMechanism) -> bool:
 def _arrows(leaf: Leaf, laid: LaidMechanism) -> Iterator[Message]:
     """See that there is an arrow for the velocity and for the acceleration of the slider, each the way that it goes."""
     point = laid.motion.points[laid.mechanism.drive.end]
-    due = {symbol: complex(row[laid.position]) for symbol, row in zip("va", point[1:], strict=False)}
-    told = {symbol: value for symbol, value in due.items() if abs(value) > 0}
+    stated = laid.study.rates.at(laid.position)  # of a rate of zero the analysis leaves a rounding
+    told = [complex(row[laid.position]) for row, rate in zip(point[1:], stated, strict=False) if rate]
     lines = [line for group in named(leaf, ROTATION) for line in group.strokes if isinstance(line, Line)]
     senses = [float(np.sign(((line.end - line.start) / _along(laid)).real)) for line in lines]
-    if senses != [float(np.sign((value / _along(laid)).real)) for value in told.values()]:
+    if senses != [float(np.sign((value / _along(laid)).real)) for value in told]:
         yield on("sense", POSITIONS.plan, name=laid.mechanism.drive.end)

@@ -33,4 +33,4 @@ def faults(measured: Measured, leaf: Leaf, study: LinkageStudy, comparison: Moti
         told.on_sheet(positions, leaf.metadata["scales"], slopes) for slopes in (hand_error.slopes, draughtsman.slopes)
     )
     yield from by_hand.wrong_cells(leaf, named, by_hand.Told(ruled, tried))
-    yield from by_hand.missing_rows(leaf, named, {one.name for one in due} - told.given)
+    yield from by_hand.missing_rows(leaf, [name for name, one in named.items() if one.name not in told.given])

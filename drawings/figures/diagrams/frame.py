@@ -18,13 +18,13 @@ from plans.diagrams.study import DiagramsStudy
 from plans.model.diagrams import Axis
 
 NAME = "diagrams"
-HIGH = 0.8  # height of all rows, in lengths of the axis
+HIGH = 0.9  # height of all rows, in lengths of the axis
 TALLEST = 0.42  # share of it that one row takes at most
 LONG = 24.0  # sizes of a letter that the axis has at least: its positions are numbered
 LEFT, RIGHT = 10.4, 1.8  # paper beside the graphs, likewise
 POLE = (2.8, 8.0)  # least and greatest pole distance, likewise
 LARGER = 1 + 1e-9  # times an extent that fits: no two standard scales lie so near
-COARSER = 4  # scales tried beyond the largest: they differ by ten times
+COARSER = 8  # scales tried beyond the largest: they differ by forty times and more
 
 
 @dataclass(frozen=True)

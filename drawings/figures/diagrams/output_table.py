@@ -39,14 +39,20 @@ def told_positions(found: Diagrams) -> tuple[int, ...]:
 
 
 def _rows(own: DiagramsStudy, found: Diagrams, drafting: Drafting) -> Iterator[TableRow]:
-    columns = [
-        (column.tolist(), float(np.nanmax(np.abs(column), initial=0.0))) for column in whole(found, own.course.omega)
-    ]
+    columns = list(_columns(whole(found, own.course.omega), own.course.omega))
     for k in told_positions(found):
         cells = (_cell(values[k], largest, drafting) for values, largest in columns)
         yield TableRow(
             str(found.axis.numbers[k]), (fixed(math.degrees(found.axis.turned[k]), drafting.language), *cells)
         )
+
+
+def _columns(course: Course, omega: float) -> Iterator[tuple[list[float], float]]:
+    """Give the values of each column, and the largest that it has or that the one before it can make it."""
+    largest = 0.0
+    for column in course:
+        largest = max(float(np.nanmax(np.abs(column), initial=0.0)), omega * largest)
+        yield column.tolist(), largest
 
 
 def whole(found: Diagrams, omega: float) -> Course:

@@ -6,20 +6,19 @@ import cmath
 import math
 from collections.abc import Collection, Iterator
 
-import numpy as np
-
 from drawings.figures.diagrams.frame import DiagramsPlate
 from drawings.figures.diagrams.rows import Curve, DiagramRow
 from drawings.figures.graphs.axes import BEYOND, Axes
 from drawings.figures.graphs.curve_graph import stretches
 from drawings.figures.graphs.part import Letter, Part
-from drawings.paper.strokes import INK, Circle, Group, Line, LineStyle, Polyline, Stroke
+from drawings.lettering.lettering import text_width
+from drawings.paper.strokes import INK, Circle, Group, Line, LineStyle, Polyline, Stroke, Text
 from drawings.symbols.figure import Subject
 from drawings.symbols.symbols import TICK
 
 DOT, RING = 0.6, 1.0  # mm, radii: of a point by chords, of one by the plans
 LEAST = 0.05  # mm: a shorter ordinate is a point
-APART = 1.9  # sizes of a number from one numbered position to the next
+APART = 0.8  # sizes of a number between two numbers
 MARKED = 72  # positions: of more only the numbered ones have a point and a tick
 
 
@@ -39,7 +38,8 @@ def graph_part(row: DiagramRow, plate: DiagramsPlate, axes: Axes, numbered: Coll
 
 def numbered_positions(plate: DiagramsPlate, length: float) -> tuple[int, ...]:
     """Choose the places of the axis that can be numbered along its length, mm: the ends, then every so many."""
-    places, size = plate.axis.turned / plate.length * length, APART * plate.hand.number
+    places, number = plate.axis.turned / plate.length * length, plate.hand.number
+    size = APART * number + text_width(Text(0j, str(max(plate.axis.numbers)), number))
     kept = [0, len(places) - 1]
     count = len(places) - plate.axis.closed
     step = max(1, math.ceil(size * count / length))
@@ -102,6 +102,6 @@ def _letters(row: DiagramRow, plate: DiagramsPlate, axes: Axes) -> Iterator[Lett
 def _numbers(row: DiagramRow, plate: DiagramsPlate, axes: Axes, numbered: Collection[int]) -> Iterator[Letter]:
     """Number the positions at the axis, each on the side away from its ordinate."""
     for k in numbered:
-        side = cmath.phase(axes.rise if np.nan_to_num(row.at[k]) < 0 else -axes.rise)
+        side = cmath.phase(axes.rise if not row.flat and row.at[k] < 0 else -axes.rise)
         foot = axes.on(float(plate.axis.turned[k]))
         yield Letter(foot, str(plate.axis.numbers[k]), plate.hand.number, side, TICK + 0.6)

@@ -8,9 +8,8 @@ from typing import NamedTuple
 import numpy as np
 
 from drawings.figures.graphs.smooth import smooth
-from geometry.strips import Departure, departure
 from plans.diagrams.study import DiagramsStudy
-from plans.model.diagrams import TURN, Axis, Course, Diagrams
+from plans.model.diagrams import TURN, Axis, ChordError, Course, Diagrams, chord_error
 from plans.model.motion import Floats
 
 TRAVEL, VELOCITY, ACCELERATION = KEYS = ("travel", "velocity", "acceleration")  # from the top
@@ -37,7 +36,7 @@ class DiagramRow(NamedTuple):
     results: tuple[Curve, ...]
     thin: tuple[Curve, ...]
     chords: Curve  # where the values by chords belong, and these; nothing in the first row
-    off: Departure | None = None  # of the values by chords
+    off: ChordError | None = None  # of the values by chords
     flat: bool = False  # whether it shows nothing that a scale could be told of
 
     @property
@@ -63,8 +62,8 @@ def rows_of(own: DiagramsStudy) -> tuple[DiagramRow, ...]:
     chords = tuple(Curve(axis.turned[run], found.at.s[run]) for run in axis.runs)
     return (
         travel._replace(thin=chords),
-        _by_chords(_row(own, 1, found.at.v, _curves(nodes, [one.v for one in dense])), found, axis.middles),
-        _by_chords(_row(own, 2, found.even, _curves(nodes, _even(found, dense))), found, axis.places),
+        _by_chords(_row(own, 1, found.at.v, _curves(nodes, [one.v for one in dense])), own, axis.middles),
+        _by_chords(_row(own, 2, found.even, _curves(nodes, _even(found, dense))), own, axis.places),
     )
 
 
@@ -73,28 +72,16 @@ def _row(own: DiagramsStudy, order: int, at: Floats, curves: tuple[Curve, ...]) 
     return DiagramRow(KEYS[order], letters_of(own)[order], own.units[order], at, curves, (), nothing)
 
 
-def _by_chords(row: DiagramRow, found: Diagrams, places: Floats) -> DiagramRow:
+def _by_chords(row: DiagramRow, own: DiagramsStudy, places: Floats) -> DiagramRow:
     """Let the values by chords be the result, and what is exact stand thin beside them."""
-    fast = row.key == VELOCITY
+    found, fast = own.drawn, row.key == VELOCITY
     values, exact = (found.speeds, found.true_speeds) if fast else (found.growths, found.true_growths)
-    there = ~np.isnan(values)
-    known = there & ~np.isnan(exact)
-    off = departure(values[known], exact[known]) if known.any() else None
-    if off is not None:
-        off = off._replace(at=int(np.flatnonzero(known)[off.at]))
-    omega = TURN * NOUGHT
-    largest = float(np.nanmax(np.abs(values), initial=0.0))
-    flat = largest <= omega * float(np.nanmax(np.abs(found.at.s if fast else found.speeds), initial=0.0)) * _pace(found)
+    there, off = ~np.isnan(values), chord_error(values, exact)
+    above = float(np.nanmax(np.abs(found.at.s if fast else found.speeds), initial=0.0))
+    flat = bool(np.nanmax(np.abs(values), initial=0.0) <= NOUGHT * own.course.omega * above)
     results = () if flat else tuple(_smooth(found.axis, places, values))
     chords = Curve(places[there], values[there])
     return row._replace(results=results, thin=() if flat else row.results, chords=chords, off=off, flat=flat)
-
-
-def _pace(found: Diagrams) -> float:
-    """Give how fast the crank turns, rad/s, by the way of the output over a part and its mean velocity there."""
-    way = np.diff(found.at.s) / np.diff(found.axis.turned)
-    k = int(np.nanargmax(np.abs(way)))
-    return float(abs(found.speeds[k] / way[k])) if way[k] else 0.0
 
 
 def _even(found: Diagrams, dense: list[Course]) -> list[Floats]:

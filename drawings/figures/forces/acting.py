@@ -79,7 +79,7 @@ def _couples(plan: ForcePlan, cut: Cut, links: CutLinks, column: int) -> Iterato
             middle = links.middle(couple.link) if body is None else links.of(couple.link, body.centre)
             place = at(handed[couple.name].at.point, column) if couple.name in handed else middle
             yield ShownMoment(couple.name, place, 1 if size > 0 else -1)
-    if cut.group is None and plan.drive is None:
+    if cut.group is None and plan.drive is None and plan.mechanism.drive.ram is None:
         size = at(plan.balancing.point, column).real
         shaft = at(plan.positions.point(plan.mechanism.drive.pivot).point, column)
         yield ShownMoment(BALANCING, shaft, 1 if size > 0 else -1, unknown=True)

@@ -12,7 +12,7 @@ from plans.forces.force import ForcePlan
 from plans.model.machine import Spring
 from plans.model.mechanism import FRAME
 
-FAR = 1.0  # of the size of a cut's links: of a longer spring only so much is drawn
+FAR = 2.5  # sizes of a cut's links: of a longer spring only so much is drawn, else it would hide the links
 
 
 class ShownSpring(NamedTuple):

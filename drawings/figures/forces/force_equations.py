@@ -87,9 +87,10 @@ class Equations:
         else:
             value, unit = self._size(one.found), "N"
             own = ("+", self.letter(unknown)) if force is None else self._term(force)
+        given = self.cut.group is None and self.plan.mechanism.drive.ram is not None  # it drives: no moment is left
         if terms:
-            yield moments(self._about(one), [own, *terms])
-        yield plain(self.statement(unknown, value, unit))
+            yield moments(self._about(one), terms if given else [own, *terms])
+        yield from () if given else (plain(self.statement(unknown, value, unit)),)
 
     def _about(self, one: Equation) -> str:
         """Name the point of an equation, and the link where both leads have equations about one point."""

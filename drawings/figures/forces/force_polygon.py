@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -16,7 +17,7 @@ from drawings.lettering.lettering import text_width
 from drawings.page.drafting import Drafting
 from drawings.paper.hand import Hand
 from drawings.paper.limits import SEEN
-from drawings.paper.strokes import LEAN, Group, Line, Stroke, Text
+from drawings.paper.strokes import LEAN, Circle, Group, Line, Stroke, Text
 from drawings.symbols.figure import Subject, heading
 from drawings.symbols.polygon import LaidVector, ShownVector, carriers, ends, lay, letters, margins
 from geometry.board import Line as Direction
@@ -26,9 +27,11 @@ from plans.forces.cut import Cut
 from plans.forces.force import ForcePlan
 
 SYMBOL, UNIT = "F", "N"
+DETAIL = "detail-"  # before a cut's links: the name of an enlarged detail of its force plan
 MARGINS = Margins(3.0, 2.4, 2.4)  # paper around a polygon for its letters, in their sizes
 LETTERS, EACH = 12.0, 1.6  # a polygon is drawn at least so many letters large, and so many for each of its vectors
 ROOM = 2.7 + 1.9j  # width + 1j * height of a letter between two lanes, in its sizes, with what it keeps clear of them
+AROUND, BESIDE = 2.5, 1.0  # mm from what a detail shows to the circle around it, and on to its letter
 # Rounding left where forces cancel, as a share of the greatest: a chain of some ten sides, each rounded a few times.
 ZERO = 256 * EPS
 
@@ -41,16 +44,18 @@ class ForcePolygon(NamedTuple):
     column: int  # place of the position among the constructed ones
     forces: tuple[ShownVector, ...]
     rays: tuple[Segment, ...]  # true ends of the lines of known direction: from their start to the meeting
+    detail: str = ""  # the letter of a detail, of which only some sides are shown
 
     @property
     def plan(self) -> str:
         """The name of the plan that the vectors belong to."""
-        return f"forces-{self.label}"
+        return f"{DETAIL}{self.label}-{self.detail}" if self.detail else f"forces-{self.label}"
 
     @property
     def points(self) -> list[complex]:
         """All true points that the figure must hold."""
-        return [0j, *(end for one in self.forces for end in (one.at, one.end))]
+        ends = [end for one in self.forces for end in (one.at, one.end)]
+        return [*ends, *(end for ray in self.rays for end in ray)] if self.detail else [0j, *ends]
 
     def faint(self, mu: float) -> tuple[str, ...]:
         """Name the forces that are not to be seen at a scale, N/mm: a sheet lists them beside."""
@@ -97,11 +102,14 @@ class PolygonFigure:
     lines: tuple[Stroke, ...]
     arrows: tuple[LaidVector, ...]  # the vectors that are seen
     faint: tuple[str, ...]  # names of forces that are not to be seen at this scale
+    circles: tuple[tuple[str, Circle], ...]  # around what is shown in details, with their letters
     drafting: Drafting
 
     def letter(self, labels: Labels) -> tuple[Group, ...]:
         """Give the whole figure with the letter of each vector beside it, the shortest served first."""
+        size = self.drafting.hand.letter
         beside = letters(self.arrows, self._mark, labels)
+        beside += [labels.beside(one.centre, name, size, one.radius + BESIDE) for name, one in self.circles]
         return (Group((*self.lines, Group(tuple(beside))), f"{self.shown.plan}-{self.shown.column}"),)
 
     def _mark(self, name: str) -> tuple[str, float]:
@@ -116,8 +124,13 @@ def measure(shown: ForcePolygon, name: str, drafting: Drafting) -> Picture:
     return picture(name, shown.points, (SYMBOL, UNIT), margins(shown.points, MARGINS, hand), title, least)
 
 
-def draw(shown: ForcePolygon, room: Picture, spot: Spot, drafting: Drafting) -> PolygonFigure:
-    """Draw the polygon in its spot: its sides in main lines, diagonals thinner, directions thin, title above."""
+def draw(
+    shown: ForcePolygon, room: Picture, spot: Spot, drafting: Drafting, details: Sequence[ForcePolygon] = ()
+) -> PolygonFigure:
+    """Draw the polygon in its spot: its sides in main lines, diagonals thinner, directions thin, title above.
+
+    A thin circle stands around what a detail shows enlarged.
+    """
     place, hand = room.place(*spot), drafting.hand
     lengths = {one: place.length(abs(one.value)) for one in shown.forces}
     order = sorted((one for one in lengths if lengths[one] >= SEEN), key=_rank)
@@ -125,10 +138,21 @@ def draw(shown: ForcePolygon, room: Picture, spot: Spot, drafting: Drafting) -> 
     short = (LaidVector(one, ends(one, place)) for one, length in lengths.items() if LEAST <= length < SEEN)
     sides = (_side(shown, one, place, drafting) for one in (*reversed(arrows), *short))
     thin = [*_directions(shown, place, hand), *carriers(arrows, place, hand)]
-    faint = shown.faint(place.scale.mu)
+    enlarged = {side.name for one in details for side in one.forces}
+    faint = tuple(name for name in shown.faint(place.scale.mu) if name not in enlarged)
+    circles = tuple((one.detail, _circle(one, arrows, place, hand)) for one in details)
     title = heading(spot.box, _title(shown, drafting), _under(shown, faint, spot, drafting), hand)
-    lines = (title, *([Group(tuple(thin))] if thin else []), *sides)
-    return PolygonFigure(shown, place, lines, arrows, faint, drafting)
+    around = (Group((circle,), "", {"kind": "detail", "name": name}) for name, circle in circles)
+    lines = (title, *([Group(tuple(thin))] if thin else []), *sides, *around)
+    return PolygonFigure(shown, place, lines, arrows, faint, circles, drafting)
+
+
+def _circle(detail: ForcePolygon, arrows: Sequence[LaidVector], place: Place, hand: Hand) -> Circle:
+    """Draw the circle around what a detail shows, where its vectors were laid."""
+    laid = {one.vector.name: one.ends for one in arrows}
+    spots = [end for one in detail.forces for end in laid.get(one.name, ends(one, place))]
+    middle = sum(spots) / len(spots)
+    return Circle(middle, max(abs(spot - middle) for spot in spots) + AROUND * hand.symbol, hand.drafted)
 
 
 def _side(shown: ForcePolygon, one: LaidVector, place: Place, drafting: Drafting) -> Group:
@@ -165,5 +189,7 @@ def _directions(shown: ForcePolygon, place: Place, hand: Hand) -> list[Stroke]:
 
 
 def _title(shown: ForcePolygon, drafting: Drafting) -> str:
+    if shown.detail:
+        return drafting.word("detail", letter=shown.detail)
     key = "force plan" if shown.grouped else "primary force plan"
     return f"{drafting.word(key, group=shown.label)}, {drafting.word('position', position=shown.column)}"

@@ -15,23 +15,26 @@ from drawings.layout.picture import Spot
 from drawings.page.drafting import Drafting
 from drawings.page.page import Field
 from drawings.paper.strokes import Group
-from plans.forces.primary import BALANCING
+from plans.forces.primary import BALANCING, DRIVING
 
 NAME = "equations-lever"
 ARM = 4  # digits of an arm
-WIDEST = "0,8888"  # of an arm before it is known how large the lever is drawn
+NARROWEST = 30.0  # sizes of the letters: in a narrower column every term has a line of its own
+WIDEST = "0,08888"  # of an arm before it is known how large the lever is drawn
 
 
 class LeverEquation(NamedTuple):
-    """What is written beside a lever: its terms, and the balancing moment N*m that it gives."""
+    """What is written beside a lever: its terms, and the balancing moment N*m, where a moment drives."""
 
     told: tuple[LeverTerm, ...]
-    moment: float
+    moment: float | None
     drafting: Drafting
 
     def block(self) -> TextBlock:
         """Measure it with the widest numbers, for the scale of the lever is not known yet."""
-        return self._passage(None).block()
+        name, sizes = self._passage(None).block()
+        broad = [one for one in sizes if one[0] >= NARROWEST * self.drafting.hand.text]
+        return TextBlock(name, tuple(broad) or sizes[-1:])
 
     def write(self, box: Field, spot: Spot | None = None) -> Group:
         """Write it with the arms in mm at the lever's scale; without a lever on its sheet, in true units."""
@@ -45,11 +48,7 @@ class LeverEquation(NamedTuple):
         return Passage(NAME, (*lines, *self._found()), self.drafting.hand.text)
 
     def _arm(self, length: float, mu: float | None) -> str:
-        return (
-            f"{WIDEST[0]}{self.drafting.number(0.5)[1]}{WIDEST}"
-            if mu is None
-            else self.drafting.number(length / mu, ARM)
-        )
+        return WIDEST if mu is None else self.drafting.number(length / mu, ARM)
 
     def _arms(self, arms: dict[str, str], unit: str) -> WrittenEquation:
         """Tell all arms once."""
@@ -62,8 +61,10 @@ class LeverEquation(NamedTuple):
         return moments(POLE, products)
 
     def _found(self) -> Iterator[WrittenEquation]:
-        """Tell the force that balances the lever, and its moment about the shaft."""
-        drafting, first = self.drafting, self.told[0]
-        force = f"{first.letter} = {drafting.number(first.size, DIGITS)} {drafting.word('N')},"
-        moment = f"{letter_of(BALANCING, drafting)} = {drafting.number(self.moment, DIGITS)} {drafting.word('N*m')}"
-        yield plain(force, moment)
+        """Tell the force that balances the lever, and its moment about the shaft, where a moment drives."""
+        drafting, driving = self.drafting, [one for one in self.told if one.force == DRIVING]
+        parts = [f"{one.letter} = {drafting.number(one.size, DIGITS)} {drafting.word('N')}" for one in driving]
+        if self.moment is not None:
+            size = drafting.number(self.moment, DIGITS)
+            parts.append(f"{letter_of(BALANCING, drafting)} = {size} {drafting.word('N*m')}")
+        yield plain(*(f"{one}," for one in parts[:-1]), *parts[-1:])

@@ -60,6 +60,7 @@ class GraphCurve(NamedTuple):
     numbers: tuple[int, ...] = ()  # of the positions, where these are not all
     axis: tuple[str, str] = ANGLE  # letter and unit of the abscissas
     shown: tuple[int, ...] = ()  # the places of those that the sheets of its set are of: they are always numbered
+    stated: float = 0.0  # mu of the quantity, where it is stated
 
     @property
     def span(self) -> tuple[float, float]:
@@ -115,6 +116,8 @@ def scale_of(curve: GraphCurve, room: Picture, spot: Spot, standard: str) -> Sca
     """Choose the largest standard scale of the quantity for the height of a graph."""
     low, high = curve.span
     symbol = curve.letter.split("_")[0].split("^")[0]
+    if curve.stated:
+        return Scale(curve.stated, symbol, curve.unit)
     return fitting(high - low, room.high / spot.scale.mu, symbol, curve.unit, standard)
 
 

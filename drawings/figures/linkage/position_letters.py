@@ -7,6 +7,7 @@ import math
 from drawings.figures.linkage.link_numbers import frame_number, link_numbers
 from drawings.figures.linkage.numbering import numbers
 from drawings.figures.linkage.pairs import Pairs
+from drawings.figures.linkage.path_ticks import path_numbers
 from drawings.figures.linkage.phases import Phase, phases
 from drawings.figures.linkage.pushing import Push, arrows
 from drawings.figures.linkage.rotation import Turning
@@ -17,7 +18,7 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import Group, Stroke
 from drawings.symbols.symbols import ARROW_LENGTH
 
-LINKS = "links"  # the group of their numbers
+LINKS, NUMBERS = "links", "path-numbers"  # the groups of numbers of links, and of positions on trajectories
 
 
 def letters(pairs: Pairs, labels: Labels) -> Group:
@@ -37,7 +38,7 @@ def letters(pairs: Pairs, labels: Labels) -> Group:
     strokes += [_on_arc(swing, swing.text, labels, hand) for swing in swings(pairs, bones.study.language)]
     strokes += numbers(pairs, labels)
     links = *link_numbers(pairs, bones.links, labels, hand), *frame_number(pairs, labels, hand)
-    return Group((*strokes, Group(links, LINKS)))
+    return Group((*strokes, Group(links, LINKS), Group(tuple(path_numbers(pairs, labels)), NUMBERS)))
 
 
 def _on_arc(arc: Turning | Push | Phase | Swing, text: str, labels: Labels, hand: Hand) -> Stroke:

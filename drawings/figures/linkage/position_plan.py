@@ -9,16 +9,17 @@ from dataclasses import dataclass
 from itertools import groupby
 
 from drawings.figures.linkage.guides import axes, grounds
-from drawings.figures.linkage.numbering import same
 from drawings.figures.linkage.outlines import outlines, reach_of
 from drawings.figures.linkage.pairs import Pairs
+from drawings.figures.linkage.path_ticks import path_ticks
 from drawings.figures.linkage.phases import phases
 from drawings.figures.linkage.position_letters import letters
 from drawings.figures.linkage.pushing import arrows, stroke_line
 from drawings.figures.linkage.skeleton import Poses, Skeletons
-from drawings.figures.linkage.stroke_dimension import stroke
+from drawings.figures.linkage.stroke_dimension import strokes
 from drawings.figures.linkage.swing import swings
 from drawings.figures.linkage.ties import ties
+from drawings.figures.linkage.tracks import same
 from drawings.figures.linkage.trajectories import trajectories
 from drawings.layout.ink import Ink
 from drawings.layout.labels import Labels
@@ -39,6 +40,7 @@ from plans.model.motion import CHANGE_POINT
 from plans.model.order import POSITIONS
 
 NAME = POSITIONS.plan
+TICKS = "path-ticks"  # the group of the positions on trajectories
 OTHERS, ROTATION = "all-positions", "rotation"  # the groups of the thin positions, and of the drive's arrows
 TIES = "ties"  # the group of the lines to mass centres off their links
 # Paper around the plan of positions in sizes of its letters: numbers, symbols, and above it the dimension of a stroke.
@@ -104,13 +106,14 @@ def layers(pairs: Pairs, language: str) -> list[Group]:
         ("guides", lines),
         ("notches", _notches(bones, place, hand)),
         (TIES, ties(pairs)),
+        (TICKS, path_ticks(pairs)),
     ]
-    groups = [Group(tuple(fit_dashes(trim(strokes, pairs.masks))), name) for name, strokes in under]
+    groups = [Group(tuple(fit_dashes(trim(lines, pairs.masks))), name) for name, lines in under]
     groups += [
         Group(tuple(grounded), "grounds"),
         Group((*blocks, *body, *pairs.corners()), "shown-position"),
         Group((*stands, *pairs.marks()), "pairs"),
-        Group(tuple(stroke(bones, place, hand, language, ink)), "stroke"),
+        Group(tuple(strokes(bones, place, hand, language, ink)), "stroke"),
         Group(tuple(part for arrow in arrows(pairs) for part in arrow.strokes(pairs)), ROTATION),
         Group(tuple(part for phase in phases(pairs, language) for part in phase.strokes(pairs)), "phases"),
         Group(tuple(part for swing in swings(pairs, language) for part in swing.strokes(pairs)), "swing"),

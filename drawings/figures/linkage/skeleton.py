@@ -15,9 +15,11 @@ from drawings.layout.place import Place
 from plans.linkage.angles import angle
 from plans.linkage.assembly_limits import NODES
 from plans.linkage.crank_positions import CrankPositions
+from plans.linkage.extreme import ExtremePositions
 from plans.linkage.plan import Plan
 from plans.linkage.primary import PRIMARIES
-from plans.linkage.study import LinkageStudy
+from plans.linkage.strokes import other_strokes
+from plans.linkage.study import EXTREMES, LinkageStudy
 from plans.model.mechanism import FRAME, Link, Mechanism, Slide
 from plans.model.motion import Complexes, Floats, Motion
 
@@ -169,6 +171,11 @@ class Skeletons:
         return ends
 
     @cached_property
+    def strokes(self) -> dict[Slide, ExtremePositions]:
+        """Give the strokes of the sliders on the frame besides the output, where extremes are asked for."""
+        return other_strokes(self.study) if EXTREMES in self.study.plans else {}
+
+    @cached_property
     def points(self) -> list[complex]:
         """All true points that the figure must hold."""
         arrays = [places for poses in (*self.poses, self.way) for places in poses.points.values()]
@@ -246,4 +253,4 @@ def reference(mechanism: Mechanism) -> str:
     """Give the point that places on paper are measured from: the drive's fixed hinge, or of a slider another one."""
     drive, fixed = mechanism.drive, mechanism.links[FRAME].points
     hinges = [name for name in fixed if name in mechanism.hinges]
-    return drive.pivot if not drive.pushed or not hinges else hinges[0]
+    return [*hinges, *fixed][0] if drive.pushed else drive.pivot

@@ -8,12 +8,14 @@ from collections.abc import Iterator
 from itertools import product
 
 from drawings.figures.linkage.skeleton import Skeletons
+from drawings.figures.linkage.tracks import sliders
 from drawings.layout.ink import Ink
 from drawings.layout.place import Place
 from drawings.lettering.extent import bounds
 from drawings.lettering.lettering import text_reach, text_width
 from drawings.lettering.words import fixed
 from drawings.paper.hand import Hand
+from drawings.paper.limits import SEEN
 from drawings.paper.strokes import Box, Group, Line, Stroke, Text
 from drawings.symbols.symbols import ARROW_LENGTH, arrowhead
 from plans.linkage.travel import frame_slide
@@ -31,16 +33,38 @@ BORDER = 14.0  # mm that a sheet leaves free round the points of a plan
 OUTSIDE = 30.0  # what each mm beyond the border costs
 
 
-def stroke(bones: Skeletons, place: Place, hand: Hand, language: str, ink: Ink) -> list[Stroke]:
+def strokes(bones: Skeletons, place: Place, hand: Hand, language: str, ink: Ink) -> list[Stroke]:
+    """Dimension the strokes of all sliders on the frame, in millimetres of the machine, each by its point's letter."""
+    found = stroke(bones, place, hand, language, ink, named=bool(bones.strokes))
+    for track in sliders(bones):
+        ink.draw(found)
+        ends = [place.on(one.spot) for one in track.places if one.extreme]
+        if len(ends) == 2 and abs(ends[1] - ends[0]) > SEEN and track.travel is not None:
+            text = _text(track.point, track.travel.extremes.stroke, language)
+            found += clearest(_ordered(ends), text, bones, place, hand, ink)
+    return found
+
+
+def stroke(bones: Skeletons, place: Place, hand: Hand, language: str, ink: Ink, named: bool = False) -> list[Stroke]:
     """Dimension the stroke H of a sliding output, in millimetres of the machine, on the clearer side of its guide."""
     travel, out = bones.study.travel, bones.study.output
     slide = frame_slide(bones.mechanism, out.link)
     if travel is None or slide is None or bones.extremes is None:
         return []
-    pins = [place.on(complex(value)) for value in bones.extremes.points[out.point or slide.point]]
-    first, last = sorted(pins, key=lambda pin: (round(pin.real, 6), pin.imag))
-    text = f"H = {length(travel.extremes.stroke, language)}"
-    return clearest((first, last), text, bones, place, hand, ink)
+    point = out.point or slide.point
+    ends = _ordered([place.on(complex(value)) for value in bones.extremes.points[point]])
+    return clearest(ends, _text(point if named else "", travel.extremes.stroke, language), bones, place, hand, ink)
+
+
+def _ordered(ends: list[complex]) -> tuple[complex, complex]:
+    first, last = sorted(ends, key=lambda pin: (round(pin.real, 6), pin.imag))
+    return first, last
+
+
+def _text(point: str, size: float, language: str) -> str:
+    """Write a stroke with its size; among several by its point's letter: H_B."""
+    letter = f"H_{{{point}}}" if point else "H"
+    return f"{letter} = {length(size, language)}"
 
 
 def length(size: float, language: str) -> str:

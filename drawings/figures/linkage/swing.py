@@ -6,9 +6,9 @@ import cmath
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from drawings.figures.linkage.numbering import output_point
 from drawings.figures.linkage.pairs import Pairs
 from drawings.figures.linkage.phases import sized
+from drawings.figures.linkage.tracks import output_point
 from drawings.paper.strokes import Stroke
 from drawings.symbols.symbols import HEAD, turning_arrow
 from plans.model.mechanism import FRAME

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -23,17 +24,32 @@ STILL = 0.2  # mm: a shorter path is a dot under its point's own symbol
 
 def trajectories(bones: Skeletons, place: Place, hand: Hand) -> list[Stroke]:
     """Draw each path once, also where its point goes there and back along it: drawn twice, its dashes would close."""
+    strokes: list[Stroke] = []
+    for one in traced(bones):
+        arc = _swing(bones, one.name, place, hand) if one.name not in bones.masses else None
+        strokes += [arc] if arc else _path(_on(one.way, place), hand)
+    return strokes
+
+
+class Traced(NamedTuple):
+    """A point whose path is drawn: its places on the way and in the scene's positions, m; NaN at gaps."""
+
+    name: str
+    way: Complexes
+    numbered: Complexes
+
+
+def traced(bones: Skeletons) -> Iterator[Traced]:
+    """Give the points whose paths are drawn, and the mass centres that no point names."""
     mechanism = bones.mechanism
     still = mechanism.links[FRAME].points.keys() | mechanism.links[mechanism.drive.link].points.keys()
     guided = {slide.slider for slide in mechanism.slides if slide.owner == FRAME}
     still |= {name for link in guided for name in mechanism.links[link].points}
-    strokes: list[Stroke] = []
     for name in sorted(bones.way.points.keys() - still):
-        arc = _swing(bones, name, place, hand)
-        strokes += [arc] if arc else _path(_on(bones.way.points[name], place), hand)
-    for _, mass in sorted(bones.masses.items()):
-        strokes += _path(_on(bones.way.of(*mass), place), hand) if mass[0] not in guided else []
-    return strokes
+        yield Traced(name, bones.way.points[name], bones.numbered.points[name])
+    for name, mass in sorted(bones.masses.items()):
+        if mass[0] not in guided:
+            yield Traced(name, bones.way.of(*mass), bones.numbered.of(*mass))
 
 
 def _on(values: Complexes, place: Place) -> Complexes:

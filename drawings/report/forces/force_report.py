@@ -10,14 +10,17 @@ import numpy as np
 
 from drawings.lettering import words as lettering
 from drawings.lettering.words import number, runs
+from drawings.page.drafting import drafting_of
 from drawings.report.chapters import Chapters
 from drawings.report.forces.balancing_table import balancing_table
+from drawings.report.formula import Formula
 from drawings.report.gap_lines import gap_line, gap_lines
 from drawings.report.linkage.greatest import DIGITS as FEW_DIGITS
 from drawings.report.linkage.greatest import greatest
 from drawings.report.markdown import chapter, header, row
 from drawings.report.stroke_lines import stroke_line
 from plans.checks.force_comparison import ForceComparison
+from plans.forces.cut import indices
 from plans.forces.primary import BalancingQuantity, balancing_quantity
 from plans.forces.reversals import reversals
 from plans.forces.statics import Statics
@@ -63,7 +66,7 @@ def headline(study: Study) -> str:
 
 def _greatest(statics: Statics, found: Kinetostatics, language: str) -> Iterator[str]:
     told = balancing_quantity(statics.study.mechanism.drive)
-    largest = greatest(told.share * found.balancing.moment)
+    largest = greatest(statics.given(found, statics.study.motion(2)))
     if largest is not None:
         size, unit = number(largest[0], language, FEW_DIGITS), lettering.word(language, told.unit)
         yield word(
@@ -92,7 +95,7 @@ def forces(comparison: ForceComparison, statics: Statics, language: str) -> Iter
     """Tell what acts, every reaction by construction, and what friction takes."""
     found = comparison.construction
     told = balancing_quantity(statics.study.mechanism.drive)
-    yield from _reactions(found, told, language)
+    yield from _reactions(found, told, statics)
     yield from balancing_table(comparison, told, language)
     yield from (
         gap_line("report.force_gap", gap, statics.study.mechanism.drive, language)
@@ -153,17 +156,23 @@ def _angles(angles: Sequence[float], language: str) -> Iterator[str]:
     return (f"{number(float(np.degrees(angle)), language)}°" for angle in angles)
 
 
-def _reactions(found: Kinetostatics, told: BalancingQuantity, language: str) -> Iterator[str]:
-    yield chapter(language, "reactions")
+def _reactions(found: Kinetostatics, told: BalancingQuantity, statics: Statics) -> Iterator[str]:
+    """Tell what balances the drive and every reaction in every position, and of sliding pairs their moments."""
+    language, formula = statics.study.language, Formula(drafting_of(statics.study.scene))
+    own = statics.form.sheet.reactions
+    letters = {"reaction": f"${formula.letter(f'{own}_{{ab}}')}$", "balancing": f"${formula.letter(told.name)}$"}
+    yield f"\n{word(language, 'report.reactions', **letters, unit=lettering.word(language, told.unit))}\n"
     reactions = sorted(found.reactions.values(), key=lambda one: (one.giver, one.taker))
     force, moment = found.nothing
-    name, _, share = told
-    columns = {name: share * _sized(found.balancing.moment, moment)}
+    least = told.share * (force if statics.study.mechanism.drive.ram is not None else moment)
+    columns = {letters["balancing"]: _sized(statics.given(found, statics.study.motion(2)), least)}
     for one in reactions:
-        pair = f"{one.giver}-{one.taker}"
-        columns[word(language, "report.reaction", pair=pair, point=one.point)] = _sized(one.force, force)
+        index = indices(one.giver, one.taker)
+        letter = f"${formula.letter(f'{own}_{{{index}}}')}$"
+        head = word(language, "report.reaction", letter=letter, point=f"${formula.line(one.point)}$")
+        columns[head] = _sized(one.force, force)
         if one.moment is not None and np.nanmax(np.abs(one.moment), initial=0.0) > moment:
-            columns[f"M_{pair}"] = _sized(one.moment, moment)
+            columns[f"${formula.letter(f'M_{{{index}}}')}$"] = _sized(one.moment, moment)
     yield from header([word(language, "table.position"), *columns])
     for k in range(len(found.phi)):
         yield row([str(k), *(_cell(column[k], language) for column in columns.values())])

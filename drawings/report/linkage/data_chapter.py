@@ -16,7 +16,7 @@ from drawings.report.markdown import chapter, header, row
 from plans.linkage.study import LinkageStudy
 from plans.model.group import Pair
 from plans.model.kinetostatics import pairs
-from plans.model.mechanism import FRAME, Slide
+from plans.model.mechanism import FRAME, Ram, Slide
 from plans.model.structure import formula, mechanism_class
 from plans.words.words import message, word
 
@@ -38,6 +38,15 @@ def data(study: LinkageStudy) -> Iterator[str]:
     drive = study.mechanism.drive
     told = {name: span(drive.unit * np.ravel(rate), study.language) for name, rate in study.rates._asdict().items()}
     yield say("report.drive_way" if drive.pushed else "report.drive", link=drive.link, count=len(study.turn), **told)
+    if drive.ram is not None:
+        yield _cylinder(drive.ram, study.language)
+
+
+def _cylinder(ram: Ram, language: str) -> str:
+    """Tell the law of the cylinder that turns the crank."""
+    ends = (number(MM * way, language) for way in (ram.begin, ram.end))
+    rates = {"v": number(ram.speed, language), "a": number(ram.acceleration, language)}
+    return word(language, "report.cylinder", line=f"{ram.fixed}{ram.point}", stroke=" … ".join(ends), **rates)
 
 
 def structure(study: LinkageStudy) -> Iterator[str]:

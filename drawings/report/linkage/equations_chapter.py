@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import chain
 from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
+from drawings.lettering import words as lettering
 from drawings.lettering.words import number
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.page.scale import Scale
@@ -77,8 +79,9 @@ def in_position(study: LinkageStudy, k: int) -> str:
     """Head what is told of one position, with the crank's angle or the drive's way in it."""
     drive, value = study.mechanism.drive, float(study.turn.phi[k])
     angle = f"φ = {number(float(np.degrees(value)) % 360, study.language)}°"
-    way = f"{word(study.language, 'table.way')} = {number(1000 * drive.unit * value, study.language)}"
-    return word(study.language, "report.in_position", position=k, station=angle if drive.turns else way)
+    mm = lettering.word(study.language, "mm")
+    way = f"s = {number(1000 * drive.unit * value, study.language)} {mm}"
+    return word(study.language, "report.in_position", position=k, station=way if drive.pushed else angle)
 
 
 def _written(
@@ -120,9 +123,10 @@ def _scale(scale: Scale, formula: Formula) -> str:
 
 
 def _numbers(study: LinkageStudy, written: VectorEquations) -> Iterator[str]:
-    for leg in _primary(study, written.sums):
-        yield word(written.language, "report.primary", link=study.mechanism.drive.link)
-        yield from map("- {}".format, written.crank(leg))
+    drive = study.mechanism.drive
+    yield word(written.language, "report.primary", link=drive.link)
+    told = written.of_point(drive.end) if drive.pushed else chain(*map(written.crank, _primary(study, written.sums)))
+    yield from map("- {}".format, told)
     for group in study.groups:
         yield word(written.language, "report.numbers_of_group", group=group.label)
         yield from map("- {}".format, written.numbers(cast(Dyad, group)))

@@ -11,13 +11,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from drawings.lettering.words import decimal, fixed, number
+from drawings.page.drafting import drafting_of
 from drawings.paper.limits import MANY
 from drawings.report.chapters import Chapters
+from drawings.report.formula import Formula
 from drawings.report.gap_lines import gap_line, gap_lines, positions
 from drawings.report.linkage.data_chapter import data, structure
 from drawings.report.linkage.equations_chapter import drawn_scales, equations, shown_positions
 from drawings.report.linkage.greatest import first_numbers
-from drawings.report.markdown import chapter, header, heading, row
+from drawings.report.markdown import chapter, header, row
 from drawings.report.stroke_lines import stroke_line
 from plans.checks.compare import NOT_GRADED, MotionComparison, notches
 from plans.checks.comparison import Finding
@@ -167,7 +169,7 @@ def _barrier(barrier: Barrier, study: LinkageStudy) -> str:
 
 
 def _values(study: LinkageStudy, comparison: MotionComparison) -> Iterator[str]:
-    language = study.language
+    language, letters = study.language, Formula(drafting_of(study.scene))
     yield chapter(language, "values")
     for plan in PLANS:
         findings = [finding for finding in comparison.of(plan) if np.any(finding.construction != 0)]
@@ -176,12 +178,18 @@ def _values(study: LinkageStudy, comparison: MotionComparison) -> Iterator[str]:
             yield word(language, "report.plan", plan=title[:1].upper() + title[1:])
             drive = study.mechanism.drive
             station = word(language, "table.way") if drive.pushed else "φ, °"
-            heads = [word(language, "table.position"), station, *(heading(finding, language) for finding in findings)]
+            heads = [word(language, "table.position"), station, *(_heading(finding, letters) for finding in findings)]
             yield from header(heads)
             for k, phi in enumerate(study.turn.phi):
                 at = float(1000 * drive.unit * phi if drive.pushed else np.degrees(phi))
                 yield row([str(k), fixed(at, language, 4), *(_cell(finding, k, language) for finding in findings)])
             yield ""
+
+
+def _heading(finding: Finding, letters: Formula) -> str:
+    """Name a quantity of a point or of a link by its letter, with its unit."""
+    symbol, _, index = finding.name.partition("_")
+    return f"${letters.letter(f'{symbol}_{{{index}}}')}$, {letters.drafting.word(finding.unit)}"
 
 
 def _cell(finding: Finding, position: int, language: str) -> str:

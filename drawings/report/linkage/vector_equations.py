@@ -65,6 +65,12 @@ class VectorEquations:
             yield inline(self._part("t", leg), turning, product, self._size(A, leg.acceleration[2]))
         yield from self._whole(A, sum(leg.acceleration), leg.point, leg.images[2])
 
+    def of_point(self, point: str) -> Iterator[str]:
+        """Give the velocity and the acceleration of a point, as the plans have them."""
+        image, (v, a) = self.sums.letters.small(point), self.sums.rates(point)
+        yield from self._whole(V, v, point, image)
+        yield from self._whole(A, a, point, image)
+
     def numbers(self, dyad: Dyad) -> Iterator[str]:
         """Give what the plans tell of a group: relative parts, angular rates, its point, and points by similarity."""
         legs = self.sums.of(dyad)
@@ -144,12 +150,9 @@ class VectorEquations:
 
     def _similar(self, dyad: Dyad) -> Iterator[str]:
         """Tell the points of a group's links that similarity gives."""
-        motion, k = self.sums.motion, self.sums.position
         for point in dict.fromkeys(self.sums.others(dyad)):
-            if point in motion.points:
-                rows, image = motion.points[point], self.sums.letters.small(point)
-                yield from self._whole(V, complex(rows.v[k]), point, image)
-                yield from self._whole(A, complex(rows.a[k]), point, image)
+            if point in self.sums.motion.points:
+                yield from self.of_point(point)
 
     def _whole(self, plan: str, value: complex, point: str, image: str) -> Iterator[str]:
         yield from self._read(plan, value, self._of(plan, point), POLES[plan], image)

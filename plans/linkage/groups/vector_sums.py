@@ -72,7 +72,7 @@ class VectorSums(NamedTuple):
         _, start, tip = vector
         fixed = start in self.mechanism.links[FRAME].points
         images = start, self.letters.normal(tip, "" if fixed else start), self.letters.small(tip)
-        return self._turned(vector, tip, self._named(tip), images)
+        return self._turned(vector, tip, self.rates(tip), images)
 
     def others(self, dyad: Dyad) -> Iterator[str]:
         """Name the points that similarity gives of a group's links."""
@@ -87,7 +87,7 @@ class VectorSums(NamedTuple):
         base, place = self.carried(host, self._place(dyad.pin)), dyad.slide(end).label
         images = self.letters.under(dyad.pin, host), self.letters.coriolis(dyad.pin, host), own
         letters = dyad.pin, under(dyad.pin, host)
-        return self._slid(letters, (host, place), (base, self._named(dyad.pin)), images)
+        return self._slid(letters, (host, place), (base, self.rates(dyad.pin)), images)
 
     def _slot(self, dyad: Dyad) -> VectorSum:
         """Tell the slotted link's point under the pin from the pin itself, along the slot."""
@@ -95,7 +95,7 @@ class VectorSums(NamedTuple):
         whole = self.carried(link, self._place(pin))
         images = self.letters.small(pin), self.letters.coriolis(pin, link), self.letters.under(pin, link)
         slot = dyad.slide().label
-        return self._slid((under(pin, link), pin), (link, slot), (self._named(pin), whole), images)
+        return self._slid((under(pin, link), pin), (link, slot), (self.rates(pin), whole), images)
 
     def _owner(self, dyad: Dyad) -> VectorSum:
         """Tell the slotted link's point under the pin from what the slotted link hangs on."""
@@ -112,7 +112,7 @@ class VectorSums(NamedTuple):
 
     def _turned(self, vector: Turning, point: str, whole: Rates, images: tuple[str, str, str]) -> VectorSum:
         link, start, tip = vector
-        arm, base = self._place(tip) - self._place(start), self._named(start)
+        arm, base = self._place(tip) - self._place(start), self.rates(start)
         normal = -(self.omega(link) ** 2) * arm
         velocity = base[0], whole[0] - base[0]
         acceleration = base[1], normal, whole[1] - base[1] - normal
@@ -140,10 +140,11 @@ class VectorSums(NamedTuple):
         if link == FRAME:
             return 0j, 0j
         name = next(iter(self.mechanism.links[link].points))
-        (v, a), reach, omega = self._named(name), place - self._place(name), self.omega(link)
+        (v, a), reach, omega = self.rates(name), place - self._place(name), self.omega(link)
         return v + 1j * omega * reach, a + (1j * self.epsilon(link) - omega**2) * reach
 
-    def _named(self, point: str) -> Rates:
+    def rates(self, point: str) -> Rates:
+        """Give the velocity and the acceleration of a named point; one of the frame rests."""
         if point in self.mechanism.links[FRAME].points:
             return 0j, 0j
         rows = self.motion.points[point]

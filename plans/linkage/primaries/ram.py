@@ -13,7 +13,7 @@ from geometry.board import Board
 from plans.linkage.crank_positions import CrankPositions
 from plans.model.mechanism import FRAME, Mechanism, Ram
 from plans.model.motion import Complexes, Floats
-from plans.model.rates import Pace, Rates
+from plans.model.rates import Pace, Rates, stroke_rates
 from plans.words.words import because
 
 
@@ -65,10 +65,11 @@ def pace(mechanism: Mechanism) -> Pace:
     def rates(phi: Floats) -> Rates:
         arm, span = corner.own * np.exp(1j * phi), corner.span(phi)
         length = np.abs(span)
+        speed, acceleration = stroke_rates(mechanism.drive, length, corner.ram.speed, corner.ram.acceleration)
         arms = arm * np.conj(span / length)  # along the cylinder, and square to it
-        omega = -corner.ram.speed / arms.imag
+        omega = -speed / arms.imag
         across = omega * arms.real
-        epsilon = (across**2 / length - omega**2 * arms.real - corner.ram.acceleration) / arms.imag
+        epsilon = (across**2 / length - omega**2 * arms.real - acceleration) / arms.imag
         return Rates(omega, epsilon)
 
     return rates
@@ -77,3 +78,16 @@ def pace(mechanism: Mechanism) -> Pace:
 def ways(mechanism: Mechanism, phi: Floats) -> Floats:
     """Give the cylinder's lengths at crank angles rad, (N,) m."""
     return np.asarray(np.abs(triangle(mechanism).span(phi)))
+
+
+def law(mechanism: Mechanism, phi: Floats) -> tuple[Floats, Floats]:
+    """Give how fast the cylinder lengthens at crank angles rad, (N,): m/s, and m/s2."""
+    ram = triangle(mechanism).ram
+    return stroke_rates(mechanism.drive, ways(mechanism, phi), ram.speed, ram.acceleration)
+
+
+def lever(mechanism: Mechanism, places: Complexes) -> Floats:
+    """Give the arm m of the cylinder about the crank's hinge, where the crank's point is at some places, (N,)."""
+    corner = triangle(mechanism)
+    span = places - corner.fixed
+    return np.asarray(np.abs((np.conj(span) * (places - corner.hinge)).imag) / np.abs(span))

@@ -12,7 +12,7 @@ from plans.linkage.groups.vectors import Vector
 from plans.linkage.plan import Image, Plan
 from plans.model.mechanism import FRAME, Mechanism, Slide
 from plans.model.motion import Complexes, Floats
-from plans.model.rates import Rates
+from plans.model.rates import Pace, Rates, stroke_rates
 from plans.words.words import Message, because
 
 FREE = "s"
@@ -23,6 +23,17 @@ def values(mechanism: Mechanism, turn: CrankPositions) -> Complexes:
     drive = mechanism.drive
     ways = drive.unit * (turn.phi - 2 * np.pi * np.round(turn.phi / (2 * np.pi)))
     return np.asarray(ways * pushed(mechanism).way(FRAME).direction)
+
+
+def pace(mechanism: Mechanism) -> Pace:
+    """Give the slider's rates by its law over the stroke, in units of the drive."""
+    drive = mechanism.drive
+
+    def rates(phi: Floats) -> Rates:
+        speeds = stroke_rates(drive, drive.unit * phi, drive.unit * drive.omega, drive.unit * drive.epsilon)
+        return Rates(*(rate / drive.unit for rate in speeds))
+
+    return rates
 
 
 def ends(mechanism: Mechanism, turn: CrankPositions) -> Complexes:

@@ -32,10 +32,8 @@ def by_ram(
         survey.report(BETWEEN, "ram_sketch", name=point)
         return None
     turned = float(cross(np.asarray(hinge - foot), np.asarray(sketch[point] - foot)))
-    speed, acceleration = (stroke.sense * float(rate) for rate in (stroke.speed, stroke.acceleration))
-    side = 1.0 if turned >= 0 else -1.0
-    found = Ram(fixed, point, float(stroke.from_), float(stroke.to), speed, acceleration, side)
-    drive = Drive(survey.form.drive.link, *ends, 1.0, 0.0, ram=found)
+    found = Ram(fixed, point, float(stroke.from_), float(stroke.to), *stroke.rates, 1.0 if turned >= 0 else -1.0)
+    drive = Drive(survey.form.drive.link, *ends, 1.0, 0.0, ram=found, law=stroke.law)
     whole = Mechanism("", (stroke.to, stroke.to), links, (), drive, sketch, None)
     first = ram.positions(whole, np.array([found.begin]))
     omega, epsilon = ram.pace(whole)(first.phi).at(0)
@@ -63,7 +61,7 @@ def _reached(survey: Survey, points: tuple[str, str], links: Mapping[int, Link],
     own, frame = links[survey.form.drive.link].points, links[FRAME].points
     base, arm = abs(frame[points[0]] - frame[ends[0]]), abs(own[points[1]] - own[ends[0]])
     least, most = abs(base - arm), base + arm
-    if not stroke.speed:
+    if not stroke.rates[0]:
         survey.report(("drive", "stroke", "speed"), "ram_still")
     for name, way in (("from", stroke.from_), ("to", stroke.to)):
         if not least < float(way) < most:

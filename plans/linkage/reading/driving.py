@@ -100,8 +100,8 @@ def drive_of(
         return by_ram(survey, ends, links, sketch)
     guide = next(slide for slide in survey.slides if slide.slider == form.link and slide.owner == FRAME)
     unit = _unit(form.stroke, guide, links)
-    omega, epsilon = (form.stroke.sense * float(rate) / unit for rate in (form.stroke.speed, form.stroke.acceleration))
-    return Drive(form.link, *ends, omega, epsilon, SLIDER, guide, unit)
+    omega, epsilon = (rate / unit for rate in form.stroke.rates)
+    return Drive(form.link, *ends, omega, epsilon, SLIDER, guide, unit, law=form.stroke.law)
 
 
 def _unit(stroke: StrokeTable, guide: Slide, links: Mapping[int, Link]) -> float:

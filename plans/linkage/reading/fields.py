@@ -159,3 +159,4 @@ COUNT = one(count_positions, lambda: {**forms.whole(1), "maximum": POSITIONS_LIM
 POSITIONS = either(list, many(ANGLE, Check(position_list, least=1, most=POSITIONS_LIMIT)), COUNT)
 SPEED = f.not_negative(units.VELOCITY)
 ACCELERATION = f.number(units.ACCELERATION)
+SPEEDS = f.positive(units.VELOCITY)

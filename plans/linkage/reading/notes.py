@@ -109,6 +109,6 @@ def _sketch(scene: Scene, form: LinkageForm) -> Iterator[Fault]:
 
 
 def _rest(scene: Scene, form: LinkageForm) -> Iterator[Fault]:
-    drive, path = form.drive.stroke or form.drive, ("drive", "stroke") if form.drive.stroke else ("drive",)
-    if not drive.speed and not drive.acceleration:
-        yield scene.fault((*path, "speed"), "at_rest")
+    stroke, drive = form.drive.stroke, form.drive
+    if not any(stroke.rates if stroke else (drive.speed, drive.acceleration)):
+        yield scene.fault(("drive", "stroke", "speed") if stroke else ("drive", "speed"), "at_rest")

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
 from decimal import Decimal
+from itertools import pairwise
+from typing import Any
 
 from plans.linkage.reading import fields as g
 from plans.scene import fields as f
-from plans.scene.faults import wrong
+from plans.scene.faults import Wrong, wrong
+from plans.scene.forms import Form
+from plans.scene.readers import many
 from plans.scene.tables import Missing, Table, key
 
 
@@ -34,19 +39,71 @@ class StrokeTable(Table):
         meaning="Where it ends.",
         missing=Missing("place along the guide", 'to = "500 mm"', 1),
     )
-    speed: Decimal = key(
+    speed: Decimal | None = key(
         g.SPEED,
-        meaning='Speed of the slider, also as "40 mm/s", from the one place to the other.',
+        None,
+        meaning='Speed of the slider, also as "40 mm/s", from the one place to the other: the same in all positions.',
         missing=Missing("speed of the slider", 'speed = "40 mm/s"', 1),
     )
     acceleration: Decimal = key(g.ACCELERATION, Decimal(0), meaning="Acceleration of the slider, in the same sense.")
+    speeds: tuple[Decimal, ...] = key(
+        many(g.SPEEDS, first=f.FEW),
+        (),
+        meaning=(
+            "In place of a speed its law over the stroke (закон движения): speeds above zero at places, straight lines "
+            "between them; the acceleration follows."
+        ),
+    )
+    places: tuple[Decimal, ...] = key(
+        many(f.COORDINATE, first=f.FEW),
+        (),
+        meaning="The places of these speeds, from the one end to the other; default: evenly over the stroke.",
+    )
 
     @property
     def sense(self) -> int:
         """Whether it goes along the guide, +1, or back, -1."""
         return 1 if self.to > self.from_ else -1
 
+    @property
+    def rates(self) -> tuple[float, float]:
+        """The signed speed m/s and acceleration m/s2; of a law its first speed alone."""
+        speed = self.speeds[0] if self.speeds else self.speed or Decimal(0)
+        return self.sense * float(speed), self.sense * float(self.acceleration)
+
+    @property
+    def law(self) -> tuple[tuple[float, float], ...]:
+        """The law: places m that rise, and signed speeds m/s there; none where one speed is told."""
+        even = [self.from_ + (self.to - self.from_) * k / max(len(self.speeds) - 1, 1) for k in range(len(self.speeds))]
+        told = zip(self.places or even, self.speeds, strict=True)
+        return tuple(sorted((float(place), self.sense * float(speed)) for place, speed in told))
+
     def check(self) -> None:
-        """See that the stroke has a length."""
+        """See that the stroke has a length, and that a law is told over the whole of it."""
         if self.from_ == self.to:
             raise wrong("no_stroke", at=("to",))
+        if self.speeds and "acceleration" in self.given:
+            raise wrong("one_of_two", first="acceleration", second="speeds", found="both", at=("acceleration",))
+        if self.speeds or self.places:
+            self._check_law()
+
+    def _check_law(self) -> None:
+        places = self.places or (self.from_, self.to)
+        steps = [self.sense * (high - low) for low, high in pairwise(places)]
+        if (places[0], places[-1]) != (self.from_, self.to) or min(steps, default=Decimal(0)) <= 0:
+            raise wrong("law_places", at=("places",))
+        if len(self.speeds) < 2 or (self.places and len(self.places) != len(self.speeds)):
+            raise wrong("law_speeds", count=max(len(self.places), 2), at=("speeds",))
+
+    @classmethod
+    def misfits(cls, value: Mapping[str, Any]) -> Iterator[Wrong]:
+        """Give the speed that a stroke lacks, or has twice."""
+        if not {"speed", "speeds"} & value.keys():
+            yield wrong("missing", at=("speed",))
+        if {"speed", "speeds"} <= value.keys():
+            yield wrong("one_of_two", first="speed", second="speeds", found="both", at=("speed",))
+
+    @classmethod
+    def rules(cls) -> Form:
+        """Say that a stroke has a speed or a law."""
+        return {"oneOf": [{"required": ["speed"]}, {"required": ["speeds"]}]}

@@ -1,0 +1,115 @@
+"""What a sheet tells of the output's course, read back: the table of S, v, a, and the notes on the diagrams."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from drawings.checks import reading
+from drawings.checks.cam.cam_strokes import read
+from drawings.checks.diagrams.expected_rows import KEYS, ExpectedRow
+from drawings.checks.precise import precise, tells
+from drawings.checks.reading import reads
+from drawings.checks.wrong import Wrong, within
+from drawings.figures.diagrams.output_table import ABSENT, NAME
+from drawings.page.drafting import Drafting
+from drawings.paper.strokes import Leaf
+from drawings.paper.walk import groups, texts
+from plans.checks.diagrams_comparison import DiagramsComparison
+from plans.diagrams.study import DiagramsStudy
+from plans.model.diagrams import TURN
+from plans.model.motion import Floats
+from plans.words.words import Message, said
+
+NOTES = "notes"  # the name of their figure
+FASTER = KEYS[1]  # whose chords span a step each
+DIGITS, PER_CENT = 4, 2
+ZERO = 1e-9  # of the largest value of a column: less is told as 0
+MOST = 36  # positions that are told at most where all are not
+
+
+def table(leaf: Leaf, comparison: DiagramsComparison, omega: float) -> Iterator[Wrong]:
+    """Read the table of the output's course back; the one that a lone sheet bears is whole."""
+    columns = _columns(comparison, omega)
+    axis, seen = comparison.analysis.axis, set[int]()
+    own = [one for one in leaf.groups if one.name.startswith(f"{NAME}-")]
+    for row in (row for group in own for row in reading.rows(group)):
+        cells = [text.plain for text in row]
+        if not cells[0].isdigit():
+            continue
+        k = axis.numbers.index(int(cells[0])) if int(cells[0]) in axis.numbers else -1
+        if k < 0 or len(cells) != 1 + len(columns):
+            yield within("row", NAME, name=cells[0])
+            continue
+        seen.add(k)
+        for text, (values, slack) in zip(cells[1:], columns, strict=True):
+            if not _holds(text, float(values[k]), slack):
+                yield within("cell", NAME, name=cells[0], text=text)
+    count = len(axis.numbers) - axis.closed
+    if leaf.metadata["of"] == 1 and len(seen) < min(count, MOST // 2):
+        yield within("missing_from", NAME, name=str(len(seen)))
+
+
+def _columns(comparison: DiagramsComparison, omega: float) -> list[tuple[Floats, float]]:
+    """Give what the columns must say at the positions, and how far each may be off."""
+    found, turns = comparison.analysis, comparison.analysis.count.turns
+    s, v, a = found.at
+    whole = s + turns * found.axis.turned, v + turns * omega, a
+    slacks = [float(np.nanmax(one.allowed, initial=0.0)) for one in comparison.findings[:3]]
+    sizes = [float(np.nanmax(np.abs(row), initial=0.0)) for row in whole]
+    sizes = [max(omega**power * size for power, size in enumerate(sizes[k::-1])) for k in range(len(sizes))]
+    own = [(row, slack + ZERO * size) for row, slack, size in zip(whole, slacks, sizes, strict=True)]
+    return [(found.axis.turned * 360 / TURN, ZERO), *own]
+
+
+def _holds(text: str, true: float, slack: float) -> bool:
+    if math.isnan(true) or text == ABSENT:
+        return math.isnan(true) and text == ABSENT
+    return reads(text, true, slack) or reads(text, true, slack, DIGITS)
+
+
+def notes(leaf: Leaf, own: DiagramsStudy, rows: tuple[ExpectedRow, ...], drafting: Drafting) -> Iterator[Wrong]:
+    """Read the notes on the diagrams back, from the description of the sheet and from where they are written."""
+    due = [read(one).split() for one in (_drawn(own, rows, drafting) if rows else _left_out(own.left_out, drafting))]
+    written = [one for one in groups(leaf.groups) if one.name == NOTES]
+    for words in (
+        read(leaf.description.replace("\n", " ")).split(),
+        [word for one in written for text in texts((one,)) for word in text.plain.split()],
+    ):
+        if words or leaf.metadata["of"] == 1:
+            for one in due:
+                if not _among(words, one):
+                    yield within("missing_from", NOTES, name=" ".join(one))
+
+
+def _among(words: list[str], due: list[str]) -> bool:
+    """Tell whether a note is among words, each of its numbers rounded."""
+    true, length = " ".join(due), len(due)
+    starts = (k for k, word in enumerate(words) if word == due[0])
+    return any(tells(" ".join(words[k : k + length]), true, (PER_CENT,), ZERO) for k in starts)
+
+
+def _left_out(why: Message | None, drafting: Drafting) -> Iterator[str]:
+    if why is not None:
+        yield drafting.word("diagrams left out", why=said(why, drafting.language))
+
+
+def _drawn(own: DiagramsStudy, rows: tuple[ExpectedRow, ...], drafting: Drafting) -> Iterator[str]:
+    """Give the notes that the diagrams must have, with all digits of their numbers."""
+    letters = dict(zip("sva", (row.letter for row in rows), strict=True))
+    yield drafting.word("diagrams by chords", **letters)
+    yield drafting.word(f"diagrams {own.counted}", **letters)
+    if own.linkage.mechanism.drive.epsilon:
+        yield drafting.word("diagrams even", **letters)
+    told = [_error(row, precise(drafting)) for row in rows if row.off is not None and not row.flat]
+    if told:
+        yield drafting.word("diagrams off", told=",  ".join(told))
+
+
+def _error(row: ExpectedRow, drafting: Drafting) -> str:
+    assert row.off is not None  # asked only where chords are judged
+    numbers, k = row.axis.numbers, row.off.at
+    place = f"{numbers[k]}–{numbers[k + 1]}" if row.key == FASTER else str(numbers[k])
+    return drafting.word("diagram off", letter=row.letter, off=drafting.number(100 * row.off.share), place=place)

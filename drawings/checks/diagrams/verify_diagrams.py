@@ -1,0 +1,62 @@
+"""The self-check of the kinematic diagrams on a written sheet, against the analysis (проверка диаграмм)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from drawings.checks.cam.cam_strokes import figure, scales
+from drawings.checks.diagrams import diagram_told
+from drawings.checks.diagrams.diagram_poles import poles
+from drawings.checks.diagrams.diagram_rows import graphs
+from drawings.checks.diagrams.expected_rows import KEYS, ExpectedRow, expected_rows
+from drawings.checks.wrong import Wrong, on
+from drawings.figures.diagrams.frame import NAME
+from drawings.figures.diagrams.kinematic_diagrams import title
+from drawings.lettering.words import number
+from drawings.measure.measure import Measured
+from drawings.page.drafting import Drafting, drafting_of
+from drawings.paper.strokes import Leaf
+from plans.checks.diagrams_comparison import DiagramsComparison
+from plans.diagrams.study import DiagramsStudy
+from plans.study import Study
+from plans.words.words import message
+
+
+def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
+    """Hold the diagrams that a sheet shows, the table of the output and the notes; of a lone sheet none is missing."""
+    own: DiagramsStudy = study["diagrams"]
+    drafting = drafting_of(study.scene)
+    if not own.wanted:
+        return
+    comparison = study.comparison("diagrams")
+    if not isinstance(comparison, DiagramsComparison):
+        yield from diagram_told.notes(leaf, own, (), drafting)
+        return
+    rows, omega = expected_rows(comparison), abs(own.linkage.mechanism.drive.omega)
+    if leaf.metadata["diagrams"]:
+        yield from _figure(measured, leaf, own, rows, drafting)
+    elif leaf.metadata["of"] == 1:
+        yield message("wrong.missing", name=NAME)
+    yield from diagram_told.table(leaf, comparison, omega)
+    yield from diagram_told.notes(leaf, own, rows, drafting)
+
+
+def _figure(
+    measured: Measured, leaf: Leaf, own: DiagramsStudy, rows: tuple[ExpectedRow, ...], drafting: Drafting
+) -> Iterator[Wrong]:
+    """Hold the heading with the scales along the axis, each row, the poles."""
+    head, omega = figure(leaf, NAME), abs(own.linkage.mechanism.drive.omega)
+    stated = {} if head is None else scales(head)
+    along = stated.get("φ", 1.0)
+    if number(stated.get("t", 0.0)) != number(along / omega):
+        yield message("wrong.scale", text="μ_t")
+    if head is None or title(own, drafting) not in head.texts:
+        yield on("title", NAME, text=title(own, drafting))
+    found = graphs(measured, leaf, rows, drafting, along)
+    if len(found) < len(KEYS):
+        yield message("wrong.missing", name=NAME)
+        return
+    shared = frozenset(k for one in found for k in (*one.marks, *one.numbered))
+    for one in found:
+        yield from one.faults(shared)
+    yield from poles(leaf, found, omega)

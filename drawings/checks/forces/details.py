@@ -1,0 +1,85 @@
+"""The self-check of enlarged details: what a force plan cannot letter is there, as it is by analysis (проверка)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+from drawings.checks.wrong import Wrong, on
+from drawings.figures.forces.force_polygon import DETAIL
+from drawings.measure.measure import Measured
+from drawings.measure.measured import MeasuredVector
+from drawings.paper.limits import SEEN
+from drawings.paper.strokes import Circle, Group, Leaf
+from drawings.paper.walk import groups, texts
+from plans.words.words import message
+
+
+class Details(NamedTuple):
+    """The details of one force plan on a sheet, with its forces and their parts by analysis, N."""
+
+    measured: Measured
+    leaf: Leaf
+    label: str
+    known: Mapping[str, complex]
+    letters: Mapping[str, str]  # as the sheet reads the forces
+    slack: float
+
+    def faults(self) -> Iterator[Wrong]:
+        """Hold each vector of a detail, each small force of the plan, and the circle around what is enlarged."""
+        plan = f"forces-{self.label}"
+        whole = {one.name: one for one in self.measured.vectors if one.plan == plan}
+        enlarged = [one for one in self.measured.vectors if one.plan.startswith(f"{DETAIL}{self.label}-")]
+        for one in enlarged:
+            near = self.slack + 2 * self.measured.quantum * one.scale
+            if one.name not in self.known or not abs(one.value - self.known[one.name]) <= near:
+                yield on("differs_on", one.plan, name=one.name)
+        if whole:
+            yield from self._small(plan, whole, {one.name for one in enlarged})
+            yield from self._circles(plan, whole, enlarged)
+
+    def _small(self, plan: str, whole: Mapping[str, MeasuredVector], enlarged: set[str]) -> Iterator[Wrong]:
+        """Name the outer forces that are not to be seen, neither in a detail nor told of beside the scale."""
+        scale = next(iter(whole.values())).scale
+        told = " ".join(text.plain for group in self._figures(plan) for text in texts((group,)))
+        for name, letter in self.letters.items():
+            small = self.slack < abs(self.known[name]) < SEEN * scale - self.slack
+            if small and name not in enlarged and letter not in told.replace(",", " ").split():
+                yield on("missing_on", plan, name=name)
+
+    def _circles(
+        self, plan: str, whole: Mapping[str, MeasuredVector], enlarged: Sequence[MeasuredVector]
+    ) -> Iterator[Wrong]:
+        """Hold that a circle with the letter of each detail stands around what the detail shows."""
+        marks = {
+            one.data["name"]: one.strokes[0]
+            for figure in self._figures(plan)
+            for one in groups((figure,))
+            if one.data.get("kind") == "detail"
+        }
+        labels = [text for figure in self._figures(plan) for text in texts((figure,))]
+        for name in {one.plan.rpartition("-")[2] for one in enlarged} | marks.keys():
+            circle, own = marks.get(name), [one.name for one in enlarged if one.plan.endswith(f"-{name}")]
+            ends = [end for one in own if one in whole for end in (whole[one].start, whole[one].end)]
+            if (
+                not own
+                or not isinstance(circle, Circle)
+                or not _around(circle, ends)
+                or not any(text.plain == name for text in labels)
+            ):
+                yield on("missing_on", plan, name=name)
+            titles = (text for one in self._figures(f"{DETAIL}{self.label}-{name}") for text in texts((one,)))
+            if not any(name in text.plain.split() for text in titles):
+                yield message("wrong.missing", name=name)
+
+    def _figures(self, plan: str) -> list[Group]:
+        return [one for one in self.leaf.groups if one.name.rpartition("-")[0] == plan]
+
+
+def _around(circle: Circle, ends: Sequence[complex]) -> bool:
+    """Tell whether a circle stands around some places, no further from their middle than they are from one another."""
+    if not ends:
+        return True  # too small to be drawn at all
+    spread = max(abs(one - other) for one in ends for other in ends)
+    near = abs(circle.centre - sum(ends) / len(ends)) <= max(spread, SEEN)
+    return near and all(abs(end - circle.centre) <= circle.radius for end in ends)

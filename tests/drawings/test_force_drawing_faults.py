@@ -1,0 +1,61 @@
+"""Faults planted into the drawing of the force sheet withhold it: tests/cases/force_drawing_faults.toml."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from drawings.checks.verify import SelfCheckFailed
+from drawings.lettering.lettering import lettered
+from drawings.pens.svg import svg
+from drawings.sheets import forces
+from plans.checks.compare import compare
+from plans.checks.force_comparison import ForceComparison, compare_forces
+from plans.forces.statics import Statics
+from plans.linkage.study import LinkageStudy
+from plans.scene.scene import parse_scene
+from plans.words.words import said
+from tests.drawings.memo import verify_loaded
+from tests.drawings.planting import ROOT, DrawingFault, drawing_faults, planted
+from tests.parts import some
+from tests.plans.force_cases import text_of
+
+FAULTS = drawing_faults(ROOT / "tests" / "cases" / "force_drawing_faults.toml")
+SPRING = '[[loads.springs]]\nbetween = [{ on = 3, point = "B" }, "O"]\nstiffness = 500\nfree = 0.3\n\n[friction]'
+
+
+@cache
+def shaper() -> tuple[Statics, ForceComparison]:
+    text = text_of(
+        "shaper",
+        ("positions = [60]", 'positions = 12\nbalancing = "coupling"'),
+        ("[drive.gear]\nradius = 0.18\nat = 210\npressure_angle = 20\n", ""),
+        ('radius = "20 mm"', 'radius = "90 mm"'),
+        ("4 = { mass = 3,", "4 = { mass = 0.3,"),
+        ("[friction]", SPRING),
+    )
+    statics = Statics(LinkageStudy(parse_scene(text)))
+    return statics, compare_forces(statics, compare(statics.study))
+
+
+def check(folder: Path) -> None:
+    statics, comparison = shaper()
+    for leaf in forces.sheets(statics.study, comparison, statics):
+        path = folder / "sheet.svg"
+        path.write_bytes(svg(lettered(leaf)))
+        verify_loaded(path, leaf, statics, comparison)
+
+
+def test_what_hangs_on_the_schemes_and_the_lever_passes(tmp_path: Path) -> None:
+    check(tmp_path)
+
+
+@pytest.mark.parametrize("fault", some(FAULTS, 6), ids=lambda fault: fault.name)
+def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path) -> None:
+    with planted(fault), pytest.raises(SelfCheckFailed) as told:
+        check(tmp_path)
+    assert fault.says in str(told.value)
+    assert not re.search(r"\b(the|is|on|in|for|against)\b", said(told.value, "ru"))

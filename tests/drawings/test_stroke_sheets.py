@@ -1,0 +1,53 @@
+"""Force sheets of drives over a stroke are held to the analysis: what is drawn passes, planted faults withhold it.
+
+The table is tests/cases/stroke_faults.toml.
+"""
+
+from __future__ import annotations
+
+from functools import cache, partial
+from pathlib import Path
+
+import pytest
+
+from drawings.checks.verify import SelfCheckFailed, verify
+from drawings.checks.verify_forces import faults
+from drawings.lettering.lettering import lettered
+from drawings.paper.strokes import Leaf
+from drawings.pens.svg import svg
+from drawings.sheets.forces import leaves
+from plans.scene.scene import read_scene
+from plans.study import Study
+from tests.drawings.collisions import collisions
+from tests.drawings.planting import ROOT, DrawingFault, drawing_faults, planted
+
+CASES = ROOT / "tests" / "cases"
+FAULTS = drawing_faults(CASES / "stroke_faults.toml")
+
+
+@cache
+def study_of(name: str) -> Study:
+    return Study(read_scene(CASES / "strokes" / f"{name}.toml"))
+
+
+def checked(leaf: Leaf, study: Study, folder: Path) -> None:
+    path = folder / "sheet.svg"
+    path.write_bytes(svg(lettered(leaf)))
+    verify(path, leaf, partial(faults, study=study))
+
+
+@pytest.mark.parametrize("name", ["ram", "cylinder"])
+def test_what_is_drawn_agrees_with_the_analysis_and_touches_no_letter(name: str, tmp_path: Path) -> None:
+    for leaf in leaves(study_of(name)):
+        checked(leaf, study_of(name), tmp_path)
+        assert collisions(leaf) == []
+
+
+@pytest.mark.parametrize("fault", FAULTS, ids=lambda fault: fault.name)
+def test_a_planted_fault_withholds_the_sheet(fault: DrawingFault, tmp_path: Path) -> None:
+    study = study_of(fault.scene)
+    assert study.comparison("forces").agrees
+    with planted(fault), pytest.raises(SelfCheckFailed) as told:
+        for leaf in leaves(study):
+            checked(leaf, study, tmp_path)
+    assert fault.says in str(told.value)
