@@ -158,7 +158,7 @@ def test_the_foremost_figure_takes_a_third_of_its_sheet_or_the_next_scale_is_too
 ) -> None:
     main = figure("main", *size)
     plans = [Panel(figure(f"plan-{k}", 1.0 + 0.2 * k, 0.7)) for k in range(4)]
-    first = compose(Contents((Panel(main, 1.5), *plans), (table(8),), SAID), page)[0]
+    first = compose(Contents((Panel(main, 1.5, share=1 / 3), *plans), (table(8),), SAID), page)[0]
     (box, scale), field, block = first.spots["main"], page.field, page.block
     free = Field(field.left + 6.0, field.bottom + 6.0, field.right - 6.0, page.taken[-1].bottom - 6.0)
     beside, above = (block.left - free.left, free.height), (free.width, free.top - block.top)

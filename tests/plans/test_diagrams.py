@@ -9,6 +9,7 @@ from plans.bench import diagrams as bench
 from plans.diagrams.marks import marks
 from plans.explanation import Explanation, UnknownMark
 from plans.model.diagrams import Diagrams
+from plans.scene.notes import notes_of
 from plans.scene.scene import parse_scene
 from plans.study import Study
 
@@ -200,3 +201,9 @@ def test_a_chord_that_is_not_there_is_told() -> None:
     study = study_of(f"{YOKE}speed = 10\npositions = [0, 30, 60, 90]")
     with pytest.raises(UnknownMark, match="dS/dt: no chord is drawn at position 3"):
         marks(study, 3, "dS/dt")
+
+
+def test_a_key_that_no_sheet_uses_is_told_with_the_sheet_that_does() -> None:
+    scene = parse_scene('sheets = ["positions"]\n' + f"{YOKE}speed = 10\n[sheet]\ndiagrams = false")
+    assert ['"kinematics"' in str(note) for note in notes_of(scene)] == [True]
+    assert notes_of(study_of(f"{YOKE}speed = 10\n[sheet]\ndiagrams = false").scene) == []
