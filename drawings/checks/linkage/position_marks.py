@@ -66,7 +66,7 @@ def _beside(number: Group, link: int, laid: LaidMechanism) -> bool:
     if isinstance(dot, Circle) and dot is not circle:
         return laid.apart(link, dot.centre) <= EXACT + (STAND[0] if link == FRAME else 0.0)
     clear = STAND[0] if link == FRAME else abs(complex(*BLOCK)) / 2
-    return laid.apart(link, circle.centre) <= circle.radius + BESIDE + clear
+    return laid.apart(link, circle.centre) <= circle.radius + BESIDE + clear + EXACT
 
 
 def _ties(leaf: Leaf, laid: LaidMechanism) -> Iterator[Message]:
