@@ -24,6 +24,7 @@ from plans.bench.result import Bench, Goal, Ratio, Row
 from plans.bench.roads import CONSTRUCTION, ROUNDING, compared, ground, prepared, roads, timed
 from plans.linkage.study import LinkageStudy
 from plans.scene.scene import Scene
+from plans.words.words import message, placed
 
 SAMPLE = 24  # positions at which the truth is found: each takes 10 ms and more, and more of them show no other error
 BUDGET = 1.0  # seconds of a row, after which it is repeated no more: the whole stays within a minute
@@ -59,13 +60,15 @@ class Order:
 
 
 class NothingToMeasure(DraftError):  # noqa: N818  (the message's own word)
-    """A scene without a position that can be assembled."""
+    """A scene without a position that can be assembled, or whose drive has no turn."""
 
     exit_code = 4
 
 
 def session(scene: Scene, order: Order, tell: Callable[[str], None]) -> Bench:
     """Run a session; `tell` hears what is being timed, and nothing when all is."""
+    if not LinkageStudy(scene).mechanism.drive.turns:
+        raise NothingToMeasure(placed(scene.file, message("refused.bench_stroke")))
     there, first = machine(), prepared(scene, SIZED)
     if first.lost.all():
         raise NothingToMeasure(f"{scene.file}: no position can be assembled, so there is nothing to measure")

@@ -8,7 +8,7 @@ from typing import Final
 # Of a scene, what is ordered and who hears what is being timed, to the bench.
 SESSIONS: Final[Mapping[str, str]] = {
     "linkage": "drawings.bench.session:session",
-    "diagrams": "drawings.bench.session:session",
+    "diagrams": "drawings.bench.diagrams_session:session",
     "forces": "drawings.bench.session:session",
     "dynamics": "drawings.bench.dynamics_session:session",
     "balance": "drawings.bench.balance_session:session",

@@ -20,9 +20,12 @@ from drawings.layout.slicing import Slicing, Tree
 from drawings.layout.stood import Stood, size_of
 from drawings.layout.units import Shape, nested
 from drawings.page.page import Page
+from drawings.paper.strokes import SheetError
+from plans.words.words import message
 
 LOOKS = 3  # levels at which compositions are looked at: the highest and those below it
 POINTS = 6  # sizes of a sheet that are looked at
+LATE = 0.5  # what notes count that do not stand on the first sheet, against the logarithm of the figures' sizes
 PARTINGS = 6  # ways to part a set into sheets that are looked at
 
 
@@ -80,6 +83,8 @@ class _Composer:
         """Find the best set."""
         floors, every = self.asked.floors, range(len(self.asked.orders))
         count = min(self._cutting(order, floors).number(0) for order in every)
+        if not count:
+            raise SheetError(message("refused.figure", format=self.page.name))
         sets = (one for state in self._states(floors, count) for one in self._sets(state, count))
         best = max(sets, key=lambda one: one.score)
         return tuple(sheet.composition() for sheet in best.sheets)
@@ -143,4 +148,5 @@ class _Composer:
         last = len(trees) - 1
         sheets = tuple(Stood(self.asked.stock, self.page, tree, rungs, k == last) for k, tree in enumerate(trees))
         size = size_of([own.sizes[k] for own, k in zip(steps, grown, strict=True)])
-        return _Set(sheets, math.log(size) - sum(sheet.fault for sheet in sheets))
+        late = LATE * any(sheet.notes for sheet in sheets[1:])
+        return _Set(sheets, math.log(size) - sum(sheet.fault for sheet in sheets) - late)

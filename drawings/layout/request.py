@@ -17,8 +17,6 @@ from drawings.page.page import Page
 from drawings.paper.strokes import SheetError
 from plans.words.words import message
 
-THIRD = 1 / 3  # of a sheet that the foremost figure takes, where the next scale is not too large
-
 
 @dataclass(frozen=True)
 class Request:
@@ -114,13 +112,15 @@ class _Fitting:
         return 0
 
     def _raised(self, steps: Sequence[Steps], floors: State) -> State:
-        """Draw the foremost figure on its share of a sheet, or at the largest scale that fits one."""
-        foremost = self.contents.foremost
-        if foremost is None or not isinstance(foremost.item, Picture):
-            return floors
-        name, field = foremost.item.name, self.page.field
-        v = next(v for v, own in enumerate(steps) if name in own.rungs[0])
-        rungs = [step[name] for step in steps[v].rungs]
-        large = [k for k, rung in enumerate(rungs) if rung.wide * rung.high >= THIRD * field.width * field.height]
-        fitting = [k for k, rung in enumerate(rungs) if self._alone(name, rung)]
-        return (*floors[:v], max(min(large[:1] + fitting[-1:]), floors[v]), *floors[v + 1 :])
+        """Draw figures on their shares of a sheet, or at the largest scale that fits one."""
+        found, field = list(floors), self.page.field
+        for panel in self.contents.panels:
+            if panel.share and isinstance(panel.item, Picture):
+                name = panel.item.name
+                v = next(v for v, own in enumerate(steps) if name in own.rungs[0])
+                rungs = [step[name] for step in steps[v].rungs]
+                area = panel.share * field.width * field.height
+                large = [k for k, rung in enumerate(rungs) if rung.wide * rung.high >= area]
+                fitting = [k for k, rung in enumerate(rungs) if self._alone(name, rung)]
+                found[v] = max(min(large[:1] + fitting[-1:]), floors[v])
+        return tuple(found)

@@ -59,6 +59,11 @@ class Stood:
         """What its bareness counts."""
         return COSTS * max(self.bare - (LAST if self.last else BARE), 0.0)
 
+    @property
+    def notes(self) -> bool:
+        """Whether it bears the notes."""
+        return any(isinstance(self.stock.shown[k], Notes) for k in self.boxes)
+
     def _inked(self, k: int, box: Field) -> Iterator[Field]:
         """Give what of a box is inked: lines and letters of a figure, and its heading."""
         one = self.stock.shown[k]

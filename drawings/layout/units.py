@@ -56,7 +56,7 @@ class Stock:
         """Tell whether a figure's heading is clear of the upper left corner."""
         one = self.shown[next(pieces(shape.tree)).unit]
         alone = isinstance(shape.tree, Piece) or shape.tree.tied
-        return alone and isinstance(one, Picture) and (shape.size[0] - one.heading) / 2 >= head[0] + CLEAR
+        return alone and isinstance(one, Picture) and one.open and (shape.size[0] - one.heading) / 2 >= head[0] + CLEAR
 
     def sizes(self, k: int, rungs: Mapping[str, Rung]) -> Sequence[Size]:
         """Give the sizes that one thing can have."""

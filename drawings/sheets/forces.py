@@ -35,7 +35,7 @@ from plans.forces.cut import Cut, indices
 from plans.forces.force import ForcePlan
 from plans.forces.primary import BALANCING, balancing_quantity
 from plans.forces.statics import Statics
-from plans.linkage.primaries import ram
+from plans.linkage.primaries import stroke
 from plans.linkage.study import LinkageStudy
 from plans.model.kinetostatics import Kinetostatics
 from plans.model.motion import Floats
@@ -200,9 +200,9 @@ class _ForceSheet:
         if mechanism.drive.turns:
             turned = np.degrees(self.study.sense * (phi - phi[0])) % 360
             return turned, np.arange(STEPS + 1) * 360 / STEPS
-        rows = phi, self.turned.phi
-        ways = [ram.ways(mechanism, row) if mechanism.drive.ram else mechanism.drive.unit * row for row in rows]
-        return np.abs(ways[0] - ways[0][0]), np.abs(ways[1] - ways[0][0])
+        own, along = (stroke.ways(mechanism, row) for row in (phi, self.turned.phi))
+        assert own is not None and along is not None  # of a drive over a stroke
+        return np.abs(own - own[0]), np.abs(along - own[0])
 
     def _hodographs(self) -> Iterator[Exhibit]:
         """The reactions whose hodographs the scene asks for."""

@@ -37,6 +37,7 @@ from plans.model.structure import formula
 from plans.study import Study
 
 FOREMOST = 1.5  # the plan of positions is doubled though all the others are halved
+SHARE = 1 / 3  # of its sheet
 
 
 def leaves(study: Study) -> tuple[Leaf, ...]:
@@ -93,7 +94,7 @@ class _KinematicsSheet:
         """The plan of positions."""
         room = position_plan.measure(self.bones, POSITIONS.plan, self.drafting)
         draw = partial(position_plan.draw, self.bones, room, drafting=self.drafting)
-        return Exhibit(Panel(room, FOREMOST), draw)
+        return Exhibit(Panel(room, FOREMOST, share=SHARE), draw)
 
     def _plans(self) -> list[Exhibit]:
         """The plans of each position, which stand together."""

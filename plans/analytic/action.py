@@ -78,8 +78,10 @@ def balancing(mechanism: Mechanism, constraints: Constraints, line: Action | Non
 def _pushed(
     drive: Drive, mechanism: Mechanism, constraints: Constraints, poses: Floats, multiplier: Floats
 ) -> Balancing:
-    """Give the force along its guide with which a slide is pushed, at its named point."""
+    """Give the force along its guide with which a slide is pushed, at the foot of its named point on the line."""
     assert drive.guide is not None  # it is pushed along
     along = drive.guide.way(FRAME).direction
-    r = place(constraints, poses, drive.link, mechanism.links[drive.link].points[drive.end])
+    own, line = mechanism.links[drive.link].points[drive.end], drive.guide.on_slider
+    foot = line.through + line.direction * ((own - line.through) / line.direction).real
+    r = place(constraints, poses, drive.link, foot)
     return Balancing(multiplier, np.asarray(multiplier / drive.unit * along), r)

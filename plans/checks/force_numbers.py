@@ -14,6 +14,7 @@ from plans.checks.plain_numbers import gap_numbers, pairs, plain
 from plans.forces.statics import Statics
 from plans.model.kinetostatics import Kinetostatics, Reaction
 from plans.model.losses import Friction
+from plans.model.motion import Floats
 
 if TYPE_CHECKING:
     from plans.study import Study
@@ -27,6 +28,7 @@ class ForceNumbers:
     solved: Kinetostatics
     forces: bool
     friction: Friction | None
+    push: Floats | None = None  # N: of a drive over a stroke, the force told in place of a moment
 
     @property
     def flawed(self) -> bool:
@@ -38,6 +40,9 @@ class ForceNumbers:
         told: dict[str, Any] = {"gaps": [gap_numbers(gap) for gap in self.solved.gaps]}
         if self.forces:
             told |= described(self.solved, self.datum)
+        if self.forces and self.push is not None:
+            told["balancing"] = {"push": plain(self.push)} | told["balancing"]
+            told["balancing"].pop("moment")
         return told if self.friction is None else told | rubbed(self.friction)
 
 
@@ -46,7 +51,10 @@ def numbers(study: Study, by: str) -> ForceNumbers:
     statics, below = study["forces"], study.numbers("linkage", by)
     rubs = "friction" in study.plans and (study.chosen or bool(statics.machine.friction))
     solved, friction = _analysed(statics, below, rubs) if by == "analysis" else _constructed(statics, below, rubs)
-    return ForceNumbers(below.datum, solved, "forces" in study.plans, friction)
+    push = None
+    if not statics.study.mechanism.drive.turns:
+        push = statics.given(solved, below.motion)
+    return ForceNumbers(below.datum, solved, "forces" in study.plans, friction, push)
 
 
 def _constructed(statics: Statics, below: MotionNumbers, rubs: bool) -> tuple[Kinetostatics, Friction | None]:

@@ -14,8 +14,9 @@ import numpy as np
 from plans.analytic.kinematics import Analysis
 from plans.checks.compare import road_of
 from plans.checks.plain_numbers import gap_numbers, pairs, plain
+from plans.linkage.primaries import stroke
 from plans.linkage.study import EXTREMES, LinkageStudy
-from plans.model.motion import Extremes, Motion
+from plans.model.motion import Extremes, Floats, Motion
 from plans.model.order import ACCELERATIONS, ORDERS, numbers_of
 
 if TYPE_CHECKING:
@@ -32,6 +33,7 @@ class MotionNumbers:
     extremes: Extremes | None
     orders: Sequence[int]
     road: Analysis | None = None  # by which it was found, if not by construction
+    ways: Floats | None = None  # m: of a drive over a stroke, its way or its length
 
     @property
     def flawed(self) -> bool:
@@ -44,6 +46,7 @@ class MotionNumbers:
             "scene": self.title,
             "by": self.motion.by,
             "phi": plain(self.motion.phi),
+            **({} if self.ways is None else {"s": plain(self.ways)}),
             "gaps": [gap_numbers(gap) for gap in self.motion.gaps],
             "points": self._points(),
             "links": self._links(),
@@ -83,7 +86,8 @@ def numbers(study: Study, by: str) -> MotionNumbers:
     datum = complex(*(float(x) for x in linkage.mechanism.datum))
     told = linkage.form.drive.first is None or (study.chosen and EXTREMES in study.plans)
     found = (solved if by == "analysis" else _constructed)(linkage, order, told)
-    return MotionNumbers(study.scene.heading(), datum, found[0], found[1], orders, found[2])
+    ways = stroke.ways(linkage.mechanism, found[0].phi)
+    return MotionNumbers(study.scene.heading(), datum, found[0], found[1], orders, found[2], ways)
 
 
 def _constructed(study: LinkageStudy, order: int, told: bool) -> tuple[Motion, Extremes | None, None]:

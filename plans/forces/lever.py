@@ -100,10 +100,9 @@ def _turning(board: Board, pair: Pairing) -> Mark:
 def _drive(plan: ForcePlan, board: Board) -> tuple[Mark, Mark, Mark]:
     """Give the turned image of the point where the drive acts, that point, and the line of its force on the lever."""
     base, speeds, drive = plan.positions, plan.velocities, plan.mechanism.drive
-    if drive.guide is not None:
-        point, along = base.point(drive.end), guide.direction(base, drive.guide, FRAME)
-        turned = _turned(board, speeds.point(drive.end))
-        return turned, point, board.parallel(f"∥{along.name}", turned, along, because("pushed_along"))
+    if drive.guide is not None and plan.driven is not None:
+        along, turned = guide.direction(base, drive.guide, FRAME), _turned(board, speeds.point(drive.end))
+        return turned, plan.driven, board.parallel(f"∥{along.name}", turned, along, because("pushed_along"))
     if plan.driven is None or plan.driven is base.point(drive.end):
         point, image, arm = base.point(drive.end), speeds.point(drive.end), base.arm(drive.link)
         turned = _turned(board, image)

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from geometry.board import Mark
 from plans.forces import polygon as statics
-from plans.forces.cut import CLOSING, PART, Cut, Equation, Side, indices
+from plans.forces.cut import CLOSING, PART, Cut, Equation, Load, Side, indices
 from plans.forces.force import ForcePlan
 from plans.linkage.groups import guide
 from plans.model.machine import FORCE, GEAR, Transmission
@@ -50,13 +50,24 @@ def _pushed(plan: ForcePlan, slide: Slide) -> Cut:
     )
     name = f"R_{indices(FRAME, drive.link)}"
     closed = statics.close(plan, laid, (DRIVING, name), lines)
-    plan.driven = plan.positions.point(slide.point)
+    plan.driven = _foot(plan, slide, along)
     plan.drive = board.join(DRIVING, closed.corner, laid.start, because("closing"))
     plan.shaft = _wheel(plan, along, plan.driven)
     plan.balancing = board.moment(BALANCING, plan.shaft, plan.driven, plan.drive, because("wheel_moment"))
     force = board.join(name, laid.end, closed.corner, because("closing"))
-    support = statics.support(plan, (FRAME, drive.link), slide, force, (), loads, couples)
+    pushing = Load(DRIVING, drive.link, plan.driven, plan.drive, PART)
+    support = statics.support(plan, (FRAME, drive.link), slide, force, (), [*loads, pushing], couples)
     return Cut(None, (drive.link,), tuple(loads), tuple(couples), (support,), None, (), closed.polygon)
+
+
+def _foot(plan: ForcePlan, slide: Slide, along: Mark) -> Mark:
+    """Give where a slide is pushed: its named point, or the foot of that on the guide's line."""
+    point, board = plan.positions.point(slide.point), plan.positions.board
+    left = guide.offset(plan.positions, slide, slide.slider, slide.point).left
+    if not left:
+        return point
+    back = board.turn(f"h{slide.slider}'", along, -1j * left, because("offset"))
+    return board.lay_off(f"{slide.point}''", point, back, because("pushed_along"))
 
 
 def _wheel(plan: ForcePlan, along: Mark, end: Mark) -> Mark:

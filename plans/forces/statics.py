@@ -145,7 +145,7 @@ class Statics:
             return strokes(self.machine, study.mechanism, study.output, extremes)
         except NoStroke as error:
             why = error.args[0]
-            if study.barriers:
+            if study.barriers and study.mechanism.drive.turns:
                 why = message("stroke.barred", load=error.load, thing=error.thing, why=obstruction(study.sweep))
             raise self._refused(why) from None
         except OtherStroke as error:

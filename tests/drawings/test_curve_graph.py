@@ -171,3 +171,14 @@ def test_a_position_that_is_a_gap_is_left_out_of_a_hodograph() -> None:
     ends[2] = complex(math.nan, math.nan)
     found = measured(figure(SHOWN._replace(ends=ends)))
     assert found.vectors == () and 2 not in {point.position for point in found.points}
+
+
+def test_of_360_positions_as_many_are_numbered_as_have_room_and_the_shown_one_always() -> None:
+    at = np.arange(360.0)
+    drawn = graph(CURVE._replace(stations=at, ordinates=moment(at), shown=(87,)))
+    told = [text for text in flat(drawn) if isinstance(text, Text) and text.plain.isdigit()]
+    assert "87" in {text.plain for text in told}
+    assert 10 < len(told) < 60
+    middles = sorted(sum(bounds(text)[::2]) / 2 for text in told)
+    assert min(np.diff(middles)) > HAND.number, "no number stands on another"
+    assert {vector.name for vector in measured(drawn).vectors} == {text.plain for text in told}

@@ -5,11 +5,16 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from plans.bench import diagrams as bench
+from plans.diagrams.marks import marks
+from plans.explanation import Explanation, UnknownMark
 from plans.model.diagrams import Diagrams
+from plans.scene.notes import notes_of
 from plans.scene.scene import parse_scene
 from plans.study import Study
 
 RADIUS, SPEED = 0.060, 10.0
+SINC = np.sin(np.pi / 12) / (np.pi / 12)  # of half a step of twelve: the chord of a sine over the sine at its middle
 # A sine mechanism (Scotch yoke) of radius r: S = r (1 - cos φ) from where its yoke is on the right.
 YOKE = """
 [mechanism.frame]
@@ -167,3 +172,38 @@ def test_the_error_of_chords_is_of_second_order() -> None:
         return float(np.abs(found.speeds - found.true_speeds).max())
 
     assert off(24) / off(48) == pytest.approx(4, rel=0.05)
+
+
+def test_the_bench_tells_the_second_order_of_chords() -> None:
+    made, told = bench.rows(study_of(f"{ROCKER}positions = 12").scene, 1, 0.01, (24, 48, 96))
+    errors = [row.errors.kinds for row in made]
+    assert errors[0]["v"] / errors[1]["v"] == pytest.approx(4, rel=0.1)
+    orders = [float(line.partition("order ")[2].split()[0]) for line in told[1:]]
+    assert orders == pytest.approx([2, 2], abs=0.1)
+    still = study_of(f"{YOKE}speed = 0\npositions = 12").scene
+    assert bench.rows(still, 1, 0.01, (12,))[0][0].note == "left out: the crank is at rest"
+
+
+@pytest.mark.parametrize(
+    ("mark", "value"), [("dS/dt", RADIUS * SPEED * SINC * np.sin(np.pi / 12)), ("dv/dt", RADIUS * SPEED**2 * SINC**2)]
+)
+def test_explain_tells_the_chords_behind_a_value(mark: str, value: float) -> None:
+    told = marks(study_of(f"{YOKE}speed = 10\npositions = 12"), 0, mark)
+    assert isinstance(told, Explanation)
+    assert all(step.step.why for step in told.steps)
+    assert f"{mark} = {value:.10g} m/s" in str(told.notes[0])
+    steps = {step.name for step in told.steps}
+    assert {"v:P", "v:0-1"} <= steps
+    assert ("a:P" in steps) is (mark == "dv/dt")
+
+
+def test_a_chord_that_is_not_there_is_told() -> None:
+    study = study_of(f"{YOKE}speed = 10\npositions = [0, 30, 60, 90]")
+    with pytest.raises(UnknownMark, match="dS/dt: no chord is drawn at position 3"):
+        marks(study, 3, "dS/dt")
+
+
+def test_a_key_that_no_sheet_uses_is_told_with_the_sheet_that_does() -> None:
+    scene = parse_scene('sheets = ["positions"]\n' + f"{YOKE}speed = 10\n[sheet]\ndiagrams = false")
+    assert ['"kinematics"' in str(note) for note in notes_of(scene)] == [True]
+    assert notes_of(study_of(f"{YOKE}speed = 10\n[sheet]\ndiagrams = false").scene) == []

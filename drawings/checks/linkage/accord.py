@@ -23,7 +23,7 @@ HELD = {"share": r"10−(\d+)|1", "position": r"(\d+)", "kappa": r"([\d.,]+)"}
 
 
 def faults(leaf: Leaf, findings: Sequence[Finding], kappa: Floats, language: str) -> Iterator[Wrong]:
-    """Hold the sentence about both roads against their differences; the first sheet of a set bears it."""
+    """Hold the sentence about both roads against their differences; of a longer set one sheet bears it."""
     lines = [text.plain for group in leaf.groups if group.name == "notes" for text in texts((group,))]
     told = re.search(_pattern(language), " ".join(lines).replace("\N{NO-BREAK SPACE}", " "))
     if told is not None:
@@ -31,7 +31,7 @@ def faults(leaf: Leaf, findings: Sequence[Finding], kappa: Floats, language: str
         close = _is_close(math.pow(10.0, -int(power or 0)), findings)
         if not close or not _is_worst(int(position), condition, kappa):
             yield message("wrong.told", text=told[0])
-    elif lines and np.isfinite(kappa).any():
+    elif leaf.metadata["of"] == 1 and np.isfinite(kappa).any():
         yield message("wrong.notes")
 
 

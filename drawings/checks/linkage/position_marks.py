@@ -91,7 +91,11 @@ def centres(laid: LaidMechanism) -> Iterator[tuple[str, int, complex]]:
 
 
 def _joins(line: Line, spot: complex, link: int, laid: LaidMechanism) -> bool:
-    """Tell whether a line runs from a link, or a hinge of it, to the symbol of its mass centre."""
+    """Tell whether a line runs from a link, or from a hinge or block of it, to the symbol of its mass centre."""
     start, end = sorted((line.start, line.end), key=lambda one: -abs(one - spot))
     off = ((spot - start) * (end - start).conjugate()).imag / abs(end - start)
-    return abs(off) <= EXACT and abs(end - spot) <= MASS + EXACT and laid.apart(link, start) <= DOUBLE[0]
+    return (
+        abs(off) <= EXACT
+        and abs(end - spot) <= MASS + EXACT
+        and laid.apart(link, start) <= max(DOUBLE[0], abs(complex(*BLOCK)) / 2)
+    )

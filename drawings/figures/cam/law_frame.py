@@ -90,7 +90,16 @@ class LawPlate:
         unit = "m" if self.cam.translates else "rad"
         letter = letters(self.cam)[1]
         return Picture(
-            name_of(self.cam), turn, high, complex(turn, high) / 2, letter, unit, margins, heading, LONG * size
+            name_of(self.cam),
+            turn,
+            high,
+            complex(turn, high) / 2,
+            letter,
+            unit,
+            margins,
+            heading,
+            LONG * size,
+            open=False,
         )
 
 

@@ -58,7 +58,9 @@ def measure(shown: Scheme, name: str, drafting: Drafting) -> Picture:
     hand = drafting.hand
     least = LEAST * hand.letter
     bare = picture(name, shown.points, ("l", "m"), Margins(0, 0, 0), 0.0)
-    extent = max(bare.wide, bare.high)
+    solid = picture(name, shown.solid, ("l", "m"), Margins(0, 0, 0), 0.0)
+    extent, own = max(bare.wide, bare.high), max(solid.wide, solid.high)
+    least *= extent / own if own else 1.0  # the links are as large beside a long spring as without one
     bare = bare._replace(least=least if extent else 0.0)  # a lone point is not drawn smaller at any scale
     place = Place(0j, bare.middle, Scale((extent or 1.0) / least, "l", "m"))
     left, bottom, right, top = bounds(Group(tuple(Layout(shown, place, drafting, None).strokes())))

@@ -69,10 +69,15 @@ class Scheme:
     @property
     def points(self) -> list[complex]:
         """All true points that the figure must hold."""
-        places = [*self.named.values(), *self.links.slots]
+        return [*self.solid, *(one.end for one in self.springs)]
+
+    @property
+    def solid(self) -> list[complex]:
+        """The true points of all but the springs, by which the links are seen."""
+        away = {one.letter for one in self.springs} - self.links.points.keys()
+        places = [*(place for name, place in self.named.items() if name not in away), *self.links.slots]
         places += [arm.foot for arm in self.dimensioned]
         places += [force.at for force in self.acting.forces]
-        places += [one.end for one in self.springs]
         if self.wheel is not None:
             wheel = self.wheel
             turns = (1, 1j, -1, -1j) if wheel.whole else ()

@@ -253,4 +253,4 @@ def reference(mechanism: Mechanism) -> str:
     """Give the point that places on paper are measured from: the drive's fixed hinge, or of a slider another one."""
     drive, fixed = mechanism.drive, mechanism.links[FRAME].points
     hinges = [name for name in fixed if name in mechanism.hinges]
-    return drive.pivot if not drive.pushed or not hinges else hinges[0]
+    return [*hinges, *fixed][0] if drive.pushed else drive.pivot

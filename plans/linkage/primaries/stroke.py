@@ -9,6 +9,7 @@ from plans.linkage.crank_positions import CrankPositions
 from plans.linkage.primaries import ram, slider
 from plans.linkage.reading.stroke import StrokeTable
 from plans.model.mechanism import Mechanism
+from plans.model.motion import Floats
 from plans.model.rates import Pace
 
 
@@ -26,3 +27,10 @@ def pace(mechanism: Mechanism) -> Pace | None:
     if mechanism.drive.ram is not None:
         return ram.pace(mechanism)
     return slider.pace(mechanism) if mechanism.drive.law else None
+
+
+def ways(mechanism: Mechanism, phi: Floats) -> Floats | None:
+    """Give the way of a slider or the length of a cylinder that drives, (N,) m, at its coordinates; None of a crank."""
+    if mechanism.drive.ram is not None:
+        return ram.ways(mechanism, phi)
+    return mechanism.drive.unit * phi if mechanism.drive.pushed else None
