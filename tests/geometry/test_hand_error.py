@@ -7,13 +7,14 @@ import pytest
 
 from geometry import draughtsman, hand_error, precision
 from geometry.board import Board, Mark
-from geometry.hand_error import EDGE, EVEN, POINT, Hand, number_error, size_error, slopes
+from geometry.hand_error import EDGE, EVEN, SlippingHand, slopes
+from geometry.scatter import POINT, number_error, size_error
 
-HAND = Hand(0.2, {"positions": np.ones(1), "velocities": np.full(1, 0.5)})
+HAND = SlippingHand(0.2, {"positions": np.ones(1), "velocities": np.full(1, 0.5)})
 SLIP = 0.2 * EVEN
 
 
-def deviation(mark: Mark, hand: Hand = HAND) -> float:
+def deviation(mark: Mark, hand: SlippingHand = HAND) -> float:
     """Give the root of the mean square of a mark's error."""
     return float(np.sqrt((np.abs(slopes(hand, mark)[mark]) ** 2).sum()))
 
