@@ -12,10 +12,10 @@ from drawings.checks.diagrams.expected_rows import KEYS, ExpectedRow, expected_r
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.diagrams.frame import NAME
 from drawings.figures.diagrams.kinematic_diagrams import title
-from drawings.lettering.words import number
 from drawings.measure.measure import Measured
 from drawings.page.drafting import Drafting, drafting_of
-from drawings.paper.strokes import Leaf
+from drawings.page.scale import Scale
+from drawings.paper.strokes import Leaf, Text
 from plans.checks.diagrams_comparison import DiagramsComparison
 from plans.diagrams.study import DiagramsStudy
 from plans.study import Study
@@ -46,9 +46,9 @@ def _figure(
 ) -> Iterator[Wrong]:
     """Hold the heading with the scales along the axis, each row, the poles."""
     head, omega = figure(leaf, NAME), abs(own.linkage.mechanism.drive.omega)
-    stated = {} if head is None else scales(head)
-    along = stated.get("φ", 1.0)
-    if number(stated.get("t", 0.0)) != number(along / omega):
+    along = 1.0 if head is None else scales(head).get("φ", 1.0)
+    time = Text(0j, drafting.scale(Scale(along / omega, "t", "s")), 1.0).plain
+    if head is None or not any(text.endswith(time) for text in head.texts):
         yield message("wrong.scale", text="μ_t")
     if head is None or title(own, drafting) not in head.texts:
         yield on("title", NAME, text=title(own, drafting))
