@@ -11,6 +11,8 @@ from drawings.paper.hand import Hand
 from drawings.paper.strokes import Circle, Group, Line, LineStyle, Text, numeral, stated
 from drawings.symbols.symbols import arrowhead
 
+PLAN_LETTERS = 12.0  # a plan is drawn at least so many of its letters large, and as many as it has: below, they hide it
+
 
 class Subject(NamedTuple):
     """What a figure's marks belong to: the plan's name, its quantity, its position; None is every position."""

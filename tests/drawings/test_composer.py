@@ -9,7 +9,7 @@ from itertools import combinations
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as some
 
 from drawings.layout.block import Notes, TextBlock
@@ -20,6 +20,7 @@ from drawings.layout.table import RuledTable, Setting, TableRow
 from drawings.page.page import Field, Page
 from drawings.paper.strokes import SheetError
 from tests.drawings.test_slicing import apart, inside
+from tests.parts import examples
 
 ROOT = Path(__file__).parent.parent.parent
 FIGURES = [
@@ -86,7 +87,7 @@ def lines(content: Contents, one: Composition) -> list[Field]:
 
 
 @given(anything(), some.sampled_from(PAGES))
-@settings(max_examples=12, deadline=None)
+@examples(12)
 def test_all_is_shown_once_in_order_inside_the_frame_and_on_nothing_else(content: Contents, page: Page) -> None:
     sheets = compose(content, page)
     for one in sheets:
@@ -103,7 +104,7 @@ def test_all_is_shown_once_in_order_inside_the_frame_and_on_nothing_else(content
 
 
 @given(anything(), some.sampled_from(PAGES))
-@settings(max_examples=8, deadline=None)
+@examples(8)
 def test_all_can_be_read_and_those_of_one_scale_share_it_if_they_can(content: Contents, page: Page) -> None:
     spots = {name: spot for one in compose(content, page) for name, spot in one.spots.items()}
     pictures = {panel.item.name: panel for panel in content.panels if isinstance(panel.item, Picture)}
