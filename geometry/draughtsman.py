@@ -122,7 +122,7 @@ def _given(hand: Draughtsman, mark: Mark, place: bool) -> Any:
 
 def _laid_off(hand: Draughtsman, mark: Mark, inputs: Sequence[Any]) -> Any:
     start, vector = inputs
-    if not np.any(vector):  # nothing is laid off
+    if not np.any(mark.step.inputs[1].point):  # nothing is laid off, whatever the slips before it would make of it
         return start
     return start + vector + hand.pricked(mark.subject)
 

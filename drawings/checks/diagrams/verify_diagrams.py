@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 from drawings.checks.diagrams import diagram_told
@@ -48,7 +49,7 @@ def _figure(
     head, omega = figure(leaf, NAME), abs(own.linkage.mechanism.drive.omega)
     stated = {} if head is None else scales(head)
     along = stated.get("φ", 1.0)
-    if number(stated.get("t", 0.0)) != number(along / omega):
+    if _written(stated.get("t", math.inf), drafting) != _written(along / omega, drafting):
         yield message("wrong.scale", text="μ_t")
     if head is None or title(own, drafting) not in head.texts:
         yield on("title", NAME, text=title(own, drafting))
@@ -60,3 +61,8 @@ def _figure(
     for one in found:
         yield from one.faults(shared)
     yield from poles(leaf, found, omega)
+
+
+def _written(mu: float, drafting: Drafting) -> str:
+    """Give the number of a scale as it is written, mu or K = 1/mu; of none at all nothing."""
+    return number(1 / mu if drafting.notation == "K" else mu) if math.isfinite(mu) else ""
