@@ -21,10 +21,12 @@ NAME = "diagrams"
 HIGH = 0.9  # height of all rows, in lengths of the axis
 TALLEST = 0.42  # share of it that one row takes at most
 LONG = 24.0  # sizes of a letter that the axis has at least: its positions are numbered
-LEFT, RIGHT = 10.4, 1.8  # paper beside the graphs, likewise
-POLE = (2.8, 8.0)  # least and greatest pole distance, likewise
+RIGHT, LETTERS = 1.8, 2.4  # paper on the right of the graphs, and on the left for the letters of a pole, likewise
+# Least and greatest pole distance, likewise. Graphs of a part of a turn, all three as high as one another, want a pole
+# half the axis away: what goes forth alone has a course three times as long for its speed as what comes back too.
+POLE, FARTHER = (2.8, 8.0), 20.0
 LARGER = 1 + 1e-9  # times an extent that fits: no two standard scales lie so near
-COARSER = 8  # scales tried beyond the largest: they differ by forty times and more
+COARSER = 12  # scales tried beyond the largest: they differ by five hundred times and more
 
 
 @dataclass(frozen=True)
@@ -67,7 +69,17 @@ class DiagramsPlate:
     @property
     def beside(self) -> float:
         """Half the paper beside the graphs, mm."""
-        return (LEFT + RIGHT) * self.hand.letter / 2 + BEYOND / 2
+        return (self.left + RIGHT * self.hand.letter + BEYOND) / 2
+
+    @property
+    def left(self) -> float:
+        """The paper on the left of the graphs, mm."""
+        return self.farthest + LETTERS * self.hand.letter
+
+    @property
+    def farthest(self) -> float:
+        """The greatest distance of a pole, mm."""
+        return (POLE[1] if self.axis.closed else FARTHER) * self.hand.letter
 
     @property
     def over(self) -> float:
@@ -113,7 +125,7 @@ class DiagramsFrame:
     def fields(self) -> dict[str, Field]:
         """The fields of the rows' lines, as wide as the axis."""
         box, plate = self.spot.box, self.plate
-        left, top, fields = box.left + LEFT * plate.hand.letter, box.top - plate.above, {}
+        left, top, fields = box.left + plate.left, box.top - plate.above, {}
         for row in plate.rows:
             top -= plate.over
             high = self.heights[row.key]
@@ -142,8 +154,7 @@ class DiagramsFrame:
 
     def _cost(self, scales: tuple[Scale, ...]) -> tuple[bool, int, float]:
         """Weigh scales: rows too high together, poles that stand badly, then how small the graphs become."""
-        size = self.plate.hand.letter
-        least, most = (one * size for one in POLE)
+        least, most = POLE[0] * self.plate.hand.letter, self.plate.farthest
         out = sum(not least <= one <= most for one in self._distances(scales))
         return sum(self._taken(scales)) > HIGH * self.length, out, scales[0].mu * scales[1].mu * scales[2].mu
 
