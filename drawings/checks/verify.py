@@ -45,6 +45,13 @@ def verify_enclosure(path: Path, enclosure: Enclosure) -> None:
         raise SelfCheckFailed(message("check.enclosure", marks=_first(wrong)))
 
 
+def verify_set(wrong: Iterable[Wrong]) -> None:
+    """See that measured sheets have no faults as a set."""
+    told = list(wrong)
+    if told:
+        raise SelfCheckFailed(message("check.sheet", marks=_first(told)))
+
+
 def verify_report(wrong: Iterable[Wrong]) -> None:
     """See that a report has no faults."""
     told = list(wrong)

@@ -108,6 +108,12 @@ def test_it_lies_on_the_smallest_format_that_takes_it_at_its_own_size(name: str,
     assert len(table(name, format_)) == 72
 
 
+def test_a_smaller_format_lies_as_the_scene_wants_it() -> None:
+    """A4 only stands upright: a scene that wants its sheets lying has the profile on no less than A3."""
+    lying = scene().changed(sheet=scene().sheet.changed(orientation="landscape"))
+    assert [leaf.width for leaf in sheets(lying, [made("wedge")[0]])] == [420.0]
+
+
 def test_where_nothing_takes_it_at_its_own_size_it_lies_on_the_format_of_the_scene() -> None:
     (leaf,) = made("rocker", "A4")[1]
     assert leaf.width == 210.0

@@ -227,6 +227,7 @@ CYLINDERS = {
     "no fixed point": (CYLINDER.replace('"EF"', '"GF"'), "drive.stroke.between"),
     "the crank's hinge": (CYLINDER.replace('"EF"', '"EO"'), "drive.stroke.between"),
     "too long": (CYLINDER.replace("0.55", "0.75"), "drive.stroke.to"),
+    "too short": (CYLINDER.replace("0.45", "0.09"), "drive.stroke.from"),
     "at rest": (CYLINDER.replace("0.06", "0"), "drive.stroke.speed"),
 }
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 from drawings.checks.cam.cam_strokes import figure, scales
@@ -46,9 +47,9 @@ def _figure(
 ) -> Iterator[Wrong]:
     """Hold the heading with the scales along the axis, each row, the poles."""
     head, omega = figure(leaf, NAME), abs(own.linkage.mechanism.drive.omega)
-    along = 1.0 if head is None else scales(head).get("φ", 1.0)
-    time = Text(0j, drafting.scale(Scale(along / omega, "t", "s")), 1.0).plain
-    if head is None or not any(text.endswith(time) for text in head.texts):
+    stated = {} if head is None else scales(head)
+    along = stated.get("φ", 1.0)
+    if _written(stated.get("t", math.inf), drafting) != _written(along / omega, drafting):
         yield message("wrong.scale", text="μ_t")
     if head is None or title(own, drafting) not in head.texts:
         yield on("title", NAME, text=title(own, drafting))
@@ -60,3 +61,8 @@ def _figure(
     for one in found:
         yield from one.faults(shared)
     yield from poles(leaf, found, omega)
+
+
+def _written(mu: float, drafting: Drafting) -> str:
+    """Give the number of a scale as it is written, mu or K = 1/mu; of none at all nothing."""
+    return number(1 / mu if drafting.notation == "K" else mu) if math.isfinite(mu) else ""

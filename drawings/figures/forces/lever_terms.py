@@ -44,7 +44,8 @@ class LeverTerm(NamedTuple):
 
 def terms(forces: Sequence[ShownVector], images: Mapping[complex, str], drafting: Drafting) -> tuple[LeverTerm, ...]:
     """Give the terms in the order of hanging, the balancing force first; what has no moment about the pole is none."""
-    greatest = max((abs(one.moment) for one in forces), default=0.0)
+    # What rounding leaves of the greatest force at the greatest speed is no moment, even where there are no others.
+    greatest = max((abs(one.value) for one in forces), default=0.0) * max((abs(one.at) for one in forces), default=0.0)
     told, number = list[LeverTerm](), 0
     for name, own in _together(forces).items():
         moment = sum(one.moment for one in own)
