@@ -13,10 +13,10 @@ from drawings.checks.diagrams.expected_rows import KEYS, ExpectedRow, expected_r
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.diagrams.frame import NAME
 from drawings.figures.diagrams.kinematic_diagrams import title
+from drawings.lettering.words import number
 from drawings.measure.measure import Measured
 from drawings.page.drafting import Drafting, drafting_of
-from drawings.page.scale import Scale
-from drawings.paper.strokes import Leaf, Text
+from drawings.paper.strokes import Leaf
 from plans.checks.diagrams_comparison import DiagramsComparison
 from plans.diagrams.study import DiagramsStudy
 from plans.study import Study
