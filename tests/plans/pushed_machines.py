@@ -89,7 +89,7 @@ FOOT = THROUGH + 1j * OFFSET * GUIDE  # of the ways of that point
 PUSH = Stroke(0.3, 0.42)
 HINGE_OF_CRANK = 0.2 - 0.05j
 
-# A slider HB pushes by the rod HA a crank OA that is braked; all masses lie midway between two points.
+# A slider HB pushes by the rod HA a crank OA that is braked, and a slider D behind it; a mass lies midway between points.
 SLIDER = """
 [mechanism.frame]
 O = {O}
@@ -97,10 +97,16 @@ O = {O}
 1 = "HB"
 2 = "HA"
 3 = "OA"
+4 = "AD"
+5 = "D"
 [mechanism.lengths]
+AD = {AD}
 HB = {HB}
 HA = {HA}
 OA = {OA}
+[[mechanism.slides]]
+link = 5
+along = {{ through = {O}, angle = {back} }}
 [[mechanism.slides]]
 link = 1
 point = "B"
@@ -111,6 +117,7 @@ angle = {lean}
 A = {A}
 B = {B}
 H = {H}
+D = {D}
 """
 LOADS = """
 [loads]
@@ -161,9 +168,13 @@ def slider(picture: Picture = PLAIN, stroke: Stroke = PUSH, gravity: float = 0.0
     axis = GUIDE * cmath.rect(1.0, LEAN * cmath.pi / 180)
     text = SLIDER.format(
         **{name: picture.place(at) for name, at in (("O", HINGE_OF_CRANK), ("through", THROUGH), ("B", start))},
-        **{name: picture.place(at) for name, at in (("A", 0.15 + 0.17j), ("H", start - 0.1 * axis))},
-        **{name: picture.length(size) for name, size in (("HB", 0.1), ("HA", 0.45), ("OA", 0.22))},
+        **{
+            name: picture.place(at)
+            for name, at in (("A", 0.15 + 0.17j), ("D", -0.3 - 0.05j), ("H", start - 0.1 * axis))
+        },
+        **{name: picture.length(size) for name, size in (("HB", 0.1), ("HA", 0.45), ("AD", 0.5), ("OA", 0.22))},
         guide=picture.angle(GUIDE),
+        back=picture.angle(-1.0 + 0j),
         offset=picture.length(OFFSET, picture.sense),
         lean=picture.lean(LEAN),
     )

@@ -10,12 +10,13 @@ import numpy as np
 import pytest
 
 from geometry import draughtsman, hand_error
-from geometry.board import between
+from geometry.board import Board, between
 from geometry.draughtsman import Draughtsman, copies
+from geometry.hand_error import Hand, number_error
 from plans.checks.compare import compare
 from plans.checks.hand.forces import forces_by_hand
 from plans.checks.hand.motion import MotionByHand
-from plans.checks.hand.quantity import SLIP, Told
+from plans.checks.hand.quantity import SLIP, Told, errors_by_hand
 from plans.checks.parts import Span
 from plans.forces.statics import Statics
 from plans.linkage.plan import Reading
@@ -122,3 +123,14 @@ def test_forces_are_out_by_their_polygons_and_arms() -> None:
     finer = forces_by_hand(statics, 2, {**scales, "forces-2-3": 5.0, "forces-4-5": 5.0})
     assert all(finer[key] < error for key, error in ruled.items() if key[0].startswith("R_"))
     assert finer["M_bal lever", 2] == ruled["M_bal lever", 2]  # no polygon enters the lever
+
+
+def test_a_rate_is_out_by_what_turns_the_link_and_by_its_length() -> None:
+    """Omega = T/L of a link of 30 mm whose end goes 12 mm square to it: d omega = dT/L - T dL/L^2."""
+    base, above = Board("positions"), Board("velocities")
+    arm = base.join("AB", base.given("A", 2 + 1j), base.given("B", 32 + 1j))
+    turning = above.join("ab", above.given("a", 1 + 1j), above.given("b", 1 + 13j))
+    hand = Hand(0.2, {"positions": np.ones(1), "velocities": np.ones(1)})
+    slips = 0.2 / np.sqrt(3) * np.array([1 / 30, 1 / 30, 12 / 30**2, 12 / 30**2])
+    told = errors_by_hand({"ω": Reading(arm, turning)}, hand)
+    assert told["ω"] == pytest.approx(number_error(slips[:, None] + 0j), rel=1e-12)

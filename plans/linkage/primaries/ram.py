@@ -80,6 +80,12 @@ def ways(mechanism: Mechanism, phi: Floats) -> Floats:
     return np.asarray(np.abs(triangle(mechanism).span(phi)))
 
 
+def law(mechanism: Mechanism, phi: Floats) -> tuple[Floats, Floats]:
+    """Give how fast the cylinder lengthens at crank angles rad, (N,): m/s, and m/s2."""
+    ram = triangle(mechanism).ram
+    return stroke_rates(mechanism.drive, ways(mechanism, phi), ram.speed, ram.acceleration)
+
+
 def lever(mechanism: Mechanism, places: Complexes) -> Floats:
     """Give the arm m of the cylinder about the crank's hinge, where the crank's point is at some places, (N,)."""
     corner = triangle(mechanism)
