@@ -16,7 +16,7 @@ from drawings.layout.growth import Growth, State, rungs_of
 from drawings.layout.parting import Run, fewest, partings
 from drawings.layout.request import Request, request
 from drawings.layout.room import corner_of, ends_of, head_of
-from drawings.layout.slicing import Slicing, Tree
+from drawings.layout.slicing import Cuts, Slicing, Tree
 from drawings.layout.stood import Stood, size_of
 from drawings.layout.units import Shape, nested
 from drawings.page.page import Page
@@ -77,6 +77,7 @@ class _Composer:
 
     def __init__(self, asked: Request, page: Page) -> None:
         self.asked, self.page = asked, page
+        self.cuts = Cuts(asked.stock.room)
         self.known: dict[tuple[int, State], _Cutting] = {}
 
     def composed(self) -> tuple[Composition, ...]:
@@ -95,7 +96,7 @@ class _Composer:
             shapes = [stock.shapes(unit, rungs) for unit in self.asked.orders[order]]
             opening = [stock.opening(own, head_of(self.page)) for own in shapes]
             sizes, opened = ([[shape.size for shape in own] for own in every] for every in (shapes, opening))
-            slicing = Slicing(sizes, stock.room, corner_of(self.page), opened)
+            slicing = Slicing(sizes, self.cuts, corner_of(self.page), opened)
             self.known[order, state] = _Cutting(slicing, shapes, opening)
         return self.known[order, state]
 
