@@ -15,6 +15,7 @@ from drawings.checks.wrong import Wrong, on
 from drawings.figures.forces.force_letters import force_letter
 from drawings.figures.forces.lever_equation import NAME
 from drawings.figures.forces.lever_layout import PLAN
+from drawings.figures.forces.lever_terms import ARM
 from drawings.lettering.words import word
 from drawings.measure.measure import Measured
 from drawings.paper.limits import SEEN
@@ -116,7 +117,7 @@ class LeverCheck:
         scale = next(one.scale for one in self.measured.points if one.plan == PLAN)
         for name, read in named.items():
             due = self._due.get(name)
-            if due is None or not due.along or not read.arm.startswith("h"):
+            if due is None or not due.along or not read.arm.startswith(ARM):
                 continue
             length, one = abs(due.power) / due.size, seen.get(read.arm)
             near = 2 * self.measured.quantum * scale + length * self.slack / due.size
