@@ -39,6 +39,8 @@ def _pole(strokes: FigureStrokes, number: int, own: RowGraph, distance: float) -
         yield on("differs_on", own.name, name=f"P_{number}")
     if not strokes.lettered(f"P_{number}", [pole]):
         yield on("letter", own.name, name=f"P_{number}")
+    if not strokes.joins(pole, own.zero, FLUSH):
+        yield on("line", own.name)
     sizes = [one for one in strokes.lines if _level(one.start, one.end, pole.real, own.zero.real)]
     if not any(strokes.lettered(letter, [(one.start + one.end) / 2]) for one in sizes):
         yield on("letter", own.name, name=letter)

@@ -11,13 +11,13 @@ from drawings.checks.diagrams.diagram_rows import graphs
 from drawings.checks.diagrams.expected_rows import KEYS, ExpectedRow, expected_rows
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.diagrams.frame import NAME
-from drawings.figures.diagrams.kinematic_diagrams import title
 from drawings.lettering.words import number
 from drawings.measure.measure import Measured
 from drawings.page.drafting import Drafting, drafting_of
 from drawings.paper.strokes import Leaf
 from plans.checks.diagrams_comparison import DiagramsComparison
 from plans.diagrams.study import DiagramsStudy
+from plans.linkage.travel import frame_slide
 from plans.study import Study
 from plans.words.words import message
 
@@ -37,7 +37,7 @@ def faults(measured: Measured, leaf: Leaf, study: Study) -> Iterator[Wrong]:
         yield from _figure(measured, leaf, own, rows, drafting)
     elif leaf.metadata["of"] == 1:
         yield message("wrong.missing", name=NAME)
-    yield from diagram_told.table(leaf, comparison, omega)
+    yield from diagram_told.table(leaf, comparison, omega, drafting)
     yield from diagram_told.notes(leaf, own, rows, drafting)
 
 
@@ -50,8 +50,9 @@ def _figure(
     along = stated.get("φ", 1.0)
     if number(stated.get("t", 0.0)) != number(along / omega):
         yield message("wrong.scale", text="μ_t")
-    if head is None or title(own, drafting) not in head.texts:
-        yield on("title", NAME, text=title(own, drafting))
+    due = _title(own, drafting)
+    if head is None or due not in head.texts:
+        yield on("title", NAME, text=due)
     found = graphs(measured, leaf, rows, drafting, along)
     if len(found) < len(KEYS):
         yield message("wrong.missing", name=NAME)
@@ -60,3 +61,11 @@ def _figure(
     for one in found:
         yield from one.faults(shared)
     yield from poles(leaf, found, omega)
+
+
+def _title(own: DiagramsStudy, drafting: Drafting) -> str:
+    """Give the heading: the output by its number, one that slides by its point too."""
+    output = own.linkage.output
+    slide = frame_slide(own.linkage.mechanism, output.link)
+    point = output.point or (slide.point if slide else "")
+    return drafting.word(f"diagrams of {'point' if point else 'link'}", link=output.link, point=point)
