@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 from drawings.layout.contents import Composition, Contents
 from drawings.layout.growth import Growth, State, rungs_of
-from drawings.layout.parting import Run, fewest, partings
+from drawings.layout.parting import SheetRun, fewest, partings
 from drawings.layout.request import Request, request
 from drawings.layout.room import corner_of, ends_of, head_of
 from drawings.layout.slicing import Cuts, Slicing, Tree
@@ -131,7 +131,7 @@ class _Composer:
                 trees = [self._best(cutting, run, state, run is parting[-1]) for run in parting]
                 yield self._grown(trees, state)
 
-    def _best(self, cutting: _Cutting, run: Run, state: State, last: bool) -> Tree:
+    def _best(self, cutting: _Cutting, run: SheetRun, state: State, last: bool) -> Tree:
         """Choose the best of the ways to cut one sheet of a set."""
 
         def fault(tree: Tree) -> float:
