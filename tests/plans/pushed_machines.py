@@ -89,7 +89,8 @@ FOOT = THROUGH + 1j * OFFSET * GUIDE  # of the ways of that point
 PUSH = Stroke(0.3, 0.42)
 HINGE_OF_CRANK = 0.2 - 0.05j
 
-# A slider HB pushes by the rod HA a crank OA that is braked, and a slider D behind it; a mass lies midway between points.
+# A slider HB pushes by the rod HA a crank OA that is braked, and a slider D behind it; masses lie midway between two
+# points of their links.
 SLIDER = """
 [mechanism.frame]
 O = {O}

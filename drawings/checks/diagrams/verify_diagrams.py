@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from drawings.checks.cam.cam_strokes import figure, scales
 from drawings.checks.diagrams import diagram_told
 from drawings.checks.diagrams.diagram_poles import poles
 from drawings.checks.diagrams.diagram_rows import graphs
 from drawings.checks.diagrams.expected_rows import KEYS, ExpectedRow, expected_rows
+from drawings.checks.graphs.figure_strokes import figure, scales
 from drawings.checks.wrong import Wrong, on
 from drawings.figures.diagrams.frame import NAME
 from drawings.figures.diagrams.kinematic_diagrams import title

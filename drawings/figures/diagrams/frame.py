@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import ClassVar
 
 from drawings.figures.diagrams.rows import DiagramRow, rows_of
 from drawings.figures.graphs.row_frame import LONG, Proportions, RowFrame, RowPlate
@@ -15,8 +14,11 @@ from plans.diagrams.study import DiagramsStudy
 from plans.model.diagrams import Axis
 
 NAME = "diagrams"
-# Eight coarser scales differ by forty times and more.
-PROPORTIONS = Proportions(high=0.9, left=10.4, right=1.8, pole=(2.8, 8.0), coarser=8, rises=False)
+# Twelve coarser scales differ by five hundred times and more.
+PROPORTIONS = Proportions(high=0.9, left=10.4, right=1.8, pole=(2.8, 8.0), coarser=12, rises=False)
+# Graphs of a part of a turn, all three as high as one another, want a pole half the axis away: what goes forth alone
+# has a course three times as long for its speed as what comes back too.
+FORTH = PROPORTIONS._replace(left=22.4, pole=(2.8, 20.0))
 
 
 @dataclass(frozen=True)
@@ -25,7 +27,11 @@ class DiagramsPlate(RowPlate[DiagramRow]):
 
     own: DiagramsStudy
     drafting: Drafting
-    proportions: ClassVar[Proportions] = PROPORTIONS
+
+    @property
+    def proportions(self) -> Proportions:
+        """How the figure is laid out."""
+        return PROPORTIONS if self.axis.closed else FORTH
 
     @property
     def axis(self) -> Axis:

@@ -6,7 +6,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
 from functools import cached_property
 from itertools import product
-from typing import ClassVar, Generic, NamedTuple, Protocol, TypeVar
+from typing import Generic, NamedTuple, Protocol, TypeVar
 
 from drawings.figures.graphs.axes import BEYOND, Axes
 from drawings.layout.picture import Spot
@@ -62,7 +62,11 @@ class RowPlate(ABC, Generic[Shown]):
     """Graphs to be drafted one under another: their rows and the paper about them."""
 
     drafting: Drafting
-    proportions: ClassVar[Proportions]
+
+    @property
+    @abstractmethod
+    def proportions(self) -> Proportions:
+        """How the figure is laid out."""
 
     @property
     @abstractmethod
