@@ -81,6 +81,16 @@ def test_the_largest_bare_rectangle_is_found(rows: list[list[bool]]) -> None:
     assert not grid[low:high, left:right].any()
 
 
+@given(some.lists(some.tuples(*[some.integers(-5, 80)] * 4), max_size=8))
+def test_boxes_leave_the_same_bare_as_the_cells_that_they_take(sides: list[tuple[int, int, int, int]]) -> None:
+    field, grid = Field(0.0, 0.0, 72.0, 48.0), np.zeros((48, 72), bool)
+    boxes = [(*sorted((a, c)), *sorted((b, d))) for a, b, c, d in sides]
+    for left, right, low, high in boxes:
+        grid[max(low, 0) : max(high, 0), max(left, 0) : max(right, 0)] = True
+    told = bareness([Field(left, low, right, high) for left, right, low, high in boxes], field)
+    assert told == pytest.approx(largest(grid)[0])
+
+
 def test_boxes_are_told_as_bare_as_they_leave_a_sheet() -> None:
     field = Field(20.0, 5.0, 415.0, 292.0)
     box = Field(20.0, 5.0, 20.0 + field.width / 3, 292.0)
