@@ -27,7 +27,7 @@ SYMBOL, UNIT = "φ", "rad"
 # In radians of the abscissa: a row, where in it the course runs, a level of setting angles.
 ROW, LOW, HIGH, LEVEL = 0.46, 0.04, 0.11, 0.2
 NAMES = 1.7  # of the turn: the column of names stands left of the rows
-MARGINS = Margins(2.2, 2.0, 3.2)  # paper around it in sizes of its letters
+MARGINS = Margins(1.85, 2.0, 3.2)  # paper around it in sizes of its letters
 LARGER = 2.1  # times as large it is drawn at most: from one standard scale to the next is twice
 DEGREES = 30  # from one number of the abscissa to the next
 BESIDE = 0.8  # mm from a line to its letters
