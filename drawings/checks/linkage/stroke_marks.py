@@ -11,8 +11,9 @@ from drawings.checks.linkage.laid import LaidMechanism
 from drawings.checks.linkage.position_marks import EXACT, named
 from drawings.checks.wrong import on
 from drawings.figures.linkage.position_plan import OTHERS, ROTATION
+from drawings.page.page import page_of
 from drawings.paper.strokes import Leaf, Line
-from drawings.symbols.symbols import TICK
+from drawings.symbols.symbols import BLOCK, TICK
 from plans.linkage.travel import frame_slide
 from plans.model.order import POSITIONS
 from plans.words.words import Message
@@ -39,9 +40,16 @@ def _ticks(leaf: Leaf, laid: LaidMechanism) -> Iterator[Message]:
     lines = [line for group in named(leaf, OTHERS) for line in group.strokes if isinstance(line, Line)]
     middles = [(line.start + line.end) / 2 for line in lines if _is_tick(line, laid)]
     near = {k: min((abs(middle - spot) for middle in middles), default=math.inf) for k, spot in due.items()}
-    for k in due:
-        if k != laid.position and near[k] > EXACT:
+    for k, spot in due.items():
+        if near[k] > EXACT and not _covered(spot, laid):
             yield on("missing_at", POSITIONS.plan, name=laid.mechanism.drive.end, position=k)
+
+
+def _covered(spot: complex, laid: LaidMechanism) -> bool:
+    """Tell whether a pair of the drawn position may stand before a spot on paper: no symbol is larger than a block."""
+    reach = abs(complex(*BLOCK)) / 2 * page_of(laid.study.scene).hand.symbol
+    points = (complex(moved.r[laid.position]) for moved in laid.motion.points.values())
+    return any(abs(laid.at.on(point) - spot) <= reach for point in points)
 
 
 def _is_tick(line: Line, laid: LaidMechanism) -> bool:
