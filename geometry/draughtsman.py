@@ -16,8 +16,9 @@ import numpy.typing as npt
 
 from geometry import meet as loci
 from geometry.board import Arc, Line, Mark
-from geometry.hand_error import EDGE, EVEN, Hand, Sizes, Slopes, pricked_givens
+from geometry.hand_error import EDGE, EVEN, SlippingHand, pricked_givens
 from geometry.meet import cross
+from geometry.scatter import Sizes, Slopes
 from geometry.steps import behind
 
 Complexes = npt.NDArray[np.complex128]
@@ -75,7 +76,7 @@ def copies(hand: Draughtsman, *wanted: Mark) -> dict[Mark, Any]:
     return done
 
 
-def slopes(hand: Hand, *wanted: Mark) -> dict[Mark, Slopes]:
+def slopes(hand: SlippingHand, *wanted: Mark) -> dict[Mark, Slopes]:
     """Give how far each slip of a hand moves each mark, as `hand_error.slopes` does: each slip tried by itself."""
     counter = _OneByOne(0)
     true = copies(Draughtsman(0.0, hand.scales, 1, counter), *wanted)

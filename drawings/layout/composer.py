@@ -13,10 +13,10 @@ from dataclasses import dataclass
 
 from drawings.layout.contents import Composition, Contents
 from drawings.layout.growth import Growth, State, rungs_of
-from drawings.layout.parting import Run, fewest, partings
+from drawings.layout.parting import SheetRun, fewest, partings
 from drawings.layout.request import Request, request
 from drawings.layout.room import corner_of, ends_of, head_of
-from drawings.layout.slicing import Slicing, Tree
+from drawings.layout.slicing import Cuts, Slicing, Tree
 from drawings.layout.stood import Stood, size_of
 from drawings.layout.units import Shape, nested
 from drawings.page.page import Page
@@ -77,7 +77,9 @@ class _Composer:
 
     def __init__(self, asked: Request, page: Page) -> None:
         self.asked, self.page = asked, page
+        self.cuts = Cuts(asked.stock.room)
         self.known: dict[tuple[int, State], _Cutting] = {}
+        self.chosen: dict[tuple[int, State, SheetRun, bool], Tree] = {}
 
     def composed(self) -> tuple[Composition, ...]:
         """Find the best set."""
@@ -95,7 +97,7 @@ class _Composer:
             shapes = [stock.shapes(unit, rungs) for unit in self.asked.orders[order]]
             opening = [stock.opening(own, head_of(self.page)) for own in shapes]
             sizes, opened = ([[shape.size for shape in own] for own in every] for every in (shapes, opening))
-            slicing = Slicing(sizes, stock.room, corner_of(self.page), opened)
+            slicing = Slicing(sizes, self.cuts, corner_of(self.page), opened)
             self.known[order, state] = _Cutting(slicing, shapes, opening)
         return self.known[order, state]
 
@@ -127,11 +129,17 @@ class _Composer:
                         yield self._grown([tree], state)
                 continue
             for parting in partings(len(cutting.shapes), count, cutting.fits, cutting.areas)[:PARTINGS]:
-                trees = [self._best(cutting, run, state, run is parting[-1]) for run in parting]
+                trees = [self._best(order, state, run, run is parting[-1]) for run in parting]
                 yield self._grown(trees, state)
 
-    def _best(self, cutting: _Cutting, run: Run, state: State, last: bool) -> Tree:
+    def _best(self, order: int, state: State, run: SheetRun, last: bool) -> Tree:
         """Choose the best of the ways to cut one sheet of a set."""
+        key = order, state, run, last
+        if key not in self.chosen:
+            self.chosen[key] = self._chosen(self._cutting(order, state), run, state, last)
+        return self.chosen[key]
+
+    def _chosen(self, cutting: _Cutting, run: SheetRun, state: State, last: bool) -> Tree:
 
         def fault(tree: Tree) -> float:
             grown = self._growth([tree]).grown(state, only=True)

@@ -10,7 +10,7 @@ from drawings.layout.contents import Contents
 from drawings.layout.growth import State, rungs_of
 from drawings.layout.picture import Picture, Rung
 from drawings.layout.room import corner_of, head_of, room_of
-from drawings.layout.slicing import Piece, Slicing
+from drawings.layout.slicing import Cuts, Piece, Slicing
 from drawings.layout.table import RuledTable
 from drawings.layout.units import Shape, Stock, Unit, groups, orders
 from drawings.page.page import Page
@@ -76,7 +76,7 @@ class _Fitting:
     def _stands(self, shapes: Sequence[Shape]) -> bool:
         """Tell whether a unit stands on a sheet with nothing but the title block."""
         opening = [shape.size for shape in self._stock.opening(shapes, head_of(self.page))]
-        return len(Slicing([opening], self.room, corner_of(self.page)).sheet(0, 0).sizes) > 0
+        return len(Slicing([opening], Cuts(self.room), corner_of(self.page)).sheet(0, 0).sizes) > 0
 
     def _apart(self, unit: Unit, rungs: Mapping[str, Rung]) -> Iterator[Unit]:
         """Take what should stand together apart where no sheet holds it."""

@@ -7,13 +7,14 @@ import pytest
 
 from geometry import draughtsman, hand_error, precision
 from geometry.board import Board, Mark
-from geometry.hand_error import EDGE, EVEN, POINT, Hand, number_error, size_error, slopes
+from geometry.hand_error import EDGE, EVEN, SlippingHand, slopes
+from geometry.scatter import POINT, number_error, size_error
 
-HAND = Hand(0.2, {"positions": np.ones(1), "velocities": np.full(1, 0.5)})
+HAND = SlippingHand(0.2, {"positions": np.ones(1), "velocities": np.full(1, 0.5)})
 SLIP = 0.2 * EVEN
 
 
-def deviation(mark: Mark, hand: Hand = HAND) -> float:
+def deviation(mark: Mark, hand: SlippingHand = HAND) -> float:
     """Give the root of the mean square of a mark's error."""
     return float(np.sqrt((np.abs(slopes(hand, mark)[mark]) ** 2).sum()))
 
@@ -100,4 +101,106 @@ def test_a_long_vector_is_out_along_itself_and_one_of_nothing_by_its_place() -> 
     # Of a round cloud 95 per cent lie within the root of -2 ln 0.05, 2.448 deviations.
     assert size_error(np.array([0j]), np.concatenate([slips[:30], 1j * slips[:30]]))[0] == pytest.approx(
         2.4477 * 0.1 * np.sqrt(30), rel=0.03
+    )
+
+
+def test_a_set_square_carries_as_truly_as_it_is_long() -> None:
+    """Of 100 mm: a vector of 250 mm is out two and a half times as far."""
+    base, above = Board("positions"), Board("velocities")
+    carried = above.transfer("v", base.given("AB", 250 + 0j))
+    assert deviation(carried) == pytest.approx(np.sqrt(2) * 2.5 * SLIP)
+
+
+PLACE, OTHER, WAY = 3 + 4j, 8 + 4j, 30 + 0j  # mm: two given points, and a vector from nowhere
+
+
+def _parallels(board: Board, start: Mark) -> Mark:
+    """Two lines square to each other through one point."""
+    lines = [board.parallel(name, start, board.given(name, way)) for name, way in (("x", WAY), ("y", 1j * WAY))]
+    return board.meet("M", *lines)
+
+
+def _squares(board: Board, start: Mark) -> Mark:
+    lines = [board.square(name, start, board.given(name, way)) for name, way in (("x", WAY), ("y", 1j * WAY))]
+    return board.meet("M", *lines)
+
+
+def _notched(board: Board, start: Mark) -> Mark:
+    """A circle notched by a line through its own centre."""
+    line = board.parallel("x", board.given("O", 0j), board.given("way", PLACE))
+    return board.meet("M", line, board.arc("k", start, 5.0), side=+1)
+
+
+# Each slip is SLIP in x and in y, along any one line SLIP. What is drawn from a given point knows that it was pricked.
+PRICKED = {
+    "lay_off": (lambda board, a: board.lay_off("B", a, board.given("v", WAY)), np.sqrt(2 + 2)),
+    "laid off nothing": (lambda board, a: board.lay_off("B", a, board.given("v", 0j)), np.sqrt(2)),
+    "join": (lambda board, a: board.join("AC", a, board.given("C", OTHER)), np.sqrt(2 + 2)),
+    "parallel": (_parallels, np.sqrt(2 + 2 + 2)),  # the point's own prick, two lines, the meeting's
+    "square": (_squares, np.sqrt(2 + 2 + 2)),
+    # Along the line the centre and the opening, square to it the line, and the meeting's own prick.
+    "arc": (_notched, np.sqrt(1 + 1 + 1 + 2)),
+    # Square to the arm of 5 mm: both points and the ruler, over what the tangent reaches, 4 mm.
+    "tangent": (lambda board, a: board.tangent("t", a, board.given("C", OTHER), 3.0, +1), np.sqrt(3) / 4),
+    # A force square to the arm: both points and the ruler along it.
+    "moment": (
+        lambda board, a: board.moment("M", a, board.given("C", OTHER), board.given("F", 1j * WAY)),
+        np.sqrt(3) * 30,
+    ),
+}
+
+
+@pytest.mark.parametrize("verb", PRICKED)
+def test_what_is_drawn_from_a_given_point_is_out_by_its_prick_too(verb: str) -> None:
+    act, times = PRICKED[verb]
+    board = Board("positions")
+    assert deviation(act(board, board.given("A", PLACE))) == pytest.approx(SLIP * times)
+
+
+def test_a_force_that_balances_moments_is_out_by_its_arm() -> None:
+    """M = -F h: of an arm of 5 mm each mm is a fifth of the force; its line's direction is given."""
+    board = Board("positions")
+    about, through = board.given("O", PLACE), board.given("C", OTHER)
+    line = board.parallel("l", through, board.given("way", 1j * WAY))
+    force = board.balance("P", about, line, board.given("T", 60.0))
+    # Both points, the ruled line and the ruler, of a force of 12.
+    assert deviation(force) == pytest.approx(SLIP * np.sqrt(4) * 12 / 5)
+
+
+def test_a_vector_of_nothing_is_out_by_all_slips_along_one_line() -> None:
+    """Those that go together in x and in y: 95 per cent lie within 1.960 deviations along the slant."""
+    slips = np.full((40, 1), 0.1 + 0.1j)
+    assert size_error(np.array([0j]), slips)[0] == pytest.approx(POINT * 0.1 * np.sqrt(2 * 40), rel=0.03)
+
+
+def test_sums_slip_against_what_they_close() -> None:
+    """What closes a sum is out against it: the sum of both is not out at all."""
+    board = Board("positions")
+    start = board.given("A", 0j)
+    moments = [
+        board.moment(name, start, board.given(f"at {name}", at), board.given(f"F {name}", 1j * WAY))
+        for name, at in (("M", PLACE), ("N", OTHER))
+    ]
+    closing = board.close("C", *moments)
+    found = slopes(HAND, closing, *moments)
+    assert np.abs(found[closing] + found[moments[0]] + found[moments[1]]).max() == pytest.approx(0.0, abs=1e-12)
+
+
+def test_a_force_that_balances_moments_turns_with_a_line_that_is_carried() -> None:
+    """Its direction is joined by two pricked points 30 mm apart, 7 mm along it from the arm's foot."""
+    board = Board("positions")
+    about, through = board.given("O", PLACE), board.given("C", OTHER + 7j)
+    way = board.join("PQ", board.given("P", 1 + 1j), board.given("Q", 1 + 31j))
+    force = board.balance("P", about, board.parallel("l", through, way), board.given("T", 60.0))
+    turned = 2 / 30**2
+    assert deviation(force) == pytest.approx(SLIP * 12 * np.sqrt((4 + 49 * turned) / 25 + turned))
+
+
+def test_a_couple_is_out_by_its_arm_and_by_what_turns_it() -> None:
+    """M = 6 T/L of a link of 30 mm whose end goes 12 mm square to it: dM = 6 (dT/L - T dL/L^2)."""
+    board = Board("positions")
+    arm = board.join("AB", board.given("A", 2 + 1j), board.given("B", 32 + 1j))
+    turning = board.join("ab", board.given("a", 1 + 1j), board.given("b", 1 + 13j))
+    assert deviation(board.couple("M", arm, turning, 6.0)) == pytest.approx(
+        6 * SLIP * np.sqrt(2 / 30**2 + 2 * 12**2 / 30**4)
     )

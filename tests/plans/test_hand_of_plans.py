@@ -10,12 +10,13 @@ import numpy as np
 import pytest
 
 from geometry import draughtsman, hand_error
-from geometry.board import between
+from geometry.board import Board, between
 from geometry.draughtsman import Draughtsman, copies
+from geometry.hand_error import Hand, number_error
 from plans.checks.compare import compare
 from plans.checks.hand.forces import forces_by_hand
 from plans.checks.hand.motion import MotionByHand
-from plans.checks.hand.quantity import SLIP, Told
+from plans.checks.hand.quantity import SLIP, Told, errors_by_hand
 from plans.checks.parts import Span
 from plans.forces.statics import Statics
 from plans.linkage.plan import Reading
@@ -24,6 +25,7 @@ from plans.model.motion import Floats
 from plans.scene.scene import read_scene
 from tests.parts import some
 from tests.plans import linkages
+from tests.plans.pushed_machines import Picture, slider
 from tests.plans.studies import study_of
 
 GALLERY = Path(__file__).parents[2] / "drawings" / "gallery"
@@ -122,3 +124,54 @@ def test_forces_are_out_by_their_polygons_and_arms() -> None:
     finer = forces_by_hand(statics, 2, {**scales, "forces-2-3": 5.0, "forces-4-5": 5.0})
     assert all(finer[key] < error for key, error in ruled.items() if key[0].startswith("R_"))
     assert finer["M_bal lever", 2] == ruled["M_bal lever", 2]  # no polygon enters the lever
+
+
+def test_a_rate_is_out_by_what_turns_the_link_and_by_its_length() -> None:
+    """Omega = T/L of a link of 30 mm whose end goes 12 mm square to it: d omega = dT/L - T dL/L^2."""
+    base, above = Board("positions"), Board("velocities")
+    arm = base.join("AB", base.given("A", 2 + 1j), base.given("B", 32 + 1j))
+    turning = above.join("ab", above.given("a", 1 + 1j), above.given("b", 1 + 13j))
+    hand = Hand(0.2, {"positions": np.ones(1), "velocities": np.ones(1)})
+    slips = 0.2 / np.sqrt(3) * np.array([1 / 30, 1 / 30, 12 / 30**2, 12 / 30**2])
+    told = errors_by_hand({"ω": Reading(arm, turning)}, hand)
+    assert told["ω"] == pytest.approx(number_error(slips[:, None] + 0j), rel=1e-12)
+
+
+def test_each_position_of_a_sheet_is_out_by_the_scales_of_its_own_figures() -> None:
+    told, _, _ = by_hand("shaper")
+    rows = {"positions": [0.002, 0.002], "velocities": [0.01, 0.03], "accelerations": [0.2, 0.7]}
+    figures = {f"{plan}-{k}": row[k] for plan, row in rows.items() for k in (0, 1) if plan != "positions"}
+    due = told.errors((0, 1), {plan: np.array(row) for plan, row in rows.items()})
+    found = told.on_sheet((0, 1, 2), {"positions": 0.002, **figures})  # of position 2 no plans are drawn
+    assert found.keys() == {(name, k) for name in due for k in (0, 1)}
+    assert all(found[name, k] == pytest.approx(due[name][k], nan_ok=True) for name, k in found)
+
+
+def test_a_position_that_is_not_reached_has_no_errors() -> None:
+    short = linkages.four_bar(0.1, 0.3, 0.1495, 0.35, sketch={"B": 0.3 + 0.14j})
+    study = study_of(short, positions=[90, 180])
+    assert study.lost.tolist() == [False, True]
+    figures = {"positions": 0.002, **{f"{plan}-{k}": 0.1 for plan in ("velocities", "accelerations") for k in (0, 1)}}
+    assert {k for _, k in MotionByHand(study, compare(study), {}).on_sheet((0, 1), figures)} == {0}
+
+
+def test_arms_and_polygons_count_as_the_coarsest_of_their_figures() -> None:
+    statics = Statics(LinkageStudy(read_scene(GALLERY / "shaper-loaded.toml")))
+    scales = {"scheme-4-5": 0.002, "scheme-2-3": 0.004, "forces-4-5": 10.0, "forces-2-3": 25.0, "lever": 0.02}
+    coarsest = {**scales, "scheme-4-5": 0.004, "forces-4-5": 25.0}
+    assert forces_by_hand(statics, 2, scales) == forces_by_hand(statics, 2, coarsest)
+
+
+def test_the_force_of_a_slide_is_out_in_newtons_at_any_size() -> None:
+    """A machine four times as large, on figures to scales as much coarser, is out by as much more."""
+    scales = {"scheme-2-3": 0.002, "forces-2-3": 2.0, "lever": 0.01}
+    small = forces_by_hand(slider()["forces"], 2, scales)
+    large = forces_by_hand(slider(Picture(size=4.0))["forces"], 2, {name: 4.0 * mu for name, mu in scales.items()})
+    assert {("P_bal", 2), ("P_bal lever", 2), ("R_01", 2)} <= large.keys()
+    for key in (("P_bal", 2), ("P_bal lever", 2), ("R_01", 2)):
+        assert large[key] == pytest.approx(4.0 * small[key], rel=1e-9)
+
+
+def test_a_fair_hand_slips_by_as_much_as_is_told() -> None:
+    readme = (GALLERY.parents[1] / "README.md").read_text(encoding="utf-8")
+    assert f"out by up to {SLIP} mm to either side" in " ".join(readme.split())

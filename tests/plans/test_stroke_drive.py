@@ -7,6 +7,7 @@ from functools import cache
 import numpy as np
 import pytest
 
+from plans.forces import cylinder
 from plans.linkage.primaries import ram
 from plans.model.motion import NOT_REACHABLE, OUT_OF_REACH
 from plans.scene.faults import SceneError, dotted
@@ -223,10 +224,19 @@ def test_both_roads_agree_on_a_cylinder_and_hold_its_law(monkeypatch: pytest.Mon
     assert not Study(parse_scene(BOOM.format(drive=CYLINDER))).comparison("linkage").agrees
 
 
+def test_a_cylinder_that_leaves_the_crank_a_moment_is_seen_though_both_roads_have_its_force(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    true = cylinder.push
+    monkeypatch.setattr(cylinder, "push", lambda *given: 1.01 * true(*given))
+    assert not Study(parse_scene(BOOM.format(drive=CYLINDER))).comparison("forces").agrees
+
+
 CYLINDERS = {
     "no fixed point": (CYLINDER.replace('"EF"', '"GF"'), "drive.stroke.between"),
     "the crank's hinge": (CYLINDER.replace('"EF"', '"EO"'), "drive.stroke.between"),
     "too long": (CYLINDER.replace("0.55", "0.75"), "drive.stroke.to"),
+    "too short": (CYLINDER.replace("0.45", "0.09"), "drive.stroke.from"),
     "at rest": (CYLINDER.replace("0.06", "0"), "drive.stroke.speed"),
 }
 

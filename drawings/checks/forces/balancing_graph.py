@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from drawings.checks.cam.cam_strokes import FigureStrokes, scales
+from drawings.checks.graphs.figure_strokes import FigureStrokes, scales
 from drawings.checks.wrong import on
 from drawings.measure.measure import Measured
 from drawings.paper.limits import SEEN

@@ -72,6 +72,7 @@ class LeverCheck:
             if known is None or figures is None or not self._holds(one, known, told.get(one.arm, ""), figures, mu):
                 yield message("wrong.equation", text=f"{one.force}·{one.arm}", cut=PLAN)
         yield from self._given(told)
+        yield from self._units(group)
         if self._drawn:
             yield from self._arms(named)
 
@@ -101,6 +102,13 @@ class LeverCheck:
         for name, (value, slack) in due.items():
             if name not in told or not _near(told[name], value, slack):
                 yield message("wrong.equation", text=f"{name} = {told.get(name, '')}", cut=PLAN)
+
+    def _units(self, group: Group) -> Iterator[Wrong]:
+        """Hold the units of the force that balances the lever and of its moment."""
+        due = {self._letter(DRIVING): word(self.language, "N"), self._letter(BALANCING): word(self.language, "N*m")}
+        for one in (found for text in texts((group,)) if (found := _ARM.fullmatch(text.plain)) is not None):
+            if one["name"] in due and (one["unit"] or "").rstrip(",") != due[one["name"]]:
+                yield message("wrong.equation", text=one[0], cut=PLAN)
 
     def _holds(self, one: Read, due: Due, arm: str, figures: Read, mu: float) -> bool:
         size, same = due.size, one.sign == figures.sign == (1 if due.power > 0 else -1)

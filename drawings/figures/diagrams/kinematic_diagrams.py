@@ -54,11 +54,10 @@ def draw(own: DiagramsStudy, spot: Spot, drafting: Drafting) -> DiagramsFigure:
 
 
 def title(own: DiagramsStudy, drafting: Drafting) -> str:
-    """Head the figure with the output."""
-    point = own.linkage.output.point or (own.course.travel.slide.point if own.course.travel.slide else "")
-    return drafting.word(
-        "diagrams of point" if point else "diagrams of link", link=own.linkage.output.link, point=point
-    )
+    """Head the figure with the output: a point of what slides, a link that turns."""
+    travel, out = own.course.travel, own.linkage.output
+    point = (out.point or (travel.slide.point if travel.slide else "")) if travel.sliding else ""
+    return drafting.word("diagrams of point" if point else "diagrams of link", link=out.link, point=point)
 
 
 @dataclass(frozen=True)
@@ -79,7 +78,7 @@ class _Drawing:
     def _head(self) -> Group:
         """Write the heading of the figure, and the scales along its axis."""
         drafting, spot = self.plate.drafting, self.frame.spot
-        scales = ";  ".join(map(drafting.scale, (spot.scale, self.frame.time)))
+        scales = ";  ".join(map(drafting.scale, (spot.scale, self.frame.argument)))
         return Group((heading(spot.box, title(self.plate.own, drafting), scales, self.plate.hand),), NAME)
 
     @cached_property
@@ -131,4 +130,4 @@ def _wide(row: DiagramRow, plate: DiagramsPlate) -> float:
     scale = drafting.scale(Scale(0.0025, f"{{{row.letter}}}", row.unit))
     long = wide(caption_of(row, plate), f"{scale};  H_1 = 55.55 {drafting.word('mm')}", plate.hand)
     told = (text_width(Text(0j, text, plate.hand.text)) for text in said(row, plate))
-    return plate.left + max(long, *told, 0.0)
+    return plate.proportions.left * plate.hand.letter + max(long, *told, 0.0)
